@@ -15,11 +15,11 @@ use crate::columns::ARCHIVE_COLUMNS;
 use crate::row::{ArchiveRow, ArchivedProblem, FileRecord, RanStock, RunTotals};
 
 /// Most problems of a program whose text is kept; all are counted.
-const MOST_PROBLEMS: usize = 20;
+const MAX_PROBLEMS: usize = 20;
 
 /// Most bytes that are gone through for the programs of one file, each of which looks for its
 /// subprograms in the whole text. A file beyond is run as one.
-const MOST_SEARCHED: u64 = 1 << 33;
+const MAX_SEARCHED: u64 = 1 << 33;
 
 /// A program of more moves than its text lets expect loops, perhaps without end: it is planned
 /// only when it is known to end. Planning takes several times as long as all the rest.
@@ -230,7 +230,7 @@ fn rows(prepared: &PreparedFile, options: ArchiveOptions) -> Vec<ArchiveRow> {
         Err(message) => return vec![failed(prepared, &whole, 0, message)],
     };
     let mains = programs.iter().filter(|program| program.is_main).count() as u64;
-    if mains * prepared.texts[0].1.len() as u64 > MOST_SEARCHED {
+    if mains * prepared.texts[0].1.len() as u64 > MAX_SEARCHED {
         let mut row = one(prepared, &whole, None, options);
         let message =
             format!("{mains} programs in one file were run as one program; split the file");
@@ -486,7 +486,7 @@ fn problems(job: &Job<'_>, report: &Report) -> (Vec<String>, Vec<ArchivedProblem
             codes.push(code.into());
         }
     }
-    let first = by_weight.iter().take(MOST_PROBLEMS);
+    let first = by_weight.iter().take(MAX_PROBLEMS);
     (codes, first.map(|diagnostic| problem(job, diagnostic)).collect())
 }
 

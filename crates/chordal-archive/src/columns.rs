@@ -252,7 +252,7 @@ impl ArchiveColumns {
 
     pub fn push(&mut self, path: &str, file: &FileRecord, row: &ArchiveRow) {
         for ((name, ..), cells) in COLUMNS.iter().zip(&mut self.cells) {
-            put(cells, said(name, path, file, row));
+            put(cells, value_in_row(name, path, file, row));
         }
         self.rows += 1;
     }
@@ -274,7 +274,7 @@ impl RowBatcher for ArchiveColumns {
     }
 }
 
-fn said<'a>(
+fn value_in_row<'a>(
     column: &str,
     path: &'a str,
     file: &'a FileRecord,

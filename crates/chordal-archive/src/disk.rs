@@ -12,7 +12,7 @@ use chordal_load::{
 use crate::check::{FileLoader, PreparedFile};
 
 /// Files are read into memory, not mapped: one that is shortened meanwhile must not end the run.
-const LARGEST: u64 = u32::MAX as u64;
+const MAX_FILE_BYTES: u64 = u32::MAX as u64;
 
 /// The files of a disk, each loaded with its own machine and subprograms.
 pub struct DiskFiles {
@@ -40,7 +40,7 @@ impl DiskFiles {
         DiskFiles { renamed, ..self }
     }
 
-    fn told(&self, text: String) -> String {
+    fn renamed_text(&self, text: String) -> String {
         match &self.renamed {
             Some((from, to)) => text.replace(from, to),
             None => text,
@@ -67,13 +67,13 @@ impl FileLoader for DiskFiles {
 
     fn read(&mut self, path: &Path) -> Result<Vec<u8>, String> {
         let failure =
-            |error| self.told(LoadError::read(path.to_string_lossy(), &error).to_string());
+            |error| self.renamed_text(LoadError::read(path.to_string_lossy(), &error).to_string());
         let about = fs::metadata(path).map_err(failure)?;
         if !about.is_file() {
             // A pipe may never end.
             return Err("it is a pipe or a device, not a file".into());
         }
-        if about.len() > LARGEST {
+        if about.len() > MAX_FILE_BYTES {
             return Err("it is larger than 4 GiB; split the program".into());
         }
         fs::read(path).map_err(failure)
@@ -87,16 +87,16 @@ impl FileLoader for DiskFiles {
         let input = self.input(path);
         let text = ProgramText::of(&input.name(), bytes).map_err(|failure| failure.to_string())?;
         let loaded = self.loader.load_text(text, &input);
-        let loaded = loaded.map_err(|failure| self.told(told(&failure)))?;
+        let loaded = loaded.map_err(|failure| self.renamed_text(failure_line(&failure)))?;
         let (control, _) = Control::of(loaded.machine());
         let chosen = match &loaded.chosen {
-            MachineReason::Given => "given".into(),
-            MachineReason::Folder(file) => self.told(file.to_string_lossy().into_owned()),
+            MachineReason::Requested => "given".into(),
+            MachineReason::Folder(file) => self.renamed_text(file.to_string_lossy().into_owned()),
             other => other.why(control.table.title).unwrap_or_default(),
         };
         let (mut texts, machine, options) = loaded.into_parts();
         for (name, _) in &mut texts {
-            *name = self.told(std::mem::take(name));
+            *name = self.renamed_text(std::mem::take(name));
         }
         Ok(PreparedFile { texts, machine, chosen, options, meshes: Vec::new() })
     }
@@ -107,7 +107,7 @@ impl FileLoader for DiskFiles {
 }
 
 /// A failure in a line, with the first thing that is wrong with a machine.
-fn told(failure: &LoadError) -> String {
+fn failure_line(failure: &LoadError) -> String {
     match failure {
         LoadError::Machine(errors) => {
             let first = errors.first().map(|error| {

@@ -26,7 +26,7 @@ use crate::error::ArchiveError;
 use crate::row::FileRecord;
 
 /// No record is this long: a length beyond is a torn or foreign file.
-const LONGEST: u32 = 1 << 30;
+const MAX_RECORD_BYTES: u32 = 1 << 30;
 
 /// How often a shard is brought to the disk: what a power cut may take from it.
 const SYNCED_EVERY: Duration = Duration::from_secs(5);
@@ -278,7 +278,7 @@ impl TableJournal {
         let mut bytes = vec![0; 8];
         file.read_exact(&mut bytes)?;
         let length = u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
-        if length >= LONGEST {
+        if length >= MAX_RECORD_BYTES {
             return Ok(None);
         }
         bytes.resize(8 + length as usize, 0);
@@ -353,7 +353,7 @@ fn each_record(file: &File, mut take: impl FnMut(u64, &str, &FileRecord)) -> io:
         let mut head = [0; 8];
         reader.read_exact(&mut head)?;
         let length = u32::from_le_bytes([head[0], head[1], head[2], head[3]]);
-        if length >= LONGEST {
+        if length >= MAX_RECORD_BYTES {
             return Ok(());
         }
         bytes.clear();

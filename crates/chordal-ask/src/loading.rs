@@ -86,5 +86,5 @@ pub fn setup_of(
     let (mut texts, machine, options) = loaded.into_parts();
     // The first is the text itself.
     let beside = texts.split_off(1);
-    Ok(EditorSetup { machine, why, readings, options, program, beside })
+    Ok(EditorSetup { machine, why, readings, options, program, subprogram_texts: beside })
 }

@@ -19,7 +19,7 @@ pub struct ArcArc {
     /// Whether the cutter is inside each arc's circle.
     pub inside: [bool; 2],
     /// The second arc's centre from the first's, mm.
-    pub apart: [f64; 2],
+    pub center_offset: [f64; 2],
     /// Which crossing: seen from the first centre towards the second.
     pub side: TravelSide,
 }
@@ -36,7 +36,7 @@ struct CircleCrossing {
 /// # Errors
 /// When the arcs do not cross, or the cutter cannot touch both.
 pub fn arc_with_arc(ask: &ArcArc, units: AnswerUnit) -> Result<WorkedCalculation, CalcError> {
-    let ArcArc { cutter_radius: cr, radii, inside, apart, side } = *ask;
+    let ArcArc { cutter_radius: cr, radii, inside, center_offset: apart, side } = *ask;
     bounded(&[cr, radii[0], radii[1], apart[0], apart[1]], &[], units)?;
     cutter(cr, units)?;
     let distance = (apart[0] * apart[0] + apart[1] * apart[1]).sqrt();
@@ -60,10 +60,11 @@ pub fn arc_with_arc(ask: &ArcArc, units: AnswerUnit) -> Result<WorkedCalculation
     }
     let sign = |inside: bool| if inside { -1.0 } else { 1.0 };
     let offset = [radii[0] + sign(inside[0]) * cr, radii[1] + sign(inside[1]) * cr];
-    let corner =
-        cross(radii, distance).ok_or_else(|| apart_error("the arcs", radii, distance, units))?;
-    let center = cross(offset, distance)
-        .ok_or_else(|| apart_error("the paths of the cutter's centre", offset, distance, units))?;
+    let corner = cross(radii, distance)
+        .ok_or_else(|| separation_error("the arcs", radii, distance, units))?;
+    let center = cross(offset, distance).ok_or_else(|| {
+        separation_error("the paths of the cutter's centre", offset, distance, units)
+    })?;
     let turned = if side == TravelSide::Left { 1.0 } else { -1.0 };
     let angle = atan2(apart[1], apart[0]);
     let (du, dv) = (center.along - corner.along, turned * (center.across - corner.across));
@@ -72,16 +73,16 @@ pub fn arc_with_arc(ask: &ArcArc, units: AnswerUnit) -> Result<WorkedCalculation
     let mut worked = WorkedCalculation::new("Corner of two arcs", units);
     let n = |value: f64| units.number(value);
     let length = QuantityKind::Length;
-    worked.given("CR", "cutter radius", length, cr);
-    worked.given("R1", "radius of the first arc", length, radii[0]);
-    worked.given("R2", "radius of the second arc", length, radii[1]);
-    worked.given("D", "distance between the centres", length, distance);
-    worked.given("φ", "direction from the first to the second", QuantityKind::Angle, angle);
+    worked.input("CR", "cutter radius", length, cr);
+    worked.input("R1", "radius of the first arc", length, radii[0]);
+    worked.input("R2", "radius of the second arc", length, radii[1]);
+    worked.input("D", "distance between the centres", length, distance);
+    worked.input("φ", "direction from the first to the second", QuantityKind::Angle, angle);
     let mut circle = |marks: [&str; 2], names: [&str; 2], radii: [f64; 2], at: &CircleCrossing| {
         let [a, h] = marks;
         let (r1, r2, d) = (n(radii[0]), n(radii[1]), n(distance));
         let [n1, n2] = names;
-        worked.way(
+        worked.intermediate(
             a,
             "along the line of the centres",
             length,
@@ -89,7 +90,7 @@ pub fn arc_with_arc(ask: &ArcArc, units: AnswerUnit) -> Result<WorkedCalculation
             &format!("({n1}² − {n2}² + D²)/(2·D)"),
             format!("({r1}² − {r2}² + {d}²)/(2·{d})"),
         );
-        worked.way(
+        worked.intermediate(
             h,
             "across it",
             length,
@@ -104,7 +105,7 @@ pub fn arc_with_arc(ask: &ArcArc, units: AnswerUnit) -> Result<WorkedCalculation
     circle(["a'", "h'"], [&name(0), &name(1)], offset, &center);
     let (u, v, phi) = (factor(n(du)), factor(n(dv)), degrees(angle));
     let (u_way, v_way) = ("a' − a", if side == TravelSide::Left { "h' − h" } else { "h − h'" });
-    worked.way(
+    worked.intermediate(
         "u",
         "along the centres, corner to cutter",
         length,
@@ -114,7 +115,7 @@ pub fn arc_with_arc(ask: &ArcArc, units: AnswerUnit) -> Result<WorkedCalculation
     );
     let (first, second) =
         if side == TravelSide::Left { (&center, &corner) } else { (&corner, &center) };
-    worked.way(
+    worked.intermediate(
         "v",
         "left of them, corner to cutter",
         length,
@@ -156,7 +157,7 @@ fn cross(radii: [f64; 2], distance: f64) -> Option<CircleCrossing> {
         .then(|| CircleCrossing { along, across: square.sqrt() })
 }
 
-fn apart_error(what: &str, radii: [f64; 2], distance: f64, units: AnswerUnit) -> CalcError {
+fn separation_error(what: &str, radii: [f64; 2], distance: f64, units: AnswerUnit) -> CalcError {
     let [first, second] = radii;
     CalcError::new(
         format!(
@@ -176,7 +177,7 @@ fn apart_error(what: &str, radii: [f64; 2], distance: f64, units: AnswerUnit) ->
 /// The arcs near the corner, the cutter, and both distances.
 fn draw(ask: &ArcArc, corner: Vec2, center: Vec2, offset: [f64; 2], units: AnswerUnit) -> Figure {
     let cr = ask.cutter_radius;
-    let middles = [Vec2::ZERO, Vec2::new(ask.apart[0], ask.apart[1])];
+    let middles = [Vec2::ZERO, Vec2::new(ask.center_offset[0], ask.center_offset[1])];
     let mut figure = Figure::default();
     let arm = 3.5 * cr;
     for index in 0..2 {

@@ -45,11 +45,11 @@ pub fn arc_points(ask: &ArcPoints, units: AnswerUnit) -> Result<WorkedCalculatio
     let (i, j) = (center.a - start.a, center.b - start.b);
     let mut worked = WorkedCalculation::new("Arc from radius and angles", units);
     let length = QuantityKind::Length;
-    worked.given("XS", "start", length, start.a);
-    worked.given("YS", "start", length, start.b);
-    worked.given("R", "radius", length, radius);
-    worked.given("a", "direction from the centre to the start", QuantityKind::Angle, from);
-    worked.given("b", "direction from the centre to the end", QuantityKind::Angle, to);
+    worked.input("XS", "start", length, start.a);
+    worked.input("YS", "start", length, start.b);
+    worked.input("R", "radius", length, radius);
+    worked.input("a", "direction from the centre to the start", QuantityKind::Angle, from);
+    worked.input("b", "direction from the centre to the end", QuantityKind::Angle, to);
     let n = |value: f64| units.number(value);
     let (r, ta, tb) = (n(radius), degrees(from), degrees(to));
     let rows = [

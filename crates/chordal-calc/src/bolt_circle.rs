@@ -24,7 +24,7 @@ pub struct BoltCircle {
 }
 
 /// More holes than this are no list for a person.
-const MOST: u32 = 360;
+const MAX_HOLES: u32 = 360;
 
 /// X and Y of each hole, and the distance of neighbours.
 ///
@@ -33,10 +33,10 @@ const MOST: u32 = 360;
 pub fn bolt_circle(ask: &BoltCircle, units: AnswerUnit) -> Result<WorkedCalculation, CalcError> {
     let BoltCircle { center, diameter, holes, start, sweep } = *ask;
     bounded(&[diameter, center.a, center.b], &[start, sweep], units)?;
-    if diameter <= 0.0 || holes == 0 || holes > MOST {
+    if diameter <= 0.0 || holes == 0 || holes > MAX_HOLES {
         return Err(CalcError::new(
             format!("{holes} holes on a circle of {} are not possible", units.length(diameter)),
-            format!("give a diameter above zero and 1 to {MOST} holes"),
+            format!("give a diameter above zero and 1 to {MAX_HOLES} holes"),
         ));
     }
     if sweep == 0.0 || sweep.abs() > TAU + 1e-9 {
@@ -49,16 +49,23 @@ pub fn bolt_circle(ask: &BoltCircle, units: AnswerUnit) -> Result<WorkedCalculat
     let gaps = if whole { holes } else { (holes - 1).max(1) };
     let step = sweep / f64::from(gaps);
     let mut worked = WorkedCalculation::new("Holes on a circle", units);
-    worked.given("D", "diameter of the circle", QuantityKind::Length, diameter);
-    worked.given("Xc", "X of the centre", QuantityKind::Length, center.a);
-    worked.given("Yc", "Y of the centre", QuantityKind::Length, center.b);
-    worked.given("N", "holes", QuantityKind::Number, f64::from(holes));
-    worked.given("a", "direction of the first hole", QuantityKind::Angle, start);
-    worked.given("s", "angle over all", QuantityKind::Angle, sweep);
+    worked.input("D", "diameter of the circle", QuantityKind::Length, diameter);
+    worked.input("Xc", "X of the centre", QuantityKind::Length, center.a);
+    worked.input("Yc", "Y of the centre", QuantityKind::Length, center.b);
+    worked.input("N", "holes", QuantityKind::Number, f64::from(holes));
+    worked.input("a", "direction of the first hole", QuantityKind::Angle, start);
+    worked.input("s", "angle over all", QuantityKind::Angle, sweep);
     let (d, x, y) = (units.number(diameter), units.number(center.a), units.number(center.b));
     let (s, a) = (degrees(sweep), degrees(start));
     let formula = if whole { "s/N" } else { "s/(N − 1)" };
-    worked.way("w", "from hole to hole", QuantityKind::Angle, step, formula, format!("{s}/{gaps}"));
+    worked.intermediate(
+        "w",
+        "from hole to hole",
+        QuantityKind::Angle,
+        step,
+        formula,
+        format!("{s}/{gaps}"),
+    );
     let radius = diameter / 2.0;
     for hole in 0..holes {
         let at = center + unit(start + f64::from(hole) * step) * radius;

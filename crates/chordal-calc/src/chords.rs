@@ -67,11 +67,11 @@ pub fn chord_count(ask: &ChordCount, units: AnswerUnit) -> Result<WorkedCalculat
     let half = sweep / count / 2.0;
     let mut worked = WorkedCalculation::new("Chords of an arc", units);
     let length = QuantityKind::Length;
-    worked.given("R", "radius", length, radius);
-    worked.given("e", "tolerance", length, tolerance);
-    worked.given("s", "angle of the arc", QuantityKind::Angle, sweep);
+    worked.input("R", "radius", length, radius);
+    worked.input("e", "tolerance", length, tolerance);
+    worked.input("s", "angle of the arc", QuantityKind::Angle, sweep);
     let (r, e, s) = (units.number(radius), units.number(tolerance), degrees(sweep));
-    worked.way(
+    worked.intermediate(
         "α",
         "largest angle of a chord",
         QuantityKind::Angle,

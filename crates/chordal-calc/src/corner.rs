@@ -95,8 +95,8 @@ pub fn corner_with_axis(ask: &LineAxis, units: AnswerUnit) -> Result<WorkedCalcu
         PlaneAxis::Y => ("Y", "X"),
     };
     let mut worked = WorkedCalculation::new(format!("Corner of a line with the {on} axis"), units);
-    worked.given("CR", "cutter radius", QuantityKind::Length, cutter_radius);
-    worked.given("θ", &format!("angle of the line to the {on} axis"), QuantityKind::Angle, angle);
+    worked.input("CR", "cutter radius", QuantityKind::Length, cutter_radius);
+    worked.input("θ", &format!("angle of the line to the {on} axis"), QuantityKind::Angle, angle);
     let (cr, theta) = (units.number(cutter_radius), degrees(angle));
     worked.result(
         &format!("Δ{on}"),
@@ -159,9 +159,9 @@ fn end_of_slope(
             "give the distance that the slanted line goes across the axis, above zero",
         ));
     }
-    worked.given("h", "distance that the line goes across the axis", QuantityKind::Length, rise);
+    worked.input("h", "distance that the line goes across the axis", QuantityKind::Length, rise);
     let run = rise / tan(ask.angle);
-    worked.way(
+    worked.intermediate(
         "b",
         &format!("the corner P, along {on} from the start of the line"),
         QuantityKind::Length,
@@ -210,9 +210,9 @@ pub fn corner_of_lines(ask: &TwoLines, units: AnswerUnit) -> Result<WorkedCalcul
     let (dx, dy) =
         (cutter_radius * sin(middle) / cos(half), cutter_radius * cos(middle) / cos(half));
     let mut worked = WorkedCalculation::new("Corner of two lines", units);
-    worked.given("CR", "cutter radius", QuantityKind::Length, cutter_radius);
-    worked.given("a", "direction of the first line, from X", QuantityKind::Angle, a);
-    worked.given("b", "direction of the second line, from X", QuantityKind::Angle, b);
+    worked.input("CR", "cutter radius", QuantityKind::Length, cutter_radius);
+    worked.input("a", "direction of the first line, from X", QuantityKind::Angle, a);
+    worked.input("b", "direction of the second line, from X", QuantityKind::Angle, b);
     let (cr, ta, tb) = (units.number(cutter_radius), degrees(a), factor(degrees(b)));
     for (symbol, name, value) in [("ΔX", "sin", dx), ("ΔY", "cos", dy)] {
         worked.result(

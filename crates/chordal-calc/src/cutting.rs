@@ -46,10 +46,10 @@ pub fn cutting(ask: &CuttingData, units: AnswerUnit) -> Result<WorkedCalculation
     check(ask, units)?;
     let mut worked = WorkedCalculation::new("Speed and feed of a cut", units);
     let diameter = units.number(ask.diameter);
-    worked.given("D", "diameter of the tool", QuantityKind::Length, ask.diameter);
+    worked.input("D", "diameter of the tool", QuantityKind::Length, ask.diameter);
     let rpm = speed(&mut worked, ask, units, &diameter);
     if let Some((feed, teeth)) = ask.feed {
-        worked.given("z", "teeth", QuantityKind::Number, f64::from(teeth));
+        worked.input("z", "teeth", QuantityKind::Number, f64::from(teeth));
         let (per_tooth, per_second) = feeds(&mut worked, feed, teeth, rpm, units);
         chip(&mut worked, ask, per_tooth, units);
         removal(&mut worked, ask, per_second, units);
@@ -108,7 +108,7 @@ fn speed(
     };
     match ask.speed {
         EdgeSpeed::Surface(surface) => {
-            worked.given("v", "cutting speed", QuantityKind::Surface, surface);
+            worked.input("v", "cutting speed", QuantityKind::Surface, surface);
             let rpm = surface * 60.0 / circumference;
             let shown = trimmed(QuantityKind::Surface.shown(surface, units), 3);
             worked.result(
@@ -122,7 +122,7 @@ fn speed(
             rpm
         }
         EdgeSpeed::Spindle(rpm) => {
-            worked.given("n", "speed of the spindle", QuantityKind::Spindle, rpm);
+            worked.input("n", "speed of the spindle", QuantityKind::Spindle, rpm);
             worked.result(
                 "v",
                 "cutting speed",
@@ -148,14 +148,14 @@ fn feeds(
     let turns = trimmed(rpm, 1);
     match feed {
         ToolFeed::PerTooth(tooth) => {
-            worked.given("fz", "feed of a tooth", QuantityKind::Length, tooth);
+            worked.input("fz", "feed of a tooth", QuantityKind::Length, tooth);
             let per_second = tooth * each * rpm / 60.0;
             let filled = format!("{}·{teeth}·{turns}", units.number(tooth));
             worked.result("F", "feed", QuantityKind::Feed, per_second, "fz·z·n", filled);
             (tooth, per_second)
         }
         ToolFeed::PerTime(per_second) => {
-            worked.given("F", "feed", QuantityKind::Feed, per_second);
+            worked.input("F", "feed", QuantityKind::Feed, per_second);
             let tooth = per_second * 60.0 / (each * rpm);
             let shown = trimmed(QuantityKind::Feed.shown(per_second, units), 3);
             let filled = format!("{shown}/({teeth}·{turns})");
@@ -168,7 +168,7 @@ fn feeds(
 /// A narrow cut makes the chip thinner than the feed of a tooth.
 fn chip(worked: &mut WorkedCalculation, ask: &CuttingData, tooth: f64, units: AnswerUnit) {
     let Some(width) = ask.width else { return };
-    worked.given("ae", "width of the cut", QuantityKind::Length, width);
+    worked.input("ae", "width of the cut", QuantityKind::Length, width);
     if width >= ask.diameter / 2.0 {
         return;
     }
@@ -187,7 +187,7 @@ fn chip(worked: &mut WorkedCalculation, ask: &CuttingData, tooth: f64, units: An
 
 fn removal(worked: &mut WorkedCalculation, ask: &CuttingData, per_second: f64, units: AnswerUnit) {
     let (Some(depth), Some(width)) = (ask.depth, ask.width) else { return };
-    worked.given("ap", "depth of the cut", QuantityKind::Length, depth);
+    worked.input("ap", "depth of the cut", QuantityKind::Length, depth);
     let feed = trimmed(QuantityKind::Feed.shown(per_second, units), 3);
     let (formula, end) = match units {
         AnswerUnit::Inch => ("ap·ae·F", ""),

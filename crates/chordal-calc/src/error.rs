@@ -22,7 +22,7 @@ impl CalcError {
 /// Lengths that a shop measures, mm: a picometre to ten kilometres.
 const LENGTHS: std::ops::RangeInclusive<f64> = 1e-9..=1e7;
 /// The largest angle, rad; beyond it nothing is left of the digits.
-const MOST_ANGLE: f64 = 1e4;
+const MAX_ANGLE: f64 = 1e4;
 
 /// Refuses lengths, mm, and angles, rad, that no drawing has: what is computed from the others is
 /// then finite.
@@ -36,7 +36,7 @@ pub(crate) fn bounded(lengths: &[f64], angles: &[f64], units: AnswerUnit) -> Res
             ));
         }
     }
-    match angles.iter().find(|angle| angle.is_nan() || angle.abs() > MOST_ANGLE) {
+    match angles.iter().find(|angle| angle.is_nan() || angle.abs() > MAX_ANGLE) {
         Some(angle) => Err(CalcError::new(
             format!("{:e}° is not an angle of a drawing", angle.to_degrees()),
             "check the number and its unit",

@@ -52,13 +52,13 @@ pub fn line_with_arc(ask: &LineArc, units: AnswerUnit) -> Result<WorkedCalculati
         ));
     }
     let mut worked = WorkedCalculation::new("Corner of a line with an arc", units);
-    worked.given("CR", "cutter radius", QuantityKind::Length, cutter_radius);
-    worked.given("R", "radius of the arc", QuantityKind::Length, radius);
-    worked.given("Δj", "line from the arc's centre", QuantityKind::Length, height);
+    worked.input("CR", "cutter radius", QuantityKind::Length, cutter_radius);
+    worked.input("R", "radius of the arc", QuantityKind::Length, radius);
+    worked.input("Δj", "line from the arc's centre", QuantityKind::Length, height);
     let n = |value: f64| units.number(value);
     let along = match corner {
         Some(along) => {
-            worked.given(
+            worked.input(
                 "Δi",
                 "corner from the arc's centre, by the drawing",
                 QuantityKind::Length,
@@ -70,7 +70,7 @@ pub fn line_with_arc(ask: &LineArc, units: AnswerUnit) -> Result<WorkedCalculati
             let along = ((radius - height) * (radius + height)).sqrt();
             let filled = format!("√({}² − {}²)", n(radius), n(height));
             let meaning = "corner from the arc's centre, along the line";
-            worked.way("Δi", meaning, QuantityKind::Length, along, "√(R² − Δj²)", filled);
+            worked.intermediate("Δi", meaning, QuantityKind::Length, along, "√(R² − Δj²)", filled);
             along
         }
     };

@@ -34,8 +34,8 @@ pub fn tangent_point(
     let (dx, dy) = (cutter_radius * sin(angle), cutter_radius * cos(angle));
     let mut worked =
         WorkedCalculation::new("Tangent point of a line with an arc, or of two arcs", units);
-    worked.given("CR", "cutter radius", QuantityKind::Length, cutter_radius);
-    worked.given("θ", "direction of the contour at the point, from X", QuantityKind::Angle, angle);
+    worked.input("CR", "cutter radius", QuantityKind::Length, cutter_radius);
+    worked.input("θ", "direction of the contour at the point, from X", QuantityKind::Angle, angle);
     let (cr, theta) = (units.number(cutter_radius), degrees(angle));
     for (axis, name, value) in [("X", "sin", dx), ("Y", "cos", dy)] {
         worked.result(

@@ -46,9 +46,9 @@ pub fn tap_drill(ask: &TapDrill, units: AnswerUnit) -> Result<WorkedCalculation,
         ));
     }
     let mut worked = WorkedCalculation::new("Hole for a tap", units);
-    worked.given("D", "nominal diameter", QuantityKind::Length, thread.major);
-    worked.given("P", "pitch", QuantityKind::Length, thread.pitch);
-    worked.given("e", "share of the full profile", QuantityKind::Number, share);
+    worked.input("D", "nominal diameter", QuantityKind::Length, thread.major);
+    worked.input("P", "pitch", QuantityKind::Length, thread.pitch);
+    worked.input("e", "share of the full profile", QuantityKind::Number, share);
     let (d, p, e) = (units.number(thread.major), units.number(thread.pitch), trimmed(share, 4));
     worked.result(
         "B",

@@ -111,7 +111,7 @@ pub struct WorkedCalculation {
     /// The unit of its texts.
     pub units: AnswerUnit,
     /// What was given.
-    pub given: Vec<Quantity>,
+    pub inputs: Vec<Quantity>,
     /// The way and the results, in order.
     pub steps: Vec<CalculationStep>,
     /// What to know in addition to the numbers.
@@ -125,7 +125,7 @@ impl WorkedCalculation {
         WorkedCalculation {
             title: title.into(),
             units,
-            given: Vec::new(),
+            inputs: Vec::new(),
             steps: Vec::new(),
             notes: Vec::new(),
             figure: Figure::default(),
@@ -142,12 +142,12 @@ impl WorkedCalculation {
         self.steps.iter().find(|step| step.quantity.symbol == symbol)
     }
 
-    pub(crate) fn given(&mut self, symbol: &str, meaning: &str, kind: QuantityKind, value: f64) {
-        self.given.push(quantity(symbol, meaning, kind, value));
+    pub(crate) fn input(&mut self, symbol: &str, meaning: &str, kind: QuantityKind, value: f64) {
+        self.inputs.push(quantity(symbol, meaning, kind, value));
     }
 
     /// A number on the way.
-    pub(crate) fn way(
+    pub(crate) fn intermediate(
         &mut self,
         symbol: &str,
         meaning: &str,

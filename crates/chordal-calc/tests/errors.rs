@@ -75,12 +75,12 @@ fn arcs() {
         cutter_radius: 1.0,
         radii: [5.0, 6.0],
         inside: [false; 2],
-        apart: [12.0, 0.0],
+        center_offset: [12.0, 0.0],
         side: TravelSide::Left,
     };
     refused(arc_with_arc(&arcs, AnswerUnit::Millimetre), &["5 mm", "6 mm", "12 mm"]);
     refused(
-        arc_with_arc(&ArcArc { apart: [0.0; 2], ..arcs }, AnswerUnit::Millimetre),
+        arc_with_arc(&ArcArc { center_offset: [0.0; 2], ..arcs }, AnswerUnit::Millimetre),
         &["same centre"],
     );
     let chords = ChordCount { radius: 10.0, tolerance: 10.0, sweep: TAU };
@@ -170,7 +170,7 @@ proptest! {
             units,
         ));
         let inside = [way[3], way[4]];
-        finite(arc_with_arc(&ArcArc { cutter_radius: a, radii: [b, c], inside, apart: [d, e], side }, units));
+        finite(arc_with_arc(&ArcArc { cutter_radius: a, radii: [b, c], inside, center_offset: [d, e], side }, units));
         finite(chord_count(&ChordCount { radius: a, tolerance: b, sweep: c }, units));
         let thread = ThreadSize { major: a, pitch: b, starts: 1 };
         finite(thread_data(&thread, units));

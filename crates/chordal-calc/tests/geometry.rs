@@ -61,7 +61,7 @@ proptest! {
         let far = low + share * (r1 + r2 - low);
         let second = Vec2::new(far * angle.cos(), far * angle.sin());
         let side = if left { TravelSide::Left } else { TravelSide::Right };
-        let ask = ArcArc { cutter_radius: cr, radii: [r1, r2], inside, apart: [second.a, second.b], side };
+        let ask = ArcArc { cutter_radius: cr, radii: [r1, r2], inside, center_offset: [second.a, second.b], side };
         if let Ok(worked) = arc_with_arc(&ask, AnswerUnit::Millimetre) {
             let circle = |center, radius| Circle2 { center, radius };
             let meet: Vec<Vec2> =

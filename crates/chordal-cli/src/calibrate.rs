@@ -241,7 +241,7 @@ fn text(
         text.push_str(&format!("  {}\n", untold_text(*parameter, *why)));
     }
     for (program, times) in measurements.iter().zip(&fitted.programs) {
-        if (times.after_s / times.measured_s - 1.0).abs() > FAR {
+        if (times.after_s / times.measured_s - 1.0).abs() > MAX_RELATIVE_ERROR {
             text.push_str(&format!(
                 "  {}: no machine of this kind explains its time; was it exactly this program, with the \
                  overrides\n    at 100 %, without a wait for the operator?\n",
@@ -253,7 +253,7 @@ fn text(
 }
 
 /// A relative error that no limits of axes make.
-const FAR: f64 = 0.25;
+const MAX_RELATIVE_ERROR: f64 = 0.25;
 
 fn push_lines(text: &mut String, table: &comfy_table::Table) {
     for line in table.lines() {

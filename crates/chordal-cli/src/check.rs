@@ -142,7 +142,7 @@ pub fn run(args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Command
                     programs.say(&readings::head(loaded))?;
                 } else if programs.inputs().len() == 1 {
                     // Of a clean program nothing goes to standard output, for scripts.
-                    terminal.tell(&readings::head(loaded));
+                    terminal.write_error(&readings::head(loaded));
                 }
                 if problems {
                     let detail = showing.detail();
@@ -169,9 +169,9 @@ pub fn run(args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Command
     match format {
         CheckFormat::Text => match &changed_since {
             Some(commit) if totals.files == 0 && verdict == ExitVerdict::Clean => {
-                terminal.tell(&format!("no program has changed since {commit}\n"));
+                terminal.write_error(&format!("no program has changed since {commit}\n"));
             }
-            _ => terminal.tell(&totals.text(terminal)),
+            _ => terminal.write_error(&totals.text(terminal)),
         },
         CheckFormat::Json => {
             crate::terminal::say(&report::files_json("chordal.check/1", &objects))?

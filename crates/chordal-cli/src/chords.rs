@@ -162,6 +162,6 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
             }
             Ok((report, writer.finish()?))
         })?;
-    remarks.iter().for_each(|remark| terminal.tell(&format!("  {remark}\n")));
+    remarks.iter().for_each(|remark| terminal.write_error(&format!("  {remark}\n")));
     Ok(verdict)
 }

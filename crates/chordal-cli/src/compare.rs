@@ -100,7 +100,7 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
     let jobs = [a.job()?, b.job()?];
     let jobs = [&jobs[0], &jobs[1]];
     for loaded in [&a, &b] {
-        terminal.tell(&recognized(loaded));
+        terminal.write_error(&recognized(loaded));
     }
     let options = ComparisonOptions {
         tolerance_mm: args.tolerance,

@@ -94,7 +94,7 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
     let target = machine::named(&args.to)?;
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
-    terminal.tell(&recognized(&loaded));
+    terminal.write_error(&recognized(&loaded));
     let options = ConversionOptions {
         tolerance_mm: args.tolerance,
         digits: args.digits.map(usize::from),
@@ -124,7 +124,7 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
         write(path, &args.file, &found.text)?;
     }
     if streams {
-        terminal.tell(&answer);
+        terminal.write_error(&answer);
     } else {
         say(&answer)?;
     }
@@ -145,7 +145,7 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
                 ..Comparing::default()
             },
         };
-        view::beside(&args.file, loaded.text(), &args.common, made, terminal)?;
+        view::show_pair(&args.file, loaded.text(), &args.common, made, terminal)?;
     }
     Ok(if found.holds() { ExitVerdict::Clean } else { ExitVerdict::Problems })
 }
@@ -239,19 +239,19 @@ fn grouped(changes: &[Change]) -> Vec<(&Change, Vec<u32>)> {
 }
 
 /// Lines of the new text, and numbers of lines, that a change is shown with.
-const MOST_LINES: usize = 4;
+const MAX_LINES: usize = 4;
 
 fn shown(change: &Change, at: &[u32]) -> String {
     let after: Vec<&str> = change.after.lines().collect();
     let after = match after.as_slice() {
         [] => "(nothing)".into(),
         [one] => (*one).to_string(),
-        many if many.len() <= MOST_LINES => many.join(" | "),
+        many if many.len() <= MAX_LINES => many.join(" | "),
         many => format!("{} | … {} lines", many[..2].join(" | "), many.len()),
     };
     let before = if change.before.is_empty() { "(nothing)" } else { &change.before };
-    let first: Vec<String> = at.iter().take(MOST_LINES).map(u32::to_string).collect();
-    let more = match at.len().saturating_sub(MOST_LINES) {
+    let first: Vec<String> = at.iter().take(MAX_LINES).map(u32::to_string).collect();
+    let more = match at.len().saturating_sub(MAX_LINES) {
         0 => String::new(),
         more => format!(" and {more} more"),
     };

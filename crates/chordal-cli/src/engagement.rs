@@ -66,7 +66,7 @@ pub fn run(
     }
     match args.format {
         AnswerFormat::Text => {
-            terminal.tell(&recognized(loaded));
+            terminal.write_error(&recognized(loaded));
             if found.report.worst().is_some() {
                 say(&report::text(&found.report, job.sources(), terminal.out, args.detail))?;
             }

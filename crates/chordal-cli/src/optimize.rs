@@ -91,9 +91,9 @@ fn chip(text: &str) -> Result<ChipLimit, String> {
 
 fn times(text: &str) -> Result<f64, String> {
     /// More is a mistake: nobody programs a tenth of what a cut allows.
-    const MOST: f64 = 10.0;
+    const MAX_FASTER: f64 = 10.0;
     match text.parse::<f64>() {
-        Ok(times) if (1.0..=MOST).contains(&times) => Ok(times),
+        Ok(times) if (1.0..=MAX_FASTER).contains(&times) => Ok(times),
         _ => Err("give a number from 1 to 10".to_string()),
     }
 }
@@ -102,7 +102,7 @@ pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, Co
     args.common.set_up(args.setup.as_deref());
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
-    terminal.tell(&recognized(&loaded));
+    terminal.write_error(&recognized(&loaded));
     let stock = StockOptions {
         resolution_mm: args.resolution,
         budget: args.memory.saturating_mul(1 << 20),
@@ -141,7 +141,7 @@ pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, Co
         AnswerFormat::Json => optimized_json(&done, loaded.name(), written.as_deref()),
     };
     if streams {
-        terminal.tell(&answer)
+        terminal.write_error(&answer)
     } else {
         say(&answer)?
     }
@@ -177,7 +177,7 @@ fn refused(
     };
     let text = text + "nothing is written\n";
     if args.output.as_deref() == Some(Path::new("-")) {
-        terminal.tell(&text)
+        terminal.write_error(&text)
     } else {
         say(&text)?
     }

@@ -54,16 +54,16 @@ impl FileFormat for NcTextFormat {
 /// The format that is asked for: by `--format`, by the ending, or else the one of standard
 /// output. `rows` says what is written, for messages.
 pub fn format_of<F: FileFormat>(
-    said: Option<F>,
+    requested: Option<F>,
     path: Option<&Path>,
     streamed: F,
     rows: &str,
 ) -> Result<F, CommandFailure> {
-    let Some(path) = path else { return Ok(said.unwrap_or(streamed)) };
+    let Some(path) = path else { return Ok(requested.unwrap_or(streamed)) };
     let name = path.display();
     let ending = path.extension().map(|ending| ending.to_string_lossy().into_owned());
     let meant = ending.and_then(|ending| F::from_str(&ending, true).ok());
-    match (said, meant) {
+    match (requested, meant) {
         (Some(said), Some(meant)) if said != meant => Err(CommandFailure::wrong(
             format!("--format says {}, but the extension of {name} is another format", word(said)),
             format!("leave --format out, or use the extension .{}", word(said)),

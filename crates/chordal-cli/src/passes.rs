@@ -17,13 +17,13 @@ pub fn text(changes: &[PassChange], machines: [&String; 2], units: SummaryUnits)
             change.cycle, change.lines[0]
         );
         for (machine, reading) in machines.into_iter().zip(&change.readings) {
-            text += &format!("      {machine}: {}\n", said(reading, units));
+            text += &format!("      {machine}: {}\n", passes_text(reading, units));
         }
     }
     text + "  --exact-cycles writes these cycles out as moves\n"
 }
 
-fn said(reading: &PassReading, units: SummaryUnits) -> String {
+fn passes_text(reading: &PassReading, units: SummaryUnits) -> String {
     let length = |mm: f64| length_text(mm, units);
     let cuts = counted(reading.cuts as u64, "cut", "cuts");
     let step = reading

@@ -13,7 +13,7 @@ pub fn text(changes: &[PeckChange], machines: [&String; 2], units: SummaryUnits)
     let mut groups: Vec<(&PeckChange, u32, u64)> = Vec::new();
     for change in changes {
         let same = |one: &&mut (&PeckChange, u32, u64)| {
-            one.0.cycle == change.cycle && said(one.0, units) == said(change, units)
+            one.0.cycle == change.cycle && pecks_text(one.0, units) == pecks_text(change, units)
         };
         match groups.iter_mut().find(same) {
             Some(group) => {
@@ -31,14 +31,14 @@ pub fn text(changes: &[PeckChange], machines: [&String; 2], units: SummaryUnits)
             "  {} in {blocks} ({holes}), first in line {}: the holes are the same, their pecks are not\n",
             change.cycle, change.lines[0]
         );
-        for (machine, words) in machines.into_iter().zip(said(change, units)) {
+        for (machine, words) in machines.into_iter().zip(pecks_text(change, units)) {
             text += &format!("      {machine}: {words}\n");
         }
     }
     text + "  --exact-cycles writes these cycles out as moves\n"
 }
 
-fn said(change: &PeckChange, units: SummaryUnits) -> [String; 2] {
+fn pecks_text(change: &PeckChange, units: SummaryUnits) -> [String; 2] {
     change.readings.each_ref().map(|reading| reading_text(reading, units))
 }
 

@@ -41,7 +41,7 @@ pub struct ProgramList {
     inputs: Vec<ProgramInput>,
     called: u64,
     bar: ProgressBar,
-    told: BTreeSet<String>,
+    reported: BTreeSet<String>,
     verdict: ExitVerdict,
 }
 
@@ -73,8 +73,9 @@ impl ProgramList {
         let called = (found - inputs.len()) as u64;
         let bar = progress(inputs.len());
         let (told, verdict) = (BTreeSet::new(), ExitVerdict::Clean);
-        let mut programs = ProgramList { terminal, loader, inputs, called, bar, told, verdict };
-        failures.into_iter().for_each(|failure| programs.tell(failure));
+        let mut programs =
+            ProgramList { terminal, loader, inputs, called, bar, reported: told, verdict };
+        failures.into_iter().for_each(|failure| programs.report_failure(failure));
         Ok(programs)
     }
 
@@ -103,7 +104,7 @@ impl ProgramList {
                     let verdict = done.inspect_err(|_| self.bar.finish_and_clear())?;
                     self.verdict = self.verdict.max(verdict);
                 }
-                Err(failure) => self.tell(failure),
+                Err(failure) => self.report_failure(failure),
             }
             self.bar.inc(1);
         }
@@ -118,13 +119,13 @@ impl ProgramList {
 
     /// Reports a failure, but the same one only once: a wrong `chordal.toml` counts for every
     /// file of its folder.
-    fn tell(&mut self, failure: LoadError) {
+    fn report_failure(&mut self, failure: LoadError) {
         let failure = CommandFailure::from(failure);
         self.verdict = self.verdict.max(failure.verdict());
         let text = self.terminal.failure_text(&failure);
-        if !self.told.contains(&text) {
-            self.bar.suspend(|| self.terminal.tell(&text));
-            self.told.insert(text);
+        if !self.reported.contains(&text) {
+            self.bar.suspend(|| self.terminal.write_error(&text));
+            self.reported.insert(text);
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::failure::{CommandFailure, ExitVerdict};
 use crate::options::CommonArgs;
 use crate::out::{self, RowOutput, format_of, trouble};
 use crate::programs::load_one;
-use crate::rows::tell;
+use crate::rows::print_problems;
 use crate::stock;
 use crate::terminal::TerminalSupport;
 
@@ -99,6 +99,6 @@ pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, Co
     };
     out.write_all(text.as_bytes()).map_err(|error| trouble(path, error))?;
     out.put()?;
-    let verdict = tell(&gathered.report, &loaded, &job, terminal);
+    let verdict = print_problems(&gathered.report, &loaded, &job, terminal);
     Ok(if stock.as_ref().is_none_or(StockLeft::is_clean) { verdict } else { ExitVerdict::Problems })
 }

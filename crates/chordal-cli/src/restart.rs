@@ -3,10 +3,12 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use chordal::stock::WayIn;
+use chordal::stock::ApproachCheck;
 use chordal_export::restart_json;
 use chordal_rewrite::TransformRefusal;
-use chordal_rewrite::restart::{RestartProgram, UnrepeatedCode, blocked, restart, way_in};
+use chordal_rewrite::restart::{
+    RestartProgram, UnrepeatedCode, blocked, check_head_approach, restart,
+};
 
 use crate::failure::{CommandFailure, ExitVerdict};
 use crate::numbers::counted;
@@ -65,13 +67,13 @@ pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, Co
     args.common.set_up(args.setup.as_deref());
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
-    terminal.tell(&recognized(&loaded));
+    terminal.write_error(&recognized(&loaded));
     let streams = args.output.as_deref() == Some(Path::new("-"));
     let mut way = None;
     let done = restart(&job, args.line);
     if let Ok(done) = &done {
-        way =
-            way_in(&job, done, &files).map_err(|error| failure_of(error, args.setup.as_deref()))?;
+        way = check_head_approach(&job, done, &files)
+            .map_err(|error| failure_of(error, args.setup.as_deref()))?;
     }
     let is_blocked =
         |done: RestartProgram| match way.as_ref().and_then(|way| blocked(&job, &done, way)) {
@@ -86,7 +88,7 @@ pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, Co
                 AnswerFormat::Json => restart_json(Err(&refused), loaded.name(), None, None),
             };
             if streams {
-                terminal.tell(&answer)
+                terminal.write_error(&answer)
             } else {
                 say(&answer)?
             }
@@ -108,7 +110,7 @@ pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, Co
         }
     };
     if streams {
-        terminal.tell(&answer)
+        terminal.write_error(&answer)
     } else {
         say(&answer)?
     }
@@ -139,7 +141,7 @@ fn not_repeated(codes: &[UnrepeatedCode]) -> String {
     )
 }
 
-fn text(done: &RestartProgram, way: Option<&WayIn>, path: Option<&Path>) -> String {
+fn text(done: &RestartProgram, way: Option<&ApproachCheck>, path: Option<&Path>) -> String {
     let mut text = format!("begins at line {}\n", done.line);
     for line in &done.head {
         text += &format!("  + {line}\n");

@@ -25,11 +25,11 @@ impl<'p, F: FileFormat> RowTarget<'p, F> {
     /// written, for messages.
     pub fn of(
         path: Option<&'p Path>,
-        said: Option<F>,
+        requested: Option<F>,
         streamed: F,
         rows: &str,
     ) -> Result<RowTarget<'p, F>, CommandFailure> {
-        Ok(RowTarget { path, format: format_of(said, path, streamed, rows)? })
+        Ok(RowTarget { path, format: format_of(requested, path, streamed, rows)? })
     }
 
     /// Runs a program and writes its rows. The output is opened before the program is read, and
@@ -60,13 +60,23 @@ impl<'p, F: FileFormat> RowTarget<'p, F> {
         let written = rows(&job, out, self.format);
         let (report, out) = written.map_err(|error| trouble(self.path, error))?;
         out.put()?;
-        Ok(tell(&report, &loaded, &job, terminal))
+        Ok(print_problems(&report, &loaded, &job, terminal))
     }
 }
 
 /// What was recognized, and the problems, on standard error, where they are in nobody's way.
-pub fn tell(report: &Report, loaded: &Loaded, job: &Job, terminal: TerminalSupport) -> ExitVerdict {
-    terminal.tell(&recognized(loaded));
-    terminal.tell(&report::text(report, job.sources(), terminal.err, ReportDetail::default()));
+pub fn print_problems(
+    report: &Report,
+    loaded: &Loaded,
+    job: &Job,
+    terminal: TerminalSupport,
+) -> ExitVerdict {
+    terminal.write_error(&recognized(loaded));
+    terminal.write_error(&report::text(
+        report,
+        job.sources(),
+        terminal.err,
+        ReportDetail::default(),
+    ));
     if report.worst() == Some(Severity::Error) { ExitVerdict::Problems } else { ExitVerdict::Clean }
 }

@@ -125,14 +125,19 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
     done.map_err(told)?;
     writer.finish().map_err(told)?.put()?;
 
-    terminal.tell(&recognized(&loaded));
-    terminal.tell(&report::text(&report, job.sources(), terminal.err, ReportDetail::default()));
+    terminal.write_error(&recognized(&loaded));
+    terminal.write_error(&report::text(
+        &report,
+        job.sources(),
+        terminal.err,
+        ReportDetail::default(),
+    ));
     let units = if report.summary.inch { SummaryUnits::Inch } else { SummaryUnits::Millimetre };
     let bent = sampled.motion.bent_rapids > 0;
     let machine_s = if bent { machine_time(&job, args.level) } else { None };
     let columns = head.axes();
     let not_named = not_named_texts(job.not_named_axes());
-    terminal.tell(&summary(
+    terminal.write_error(&summary(
         &sampled,
         machine_s,
         args.period,

@@ -197,7 +197,7 @@ pub fn run(mut args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Com
     }
     match args.format {
         SetupProblemFormat::Text => {
-            terminal.tell(&recognized(&loaded));
+            terminal.write_error(&recognized(&loaded));
             if found.report.worst().is_some() {
                 let detail = args.showing.detail();
                 say(&report::text(&found.report, job.sources(), terminal.out, detail))?;

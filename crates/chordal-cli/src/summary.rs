@@ -19,15 +19,15 @@ use crate::sheet::Sheet;
 use crate::terminal::BOLD_RED;
 
 /// Most programs, evidence, line ranges and speeds that are listed.
-const MOST_PROGRAMS: usize = 12;
+const MAX_PROGRAMS: usize = 12;
 
 /// Most lines of the program's own output that are shown.
-const MOST_PRINTED: usize = 20;
-const MOST_EVIDENCE: usize = 4;
-const MOST_RANGES: usize = 4;
-const MOST_SPEEDS: usize = 4;
-const MOST_TOOLS: usize = 8;
-const MOST_NOTICES: usize = 4;
+const MAX_PRINTED: usize = 20;
+const MAX_EVIDENCE: usize = 4;
+const MAX_RANGES: usize = 4;
+const MAX_SPEEDS: usize = 4;
+const MAX_TOOLS: usize = 8;
+const MAX_NOTICES: usize = 4;
 
 /// The summary as text.
 pub fn text(
@@ -41,7 +41,7 @@ pub fn text(
     let mut sheet = Sheet::new(loaded.name(), None, color);
     programs(&mut sheet, job, loaded.program);
     machine(&mut sheet, job, &loaded.chosen);
-    for notice in job.machine().notices.0.iter().take(MOST_NOTICES) {
+    for notice in job.machine().notices.0.iter().take(MAX_NOTICES) {
         sheet.row("note", &notice.to_string());
         notice.help.iter().for_each(|help| sheet.more(help));
     }
@@ -113,9 +113,9 @@ fn programs(sheet: &mut Sheet, job: &Job, program: Option<u32>) {
         format!("{name}{title}{from}")
     };
     let list = |indices: &[usize]| {
-        let mut rows: Vec<String> = indices.iter().take(MOST_PROGRAMS).map(shown).collect();
-        if indices.len() > MOST_PROGRAMS {
-            rows.push(format!("and {} more", indices.len() - MOST_PROGRAMS));
+        let mut rows: Vec<String> = indices.iter().take(MAX_PROGRAMS).map(shown).collect();
+        if indices.len() > MAX_PROGRAMS {
+            rows.push(format!("and {} more", indices.len() - MAX_PROGRAMS));
         }
         rows
     };
@@ -134,7 +134,7 @@ fn machine(sheet: &mut Sheet, job: &Job, chosen: &MachineReason) {
         format!("{} ({})", machine.title, machine.name)
     };
     match chosen {
-        MachineReason::Given => {
+        MachineReason::Requested => {
             sheet.row("control", table.title);
             sheet.row("machine", &known);
         }
@@ -169,11 +169,11 @@ fn recognized(sheet: &mut Sheet, found: &Recognition, title: &str, machine: &str
     };
     sheet.row("control", &format!("{title}, {sure}:"));
     let signs: Vec<_> = found.evidence().collect();
-    for sign in signs.iter().take(MOST_EVIDENCE) {
+    for sign in signs.iter().take(MAX_EVIDENCE) {
         sheet.more(&format!("line {}: {}", sign.line, sign.sign));
     }
-    if signs.len() > MOST_EVIDENCE {
-        sheet.more(&format!("and {} more signs", signs.len() - MOST_EVIDENCE));
+    if signs.len() > MAX_EVIDENCE {
+        sheet.more(&format!("and {} more signs", signs.len() - MAX_EVIDENCE));
     }
     if let Some(next) = found.runner_up().filter(|_| !chosen.not_read) {
         sheet.more(&format!("next to it {}", next.title));
@@ -187,9 +187,9 @@ fn recognized(sheet: &mut Sheet, found: &Recognition, title: &str, machine: &str
 
 /// What the program prints.
 fn printed(sheet: &mut Sheet, report: &Report) {
-    let lines: Vec<String> = report.output.iter().take(MOST_PRINTED).cloned().collect();
+    let lines: Vec<String> = report.output.iter().take(MAX_PRINTED).cloned().collect();
     sheet.rows("prints", &lines);
-    let more = report.output.len().saturating_sub(MOST_PRINTED);
+    let more = report.output.len().saturating_sub(MAX_PRINTED);
     if more > 0 {
         sheet.more(&format!("and {more} more lines; `-o NAME.txt` writes all of them"));
     }
@@ -198,7 +198,7 @@ fn printed(sheet: &mut Sheet, report: &Report) {
 /// Where the control would stop, or how the program ends.
 fn end(sheet: &mut Sheet, job: &Job, report: &Report) {
     let first = report.diagnostics.iter().filter(|d| d.severity == Severity::Error);
-    if let Some(first) = first.min_by_key(|diagnostic| way_to(diagnostic)) {
+    if let Some(first) = first.min_by_key(|diagnostic| call_order(diagnostic)) {
         let what = match &first.alarm {
             Some(alarm) => {
                 let title = job.control().table.title;
@@ -215,7 +215,7 @@ fn end(sheet: &mut Sheet, job: &Job, report: &Report) {
 }
 
 /// The order in which a run comes by: the place of the outermost call first.
-fn way_to(diagnostic: &Diagnostic) -> Vec<u32> {
+fn call_order(diagnostic: &Diagnostic) -> Vec<u32> {
     let calls = diagnostic.calls.iter().rev().map(|call| call.range.start);
     calls.chain([diagnostic.primary.span.range.start]).collect()
 }
@@ -247,17 +247,17 @@ fn by_comment(tools: &[ToolUse], known: &BTreeMap<u32, KnownTool>) -> String {
     let mut names: Vec<String> = tools
         .iter()
         .filter(said)
-        .take(MOST_TOOLS + 1)
+        .take(MAX_TOOLS + 1)
         .map(|tool| format!("T{}", tool.number))
         .collect();
-    if names.len() > MOST_TOOLS {
-        names[MOST_TOOLS] = "others".to_string();
+    if names.len() > MAX_TOOLS {
+        names[MAX_TOOLS] = "others".to_string();
     }
     names.join(", ")
 }
 
 /// `T5 end mill` by the machine file, else `T5 flat 0.5 in` by a comment.
-fn said_name(
+fn tool_description(
     number: u32,
     job: &Job,
     units: SummaryUnits,
@@ -284,7 +284,7 @@ fn tools(
     let mut table = plain_table(&["tool", "lines", &feed, "rpm", &cuts, "time"], 2);
     for tool in tools {
         table.add_row([
-            said_name(tool.number, job, units, known),
+            tool_description(tool.number, job, units, known),
             ranges(&tool.lines),
             tool.feeds_mm_per_s.map_or_else(
                 || "-".into(),
@@ -315,14 +315,14 @@ pub fn tool_name(number: u32, job: &Job) -> String {
 fn ranges(lines: &[(u32, u32)]) -> String {
     let mut shown: Vec<String> = lines
         .iter()
-        .take(MOST_RANGES)
+        .take(MAX_RANGES)
         .map(|(first, last)| match first == last {
             true => first.to_string(),
             false => format!("{first}-{last}"),
         })
         .collect();
-    if lines.len() > MOST_RANGES {
-        shown.push(format!("and {} more", lines.len() - MOST_RANGES));
+    if lines.len() > MAX_RANGES {
+        shown.push(format!("and {} more", lines.len() - MAX_RANGES));
     }
     shown.join(", ")
 }
@@ -332,7 +332,7 @@ fn speeds(speeds: &[f64]) -> String {
     let high = speeds.iter().copied().fold(0.0, f64::max);
     match speeds {
         [] => "-".into(),
-        few if few.len() <= MOST_SPEEDS => {
+        few if few.len() <= MAX_SPEEDS => {
             few.iter().map(|rpm| short(*rpm, 1)).collect::<Vec<_>>().join(", ")
         }
         _ => format!("{} to {}", short(low, 1), short(high, 1)),

@@ -36,7 +36,7 @@ impl TerminalSupport {
     /// Says why something could not be done, on standard error.
     pub fn failure(self, failure: &CommandFailure) {
         if !failure.is_closed_pipe() {
-            self.tell(&self.failure_text(failure));
+            self.write_error(&self.failure_text(failure));
         }
     }
 
@@ -57,7 +57,7 @@ impl TerminalSupport {
     }
 
     /// Writes to standard error; nothing can be reported when that fails.
-    pub fn tell(self, text: &str) {
+    pub fn write_error(self, text: &str) {
         let _ = anstream::stderr().write_all(text.as_bytes());
     }
 }

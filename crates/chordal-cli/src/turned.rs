@@ -92,7 +92,7 @@ pub fn run(
     }
     match args.format {
         SetupProblemFormat::Text => {
-            terminal.tell(&recognized(loaded));
+            terminal.write_error(&recognized(loaded));
             if found.report.worst().is_some() {
                 say(&report::text(&found.report, job.sources(), terminal.out, args.detail))?;
             }

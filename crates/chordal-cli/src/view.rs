@@ -120,7 +120,7 @@ pub struct GeneratedProgram<'a> {
 }
 
 /// Shows a program, and next to it what was made of it, until the process ends.
-pub fn beside(
+pub fn show_pair(
     file: &Path,
     text: &[u8],
     common: &CommonArgs,
@@ -129,14 +129,14 @@ pub fn beside(
 ) -> Result<(), CommandFailure> {
     let mut old = ShownProgram::named(file, common)?;
     if is_stdin(file) {
-        old.held = Some(text.to_vec());
+        old.bytes = Some(text.to_vec());
     }
     let mut new = ShownProgram::named(made.file.unwrap_or(file), common)?;
     new.loader = new.loader.on_exactly(made.machine);
     if made.file.is_none() {
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         new.title = Some(format!("{} {name}", made.how));
-        new.held = Some(made.text);
+        new.bytes = Some(made.text);
     }
     let against = Against { programs: Arc::new(new), own_text: false, options: made.options };
     serve(old.against(against), true, 0, terminal)
@@ -153,7 +153,8 @@ fn serve(
     let url = server.url();
     say(&format!("{url}\n"))?;
     if opens && let Err(reason) = open_browser(&url) {
-        terminal.tell(&format!("cannot open a browser ({reason}): open the address above\n"));
+        terminal
+            .write_error(&format!("cannot open a browser ({reason}): open the address above\n"));
     }
     server.serve(Arc::new(program)).map_err(failed)
 }
@@ -168,7 +169,7 @@ fn failed(error: ServeError) -> CommandFailure {
 struct ShownProgram {
     input: ProgramInput,
     /// What standard input held, or what has no file yet; a file is read anew each time.
-    held: Option<Vec<u8>>,
+    bytes: Option<Vec<u8>>,
     /// The name for people, where it is not that of the file.
     title: Option<String>,
     loader: Loader,
@@ -181,7 +182,7 @@ impl ShownProgram {
         if is_stdin(file) {
             let shown = ShownProgram::named(file, common)?;
             let held = Some(ProgramText::read(&shown.input)?.bytes().to_vec());
-            return Ok(ShownProgram { held, ..shown });
+            return Ok(ShownProgram { bytes: held, ..shown });
         }
         if file.is_dir() {
             return Err(load_one(&file.to_path_buf(), common).err().unwrap_or_else(|| {
@@ -198,7 +199,7 @@ impl ShownProgram {
         let loader = Loader::new(common.request())?;
         let path = (!is_stdin(file)).then(|| file.to_path_buf());
         let input = ProgramInput { path, root: None };
-        Ok(ShownProgram { input, held: None, title: None, loader, against: None })
+        Ok(ShownProgram { input, bytes: None, title: None, loader, against: None })
     }
 
     fn against(self, against: Against) -> ShownProgram {
@@ -222,7 +223,7 @@ impl ShownProgram {
 
 impl Programs for ShownProgram {
     fn path(&self) -> Option<PathBuf> {
-        self.input.path.clone().filter(|_| self.held.is_none())
+        self.input.path.clone().filter(|_| self.bytes.is_none())
     }
 
     fn name(&self) -> String {
@@ -230,7 +231,7 @@ impl Programs for ShownProgram {
     }
 
     fn read(&self) -> Result<Vec<u8>, Refusal> {
-        match (&self.held, &self.input.path) {
+        match (&self.bytes, &self.input.path) {
             (Some(held), _) => Ok(held.clone()),
             (None, Some(path)) => FileAccess::Disk
                 .bytes(path)

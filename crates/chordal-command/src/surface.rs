@@ -25,7 +25,7 @@ pub struct RotarySurface {
     /// Index of the axis whose coordinate is the length.
     pub across: usize,
     /// Where the axis `across` stands itself, mm.
-    pub standing: f64,
+    pub across_position: f64,
 }
 
 /// The shape of a surface.
@@ -89,7 +89,7 @@ impl RotarySurface {
     /// A position with the axes themselves; `angle` is how far the rotary axis has turned since a face came into force.
     pub fn on_axes(&self, place: &Position, angle: f64) -> Position {
         let mut axes = *place;
-        axes[self.across] = self.standing;
+        axes[self.across] = self.across_position;
         match self.shape {
             SurfaceShape::Face { along, zero, negative } => {
                 let [x, y] = self.flat(place, along);
@@ -212,7 +212,7 @@ mod tests {
         shape: SurfaceShape::Face { along: 0, zero: 0.0, negative: false },
         rotary: 5,
         across: 1,
-        standing: 0.0,
+        across_position: 0.0,
     };
 
     fn at(x: f64, y: f64) -> Position {

@@ -36,7 +36,7 @@ enum AlignmentToken {
     /// Where it goes is not known, but whither in numbers: moves that say the same find each other.
     Unknown {
         rapid: bool,
-        way: [i64; 3],
+        length_cells: [i64; 3],
     },
     Tool,
     Dwell,
@@ -223,7 +223,10 @@ fn move_token(course: &ComparedRun, moved: &ComparedMove, grid_mm: f64) -> Align
     let place = |place: Vec3| place.to_array().map(grid);
     if !moved.known {
         let way = place(moved.curve.end() - moved.curve.start());
-        return AlignmentToken::Unknown { rapid: moved.kind != ComparedMoveKind::Cut, way };
+        return AlignmentToken::Unknown {
+            rapid: moved.kind != ComparedMoveKind::Cut,
+            length_cells: way,
+        };
     }
     let (start, end) = (place(moved.curve.start()), place(moved.curve.end()));
     let ends = [start[0], start[1], start[2], end[0], end[1], end[2]];

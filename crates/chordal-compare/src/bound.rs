@@ -3,7 +3,7 @@
 use chordal::geometry::{Arc, Curve, Frame, Line, ParamCurve, Spiral, Vec3};
 
 /// Most places at which two curves are asked; beyond, the bound stays wider than the precision.
-const MOST_ASKED: usize = 1 << 16;
+const MAX_EVALUATIONS: usize = 1 << 16;
 
 /// A stretch of a curve, by the way from its start, mm.
 #[derive(Clone, Copy, Debug)]
@@ -125,7 +125,7 @@ fn by_halving(a: CurveRange<'_>, b: CurveRange<'_>, precision_mm: f64) -> f64 {
             }
             is_open
         });
-        if asked + open.len() > MOST_ASKED || excess.is_nan() {
+        if asked + open.len() > MAX_EVALUATIONS || excess.is_nan() {
             return open.iter().map(|(_, ends)| bound(*ends)).fold(high, f64::max);
         }
         width /= 2.0;

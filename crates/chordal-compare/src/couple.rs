@@ -11,7 +11,7 @@ pub(crate) struct PathCoupling {
     /// waits at its end.
     pub(crate) moves: [usize; 2],
     /// The two walkers are never further apart, mm.
-    pub(crate) apart_mm: f64,
+    pub(crate) max_distance_mm: f64,
     /// From which fraction to which of its move each went.
     pub(crate) parts: [[f64; 2]; 2],
 }
@@ -22,7 +22,7 @@ const WHOLE: [[f64; 2]; 2] = [[0.0, 1.0]; 2];
 impl PathCoupling {
     /// Two moves from beginning to end.
     pub(crate) fn whole(moves: [usize; 2], apart_mm: f64) -> PathCoupling {
-        PathCoupling { moves, apart_mm, parts: WHOLE }
+        PathCoupling { moves, max_distance_mm: apart_mm, parts: WHOLE }
     }
 
     /// Both go along a whole move.
@@ -38,7 +38,7 @@ struct PathWalker<'a> {
     rest: Curve,
     lengths: Vec<f64>,
     at: usize,
-    way: f64,
+    distance: f64,
 }
 
 impl<'a> PathWalker<'a> {
@@ -50,7 +50,7 @@ impl<'a> PathWalker<'a> {
             rest: Line { start: rest, end: rest }.into(),
             lengths,
             at: 0,
-            way: 0.0,
+            distance: 0.0,
         }
     }
 
@@ -70,13 +70,13 @@ impl<'a> PathWalker<'a> {
         self.curve().end()
     }
 
-    fn stretch(&self, to: f64) -> CurveRange<'_> {
-        CurveRange { curve: self.curve(), from: self.way, to }
+    fn range_to(&self, to: f64) -> CurveRange<'_> {
+        CurveRange { curve: self.curve(), from: self.distance, to }
     }
 
     /// The way to the place of the rest of this curve that is nearest, and its distance.
     fn nearest(&self, place: Vec3) -> (f64, f64) {
-        let (way, length) = (self.way, self.length());
+        let (way, length) = (self.distance, self.length());
         let rest = if way > 0.0 { self.curve().subsegment(way, length) } else { *self.curve() };
         let nearest = rest.nearest(place);
         ((way + nearest.s).min(length), nearest.distance)
@@ -84,10 +84,10 @@ impl<'a> PathWalker<'a> {
 
     fn walk(&mut self, to: f64) {
         if to < self.length() {
-            self.way = to;
+            self.distance = to;
         } else {
             self.at += 1;
-            self.way = 0.0;
+            self.distance = 0.0;
         }
     }
 
@@ -98,7 +98,7 @@ impl<'a> PathWalker<'a> {
         }
         let length = self.length();
         let fraction = |way: f64| if length > 0.0 { way / length } else { 1.0 };
-        let from = if self.way > 0.0 { fraction(self.way) } else { 0.0 };
+        let from = if self.distance > 0.0 { fraction(self.distance) } else { 0.0 };
         [from, if to < length { fraction(to) } else { 1.0 }]
     }
 
@@ -126,8 +126,8 @@ pub(crate) fn couple(
         let to = together(&walkers, tolerance_mm, precision_mm);
         let moves = [walkers[0].index(), walkers[1].index()];
         let parts = [0, 1].map(|at| walkers[at].part(to[at]));
-        let apart_mm = bound(walkers[0].stretch(to[0]), walkers[1].stretch(to[1]), precision_mm);
-        couples.push(PathCoupling { moves, apart_mm, parts });
+        let apart_mm = bound(walkers[0].range_to(to[0]), walkers[1].range_to(to[1]), precision_mm);
+        couples.push(PathCoupling { moves, max_distance_mm: apart_mm, parts });
         for (walker, to) in walkers.iter_mut().zip(to) {
             if !walker.is_done() {
                 walker.walk(to);
@@ -158,7 +158,7 @@ pub(crate) fn move_by_move(
 
 /// The largest distance of a walk, mm.
 pub(crate) fn most(couples: &[PathCoupling]) -> f64 {
-    couples.iter().map(|couple| couple.apart_mm).fold(0.0, f64::max)
+    couples.iter().map(|couple| couple.max_distance_mm).fold(0.0, f64::max)
 }
 
 /// How far both go next; at least one to the end of its curve.
@@ -182,7 +182,7 @@ fn together(walkers: &[PathWalker<'_>; 2], tolerance_mm: f64, precision_mm: f64)
     }
     // Nor where ends belong together that are within the tolerance: unless one walker, who lags behind on the
     // way there, is beyond it then.
-    let whole = || bound(a.stretch(ends[0]), b.stretch(ends[1]), precision_mm);
+    let whole = || bound(a.range_to(ends[0]), b.range_to(ends[1]), precision_mm);
     if both <= tolerance_mm && whole() <= tolerance_mm {
         return ends;
     }
@@ -191,7 +191,7 @@ fn together(walkers: &[PathWalker<'_>; 2], tolerance_mm: f64, precision_mm: f64)
         [apart_b, apart_a]
     } else {
         // A curve may come by the same place again: a circle ends where it begins.
-        ways.map(|to| bound(a.stretch(to[0]), b.stretch(to[1]), precision_mm))
+        ways.map(|to| bound(a.range_to(to[0]), b.range_to(to[1]), precision_mm))
     };
     if first <= second { ways[0] } else { ways[1] }
 }

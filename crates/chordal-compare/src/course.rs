@@ -254,7 +254,7 @@ pub(crate) fn was_interrupted(report: &Report) -> bool {
 }
 
 /// Arcs of more turns stay whole.
-const MOST_TURNS: f64 = 1e5;
+const MAX_TURNS: f64 = 1e5;
 
 struct RunRecorder<'j> {
     sources: &'j SourceMap<'j>,
@@ -325,7 +325,7 @@ impl<'j> RunRecorder<'j> {
             }
             _ => 1.0,
         };
-        if !(turns > 1.0 + 1e-9 && turns < MOST_TURNS) {
+        if !(turns > 1.0 + 1e-9 && turns < MAX_TURNS) {
             self.steps.push(RunStep::Move(moved));
             return;
         }

@@ -3,7 +3,7 @@
 use chordal::geometry::Vec3;
 
 /// Most cells of the free-space diagram; longer chains keep the bound of their coupling.
-pub(crate) const MOST_CELLS: usize = 1 << 20;
+pub(crate) const MAX_CELLS: usize = 1 << 20;
 
 /// The least distance within which somebody on one chain and somebody on the other can walk from the
 /// beginning to the end without going back: at most this, and above it by no more than `precision`

@@ -9,7 +9,7 @@ use chordal::{Diagnostic, Job, Report, Severity, Summary};
 
 use crate::category::Category;
 use crate::course::{ComparedMove, ComparedMoveKind, ComparedRun, RunEvent, RunStep};
-use crate::{Comparison, ComparisonOptions, SAME_MM, conclude};
+use crate::{COINCIDENT_MM, Comparison, ComparisonOptions, conclude};
 
 /// A text that a part has from the whole, byte for byte.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,12 +48,12 @@ pub struct JoinedPart<'j, 't> {
     /// The blocks of the main program that it carries out.
     pub body: RetainedText,
     /// What else its text has from the whole: subprograms. The rest is put in to begin and to end it.
-    pub beside: Vec<RetainedText>,
+    pub other_texts: Vec<RetainedText>,
 }
 
 impl JoinedPart<'_, '_> {
     fn kept(&self) -> impl Iterator<Item = &RetainedText> {
-        self.beside.iter().chain([&self.body])
+        self.other_texts.iter().chain([&self.body])
     }
 }
 
@@ -91,7 +91,7 @@ fn joined(whole: &Job, parts: &[JoinedPart], options: &ComparisonOptions) -> Com
         let of_b = b.steps.len();
         join(&mut b, part, options);
         if of_b > 0 {
-            arrive([&mut a, &mut b], [of_a, of_b], options.tolerance_mm.max(SAME_MM));
+            arrive([&mut a, &mut b], [of_a, of_b], options.tolerance_mm.max(COINCIDENT_MM));
         }
     }
     conclude([whole, whole], a, b, &Default::default(), options)

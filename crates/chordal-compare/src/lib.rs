@@ -57,7 +57,7 @@ pub use values::are_same_values;
 
 /// Places nearer than this are the same, mm. Doubles leave up to a hundredth of it when a centre is
 /// computed from a radius; no control computes as finely.
-pub const SAME_MM: f64 = 1e-9;
+pub const COINCIDENT_MM: f64 = 1e-9;
 
 /// How two runs are compared with each other.
 #[derive(Clone, Debug)]
@@ -93,7 +93,7 @@ pub struct ComparisonOptions {
     pub unknown_in_step: bool,
     /// Whoever asks compares the other sides of conditions that nobody knows as runs of their own: blocks that they run
     /// are not held against each other by their words.
-    pub sides_apart: bool,
+    pub separate_sides: bool,
     /// Lines of either program whose canned cycles may drill in other steps: there a hole counts as one
     /// cut from R to its bottom, and how the steps differ is reported apart ([`Comparison::pecks`]).
     pub free_pecks: [BTreeSet<u32>; 2],
@@ -118,7 +118,7 @@ impl Default for ComparisonOptions {
             kept: 1000,
             in_step: false,
             unknown_in_step: false,
-            sides_apart: false,
+            separate_sides: false,
             free_pecks: Default::default(),
             free_passes: Default::default(),
         }
@@ -241,7 +241,7 @@ fn conclude(
     jobs: [&Job; 2],
     a: course::ComparedRun,
     b: course::ComparedRun,
-    apart: &AllowedDifferences,
+    allowed: &AllowedDifferences,
     options: &ComparisonOptions,
 ) -> Comparison {
     if [&a, &b].into_iter().any(course::ComparedRun::was_interrupted) {
@@ -260,17 +260,17 @@ fn conclude(
         problems::compare_values(jobs, [&a.report, &b.report], &mut found);
     }
     if !options.ignored.contains(&Category::NotRun) {
-        not_run::compare(jobs, [&a.report, &b.report], options.sides_apart, &mut found);
+        not_run::compare(jobs, [&a.report, &b.report], options.separate_sides, &mut found);
     }
-    let pecks = pecks::compare(&apart.holes, options.tolerance_mm, &mut found.differences);
-    let passes = passes::compare(&apart.cycles, options.tolerance_mm, &mut found.differences);
+    let pecks = pecks::compare(&allowed.holes, options.tolerance_mm, &mut found.differences);
+    let passes = passes::compare(&allowed.cycles, options.tolerance_mm, &mut found.differences);
     let has_other_steps = !pecks.is_empty() || !passes.is_empty();
-    if !has_other_steps && let Some(times) = times_apart([&a, &b], &found, options) {
+    if !has_other_steps && let Some(times) = time_difference([&a, &b], &found, options) {
         found.differences.push(times);
     }
     found.differences.retain(|difference| !options.ignored.contains(&difference.category));
     let verified = a.report.verified() && b.report.verified();
-    let has_path = found.max_distance_mm.is_some_and(|distance| distance > SAME_MM);
+    let has_path = found.max_distance_mm.is_some_and(|distance| distance > COINCIDENT_MM);
     let verdict = match (found.differences.is_empty(), has_path) {
         (true, _) if !verified => ComparisonVerdict::NotVerified,
         (true, false) => ComparisonVerdict::Same,
@@ -295,7 +295,7 @@ fn conclude(
 }
 
 /// The time of cuts and dwells, where nothing else shows why it differs.
-fn times_apart(
+fn time_difference(
     courses: [&course::ComparedRun; 2],
     found: &walk::ComparisonFindings,
     options: &ComparisonOptions,

@@ -15,20 +15,21 @@ use crate::walk::ComparisonFindings;
 pub(crate) fn compare(
     jobs: [&Job; 2],
     reports: [&Report; 2],
-    sides_apart: bool,
+    separate_sides: bool,
     found: &mut ComparisonFindings,
 ) {
     let is_assumed =
         |report: &Report| report.diagnostics.iter().any(|one| one.code == Code::AssumedBranch);
     // What it does not come to, the first run does, or a further one.
-    if sides_apart && jobs.iter().any(|job| job.takes_other_side()) {
+    if separate_sides && jobs.iter().any(|job| job.takes_other_side()) {
         return;
     }
     let titles = jobs.map(|job| job.control().table.title);
     if !reports.into_iter().any(is_assumed) || titles[0] != titles[1] {
         return;
     }
-    let left = [0, 1].map(|side: usize| SkippedBlock::of(jobs[side], reports[side], sides_apart));
+    let left =
+        [0, 1].map(|side: usize| SkippedBlock::of(jobs[side], reports[side], separate_sides));
     let common = left[0].len().min(left[1].len());
     let first = (0..common).find(|at| left[0][*at].words != left[1][*at].words);
     let Some(at) = first.or((left[0].len() != left[1].len()).then_some(common)) else { return };

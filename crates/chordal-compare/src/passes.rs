@@ -28,7 +28,7 @@ pub enum LastPass {
 pub type FreePasses = BTreeMap<u32, LastPass>;
 
 /// Places and lengths nearer than this, mm, are the same: what two texts leave by rounding.
-const SAME_MM: f64 = 1e-6;
+const EQUAL_LENGTH_MM: f64 = 1e-6;
 
 /// The passes of one cycle.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,7 +49,7 @@ impl CyclePasses {
     fn has_same_cuts(&self, other: &CyclePasses, tolerance_mm: f64) -> bool {
         let near = |one: &[f64; 3], other: &[f64; 3]| {
             let off = Vec3::from_array(*one).distance(Vec3::from_array(*other));
-            off <= tolerance_mm.max(SAME_MM)
+            off <= tolerance_mm.max(EQUAL_LENGTH_MM)
         };
         self.count == other.count
             && self.ends_mm.len() == other.ends_mm.len()
@@ -167,7 +167,7 @@ fn last_pass(moves: &[&ComparedMove], kind: LastPass) -> Option<Vec<ComparedMove
 /// A rapid between two places, in the state of a move.
 fn rapid(from: Vec3, to: Vec3, like: &ComparedMove) -> Option<ComparedMove> {
     let length_mm = from.distance(to);
-    (length_mm > SAME_MM).then(|| ComparedMove {
+    (length_mm > EQUAL_LENGTH_MM).then(|| ComparedMove {
         curve: Curve::Line(Line { start: from, end: to }),
         length_mm,
         kind: ComparedMoveKind::Rapid,
@@ -188,7 +188,7 @@ fn plunges(moves: &[&ComparedMove]) -> Option<Vec<ComparedMove>> {
                 let down = (before.end - before.start).normalized()?;
                 let way = line.end - before.start;
                 let aside = (way - down * way.dot(down)).length();
-                let same = aside <= SAME_MM && along.dot(down) > 1.0 - SAME_MM;
+                let same = aside <= EQUAL_LENGTH_MM && along.dot(down) > 1.0 - EQUAL_LENGTH_MM;
                 (same && way.dot(down) > plunge.length_mm).then_some((plunge, before.start))
             }
             _ => None,
@@ -220,8 +220,8 @@ fn stays_within(moves: &[&ComparedMove], kept: &[ComparedMove], from: Vec3) -> b
     moves.iter().filter(|moved| moved.kind == ComparedMoveKind::Cut).all(|moved| {
         let own = moved.curve.bounds();
         (0..3).all(|axis| {
-            own.min.to_array()[axis] >= sides[axis].0 - SAME_MM
-                && own.max.to_array()[axis] <= sides[axis].1 + SAME_MM
+            own.min.to_array()[axis] >= sides[axis].0 - EQUAL_LENGTH_MM
+                && own.max.to_array()[axis] <= sides[axis].1 + EQUAL_LENGTH_MM
         })
     })
 }
@@ -247,7 +247,7 @@ fn passes(moves: &[&ComparedMove]) -> CyclePasses {
                         .into_iter()
                         .enumerate()
                 {
-                    if across <= SAME_MM && way > SAME_MM {
+                    if across <= EQUAL_LENGTH_MM && way > EQUAL_LENGTH_MM {
                         along[which] += way;
                         levels[which].push(level);
                     }
@@ -260,7 +260,7 @@ fn passes(moves: &[&ComparedMove]) -> CyclePasses {
     let mut levels = std::mem::take(&mut levels[which]);
     levels.sort_by(f64::total_cmp);
     let steps = levels.windows(2).map(|pair| pair[1] - pair[0]);
-    let largest = steps.filter(|step| *step > SAME_MM).reduce(f64::max);
+    let largest = steps.filter(|step| *step > EQUAL_LENGTH_MM).reduce(f64::max);
     let place = BlockLocation::from(&moves[0].origin);
     CyclePasses { place, count, ends_mm, length_mm, largest_step_mm: largest }
 }

@@ -9,13 +9,13 @@ use std::collections::BTreeSet;
 
 use chordal::geometry::{Curve, Line, Vec3};
 
-use crate::SAME_MM;
+use crate::COINCIDENT_MM;
 use crate::category::Category;
 use crate::course::{ComparedMove, ComparedMoveKind, ComparedRun, CutSpeed, RunStep};
 use crate::difference::{BlockLocation, BlockRange, Difference};
 
 /// Steps closer to each other than this, mm, are the same: what two texts leave by rounding.
-const SAME_STEP_MM: f64 = 1e-6;
+const EQUAL_STEP_MM: f64 = 1e-6;
 
 /// The steps in which one hole is drilled.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,7 +74,7 @@ impl HolePecks {
     fn has_same_steps(&self, other: &HolePecks) -> bool {
         let is_same = |one: &[f64], other: &[f64]| {
             one.len() == other.len()
-                && one.iter().zip(other).all(|(one, other)| (one - other).abs() <= SAME_STEP_MM)
+                && one.iter().zip(other).all(|(one, other)| (one - other).abs() <= EQUAL_STEP_MM)
         };
         is_same(&self.depths_mm, &other.depths_mm)
             && is_same(&self.highest_mm, &other.highest_mm)
@@ -89,7 +89,7 @@ pub(crate) fn compare(
     tolerance_mm: f64,
     differences: &mut Vec<Difference>,
 ) -> Vec<[HolePecks; 2]> {
-    let tolerance_mm = tolerance_mm.max(SAME_STEP_MM);
+    let tolerance_mm = tolerance_mm.max(EQUAL_STEP_MM);
     let mut others = Vec::new();
     for at in 0..holes[0].len().max(holes[1].len()) {
         let [one, other] = holes.each_ref().map(|holes| holes.get(at));
@@ -147,7 +147,7 @@ fn hole(
     let depth = |point: Vec3| {
         let depth = (point - line.start).dot(down);
         let aside = (point - line.start - down * depth).length();
-        (aside <= SAME_MM).then_some(depth)
+        (aside <= COINCIDENT_MM).then_some(depth)
     };
     let mut pecks = HolePecks::of(first, line);
     let mut bottom = line.end;
@@ -159,7 +159,7 @@ fn hole(
         let lowest = levels.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let highest = levels.iter().copied().fold(f64::INFINITY, f64::min);
         let Some(begin) = depth(cut.start) else { break };
-        if lowest > deepest + SAME_MM || end <= deepest + SAME_MM {
+        if lowest > deepest + COINCIDENT_MM || end <= deepest + COINCIDENT_MM {
             break;
         }
         pecks.depths_mm.push(end);

@@ -16,7 +16,7 @@ use crate::difference::{BlockLocation, BlockRange, Difference, DifferenceValue};
 use crate::values::are_same_values;
 
 /// Dwells that differ by this part are the same: no control counts as finely.
-const SAME_DWELL: f64 = 1e-5;
+const EQUAL_DWELL_SHARE: f64 = 1e-5;
 
 /// Gathers differences; those of one kind that follow each other are one.
 pub(crate) struct DifferenceCollector<'a> {
@@ -144,7 +144,7 @@ impl<'a> DifferenceCollector<'a> {
             return;
         };
         let is_same = match (one, other) {
-            (RunEvent::Dwell(a), RunEvent::Dwell(b)) => is_part(*a, *b, SAME_DWELL),
+            (RunEvent::Dwell(a), RunEvent::Dwell(b)) => is_part(*a, *b, EQUAL_DWELL_SHARE),
             (
                 RunEvent::Written { name: a, values: x },
                 RunEvent::Written { name: b, values: y },
@@ -351,10 +351,10 @@ fn is_part(a: f64, b: f64, part: f64) -> bool {
 }
 
 /// Angles and lengths of a surface nearer than this are the same, rad or mm.
-const SAME_SURFACE: f64 = 1e-6;
+const EQUAL_SURFACE: f64 = 1e-6;
 
 fn is_same_surface(a: Option<RotarySurface>, b: Option<RotarySurface>) -> bool {
-    let near = |a: f64, b: f64| (a - b).abs() <= SAME_SURFACE;
+    let near = |a: f64, b: f64| (a - b).abs() <= EQUAL_SURFACE;
     let (a, b) = match (a, b) {
         (None, None) => return true,
         (Some(a), Some(b)) if a.rotary == b.rotary && a.across == b.across => (a, b),

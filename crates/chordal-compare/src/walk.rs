@@ -11,9 +11,9 @@ use crate::category::Category;
 use crate::couple::{PathCoupling, couple, most, move_by_move};
 use crate::course::{ComparedMove, ComparedRun, RunStep};
 use crate::difference::{BlockLocation, Difference, in_order};
-use crate::frechet::{MOST_CELLS, frechet};
+use crate::frechet::{MAX_CELLS, frechet};
 use crate::steps::{DifferenceCollector, lacking};
-use crate::{ComparisonOptions, SAME_MM};
+use crate::{COINCIDENT_MM, ComparisonOptions};
 
 /// What a walk has found.
 #[derive(Debug, Default)]
@@ -27,13 +27,13 @@ pub(crate) struct ComparisonFindings {
 impl ComparisonFindings {
     fn distance(
         &mut self,
-        apart_mm: f64,
+        distance_mm: f64,
         at: [BlockLocation; 2],
         spot: impl FnOnce() -> [Vec3; 2],
     ) {
-        if self.max_distance_mm.is_none_or(|most| apart_mm > most || apart_mm.is_nan()) {
-            self.max_distance_mm = Some(apart_mm);
-            let is_apart = apart_mm > SAME_MM;
+        if self.max_distance_mm.is_none_or(|most| distance_mm > most || distance_mm.is_nan()) {
+            self.max_distance_mm = Some(distance_mm);
+            let is_apart = distance_mm > COINCIDENT_MM;
             self.farthest = is_apart.then_some(at);
             self.farthest_at_mm = is_apart.then(|| spot().map(Vec3::to_array));
         }
@@ -48,7 +48,7 @@ pub(crate) struct AlignmentWalker<'a> {
     /// A stretch of the path that is too far apart, not yet at its end.
     open: Option<Difference>,
     /// Moves that the other run makes at another time.
-    elsewhere: [HashSet<usize>; 2],
+    at_other_time: [HashSet<usize>; 2],
 }
 
 impl<'a> AlignmentWalker<'a> {
@@ -60,7 +60,14 @@ impl<'a> AlignmentWalker<'a> {
         let steps = DifferenceCollector::new([a, b], options);
         let found = ComparisonFindings::default();
         let elsewhere = Default::default();
-        AlignmentWalker { courses: [a, b], options, steps, found, open: None, elsewhere }
+        AlignmentWalker {
+            courses: [a, b],
+            options,
+            steps,
+            found,
+            open: None,
+            at_other_time: elsewhere,
+        }
     }
 
     /// Goes along both.
@@ -90,7 +97,7 @@ impl<'a> AlignmentWalker<'a> {
             self.matched(*a, *b);
         }
         self.close();
-        for (elsewhere, moves) in self.elsewhere.iter_mut().zip(moves) {
+        for (elsewhere, moves) in self.at_other_time.iter_mut().zip(moves) {
             elsewhere.extend(moves);
         }
     }
@@ -179,30 +186,30 @@ impl<'a> AlignmentWalker<'a> {
         }
         self.steps.rotary([one, other], couple.parts);
         let at = [BlockLocation::from(&one.origin), BlockLocation::from(&other.origin)];
-        let spot = || widest(spots([one, other], couple.parts), couple.apart_mm);
-        self.found.distance(couple.apart_mm, at, spot);
+        let spot = || widest(spots([one, other], couple.parts), couple.max_distance_mm);
+        self.found.distance(couple.max_distance_mm, at, spot);
         // What is no number is too far.
-        if couple.apart_mm <= self.threshold() {
+        if couple.max_distance_mm <= self.threshold() {
             self.close();
             return;
         }
         let shift = couple.is_whole().then(|| shift(&one.curve, &other.curve)).flatten();
-        self.extend(at, couple.apart_mm, spot, shift);
+        self.extend(at, couple.max_distance_mm, spot, shift);
     }
 
     /// The path is too far apart here, as it may have been just before.
     fn extend(
         &mut self,
         at: [BlockLocation; 2],
-        apart_mm: f64,
+        distance_mm: f64,
         spot: impl FnOnce() -> [Vec3; 2],
         shift: Option<[f64; 3]>,
     ) {
         match &mut self.open {
             Some(open) => {
                 open.extend(at);
-                if open.distance_mm.is_some_and(|most| apart_mm > most) {
-                    open.distance_mm = Some(apart_mm);
+                if open.distance_mm.is_some_and(|most| distance_mm > most) {
+                    open.distance_mm = Some(distance_mm);
                     open.at_mm = Some(spot().map(Vec3::to_array));
                 }
                 let is_same = open.shift_mm.zip(shift).is_some_and(|(a, b)| is_near(a, b));
@@ -210,7 +217,7 @@ impl<'a> AlignmentWalker<'a> {
             }
             None => {
                 let path = Difference::at(Category::Path, at, None);
-                let (distance_mm, at_mm) = (Some(apart_mm), Some(spot().map(Vec3::to_array)));
+                let (distance_mm, at_mm) = (Some(distance_mm), Some(spot().map(Vec3::to_array)));
                 self.open = Some(Difference { distance_mm, at_mm, shift_mm: shift, ..path });
             }
         }
@@ -225,7 +232,7 @@ impl<'a> AlignmentWalker<'a> {
             let is_meant = |at: &usize| {
                 let moved = self.courses[side].moved(*at);
                 moved.is_some_and(|moved| moved.known == known)
-                    && !self.elsewhere[side].contains(at)
+                    && !self.at_other_time[side].contains(at)
             };
             ranges[side].clone().filter(is_meant).collect()
         };
@@ -288,7 +295,7 @@ impl<'a> AlignmentWalker<'a> {
 
     /// What is further apart than this is a difference, mm.
     fn threshold(&self) -> f64 {
-        self.options.tolerance_mm.max(SAME_MM)
+        self.options.tolerance_mm.max(COINCIDENT_MM)
     }
 
     /// Where the simple walk stays too far apart, the best walk along chords may not.
@@ -299,17 +306,17 @@ impl<'a> AlignmentWalker<'a> {
             return;
         }
         let is_index_wise = curves[0].len() == 1 && curves[1].len() == 1;
-        if is_index_wise || curves[0].len() * curves[1].len() > MOST_CELLS {
+        if is_index_wise || curves[0].len() * curves[1].len() > MAX_CELLS {
             return;
         }
         let chains = curves.each_ref().map(|curves| chain(curves, precision));
         let [Some(a), Some(b)] = &chains else { return };
-        if a.len() * b.len() > MOST_CELLS {
+        if a.len() * b.len() > MAX_CELLS {
             return;
         }
         let best = frechet(a, b, most, precision) + 2.0 * precision;
         for couple in couples {
-            couple.apart_mm = couple.apart_mm.min(best);
+            couple.max_distance_mm = couple.max_distance_mm.min(best);
         }
     }
 
@@ -375,7 +382,7 @@ fn spots(moves: [&ComparedMove; 2], parts: [[f64; 2]; 2]) -> impl Iterator<Item 
 fn widest(spots: impl IntoIterator<Item = [Vec3; 2]>, most_mm: f64) -> [Vec3; 2] {
     let key = |[a, b]: &[Vec3; 2]| {
         let apart = (*a - *b).length();
-        if apart <= most_mm + SAME_MM { apart } else { -apart }
+        if apart <= most_mm + COINCIDENT_MM { apart } else { -apart }
     };
     let wider = |a: &[Vec3; 2], b: &[Vec3; 2]| key(a).total_cmp(&key(b));
     spots.into_iter().max_by(wider).unwrap_or([Vec3::ZERO; 2])
@@ -386,12 +393,12 @@ fn shift(a: &Curve, b: &Curve) -> Option<[f64; 3]> {
     let at_start = (b.start() - a.start()).to_array();
     let at_end = (b.end() - a.end()).to_array();
     let is_alike = std::mem::discriminant(a) == std::mem::discriminant(b)
-        && (a.length() - b.length()).abs() <= SAME_MM;
+        && (a.length() - b.length()).abs() <= COINCIDENT_MM;
     (is_alike && is_near(at_start, at_end)).then_some(at_start)
 }
 
 fn is_near(a: [f64; 3], b: [f64; 3]) -> bool {
-    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME_MM)
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= COINCIDENT_MM)
 }
 
 /// The corners of the chords within a precision; nothing where there would be too many.
@@ -399,7 +406,7 @@ fn chain(curves: &[&Curve], precision_mm: f64) -> Option<Vec<Vec3>> {
     let mut points: Vec<Vec3> = Vec::new();
     for curve in curves {
         let chords = curve.chords(precision_mm, Placement::Inscribed).ok()?;
-        if points.len() as u64 + chords.chord_count() > MOST_CELLS as u64 {
+        if points.len() as u64 + chords.chord_count() > MAX_CELLS as u64 {
             return None;
         }
         points.extend(chords);

@@ -7,8 +7,8 @@ use std::sync::{Mutex, PoisonError};
 use crate::Source;
 
 /// Most different texts, and most bytes of them: what a run comes by has a bound.
-const MOST_TEXTS: usize = 10_000;
-const MOST_BYTES: usize = 64 << 20;
+const MAX_TEXTS: usize = 10_000;
+const MAX_BYTES: usize = 64 << 20;
 
 /// Texts that never move and never go, so that those who read them may go on.
 #[derive(Debug, Default)]
@@ -38,7 +38,7 @@ impl AppendOnlyTexts {
         if known.is_some() {
             return known;
         }
-        if self.texts.count() >= MOST_TEXTS || bytes > MOST_BYTES {
+        if self.texts.count() >= MAX_TEXTS || bytes > MAX_BYTES {
             return None;
         }
         let place = self.texts.push(Source::new(name, text.as_bytes().to_vec()));

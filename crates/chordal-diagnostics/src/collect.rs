@@ -34,7 +34,7 @@ pub struct Collector {
     kept: Vec<Diagnostic>,
     kept_per_code: BTreeMap<Code, usize>,
     dropped: BTreeMap<Code, u64>,
-    told: HashSet<(Code, Span)>,
+    reported: HashSet<(Code, Span)>,
     counts: SeverityCounts,
     path_lost: Option<Span>,
     time_lost: Option<Span>,
@@ -48,7 +48,7 @@ impl Collector {
             kept: Vec::new(),
             kept_per_code: BTreeMap::new(),
             dropped: BTreeMap::new(),
-            told: HashSet::new(),
+            reported: HashSet::new(),
             counts: SeverityCounts::default(),
             path_lost: None,
             time_lost: None,
@@ -66,11 +66,11 @@ impl Collector {
             self.time_lost = Some(self.path_lost.unwrap_or(span));
         }
         let code = diagnostic.code;
-        if self.was_said_once(code, diagnostic.primary.span) {
+        if self.is_repeated_in_file(code, diagnostic.primary.span) {
             return;
         }
         let kept = self.kept_per_code.entry(code).or_insert(0);
-        if self.told.contains(&(code, diagnostic.primary.span)) {
+        if self.reported.contains(&(code, diagnostic.primary.span)) {
             return;
         }
         self.counts.add(diagnostic.severity);
@@ -79,7 +79,7 @@ impl Collector {
             return;
         }
         *kept += 1;
-        self.told.insert((code, diagnostic.primary.span));
+        self.reported.insert((code, diagnostic.primary.span));
         self.kept.push(diagnostic);
     }
 
@@ -96,7 +96,7 @@ impl Collector {
 
     /// Takes some of one place of which no more than this is known: none of them is kept.
     pub fn push_uncopied(&mut self, code: Code, severity: Severity, span: Span, times: u64) {
-        if self.told.contains(&(code, span)) || self.was_said_once(code, span) {
+        if self.reported.contains(&(code, span)) || self.is_repeated_in_file(code, span) {
             return;
         }
         for _ in 0..times {
@@ -106,8 +106,8 @@ impl Collector {
     }
 
     /// A code that is said once in a file, and was.
-    fn was_said_once(&self, code: Code, span: Span) -> bool {
-        code.is_said_once()
+    fn is_repeated_in_file(&self, code: Code, span: Span) -> bool {
+        code.is_once_per_file()
             && self.kept.iter().any(|kept| kept.code == code && kept.primary.span.file == span.file)
     }
 

@@ -110,9 +110,9 @@ pub struct BlockRules {
     /// The axes that G43.1 takes.
     pub length_axes: Letters,
     /// G80 may stand next to a code that takes the axis words.
-    pub cancel_beside_once: bool,
+    pub cancel_with_one_shot: bool,
     /// G28 and G30 take the axis words also next to a motion.
-    pub reference_beside_motion: bool,
+    pub reference_with_motion: bool,
 }
 
 impl BlockRules {
@@ -120,8 +120,8 @@ impl BlockRules {
     pub const STRICT: BlockRules = BlockRules {
         bare_circles: false,
         length_axes: Letters::of("Z"),
-        cancel_beside_once: false,
-        reference_beside_motion: false,
+        cancel_with_one_shot: false,
+        reference_with_motion: false,
     };
 }
 

@@ -3,7 +3,7 @@
 use chordal_syntax::Letters;
 
 /// Longest macro line ([`MacroForm::Lines`]), characters.
-pub const LONGEST_LINE: usize = 63;
+pub const MAX_LINE: usize = 63;
 
 /// Numbers of variables.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -16,7 +16,7 @@ pub struct VariableRange {
     /// second name this one is.
     pub stored: u32,
     /// How long they hold what was written.
-    pub held: VariableRetention,
+    pub retention: VariableRetention,
 }
 
 /// How long a common variable holds what was written. Until a program writes it, its value is not known in
@@ -31,17 +31,17 @@ pub enum VariableRetention {
 
 /// Writes a range of variables that is empty after power-on.
 pub const fn common(first: u32, last: u32) -> VariableRange {
-    VariableRange { first, last, stored: first, held: VariableRetention::UntilPowerOff }
+    VariableRange { first, last, stored: first, retention: VariableRetention::UntilPowerOff }
 }
 
 /// Writes a range of variables that keep their values over power-off.
 pub const fn kept(first: u32, last: u32) -> VariableRange {
-    VariableRange { first, last, stored: first, held: VariableRetention::OverPowerOff }
+    VariableRange { first, last, stored: first, retention: VariableRetention::OverPowerOff }
 }
 
 /// Writes a range that is another name for the variables from `stored` on, which are kept.
 pub const fn alias(first: u32, last: u32, stored: u32) -> VariableRange {
-    VariableRange { first, last, stored, held: VariableRetention::OverPowerOff }
+    VariableRange { first, last, stored, retention: VariableRetention::OverPowerOff }
 }
 
 /// What a system variable shows.

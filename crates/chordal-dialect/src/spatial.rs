@@ -17,7 +17,7 @@ pub struct SpatialRules {
     /// A length offset that does not begin and end on the same side of it.
     pub length_not_nested: Option<&'static str>,
     /// Codes that may not be in its block.
-    pub beside: Option<(&'static [u16], &'static str)>,
+    pub excluded_codes: Option<(&'static [u16], &'static str)>,
     /// Codes that may not come while it is active.
     pub inside: &'static [(&'static [u16], &'static str)],
     /// Codes that may not be active when it begins; G49 ends them.

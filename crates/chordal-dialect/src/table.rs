@@ -402,7 +402,7 @@ pub enum ArcTurns {
     Extra,
     /// Full turns beside the angle from start to end, which is zero where both are one point: then they are all turns
     /// (Mitsubishi M700V 6.6 (3), p. 53).
-    BesideAngle,
+    BeyondAngle,
     /// All turns, the arc's own counted as one.
     Total,
 }

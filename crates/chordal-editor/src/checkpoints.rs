@@ -17,7 +17,7 @@ pub(crate) struct CheckpointState {
 
 impl CheckpointState {
     /// The first stretch that may carry a byte out.
-    pub fn stretch_of(&self, byte: u32) -> Option<usize> {
+    pub fn segment_of(&self, byte: u32) -> Option<usize> {
         (0..self.checkpoints.len()).find(|&index| {
             let from = self.start(index).map_or(0, |checkpoint| checkpoint.offset());
             let (end, looked) = &self.checkpoints[index];

@@ -116,7 +116,7 @@ impl EditorProgram {
                 let (more, kind) = (String::new(), CompletionKind::Place);
                 found.push(Completion { text, detail, more, kind });
             }
-            if found.len() >= MOST {
+            if found.len() >= MAX_COMPLETIONS {
                 break;
             }
         }
@@ -127,7 +127,7 @@ impl EditorProgram {
         let mut found: Vec<Completion> = Vec::new();
         for place in self.occurrences() {
             let SymbolName::Variable { name, .. } = place.name else { continue };
-            if found.iter().all(|other| other.text != name) && found.len() < MOST {
+            if found.iter().all(|other| other.text != name) && found.len() < MAX_COMPLETIONS {
                 let line = self.source().line_of(place.range.start);
                 let detail = format!("first on line {line}");
                 let (more, kind) = (String::new(), CompletionKind::Variable);
@@ -173,7 +173,7 @@ impl EditorProgram {
 }
 
 /// More would not be read.
-const MOST: usize = 500;
+const MAX_COMPLETIONS: usize = 500;
 
 /// The first line of meaning after the title.
 fn first_meaning(text: &str) -> String {

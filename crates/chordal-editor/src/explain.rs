@@ -10,7 +10,7 @@ use crate::meaning::{
 };
 
 /// Codes that differ by more, in tenths, are not typing errors of each other.
-const NEAR: u16 = 20;
+const MAX_TYPING_ERROR_TENTHS: u16 = 20;
 
 /// A word that nothing explains.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,7 +55,7 @@ fn unknown(word: &str, views: &[ControlView]) -> UnknownTerm {
         let near = code_of(word).and_then(|(letter, code)| {
             let all = views.iter().flat_map(|view| codes(view.table, letter));
             let near = all.min_by_key(|row| row.code.abs_diff(code))?;
-            let close = near.code.abs_diff(code) <= NEAR;
+            let close = near.code.abs_diff(code) <= MAX_TYPING_ERROR_TENTHS;
             close.then(|| format!("{} is {}", code_name(letter, near.code), near.title))
         });
         return UnknownTerm { message, help: near };

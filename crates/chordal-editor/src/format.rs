@@ -70,7 +70,7 @@ pub enum FormatError {
 }
 
 /// The largest N number that all controls here read.
-const MOST_NUMBER: u32 = 99_999;
+const MAX_NUMBER: u32 = 99_999;
 
 impl EditorProgram {
     /// One space between words and none in them, for the lines from `from` up to, not
@@ -94,8 +94,8 @@ impl EditorProgram {
         let mut numbers = BlockNumberer::new(self, numbering);
         self.blocks(1, u32::MAX, |block| numbers.block(block));
         let BlockNumberer { mut edits, new, last, .. } = numbers;
-        if last > u64::from(MOST_NUMBER) {
-            return Err(FormatError::TooLarge { last, most: MOST_NUMBER });
+        if last > u64::from(MAX_NUMBER) {
+            return Err(FormatError::TooLarge { last, most: MAX_NUMBER });
         }
         for place in self.occurrences() {
             let SymbolName::Label { program, number } = place.name else { continue };

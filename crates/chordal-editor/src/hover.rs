@@ -194,12 +194,12 @@ fn row_of(table: &ControlTable, letter: u8, code: u16) -> Option<&'static CodeRo
 
 /// `line 3`, `lines 3, 5 and 9`.
 fn some_lines(lines: &[u32]) -> String {
-    const MOST: usize = 8;
-    let shown: Vec<String> = lines.iter().take(MOST).map(u32::to_string).collect();
+    const MAX_HOVER_LINES: usize = 8;
+    let shown: Vec<String> = lines.iter().take(MAX_HOVER_LINES).map(u32::to_string).collect();
     match shown.as_slice() {
         [] => String::new(),
         [one] => format!("line {one}"),
-        [first @ .., last] if lines.len() <= MOST => {
+        [first @ .., last] if lines.len() <= MAX_HOVER_LINES => {
             format!("lines {} and {last}", first.join(", "))
         }
         all => format!("lines {} … ({} in all)", all.join(", "), lines.len()),

@@ -49,7 +49,7 @@ impl EditorProgram {
     }
 
     fn others(&self) -> impl Iterator<Item = FileId> {
-        (1..=self.setup().beside.len() as u32).map(FileId)
+        (1..=self.setup().subprogram_texts.len() as u32).map(FileId)
     }
 
     fn places_in(&self, file: FileId, name: &SymbolName) -> Vec<OccurrenceInFile> {

@@ -41,7 +41,7 @@ pub struct OutlineEntry {
 }
 
 /// Labels of a text with more are a numbering of blocks and no places to go to.
-const MOST_LABELS: usize = 200;
+const MAX_LABELS: usize = 200;
 
 impl EditorProgram {
     /// The outline: programs, in them tools, in those operations, and blocks with numbers where
@@ -56,11 +56,11 @@ impl EditorProgram {
             let entry = self.entry(block, first, &mut tool);
             labels += usize::from(matches!(&entry, Some((LABEL, _))));
             // A million numbered blocks are not kept to be dropped below.
-            if !matches!(&entry, Some((LABEL, _))) || labels <= MOST_LABELS {
+            if !matches!(&entry, Some((LABEL, _))) || labels <= MAX_LABELS {
                 flat.extend(entry);
             }
         });
-        if labels > MOST_LABELS || labels * 3 > blocks {
+        if labels > MAX_LABELS || labels * 3 > blocks {
             flat.retain(|(depth, _)| *depth != LABEL);
         }
         nested(flat, self.text().len() as u32)

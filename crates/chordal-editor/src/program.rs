@@ -108,7 +108,7 @@ impl EditorProgram {
         let mut sources = SourceMap::new();
         sources.add(Source::new(self.name(), self.text()));
         let setup = self.setup();
-        for (name, text) in &setup.beside {
+        for (name, text) in &setup.subprogram_texts {
             sources.add(Source::new(name.as_str(), text.as_slice()));
         }
         // `new` has looked at the settings.
@@ -121,7 +121,7 @@ impl EditorProgram {
     pub fn file_name(&self, file: FileId) -> &str {
         match (file.0 as usize).checked_sub(1) {
             None => self.name(),
-            Some(index) => self.setup().beside.get(index).map_or("", |(name, _)| name),
+            Some(index) => self.setup().subprogram_texts.get(index).map_or("", |(name, _)| name),
         }
     }
 
@@ -129,7 +129,7 @@ impl EditorProgram {
     pub fn file_text(&self, file: FileId) -> &[u8] {
         match (file.0 as usize).checked_sub(1) {
             None => self.text(),
-            Some(index) => self.setup().beside.get(index).map_or(&[], |(_, text)| text),
+            Some(index) => self.setup().subprogram_texts.get(index).map_or(&[], |(_, text)| text),
         }
     }
 

@@ -17,7 +17,7 @@ pub struct EditorSetup {
     /// The one program of the text to run, where only one is wanted.
     pub program: Option<u32>,
     /// Texts in which subprograms may be, by name.
-    pub beside: Vec<(String, Vec<u8>)>,
+    pub subprogram_texts: Vec<(String, Vec<u8>)>,
 }
 
 impl EditorSetup {
@@ -30,7 +30,7 @@ impl EditorSetup {
             readings: None,
             options,
             program: None,
-            beside: Vec::new(),
+            subprogram_texts: Vec::new(),
         }
     }
 }

@@ -12,16 +12,16 @@ use chordal::{Command, Diagnostic, Sink};
 
 use crate::EditorProgram;
 
-/// Text between two checkpoints, in bytes, or one of [`MOST_CHECKPOINTS`] parts of it.
-const APART: usize = 32 << 10;
+/// Text between two checkpoints, in bytes, or one of [`MAX_CHECKPOINTS`] parts of it.
+const CHECKPOINT_SPACING_BYTES: usize = 32 << 10;
 
 /// About as many checkpoints at most.
-const MOST_CHECKPOINTS: usize = 256;
+const MAX_CHECKPOINTS: usize = 256;
 
 impl EditorProgram {
     /// What is active after a line when it runs for the first time; for a line that carries
     /// nothing out, after the last one before it that does.
-    pub fn modal_behind(&self, line: u32) -> Option<Modal> {
+    pub fn modal_after(&self, line: u32) -> Option<Modal> {
         self.modal_of(line).or_else(|| self.modal_of(self.nearest(line)?))
     }
 
@@ -29,10 +29,13 @@ impl EditorProgram {
     fn modal_of(&self, line: u32) -> Option<Modal> {
         let known = self.checkpoints.known().clone();
         let byte = self.source().line_start(line);
-        let stretch = known.stretch_of(byte).unwrap_or(known.checkpoints.len());
+        let stretch = known.segment_of(byte).unwrap_or(known.checkpoints.len());
         let checkpoint = known.start(stretch);
-        let mut taking =
-            StateRecorder::new(line, checkpoint.map_or(0, Checkpoint::offset), self.apart());
+        let mut taking = StateRecorder::new(
+            line,
+            checkpoint.map_or(0, Checkpoint::offset),
+            self.checkpoint_spacing(),
+        );
         let job = self.job().interrupt(taking.interrupt());
         if !job.run_on(checkpoint, &mut taking) {
             job.run(&mut taking);
@@ -53,7 +56,7 @@ impl EditorProgram {
         let known = self.checkpoints.known().clone();
         let byte = self.source().line_start(line);
         let job = self.job();
-        let last = known.stretch_of(byte).map_or(known.checkpoints.len(), |index| index + 1);
+        let last = known.segment_of(byte).map_or(known.checkpoints.len(), |index| index + 1);
         for index in (0..last).rev() {
             let end = known
                 .checkpoints
@@ -69,8 +72,8 @@ impl EditorProgram {
         nearest.best
     }
 
-    fn apart(&self) -> u32 {
-        APART.max(self.text().len() / MOST_CHECKPOINTS) as u32
+    fn checkpoint_spacing(&self) -> u32 {
+        CHECKPOINT_SPACING_BYTES.max(self.text().len() / MAX_CHECKPOINTS) as u32
     }
 }
 
@@ -113,7 +116,7 @@ struct StateRecorder {
     modal: Option<(u32, CallPath, Modal)>,
     /// The line has run: what follows is no longer wanted.
     over: Arc<AtomicBool>,
-    apart: u32,
+    spacing: u32,
     next: u32,
     checkpoints: Vec<(Arc<Checkpoint>, Option<TextRange>)>,
 }
@@ -125,7 +128,7 @@ impl StateRecorder {
             line,
             modal: None,
             over,
-            apart,
+            spacing: apart,
             next: from + apart,
             checkpoints: Vec::new(),
         }
@@ -172,7 +175,7 @@ impl RunSink for StateRecorder {
         if self.over.load(Ordering::Relaxed) {
             return ControlFlow::Break(());
         }
-        self.next = checkpoint.offset().saturating_add(self.apart);
+        self.next = checkpoint.offset().saturating_add(self.spacing);
         self.checkpoints.push((Arc::new(checkpoint), looked));
         ControlFlow::Continue(())
     }

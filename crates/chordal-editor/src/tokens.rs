@@ -6,14 +6,14 @@ pub use chordal::control::{Token, TokenClass};
 use crate::EditorProgram;
 
 /// Bytes of a block whose words have colours, at most: nobody writes a longer one, and no editor shows its colours.
-const LONGEST_COLOURED: u32 = 20_000;
+const MAX_COLOURED: u32 = 20_000;
 
 impl EditorProgram {
     /// The tokens of the lines from `from` up to, not including, `to`, in the order of the text.
     pub fn tokens(&self, from: u32, to: u32) -> Vec<Token> {
         let mut tokens = Vec::new();
         self.blocks(from, to, |block| {
-            if block.range.len() <= LONGEST_COLOURED {
+            if block.range.len() <= MAX_COLOURED {
                 block_tokens(self.text(), self.lexicon(), block, &mut tokens);
             }
         });

@@ -86,13 +86,13 @@ fn a_word_tells_what_it_does_and_what_its_line_did() {
 fn the_state_behind_a_line_is_the_controls() {
     let program =
         haas("G21 G90 T3 M6\nS1000 M3\n\nG1 X10. Y-2.5 F200.\n(A REMARK)\nG91 X1.\nM30\n");
-    let modal = program.modal_behind(5).expect("a state");
+    let modal = program.modal_after(5).expect("a state");
     let text = program.modal_text(&modal);
     assert!(text.starts_with("G1 G17 G90 G94 G21 G40\n"), "{text}");
     assert!(text.contains("X10 Y-2.5 Z"), "{text}");
     assert!(text.contains("F 200 mm/min, S1000 clockwise, T3"), "{text}");
-    assert_eq!(program.modal_behind(6).map(|modal| modal.position[0]), Some(11.0));
-    assert!(program.modal_behind(5).is_some() && haas("").modal_behind(1).is_none());
+    assert_eq!(program.modal_after(6).map(|modal| modal.position[0]), Some(11.0));
+    assert!(program.modal_after(5).is_some() && haas("").modal_after(1).is_none());
 }
 
 #[test]

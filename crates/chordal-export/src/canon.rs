@@ -19,7 +19,7 @@ use crate::number::{push_fixed, push_integer};
 mod turn;
 
 /// Radii that differ by more are not one arc, mm: below what is written.
-const SAME_RADIUS_MM: f64 = 1e-6;
+const EQUAL_RADIUS_MM: f64 = 1e-6;
 
 /// Writes commands in the canonical text of LinuxCNC (`rs274 -g`): one call a line, in mm,
 /// degrees and minutes, after the line of the program it comes from.
@@ -184,7 +184,7 @@ impl<'a, W: Write> CanonWriter<'a, W> {
         self.line.extend_from_slice(format!(", {}, ", rotation(shape.sweep)).as_bytes());
         self.numbers(&[to[normal], to[3], to[4], to[5]]);
         self.line.push(b')');
-        if (shape.radius_from - shape.radius_to).abs() > SAME_RADIUS_MM {
+        if (shape.radius_from - shape.radius_to).abs() > EQUAL_RADIUS_MM {
             self.line.extend_from_slice(b" ; radius ");
             push_fixed(&mut self.line, shape.radius_from);
             self.line.extend_from_slice(b" to ");

@@ -9,7 +9,7 @@ use crate::comparison::value_text;
 use crate::numbers::{SummaryUnits, counted, grouped, short};
 
 /// Most differences that the text lists.
-const MOST_TOLD: usize = 20;
+const MAX_LISTED_DIFFERENCES: usize = 20;
 
 /// A comparison for people, the two called by these names.
 pub fn comparison_text(
@@ -43,10 +43,11 @@ pub fn comparison_text(
             text += &format!("{name}: {errors}; `chordal check` lists them\n");
         }
     }
-    for one in found.differences.iter().take(MOST_TOLD) {
+    for one in found.differences.iter().take(MAX_LISTED_DIFFERENCES) {
         text += &difference_text(one, names, jobs, units);
     }
-    let more = found.differences.len().saturating_sub(MOST_TOLD) as u64 + found.dropped;
+    let more =
+        found.differences.len().saturating_sub(MAX_LISTED_DIFFERENCES) as u64 + found.dropped;
     if more > 0 {
         text += &format!("\nand {}\n", counted(more, "more difference", "more differences"));
     }
@@ -83,7 +84,7 @@ pub fn comparison_headline(found: &Comparison, units: SummaryUnits, tolerance_mm
                 .into()
         }
         (ComparisonVerdict::Different, None) => format!("different: {differences}\n"),
-        (ComparisonVerdict::Different, Some(most)) if most <= chordal_compare::SAME_MM => {
+        (ComparisonVerdict::Different, Some(most)) if most <= chordal_compare::COINCIDENT_MM => {
             format!("different: {differences}; the paths are the same\n")
         }
         (ComparisonVerdict::Different, Some(most)) => {

@@ -13,9 +13,9 @@ use crate::number::push_finite;
 /// How far the polylines of helices, spirals and splines leave the curve, mm.
 const TOLERANCE_MM: f64 = 0.001;
 /// Corners of one polyline at most: a curve that would need more is drawn less exactly, and a comment says how.
-const MOST_CORNERS: u64 = 100_000;
+const MAX_CORNERS: u64 = 100_000;
 /// What counts as flat, as no length and as a whole turn, mm and rad.
-const NOTHING: f64 = 1e-9;
+const NEGLIGIBLE: f64 = 1e-9;
 /// AutoCAD's colours of tools: blue, red, green, magenta, cyan, orange, olive.
 const COLORS: [u32; 7] = [5, 1, 3, 6, 4, 30, 54];
 const GREY: u32 = 8;
@@ -88,7 +88,7 @@ impl<W: Write> DxfWriter<W> {
         self.not_named = self.not_named.or(segment.not_named);
         match &segment.curve {
             Curve::Line(line) => self.line(segment, line),
-            Curve::Arc(arc) if arc.rise.abs() < NOTHING => self.arc(segment, arc),
+            Curve::Arc(arc) if arc.rise.abs() < NEGLIGIBLE => self.arc(segment, arc),
             curve => self.polyline(segment, curve)?,
         }
         self.flush_text()
@@ -108,7 +108,7 @@ impl<W: Write> DxfWriter<W> {
             let within = self.tolerance_mm;
             self.group(
                 999,
-                &format!("curves of more than {MOST_CORNERS} corners are within {within:.3} mm"),
+                &format!("curves of more than {MAX_CORNERS} corners are within {within:.3} mm"),
             );
         }
         self.flush_text()?;
@@ -124,7 +124,7 @@ impl<W: Write> DxfWriter<W> {
     }
 
     fn line(&mut self, segment: &Segment, line: &Line) {
-        if line.length() < NOTHING {
+        if line.length() < NEGLIGIBLE {
             return;
         }
         self.entity("LINE", segment);
@@ -133,10 +133,10 @@ impl<W: Write> DxfWriter<W> {
     }
 
     fn arc(&mut self, segment: &Segment, arc: &Arc) {
-        if arc.radius < NOTHING || arc.length() < NOTHING {
+        if arc.radius < NEGLIGIBLE || arc.length() < NEGLIGIBLE {
             return;
         }
-        let whole = arc.sweep.abs() > std::f64::consts::TAU - NOTHING;
+        let whole = arc.sweep.abs() > std::f64::consts::TAU - NEGLIGIBLE;
         self.entity(if whole { "CIRCLE" } else { "ARC" }, segment);
         let (first, second) = arbitrary_axes(arc.w);
         let center =
@@ -181,7 +181,7 @@ impl<W: Write> DxfWriter<W> {
             let chords = curve
                 .chords(tolerance_mm, Placement::Inscribed)
                 .map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
-            let more = chords.chord_count() as f64 / MOST_CORNERS as f64;
+            let more = chords.chord_count() as f64 / MAX_CORNERS as f64;
             if more <= 1.0 {
                 self.tolerance_mm = self.tolerance_mm.max(tolerance_mm);
                 return Ok(chords);
@@ -224,8 +224,8 @@ impl<W: Write> DxfWriter<W> {
 
 /// The two axes of an entity's plane, which DXF derives from its normal.
 fn arbitrary_axes(normal: Vec3) -> (Vec3, Vec3) {
-    const NEAR: f64 = 1.0 / 64.0;
-    let near_z = normal.x.abs() < NEAR && normal.y.abs() < NEAR;
+    const TURN_TOLERANCE: f64 = 1.0 / 64.0;
+    let near_z = normal.x.abs() < TURN_TOLERANCE && normal.y.abs() < TURN_TOLERANCE;
     let aside = if near_z { Vec3::Y } else { Vec3::Z };
     let first = aside.cross(normal).normalized().unwrap_or(Vec3::X);
     (first, normal.cross(first))

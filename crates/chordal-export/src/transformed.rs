@@ -2,7 +2,7 @@
 
 use chordal::Job;
 use chordal::diagnostics::FileId;
-use chordal::stock::WayIn;
+use chordal::stock::ApproachCheck;
 use chordal_rewrite::restart::{RestartProgram, RestartRefusal};
 use chordal_rewrite::{Change, SplitProgram, TransformRefusal, TransformedProgram};
 use serde_json::{Value, json};
@@ -101,9 +101,9 @@ pub fn restart_json(
     done: Result<&RestartProgram, &RestartRefusal>,
     file: &str,
     written: Option<&str>,
-    way: Option<&WayIn>,
+    approach: Option<&ApproachCheck>,
 ) -> String {
-    let way = way.map(|way| json!({ "moves": way.moves, "not_proved": way.unknown }));
+    let way = approach.map(|way| json!({ "moves": way.moves, "not_proved": way.unknown }));
     let codes = done.map(|done| done.unrepeated.as_slice()).unwrap_or_default();
     let not_repeated: Vec<Value> =
         codes.iter().map(|code| json!({ "words": code.words, "line": code.line })).collect();

@@ -7,13 +7,13 @@ use serde_json::{Map, Value, json};
 pub fn worked_text(worked: &WorkedCalculation) -> String {
     let units = worked.units;
     let mut text = format!("{}\n\n", worked.title);
-    let symbols = worked.given.iter().chain(worked.steps.iter().map(|step| &step.quantity));
+    let symbols = worked.inputs.iter().chain(worked.steps.iter().map(|step| &step.quantity));
     let wide = symbols.map(|quantity| quantity.symbol.chars().count()).max().unwrap_or(0);
     let pad = |symbol: &str| {
         let missing = wide - symbol.chars().count();
         format!("{symbol}{}", " ".repeat(missing))
     };
-    for quantity in &worked.given {
+    for quantity in &worked.inputs {
         let line = format!(
             "  {} = {:<14} {}",
             pad(&quantity.symbol),
@@ -60,7 +60,7 @@ pub fn worked_json(worked: &WorkedCalculation, program: Option<&str>) -> String 
         object.insert("unit".into(), unit.map_or(Value::Null, |unit| json!(unit)));
         object
     };
-    let given: Vec<_> = worked.given.iter().map(quantity).collect();
+    let given: Vec<_> = worked.inputs.iter().map(quantity).collect();
     let steps: Vec<_> = worked
         .steps
         .iter()

@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// Links that lead to links, at most; more lead in a circle.
-const MOST_LINKS: usize = 40;
+const MAX_LINKS: usize = 40;
 
 /// The name without links: of a file that is there, or of one that will be.
 ///
@@ -13,7 +13,7 @@ const MOST_LINKS: usize = 40;
 /// Links in a circle, and a folder that cannot be read.
 pub fn place_of(path: &Path) -> io::Result<PathBuf> {
     let mut place = path.to_path_buf();
-    for _ in 0..MOST_LINKS {
+    for _ in 0..MAX_LINKS {
         match fs::read_link(&place) {
             // What a link says is counted from its own folder.
             Ok(next) => place = folder_of(&place).join(next),

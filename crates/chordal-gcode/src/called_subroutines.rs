@@ -8,7 +8,7 @@ use chordal_syntax::{
 use crate::macros::names::normal;
 
 /// Longest line that is looked at.
-const LONGEST: usize = 4096;
+const MAX_LINE_BYTES: usize = 4096;
 
 /// The names of the subroutines that a text calls by O words (`o<name> call`), each once: the
 /// files that a control would look for when they are not in the text.
@@ -19,7 +19,7 @@ pub fn called_subs(text: &[u8], lexicon: &Lexicon) -> Vec<String> {
     }
     for word in [b"call", b"CALL", b"Call"] {
         for at in memchr::memmem::find_iter(text, word) {
-            let from = at.saturating_sub(LONGEST);
+            let from = at.saturating_sub(MAX_LINE_BYTES);
             let start =
                 memchr::memrchr2(b'\n', b'\r', &text[from..at]).map_or(from, |i| from + i + 1);
             names.extend(called_in(&text[start..at + word.len()], lexicon));

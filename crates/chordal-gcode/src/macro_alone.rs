@@ -18,7 +18,7 @@ use crate::library::{Library, Program};
 use crate::macros::arguments::type_one;
 
 /// Macros are short: a longer text is taken for a program, bytes.
-const LONGEST: usize = 1 << 20;
+const MAX_MACRO_BYTES: usize = 1 << 20;
 
 /// What a macro run by itself lacks.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,7 +47,7 @@ pub(crate) fn missing_call(
     let form = control.macros.form;
     let range = TextRange::new(program.head.start.offset, program.head.end);
     let text = range.slice(library.text(program.file));
-    if form == MacroForm::None || text.len() > LONGEST || !may_be_macro(text, form) {
+    if form == MacroForm::None || text.len() > MAX_MACRO_BYTES || !may_be_macro(text, form) {
         return None;
     }
     let mut reader = library.reader(program, control.table.lexicon);

@@ -46,12 +46,12 @@ impl WeightedPoint {
 }
 
 /// The most control points of a span that is kept by itself.
-pub(crate) const MOST: usize = 6;
+pub(crate) const MAX_SPAN_ORDER: usize = 6;
 
 /// A span that stands alone: its control points seen from the first, and that.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bezier {
-    pub points: [WeightedPoint; MOST],
+    pub points: [WeightedPoint; MAX_SPAN_ORDER],
     pub order: usize,
     pub start: Vec3,
 }
@@ -129,11 +129,11 @@ pub(crate) fn velocity(points: &mut [WeightedPoint], t: f64) -> Vec3 {
 /// the fewest digits are lost.
 pub(crate) fn to_powers(points: &mut [WeightedPoint]) {
     let degree = points.len() - 1;
-    let mut means = [WeightedPoint::ZERO; MOST];
+    let mut means = [WeightedPoint::ZERO; MAX_SPAN_ORDER];
     means[..=degree].copy_from_slice(points);
     // The power k has the difference of order k of the means halfway after the other steps.
     let mut factor = 1.0;
-    let mut found = [WeightedPoint::ZERO; MOST];
+    let mut found = [WeightedPoint::ZERO; MAX_SPAN_ORDER];
     for order in (0..=degree).rev() {
         let mut differences = means;
         for round in 0..order {
@@ -164,7 +164,7 @@ pub(crate) fn split(points: &mut [WeightedPoint], after: &mut [WeightedPoint], t
 /// The box around a curve, with its ends `start` and `end`: parts of it are divided while their control points
 /// lie outside the box of the points that were found.
 pub(crate) fn bounds(points: &[WeightedPoint], start: Vec3, end: Vec3) -> Aabb {
-    const DEEPEST: u32 = 48;
+    const MAX_DIVISIONS: u32 = 48;
     let mut found = Aabb::of_points(start, end);
     let mut open = vec![(points.to_vec(), 0)];
     while let Some((mut part, depth)) = open.pop() {
@@ -177,7 +177,7 @@ pub(crate) fn bounds(points: &[WeightedPoint], start: Vec3, end: Vec3) -> Aabb {
                 .flat_map(|v| v.to_array())
                 .fold(0.0_f64, |most, value| most.max(value.abs()));
         let within = found.expand(rounding);
-        if depth >= DEEPEST || (within.contains(hull.min) && within.contains(hull.max)) {
+        if depth >= MAX_DIVISIONS || (within.contains(hull.min) && within.contains(hull.max)) {
             continue;
         }
         if !(hull.min.is_finite() && hull.max.is_finite()) {

@@ -318,7 +318,7 @@ impl Spline {
     }
 
     /// Its polynomial spans one after the other, each exact; their inner ends are equal. `None` for an
-    /// order above [`SplinePiece::MOST_ORDER`].
+    /// order above [`SplinePiece::MAX_ORDER`].
     #[must_use]
     pub fn pieces(&self) -> Option<Vec<SplinePiece>> {
         let mut pieces: Vec<SplinePiece> = Vec::new();

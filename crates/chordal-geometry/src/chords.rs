@@ -347,8 +347,8 @@ fn graded(winding: Winding, tolerance: f64) -> Result<(ChordSpacing, u64), Chord
     // Beyond this the least of steps below already holds the whole curve.
     let e = tolerance.min(largest);
     // Keeps every step below a third of a turn, however near to the axis.
-    const WIDEST: f64 = math::TAU / 3.0;
-    let floor = 8.0 * e / (WIDEST * WIDEST);
+    const MAX_CHORD_ANGLE_RAD: f64 = math::TAU / 3.0;
+    let floor = 8.0 * e / (MAX_CHORD_ANGLE_RAD * MAX_CHORD_ANGLE_RAD);
     let least = q0.min(q1) + floor;
     // What Q can grow by within a step, b for each radian: with that added, the value at one end of
     // a step covers the other end as well.

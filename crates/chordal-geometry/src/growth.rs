@@ -20,7 +20,7 @@ const OFF_MM: f64 = 1e-13;
 const OFF_SHARE: f64 = 1e-15;
 
 /// More parts than any spiral of finite numbers has.
-const MOST_PARTS: f64 = 1e9;
+const MAX_PARTS: f64 = 1e9;
 
 /// A part of a spiral with the fraction of the sweep as a power series of the way.
 #[derive(Clone, Copy, Debug)]
@@ -158,7 +158,7 @@ impl SpiralGrid {
         let share = math::twelfth_root(off * (theta * dr).abs() / square);
         // Without growth, or with next to none, one part is all; and where no number comes out.
         let parts = ((to - from).abs() / share).ceil();
-        let count = if parts > 1.0 && parts < MOST_PARTS { parts } else { 1.0 };
+        let count = if parts > 1.0 && parts < MAX_PARTS { parts } else { 1.0 };
         SpiralGrid { winding, length, count: count as usize, from, step: (to - from) / count }
     }
 

@@ -17,9 +17,9 @@ pub(crate) fn sin_cos_of_quarters(quarters: f64) -> (f64, f64) {
     // Added and taken off again, this leaves the nearest whole number; its last bits count it.
     const WHOLE: f64 = 6_755_399_441_055_744.0;
     // Up to here that holds for the parts, which are sixteen times as many.
-    const MOST: f64 = 1e14;
+    const MAX_EXACT_COUNT: f64 = 1e14;
     const STEP: f64 = FRAC_PI_2 / PARTS as f64;
-    if quarters.abs() >= MOST {
+    if quarters.abs() >= MAX_EXACT_COUNT {
         return sin_cos(quarters * FRAC_PI_2);
     }
     let parts = quarters * PARTS as f64;

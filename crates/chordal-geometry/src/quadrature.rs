@@ -9,8 +9,8 @@ const RULE: [(f64, f64); 4] = [
 ];
 
 /// A part is not divided more often, nor all parts together: a cusp, rounding or a NaN ends here.
-const DEEPEST: u32 = 40;
-const MOST_PARTS: u32 = 4000;
+const MAX_DEPTH: u32 = 40;
+const MAX_PARTS: u32 = 4000;
 
 /// ∫f from `a` to `b` by eight places.
 pub(crate) fn gauss(f: &mut impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
@@ -32,7 +32,7 @@ pub(crate) fn integral(f: &mut impl FnMut(f64) -> f64, a: f64, b: f64, tolerance
         let both = before + after;
         let near = (both - whole).abs() <= tolerance.max(32.0 * f64::EPSILON * both.abs());
         parts += 1;
-        if near || depth >= DEEPEST || parts >= MOST_PARTS || !both.is_finite() {
+        if near || depth >= MAX_DEPTH || parts >= MAX_PARTS || !both.is_finite() {
             sum += both;
         } else {
             let half = 0.5 * tolerance;

@@ -142,7 +142,7 @@ impl ParamCurve for Spiral {
         let t = winding.fraction_at(s);
         let (point, derivatives) = winding.jet(t);
         // The ends as they were given, like `point_at`.
-        derivatives.behind(if t <= 0.0 {
+        derivatives.derivatives_after(if t <= 0.0 {
             self.start
         } else if t >= 1.0 {
             self.end

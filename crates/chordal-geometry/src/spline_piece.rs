@@ -1,6 +1,6 @@
 //! One polynomial span of a spline as a curve of its own: a rational Bezier curve.
 
-use crate::bezier::{self, Bezier, MOST, WeightedPoint};
+use crate::bezier::{self, Bezier, MAX_SPAN_ORDER, WeightedPoint};
 use crate::quadrature::integral;
 use crate::{Aabb, ChordError, Chords, Line, Nearest, ParamCurve, Placement, Transform, Vec3};
 
@@ -8,28 +8,31 @@ use crate::{Aabb, ChordError, Chords, Line, Nearest, ParamCurve, Placement, Tran
 pub(crate) const OFF: f64 = 1e-13;
 
 /// One polynomial span of a [`Spline`](crate::Spline), exactly: a rational Bezier curve of order 2 to
-/// [`SplinePiece::MOST_ORDER`]. It is made by [`Spline::pieces`](crate::Spline::pieces).
+/// [`SplinePiece::MAX_ORDER`]. It is made by [`Spline::pieces`](crate::Spline::pieces).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SplinePiece {
-    points: [Vec3; MOST],
-    weights: [f64; MOST],
+    points: [Vec3; MAX_SPAN_ORDER],
+    weights: [f64; MAX_SPAN_ORDER],
     order: usize,
     length: f64,
 }
 
 impl SplinePiece {
     /// The highest order (degree + 1).
-    pub const MOST_ORDER: usize = MOST;
+    pub const MAX_ORDER: usize = MAX_SPAN_ORDER;
 
     /// The Bezier curve with these control points (mm) and weights; `None` where they are not as many, fewer
-    /// than two, more than [`SplinePiece::MOST_ORDER`], or a weight is not above zero.
+    /// than two, more than [`SplinePiece::MAX_ORDER`], or a weight is not above zero.
     #[must_use]
     pub fn new(points: &[Vec3], weights: &[f64]) -> Option<SplinePiece> {
         let above_zero = weights.iter().all(|weight| *weight > 0.0);
-        if !(2..=MOST).contains(&points.len()) || weights.len() != points.len() || !above_zero {
+        if !(2..=MAX_SPAN_ORDER).contains(&points.len())
+            || weights.len() != points.len()
+            || !above_zero
+        {
             return None;
         }
-        let (mut own, mut of_points) = ([Vec3::ZERO; MOST], [0.0; MOST]);
+        let (mut own, mut of_points) = ([Vec3::ZERO; MAX_SPAN_ORDER], [0.0; MAX_SPAN_ORDER]);
         own[..points.len()].copy_from_slice(points);
         of_points[..points.len()].copy_from_slice(weights);
         let order = points.len();
@@ -74,12 +77,12 @@ impl SplinePiece {
         self
     }
 
-    fn weighted(&self) -> [WeightedPoint; MOST] {
+    fn weighted(&self) -> [WeightedPoint; MAX_SPAN_ORDER] {
         std::array::from_fn(|index| WeightedPoint::new(self.points[index], self.weights[index]))
     }
 
     /// Seen from the start, so that a small curve far from the origin keeps its digits.
-    fn about_start(&self) -> [WeightedPoint; MOST] {
+    fn about_start(&self) -> [WeightedPoint; MAX_SPAN_ORDER] {
         let start = self.points[0];
         std::array::from_fn(|index| {
             WeightedPoint::new(self.points[index] - start, self.weights[index])
@@ -135,14 +138,14 @@ impl SplinePiece {
     /// The parameter at `s` between two whose lengths are known: Newton's steps, or halves where one leads
     /// out.
     pub(crate) fn parameter_between(&self, low: (f64, f64), high: (f64, f64), s: f64) -> f64 {
-        const MOST_STEPS: u32 = 60;
+        const MAX_STEPS: u32 = 60;
         let (mut low, mut high) = (low, high);
         let share = (s - low.1) / (high.1 - low.1);
         if share.is_nan() {
             return share;
         }
         let mut t = low.0 + (high.0 - low.0) * share.clamp(0.0, 1.0);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             // From the nearer end, so that short ways are measured.
             let length = if t - low.0 <= high.0 - t {
                 low.1 + self.length_between(low.0, t)
@@ -201,7 +204,7 @@ impl SplinePiece {
         let mut after = before;
         let start = self.points[0];
         bezier::split(&mut before[..self.order], &mut after[..self.order], t);
-        let part = |of: &[WeightedPoint; MOST]| SplinePiece {
+        let part = |of: &[WeightedPoint; MAX_SPAN_ORDER]| SplinePiece {
             points: std::array::from_fn(|k| {
                 if k < self.order { start + of[k].place() } else { Vec3::ZERO }
             }),
@@ -229,12 +232,12 @@ impl SplinePiece {
     /// Where no part is so even (at a cusp, or at a start without speed) a part that no point of is farther
     /// than `tolerance` mm from a straight line, and that is no longer than ten times that, is that line.
     pub fn even_parts(&self, tolerance: f64, push: &mut impl FnMut(EvenPart)) {
-        const DEEPEST: u32 = 60;
+        const MAX_NEWTON_DIVISIONS: u32 = 60;
         let mut open = vec![(*self, 0)];
         while let Some((part, depth)) = open.pop() {
             let (start, end) = (part.start(), part.end());
             let short = part.hull_length() <= 10.0 * tolerance && part.flatness() <= tolerance;
-            if part.is_straight() || short || depth >= DEEPEST {
+            if part.is_straight() || short || depth >= MAX_NEWTON_DIVISIONS {
                 push(EvenPart::Line(Line { start, end }));
             } else if part.is_even() {
                 push(EvenPart::Bent(part));
@@ -361,9 +364,9 @@ impl ParamCurve for SplinePiece {
 
     /// Parts are divided while one of their points may be nearer than the nearest that was found.
     fn nearest(&self, p: Vec3) -> Nearest {
-        const DEEPEST: u32 = 50;
+        const MAX_SEARCH_DIVISIONS: u32 = 50;
         // Nearer by less than this share does not count: about its centre all of a circle is as near.
-        const NEAR: f64 = 1e-10;
+        const SEARCH_TOLERANCE: f64 = 1e-10;
         let size = self.hull_length();
         let mut best = (0.0, self.start().distance(p));
         let see = |t: f64, best: &mut (f64, f64)| {
@@ -379,8 +382,8 @@ impl ParamCurve for SplinePiece {
             let line = Line { start: part[0].place(), end: part[self.order - 1].place() };
             let flatness = points.fold(0.0_f64, |far, q| far.max(line.nearest(q).distance));
             let least = line.nearest(p).distance - flatness;
-            let enough = NEAR * (best.1 + size);
-            if depth >= DEEPEST || least.is_nan() || least >= best.1 - enough {
+            let enough = SEARCH_TOLERANCE * (best.1 + size);
+            if depth >= MAX_SEARCH_DIVISIONS || least.is_nan() || least >= best.1 - enough {
                 continue;
             }
             let mut after = part;
@@ -389,8 +392,9 @@ impl ParamCurve for SplinePiece {
             see(middle, &mut best);
             // The nearer half last, so that it is looked at first.
             let halves = [(part, from, middle, depth + 1), (after, middle, to, depth + 1)];
-            let near =
-                |half: &([WeightedPoint; MOST], f64, f64, u32)| half.0[0].place().distance(p);
+            let near = |half: &([WeightedPoint; MAX_SPAN_ORDER], f64, f64, u32)| {
+                half.0[0].place().distance(p)
+            };
             let end = self.jet_at_parameter(to)[0].distance(p);
             if near(&halves[0]) < end {
                 open.extend(halves.into_iter().rev());
@@ -458,7 +462,7 @@ impl SplinePiece {
     fn steps_within(&self, tolerance: f64) -> f64 {
         let hull = self.points().iter().fold(Aabb::EMPTY, |hull, point| hull.include(*point));
         let middle = hull.center();
-        let weighted: [WeightedPoint; MOST] =
+        let weighted: [WeightedPoint; MAX_SPAN_ORDER] =
             std::array::from_fn(|k| WeightedPoint::new(self.points[k] - middle, self.weights[k]));
         let mut bends = (0.0_f64, 0.0_f64);
         for three in weighted[..self.order].windows(3) {

@@ -8,7 +8,7 @@
 //!
 //! The cells are the curve's own, so no answer depends on what was asked before.
 
-use crate::bezier::{self, MOST, WeightedPoint};
+use crate::bezier::{self, MAX_SPAN_ORDER, WeightedPoint};
 use crate::quadrature::{gauss, integral};
 use crate::spline_piece::OFF;
 use crate::{ParamCurve, SplinePiece, Vec3};
@@ -21,7 +21,7 @@ const OFF_SHARE: f64 = 1e-10;
 const OFF_WHOLE: f64 = 10.0 * OFF;
 
 /// What a cell is off is taken from E and its first two derivatives halfway, and so much more for the others.
-const MARGIN: f64 = 2.0;
+const ERROR_MARGIN: f64 = 2.0;
 /// The largest of (1 − x²)⁵·|x|, at x² = 1/11, and of (1 − x²)⁵·x²/2, at x² = 1/6.
 const AT_SLOPE: f64 = 0.1873;
 const AT_BEND: f64 = 0.0335;
@@ -39,7 +39,7 @@ const TERMS: usize = 2 * KNOWN;
 
 /// What the means of the even derivatives at both ends, and half the differences of the odd ones, by their
 /// factorials, give to the factors of the even powers of x: a row for each derivative, times 128.
-const EVEN: [[f64; KNOWN]; KNOWN] = [
+const EVEN_DERIVATIVE_WEIGHTS: [[f64; KNOWN]; KNOWN] = [
     [128.0, 0.0, 0.0, 0.0, 0.0],
     [-93.0, 140.0, -70.0, 28.0, -5.0],
     [58.0, -152.0, 140.0, -56.0, 10.0],
@@ -215,7 +215,7 @@ impl PolynomialCell {
             let (sum, step) = (two.plus(one).times(scale), two.plus(one.times(-1.0)).times(scale));
             let (for_even, for_odd) = if order % 2 == 0 { (sum, step) } else { (step, sum) };
             for power in 0..KNOWN {
-                let (even, odd) = (EVEN[order][power], ODD[order][power]);
+                let (even, odd) = (EVEN_DERIVATIVE_WEIGHTS[order][power], ODD[order][power]);
                 terms[2 * power] = terms[2 * power].plus(for_even.times(even));
                 terms[2 * power + 1] = terms[2 * power + 1].plus(for_odd.times(odd));
             }
@@ -248,7 +248,7 @@ impl PolynomialCell {
         let e = off / f;
         let e1 = (off1 - e * f1) / f;
         let e2 = (off2 - e * f2 - e1 * (2.0 * f1)) / f;
-        MARGIN * (e.length() + AT_SLOPE * e1.length() + AT_BEND * e2.length())
+        ERROR_MARGIN * (e.length() + AT_SLOPE * e1.length() + AT_BEND * e2.length())
     }
 
     #[inline(always)]
@@ -282,7 +282,7 @@ impl PolynomialCell {
 /// A piece as powers of x, from −1 at its start to 1 at its end: points seen from the start, times their weights.
 #[derive(Clone, Copy, Debug)]
 struct PowerSeries {
-    terms: [WeightedPoint; MOST],
+    terms: [WeightedPoint; MAX_SPAN_ORDER],
     degree: usize,
     /// Whether the weights differ; if not they are 1 here.
     rational: bool,
@@ -292,7 +292,7 @@ impl PowerSeries {
     fn new(piece: &SplinePiece) -> PowerSeries {
         let (points, weights) = (piece.points(), piece.weights());
         let rational = weights.iter().any(|weight| *weight != weights[0]);
-        let mut terms = [WeightedPoint::ZERO; MOST];
+        let mut terms = [WeightedPoint::ZERO; MAX_SPAN_ORDER];
         for (index, term) in terms[..points.len()].iter_mut().enumerate() {
             let weight = if rational { weights[index] } else { 1.0 };
             *term = WeightedPoint::new(points[index] - points[0], weight);

@@ -39,7 +39,7 @@ pub(crate) struct IntrinsicDerivatives {
 
 impl IntrinsicDerivatives {
     /// After their point.
-    pub(crate) fn behind(self, point: Vec3) -> [Vec3; 4] {
+    pub(crate) fn derivatives_after(self, point: Vec3) -> [Vec3; 4] {
         [point, self.tangent, self.curvature, self.curvature_derivative]
     }
 }

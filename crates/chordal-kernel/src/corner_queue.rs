@@ -63,14 +63,14 @@ pub(crate) struct QueuedMove {
 /// The corners that wait.
 #[derive(Default, Debug)]
 pub(crate) struct CornerQueue {
-    pub asked: Option<CornerRequest>,
-    pub held: Option<Box<QueuedMove>>,
+    pub request: Option<CornerRequest>,
+    pub queued: Option<Box<QueuedMove>>,
 }
 
 impl CornerQueue {
     /// Something waits.
     #[inline]
     pub fn wait(&self) -> bool {
-        self.held.is_some() || self.asked.is_some()
+        self.queued.is_some() || self.request.is_some()
     }
 }

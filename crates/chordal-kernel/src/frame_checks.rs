@@ -8,7 +8,7 @@ use crate::kernel::Kernel;
 use crate::statement::Statement;
 
 /// Coordinates that differ by less are the same on the control, mm.
-const SAME_MM: f64 = 0.000_5;
+const EQUAL_COORDINATE_MM: f64 = 0.000_5;
 
 impl Kernel<'_> {
     /// Adds what a change of rotation or scaling has made of the coordinates of the position.
@@ -16,7 +16,7 @@ impl Kernel<'_> {
         let now = self.state.position;
         let jump = self.state.frame_jump.unwrap_or([0.0; AXES]);
         let jump: Position = std::array::from_fn(|axis| jump[axis] + now[axis] - before[axis]);
-        let changed = jump.iter().any(|value| value.abs() > SAME_MM);
+        let changed = jump.iter().any(|value| value.abs() > EQUAL_COORDINATE_MM);
         self.state.frame_jump = changed.then_some(jump);
     }
 
@@ -42,7 +42,7 @@ impl Kernel<'_> {
         }
         self.state.frame_jump = None;
         let (alone, other) = if named.has(a) { (a, b) } else { (b, a) };
-        if named.has(other) || jump[other].abs() <= SAME_MM {
+        if named.has(other) || jump[other].abs() <= EQUAL_COORDINATE_MM {
             return;
         }
         let now = self.state.position[other];

@@ -303,7 +303,7 @@ impl Kernel<'_> {
         let active = self.state.frames.names();
         self.report(
             Diagnostic::new(
-                Code::FrameBesideReference,
+                Code::FrameWithReference,
                 word,
                 format!("{code} while {active} is active"),
             )

@@ -125,7 +125,7 @@ pub struct Kernel<'a> {
     /// A contour is cut that cycles may have read before.
     pub contour_again: bool,
     /// What was said of the blocks of contours while cycles read them.
-    said_of_contours: Vec<(Code, Span)>,
+    reported_contours: Vec<(Code, Span)>,
     /// Who takes what the run produces.
     pub sink: &'a mut (dyn RunSink + 'a),
 }
@@ -157,7 +157,7 @@ impl<'a> Kernel<'a> {
             corners: CornerQueue::default(),
             collected: None,
             contour_again: false,
-            said_of_contours: Vec::new(),
+            reported_contours: Vec::new(),
             sink,
         }
     }
@@ -218,11 +218,11 @@ impl<'a> Kernel<'a> {
         }
         if self.collected.is_some() || self.contour_again {
             let said = (diagnostic.code, diagnostic.primary.span);
-            if self.said_of_contours.contains(&said) {
+            if self.reported_contours.contains(&said) {
                 return;
             }
             if self.collected.is_some() {
-                self.said_of_contours.push(said);
+                self.reported_contours.push(said);
             }
         }
         self.sink.diagnostic(diagnostic);

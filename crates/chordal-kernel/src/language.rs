@@ -62,7 +62,7 @@ pub struct CompletedRun {
     /// What it leaves.
     pub outcome: Outcome,
     /// What of the first text was read after the last checkpoint, except the blocks in their order.
-    pub looked: Option<TextRange>,
+    pub text_read: Option<TextRange>,
 }
 
 /// What a piece of text is.

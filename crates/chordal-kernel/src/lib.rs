@@ -36,8 +36,8 @@ mod pockets;
 pub mod rules;
 mod sink;
 mod spindle_checks;
-pub mod standing;
 mod state;
+pub mod state_items;
 mod statement;
 mod surface;
 mod surface_codes;
@@ -57,11 +57,11 @@ pub use path_mode::PathState;
 pub use pockets::{CirclesWords, MAX_RINGS, RegionWords, rings_to_depth, shapes};
 pub use sink::RunSink;
 pub use spindle_checks::hole_at_surface_speed;
-pub use standing::{StateItem, StateValue};
 pub use state::{
     CycleState, LiveTool, ModalMotion, OverrideState, SplineForm, StartAxes, State, ThreadMemory,
     TurnPass, TurningMemory, UnknownWords,
 };
+pub use state_items::{StateItem, StateValue};
 pub use statement::{Statement, WordMeaning};
 pub use surface::{SurfacePlane, SurfaceState};
 pub use surface_codes::NewSurface;

@@ -8,8 +8,8 @@ use chordal_geometry::{Plane, TurnDirection};
 
 use crate::frames::FrameKinds;
 use crate::rules::{ArcCenter, CycleKind};
-use crate::standing::{StateItem, StateValue};
 use crate::state::{LiveTool, ModalMotion, SplineForm, State, TurnPass};
+use crate::state_items::{StateItem, StateValue};
 
 /// What a block without a motion code does.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -105,7 +105,7 @@ pub struct Modal {
     /// How corners are passed.
     pub path_mode: PathMode,
     /// All that the control keeps, item by item.
-    pub standing: Vec<(StateItem, StateValue)>,
+    pub items: Vec<(StateItem, StateValue)>,
 }
 
 impl Modal {
@@ -147,7 +147,7 @@ impl Modal {
             own_length: state.offsets.own_length(),
             radius_offset: state.radius_offset,
             path_mode: state.path.in_force(),
-            standing: state.standing(),
+            items: state.state_items(),
         }
     }
 }

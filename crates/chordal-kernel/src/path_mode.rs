@@ -43,7 +43,7 @@ impl PathState {
     /// A code that switches look-ahead on, with the distance of the rules, or off.
     pub fn set_look_ahead(&mut self, rules: &PathRules, on: bool) {
         self.distance_mm = rules.look_ahead_mm.filter(|_| on);
-        self.joins = on && rules.short_blocks != ShortBlocks::Apart;
+        self.joins = on && rules.short_blocks != ShortBlocks::Separate;
     }
 
     /// A code that sets the distance apart from the mode; `None` takes it back.

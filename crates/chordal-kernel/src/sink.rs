@@ -31,7 +31,7 @@ pub trait RunSink: Sink {
     fn checkpoint(
         &mut self,
         _checkpoint: Checkpoint,
-        _looked: Option<TextRange>,
+        _text_read: Option<TextRange>,
     ) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }

@@ -251,7 +251,7 @@ pub struct State {
     /// The tool tip in program coordinates.
     pub position: Position,
     /// Where the control takes the tool to be, where that is not its position: targets begin there.
-    pub believed: Option<Position>,
+    pub control_position: Option<Position>,
     /// The axes whose program coordinate is known.
     pub known: AxisMask,
     /// The axes whose machine coordinate is known.
@@ -350,7 +350,7 @@ impl State {
         }
         State {
             position,
-            believed: None,
+            control_position: None,
             known,
             machine_known: AxisMask::ALL,
             astray: AxisMask::NONE,
@@ -454,7 +454,7 @@ impl State {
         let old_identity = self.offsets.identity();
         let old_turn_deg = self.frames.work_rotation_deg();
         let drift = self
-            .believed
+            .control_position
             .map(|believed| [0, 1, 2].map(|axis| believed[axis] - self.position[axis]));
         change(&mut self.offsets);
         self.offsets.update();
@@ -487,7 +487,7 @@ impl State {
             let [x, y] = turned([x, y], old_turn_deg - self.frames.work_rotation_deg());
             let mut believed = self.position;
             [x, y, z].iter().enumerate().for_each(|(axis, by)| believed[axis] += by);
-            self.believed = Some(believed);
+            self.control_position = Some(believed);
         }
     }
 
@@ -501,9 +501,9 @@ impl State {
         let preset = self.offsets.zero_of_turn().map(|zero| -zero);
         if by_deg != 0.0 && preset != [0.0; 2] {
             let by = turned(preset, by_deg);
-            let mut believed = self.believed.unwrap_or(self.position);
+            let mut believed = self.control_position.unwrap_or(self.position);
             (0..2).for_each(|axis| believed[axis] += preset[axis] - by[axis]);
-            self.believed = Some(believed);
+            self.control_position = Some(believed);
         }
     }
 

@@ -27,7 +27,7 @@ impl Kernel<'_> {
         let position = &self.state.position;
         let (zero, negative) = (position[rotary], position[along] < 0.0);
         let shape = SurfaceShape::Face { along, zero, negative };
-        RotarySurface { shape, rotary, across, standing: position[across] }
+        RotarySurface { shape, rotary, across, across_position: position[across] }
     }
 
     /// The coordinates lie on a surface from here on; the machine stands still.

@@ -211,7 +211,7 @@ impl Language for Lines {
         }
         let outcome =
             Outcome { end, blocks, calls: Default::default(), missing_programs: Vec::new() };
-        Some(CompletedRun { outcome, looked: None })
+        Some(CompletedRun { outcome, text_read: None })
     }
 
     fn tokens(&self, part: TextRange) -> Vec<Token> {

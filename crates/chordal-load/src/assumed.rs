@@ -10,7 +10,7 @@ use crate::head::whole_lines;
 const HEAD: usize = 256 << 10;
 
 /// Repeated blocks in this run.
-const MOST_REPEATED: u64 = 2_000;
+const MAX_REPEATED: u64 = 2_000;
 
 /// Why the machine is not the usual one of its control.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -74,7 +74,7 @@ fn missing_axes(machine: &Machine, text: &[u8]) -> Vec<char> {
     let mut sources = SourceMap::new();
     sources.add(Source::new("", text));
     let options = RunOptions {
-        max_repeated_blocks: MOST_REPEATED,
+        max_repeated_blocks: MAX_REPEATED,
         assumed_machine: true,
         ..RunOptions::default()
     };

@@ -10,13 +10,13 @@ use chordal::{Code, Diagnostic};
 use crate::assumed::MovedAxes;
 
 /// Signs that a message about a language lists.
-const MOST_SIGNS: usize = 4;
+const MAX_SIGNS: usize = 4;
 
 /// Why this machine.
 #[derive(Clone, Debug)]
 pub enum MachineReason {
     /// The caller says so.
-    Given,
+    Requested,
     /// `chordal.toml` says so.
     Folder(PathBuf),
     /// Nothing in the text says so, and the file extension is LinuxCNC's own.
@@ -31,7 +31,7 @@ impl MachineReason {
     /// the control's.
     pub fn why(&self, title: &str) -> Option<String> {
         Some(match self {
-            MachineReason::Given | MachineReason::Folder(_) => return None,
+            MachineReason::Requested | MachineReason::Folder(_) => return None,
             MachineReason::Ending => format!("assumed {title} because of the file extension"),
             MachineReason::Recognized(found, None) => why(found, title),
             MachineReason::Recognized(found, Some(moved)) => {
@@ -45,14 +45,14 @@ impl MachineReason {
     pub fn recognition(&self) -> Option<&Recognition> {
         match self {
             MachineReason::Recognized(found, _) => Some(found),
-            MachineReason::Given | MachineReason::Folder(_) | MachineReason::Ending => None,
+            MachineReason::Requested | MachineReason::Folder(_) | MachineReason::Ending => None,
         }
     }
 
     /// Who says so, in a word: `given`, `folder`, `extension`, `text`.
     pub fn from(&self) -> &'static str {
         match self {
-            MachineReason::Given => "given",
+            MachineReason::Requested => "given",
             MachineReason::Folder(_) => "folder",
             MachineReason::Ending => "extension",
             MachineReason::Recognized(..) => "text",
@@ -68,7 +68,7 @@ impl MachineReason {
     pub fn refusal(&self, text: &[u8]) -> Option<Arc<Diagnostic>> {
         let found = self.recognition().filter(|found| found.chosen().not_read)?;
         let language = not_read(found.chosen().name)?;
-        let signs: Vec<_> = found.evidence().take(MOST_SIGNS).collect();
+        let signs: Vec<_> = found.evidence().take(MAX_SIGNS).collect();
         let first = signs.first()?;
         let line = line_span(text, first.offset as usize);
         let message = format!("this is {}; {}", language.what, language.why);

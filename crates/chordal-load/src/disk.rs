@@ -7,16 +7,16 @@ use std::path::Path;
 use crate::ledger;
 
 /// Places in a text are 32-bit numbers.
-pub(crate) const LARGEST: u64 = u32::MAX as u64;
+pub(crate) const MAX_FILE_BYTES: u64 = u32::MAX as u64;
 
 /// Pipes and devices say no size and are held in memory: they are read up to this.
-const LARGEST_STREAM: u64 = 1 << 29;
+const MAX_STREAM_BYTES: u64 = 1 << 29;
 
 /// Opens a file that is read from here on, and says what it is.
 pub(crate) fn open(path: &Path) -> io::Result<(File, Metadata)> {
     let file = opened(path)?;
     let about = file.metadata()?;
-    if about.is_file() && about.len() > LARGEST {
+    if about.is_file() && about.len() > MAX_FILE_BYTES {
         return Err(too_large());
     }
     ledger::note_input(path);
@@ -37,8 +37,8 @@ pub(crate) fn bytes(path: &Path) -> io::Result<Vec<u8>> {
 /// What comes out of a pipe or a device, up to a limit.
 pub(crate) fn stream(reader: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    reader.take(LARGEST_STREAM + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > LARGEST_STREAM { Err(endless()) } else { Ok(bytes) }
+    reader.take(MAX_STREAM_BYTES + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MAX_STREAM_BYTES { Err(endless()) } else { Ok(bytes) }
 }
 
 pub(crate) fn too_large() -> io::Error {
@@ -46,7 +46,7 @@ pub(crate) fn too_large() -> io::Error {
 }
 
 fn endless() -> io::Error {
-    let mebibytes = LARGEST_STREAM >> 20;
+    let mebibytes = MAX_STREAM_BYTES >> 20;
     io::Error::other(format!(
         "it is a pipe or a device and gives more than {mebibytes} MiB; write it into a file"
     ))
@@ -64,7 +64,7 @@ fn opened(path: &Path) -> io::Result<File> {
     use std::sync::mpsc::channel;
     use std::time::Duration;
 
-    const PATIENCE: Duration = Duration::from_secs(5);
+    const OPEN_TIMEOUT: Duration = Duration::from_secs(5);
     if !path.metadata().is_ok_and(|about| about.file_type().is_fifo()) {
         return File::open(path);
     }
@@ -72,5 +72,5 @@ fn opened(path: &Path) -> io::Result<File> {
     let path = path.to_path_buf();
     std::thread::spawn(move || send.send(File::open(path)));
     let late = |_| io::Error::other("it is a pipe, and nobody writes into it");
-    opened.recv_timeout(PATIENCE).map_err(late)?
+    opened.recv_timeout(OPEN_TIMEOUT).map_err(late)?
 }

@@ -15,14 +15,14 @@ pub enum FileAccess {
     #[default]
     Disk,
     /// Among these, by path, and nowhere else: for a caller without a disk.
-    Given(Arc<BTreeMap<PathBuf, Vec<u8>>>),
+    InMemory(Arc<BTreeMap<PathBuf, Vec<u8>>>),
 }
 
 impl FileAccess {
     /// Files that the caller has, by their paths.
-    pub fn given(files: impl IntoIterator<Item = (PathBuf, Vec<u8>)>) -> FileAccess {
+    pub fn in_memory(files: impl IntoIterator<Item = (PathBuf, Vec<u8>)>) -> FileAccess {
         let files = files.into_iter().map(|(path, bytes)| (plain(&path), bytes));
-        FileAccess::Given(Arc::new(files.collect()))
+        FileAccess::InMemory(Arc::new(files.collect()))
     }
 
     /// The bytes of a file.
@@ -32,7 +32,7 @@ impl FileAccess {
     pub fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {
         match self {
             FileAccess::Disk => disk::bytes(path),
-            FileAccess::Given(files) => found(files, path).map(<[u8]>::to_vec),
+            FileAccess::InMemory(files) => found(files, path).map(<[u8]>::to_vec),
         }
     }
 
@@ -40,7 +40,7 @@ impl FileAccess {
     pub(crate) fn is_file(&self, path: &Path) -> bool {
         match self {
             FileAccess::Disk => path.is_file(),
-            FileAccess::Given(files) => files.contains_key(&plain(path)),
+            FileAccess::InMemory(files) => files.contains_key(&plain(path)),
         }
     }
 
@@ -49,7 +49,9 @@ impl FileAccess {
         let mut bytes = Vec::new();
         match self {
             FileAccess::Disk => File::open(path)?.take(size).read_to_end(&mut bytes)?,
-            FileAccess::Given(files) => found(files, path)?.take(size).read_to_end(&mut bytes)?,
+            FileAccess::InMemory(files) => {
+                found(files, path)?.take(size).read_to_end(&mut bytes)?
+            }
         };
         Ok(bytes)
     }
@@ -75,7 +77,7 @@ impl FileAccess {
                 let paths = entries.map(|entry| program.with_file_name(entry.file_name()));
                 paths.filter(|path| path.is_file()).collect()
             }
-            FileAccess::Given(files) => {
+            FileAccess::InMemory(files) => {
                 let program = plain(program);
                 let own = files.keys().filter(|path| path.parent() == program.parent());
                 own.cloned().collect()
@@ -121,7 +123,7 @@ mod tests {
 
     #[test]
     fn given_files_are_found_by_every_form_of_their_path() {
-        let files = FileAccess::given([
+        let files = FileAccess::in_memory([
             ("shop/./mill.toml".into(), b"\xEF\xBB\xBFa".to_vec()),
             ("shop/x/../O2.nc".into(), b"O2".to_vec()),
             ("O1.nc".into(), b"O1".to_vec()),

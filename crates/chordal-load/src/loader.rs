@@ -19,7 +19,7 @@ use crate::text::ProgramText;
 /// once.
 pub struct Loader {
     request: Request,
-    given: Option<Machine>,
+    machine: Option<Machine>,
     folders: FolderCache,
 }
 
@@ -29,15 +29,15 @@ impl Loader {
     /// # Errors
     /// A machine that cannot be used.
     pub fn new(request: Request) -> Result<Loader, LoadError> {
-        let given = machine::given(&request)?;
-        Ok(Loader { request, given, folders: FolderCache::default() })
+        let given = machine::requested_machine(&request)?;
+        Ok(Loader { request, machine: given, folders: FolderCache::default() })
     }
 
     /// The same with nothing remembered of folders: for another thread, or when files may have
     /// changed.
     pub fn again(&self) -> Loader {
-        let (request, given) = (self.request.clone(), self.given.clone());
-        Loader { request, given, folders: FolderCache::default() }
+        let (request, given) = (self.request.clone(), self.machine.clone());
+        Loader { request, machine: given, folders: FolderCache::default() }
     }
 
     /// The same on another machine, for which the assignments and the tool table count as well; `more` are further
@@ -53,7 +53,7 @@ impl Loader {
 
     /// The same on another machine as it is: assignments and tool table do not count for it.
     pub fn on_exactly(&self, machine: Machine) -> Loader {
-        Loader { given: Some(machine), ..self.again() }
+        Loader { machine: Some(machine), ..self.again() }
     }
 
     /// Loads a program, its machine and its subprograms.
@@ -74,7 +74,7 @@ impl Loader {
         input: &ProgramInput,
     ) -> Result<Loaded, LoadError> {
         not_a_program::refuse_certain(text.name(), text.bytes())?;
-        let named = self.given.is_some() || machine::is_named(input, &self.request);
+        let named = self.machine.is_some() || machine::is_named(input, &self.request);
         if !named {
             not_a_program::refuse_likely(text.name(), text.bytes())?;
         }
@@ -88,8 +88,8 @@ impl Loader {
         input: &ProgramInput,
     ) -> Result<Loaded, LoadError> {
         let request = &self.request;
-        let (machine, chosen, premise) = match &self.given {
-            Some(machine) => (machine.clone(), MachineReason::Given, None),
+        let (machine, chosen, premise) = match &self.machine {
+            Some(machine) => (machine.clone(), MachineReason::Requested, None),
             None => machine::choose(input, text.bytes(), request)?,
         };
         // An assignment that names the control leaves nothing to assume.

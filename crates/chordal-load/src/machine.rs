@@ -25,7 +25,7 @@ use crate::request::{BlockDeleteSwitch, Request, RequestedMachine};
 const FOLDER_FILE: &str = "chordal.toml";
 
 /// The machine that a request names, with everything else that it says of it.
-pub(crate) fn given(request: &Request) -> Result<Option<Machine>, LoadError> {
+pub(crate) fn requested_machine(request: &Request) -> Result<Option<Machine>, LoadError> {
     let machine = match &request.machine {
         None => return Ok(None),
         Some(RequestedMachine::Name(name)) => named_of(&request.files, name)?,
@@ -46,7 +46,7 @@ pub(crate) fn choose(
         return Ok((finish(machine, request)?, MachineReason::Folder(file), None));
     }
     if request.settings.is_some() {
-        return Ok((finish(typical(dumped()), request)?, MachineReason::Given, None));
+        return Ok((finish(typical(dumped()), request)?, MachineReason::Requested, None));
     }
     let recognition = recognize(text);
     let ending = input.path.as_ref().and_then(|path| path.extension());

@@ -13,13 +13,13 @@ use crate::text::ProgramText;
 use crate::variables::FolderVariables;
 
 /// Most files that are added to a program.
-const MOST_FILES: usize = 256;
+const MAX_FILES: usize = 256;
 
 /// Most folders that are remembered: an archive goes from one to the next.
-const MOST_FOLDERS: usize = 64;
+const MAX_FOLDERS: usize = 64;
 
 /// Most files of a folder whose heads are looked at.
-const MOST_HEADS: usize = 10_000;
+const MAX_HEADS: usize = 10_000;
 
 /// How much of a file is looked at for its head.
 const HEAD: u64 = 4096;
@@ -49,13 +49,13 @@ impl FolderCache {
             return found;
         }
         let mut known: BTreeSet<u32> = numbers(text, lexicon).collect();
-        if self.folders.len() > MOST_FOLDERS {
+        if self.folders.len() > MAX_FOLDERS {
             self.folders.clear();
         }
         let folder =
             self.folders.entry(folder_of(path)).or_insert_with(|| FolderListing::of(files, path));
         while let Some(number) = wanted.pop_first() {
-            if known.contains(&number) || found.len() >= MOST_FILES {
+            if known.contains(&number) || found.len() >= MAX_FILES {
                 continue;
             }
             let Some(path) = folder.program(files, number, path) else { continue };
@@ -74,7 +74,7 @@ impl FolderCache {
         }
         let mut looked = BTreeSet::new();
         while let Some(name) = names.pop_first() {
-            if found.len() >= MOST_FILES || !looked.insert(name.clone()) {
+            if found.len() >= MAX_FILES || !looked.insert(name.clone()) {
                 continue;
             }
             let Some(path) = folder.subroutine(&name, path) else { continue };
@@ -90,7 +90,7 @@ impl FolderCache {
 
     /// The variables that the control has written into files of the folder.
     pub fn variables(&mut self, files: &FileAccess, program: &Path) -> &FolderVariables {
-        if self.variables.len() > MOST_FOLDERS {
+        if self.variables.len() > MAX_FOLDERS {
             self.variables.clear();
         }
         let folder = self.variables.entry(folder_of(program));
@@ -138,8 +138,8 @@ fn folder_of(path: &Path) -> PathBuf {
 
 /// Some block says M2 or M30. Subprograms are short: a long text is taken for a program.
 fn has_end(text: &[u8], lexicon: &Lexicon) -> bool {
-    const LONG: usize = 1 << 20;
-    if text.len() > LONG {
+    const LONG_FILE_BYTES: usize = 1 << 20;
+    if text.len() > LONG_FILE_BYTES {
         return true;
     }
     let mut reader = BlockReader::new(text, FileId(0), *lexicon);
@@ -200,7 +200,7 @@ impl FolderListing {
         let files = &self.files;
         let heads = self.heads.get_or_insert_with(|| {
             let mut heads: BTreeMap<u32, Vec<PathBuf>> = BTreeMap::new();
-            for path in files.iter().take(MOST_HEADS) {
+            for path in files.iter().take(MAX_HEADS) {
                 if let Some(number) = first_head(disk, path) {
                     heads.entry(number).or_default().push(path.clone());
                 }

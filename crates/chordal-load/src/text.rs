@@ -9,7 +9,7 @@ use std::path::Path;
 use chordal::syntax::decode;
 use memmap2::Mmap;
 
-use crate::disk::{self, LARGEST, too_large};
+use crate::disk::{self, MAX_FILE_BYTES, too_large};
 use crate::error::LoadError;
 use crate::files::{FileAccess, found};
 use crate::input::ProgramInput;
@@ -59,7 +59,7 @@ impl ProgramText {
         let name = input.name().into_owned();
         let bytes = match (&input.path, files) {
             (Some(path), FileAccess::Disk) => open(path),
-            (Some(path), FileAccess::Given(files)) => {
+            (Some(path), FileAccess::InMemory(files)) => {
                 found(files, path).map(|bytes| TextBytes::Owned(bytes.to_vec()))
             }
             (None, _) => disk::stream(io::stdin().lock()).map(TextBytes::Owned),
@@ -121,7 +121,7 @@ impl ProgramText {
             }
             Cow::Owned(text) => ProgramText { name, start: 0, bytes: TextBytes::Owned(text) },
         };
-        if text.bytes().len() as u64 > LARGEST {
+        if text.bytes().len() as u64 > MAX_FILE_BYTES {
             return Err(LoadError::Read { file: text.name, reason: too_large().to_string() });
         }
         Ok(text)

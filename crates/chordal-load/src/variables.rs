@@ -12,10 +12,10 @@ use crate::files::FileAccess;
 use crate::ledger;
 
 /// A larger file is none of variables, bytes.
-const LARGEST: u64 = 8 << 20;
+const MAX_VARIABLE_FILE_BYTES: u64 = 8 << 20;
 
 /// Most bad lines of a file that are said.
-const MOST_SAID: usize = 5;
+const MAX_LISTED_LINES: usize = 5;
 
 /// What the files of a folder say, in the order in which they count: the first one that has a variable.
 #[derive(Default)]
@@ -31,8 +31,9 @@ impl FolderVariables {
             .collect();
         found.sort();
         let read = found.into_iter().filter_map(|(_, path)| {
-            let bytes = files.head(&path, LARGEST + 1).ok()?;
-            let dump = (bytes.len() as u64 <= LARGEST).then(|| read_variable_dump(&bytes))??;
+            let bytes = files.head(&path, MAX_VARIABLE_FILE_BYTES + 1).ok()?;
+            let dump = (bytes.len() as u64 <= MAX_VARIABLE_FILE_BYTES)
+                .then(|| read_variable_dump(&bytes))??;
             if matches!(files, FileAccess::Disk) {
                 ledger::note_input(&path);
             }
@@ -70,7 +71,7 @@ impl FolderVariables {
                 }
             }
             let file = path.file_name().unwrap_or_default().to_string_lossy();
-            for bad in dump.bad_lines.iter().take(MOST_SAID) {
+            for bad in dump.bad_lines.iter().take(MAX_LISTED_LINES) {
                 let (line, text) = (bad.line, &bad.text);
                 let message = format!("{file}:{line}: `{text}` is no value of a variable");
                 said.push(

@@ -18,7 +18,7 @@ fn a_machine_is_named_or_a_file() {
     let file = folder.path("shop/mill.toml").to_string_lossy().into_owned();
     let loaded = folder.load_with("part.nc", &on(&file)).expect("the machine of a file");
     assert_eq!(loaded.machine().title, "Mill 3");
-    assert!(matches!(loaded.chosen, MachineReason::Given));
+    assert!(matches!(loaded.chosen, MachineReason::Requested));
     assert_eq!(loaded.chosen.why("Haas"), None);
     let typical = RequestedMachine::Control(ControlName::Fadal);
     let request = Request { machine: Some(typical), ..Request::default() };

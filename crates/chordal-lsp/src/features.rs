@@ -25,7 +25,7 @@ pub fn hover(program: &EditorProgram, ran: Option<&RunMoves>, place: Position) -
     let offset = offset_of(program.source(), place);
     let found = program.hover(offset, ran)?;
     let mut text = found.text;
-    if let Some(modal) = program.modal_behind(place.line + 1) {
+    if let Some(modal) = program.modal_after(place.line + 1) {
         let state = program.modal_text(&modal);
         text.push_str(&format!("\n\nAfter this line:\n```text\n{state}\n```"));
     }

@@ -112,9 +112,9 @@ pub(crate) struct Server<'a> {
 }
 
 /// Bytes of a text whose words are all told at once, at most: the answer has ten times as many.
-const LARGEST_COLOURED: usize = 4 << 20;
+const MAX_COLOURED_BYTES: usize = 4 << 20;
 /// Lines whose words are told at once, at most: more than a screen shows.
-const MOST_COLOURED: u32 = 50_000;
+const MAX_COLOURED_LINES: u32 = 50_000;
 
 /// What a request asks of a document.
 type RequestAnswer = Result<Value, ResponseError>;
@@ -429,36 +429,36 @@ impl<'a> Server<'a> {
         let HoverParams { text_document_position_params: at, .. } = parse(params)?;
         let program = self.program(&at.text_document.uri)?;
         let ran = self.document(&at.text_document.uri)?.current();
-        told(features::hover(&program, ran.map(Arc::as_ref), at.position))
+        answer_value(features::hover(&program, ran.map(Arc::as_ref), at.position))
     }
 
     fn completion(&self, params: Value) -> RequestAnswer {
         let CompletionParams { text_document_position: at, .. } = parse(params)?;
         let program = self.program(&at.text_document.uri)?;
-        told(features::completions(&program, at.position))
+        answer_value(features::completions(&program, at.position))
     }
 
     fn outline(&self, params: Value) -> RequestAnswer {
         let DocumentSymbolParams { text_document, .. } = parse(params)?;
         let program = self.program(&text_document.uri)?;
-        told(symbols(&program, program.outline()))
+        answer_value(symbols(&program, program.outline()))
     }
 
     fn definition(&self, params: Value) -> RequestAnswer {
         let GotoDefinitionParams { text_document_position_params: at, .. } = parse(params)?;
         let uri = &at.text_document.uri;
-        told(features::definitions(&*self.program(uri)?, uri, at.position))
+        answer_value(features::definitions(&*self.program(uri)?, uri, at.position))
     }
 
     fn references(&self, params: Value) -> RequestAnswer {
         let ReferenceParams { text_document_position: at, context, .. } = parse(params)?;
         let (uri, all) = (&at.text_document.uri, context.include_declaration);
-        told(features::references(&*self.program(uri)?, uri, at.position, all))
+        answer_value(features::references(&*self.program(uri)?, uri, at.position, all))
     }
 
     fn prepare_rename(&self, params: Value) -> RequestAnswer {
         let TextDocumentPositionParams { text_document, position } = parse(params)?;
-        told(features::renamable(&*self.program(&text_document.uri)?, position))
+        answer_value(features::renamable(&*self.program(&text_document.uri)?, position))
     }
 
     fn rename(&self, params: Value) -> RequestAnswer {
@@ -474,7 +474,7 @@ impl<'a> Server<'a> {
             new_text: renamed.name.clone(),
         };
         let edits = renamed.places.iter().copied().map(edit).collect();
-        told(edit_of(uri, edits))
+        answer_value(edit_of(uri, edits))
     }
 
     fn formatting(&self, params: Value) -> RequestAnswer {
@@ -492,35 +492,35 @@ impl<'a> Server<'a> {
         let program = self.program(uri)?;
         let edits = program.spaced(from, to);
         let edits = edits.map_err(|error| failed(ErrorCode::RequestFailed, error.to_string()))?;
-        told(text_edits(&program, edits))
+        answer_value(text_edits(&program, edits))
     }
 
     fn actions(&self, params: Value) -> RequestAnswer {
         let params: CodeActionParams = parse(params)?;
         let (program, ran) = self.ran(&params.text_document.uri)?;
-        told(actions(&program, &ran, &params))
+        answer_value(actions(&program, &ran, &params))
     }
 
     fn resolve(&self, params: Value) -> RequestAnswer {
         let action: CodeAction = parse(params)?;
         let uri: Option<Uri> = action.data.clone().and_then(|uri| serde_json::from_value(uri).ok());
-        let Some(uri) = uri else { return told(action) };
+        let Some(uri) = uri else { return answer_value(action) };
         let resolved = actions::resolved(&*self.program(&uri)?, &uri, action);
-        told(resolved.map_err(|problem| failed(ErrorCode::RequestFailed, problem))?)
+        answer_value(resolved.map_err(|problem| failed(ErrorCode::RequestFailed, problem))?)
     }
 
     fn hints(&self, params: Value) -> RequestAnswer {
         let InlayHintParams { text_document, range, .. } = parse(params)?;
         let (program, ran) = self.ran(&text_document.uri)?;
         let (from, to) = lines(range);
-        told(features::hints(&program, &ran, from, to))
+        answer_value(features::hints(&program, &ran, from, to))
     }
 
     fn tokens(&self, params: Value) -> RequestAnswer {
         let SemanticTokensParams { text_document, .. } = parse(params)?;
         // Of a long text editors ask for what they show, once they hear that all of it is not to be had.
-        if self.document(&text_document.uri)?.text().len() > LARGEST_COLOURED {
-            return told(Value::Null);
+        if self.document(&text_document.uri)?.text().len() > MAX_COLOURED_BYTES {
+            return answer_value(Value::Null);
         }
         self.tokens_of(&text_document.uri, 1, u32::MAX)
     }
@@ -528,13 +528,13 @@ impl<'a> Server<'a> {
     fn range_tokens(&self, params: Value) -> RequestAnswer {
         let SemanticTokensRangeParams { text_document, range, .. } = parse(params)?;
         let (from, to) = lines(range);
-        self.tokens_of(&text_document.uri, from, to.min(from.saturating_add(MOST_COLOURED)))
+        self.tokens_of(&text_document.uri, from, to.min(from.saturating_add(MAX_COLOURED_LINES)))
     }
 
     fn tokens_of(&self, uri: &Uri, from: u32, to: u32) -> RequestAnswer {
         let program = self.program(uri)?;
         let data = semantic_tokens(&program, &program.tokens(from, to));
-        told(SemanticTokens { result_id: None, data })
+        answer_value(SemanticTokens { result_id: None, data })
     }
 }
 
@@ -542,7 +542,7 @@ fn failed(code: ErrorCode, message: String) -> ResponseError {
     ResponseError { code: code as i32, message, data: None }
 }
 
-fn told(answer: impl serde::Serialize) -> RequestAnswer {
+fn answer_value(answer: impl serde::Serialize) -> RequestAnswer {
     serde_json::to_value(answer)
         .map_err(|error| failed(ErrorCode::InternalError, error.to_string()))
 }

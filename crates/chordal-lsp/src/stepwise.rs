@@ -70,7 +70,7 @@ impl SteppedServer {
             }
             (Some(server), message) => {
                 server.hear(message);
-                self.told()
+                self.sent_messages()
             }
             (None, _) => Vec::new(),
         }
@@ -98,7 +98,7 @@ impl SteppedServer {
             }
             server.take_found();
         }
-        self.told()
+        self.sent_messages()
     }
 
     /// Files that the opener sees have changed: machines are chosen anew.
@@ -106,10 +106,10 @@ impl SteppedServer {
         if let Some(server) = &mut self.server {
             server.find_machines();
         }
-        self.told()
+        self.sent_messages()
     }
 
-    fn told(&self) -> Vec<Message> {
+    fn sent_messages(&self) -> Vec<Message> {
         self.out.iter().flat_map(Receiver::try_iter).collect()
     }
 }

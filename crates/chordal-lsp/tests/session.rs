@@ -26,7 +26,7 @@ impl SetupFinder for Typical {
             .map_err(|_| "there is no such machine".to_string())?;
         let why = Some("taken for a Haas".to_string());
         let beside = vec![("/shop/O77.nc".to_string(), b"%\n(BESIDE)\nO77\nM99\n".to_vec())];
-        let mut setup = EditorSetup { why, beside, ..EditorSetup::of(machine) };
+        let mut setup = EditorSetup { why, subprogram_texts: beside, ..EditorSetup::of(machine) };
         if text.windows(FAILS.len()).any(|word| word == FAILS.as_bytes()) {
             setup.options.shop_codes = Some(Arc::new(fails));
         }

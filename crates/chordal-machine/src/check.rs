@@ -9,7 +9,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::error::{ErrorSource, MachineError};
-use crate::files::beside;
+use crate::files::in_folder_of;
 use crate::machine::Machine;
 use crate::quantity::{QuantityDimension, QuantityError, machine_quantity};
 use crate::schema::{self, PlaceholderKeys, ROWS, SchemaRow, SchemaSlot, SignRule, rows};
@@ -20,7 +20,7 @@ use crate::value::{SettingEntry, SettingValue};
 pub(crate) const INHERITS: [&str; 2] = ["inherits", "machine"];
 
 /// The widest override that panels have: 200 %.
-const LARGEST_OVERRIDE: f64 = 2.0;
+const MAX_OVERRIDE: f64 = 2.0;
 
 /// A place in the schema: the path as the schema has it, and as the file has it.
 #[derive(Clone, Default)]
@@ -104,7 +104,7 @@ impl SchemaLocation {
         });
         // A key of the file itself is none of its tables.
         let fits = |path: &&str| self.shown.is_empty() || path.contains('.');
-        let near = near.or_else(|| elsewhere(key).filter(fits).map(str::to_string));
+        let near = near.or_else(|| key_of_other_table(key).filter(fits).map(str::to_string));
         let (message, takes) = match self.shown.as_str() {
             "" => (format!("a machine file has no key `{key}`"), "its keys are".to_string()),
             shown => (format!("`{shown}` has no key `{key}`"), "it takes".to_string()),
@@ -121,7 +121,7 @@ impl SchemaLocation {
 }
 
 /// The key of another table that somebody may have meant.
-fn elsewhere(key: &str) -> Option<&'static str> {
+fn key_of_other_table(key: &str) -> Option<&'static str> {
     let same_name = rows().find(|row| row.name().eq_ignore_ascii_case(key));
     let joined = || {
         let key = key.replace(['-', ' '], "_");
@@ -267,7 +267,7 @@ impl CheckedValue<'_> {
             SchemaSlot::OptionalText(place) => *place(machine, keys) = Some(self.text(self.value)?),
             SchemaSlot::File(place) => {
                 let name = self.text(self.value)?;
-                *place(machine, keys) = Some(beside(&self.source.file, &name));
+                *place(machine, keys) = Some(in_folder_of(&self.source.file, &name));
             }
             SchemaSlot::TextList(place) => {
                 *place(machine, keys) = match value {
@@ -354,17 +354,17 @@ impl CheckedValue<'_> {
         let Some(fraction) = fraction.filter(|fraction| fraction.is_finite()) else {
             return Err(self.takes(wanted, help()));
         };
-        if fraction > 0.0 && fraction <= LARGEST_OVERRIDE {
+        if fraction > 0.0 && fraction <= MAX_OVERRIDE {
             return Ok(fraction);
         }
         let message = format!(
             "`{}` is {} %: it must be above 0 and at most {} %",
             self.name(),
             fraction * 100.0,
-            LARGEST_OVERRIDE * 100.0
+            MAX_OVERRIDE * 100.0
         );
         let bare = !matches!(self.value.get_ref(), DeValue::String(_));
-        let meant = bare && fraction > LARGEST_OVERRIDE && fraction <= LARGEST_OVERRIDE * 100.0;
+        let meant = bare && fraction > MAX_OVERRIDE && fraction <= MAX_OVERRIDE * 100.0;
         let help = if meant { Some(format!("did you mean \"{fraction} %\"?")) } else { help() };
         Err(self.error(message, help))
     }

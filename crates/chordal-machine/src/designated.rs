@@ -15,7 +15,7 @@ const EDGE_TOLERANCE_MM: f64 = 1.0;
 
 impl TurningTool {
     /// The shape of the insert: of its letter or its designation, else of that of the holder.
-    fn said_letter(&self) -> Option<InsertLetter> {
+    fn insert_letter(&self) -> Option<InsertLetter> {
         let of_insert = self.insert_designation.as_ref().map(|written| written.value.letter);
         let of_holder = self.holder_designation.as_ref().map(|written| written.value.letter);
         self.insert.or(of_insert).or(of_holder)
@@ -32,7 +32,7 @@ impl Tool {
             return;
         }
         self.shape = self.shape.or(Some(ToolShape::Insert));
-        self.turning.insert = self.turning.said_letter();
+        self.turning.insert = self.turning.insert_letter();
         let edge_mm = insert.map_or(holder.and_then(|holder| holder.edge_mm), |one| one.edge_mm);
         self.flute_length_mm = self.flute_length_mm.or(edge_mm);
         self.nose_radius_mm = self.nose_radius_mm.or(insert.map(|insert| insert.nose_mm));

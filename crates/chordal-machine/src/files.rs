@@ -6,7 +6,7 @@ pub(crate) fn is_separator(c: char) -> bool {
 }
 
 /// A name in the folder of a file, unless it says its own root.
-pub(crate) fn beside(file: &str, name: &str) -> String {
+pub(crate) fn in_folder_of(file: &str, name: &str) -> String {
     let rooted = name.starts_with(is_separator) || name.as_bytes().get(1) == Some(&b':');
     match file.rfind(is_separator) {
         Some(end) if !rooted => format!("{}{name}", &file[..=end]),

@@ -285,7 +285,7 @@ const UNITS: &[UnitSpec] = &[
 ];
 
 /// Units with a name of their own for something over a time, and those of a force over an area.
-const SHORT: &[(&str, &str)] = &[
+const SHORT_UNIT_NAMES: &[(&str, &str)] = &[
     ("rpm", "rev/min"),
     ("ipm", "in/min"),
     ("N/mm^2", "MPa"),
@@ -299,7 +299,7 @@ fn find_unit(name: &str) -> Option<&'static UnitSpec> {
 }
 
 /// No machine has larger values, mm, rad and s: sums and products of a few are still numbers.
-const LARGEST: f64 = 1e30;
+const MAX_QUANTITY: f64 = 1e30;
 
 /// Reads a quantity (`"0.5 in"`, `"25 m/min"`, `"2000 mm/s^2"`) into the unit of its dimension
 /// ([`QuantityDimension::inside`]). The digits are converted exactly and rounded once.
@@ -342,7 +342,7 @@ pub(crate) fn machine_quantity(
     dimension: QuantityDimension,
 ) -> Result<f64, QuantityError> {
     let value = parse_quantity(text, dimension)?;
-    if value.abs() > LARGEST {
+    if value.abs() > MAX_QUANTITY {
         return Err(QuantityError::OutOfRange { text: text.trim().to_string(), dimension });
     }
     Ok(value)
@@ -353,12 +353,12 @@ pub(crate) fn length_of_bare(text: &str, millimetres: bool) -> Option<f64> {
     let (number, rest) = ExactDecimal::read(text)?;
     let (digits, exponent) = if millimetres { ("1", 0) } else { ("254", -1) };
     let value = number.times(ExactFactor { digits, exponent, denominator: 1 });
-    (rest.is_empty() && value.abs() <= LARGEST).then_some(value)
+    (rest.is_empty() && value.abs() <= MAX_QUANTITY).then_some(value)
 }
 
 /// What a unit measures, over which power of time, and its factor.
 fn read_unit(text: &str) -> Option<(UnitBase, i64, ExactFactor)> {
-    let text = SHORT
+    let text = SHORT_UNIT_NAMES
         .iter()
         .find(|(short, _)| short.eq_ignore_ascii_case(text))
         .map_or(text, |(_, long)| long);

@@ -8,12 +8,12 @@ use crate::check::{INHERITS, SchemaLocation, put_table};
 use crate::control::ControlName;
 use crate::designated::contradictions;
 use crate::error::{ErrorSource, MachineError};
-use crate::files::{beside, is_separator};
+use crate::files::{in_folder_of, is_separator};
 use crate::machine::Machine;
 use crate::suggest;
 
 /// How many files may inherit from each other in a row.
-const DEEPEST: usize = 16;
+const MAX_INHERITANCE_DEPTH: usize = 16;
 
 /// Gives the text of a file by name, or why it cannot.
 type TextLoader<'l> = &'l dyn Fn(&str) -> Result<String, String>;
@@ -49,14 +49,14 @@ fn read(file: &str, text: &str, loader: TextLoader<'_>) -> Result<Machine, Vec<M
         loader,
         // The control stands in until a file says one; no machine gets out without.
         machine: Machine::without_axes("", ControlName::Fanuc),
-        control_said: false,
+        control_is_known: false,
         parts_missing: false,
         errors: Vec::new(),
         chain: Vec::new(),
     };
     reader.machine.title.clear();
     reader.load(file, text);
-    if !reader.control_said && !reader.parts_missing {
+    if !reader.control_is_known && !reader.parts_missing {
         let names: Vec<&str> = ControlName::ALL.iter().map(|control| control.as_str()).collect();
         let help = format!("write `control = \"…\"` with {}", suggest::or_list(&names));
         let message = "the machine file does not name its control";
@@ -79,7 +79,7 @@ fn read(file: &str, text: &str, loader: TextLoader<'_>) -> Result<Machine, Vec<M
 struct MachineReader<'l> {
     loader: TextLoader<'l>,
     machine: Machine,
-    control_said: bool,
+    control_is_known: bool,
     /// Something could not be read, so what is missing may be in there.
     parts_missing: bool,
     errors: Vec<MachineError>,
@@ -106,7 +106,7 @@ impl MachineReader<'_> {
         if parent.is_none_or(|(key, _)| key == "inherits") {
             self.machine.name = stem(file).to_string();
         }
-        self.control_said |= document.contains_key("control");
+        self.control_is_known |= document.contains_key("control");
 
         let mut errors = Vec::new();
         put_table(&mut self.machine, &SchemaLocation::default(), &document, &source, &mut errors);
@@ -150,14 +150,17 @@ impl MachineReader<'_> {
         };
         let (parent_file, inside) = match builtin(name) {
             Some(text) => (builtin_file(name), Some(text)),
-            None => (beside(file, name), None),
+            None => (in_folder_of(file, name), None),
         };
         let problem = if self.chain.contains(&normal(&parent_file)) {
             let round: Vec<&str> =
                 self.chain.iter().map(String::as_str).chain([parent_file.as_str()]).collect();
             Some(refuse(format!("`inherits` goes in a circle: {}", round.join(" -> ")), None))
-        } else if self.chain.len() >= DEEPEST {
-            Some(refuse(format!("more than {DEEPEST} files inherit from each other"), None))
+        } else if self.chain.len() >= MAX_INHERITANCE_DEPTH {
+            Some(refuse(
+                format!("more than {MAX_INHERITANCE_DEPTH} files inherit from each other"),
+                None,
+            ))
         } else {
             match inside.map_or_else(|| (self.loader)(&parent_file), |text| Ok(text.to_string())) {
                 Ok(text) => {
@@ -222,10 +225,10 @@ mod tests {
         assert_eq!(stem("C:\\shop\\vmc.toml"), "vmc");
         assert_eq!(stem("vmc"), "vmc");
         assert_eq!(stem(".toml"), ".toml");
-        assert_eq!(beside("shop/vmc.toml", "base.toml"), "shop/base.toml");
-        assert_eq!(beside("vmc.toml", "base.toml"), "base.toml");
-        assert_eq!(beside("shop/vmc.toml", "/base.toml"), "/base.toml");
-        assert_eq!(beside("shop/vmc.toml", "C:/base.toml"), "C:/base.toml");
+        assert_eq!(in_folder_of("shop/vmc.toml", "base.toml"), "shop/base.toml");
+        assert_eq!(in_folder_of("vmc.toml", "base.toml"), "base.toml");
+        assert_eq!(in_folder_of("shop/vmc.toml", "/base.toml"), "/base.toml");
+        assert_eq!(in_folder_of("shop/vmc.toml", "C:/base.toml"), "C:/base.toml");
         assert_eq!(normal("shop/../shop/./vmc.toml"), "shop/vmc.toml");
         assert_eq!(normal("../vmc.toml"), "../vmc.toml");
     }

@@ -1,7 +1,7 @@
 //! "Did you mean".
 
 /// How alike two words must be to name one for the other.
-const ALIKE: f64 = 0.75;
+const MIN_SIMILARITY: f64 = 0.75;
 
 /// The candidate most like a word, if any is like enough. The first of equals.
 pub(crate) fn nearest<'c>(
@@ -17,9 +17,9 @@ pub(crate) fn nearest<'c>(
         // One slip in a short word, as `mx` for `max`; two letters say too little (`km`, `mm`).
         let (short, long) = (word.len().min(other.len()), word.len().max(other.len()));
         if short >= 2 && long >= 3 && strsim::damerau_levenshtein(&word, &other) == 1 {
-            alike = alike.max(ALIKE);
+            alike = alike.max(MIN_SIMILARITY);
         }
-        if alike >= ALIKE && best.is_none_or(|(most, _)| alike > most) {
+        if alike >= MIN_SIMILARITY && best.is_none_or(|(most, _)| alike > most) {
             best = Some((alike, candidate));
         }
     }

@@ -6,10 +6,10 @@
 use std::collections::BTreeMap;
 
 /// A file with more lines is none of a control.
-const MOST_LINES: usize = 200_000;
+const MAX_LINES: usize = 200_000;
 
 /// Most characters of a bad line that a message shows.
-const MOST_SHOWN: usize = 40;
+const MAX_SHOWN: usize = 40;
 
 /// The variables of a control.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -43,20 +43,20 @@ pub fn read_variable_dump(bytes: &[u8]) -> Option<VariableDump> {
     let end = if bytes.contains(&b'\n') { b'\n' } else { b'\r' };
     for (index, line) in bytes.split(|byte| *byte == end).enumerate() {
         let number = index + 1;
-        if number > MOST_LINES {
+        if number > MAX_LINES {
             break;
         }
         let text = String::from_utf8_lossy(line);
         let text =
             text.trim_matches(|c: char| c.is_whitespace() || matches!(c, '\0' | '\u{feff}' | ';'));
-        match said(text) {
+        match parse_line(text) {
             Some(DumpEntry::Value(number, value)) => {
                 dump.values.insert(number, value);
             }
             Some(DumpEntry::Nothing) => {}
             None if dump.values.is_empty() => return None,
             None => {
-                let text = text.chars().take(MOST_SHOWN).collect();
+                let text = text.chars().take(MAX_SHOWN).collect();
                 dump.bad_lines.push(BadLine { line: number, text });
             }
         }
@@ -64,7 +64,7 @@ pub fn read_variable_dump(bytes: &[u8]) -> Option<VariableDump> {
     (!dump.values.is_empty()).then_some(dump)
 }
 
-fn said(line: &str) -> Option<DumpEntry> {
+fn parse_line(line: &str) -> Option<DumpEntry> {
     let upper = line.to_ascii_uppercase();
     let compact: String = upper.chars().filter(|c| !c.is_whitespace()).collect();
     let is_head = |rest: &str| {

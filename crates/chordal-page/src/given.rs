@@ -84,7 +84,7 @@ impl Beside {
             }
             files.push((PathBuf::from(file.path), bytes));
         }
-        let files = FileAccess::given(files);
+        let files = FileAccess::in_memory(files);
         let mut machines = builtin_machines();
         machines.extend(names.into_iter().map(|name| {
             // What is wrong with a file is said when it is chosen.

@@ -74,9 +74,9 @@ pub struct ChecksMemory {
     tip: TipTracker,
     cutting_speed: CuttingSpeedMemory,
     turret: TurretMemory,
-    told_axes: AxisMask,
+    reported_axes: AxisMask,
     /// A rotary axis that cannot keep up was reported.
-    told_speed: bool,
+    reported_speed: bool,
 }
 
 /// What a stretch of a run has touched, for what can be judged only at its end.
@@ -153,8 +153,8 @@ impl<'a> RunChecks<'a> {
             tip: TipTracker::new(machine, ToolLengths::Absent, known),
             cutting_speed: CuttingSpeedMemory::default(),
             turret: TurretMemory::default(),
-            told_axes: AxisMask::NONE,
-            told_speed: false,
+            reported_axes: AxisMask::NONE,
+            reported_speed: false,
         };
         RunChecks {
             machine,
@@ -390,7 +390,7 @@ impl<'a> RunChecks<'a> {
         if self.now.frame.known == AxisMask::NONE {
             return;
         }
-        for axis in self.now.frame.known.and(place_known).without(self.now.told_axes).iter() {
+        for axis in self.now.frame.known.and(place_known).without(self.now.reported_axes).iter() {
             let limits = self.machine.axes[axis as usize].as_ref();
             let Some((low, high)) = limits.and_then(|limits| limits.travel) else { continue };
             let at = self.now.frame.machine(place, axis as usize);
@@ -398,7 +398,7 @@ impl<'a> RunChecks<'a> {
             if over > ON_PLANE_MM && self.assumed {
                 self.seen.excess.travel(axis as usize, over);
             } else if over > ON_PLANE_MM {
-                self.now.told_axes.insert(axis as usize);
+                self.now.reported_axes.insert(axis as usize);
                 report(self.travel_exceeded(axis, at, (low, high), over, origin));
             }
         }
@@ -449,7 +449,7 @@ impl<'a> RunChecks<'a> {
         if to.z >= self.depth_mm() {
             return;
         }
-        let rapid = |way| LowRapid { way, from, to, plane, units, origin };
+        let rapid = |way| LowRapid { direction: way, from, to, plane, units, origin };
         let sideways = (from.x, from.y) != (to.x, to.y);
         if sideways && to.z < from.z {
             self.seen.rapids.rapid(rapid(RapidDirection::Slanting));
@@ -484,7 +484,7 @@ impl<'a> RunChecks<'a> {
 
     fn rapid_into_part(&self, rapid: &LowRapid) -> Diagnostic {
         let depth = rapid.units.length_text(rapid.depth());
-        let message = match rapid.way {
+        let message = match rapid.direction {
             RapidDirection::Sideways => format!(
                 "between two cuts a rapid moves sideways {depth} below the clearance plane, where nothing was cut before"
             ),
@@ -523,7 +523,9 @@ impl<'a> RunChecks<'a> {
         self.judge_turret(&mut report);
         let rapids = std::mem::take(&mut self.seen.rapids);
         rapids.judge(|rapid| report(self.rapid_into_part(&rapid)));
-        for axis in AxisMask::ALL.without(self.now.told_axes).without(self.now.frame.known).iter() {
+        for axis in
+            AxisMask::ALL.without(self.now.reported_axes).without(self.now.frame.known).iter()
+        {
             self.whole_travel(axis, head, &mut report);
         }
         if let Some(note) = self.seen.excess.note(self.machine, self.now.units, head) {

@@ -15,7 +15,7 @@ use crate::gouge::{self, Gouge, GougeKind, GougeOptions};
 use crate::side_check::SideCheck;
 
 /// Gouges reported for one contour: the deepest. What follows is only counted.
-const TOLD_PER_CONTOUR: usize = 8;
+const MAX_REPORTED_PER_CONTOUR: usize = 8;
 
 /// Blocks kept of one contour. What comes after is not checked, and that is said.
 const KEPT_BLOCKS: usize = 4_000_000;
@@ -24,13 +24,13 @@ const KEPT_BLOCKS: usize = 4_000_000;
 const SEARCH_BUDGET: u64 = 200_000_000;
 
 /// Rounding of the programmed points below this cuts nothing, mm.
-const LEAST_DEPTH_MM: f64 = 0.002;
+const MIN_DEPTH_MM: f64 = 0.002;
 
 /// Checks the compensated contours of a run one after the other.
 #[derive(Debug)]
 pub struct ContourCheck {
     units: Units,
-    stretch: u32,
+    contour_number: u32,
     level: ContourLevel,
     sides: SideCheck,
     /// Blocks of this contour at which the control found interference.
@@ -44,7 +44,7 @@ impl Default for ContourCheck {
     fn default() -> ContourCheck {
         ContourCheck {
             units: Units::Millimetre,
-            stretch: 0,
+            contour_number: 0,
             level: ContourLevel::default(),
             sides: SideCheck::default(),
             alarms: Vec::new(),
@@ -57,9 +57,9 @@ impl ContourCheck {
     /// Takes the next block of a compensated contour. What is found in a contour is reported once
     /// that is known to have ended.
     pub fn piece(&mut self, piece: &ContourPiece, report: &mut dyn FnMut(Diagnostic, &Origin)) {
-        if piece.stretch != self.stretch {
+        if piece.contour_number != self.contour_number {
             self.finish(report);
-            self.stretch = piece.stretch;
+            self.contour_number = piece.contour_number;
         }
         self.units = piece.units;
         if piece.negative {
@@ -98,7 +98,7 @@ impl ContourCheck {
                     | Code::CompensationInterference
                     | Code::NoOffsetIntersection
             );
-        if interference && self.alarms.len() < TOLD_PER_CONTOUR {
+        if interference && self.alarms.len() < MAX_REPORTED_PER_CONTOUR {
             self.alarms.push(diagnostic.primary.span);
         }
     }
@@ -128,15 +128,15 @@ impl ContourCheck {
             Units::Millimetre => 0.001,
         };
         let options = GougeOptions {
-            epsilon: LEAST_DEPTH_MM.max(level.rounding).max(2.0 * least_increment),
-            most: TOLD_PER_CONTOUR,
+            epsilon: MIN_DEPTH_MM.max(level.rounding).max(2.0 * least_increment),
+            most: MAX_REPORTED_PER_CONTOUR,
             budget: SEARCH_BUDGET,
             ..GougeOptions::default()
         };
         let found = gouge::check(&contour, &level.moves, &options);
         let origins = &level.origins;
         for gouge in &found.gouges {
-            let diagnostic = self.told(gouge, level.plane, contour.radius, origins);
+            let diagnostic = self.gouge_diagnostic(gouge, level.plane, contour.radius, origins);
             report(diagnostic, &origins[gouge.cutting as usize]);
         }
         let alarms = std::mem::take(&mut self.alarms);
@@ -147,7 +147,7 @@ impl ContourCheck {
         }
         let last = *origins.last().unwrap_or(&Origin::default());
         if found.more {
-            let message = format!("more than {TOLD_PER_CONTOUR} gouges in this contour");
+            let message = format!("more than {MAX_REPORTED_PER_CONTOUR} gouges in this contour");
             let diagnostic = Diagnostic::new(Code::CutterGouges, last.span, message);
             report(diagnostic.label("the contour ends here; the deepest ones are reported"), &last);
         }
@@ -164,7 +164,13 @@ impl ContourCheck {
         }
     }
 
-    fn told(&self, gouge: &Gouge, plane: Plane, radius: f64, origins: &[Origin]) -> Diagnostic {
+    fn gouge_diagnostic(
+        &self,
+        gouge: &Gouge,
+        plane: Plane,
+        radius: f64,
+        origins: &[Origin],
+    ) -> Diagnostic {
         let [cutting, cut] = [gouge.cutting, gouge.cut].map(|tag| origins[tag as usize]);
         let depth = self.length(gouge.depth);
         let radius = self.length(radius);

@@ -13,7 +13,7 @@ const ROUNDED_RADIUS_MM: f64 = 0.02;
 const SPIRAL_CHORD_MM: f64 = 0.0005;
 
 /// Most chords of one spiral.
-const MOST_CHORDS: f64 = 20_000.0;
+const MAX_CHORDS: f64 = 20_000.0;
 
 /// Blocks of a contour at one height, on one side, with one offset.
 #[derive(Debug, Default)]
@@ -131,7 +131,7 @@ fn plain(curve: &CompensationCurve, mut push: impl FnMut(gouge::GougeCurve)) {
             };
             let largest = radius_from.max(radius_to);
             let step = (8.0 * SPIRAL_CHORD_MM / largest).sqrt();
-            let steps = (sweep.abs() / step).ceil().clamp(1.0, MOST_CHORDS);
+            let steps = (sweep.abs() / step).ceil().clamp(1.0, MAX_CHORDS);
             for index in 0..steps as u32 {
                 let part = |index: u32| f64::from(index) / steps;
                 push(gouge::GougeCurve::line(at(part(index)), at(part(index + 1))));

@@ -8,7 +8,7 @@ use chordal_geometry::{ParamCurve, Vec3};
 use crate::segment::{curve_of, is_known, point};
 
 /// Directions that differ by less are the same, rad (0.5°).
-const SAME_RAD: f64 = 0.008_73;
+const EQUAL_DIRECTION_RAD: f64 = 0.008_73;
 
 /// What is remembered from one move to the next.
 #[derive(Clone, Debug, Default)]
@@ -72,5 +72,5 @@ impl ContourRapid {
 
 fn is_same(first: Vec3, second: Vec3) -> bool {
     let size = first.length() * second.length();
-    first.dot(second) > 0.0 && first.cross(second).length() < size * SAME_RAD
+    first.dot(second) > 0.0 && first.cross(second).length() < size * EQUAL_DIRECTION_RAD
 }

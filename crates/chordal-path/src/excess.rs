@@ -6,7 +6,7 @@ use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_machine::{AXES, Machine, PerAxis};
 
 /// Above a limit by less, as a share of it, is rounding.
-const ROUNDING: f64 = 1e-9;
+const ROUNDING_SHARE: f64 = 1e-9;
 
 /// The largest excess of each kind.
 #[derive(Clone, Copy, Debug, Default)]
@@ -57,7 +57,7 @@ impl LimitExcess {
             && let value = value * share_in_step(feed, motion)
             && value > self.feed
             && value.is_finite()
-            && machine.feed.max_mm_per_s.is_some_and(|most| value > most * (1.0 + ROUNDING))
+            && machine.feed.max_mm_per_s.is_some_and(|most| value > most * (1.0 + ROUNDING_SHARE))
             && !kind.only_turns()
         {
             self.feed = value;

@@ -10,16 +10,16 @@ use chordal_diagnostics::TextShift;
 use chordal_geometry::{Aabb, Vec3};
 
 /// Rapids remembered of a run.
-const MOST_RAPIDS: usize = 1000;
+const MAX_RAPIDS: usize = 1000;
 
 /// Regions remembered of a run; the last one takes in what comes after.
-const MOST_CUTS: usize = 4096;
+const MAX_CUTS: usize = 4096;
 
 /// Places of a rapid that are looked at.
 const PLACES: u32 = 16;
 
 /// Less than this is no depth and no distance, mm.
-const NEAR_MM: f64 = 1e-6;
+const NEGLIGIBLE_MM: f64 = 1e-6;
 
 /// How a rapid goes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -35,7 +35,7 @@ pub(crate) enum RapidDirection {
 /// A rapid that ends below the clearance plane.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LowRapid {
-    pub way: RapidDirection,
+    pub direction: RapidDirection,
     pub from: Vec3,
     pub to: Vec3,
     /// The clearance plane, mm.
@@ -92,14 +92,14 @@ impl RapidLog {
 
     /// A rapid below the clearance plane.
     pub fn rapid(&mut self, rapid: LowRapid) {
-        if self.rapids < MOST_RAPIDS {
+        if self.rapids < MAX_RAPIDS {
             self.rapids += 1;
             self.events.push(CheckEvent::Rapid(rapid));
         }
     }
 
     fn push_cut(&mut self, region: Aabb) {
-        if self.events.len() - self.rapids < MOST_CUTS {
+        if self.events.len() - self.rapids < MAX_CUTS {
             return self.events.push(CheckEvent::Cut(region));
         }
         let last = self.events.iter_mut().rev().find_map(|event| match event {
@@ -153,7 +153,7 @@ impl RapidLog {
             let CheckEvent::Rapid(rapid) = event else { continue };
             let (before, after) = self.events.split_at(index);
             // Where it plunges beside a contour the cut that follows begins: on the edge of its region.
-            let region = match rapid.way {
+            let region = match rapid.direction {
                 RapidDirection::Down => self.cuts(after).next().unwrap_or(whole),
                 RapidDirection::Sideways | RapidDirection::Slanting => whole,
             };
@@ -182,25 +182,25 @@ impl LowRapid {
     fn places(&self) -> impl Iterator<Item = Vec3> + '_ {
         let along =
             |step: u32| self.from + (self.to - self.from) * (f64::from(step) / f64::from(PLACES));
-        let first = if self.way == RapidDirection::Down { PLACES } else { 1 };
+        let first = if self.direction == RapidDirection::Down { PLACES } else { 1 };
         (first..=PLACES)
             .map(move |step| if step == PLACES { self.to } else { along(step) })
-            .filter(|place| place.z < self.plane - NEAR_MM)
+            .filter(|place| place.z < self.plane - NEGLIGIBLE_MM)
     }
 }
 
 /// Strictly inside, as seen from above; along an axis in which the region has no width, on it.
 fn is_inside(region: &Aabb, place: Vec3) -> bool {
-    let within = |place: f64, low: f64, high: f64| match high - low > NEAR_MM {
-        true => place > low + NEAR_MM && place < high - NEAR_MM,
-        false => (place - low).abs() <= NEAR_MM,
+    let within = |place: f64, low: f64, high: f64| match high - low > NEGLIGIBLE_MM {
+        true => place > low + NEGLIGIBLE_MM && place < high - NEGLIGIBLE_MM,
+        false => (place - low).abs() <= NEGLIGIBLE_MM,
     };
     within(place.x, region.min.x, region.max.x) && within(place.y, region.min.y, region.max.y)
 }
 
 /// The cut went over the place, as deep or deeper.
 fn clears(cut: &Aabb, place: Vec3) -> bool {
-    let near = NEAR_MM;
+    let near = NEGLIGIBLE_MM;
     cut.min.z <= place.z + near
         && (cut.min.x - near..=cut.max.x + near).contains(&place.x)
         && (cut.min.y - near..=cut.max.y + near).contains(&place.y)
@@ -215,7 +215,14 @@ mod tests {
     }
 
     fn rapid(way: RapidDirection, from: Vec3, to: Vec3) -> LowRapid {
-        LowRapid { way, from, to, plane: 0.0, units: Units::Millimetre, origin: Origin::default() }
+        LowRapid {
+            direction: way,
+            from,
+            to,
+            plane: 0.0,
+            units: Units::Millimetre,
+            origin: Origin::default(),
+        }
     }
 
     /// A pocket from 0,0 to 10,10 cut to 5 deep, then a rapid, then a cut far away.

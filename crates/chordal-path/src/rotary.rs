@@ -10,7 +10,7 @@ use crate::surface::SurfacePart;
 const PLACES: u32 = 64;
 
 /// A piece turns the axis by no more than this, rad, or is divided.
-const EVEN_RAD: f64 = 0.05;
+const MAX_PIECE_TURN_RAD: f64 = 0.05;
 
 /// A cut that comes nearer to the pole than this goes through it: the rotary axis turns there, at rest, mm.
 const POLE_MM: f64 = 1e-6;
@@ -23,7 +23,7 @@ const DIVIDED_AT: f64 = 0.487;
 const FIRST_PIECES: u32 = 32;
 
 /// So often a cut is divided at most.
-const MOST_HALVINGS: u32 = 24;
+const MAX_HALVINGS: u32 = 24;
 
 fn at(point: Vec3) -> Position {
     let mut place = [0.0; AXES];
@@ -210,8 +210,8 @@ impl SurfaceCut<'_> {
     fn divide(&self, [from, to]: [f64; 2], depth: u32, pieces: &mut Vec<RotaryPiece>) {
         let point = |s: f64| at(self.curve.point_at(s));
         let turn = self.surface.turn(&point(from), &point(to), None);
-        let is_even = turn.abs() <= EVEN_RAD;
-        if !is_even && depth < MOST_HALVINGS {
+        let is_even = turn.abs() <= MAX_PIECE_TURN_RAD;
+        if !is_even && depth < MAX_HALVINGS {
             let middle = from + (to - from) * DIVIDED_AT;
             self.divide([from, middle], depth + 1, pieces);
             return self.divide([middle, to], depth + 1, pieces);
@@ -229,7 +229,7 @@ mod tests {
 
     fn face() -> RotarySurface {
         let shape = SurfaceShape::Face { along: 0, zero: 0.0, negative: false };
-        RotarySurface { shape, rotary: 5, across: 1, standing: 0.0 }
+        RotarySurface { shape, rotary: 5, across: 1, across_position: 0.0 }
     }
 
     fn line(from: [f64; 2], to: [f64; 2]) -> Curve {

@@ -11,7 +11,7 @@ use chordal_machine::AXES;
 use crate::segment::curve_of;
 
 /// Radii that differ by more are those of a spiral, mm.
-const SAME_RADIUS_MM: f64 = 1e-6;
+const EQUAL_RADIUS_MM: f64 = 1e-6;
 
 /// Nearer to the pole than this a centre has no direction, mm.
 const POLE_MM: f64 = 1e-9;
@@ -86,7 +86,7 @@ fn on_face(
     let mut places = vec![FacePoint { share: 0.0, flat: from }];
     match shape {
         None => places.extend(foot(from, to)),
-        Some(shape) if (shape.radius_from - shape.radius_to).abs() <= SAME_RADIUS_MM => {
+        Some(shape) if (shape.radius_from - shape.radius_to).abs() <= EQUAL_RADIUS_MM => {
             places.extend(of_arc(from, shape));
         }
         Some(shape) => places.extend(of_spiral(from, shape)),
@@ -167,7 +167,7 @@ mod tests {
         shape: SurfaceShape::Face { along: 0, zero: 0.0, negative: false },
         rotary: 5,
         across: 1,
-        standing: 0.0,
+        across_position: 0.0,
     };
 
     /// X (a radius) and C in degrees at the extremes of a move on the face.

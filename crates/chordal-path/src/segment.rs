@@ -114,7 +114,7 @@ pub(crate) fn point(position: &Position) -> Vec3 {
 
 /// A difference of radii below which an arc is an arc, mm: below what any control
 /// computes with, above rounding.
-const SAME_RADIUS_MM: f64 = 1e-9;
+const EQUAL_RADIUS_MM: f64 = 1e-9;
 
 /// The exact curve of a motion command in program coordinates.
 #[inline]
@@ -124,7 +124,7 @@ pub fn curve_of(motion: &Move, shape: Option<&ArcShape>) -> Curve {
         None => Curve::Line(Line { start: from, end: to }),
         Some(shape) => {
             let center = (shape.center[0], shape.center[1]);
-            spiral_from_center(shape.plane, from, to, center, shape.sweep, SAME_RADIUS_MM).curve
+            spiral_from_center(shape.plane, from, to, center, shape.sweep, EQUAL_RADIUS_MM).curve
         }
     }
 }

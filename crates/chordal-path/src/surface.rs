@@ -19,7 +19,7 @@ pub struct SurfacePart {
 const CHANGE: f64 = 0.02;
 
 /// So often a curve is halved at most: pieces of a thousandth of it.
-const MOST_HALVINGS: u32 = 10;
+const MAX_HALVINGS: u32 = 10;
 
 /// The pieces of a cut whose spindle keeps a cutting speed; `None` where the feed does not depend on it. X of
 /// the curve is the radius of the part.
@@ -53,7 +53,7 @@ fn divide(
     let (least, most) = (first.min(half).min(last), first.max(half).max(last));
     // Without a limit the speed at the axis is no number.
     let even = most.is_finite() && most - least <= CHANGE * most;
-    if even || depth == MOST_HALVINGS {
+    if even || depth == MAX_HALVINGS {
         let seconds = time(surface, per_rev, curve, [from, to]);
         return parts.push(SurfacePart { from, to, seconds });
     }

@@ -7,7 +7,7 @@ use chordal_kernel::rules::ToolLengths;
 use chordal_machine::{AXES, Axis, Machine, PerAxis};
 
 /// Offsets that differ by less are the same, mm: below the least increment of every control.
-const SAME_OFFSET_MM: f64 = 1e-5;
+const EQUAL_OFFSET_MM: f64 = 1e-5;
 
 /// Where the tip is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -227,7 +227,7 @@ impl TipTracker {
         for axis in self.axes {
             by[*axis] = self.offset[*axis] - sign * own[*axis];
         }
-        match by.iter().all(|by| by.abs() < SAME_OFFSET_MM) {
+        match by.iter().all(|by| by.abs() < EQUAL_OFFSET_MM) {
             true => TipPlace::AsProgrammed,
             false => TipPlace::Shifted(Vec3::from_array(by)),
         }

@@ -7,10 +7,10 @@ use chordal_command::{Origin, Position, Units, WorkName};
 use chordal_diagnostics::TextShift;
 
 /// Cuts that are remembered of a run; what comes after says nothing.
-const MOST_CUTS: usize = 20_000;
+const MAX_CUTS: usize = 20_000;
 
 /// Turns of the turret that are remembered of a run.
-const MOST_TURNS: usize = 1000;
+const MAX_TURNS: usize = 1000;
 
 /// Inside by less is on the side, mm.
 const ON_SIDE_MM: f64 = 1e-6;
@@ -104,14 +104,14 @@ pub(crate) struct TurretLog {
 impl TurretLog {
     /// A cut.
     pub fn cut(&mut self, system: TurretSystem, cut: TurnedCut) {
-        if self.cuts.len() < MOST_CUTS && self.cuts.last() != Some(&(system, cut)) {
+        if self.cuts.len() < MAX_CUTS && self.cuts.last() != Some(&(system, cut)) {
             self.cuts.push((system, cut));
         }
     }
 
     /// The turret turns.
     pub fn turn(&mut self, turn: TurretTurn) {
-        if self.turns.len() < MOST_TURNS {
+        if self.turns.len() < MAX_TURNS {
             self.turns.push(turn);
         }
     }

@@ -126,7 +126,7 @@ impl Journal {
 
     /// The key of the record that a file has, shortened.
     fn key(&self, index: usize) -> PyResult<Option<String>> {
-        let held = self.held();
+        let held = self.lock_journal();
         let (journal, _) = held.as_ref().ok_or_else(finished)?;
         Ok(journal.key(index))
     }
@@ -135,7 +135,7 @@ impl Journal {
     fn put(&self, py: Python<'_>, index: usize, record: &[u8]) -> PyResult<()> {
         let record = record.to_vec();
         py.detach(|| {
-            let mut held = self.held();
+            let mut held = self.lock_journal();
             let (journal, shard) = held.as_mut().ok_or_else(finished)?;
             journal.put(shard, index, &record).map_err(wrong)
         })
@@ -145,7 +145,7 @@ impl Journal {
     /// programs, with errors, with warnings, failed, skipped.
     fn finish(&self, py: Python<'_>) -> PyResult<(u64, u64, u64, u64, u64, u64, u64)> {
         py.detach(|| {
-            let (journal, shard) = self.held().take().ok_or_else(finished)?;
+            let (journal, shard) = self.lock_journal().take().ok_or_else(finished)?;
             drop(shard);
             let mut done = ArchiveTotals::default();
             journal.finish(|_, record| done.add(record)).map_err(wrong)?;
@@ -165,7 +165,9 @@ impl Journal {
 }
 
 impl Journal {
-    fn held(&self) -> MutexGuard<'_, Option<(chordal_archive::TableJournal, JournalShard)>> {
+    fn lock_journal(
+        &self,
+    ) -> MutexGuard<'_, Option<(chordal_archive::TableJournal, JournalShard)>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -223,11 +223,11 @@ impl Curve {
         py.detach(|| {
             let chords = self.0.chords(tolerance, placement).map_err(error::value)?;
             // As many as memory may hold: a curve is a piece of a path.
-            const MOST: u64 = 1 << 28;
-            if chords.chord_count() > MOST {
+            const MAX_POINTS: u64 = 1 << 28;
+            if chords.chord_count() > MAX_POINTS {
                 let count = chords.chord_count();
                 return Err(error::value(format!(
-                    "{count} chords would be needed; the limit is {MOST}"
+                    "{count} chords would be needed; the limit is {MAX_POINTS}"
                 )));
             }
             rows(chords.map(Vec3::to_array).collect())

@@ -24,14 +24,14 @@ pub struct Motion {
 }
 
 enum PlannedStep {
-    Stretch(Stretch),
+    Planned(Stretch),
     Wait { seconds: f64, tag: u64 },
 }
 
 impl PlannedStep {
     fn step(&self) -> Step<'_> {
         match self {
-            PlannedStep::Stretch(stretch) => Step::Stretch(stretch),
+            PlannedStep::Planned(stretch) => Step::Stretch(stretch),
             PlannedStep::Wait { seconds, tag } => Step::Wait { seconds: *seconds, tag: *tag },
         }
     }
@@ -43,7 +43,7 @@ impl PlannedStep {
 type MoveInput = (Option<Curve>, [f64; 3], [f64; 3], Option<f64>, Option<f64>, f64, bool);
 
 /// Ends that are nearer than this are one point, mm or rad: rounding of the curves' ends.
-const SAME_POINT: f64 = 1e-6;
+const COINCIDENT_POINT: f64 = 1e-6;
 
 fn largest_difference(a: &PerAxis<f64>, b: &PerAxis<f64>) -> f64 {
     a.iter().zip(b).fold(0.0, |most, (a, b)| most.max((a - b).abs()))
@@ -80,7 +80,7 @@ fn planned(
     let mut steps: Vec<PlannedStep> = Vec::new();
     let mut keep = |step: Step<'_>| {
         steps.push(match step {
-            Step::Stretch(stretch) => PlannedStep::Stretch(stretch.clone()),
+            Step::Stretch(stretch) => PlannedStep::Planned(stretch.clone()),
             Step::Wait { seconds, tag } => PlannedStep::Wait { seconds, tag },
         });
     };
@@ -112,7 +112,7 @@ fn planned(
         };
         // After a wait the planner would let a move begin anywhere; here the axes would jump.
         let gap = at.map_or(0.0, |at| largest_difference(&at, &motion.from()));
-        if gap > SAME_POINT {
+        if gap > COINCIDENT_POINT {
             return Err((index, MoveError::Gap(gap)));
         }
         planner.push(&motion, &mut keep).map_err(|error| (index, error))?;

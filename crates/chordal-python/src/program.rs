@@ -190,7 +190,7 @@ impl Program {
     }
 
     /// The report of a run, made once.
-    fn told<'s>(&'s self, job: &Job<'_>) -> PyResult<&'s Report> {
+    fn cached_report<'s>(&'s self, job: &Job<'_>) -> PyResult<&'s Report> {
         match self.report.get() {
             Some(report) => Ok(report),
             None => self.keep(job.report()),
@@ -243,7 +243,7 @@ impl Program {
     /// the setup sheet shows it.
     fn problems(&self, py: Python<'_>) -> PyResult<(String, Vec<(String, String)>)> {
         self.ask(py, |job| {
-            let told = self.told(job)?;
+            let told = self.cached_report(job)?;
             let sources = job.sources();
             let drawn = told.diagnostics.iter().map(|each| {
                 let text = report::one(each, sources, false);
@@ -257,20 +257,20 @@ impl Program {
 
     /// The lines that the program prints (DPRNT).
     fn output(&self, py: Python<'_>) -> PyResult<Vec<String>> {
-        self.ask(py, |job| Ok(self.told(job)?.output.clone()))
+        self.ask(py, |job| Ok(self.cached_report(job)?.output.clone()))
     }
 
     /// File and line from which on the path is not known.
     fn not_verified_from(&self, py: Python<'_>) -> PyResult<Option<(String, u32)>> {
         self.ask(py, |job| {
-            let line = self.told(job)?.not_verified_line(job.sources());
+            let line = self.cached_report(job)?.not_verified_line(job.sources());
             Ok(line.map(|(file, line)| (file.to_string(), line)))
         })
     }
 
     /// What the run comes to.
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        self.ask(py, |job| self.told(job).map(|_| ()))?;
+        self.ask(py, |job| self.cached_report(job).map(|_| ()))?;
         let empty = Summary::default();
         summary_dict(py, self.report.get().map_or(&empty, |report| &report.summary))
     }
@@ -365,7 +365,7 @@ impl Program {
             MotionOptions { level, feed_override, rapid_override, ..MotionOptions::default() };
         let again = if what_if { Again::Always } else { Again::Never };
         let question = TimeQuestion { options, again, bound };
-        let timed = self.ask(py, |job| Ok(time_of(job, self.told(job)?, &question)))?;
+        let timed = self.ask(py, |job| Ok(time_of(job, self.cached_report(job)?, &question)))?;
         timed.map_err(|error| wrong_limit(py, &error))
     }
 
@@ -641,7 +641,7 @@ fn summary_dict<'py>(py: Python<'py>, summary: &Summary) -> PyResult<Bound<'py, 
         .map(|axis| {
             let scale = if "XYZ".contains(axis.letter) { 1.0 } else { 1f64.to_degrees() };
             let scaled = |(low, high): (f64, f64)| (low * scale, high * scale);
-            (axis.letter, scaled(axis.range), axis.cut_range.map(scaled), axis.way * scale)
+            (axis.letter, scaled(axis.range), axis.cut_range.map(scaled), axis.distance * scale)
         })
         .collect();
     dict.set_item("axes", travels)?;

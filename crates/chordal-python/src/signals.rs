@@ -12,13 +12,13 @@ const BETWEEN_ASKINGS: Duration = Duration::from_millis(50);
 
 /// What was raised during one piece of work.
 pub struct PythonSignals {
-    asked: Mutex<Instant>,
+    checked_at: Mutex<Instant>,
     raised: Mutex<Option<PyErr>>,
 }
 
 impl PythonSignals {
     pub fn new() -> Arc<PythonSignals> {
-        Arc::new(PythonSignals { asked: Mutex::new(Instant::now()), raised: Mutex::new(None) })
+        Arc::new(PythonSignals { checked_at: Mutex::new(Instant::now()), raised: Mutex::new(None) })
     }
 
     /// Asks for signals when it is time to. Only the main thread has any.
@@ -45,7 +45,7 @@ impl PythonSignals {
         if self.has_raised() {
             return true;
         }
-        let mut asked = locked(&self.asked);
+        let mut asked = locked(&self.checked_at);
         let due = asked.elapsed() >= BETWEEN_ASKINGS;
         if due {
             *asked = Instant::now();

@@ -121,7 +121,7 @@ impl Table {
             shape: vec![self.batch.num_rows(), names.len()],
             strides: vec![8, apart],
             kind: "<f8",
-            _held: self.batch.clone(),
+            _batch: self.batch.clone(),
         }))
     }
 
@@ -144,7 +144,7 @@ impl Table {
             shape,
             strides: vec![width],
             kind,
-            _held: self.batch.clone(),
+            _batch: self.batch.clone(),
         }))
     }
 
@@ -226,7 +226,7 @@ pub struct NumberBuffer {
     shape: Vec<usize>,
     strides: Vec<usize>,
     kind: &'static str,
-    _held: RecordBatch,
+    _batch: RecordBatch,
 }
 
 #[pymethods]
@@ -255,7 +255,7 @@ pub fn rows<const N: usize>(values: Vec<[f64; N]>) -> PyResult<NumberBuffer> {
     let field = arrow_schema::Field::new("rows", DataType::Float64, false);
     let schema = Arc::new(arrow_schema::Schema::new(vec![field]));
     let held = RecordBatch::try_new(schema, vec![Arc::new(array)]).map_err(error::inside)?;
-    Ok(NumberBuffer { address, shape, strides: vec![8 * N, 8], kind: "<f8", _held: held })
+    Ok(NumberBuffer { address, shape, strides: vec![8 * N, 8], kind: "<f8", _batch: held })
 }
 
 /// Triangles as rows of the numbers of their vertices.
@@ -266,5 +266,5 @@ pub fn indices(values: Vec<[u32; 3]>) -> PyResult<NumberBuffer> {
     let field = arrow_schema::Field::new("indices", DataType::UInt32, false);
     let schema = Arc::new(arrow_schema::Schema::new(vec![field]));
     let held = RecordBatch::try_new(schema, vec![Arc::new(array)]).map_err(error::inside)?;
-    Ok(NumberBuffer { address, shape, strides: vec![12, 4], kind: "<u4", _held: held })
+    Ok(NumberBuffer { address, shape, strides: vec![12, 4], kind: "<u4", _batch: held })
 }

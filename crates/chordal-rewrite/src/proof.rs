@@ -54,7 +54,7 @@ impl Certificate {
         comparison.differences = others;
         let nothing_left = comparison.differences.is_empty() && comparison.dropped == 0;
         if comparison.verdict == ComparisonVerdict::Different && nothing_left {
-            let apart = comparison.max_distance_mm.unwrap_or(0.0) > chordal_compare::SAME_MM;
+            let apart = comparison.max_distance_mm.unwrap_or(0.0) > chordal_compare::COINCIDENT_MM;
             let verified = comparison.reports.iter().all(chordal::Report::verified);
             comparison.verdict = match apart {
                 _ if !verified => ComparisonVerdict::NotVerified,

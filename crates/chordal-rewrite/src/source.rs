@@ -366,7 +366,10 @@ fn style(text: &[u8], blocks: &[Block]) -> WordStyle {
 pub(crate) fn program(job: &Job) -> Option<EditorProgram> {
     let texts = job.sources().iter().skip(1);
     let beside = texts.map(|(_, source)| (source.name().to_string(), source.text().to_vec()));
-    let setup = EditorSetup { beside: beside.collect(), ..EditorSetup::of(job.machine().clone()) };
+    let setup = EditorSetup {
+        subprogram_texts: beside.collect(),
+        ..EditorSetup::of(job.machine().clone())
+    };
     let name = job.sources().get(FileId(0)).map_or("", |source| source.name());
     EditorProgram::set_up(name, first_text(job).to_vec(), setup).ok()
 }

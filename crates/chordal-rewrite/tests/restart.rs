@@ -7,7 +7,9 @@ use std::path::{Path, PathBuf};
 
 use chordal::control::RunOptions;
 use chordal::{Job, Machine, Source, SourceMap};
-use chordal_rewrite::restart::{RefusalReason, RestartProgram, blocked, restart, way_in};
+use chordal_rewrite::restart::{
+    RefusalReason, RestartProgram, blocked, check_head_approach, restart,
+};
 
 fn job_on(text: &str, machine: Machine) -> Job<'static> {
     let mut sources = SourceMap::new();
@@ -291,7 +293,7 @@ fn the_way_in_of_a_lathe_is_looked_at_with_what_stands() {
     let old = on_bar(APPROACH);
     let done = restart(&old, 8).expect("proved");
     assert!(done.head.contains(&"G1 Z-30. F.2".to_string()), "{:?}", done.head);
-    let way = way_in(&old, &done, &none).expect("a stock").expect("a lathe");
+    let way = check_head_approach(&old, &done, &none).expect("a stock").expect("a lathe");
     let hit = way.hits.first().expect("it cuts");
     // From X40 to the bar's 62, 11 mm deep.
     assert!((hit.depth_mm - 11.0).abs() < 1e-6, "{hit:?}");
@@ -305,20 +307,20 @@ fn the_way_in_of_a_lathe_is_looked_at_with_what_stands() {
     );
     // Before the cut it goes along X alone, in front of the bar.
     let done = restart(&old, 7).expect("proved");
-    let way = way_in(&old, &done, &none).expect("a stock").expect("a lathe");
+    let way = check_head_approach(&old, &done, &none).expect("a stock").expect("a lathe");
     assert_eq!((way.moves, way.hits.len(), way.unknown.as_deref()), (1, 0, None));
     // Where the bar is turned down to 38 first, the way is free.
     let turned =
         APPROACH.replace("G0 X40. Z2.\n", "G0 X40. Z2.\nX38.\nG1 Z-40. F.2\nG0 X64.\nZ2.\n");
     let old = on_bar(&turned);
     let done = restart(&old, 12).expect("proved");
-    let way = way_in(&old, &done, &none).expect("a stock").expect("a lathe");
+    let way = check_head_approach(&old, &done, &none).expect("a stock").expect("a lathe");
     assert!(way.moves == 2 && way.hits.is_empty() && way.unknown.is_none(), "{way:?}");
     assert!(blocked(&old, &done, &way).is_none());
     // Without a stock nothing is looked at.
     let bare = job(APPROACH, "fanuc-lathe");
     let done = restart(&bare, 8).expect("proved");
-    assert_eq!(way_in(&bare, &done, &none).expect("no setup"), None);
+    assert_eq!(check_head_approach(&bare, &done, &none).expect("no setup"), None);
 }
 
 /// What brings a length into force, and the line that does so again in the head.

@@ -104,7 +104,7 @@ fn run(name: &str, tool: &ToolOutline, moves: &[OutlineSegment]) {
 
 fn main() {
     let tip = Tip::new(3).expect("a tip");
-    let insert = Insert::held(tip, 0.8, 1.66, 0.96, 40.0).expect("an insert");
+    let insert = Insert::mounted(tip, 0.8, 1.66, 0.96, 40.0).expect("an insert");
     let nose = insert.outline().expect("an outline");
     let point = Insert::ideal_point(tip, 100.0).expect("a point").outline().expect("an outline");
     run("roughing, nose 0.8", &nose, &roughing());

@@ -133,7 +133,7 @@ impl Decimal {
 }
 
 /// Most digits that are kept: the double of a number with more is the same.
-const MOST_DIGITS: usize = 18;
+const MAX_DIGITS: usize = 18;
 
 /// Reads `[+-]digits[.digits]` at the head of `text`: the number and its length in bytes. Of more digits than
 /// 18 those after the point are rounded away. `None` when there is no digit, or more than 18 before the point.
@@ -144,13 +144,13 @@ pub(crate) fn scan(text: &[u8]) -> Option<(Decimal, usize)> {
 }
 
 /// Bytes that [`scan_short`] looks at.
-pub(crate) const SHORT: usize = 16;
+pub(crate) const SHORT_BYTES: usize = 16;
 
 /// Numbers that end within eight bytes after the sign, point and all: nearly every number
 /// of a program. The eight bytes are taken at once and the point is squeezed out from
 /// between the digits. `None` sends the caller to [`scan`].
 #[inline]
-pub(crate) fn scan_short(text: &[u8; SHORT]) -> Option<(Decimal, usize)> {
+pub(crate) fn scan_short(text: &[u8; SHORT_BYTES]) -> Option<(Decimal, usize)> {
     let negative = text[0] == b'-';
     let signed = negative | (text[0] == b'+');
     let wide = u128::from_le_bytes(*text);
@@ -208,7 +208,7 @@ fn scan_any(text: &[u8], start: usize, negative: bool) -> Option<(Decimal, usize
     if count == 0 {
         return None;
     }
-    if count > MOST_DIGITS {
+    if count > MAX_DIGITS {
         return scan_long(text, start, whole_digits, scale, negative).map(|number| (number, at));
     }
     let mantissa = if negative { -(value as i64) } else { value as i64 };
@@ -227,12 +227,12 @@ fn scan_long(
     let whole = &text[start..start + whole_digits];
     let zeros = whole.iter().take_while(|byte| **byte == b'0').count();
     let whole = &whole[zeros..];
-    if whole.len() > MOST_DIGITS {
+    if whole.len() > MAX_DIGITS {
         return None;
     }
     let point = start + whole_digits;
     let part = text.get(point + 1..point + 1 + part_digits).unwrap_or(&[]);
-    let kept = part.len().min(MOST_DIGITS - whole.len());
+    let kept = part.len().min(MAX_DIGITS - whole.len());
     let (value, _) = digits(&[whole, &part[..kept]].concat(), 0);
     let up = part.get(kept).is_some_and(|byte| *byte >= b'5');
     let value = (value + u64::from(up)) as i64;
@@ -311,7 +311,7 @@ mod tests {
                     let text_and_tail = format!("{number}{tail}");
                     let (read, length) = scan(text_and_tail.as_bytes()).unwrap();
                     assert_eq!(length, number.len());
-                    if let Some(head) = text_and_tail.as_bytes().first_chunk::<SHORT>()
+                    if let Some(head) = text_and_tail.as_bytes().first_chunk::<SHORT_BYTES>()
                         && let Some(short) = scan_short(head)
                     {
                         assert_eq!(short, (read, length));

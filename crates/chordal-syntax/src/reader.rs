@@ -42,7 +42,7 @@ const PROBLEMS_PER_BLOCK: usize = 8;
 
 /// How far the end of a comment within a comment is looked for, in bytes: a line of nothing but
 /// parentheses must not be read again for each of them.
-const LONGEST_NESTED: usize = 1024;
+const MAX_NESTED_COMMENT_BYTES: usize = 1024;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum CharClass {
@@ -71,7 +71,7 @@ const CLASSES: [CharClass; 256] = {
 };
 
 /// Bytes right after a number that mean it is not a plain one: `1..2`, `1O.5`, `1[`, `1#`.
-const STRANGE_BEHIND_NUMBER: [bool; 256] = {
+const STRANGE_AFTER_NUMBER: [bool; 256] = {
     let mut table = [false; 256];
     let strange = b".Oo[#";
     let mut index = 0;
@@ -317,7 +317,7 @@ impl<'a> BlockReader<'a> {
     fn nested_comment(&mut self, block: &mut Block, start: usize, inner: usize) {
         let mut depth = 0_u32;
         let line = self.text[start..self.end].iter().take_while(|byte| !b"\r\n".contains(byte));
-        let length = line.take(LONGEST_NESTED).position(|byte| {
+        let length = line.take(MAX_NESTED_COMMENT_BYTES).position(|byte| {
             match byte {
                 b'(' => depth += 1,
                 b')' => depth -= 1,
@@ -382,9 +382,9 @@ impl<'a> BlockReader<'a> {
         if plain
             && !self.lexicon.blanks_in_numbers
             && let Some(rest) = self.text[..self.end].get(self.at + 1..)
-            && let Some(head) = rest.first_chunk::<{ decimal::SHORT }>()
+            && let Some(head) = rest.first_chunk::<{ decimal::SHORT_BYTES }>()
             && let Some((number, length)) = decimal::scan_short(head)
-            && !STRANGE_BEHIND_NUMBER[head[length] as usize]
+            && !STRANGE_AFTER_NUMBER[head[length] as usize]
         {
             let start = self.at;
             self.at += 1 + length;
@@ -406,7 +406,7 @@ impl<'a> BlockReader<'a> {
         let start = self.at - usize::from(comma);
         if letter == b'O' && self.lexicon.o_words && self.flow_control() {
             if self.lexicon.strict_comments && !block.comments.is_empty() {
-                self.o_word_behind_comment(block, start);
+                self.o_word_after_comment(block, start);
             }
             self.skip_to_line_end();
             block.kind = BlockKind::Macro(TextRange::new(start as u32, self.at as u32));
@@ -425,7 +425,7 @@ impl<'a> BlockReader<'a> {
         }
         let value = match decimal::scan(&text[self.at..]) {
             Some((number, length))
-                if !STRANGE_BEHIND_NUMBER
+                if !STRANGE_AFTER_NUMBER
                     [text.get(self.at + length).copied().unwrap_or(b'\n') as usize] =>
             {
                 self.at += length;
@@ -503,7 +503,7 @@ impl<'a> BlockReader<'a> {
         let digit = |b: &u8| b.is_ascii_digit() || *b == b'.';
         let taken = line[signs..].iter().take_while(|b| blank(b) || digit(b)).count();
         let end = signs + taken;
-        let strange = line.get(end).is_some_and(|b| STRANGE_BEHIND_NUMBER[usize::from(*b)]);
+        let strange = line.get(end).is_some_and(|b| STRANGE_AFTER_NUMBER[usize::from(*b)]);
         let digits: Vec<u8> = line[signs..end].iter().copied().filter(|b| digit(b)).collect();
         if strange || digits.iter().filter(|b| **b == b'.').count() > 1 {
             return None;

@@ -57,7 +57,7 @@ pub fn open(
     // The first is the text itself.
     let beside = texts.split_off(1);
     let (name, text) = texts.pop().unwrap_or_default();
-    let setup = EditorSetup { machine, why, readings, options, program, beside };
+    let setup = EditorSetup { machine, why, readings, options, program, subprogram_texts: beside };
     EditorProgram::set_up(name, text, setup).map_err(|errors| Refusal {
         message: "the control does not know settings of the machine".into(),
         help: Some(format!("{errors:?}")),

@@ -301,7 +301,7 @@ impl View {
             Ask::State { done, line } => {
                 let ran = self.held().ran.clone();
                 let mut state = ran.map(|ran| ran.modal.at(done, line));
-                let behind = self.words().and_then(|program| program.modal_behind(line));
+                let behind = self.words().and_then(|program| program.modal_after(line));
                 if let (Some(state), Some(behind)) = (&mut state, behind) {
                     state["codes"] = json!(behind.codes);
                 }

@@ -59,7 +59,7 @@ struct Language {
 
 impl Language {
     fn new() -> Language {
-        let files = Brought(Rc::new(RefCell::new(FileAccess::given([]))));
+        let files = Brought(Rc::new(RefCell::new(FileAccess::in_memory([]))));
         Language { server: SteppedServer::new(Box::new(files.clone())), files }
     }
 
@@ -69,7 +69,7 @@ impl Language {
             Step::Work => self.server.work(),
             Step::Files(files) => {
                 let files = files.into_iter().map(|(path, text)| (path, text.into_bytes()));
-                *self.files.0.borrow_mut() = FileAccess::given(files);
+                *self.files.0.borrow_mut() = FileAccess::in_memory(files);
                 self.server.files_changed()
             }
         }

@@ -43,7 +43,7 @@ pub fn read(bytes: Vec<u8>) -> Result<Request, Failure> {
     for file in head.files {
         files.push((PathBuf::from(file.path), texts.take(file.bytes).map_err(torn)?));
     }
-    let files = FileAccess::given(files);
+    let files = FileAccess::in_memory(files);
     Ok(Request { ask: head.ask, programs, files, options: head.options })
 }
 

@@ -18,10 +18,10 @@ use crate::job::Job;
 const KEPT_COMMANDS: usize = 1_000_000;
 
 /// Contours that are looked at; the same contour run again is one.
-const MOST_CONTOURS: usize = 1000;
+const MAX_CONTOURS: usize = 1000;
 
 /// The radius for the first look at a contour, mm: small enough to fit anywhere.
-const SMALL_MM: f64 = 1e-4;
+const TRIAL_RADIUS_MM: f64 = 1e-4;
 
 /// A found limit is within this of the true one, mm.
 const LIMIT_MM: f64 = 1e-6;
@@ -163,7 +163,7 @@ impl ContourRecorder {
             self.left_out += 1;
         } else if let Some(known) = self.contours.get_mut(&key) {
             known.runs += 1;
-        } else if self.contours.len() < MOST_CONTOURS {
+        } else if self.contours.len() < MAX_CONTOURS {
             self.contours.insert(key, recorded);
         } else {
             self.left_out += 1;
@@ -259,7 +259,7 @@ impl RecordedContour {
     }
 
     fn range(self, control: &Control) -> Option<ContourRange> {
-        let first = self.with(control, SMALL_MM, true);
+        let first = self.with(control, TRIAL_RADIUS_MM, true);
         let corners = match control.parameters.rules.outside_corner {
             OutsideCorner::Linear => OutsideCornerRule::Linear,
             OutsideCorner::Arc => OutsideCornerRule::Circular,
@@ -323,8 +323,8 @@ impl RecordedContour {
         let step = largest / f64::from(TRIED);
         let mut radii: Vec<f64> = (1..=TRIED).map(|index| f64::from(index) * step).collect();
         radii.extend(events.iter().flat_map(|radius| [radius - 2e-3, radius + 2e-3]));
-        radii.retain(|radius| *radius > SMALL_MM && *radius <= largest);
-        radii.push(SMALL_MM);
+        radii.retain(|radius| *radius > TRIAL_RADIUS_MM && *radius <= largest);
+        radii.push(TRIAL_RADIUS_MM);
         radii.sort_by(f64::total_cmp);
         let mut below = 0.0;
         for radius in radii {

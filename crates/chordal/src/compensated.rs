@@ -16,7 +16,7 @@ use crate::job::Job;
 const NOMINAL_RADIUS_MM: f64 = 1e-3;
 
 /// Most diagnostics that wait for the end of the run, when the calls are known.
-pub(crate) const MOST_WAITING: usize = 10_000;
+pub(crate) const MAX_WAITING: usize = 10_000;
 
 impl Job<'_> {
     /// Runs and pushes the exact path, segment by segment, in one frame.
@@ -50,7 +50,7 @@ impl<F: FnMut(&Segment)> PathSink for PathSegments<'_, F> {
 /// Hands the commands of a control through compensation on to a path sink.
 pub(crate) struct CompensationSink<'a, S> {
     pub compensator: Compensator,
-    pub told: PendingDiagnostics<'a, S>,
+    pub pending: PendingDiagnostics<'a, S>,
     control: &'a Control,
     /// Follows a contour whose offset is not known.
     nominal: Option<Box<NominalSink>>,
@@ -123,10 +123,10 @@ impl<'a, S: PathSink> CompensationSink<'a, S> {
         }
         let outcomes = job.run_each(&mut this, |this, outcome, head| {
             this.finish();
-            this.told.resolve(outcome);
-            this.told.inner.ended(head);
+            this.pending.resolve(outcome);
+            this.pending.inner.ended(head);
         });
-        (outcomes, this.told.inner)
+        (outcomes, this.pending.inner)
     }
 
     /// What is there before the first command.
@@ -142,7 +142,7 @@ impl<'a, S: PathSink> CompensationSink<'a, S> {
             waiting: Vec::new(),
             contours,
         };
-        CompensationSink { compensator, told, control: job.control(), nominal: None }
+        CompensationSink { compensator, pending: told, control: job.control(), nominal: None }
     }
 
     /// Lets the nominal contour follow, from a G41 or G42 on whose offset is not known.
@@ -153,7 +153,7 @@ impl<'a, S: PathSink> CompensationSink<'a, S> {
                 CommandKind::Compensation { side, number: Some(_), radius_mm: None, .. }
                     if side != CompensationSide::Off
             );
-            if !unknown || self.told.contours.is_none() || !self.compensator.is_settled() {
+            if !unknown || self.pending.contours.is_none() || !self.compensator.is_settled() {
                 return;
             }
             let mut compensator =
@@ -164,7 +164,7 @@ impl<'a, S: PathSink> CompensationSink<'a, S> {
         }
         if let Some(mut nominal) = self.nominal.take() {
             nominal.command(command, &mut |diagnostic, origin| {
-                PathSink::diagnostic(&mut self.told, diagnostic, origin);
+                PathSink::diagnostic(&mut self.pending, diagnostic, origin);
             });
             self.nominal = (!nominal.compensator.is_settled()).then_some(nominal);
         }
@@ -172,18 +172,18 @@ impl<'a, S: PathSink> CompensationSink<'a, S> {
 
     /// Ends what is open when a program ends.
     pub fn finish(&mut self) {
-        self.compensator.finish(&mut self.told);
+        self.compensator.finish(&mut self.pending);
         if let Some(mut nominal) = self.nominal.take() {
             nominal.finish(&mut |diagnostic, origin| {
-                PathSink::diagnostic(&mut self.told, diagnostic, origin);
+                PathSink::diagnostic(&mut self.pending, diagnostic, origin);
             });
         }
-        self.told.judge(|contours, report| contours.finish(report));
+        self.pending.judge(|contours, report| contours.finish(report));
     }
 
     /// Whether no compensated contour is open.
     pub fn is_settled(&self) -> bool {
-        let contours = &self.told.contours;
+        let contours = &self.pending.contours;
         self.compensator.is_settled()
             && self.nominal.is_none()
             && contours.as_ref().is_none_or(ContourCheck::is_settled)
@@ -194,16 +194,16 @@ impl<S: PathSink> Sink for CompensationSink<'_, S> {
     #[inline]
     fn command(&mut self, command: &Command) {
         if !matches!(command.kind, CommandKind::Idle) {
-            self.told.inner.programmed(command);
+            self.pending.inner.programmed(command);
         }
         if self.nominal.is_some() || matches!(command.kind, CommandKind::Compensation { .. }) {
             self.follow_nominal(command);
         }
-        self.compensator.command(command, &mut self.told);
+        self.compensator.command(command, &mut self.pending);
     }
 
     fn diagnostic(&mut self, diagnostic: Diagnostic) {
-        self.told.inner.diagnostic(diagnostic, &Origin::default());
+        self.pending.inner.diagnostic(diagnostic, &Origin::default());
     }
 }
 
@@ -238,7 +238,7 @@ impl<S: PathSink> PathSink for PendingDiagnostics<'_, S> {
             contours.alarm(&diagnostic);
         }
         name_sequence(&mut diagnostic, self.sources, origin.span);
-        if origin.call == CallPath::default() || self.waiting.len() >= MOST_WAITING {
+        if origin.call == CallPath::default() || self.waiting.len() >= MAX_WAITING {
             self.inner.diagnostic(diagnostic, origin);
         } else {
             self.waiting.push((diagnostic, origin.call));

@@ -64,7 +64,7 @@ pub use chordal_path::{
 };
 pub use comp_range::{ContourRange, ContourRanges, ControlLimit, OffsetLimit};
 pub use job::{Job, JobError, TextProgram};
-pub use other_sides::{AlternativeRun, BlockDeleteRuns, MOST_SIDE_RUNS, MOST_STOCK_SIDE_RUNS};
+pub use other_sides::{AlternativeRun, BlockDeleteRuns, MAX_SIDE_RUNS, MAX_STOCK_SIDE_RUNS};
 pub use reading::{ChoiceDifference, ProgramReading, ReadingChoice, ReadingChoices};
 pub use recheck::CheckMemory;
 pub use report::{EVERY_PLACE, KEPT_PER_CODE, OtherSides, Report, RunWatch};

@@ -14,13 +14,13 @@ use crate::job::Job;
 use crate::report::{KEPT_PER_CODE, OtherSides, Report};
 
 /// Most runs that take other sides.
-pub const MOST_SIDE_RUNS: usize = 16;
+pub const MAX_SIDE_RUNS: usize = 16;
 
 /// Most of them that cut stock.
-pub const MOST_STOCK_SIDE_RUNS: usize = 4;
+pub const MAX_STOCK_SIDE_RUNS: usize = 4;
 
 /// Most blocks that such a run carries out in calls, repeats and jumps.
-const MOST_REPEATED_BLOCKS: u64 = 100_000;
+const MAX_REPEATED_BLOCKS: u64 = 100_000;
 
 /// What a run takes otherwise than the first one.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -49,14 +49,14 @@ struct PendingRun {
 
 impl Job<'_> {
     /// The jobs of the runs that take other sides than this one, which has reported `first`: at most
-    /// [`MOST_SIDE_RUNS`], and whether those are all.
+    /// [`MAX_SIDE_RUNS`], and whether those are all.
     pub fn other_side_jobs(
         &self,
         first: &[Diagnostic],
         block_delete: BlockDeleteRuns,
     ) -> (Vec<(AlternativeRun, Job<'_>)>, bool) {
         let mut jobs = Vec::new();
-        let sides = self.run_other_sides(first, MOST_SIDE_RUNS, block_delete, |job, side| {
+        let sides = self.run_other_sides(first, MAX_SIDE_RUNS, block_delete, |job, side| {
             let found = job.check_of_run(KEPT_PER_CODE).diagnostics;
             jobs.push((side, job));
             found
@@ -130,7 +130,7 @@ impl Job<'_> {
         let options = RunOptions {
             is_other_side: true,
             fulfilled: Arc::new(fulfilled),
-            max_repeated_blocks: given.max_repeated_blocks.min(MOST_REPEATED_BLOCKS),
+            max_repeated_blocks: given.max_repeated_blocks.min(MAX_REPEATED_BLOCKS),
             ..given.clone()
         };
         let job = self.with_sources(sources).options(options);
@@ -139,7 +139,7 @@ impl Job<'_> {
 
     /// Adds what checks find on the other sides of assumed conditions to a report.
     pub(crate) fn check_other_sides(&self, report: &mut Report, most_per_code: usize) {
-        self.add_other_sides(report, MOST_SIDE_RUNS, |job| {
+        self.add_other_sides(report, MAX_SIDE_RUNS, |job| {
             job.check_of_run(most_per_code).diagnostics
         });
         let OtherSides { run, left_out, .. } = &report.other_sides;
@@ -148,7 +148,7 @@ impl Job<'_> {
                 each.notes.push("the other side was run, too: its problems are listed".to_string());
             } else if left_out.contains(&each.primary.span) {
                 let message = format!(
-                    "the other side was not run: a program has at most {MOST_SIDE_RUNS} such runs"
+                    "the other side was not run: a program has at most {MAX_SIDE_RUNS} such runs"
                 );
                 each.notes.push(message);
             }

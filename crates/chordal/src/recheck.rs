@@ -20,28 +20,28 @@ use chordal_diagnostics::{
 };
 use chordal_path::{CheckedRange, ChecksMemory, CompensatorMemory, ContourCheck};
 
-use crate::compensated::{CompensationSink, MOST_WAITING};
+use crate::compensated::{CompensationSink, MAX_WAITING};
 use crate::job::{Job, no_block};
 use crate::report::{CheckSink, KEPT_PER_CODE, NoteSink, Report};
 use crate::summary::Summary;
 use crate::tool_comments::contradicted_tools;
 
-/// A stretch has about so many bytes of text, or one of [`MOST_STRETCHES`] parts of it.
-const STRETCH_BYTES: usize = 16 << 10;
+/// A stretch has about so many bytes of text, or one of [`MAX_STRETCHES`] parts of it.
+const SEGMENT_BYTES: usize = 16 << 10;
 
 /// About as many stretches at most: each holds what the control remembers where it begins.
-const MOST_STRETCHES: usize = 256;
+const MAX_STRETCHES: usize = 256;
 
 /// What a check remembers for the next one, of a changed text.
 #[derive(Debug)]
 pub struct CheckMemory {
     run: Option<SegmentedRun>,
-    stretch_bytes: usize,
+    segment_bytes: usize,
 }
 
 impl Default for CheckMemory {
     fn default() -> CheckMemory {
-        CheckMemory::with_stretches(STRETCH_BYTES)
+        CheckMemory::with_stretches(SEGMENT_BYTES)
     }
 }
 
@@ -69,7 +69,7 @@ struct CheckedSegment {
     /// The byte of the main program at which it ends.
     end: u32,
     /// What of the first text it reads elsewhere.
-    looked: Option<TextRange>,
+    text_read: Option<TextRange>,
     findings: SegmentFindings,
     /// Problems that wait for the chains of calls.
     waiting: Vec<(Diagnostic, CallPath)>,
@@ -122,7 +122,7 @@ impl SegmentFindings {
         Some(())
     }
 
-    fn tell(&self, collector: &mut Collector) {
+    fn add_to(&self, collector: &mut Collector) {
         self.kept.iter().for_each(|diagnostic| collector.push_copy(diagnostic));
         for (&(code, severity, span), &times) in &self.more {
             collector.push_uncopied(code, severity, span, times);
@@ -159,7 +159,7 @@ impl CheckedSegment {
             start.shift(shift)?;
         }
         self.end = shift.offset(self.end)?;
-        if let Some(looked) = &mut self.looked {
+        if let Some(looked) = &mut self.text_read {
             *looked = shift.range(*looked)?;
         }
         self.findings.shift(shift)?;
@@ -171,7 +171,7 @@ impl CheckedSegment {
 
     /// Whether what it reads elsewhere is still the same.
     fn reads_the_same(&self, shift: &TextShift) -> bool {
-        self.looked.is_none_or(|looked| shift.leaves(looked))
+        self.text_read.is_none_or(|looked| shift.leaves(looked))
     }
 
     /// Whether it names numbers of lines, which may have moved.
@@ -202,7 +202,7 @@ impl CheckMemory {
     /// A memory that cuts runs into stretches of about so many bytes of text, or as many as make
     /// a few hundred of them.
     pub fn with_stretches(bytes: usize) -> CheckMemory {
-        CheckMemory { run: None, stretch_bytes: bytes }
+        CheckMemory { run: None, segment_bytes: bytes }
     }
 
     /// How many blocks the last check carried out; what it kept is not counted.
@@ -222,11 +222,11 @@ impl CheckMemory {
         let numbers: Vec<Option<u32>> = here.map(|program| program.head.number).collect();
         let before = self.run.take();
         let before = before.filter(|run| run.numbers == numbers && run.main == main);
-        let bytes = self.stretch_bytes.max(job.text().len() / MOST_STRETCHES) as u32;
+        let bytes = self.segment_bytes.max(job.text().len() / MAX_STRETCHES) as u32;
         let run = before.and_then(|run| run.again(job, language, bytes));
         let run = run.unwrap_or_else(|| SegmentedRun::whole(job, language, numbers, main, bytes));
         let waiting = run.stretches.iter().map(|stretch| stretch.waiting.len()).sum::<usize>();
-        if waiting >= MOST_WAITING {
+        if waiting >= MAX_WAITING {
             return job.check();
         }
         let mut report = run.report(job, language);
@@ -321,7 +321,7 @@ impl SegmentedRun {
         let mut sink = CheckSink::new(job, ());
         let mut output = Vec::new();
         for stretch in &self.stretches {
-            stretch.findings.tell(&mut collector);
+            stretch.findings.add_to(&mut collector);
             sink.checks.add_seen(&stretch.seen);
             output.extend_from_slice(&stretch.output);
         }
@@ -367,7 +367,7 @@ impl<'a, 'o> IncrementalRun<'a, 'o> {
         let mut run = CompensationSink::new(job, Some(ContourCheck::default()), sink);
         if let Some(start) = &start {
             run.compensator.recall(&start.compensator);
-            run.told.inner.checks.recall(start.checks.clone());
+            run.pending.inner.checks.recall(start.checks.clone());
         }
         IncrementalRun { run, start, done: Vec::new(), bytes, tail, shift, met: 0, blocks: 0 }
     }
@@ -381,23 +381,23 @@ impl<'a, 'o> IncrementalRun<'a, 'o> {
     ) -> (Option<Outcome>, ChecksMemory) {
         let checkpoint = self.start.as_ref().map(|start| start.checkpoint.clone());
         let ended = language.run(main, checkpoint.as_ref(), self);
-        let outcome = ended.map(|CompletedRun { outcome, looked }| {
+        let outcome = ended.map(|CompletedRun { outcome, text_read: looked }| {
             self.run.finish();
             self.blocks = outcome.blocks;
             self.close(job.text().len() as u32, looked);
             outcome
         });
-        (outcome, self.run.told.inner.checks.memory().clone())
+        (outcome, self.run.pending.inner.checks.memory().clone())
     }
 
     fn close(&mut self, end: u32, looked: Option<TextRange>) {
-        let sink = &mut self.run.told.inner;
+        let sink = &mut self.run.pending.inner;
         self.done.push(CheckedSegment {
             start: self.start.take(),
             end,
-            looked,
+            text_read: looked,
             findings: std::mem::take(&mut sink.notes),
-            waiting: std::mem::take(&mut self.run.told.waiting),
+            waiting: std::mem::take(&mut self.run.pending.waiting),
             seen: sink.checks.take_seen(),
             output: std::mem::take(&mut sink.output),
         });
@@ -441,7 +441,7 @@ impl RunSink for IncrementalRun<'_, '_> {
         let start = SegmentStart {
             checkpoint,
             compensator: self.run.compensator.memory(),
-            checks: self.run.told.inner.checks.memory().clone(),
+            checks: self.run.pending.inner.checks.memory().clone(),
         };
         while self.known().is_some_and(|known| known < here) {
             self.met += 1;

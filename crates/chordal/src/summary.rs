@@ -39,7 +39,7 @@ pub struct AxisTravel {
     /// Lowest and highest place while cutting, where it cuts.
     pub cut_range: Option<(f64, f64)>,
     /// All ways added up, mm or rad.
-    pub way: f64,
+    pub distance: f64,
 }
 
 /// What a run comes to. Times are distance over feed, and rapids at rapid speed: without
@@ -95,7 +95,7 @@ struct PathExtent {
     high: f64,
     cut_low: f64,
     cut_high: f64,
-    way: f64,
+    distance: f64,
 }
 
 /// Sums up while commands go by.
@@ -119,7 +119,7 @@ impl SummaryBuilder {
             high: f64::NEG_INFINITY,
             cut_low: f64::INFINITY,
             cut_high: f64::NEG_INFINITY,
-            way: 0.0,
+            distance: 0.0,
         };
         let inch = control.parameters.rules.units == Units::Inch;
         SummaryBuilder {
@@ -258,14 +258,14 @@ impl SummaryBuilder {
                     SegmentKind::Rapid | SegmentKind::Line => (end[axis] - start[axis]).abs(),
                     _ => (max[axis] - min[axis]).abs(),
                 };
-                self.axes[axis].way += way;
+                self.axes[axis].distance += way;
             }
         }
         for axis in 0..3 {
             let (from, to) = (segment.rotary_from[axis], segment.rotary_to[axis]);
             if from != to {
                 self.axes[axis + 3].take(from.min(to), from.max(to), cuts);
-                self.axes[axis + 3].way += (to - from).abs();
+                self.axes[axis + 3].distance += (to - from).abs();
             }
         }
     }
@@ -288,7 +288,7 @@ impl SummaryBuilder {
             for place in places.iter().chain([&start]) {
                 self.axes[axis].take(place[axis], place[axis], cuts);
             }
-            self.axes[axis].way += way;
+            self.axes[axis].distance += way;
         }
     }
 
@@ -309,7 +309,7 @@ impl SummaryBuilder {
                     letter,
                     range: (extent.low * factor, extent.high * factor),
                     cut_range: (cut.0 <= cut.1).then_some(cut),
-                    way: extent.way,
+                    distance: extent.distance,
                 });
             }
         }

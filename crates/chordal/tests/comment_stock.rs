@@ -200,7 +200,7 @@ proptest! {
             program += &format!("({text})\n");
         }
         for machine in ["control = 'grbl'", "machine = 'fanuc-lathe'"] {
-            let _ = chordal::tool_comments::said_stock(&job(machine, &program));
+            let _ = chordal::tool_comments::commented_stock(&job(machine, &program));
         }
     }
 }

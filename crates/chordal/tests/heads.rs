@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use chordal::machine::{Axis, ToolShape};
-use chordal::tool_comments::{StockPlace, known_tools, said_stock};
+use chordal::tool_comments::{StockPlace, commented_stock, known_tools};
 use chordal::{Job, Machine, Source, SourceMap};
 
 /// Values agree within this, mm and degrees.
@@ -85,7 +85,7 @@ fn wrong_tool(job: &Job, words: &[&str]) -> Vec<String> {
 
 /// The sides that differ, of a box, a bar about Z or a size alone.
 fn wrong_stock(job: &Job, words: &[&str]) -> Option<String> {
-    let said = said_stock(job);
+    let said = commented_stock(job);
     let number = |at: usize| words[at].parse::<f64>().expect("a number");
     let near = |value: Option<f64>, expected: f64| {
         value.is_some_and(|value| (value - expected).abs() < TOLERANCE)

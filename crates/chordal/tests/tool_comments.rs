@@ -1,11 +1,11 @@
 //! Tools as programs' comments name them: a table of comments and what is read, sizes worked out by hand.
 
 use chordal::machine::ToolShape;
-use chordal::tool_comments::{SaidTool, known_tools, read_tool_comment};
+use chordal::tool_comments::{CommentedTool, known_tools, read_tool_comment};
 use chordal::{Job, Machine, Source, SourceMap};
 
 /// `T1 12 flat corner 0.5 point 118 pitch 1`, mm and degrees; `-`: nothing was read.
-fn shown(said: Option<SaidTool>) -> String {
+fn shown(said: Option<CommentedTool>) -> String {
     let Some(said) = said else { return "-".into() };
     let number =
         |value: f64| format!("{value:.5}").trim_end_matches('0').trim_end_matches('.').to_string();

@@ -7,7 +7,7 @@ use chordal::geometry::{Curve, ParamCurve, Vec3};
 use rstar::{AABB, PointDistance, RTree, RTreeObject};
 
 /// Most places that are asked for their distance; the interval is as narrow as they make it.
-const MOST_ASKED: usize = 4_000_000;
+const MAX_EVALUATIONS: usize = 4_000_000;
 
 /// A curve of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,8 +57,8 @@ pub fn distance(a: &[PathCurve], b: &[PathCurve], tolerance_mm: f64) -> Option<D
     }
     let rounding = rounding(a.iter().chain(b))?;
     let (head, tail) = common(a, b);
-    let there = one_way(&a[head..a.len() - tail], b, tolerance_mm, rounding)?;
-    Some(there.or(one_way(&b[head..b.len() - tail], a, tolerance_mm, rounding)?))
+    let there = distance_to(&a[head..a.len() - tail], b, tolerance_mm, rounding)?;
+    Some(there.or(distance_to(&b[head..b.len() - tail], a, tolerance_mm, rounding)?))
 }
 
 /// The largest distance that rounding may make of none between straight lines, mm; nothing where
@@ -156,12 +156,12 @@ struct DistanceSearch<'a> {
     tolerance_mm: f64,
     rounding: f64,
     low: f64,
-    asked: usize,
+    evaluations: usize,
     parts: BinaryHeap<CurveInterval>,
 }
 
 /// How far the pieces of one path are from another path.
-fn one_way(
+fn distance_to(
     from: &[PathCurve],
     to: &[PathCurve],
     tolerance_mm: f64,
@@ -170,13 +170,13 @@ fn one_way(
     let tree = RTree::bulk_load(to.iter().map(|piece| CurveLeaf(piece.curve)).collect());
     let parts = BinaryHeap::new();
     let mut search =
-        DistanceSearch { from, tree, tolerance_mm, rounding, low: 0.0, asked: 0, parts };
+        DistanceSearch { from, tree, tolerance_mm, rounding, low: 0.0, evaluations: 0, parts };
     for (index, piece) in from.iter().enumerate() {
         search.ends(&piece.curve)?;
         search.bound(index, 0.0, piece.curve.length(), false)?;
     }
     while let Some(part) = search.parts.pop() {
-        if part.high <= search.low + tolerance_mm || search.asked >= MOST_ASKED {
+        if part.high <= search.low + tolerance_mm || search.evaluations >= MAX_EVALUATIONS {
             return Some(DistanceBounds { low: search.low, high: part.high.max(search.low) });
         }
         let middle = part.from + (part.to - part.from) / 2.0;
@@ -202,7 +202,7 @@ impl DistanceSearch<'_> {
             return Some(());
         }
         for end in [curve.start(), curve.end()] {
-            self.asked += 1;
+            self.evaluations += 1;
             let nearest = self.tree.nearest_neighbor(end.to_array())?;
             self.low = self.low.max(self.distance_of(&nearest.0, end));
         }
@@ -214,7 +214,7 @@ impl DistanceSearch<'_> {
         let curve = &self.from[index].curve;
         let middle = from + (to - from) / 2.0;
         let place = curve.point_at(middle);
-        self.asked += 1;
+        self.evaluations += 1;
         let nearest = self.tree.nearest_neighbor(place.to_array())?.0;
         let here = self.distance_of(&nearest, place);
         self.low = self.low.max(here);

@@ -8,7 +8,7 @@ use crate::check::problem;
 use crate::row::ArchivedProblem;
 
 /// Most problems of a file that are listed; all are counted.
-const MOST_LISTED: usize = 20;
+const MAX_LISTED: usize = 20;
 
 /// The problems of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -74,7 +74,7 @@ impl ProblemList {
         let mut listed = Vec::new();
         for problem in unknown.into_iter().chain(again) {
             match left.get_mut(problem.code.as_str()) {
-                Some(left) if *left > 0 && listed.len() < MOST_LISTED => {
+                Some(left) if *left > 0 && listed.len() < MAX_LISTED => {
                     *left -= 1;
                     listed.push(problem.clone());
                 }

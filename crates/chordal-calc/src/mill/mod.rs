@@ -127,17 +127,24 @@ fn worked(ask: &ThreadMill, plan: &ThreadMillPlan) -> WorkedCalculation {
     let units = ask.units;
     let length = QuantityKind::Length;
     let mut worked = WorkedCalculation::new(format!("Thread mill: {}", program::title(ask)), units);
-    worked.given("D", "major diameter", length, ask.thread.major);
-    worked.given("P", "pitch, the lead of one start", length, ask.thread.pitch);
-    worked.given("d", "diameter of the tool", length, ask.tool_diameter);
-    worked.given("T", "depth of the thread", length, ask.depth);
+    worked.input("D", "major diameter", length, ask.thread.major);
+    worked.input("P", "pitch, the lead of one start", length, ask.thread.pitch);
+    worked.input("d", "diameter of the tool", length, ask.tool_diameter);
+    worked.input("T", "depth of the thread", length, ask.depth);
     let d = units.number(ask.tool_diameter);
     let (major, pitch) = (units.number(ask.thread.major), units.number(ask.thread.pitch));
     match ask.place {
         ThreadLocation::Inside => {
             let hole = ask.thread.minor_inside();
             let filled = format!("{major} − 1.082532·{pitch}");
-            worked.way("D1", "the hole before threading", length, hole, "D − 1.082532·P", filled);
+            worked.intermediate(
+                "D1",
+                "the hole before threading",
+                length,
+                hole,
+                "D − 1.082532·P",
+                filled,
+            );
             let filled = format!("({major} − {d})/2");
             worked.result(
                 "R",
@@ -151,10 +158,17 @@ fn worked(ask: &ThreadMill, plan: &ThreadMillPlan) -> WorkedCalculation {
         ThreadLocation::Outside => {
             let root = plan.cut_diameter;
             match ask.root {
-                Some(_) => worked.given("d3", "root diameter", length, root),
+                Some(_) => worked.input("d3", "root diameter", length, root),
                 None => {
                     let filled = format!("{major} − 1.226869·{pitch}");
-                    worked.way("d3", "root diameter", length, root, "D − 1.226869·P", filled);
+                    worked.intermediate(
+                        "d3",
+                        "root diameter",
+                        length,
+                        root,
+                        "D − 1.226869·P",
+                        filled,
+                    );
                 }
             }
             let filled = format!("({} + {d})/2", units.number(root));

@@ -7,7 +7,7 @@ use crate::numbers::AnswerUnit;
 use crate::thread::{ThreadHand, ThreadLocation};
 
 /// Turns beyond which a thread is a slip of the keyboard.
-const MOST_TURNS: f64 = 2000.0;
+const MAX_TURNS: f64 = 2000.0;
 
 /// The finest pitch, in least increments: its ramp of an eighth is still some of them.
 const FINEST_PITCH: f64 = 40.0;
@@ -198,12 +198,12 @@ fn turns(ask: &ThreadMill) -> Result<u32, CalcError> {
     // One pitch more than the depth, so that the thread runs out above the part; what rounding
     // adds is no turn.
     let turns = ((ask.depth + ask.thread.pitch) / ask.thread.pitch - 1e-6).ceil();
-    if turns <= MOST_TURNS {
+    if turns <= MAX_TURNS {
         return Ok(turns.max(1.0) as u32);
     }
     Err(CalcError::new(
         format!(
-            "a thread {} deep with a pitch of {} has {turns} turns; at most {MOST_TURNS} are written",
+            "a thread {} deep with a pitch of {} has {turns} turns; at most {MAX_TURNS} are written",
             ask.units.length(ask.depth),
             ask.units.length(ask.thread.pitch)
         ),

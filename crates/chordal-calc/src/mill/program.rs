@@ -40,12 +40,12 @@ pub(super) fn direction(ask: &ThreadMill, plan: &ThreadMillPlan) -> String {
 }
 
 /// The hole below which the Haas manual (thread milling) has doubts, mm: 3/8 in.
-const SMALL_HOLE: f64 = 9.525;
+const SMALL_HOLE_MM: f64 = 9.525;
 
 /// What to know about a small hole.
 pub(super) fn small_hole(ask: &ThreadMill) -> Option<&'static str> {
     let small =
-        ask.place == ThreadLocation::Inside && ask.thread.minor_inside() < SMALL_HOLE - 1e-9;
+        ask.place == ThreadLocation::Inside && ask.thread.minor_inside() < SMALL_HOLE_MM - 1e-9;
     small.then_some(match ask.units {
         AnswerUnit::Inch => "holes below 3/8 in may not be possible or practical to thread mill",
         AnswerUnit::Millimetre => {
@@ -62,7 +62,7 @@ pub(super) fn write(ask: &ThreadMill, plan: &ThreadMillPlan) -> String {
     let mut lines: Vec<String> = post.open.iter().map(|line| fill(line, &fillings)).collect();
     lines.extend(words.remarks());
     lines.extend(post.begin.iter().map(|line| fill(line, &fillings)));
-    lines.extend(words.way());
+    lines.extend(words.path_blocks());
     lines.extend(post.end.iter().map(|line| fill(line, &fillings)));
     let mut text = lines.join("\n");
     text.push('\n');
@@ -177,7 +177,7 @@ impl ProgramWords<'_> {
         remarks.iter().map(remark).collect()
     }
 
-    fn way(&self) -> Vec<String> {
+    fn path_blocks(&self) -> Vec<String> {
         let (ask, plan) = (self.ask, self.plan);
         let code = |number| self.post.code(number);
         let heights = &plan.heights;

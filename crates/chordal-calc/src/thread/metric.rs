@@ -97,7 +97,7 @@ const PITCH_DIAMETER: [(f64, &[(f64, f64)]); 9] = [
 ];
 
 /// The smallest diameter of the tables, mm.
-const LEAST: f64 = 0.99;
+const MIN_DIAMETER_MM: f64 = 0.99;
 
 /// The series R40 of ISO 3, as the standard uses it.
 const R40: [f64; 40] = [
@@ -138,7 +138,7 @@ impl MetricThreadSizes {
         let row = ROWS.iter().find(|row| same(row.pitch, p)).ok_or_else(|| {
             no_limits(format!("ISO 965-1 has no tolerances for a pitch of {}", units.length(p)))
         })?;
-        let range = PITCH_DIAMETER.iter().find(|(most, _)| d <= most + 1e-6 && d > LEAST);
+        let range = PITCH_DIAMETER.iter().find(|(most, _)| d <= most + 1e-6 && d > MIN_DIAMETER_MM);
         let found = range.and_then(|(_, row)| row.iter().find(|(pitch, _)| same(*pitch, p)));
         let (_, pitch_diameter) = *found.ok_or_else(|| {
             no_limits(format!(
@@ -236,7 +236,7 @@ fn outside(
     let (most, pitch_most) = (micron(d - es_crest), micron(d2 - es));
     let (least, pitch_least) = (micron(most - td), micron(pitch_most - td2));
     let mut table = |symbol: &str, meaning: String, value: f64, source: &str| {
-        worked.way(symbol, &meaning, QuantityKind::Length, value, source, source.into());
+        worked.intermediate(symbol, &meaning, QuantityKind::Length, value, source, source.into());
     };
     let position = format!("distance of {} from the basic size", crest.position);
     table("es", position, es_crest, "ISO 965-1, table 1");
@@ -293,7 +293,7 @@ fn inside(
     let (least, pitch_least) = (micron(d1 + ei_crest), micron(d2 + ei));
     let (most, pitch_most) = (micron(least + td1), micron(pitch_least + td2));
     let mut table = |symbol: &str, meaning: String, value: f64, source: &str| {
-        worked.way(symbol, &meaning, QuantityKind::Length, value, source, source.into());
+        worked.intermediate(symbol, &meaning, QuantityKind::Length, value, source, source.into());
     };
     let position = format!("distance of {} from the basic size", crest.position);
     table("EI", position, ei_crest, "ISO 965-1, table 1");

@@ -177,19 +177,19 @@ fn basic(thread: &ThreadSize, units: AnswerUnit) -> Result<WorkedCalculation, Ca
     thread.check(units)?;
     let ThreadSize { major, pitch, starts } = *thread;
     let mut worked = WorkedCalculation::new("Thread, 60° profile (UN and ISO metric)", units);
-    worked.given("D", "major (nominal) diameter", QuantityKind::Length, major);
-    worked.given("P", "pitch", QuantityKind::Length, pitch);
-    worked.given("n", "starts", QuantityKind::Number, f64::from(starts));
+    worked.input("D", "major (nominal) diameter", QuantityKind::Length, major);
+    worked.input("P", "pitch", QuantityKind::Length, pitch);
+    worked.input("n", "starts", QuantityKind::Number, f64::from(starts));
     let (d, p) = (units.number(major), units.number(pitch));
     let length = QuantityKind::Length;
     if units == AnswerUnit::Inch {
         let tpi = 25.4 / pitch;
         let filled = format!("1/{p}");
-        worked.way("TPI", "threads per inch", QuantityKind::Number, tpi, "1/P", filled);
+        worked.intermediate("TPI", "threads per inch", QuantityKind::Number, tpi, "1/P", filled);
     }
     let lead = pitch * f64::from(starts);
     worked.result("L", "lead: Z in one turn", length, lead, "n·P", format!("{starts}·{p}"));
-    worked.way(
+    worked.intermediate(
         "H",
         "height of the sharp profile",
         length,

@@ -134,8 +134,8 @@ pub(super) fn worked(
         ThreadForm::R => "major diameter at the gauge plane",
         _ => "major diameter",
     };
-    worked.given("D", meaning, QuantityKind::Length, name.major);
-    worked.given("TPI", "threads per inch", QuantityKind::Number, found.tpi);
+    worked.input("D", meaning, QuantityKind::Length, name.major);
+    worked.input("TPI", "threads per inch", QuantityKind::Number, found.tpi);
     let filled = format!("1/{} in", trimmed(found.tpi, 3));
     worked.result("P", "pitch", QuantityKind::Length, name.pitch, "1/TPI", filled);
     if name.form != ThreadForm::G {

@@ -110,7 +110,7 @@ const CONSTANT: [(f64, f64, f64); 8] = [
 ];
 
 /// Coarse pitches of ISO 261: diameter and pitch, mm.
-const COARSE: &[(f64, f64)] = &[
+const COARSE_PITCHES: &[(f64, f64)] = &[
     (1.0, 0.25),
     (1.1, 0.25),
     (1.2, 0.25),
@@ -254,7 +254,7 @@ impl UnifiedSeries {
 
 /// The coarse pitch of a metric diameter, mm.
 pub(super) fn coarse(diameter: f64) -> Option<f64> {
-    threads(COARSE, diameter)
+    threads(COARSE_PITCHES, diameter)
 }
 
 fn threads(table: ThreadTable, diameter: f64) -> Option<f64> {

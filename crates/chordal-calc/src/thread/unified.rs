@@ -94,14 +94,14 @@ fn measure(worked: &mut WorkedCalculation, sizes: &UnifiedThreadSizes) {
         ("9·P", format!("9·{}", number(sizes.p)))
     };
     let length = QuantityKind::Length;
-    worked.way("Le", "length of engagement", length, sizes.le * INCH, formula, filled);
+    worked.intermediate("Le", "length of engagement", length, sizes.le * INCH, formula, filled);
     let filled = format!(
         "0.0015·∛{d} + 0.0015·√{le} + 0.015·∛{p}²",
         d = number(sizes.d),
         le = number(sizes.le),
         p = number(sizes.p)
     );
-    worked.way(
+    worked.intermediate(
         "T2",
         "tolerance of the pitch diameter in class 2A, in inches",
         length,
@@ -122,7 +122,7 @@ fn outside(worked: &mut WorkedCalculation, sizes: &UnifiedThreadSizes, grade: u8
         _ => ("0.3·T2, to 4 decimals", format!("0.3·{}", n(t2))),
     };
     let meaning = format!("allowance of class {class}");
-    worked.way("es", &meaning, length, allowance * INCH, formula, filled);
+    worked.intermediate("es", &meaning, length, allowance * INCH, formula, filled);
 
     let (crest, crest_formula) = match grade {
         1 => (0.09, "0.09·∛P², to 4 decimals"),
@@ -130,7 +130,14 @@ fn outside(worked: &mut WorkedCalculation, sizes: &UnifiedThreadSizes, grade: u8
     };
     let td = rounded(crest * two_thirds(p), 4);
     let filled = format!("{crest}·∛{}²", n(p));
-    worked.way("Td", "tolerance of the major diameter", length, td * INCH, crest_formula, filled);
+    worked.intermediate(
+        "Td",
+        "tolerance of the major diameter",
+        length,
+        td * INCH,
+        crest_formula,
+        filled,
+    );
 
     let (share, share_formula) = match grade {
         1 => (1.5, "1.5·T2, to 4 decimals"),
@@ -139,7 +146,14 @@ fn outside(worked: &mut WorkedCalculation, sizes: &UnifiedThreadSizes, grade: u8
     };
     let td2 = rounded(share * t2, 4);
     let filled = format!("{share}·{}", n(t2));
-    worked.way("Td2", "tolerance of the pitch diameter", length, td2 * INCH, share_formula, filled);
+    worked.intermediate(
+        "Td2",
+        "tolerance of the pitch diameter",
+        length,
+        td2 * INCH,
+        share_formula,
+        filled,
+    );
 
     let most = rounded(d - allowance, 4);
     let least = rounded(most - td, 4);
@@ -222,12 +236,12 @@ fn inside(worked: &mut WorkedCalculation, sizes: &UnifiedThreadSizes, grade: u8)
     let pitch_tolerance = rounded(share * t2, 4);
     let meaning = format!("tolerance of the pitch diameter in class {class}");
     let filled = format!("{share}·{}", n(t2));
-    worked.way("TD2", &meaning, length, pitch_tolerance * INCH, share_formula, filled);
+    worked.intermediate("TD2", &meaning, length, pitch_tolerance * INCH, share_formula, filled);
     let minor_tolerance = rounded(sizes.minor(grade), 4);
     let formula = minor_formula(sizes, grade);
     let filled = formula.replace('D', &n(d)).replace('P', &n(p));
     let meaning = "tolerance of the minor diameter";
-    worked.way("TD1", meaning, length, minor_tolerance * INCH, formula, filled);
+    worked.intermediate("TD1", meaning, length, minor_tolerance * INCH, formula, filled);
 
     // Three decimals from number 6 on; the upper limit of class 3B keeps four.
     let coarse = d > THREE_DECIMALS - 1e-9;

@@ -83,7 +83,7 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
     let done = check_all(&found, &args.out, jobs, options, || disk.again(), &meter);
     meter.finish();
     let done = done.map_err(failure)?;
-    terminal.tell(&text(&done, &args.out, terminal));
+    terminal.write_error(&text(&done, &args.out, terminal));
     let is_clean = done.with_errors + done.with_warnings + done.not_proved + done.failed == 0;
     Ok(if is_clean { ExitVerdict::Clean } else { ExitVerdict::Problems })
 }

@@ -24,7 +24,7 @@ struct ProgressLines {
     /// Files and bytes that this run did itself: what the rate is made of.
     own: (u64, u64),
     began: Instant,
-    told: Instant,
+    last_report: Instant,
 }
 
 impl ProgressMeter {
@@ -41,8 +41,13 @@ impl ProgressMeter {
             bar.set_style(style);
         }
         let now = Instant::now();
-        let lines =
-            ProgressLines { files: files as u64, done: 0, own: (0, 0), began: now, told: now };
+        let lines = ProgressLines {
+            files: files as u64,
+            done: 0,
+            own: (0, 0),
+            began: now,
+            last_report: now,
+        };
         ProgressMeter { bar, lines: (asked && !drawn).then(|| Mutex::new(lines)), terminal }
     }
 
@@ -60,9 +65,9 @@ impl chordal_archive::ArchiveProgress for ProgressMeter {
             lines.own.0 += 1;
             lines.own.1 += bytes;
         }
-        if lines.told.elapsed() >= EVERY || lines.done == lines.files {
-            lines.told = Instant::now();
-            self.terminal.tell(&lines.text());
+        if lines.last_report.elapsed() >= EVERY || lines.done == lines.files {
+            lines.last_report = Instant::now();
+            self.terminal.write_error(&lines.text());
         }
     }
 }

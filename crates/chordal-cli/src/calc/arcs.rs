@@ -133,7 +133,7 @@ pub fn arc_arc(args: &ArcArcArgs) -> Result<(), CommandFailure> {
         cutter_radius: numbers.of(&args.tool)? / 2.0,
         radii: [numbers.of(&args.radius1)?, numbers.of(&args.radius2)?],
         inside: [args.arc1 == ArcSide::Inside, args.arc2 == ArcSide::Inside],
-        apart: [numbers.of(&args.dx)?, numbers.maybe(args.dy.as_ref())?.unwrap_or(0.0)],
+        center_offset: [numbers.of(&args.dx)?, numbers.maybe(args.dy.as_ref())?.unwrap_or(0.0)],
         side: args.crossing.into(),
     };
     give(arc_with_arc(&ask, numbers.units), &args.answer)

@@ -73,7 +73,7 @@ pub fn spindle(text: &str) -> Result<f64, String> {
 /// The unit of an answer, and of numbers without one.
 #[derive(Clone, Copy, Debug)]
 pub struct UnitReader {
-    asked: Option<UnitsName>,
+    requested: Option<UnitsName>,
     /// The unit of the answer.
     pub units: AnswerUnit,
 }
@@ -88,7 +88,10 @@ impl UnitReader {
             Some(name) => name == UnitsName::Inch,
             None => written.into_iter().flatten().any(|own| own.read.is_some_and(|(_, inch)| inch)),
         };
-        UnitReader { asked, units: if inch { AnswerUnit::Inch } else { AnswerUnit::Millimetre } }
+        UnitReader {
+            requested: asked,
+            units: if inch { AnswerUnit::Inch } else { AnswerUnit::Millimetre },
+        }
     }
 
     /// A length in mm, or a feed in mm/s.
@@ -97,7 +100,7 @@ impl UnitReader {
             return Ok(value);
         }
         let per = if own.dimension == QuantityDimension::Velocity { "/min" } else { "" };
-        if self.asked.is_none() {
+        if self.requested.is_none() {
             let text = &own.text;
             return Err(CommandFailure::wrong(
                 format!("`{text}` has no unit"),

@@ -67,12 +67,12 @@ impl ThreadRequest {
         match (&self.name, self.size) {
             (Some(name), _) => name.thread(starts).map_err(refused),
             (None, Some((major, pitch))) => Ok(ThreadSize { major, pitch, starts }),
-            (None, None) => Err(not_said()),
+            (None, None) => Err(missing_thread()),
         }
     }
 }
 
-fn not_said() -> CommandFailure {
+fn missing_thread() -> CommandFailure {
     CommandFailure::wrong(
         "no thread is given",
         "give its name, such as M30x2 or 1.5-8, or --diameter with --pitch or --tpi",
@@ -102,7 +102,7 @@ impl ThreadSizeArgs {
                 size: Some((numbers.of(diameter)?, pitch)),
                 numbers,
             }),
-            _ => Err(not_said()),
+            _ => Err(missing_thread()),
         }
     }
 

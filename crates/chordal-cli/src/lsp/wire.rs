@@ -10,9 +10,9 @@ use lsp_server::{Connection, ErrorCode, Message};
 use serde_json::{Value, json};
 
 /// Most bytes of a message: a text of a few million lines.
-const LONGEST: usize = 1 << 28;
+const MAX_MESSAGE_BYTES: usize = 1 << 28;
 /// Most bytes of a line of a header.
-const LONGEST_HEADER: u64 = 1 << 13;
+const MAX_HEADER_BYTES: u64 = 1 << 13;
 
 /// What came.
 #[derive(Debug, PartialEq)]
@@ -81,7 +81,7 @@ fn came(input: &mut impl BufRead) -> io::Result<WireEvent> {
     let mut wrong = None;
     loop {
         let mut line = Vec::new();
-        if input.take(LONGEST_HEADER).read_until(b'\n', &mut line)? == 0 {
+        if input.take(MAX_HEADER_BYTES).read_until(b'\n', &mut line)? == 0 {
             return Ok(WireEvent::End);
         }
         let line = line.trim_ascii();
@@ -113,9 +113,9 @@ fn came(input: &mut impl BufRead) -> io::Result<WireEvent> {
 
 fn body(input: &mut impl BufRead, size: usize) -> io::Result<WireEvent> {
     let mut rest = input.take(size as u64);
-    if size > LONGEST {
+    if size > MAX_MESSAGE_BYTES {
         io::copy(&mut rest, &mut io::sink())?;
-        return Ok(WireEvent::Wrong(format!("{size} bytes; at most {LONGEST} are read")));
+        return Ok(WireEvent::Wrong(format!("{size} bytes; at most {MAX_MESSAGE_BYTES} are read")));
     }
     let mut bytes = Vec::new();
     rest.read_to_end(&mut bytes)?;

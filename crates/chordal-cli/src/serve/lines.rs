@@ -5,7 +5,7 @@ use std::io::{BufRead, Read};
 use chordal_ask::Failure;
 
 /// Most bytes of a line: a program of a few million lines.
-const LONGEST: u64 = 1 << 28;
+const MAX_LINE_BYTES: u64 = 1 << 28;
 
 /// A line without its end, or why it cannot be taken.
 pub type InputLine = Result<Vec<u8>, Failure>;
@@ -15,16 +15,16 @@ pub type InputLine = Result<Vec<u8>, Failure>;
 pub fn read(input: &mut impl BufRead, mut take: impl FnMut(InputLine) -> bool) {
     loop {
         let mut line = Vec::new();
-        let read = input.take(LONGEST).read_until(b'\n', &mut line);
+        let read = input.take(MAX_LINE_BYTES).read_until(b'\n', &mut line);
         let told = match read {
             Ok(0) => return,
-            Ok(_) if line.len() as u64 == LONGEST && line.last() != Some(&b'\n') => {
+            Ok(_) if line.len() as u64 == MAX_LINE_BYTES && line.last() != Some(&b'\n') => {
                 line = Vec::new();
                 if input.skip_until(b'\n').is_err() {
                     return;
                 }
                 Err(Failure::wrong(
-                    format!("a line has more than {LONGEST} bytes"),
+                    format!("a line has more than {MAX_LINE_BYTES} bytes"),
                     "name the file of the program instead of its text",
                 ))
             }

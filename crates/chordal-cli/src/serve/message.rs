@@ -62,12 +62,12 @@ const FORM: &str =
 /// A line that is not a question: its `id`, as far as it can be read, and what is wrong.
 pub struct RejectedLine {
     pub id: Value,
-    pub told: Failure,
+    pub failure: Failure,
 }
 
 impl RejectedLine {
     fn of(id: &Value, told: Failure) -> Box<RejectedLine> {
-        Box::new(RejectedLine { id: id.clone(), told })
+        Box::new(RejectedLine { id: id.clone(), failure: told })
     }
 }
 

@@ -44,7 +44,7 @@ pub struct Args {
 const PROTOCOL: &str = "chordal.serve/1";
 
 /// How often the files of watched questions are looked at.
-const LOOK: Duration = Duration::from_millis(100);
+const POLL_INTERVAL: Duration = Duration::from_millis(100);
 
 pub fn run(args: &Args) -> Result<ExitVerdict, CommandFailure> {
     let Args { stdio: _ } = args;
@@ -55,7 +55,7 @@ pub fn run(args: &Args) -> Result<ExitVerdict, CommandFailure> {
     // Standard output belongs to the answers: the words of a panic go to standard error, as always.
     let mut serving =
         ServeSession { lines, waiting: VecDeque::new(), watching: WatchList::default() };
-    serving.tell(&json!({ "protocol": PROTOCOL, "version": env!("CARGO_PKG_VERSION") }))?;
+    serving.send(&json!({ "protocol": PROTOCOL, "version": env!("CARGO_PKG_VERSION") }))?;
     serving.until_the_end()?;
     Ok(ExitVerdict::Clean)
 }
@@ -83,7 +83,7 @@ impl ServeSession {
     fn take_lines(&mut self) -> Result<bool, CommandFailure> {
         let wait = match (self.waiting.is_empty(), self.watching.is_empty()) {
             (false, _) => Duration::ZERO,
-            (true, false) => LOOK,
+            (true, false) => POLL_INTERVAL,
             (true, true) => Duration::MAX,
         };
         let mut next = self.lines.recv_timeout(wait);
@@ -100,7 +100,7 @@ impl ServeSession {
     fn take(&mut self, line: lines::InputLine) -> Result<(), CommandFailure> {
         let line = match line {
             Ok(line) => line,
-            Err(told) => return self.tell(&json!({ "id": null, "error": told.json() })),
+            Err(told) => return self.send(&json!({ "id": null, "error": told.json() })),
         };
         match ServeMessage::read(&line) {
             Ok(ServeMessage::Ask(question)) => self.waiting.push_back(*question),
@@ -108,10 +108,10 @@ impl ServeSession {
                 let before = self.waiting.len();
                 self.waiting.retain(|question| question.id != id);
                 let was_known = self.watching.forget(&id) || self.waiting.len() < before;
-                self.tell(&json!({ "id": id, "cancelled": was_known }))?;
+                self.send(&json!({ "id": id, "cancelled": was_known }))?;
             }
             Err(refused) => {
-                self.tell(&json!({ "id": refused.id, "error": refused.told.json() }))?;
+                self.send(&json!({ "id": refused.id, "error": refused.failure.json() }))?;
             }
         }
         Ok(())
@@ -131,10 +131,10 @@ impl ServeSession {
         if question.is_watched {
             self.watching.keep(question, stamps);
         }
-        self.tell(&told)
+        self.send(&told)
     }
 
-    fn tell(&self, message: &Value) -> Result<(), CommandFailure> {
+    fn send(&self, message: &Value) -> Result<(), CommandFailure> {
         let mut out = io::stdout().lock();
         let written = writeln!(out, "{message}").and_then(|()| out.flush());
         written.map_err(|error| CommandFailure::write("standard output", &error))

@@ -8,7 +8,7 @@ use super::message::PendingQuestion;
 use super::stamp::FileStamp;
 
 /// A file that is being written is read when it has been left alone for so long.
-const SETTLED: Duration = Duration::from_millis(100);
+const QUIET_TIME: Duration = Duration::from_millis(100);
 
 /// The watched questions.
 #[derive(Default)]
@@ -57,6 +57,6 @@ impl WatchedQuestion {
         if now != self.seen {
             (self.seen, self.since) = (now, Instant::now());
         }
-        self.seen != self.read && self.since.elapsed() >= SETTLED
+        self.seen != self.read && self.since.elapsed() >= QUIET_TIME
     }
 }

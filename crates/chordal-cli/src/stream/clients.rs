@@ -7,13 +7,13 @@ use std::time::{Duration, Instant};
 use super::shdr::Observations;
 
 /// Most clients at a time.
-const MOST: usize = 16;
+const MAX_CLIENTS: usize = 16;
 
 /// A client that does not take its lines for so long is let go.
-const PATIENCE: Duration = Duration::from_secs(1);
+const CLIENT_TIMEOUT: Duration = Duration::from_secs(1);
 
 /// How often clients are looked after.
-const LOOK: Duration = Duration::from_millis(5);
+const POLL_INTERVAL: Duration = Duration::from_millis(5);
 
 /// What a client is told of how long it may wait for the next answer, ms.
 const HEARTBEAT: &str = "* PONG 10000\n";
@@ -28,7 +28,7 @@ pub struct StreamClients {
 struct StreamClient {
     stream: TcpStream,
     /// It has got everything that was observed before it came.
-    is_told: bool,
+    has_state: bool,
 }
 
 impl StreamClients {
@@ -42,7 +42,7 @@ impl StreamClients {
         while self.connected.is_empty() {
             match self.listener.accept() {
                 Ok((stream, _)) => self.add(stream),
-                Err(_) => std::thread::sleep(LOOK),
+                Err(_) => std::thread::sleep(POLL_INTERVAL),
             }
         }
         self.is_blocking = self.listener.set_nonblocking(true).is_err();
@@ -56,7 +56,7 @@ impl StreamClients {
             if left.is_zero() {
                 return;
             }
-            std::thread::sleep(left.min(LOOK));
+            std::thread::sleep(left.min(POLL_INTERVAL));
         }
     }
 
@@ -70,17 +70,17 @@ impl StreamClients {
     }
 
     fn look_after(&mut self, seen: &Observations) {
-        while !self.is_blocking && self.connected.len() < MOST {
+        while !self.is_blocking && self.connected.len() < MAX_CLIENTS {
             match self.listener.accept() {
                 Ok((stream, _)) => self.add(stream),
                 Err(_) => break,
             }
         }
         self.connected.retain_mut(|client| client.answer());
-        if self.connected.iter().any(|client| !client.is_told) {
+        if self.connected.iter().any(|client| !client.has_state) {
             let all = seen.all_lines();
             self.connected.retain_mut(|client| {
-                let is_new = !std::mem::replace(&mut client.is_told, true);
+                let is_new = !std::mem::replace(&mut client.has_state, true);
                 !is_new || client.stream.write_all(all.as_bytes()).is_ok()
             });
         }
@@ -89,11 +89,11 @@ impl StreamClients {
     fn add(&mut self, stream: TcpStream) {
         let ready = stream
             .set_nonblocking(false)
-            .and_then(|()| stream.set_write_timeout(Some(PATIENCE)))
+            .and_then(|()| stream.set_write_timeout(Some(CLIENT_TIMEOUT)))
             .and_then(|()| stream.set_read_timeout(Some(Duration::from_millis(1))))
             .and_then(|()| stream.set_nodelay(true));
         if ready.is_ok() {
-            self.connected.push(StreamClient { stream, is_told: false });
+            self.connected.push(StreamClient { stream, has_state: false });
         }
     }
 }

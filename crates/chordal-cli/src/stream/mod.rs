@@ -74,8 +74,13 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     let report = job.report();
-    terminal.tell(&recognized(&loaded));
-    terminal.tell(&report::text(&report, job.sources(), terminal.err, ReportDetail::default()));
+    terminal.write_error(&recognized(&loaded));
+    terminal.write_error(&report::text(
+        &report,
+        job.sources(),
+        terminal.err,
+        ReportDetail::default(),
+    ));
     let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, args.port)).map_err(|error| {
         let message = format!("port {} of 127.0.0.1 cannot be used: {error}", args.port);
         CommandFailure::wrong(message, "take another --port; 0 takes a free one")

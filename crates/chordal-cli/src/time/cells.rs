@@ -6,14 +6,14 @@ use chordal::time::OperationTime;
 use crate::numbers::{duration, fixed};
 
 /// Most operations that are listed.
-pub const MOST_OPERATIONS: usize = 30;
+pub const MAX_OPERATIONS: usize = 30;
 
 /// Times that differ by less than this, s, are the same: less than is shown.
-pub const SAME_S: f64 = 0.0005;
+pub const EQUAL_TIME_S: f64 = 0.0005;
 
 /// Times of blocks are short: three decimals below ten seconds.
 pub fn fine(seconds: f64) -> String {
-    if seconds < SAME_S {
+    if seconds < EQUAL_TIME_S {
         "-".to_string()
     } else if seconds < 9.9995 {
         format!("{} s", fixed(seconds, 3))

@@ -4,7 +4,7 @@ use chordal::Job;
 use chordal::time::{Least, LeastReport, TimeReport};
 use comfy_table::Table;
 
-use super::cells::{MOST_OPERATIONS, fine, lines};
+use super::cells::{MAX_OPERATIONS, fine, lines};
 use crate::numbers::short;
 use crate::summary::{plain_table, tool_name};
 
@@ -18,7 +18,7 @@ pub fn table(least: &LeastReport, time: &TimeReport, job: &Job) -> Table {
     let mut table = plain_table(&header, 2);
     if least.operations.len() > 1 {
         let operations = time.operations.iter().zip(&least.operations);
-        for (operation, least) in operations.take(MOST_OPERATIONS) {
+        for (operation, least) in operations.take(MAX_OPERATIONS) {
             table.add_row(row([tool_name(operation.tool, job), lines(operation)], least));
         }
     }

@@ -18,7 +18,7 @@ use self::picture::TimePicture;
 use crate::failure::{CommandFailure, ExitVerdict};
 use crate::options::{AnswerFormat, CommonArgs};
 use crate::programs::load_one;
-use crate::rows::tell;
+use crate::rows::print_problems;
 use crate::summary::subtitle;
 use crate::terminal::{TerminalSupport, say};
 
@@ -127,7 +127,7 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
     let question = TimeQuestion { options, again, bound: args.bound };
     let (report, study) = job.time_study(&question);
     let Some(study) = study.map_err(|error| wrong_limit(&error))? else {
-        return Ok(tell(&report, &loaded, &job, terminal));
+        return Ok(print_problems(&report, &loaded, &job, terminal));
     };
     let text = match args.format {
         AnswerFormat::Text => text::text(loaded.name(), &study, &report, &job, terminal.out),
@@ -142,7 +142,7 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
         picture.draw(&job, &question.options, &study.timed, report.summary.inch, &plot)?;
     }
     say(&text)?;
-    Ok(tell(&report, &loaded, &job, terminal))
+    Ok(print_problems(&report, &loaded, &job, terminal))
 }
 
 /// A limit nothing can be planned with.

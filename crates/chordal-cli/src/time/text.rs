@@ -8,7 +8,7 @@ use chordal::{Job, OtherSides, Report};
 use chordal_export::comment_text;
 use comfy_table::Table;
 
-use super::cells::{MOST_OPERATIONS, SAME_S, fine, lines};
+use super::cells::{EQUAL_TIME_S, MAX_OPERATIONS, fine, lines};
 use super::{chords, corners, least};
 use crate::numbers::{counted, short};
 use crate::sheet::Sheet;
@@ -18,7 +18,7 @@ use crate::summary::{motion_law, plain_table, tool_name};
 const WIDTH: usize = 80;
 
 /// Blocks of the second list, those that lose the most.
-const MOST_COSTLIEST: usize = 5;
+const MAX_COSTLIEST: usize = 5;
 
 /// The time of a program.
 pub fn text(name: &str, study: &TimeStudy, report: &Report, job: &Job, color: bool) -> String {
@@ -40,14 +40,14 @@ pub fn text(name: &str, study: &TimeStudy, report: &Report, job: &Job, color: bo
             false => "operations, from one tool change to the next",
         };
         sheet.table(title, &operations(time, job, named));
-        let more = time.operations.len().saturating_sub(MOST_OPERATIONS) as u64;
+        let more = time.operations.len().saturating_sub(MAX_OPERATIONS) as u64;
         if more + time.operations_left_out > 0 {
             let more = counted(more + time.operations_left_out, "operation", "operations");
             sheet.line(&format!("and {more} more"));
         }
     }
     sheet.table("blocks that take the longest", &blocks(&time.longest, |block| block.reason, job));
-    let costliest = &time.costliest[..time.costliest.len().min(MOST_COSTLIEST)];
+    let costliest = &time.costliest[..time.costliest.len().min(MAX_COSTLIEST)];
     // In a short program both lists hold the same blocks.
     let longest: Vec<_> = time.longest.iter().map(|block| block.origin.span).collect();
     if costliest.iter().any(|block| !longest.contains(&block.origin.span)) {
@@ -141,7 +141,7 @@ fn operations(time: &TimeReport, job: &Job, named: bool) -> Table {
     if let Some(column) = table.column_mut(6) {
         column.set_cell_alignment(comfy_table::CellAlignment::Left);
     }
-    for operation in time.operations.iter().take(MOST_OPERATIONS) {
+    for operation in time.operations.iter().take(MAX_OPERATIONS) {
         let times = &operation.times;
         let mut row = vec![
             tool_name(operation.tool, job),
@@ -207,7 +207,7 @@ fn alternatives(alternatives: &[Alternative], time: &TimeReport, inch: bool) -> 
     let units = if inch { ProgramUnits::Inch } else { ProgramUnits::Millimetre };
     for Alternative { change, total_s } in alternatives {
         let difference = total_s - time.total_s();
-        let same = difference.abs() < SAME_S;
+        let same = difference.abs() < EQUAL_TIME_S;
         if same && matches!(change, Change::Feed(_) | Change::Rapid(_)) {
             continue;
         }

@@ -15,7 +15,7 @@ use crate::failure::CommandFailure;
 use crate::numbers::{SummaryUnits, grouped, short};
 
 /// A surface that may be so far off is none.
-const MOST_TOLERANCE_MM: f64 = 10.0;
+const MAX_TOLERANCE_MM: f64 = 10.0;
 
 /// How the map of `--heights` is used.
 #[derive(clap::Args)]
@@ -89,9 +89,9 @@ impl HeightMapInput {
             None => usual,
             Some(text) => length(text, units)?,
         };
-        if !(tolerance_mm > 0.0 && tolerance_mm <= MOST_TOLERANCE_MM) {
+        if !(tolerance_mm > 0.0 && tolerance_mm <= MAX_TOLERANCE_MM) {
             return Err(CommandFailure::wrong(
-                format!("a tolerance lies above zero and within {MOST_TOLERANCE_MM} mm"),
+                format!("a tolerance lies above zero and within {MAX_TOLERANCE_MM} mm"),
                 "write a length, such as 0.01mm",
             ));
         }

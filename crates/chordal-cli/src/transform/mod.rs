@@ -320,7 +320,7 @@ fn shift(words: &[String], units: SummaryUnits) -> Result<Option<[f64; 3]>, Comm
 pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
-    terminal.tell(&recognized(&loaded));
+    terminal.write_error(&recognized(&loaded));
     let units = SummaryUnits::of(job.report().summary.inch);
     let steps = steps(args, units)?;
     let bent =
@@ -373,7 +373,7 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
         let machine = loaded.machine().clone();
         let (file, options) = (out.map(PathBuf::as_path), ComparisonOptions::default());
         let made = GeneratedProgram { how: "changed", file, text: done.text, machine, options };
-        view::beside(&args.file, loaded.text(), &args.common, made, terminal)?;
+        view::show_pair(&args.file, loaded.text(), &args.common, made, terminal)?;
     }
     Ok(if holds { ExitVerdict::Clean } else { ExitVerdict::Problems })
 }

@@ -16,16 +16,16 @@ use crate::out::RowOutput;
 use crate::terminal::say;
 
 /// So many parts are shown with the lines that they begin with.
-const MOST_SHOWN: usize = 8;
+const MAX_SHOWN: usize = 8;
 
 /// Parts a program, which may have been changed before.
 pub fn run(
     job: &Job,
     by: SplitBy,
-    asked: &TransformRequest,
+    request: &TransformRequest,
     before: Option<(&TransformedProgram, &Job)>,
 ) -> Result<ExitVerdict, CommandFailure> {
-    let TransformRequest { args, loaded } = asked;
+    let TransformRequest { args, loaded } = request;
     let done = match split(job, by) {
         Ok(done) => done,
         Err(refusal) => {
@@ -47,7 +47,7 @@ pub fn run(
     match args.format {
         AnswerFormat::Text => {
             let changes = before.map(|(changed, old)| difference(changed, loaded, [old, job]));
-            say(&(changes.unwrap_or_default() + &text(&done, job, by, asked, &written)))?;
+            say(&(changes.unwrap_or_default() + &text(&done, job, by, request, &written)))?;
         }
         AnswerFormat::Json => {
             let names: Vec<String> =
@@ -83,7 +83,7 @@ fn text(
     done: &SplitProgram,
     job: &Job,
     by: SplitBy,
-    asked: &TransformRequest,
+    request: &TransformRequest,
     written: &[PathBuf],
 ) -> String {
     let count = counted(done.parts.len() as u64, "part", "parts");
@@ -108,7 +108,7 @@ fn text(
             part.lines[1],
             grouped(part.text.len() as u64)
         );
-        for line in part.begin.iter().take(if index < MOST_SHOWN { usize::MAX } else { 0 }) {
+        for line in part.begin.iter().take(if index < MAX_SHOWN { usize::MAX } else { 0 }) {
             text += &format!("     + {line}\n");
         }
     }
@@ -124,7 +124,7 @@ fn text(
         certificate.tolerance_mm,
     );
     let names: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
-    text += &match (names.as_slice(), certificate.holds(), &asked.args.output) {
+    text += &match (names.as_slice(), certificate.holds(), &request.args.output) {
         ([], true, None) => "nothing is written: give a file with -o\n".to_string(),
         ([], true, Some(_)) => "nothing is written: --dry-run\n".into(),
         ([], false, _) => "nothing is written: the proof failed (--unproved writes it)\n".into(),

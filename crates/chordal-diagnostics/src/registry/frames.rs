@@ -27,7 +27,7 @@ that plane, and the plane may not change before G69.
     G17 G68 X0 Y0 R30.
     G18 G2 X10. Z0 I5. K0        ZX is not the plane that was turned"#;
 
-    FrameBesideReference = 433, "frame-beside-reference", Warning;
+    FrameWithReference = 433, "frame-beside-reference", Warning;
     "a reference return or a work offset while coordinates are mirrored, scaled or rotated";
     r#"Manuals ask to cancel G68, G51 and G51.1 before G27 to G30, G52 to G59 and G92. Controls carry the block out, but
 what becomes of the centre of a rotation or a scaling differs from one to the next.

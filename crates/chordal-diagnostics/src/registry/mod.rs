@@ -92,7 +92,7 @@ impl Code {
     }
 
     /// Said once in a file: what holds for all its numbers.
-    pub const fn is_said_once(self) -> bool {
+    pub const fn is_once_per_file(self) -> bool {
         matches!(self, Code::ExcessDecimals)
     }
 

@@ -386,7 +386,7 @@ fn apply(
     own: &[Setting],
     parameters: &mut Parameters,
     name: &str,
-    given: &Given,
+    context: &Given,
 ) -> Result<(), SettingError> {
     let refuse = |message: String, help: Option<String>| SettingError {
         name: name.to_string(),
@@ -405,13 +405,13 @@ fn apply(
             near.map(|(_, near)| format!("did you mean `{near}`?")),
         ));
     };
-    let written = shown(&given.value);
+    let written = shown(&context.value);
     let word = setting
         .values
         .iter()
         .find(|(own_word, _)| own_word.eq_ignore_ascii_case(&written))
         .map_or(written.as_str(), |(_, word)| word);
-    set(parameters, setting.field, word, &given.value).map_err(|wanted| {
+    set(parameters, setting.field, word, &context.value).map_err(|wanted| {
         refuse(format!("`{name}` cannot be `{written}`"), Some(format!("it takes {wanted}")))
     })
 }

@@ -49,7 +49,7 @@ const LASER_MODES: Choices<bool> =
     &[("on", true), ("off", false), ("1", true), ("0", false), ("2", false)];
 
 const SHORT_BLOCKS: Choices<ShortBlocks> = &[
-    ("apart", ShortBlocks::Apart),
+    ("apart", ShortBlocks::Separate),
     ("look-ahead", ShortBlocks::LookAhead),
     ("joined", ShortBlocks::Joined),
 ];

@@ -5,7 +5,7 @@ use chordal::Code;
 use super::{ControlView, without_places};
 
 /// A text of an alarm that is looked for has at least so many letters.
-const LEAST_LETTERS: usize = 8;
+const MIN_LETTERS: usize = 8;
 
 /// An alarm by its number (`alarm 304`, `PS0010`, `P70`) or by its text, on each control that has it; `None`
 /// where no control shows such an alarm for what Chordal finds.
@@ -54,7 +54,7 @@ fn is_meant(word: &str, alarm: &str) -> bool {
             number == of.1 && (letters == of.0 || letters.is_empty() && word.starts_with("ALARM"))
         }
         (Some(_), None) => false,
-        (None, _) => word.len() >= LEAST_LETTERS && alarm.contains(word),
+        (None, _) => word.len() >= MIN_LETTERS && alarm.contains(word),
     }
 }
 

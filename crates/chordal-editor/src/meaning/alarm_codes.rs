@@ -129,7 +129,7 @@ fn of_once(code: OnceCode) -> Vec<Code> {
             Code::FrameValue,
             Code::UnequalScaleArc,
             Code::FramePlane,
-            Code::FrameBesideReference,
+            Code::FrameWithReference,
             Code::FrameInCompensation,
             Code::ScalingOption,
             Code::RotationOption,
@@ -140,7 +140,7 @@ fn of_once(code: OnceCode) -> Vec<Code> {
         ],
         OnceCode::MirrorOff => vec![Code::FrameInCompensation, Code::OneAxisAfterFrame],
         OnceCode::ReturnToReference { .. } | OnceCode::ReturnFromReference | OnceCode::Home => {
-            vec![Code::ReferenceInCompensation, Code::FrameBesideReference]
+            vec![Code::ReferenceInCompensation, Code::FrameWithReference]
         }
         OnceCode::LocalShift
         | OnceCode::PresetPosition

@@ -53,7 +53,7 @@ fn row_text(letter: u8, row: &CodeRow, view: &ControlView, several: bool) -> Str
     match several {
         true if row.words != Letters::NONE => {
             let letters: Vec<String> = row.words.iter().map(String::from).collect();
-            facts.add("takes", &format!("{}{}", letters.join(" "), beside(row.action)));
+            facts.add("takes", &format!("{}{}", letters.join(" "), extra_words(row.action)));
         }
         true => {}
         false => {
@@ -108,7 +108,7 @@ fn row_text(letter: u8, row: &CodeRow, view: &ControlView, several: bool) -> Str
 }
 
 /// What stands in the block in addition to a code's own words.
-fn beside(action: Action) -> &'static str {
+fn extra_words(action: Action) -> &'static str {
     match action {
         Action::Motion(_) | Action::Cycle(_) => ", with the axes and F",
         Action::Mode(_) | Action::Length(_) => ", with the axes",
@@ -154,7 +154,7 @@ fn facts_of_action(action: Action, view: &ControlView, several: bool, facts: &mu
         match view.table.arc_turns {
             ArcTurns::None => {}
             ArcTurns::Extra => facts.add("turns", "P: full turns in addition to the arc itself"),
-            ArcTurns::BesideAngle => facts.add(
+            ArcTurns::BeyondAngle => facts.add(
                 "turns",
                 "P: full turns in addition to the angle from start to end; all turns of a full circle",
             ),

@@ -87,7 +87,7 @@ pub fn letter_meanings(letter: u8, view: &ControlView) -> Vec<String> {
         match table.arc_turns {
             ArcTurns::None => {}
             ArcTurns::Extra => add("with an arc: additional full turns"),
-            ArcTurns::BesideAngle => {
+            ArcTurns::BeyondAngle => {
                 add("with an arc: additional full turns; all turns of a full circle");
             }
             ArcTurns::Total => add("with an arc: all turns, the arc itself counted as one"),

@@ -194,7 +194,11 @@ pub fn both_units(mm: f64) -> String {
 
 /// A list that does not run on for ever.
 pub(crate) fn some(names: &[String]) -> String {
-    const MOST: usize = 14;
-    let shown = names[..names.len().min(MOST)].join(" ");
-    if names.len() > MOST { format!("{shown} … ({} in all)", names.len()) } else { shown }
+    const MAX_FACT_LINES: usize = 14;
+    let shown = names[..names.len().min(MAX_FACT_LINES)].join(" ");
+    if names.len() > MAX_FACT_LINES {
+        format!("{shown} … ({} in all)", names.len())
+    } else {
+        shown
+    }
 }

@@ -453,7 +453,7 @@ fn arc(letter: u8, view: &ControlView) -> Option<String> {
         (b'P', _) => match view.table.arc_turns {
             ArcTurns::None => return None,
             ArcTurns::Extra => "full turns in addition to the arc's own",
-            ArcTurns::BesideAngle => {
+            ArcTurns::BeyondAngle => {
                 "full turns in addition to the angle from start to end; all turns of a full circle"
             }
             ArcTurns::Total => "all turns, the arc's own counted as one",

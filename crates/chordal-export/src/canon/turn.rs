@@ -6,7 +6,7 @@ use chordal::control::{ArcShape, Position};
 use chordal::geometry::{Plane, Spline, Transform, Vec3};
 
 /// Control points nearer than this to a plane lie in it, mm.
-const FLAT_MM: f64 = 1e-9;
+const PLANAR_MM: f64 = 1e-9;
 
 /// The turn about the zero of the work coordinate system, and what presets and shifts put between that and the zero of
 /// the program.
@@ -97,7 +97,7 @@ impl CoordinateRotation {
 fn upright_plane(points: &[Vec3]) -> Option<Plane> {
     let first = points.first()?;
     let is_flat =
-        |of: fn(&Vec3) -> f64| points.iter().all(|at| (of(at) - of(first)).abs() < FLAT_MM);
+        |of: fn(&Vec3) -> f64| points.iter().all(|at| (of(at) - of(first)).abs() < PLANAR_MM);
     match (is_flat(|at| at.x), is_flat(|at| at.y), is_flat(|at| at.z)) {
         (_, _, true) => None,
         (_, true, _) => Some(Plane::Zx),

@@ -3,7 +3,7 @@
 use chordal::geometry::Vec3;
 
 /// A window over pixels reaches so many columns to each side.
-const REACH: f64 = 1.5;
+const WINDOW_COLUMNS: f64 = 1.5;
 /// Where pixels that lie next to each other differ by more columns the surface ends.
 const ENDS: f64 = 2.5;
 
@@ -31,11 +31,11 @@ impl DepthBuffer<'_> {
     }
 
     fn reach(&self) -> usize {
-        (REACH * self.column / self.pixel).round().clamp(1.0, 64.0) as usize
+        (WINDOW_COLUMNS * self.column / self.pixel).round().clamp(1.0, 64.0) as usize
     }
 
     /// The sum of depths on one side of a pixel as far as the surface goes on, and how many there are.
-    fn beside(&self, depths: &[f64], at: usize, step: usize, forward: bool) -> (f64, usize) {
+    fn sum_along(&self, depths: &[f64], at: usize, step: usize, forward: bool) -> (f64, usize) {
         let most = ENDS * self.column;
         let along = if step == 1 { at % self.width } else { at / self.width };
         let last = if step == 1 { self.width } else { depths.len() / self.width } - 1;
@@ -56,7 +56,7 @@ impl DepthBuffer<'_> {
     /// Each depth with those along a direction.
     fn smoothed(&self, depths: &[f64], step: usize) -> Vec<f64> {
         let smooth = |at: usize| {
-            let [(a, m), (b, n)] = [false, true].map(|side| self.beside(depths, at, step, side));
+            let [(a, m), (b, n)] = [false, true].map(|side| self.sum_along(depths, at, step, side));
             if depths[at].is_finite() {
                 (depths[at] + a + b) / (1 + m + n) as f64
             } else {
@@ -68,7 +68,7 @@ impl DepthBuffer<'_> {
 
     /// How the depth rises along a direction.
     fn slope(&self, depths: &[f64], at: usize, step: usize) -> f64 {
-        let ends = [false, true].map(|side| self.beside(depths, at, step, side));
+        let ends = [false, true].map(|side| self.sum_along(depths, at, step, side));
         let mean = |(sum, count): (f64, usize)| {
             if count > 0 { sum / count as f64 } else { depths[at] }
         };

@@ -11,15 +11,15 @@ use super::text::{escape, px};
 use super::{PlotError, PlotOptions, render};
 
 /// The least sheet, px.
-const LEAST: f64 = 200.0;
+const MIN_SHEET_PX: f64 = 200.0;
 /// A sheet of this height has texts of the sizes below, px.
 const HEIGHT: f64 = 800.0;
 const LABEL: f64 = 16.0;
 const FORMULA: f64 = 15.0;
 const LINE: f64 = 21.0;
 /// Smaller texts than this share are no help.
-const SMALLEST: f64 = 0.8;
-const MARGIN: f64 = 28.0;
+const MIN_TEXT_SHARE: f64 = 0.8;
+const MARGIN_PX: f64 = 28.0;
 const HEAD: f64 = 58.0;
 /// Room around the drawing for its texts.
 const AROUND: f64 = 46.0;
@@ -59,14 +59,16 @@ struct FigureSheet<'a> {
 
 impl<'a> FigureSheet<'a> {
     fn new(worked: &'a WorkedCalculation, options: &PlotOptions) -> FigureSheet<'a> {
-        let (width, height) =
-            (f64::from(options.width_px).max(LEAST), f64::from(options.height_px).max(LEAST));
+        let (width, height) = (
+            f64::from(options.width_px).max(MIN_SHEET_PX),
+            f64::from(options.height_px).max(MIN_SHEET_PX),
+        );
         let unit = (height / HEIGHT).min(width / 1.4 / HEIGHT).max(0.25);
         let room = LabelBox {
-            left: MARGIN * unit,
-            top: (MARGIN + HEAD) * unit,
-            width: width * 0.62 - MARGIN * unit,
-            height: height - (2.0 * MARGIN + HEAD) * unit,
+            left: MARGIN_PX * unit,
+            top: (MARGIN_PX + HEAD) * unit,
+            width: width * 0.62 - MARGIN_PX * unit,
+            height: height - (2.0 * MARGIN_PX + HEAD) * unit,
         };
         let (low, high) = bounds(&worked.figure);
         let (wide, high_mm) = ((high.a - low.a).max(1e-9), (high.b - low.b).max(1e-9));
@@ -334,12 +336,12 @@ impl<'a> FigureSheet<'a> {
     /// Title, what is given, and each formula with its numbers.
     fn formulas(&mut self) {
         let unit = self.unit;
-        let left = self.room.left + self.room.width + MARGIN * unit;
-        let width = self.width - left - MARGIN * unit;
+        let left = self.room.left + self.room.width + MARGIN_PX * unit;
+        let width = self.width - left - MARGIN_PX * unit;
         let title = escape(&self.worked.title);
         let letters = self.worked.title.chars().count().max(1) as f64;
-        let size = (25.0 * unit).min((self.width - 2.0 * MARGIN * unit) / (0.56 * letters));
-        self.text(MARGIN * unit, (MARGIN + 26.0) * unit, size, self.colors.text, &title);
+        let size = (25.0 * unit).min((self.width - 2.0 * MARGIN_PX * unit) / (0.56 * letters));
+        self.text(MARGIN_PX * unit, (MARGIN_PX + 26.0) * unit, size, self.colors.text, &title);
         // With everything; where that is too much, closer together, or the results alone.
         let room = self.room.height;
         let all = self.lines(width / unit, true);
@@ -347,7 +349,7 @@ impl<'a> FigureSheet<'a> {
         let shrink = |lines: &[(String, bool)]| room / (lines.len() as f64 * LINE * unit);
         let lines = [all, close]
             .into_iter()
-            .find(|lines| shrink(lines) >= SMALLEST)
+            .find(|lines| shrink(lines) >= MIN_TEXT_SHARE)
             .unwrap_or_else(|| self.lines(width / unit, false));
         let shrink = shrink(&lines).min(1.0);
         let mut y = self.room.top + FORMULA * unit * shrink;
@@ -376,7 +378,7 @@ impl<'a> FigureSheet<'a> {
         let worked = self.worked;
         let most = (width / extent("m", FORMULA).0).max(12.0) as usize;
         let mut lines = Vec::new();
-        for given in &worked.given {
+        for given in &worked.inputs {
             let text = format!("{} = {}", given.symbol, given.text(worked.units));
             lines.extend(wrap(&text, most).into_iter().map(|line| (line, false)));
         }

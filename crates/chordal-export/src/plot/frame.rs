@@ -10,7 +10,7 @@ use super::view::{PixelRect, ViewPanel};
 pub(super) const INCH: f64 = 25.4;
 const LETTERS: [&str; 3] = ["X", "Y", "Z"];
 /// More lines than this are no help.
-const MOST_TICKS: f64 = 200.0;
+const MAX_TICKS: f64 = 200.0;
 
 /// The steps of the grid, the same in all views.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,7 +59,7 @@ impl GridSteps {
         let (first, last) = ((low / self.step).ceil(), (high / self.step).floor());
         // Beyond this the numbers of neighbours are the same double.
         let distinct = first.abs().max(last.abs()) < 1e12;
-        if !distinct || last - first > MOST_TICKS {
+        if !distinct || last - first > MAX_TICKS {
             return Vec::new();
         }
         (0..=(last - first).max(-1.0) as i64).map(|n| (first + n as f64) * self.step).collect()

@@ -5,21 +5,21 @@ use chordal::geometry::{Aabb, Vec3};
 use super::view::{FACE, FRONT, ISOMETRIC, PixelRect, SIDE, TOP, TURNED, ViewDirection, ViewPanel};
 
 /// Measures in units: a unit is a pixel on a sheet of 1600 by 1131.
-pub(super) const MARGIN: f64 = 30.0;
+pub(super) const MARGIN_UNITS: f64 = 30.0;
 const HEADER: f64 = 72.0;
 const TICKS_LEFT: f64 = 58.0;
 const TICKS_BELOW: f64 = 26.0;
 const TITLE: f64 = 26.0;
 const BETWEEN: f64 = 18.0;
 /// A path of a lathe that is wider across than this is also seen from its face, mm.
-const FLAT_MM: f64 = 1e-6;
+const PLANAR_MM: f64 = 1e-6;
 /// The share of the width that the face gets.
 const FACE_SHARE: f64 = 0.4;
 /// Room within a view around what is drawn.
 const INSIDE: f64 = 22.0;
 
 /// The least share of the room that a column or row of views gets.
-const LEAST: PanelShare = PanelShare { left: 0.3, right: 0.2, upper: 0.35, lower: 0.14 };
+const MIN_SHARE: PanelShare = PanelShare { left: 0.3, right: 0.2, upper: 0.35, lower: 0.14 };
 
 struct PanelShare {
     left: f64,
@@ -50,20 +50,23 @@ impl SheetLayout {
         let unit = SheetLayout::unit(width, height);
         let size = drawable(bounds.size());
         let room = (
-            width - (2.0 * MARGIN + 2.0 * TICKS_LEFT + BETWEEN) * unit,
+            width - (2.0 * MARGIN_UNITS + 2.0 * TICKS_LEFT + BETWEEN) * unit,
             height
-                - (2.0 * MARGIN + HEADER + 2.0 * (TITLE + TICKS_BELOW) + BETWEEN + legend) * unit,
+                - (2.0 * MARGIN_UNITS + HEADER + 2.0 * (TITLE + TICKS_BELOW) + BETWEEN + legend)
+                    * unit,
         );
         let inside = 2.0 * INSIDE * unit;
-        let columns = LayoutTrack::new(room.0, (size.x, LEAST.left), (size.y, LEAST.right), inside);
-        let rows = LayoutTrack::new(room.1, (size.y, LEAST.upper), (size.z, LEAST.lower), inside);
+        let columns =
+            LayoutTrack::new(room.0, (size.x, MIN_SHARE.left), (size.y, MIN_SHARE.right), inside);
+        let rows =
+            LayoutTrack::new(room.1, (size.y, MIN_SHARE.upper), (size.z, MIN_SHARE.lower), inside);
         let scale = columns.scale().min(rows.scale());
         let (left, right) = columns.sizes(scale);
         let (upper, lower) = rows.sizes(scale);
 
-        let x = (MARGIN + TICKS_LEFT) * unit;
+        let x = (MARGIN_UNITS + TICKS_LEFT) * unit;
         let x2 = x + left + (TICKS_LEFT + BETWEEN) * unit;
-        let y = (MARGIN + HEADER + TITLE) * unit;
+        let y = (MARGIN_UNITS + HEADER + TITLE) * unit;
         let y2 = y + upper + (TICKS_BELOW + TITLE + BETWEEN) * unit;
         let rect = |x, y, width, height| PixelRect { x, y, width, height };
         let panels = vec![
@@ -80,15 +83,15 @@ impl SheetLayout {
     /// One view for what turns, and one of the face where live tools mill.
     pub fn turned(width: f64, height: f64, bounds: &Aabb, legend: f64) -> SheetLayout {
         let unit = SheetLayout::unit(width, height);
-        let (x, y) = ((MARGIN + TICKS_LEFT) * unit, (MARGIN + HEADER + TITLE) * unit);
+        let (x, y) = ((MARGIN_UNITS + TICKS_LEFT) * unit, (MARGIN_UNITS + HEADER + TITLE) * unit);
         let rect = PixelRect {
             x,
             y,
-            width: (width - x - MARGIN * unit).max(20.0),
-            height: (height - y - (MARGIN + TICKS_BELOW + legend) * unit).max(20.0),
+            width: (width - x - MARGIN_UNITS * unit).max(20.0),
+            height: (height - y - (MARGIN_UNITS + TICKS_BELOW + legend) * unit).max(20.0),
         };
         let inside = 2.0 * INSIDE * unit;
-        if bounds.size().y <= FLAT_MM {
+        if bounds.size().y <= PLANAR_MM {
             return SheetLayout {
                 width,
                 height,

@@ -74,7 +74,7 @@ pub enum PlotError {
 /// Sides that a PNG may have, px.
 const SIDES_PX: std::ops::RangeInclusive<u32> = 200..=16384;
 /// Pixels of the largest PNG: four bytes each are held while it is drawn.
-const MOST_PIXELS: u64 = 128 << 20;
+const MAX_PIXELS: u64 = 128 << 20;
 
 /// Collects a path, then draws it: top, front and right view in third-angle projection with
 /// one scale, and an isometric view.
@@ -180,7 +180,7 @@ fn render(width: u32, height: u32, svg: impl FnOnce() -> String) -> Result<Vec<u
 /// Whether a picture of this size can be held.
 fn may_be(width: u32, height: u32) -> Result<(), PlotError> {
     let pixels = u64::from(width) * u64::from(height);
-    if SIDES_PX.contains(&width) && SIDES_PX.contains(&height) && pixels <= MOST_PIXELS {
+    if SIDES_PX.contains(&width) && SIDES_PX.contains(&height) && pixels <= MAX_PIXELS {
         Ok(())
     } else {
         Err(PlotError::Size(width, height))

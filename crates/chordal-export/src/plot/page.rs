@@ -11,7 +11,7 @@ use super::text::px;
 use super::view::{FRONT, ISOMETRIC, SIDE, TOP, TURNED, ViewDirection, ViewPanel};
 
 /// Bytes of path data of a view beyond which it is drawn coarser: a page is mailed and printed.
-const MOST_BYTES: usize = 1 << 20;
+const MAX_BYTES: usize = 1 << 20;
 /// Views of the path that a page may have.
 const VIEWS: usize = 4;
 
@@ -82,7 +82,7 @@ impl Plot {
         if let Some(turned) = turned {
             under_path(&mut svg, &turned.svg(&panel, unit, Palette::page()), index);
         }
-        view(&mut svg, &self.store, &panel, index, unit, MOST_BYTES, Palette::page());
+        view(&mut svg, &self.store, &panel, index, unit, MAX_BYTES, Palette::page());
         svg.push_str("</svg>\n");
         Some(PageView { svg, grid })
     }

@@ -16,11 +16,11 @@ const FINEST_PX: f64 = 0.35;
 /// How far chords leave a curve, px.
 const CHORD_PX: f64 = 0.08;
 /// Larger circles are drawn as chords: viewers compute with 32 bits.
-const LARGEST_RADIUS_PX: f64 = 4_000.0;
+const MAX_RADIUS_PX: f64 = 4_000.0;
 /// Chords of one curve beyond which they are made longer.
-const MOST_CHORDS: u64 = 20_000;
+const MAX_CHORDS: u64 = 20_000;
 /// The longest turn of one SVG arc.
-const LARGEST_TURN: f64 = 0.75 * PI;
+const MAX_TURN: f64 = 0.75 * PI;
 /// Radius of a cut seen end on, units.
 const DOT_PX: f64 = 2.6;
 /// The coarsest a view is drawn, px.
@@ -213,7 +213,7 @@ impl<'p> PanelPen<'p> {
     fn is_circle(&self, arc: &Arc) -> bool {
         let radius = arc.radius * self.panel.scale;
         let flat = arc.w.cross(self.panel.view.eye()).length() < 1e-9;
-        flat && radius > 2.0 * self.resolution && radius < LARGEST_RADIUS_PX
+        flat && radius > 2.0 * self.resolution && radius < MAX_RADIUS_PX
     }
 
     fn circle(&mut self, arc: &Arc) {
@@ -221,7 +221,7 @@ impl<'p> PanelPen<'p> {
         let end = self.panel.place(arc.end);
         // Further turns of a helix lie on the first.
         let turn = arc.sweep.abs().min(TAU);
-        let parts = (turn / LARGEST_TURN).ceil().max(1.0);
+        let parts = (turn / MAX_TURN).ceil().max(1.0);
         let ccw = (arc.sweep > 0.0) == (arc.w.dot(self.panel.view.eye()) > 0.0);
         let v = arc.w.cross(arc.u);
         let on_circle = |share: f64| {
@@ -248,7 +248,7 @@ impl<'p> PanelPen<'p> {
 
     fn arc(&mut self, from: PenPoint, to: PenPoint, middle: PenPoint, radius: f64, ccw: bool) {
         self.empty = false;
-        let reach = 2.0 * LARGEST_RADIUS_PX;
+        let reach = 2.0 * MAX_RADIUS_PX;
         if !(self.clip.holds(from, reach) && self.clip.holds(to, reach)) {
             return;
         }
@@ -267,7 +267,7 @@ impl<'p> PanelPen<'p> {
     fn chords(&mut self, curve: &Curve) {
         let mut tolerance = CHORD_PX.max(0.5 * self.resolution - 0.1) / self.panel.scale;
         let mut chords = curve.chords(tolerance, Placement::Inscribed);
-        while chords.as_ref().is_ok_and(|chords| chords.chord_count() > MOST_CHORDS) {
+        while chords.as_ref().is_ok_and(|chords| chords.chord_count() > MAX_CHORDS) {
             tolerance *= 4.0;
             chords = curve.chords(tolerance, Placement::Inscribed);
         }

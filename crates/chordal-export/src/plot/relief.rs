@@ -15,9 +15,9 @@ use super::view::{PixelRect, ViewPanel};
 const JOINED: f64 = 0.1;
 
 /// Pixels of the picture for each of the sheet, along a side: edges are not jagged in print.
-const FINE: f64 = 2.0;
+const OVERSAMPLING: f64 = 2.0;
 /// The longest side of a picture, px.
-const LONGEST: f64 = 4096.0;
+const MAX_SIDE_PX: f64 = 4096.0;
 /// Light on the sheet: to the right, up and towards the eye; from the upper left.
 const LIGHT: Vec3 = Vec3::new(-0.4, 0.55, 0.73);
 /// What is left of the colour where no light falls, and on the lowest place.
@@ -139,7 +139,7 @@ impl StockRelief {
     /// Draws it as a panel sees it; `None` where the panel has no size.
     pub fn draw(&self, panel: &ViewPanel, dark: bool) -> Option<DrawnRelief> {
         let PixelRect { width, height, .. } = panel.rect;
-        let fine = FINE.min(LONGEST / width.max(height));
+        let fine = OVERSAMPLING.min(MAX_SIDE_PX / width.max(height));
         let size = |length: f64| (length * fine).ceil().max(1.0) as u32;
         let mut canvas = ReliefCanvas::new(size(width), size(height));
         let base = if dark { DARK_STOCK } else { LIGHT_STOCK };

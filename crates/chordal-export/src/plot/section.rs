@@ -19,11 +19,11 @@ const RIGHT: f64 = 150.0;
 const BELOW: f64 = 130.0;
 const TEXT: f64 = 14.0;
 /// Dimensions along one side; more do not fit.
-const MOST: usize = 36;
+const MAX_DIMENSIONS: usize = 36;
 /// Places this near are one, mm.
-const SAME: f64 = 1e-6;
+const COINCIDENT_SECTION_MM: f64 = 1e-6;
 /// Shorter lines of the outline have no dimension, mm.
-const SHORT: f64 = 0.05;
+const MIN_DIMENSIONED_MM: f64 = 0.05;
 
 /// The drawing as SVG. Sides below 200 px are drawn as 200.
 pub fn section_svg(found: &TurnedReport, options: &PlotOptions) -> String {
@@ -249,7 +249,8 @@ impl SectionSheet {
         for segment in loops.iter().flatten() {
             let middle = middle(segment);
             let on_axis = |p: Vec2| Vec2::new(p.a, 0.0);
-            let is_wall = (segment.start.a - segment.end.a).abs() <= SAME && segment.bend.is_none();
+            let is_wall = (segment.start.a - segment.end.a).abs() <= COINCIDENT_SECTION_MM
+                && segment.bend.is_none();
             let is_top = !is_wall
                 && section
                     .highest_at(middle.a)
@@ -280,19 +281,25 @@ impl SectionSheet {
         for segment in found.sections().flat_map(Region::shape).flatten() {
             let (low, high) =
                 (segment.start.a.min(segment.end.a), segment.start.a.max(segment.end.a));
-            let is_level =
-                segment.bend.is_none() && (segment.start.b - segment.end.b).abs() <= SAME;
-            if !is_level || high - low < SHORT || segment.start.b <= SAME {
+            let is_level = segment.bend.is_none()
+                && (segment.start.b - segment.end.b).abs() <= COINCIDENT_SECTION_MM;
+            if !is_level
+                || high - low < MIN_DIMENSIONED_MM
+                || segment.start.b <= COINCIDENT_SECTION_MM
+            {
                 continue;
             }
-            match places.iter_mut().find(|(r, ..)| (*r - segment.start.b).abs() <= SAME) {
+            match places
+                .iter_mut()
+                .find(|(r, ..)| (*r - segment.start.b).abs() <= COINCIDENT_SECTION_MM)
+            {
                 Some(known) => (known.1, known.2) = (known.1.max(high), known.2 + high - low),
                 None => places.push((segment.start.b, high, high - low)),
             }
         }
         // The longest ones, where there are too many.
         places.sort_by(|x, y| y.2.total_cmp(&x.2));
-        places.truncate(MOST);
+        places.truncate(MAX_DIMENSIONS);
         places.sort_by(|x, y| y.0.total_cmp(&x.0));
         let ends: Vec<(f64, f64)> =
             places.iter().map(|(r, z, _)| self.place(Vec2::new(*z, *r))).collect();
@@ -312,14 +319,14 @@ impl SectionSheet {
         for segment in found.sections().flat_map(Region::shape).flatten() {
             let long = segment.start.distance(segment.end);
             for end in [segment.start, segment.end] {
-                match places.iter_mut().find(|(z, _)| (*z - end.a).abs() <= SAME) {
+                match places.iter_mut().find(|(z, _)| (*z - end.a).abs() <= COINCIDENT_SECTION_MM) {
                     Some(known) => known.1 = known.1.max(long),
                     None => places.push((end.a, long)),
                 }
             }
         }
         places.sort_by(|x, y| y.1.total_cmp(&x.1));
-        places.truncate(MOST);
+        places.truncate(MAX_DIMENSIONS);
         places.sort_by(|x, y| x.0.total_cmp(&y.0));
         let under = self.zero.1 + self.top * self.scale + 8.0 * self.unit;
         let wanted: Vec<f64> =

@@ -4,7 +4,7 @@ use chordal::geometry::{Aabb, Vec3};
 use resvg::tiny_skia::Pixmap;
 
 use super::frame::{self, GridSteps, INCH};
-use super::layout::{MARGIN, SheetLayout};
+use super::layout::{MARGIN_UNITS, SheetLayout};
 use super::palette::Palette;
 use super::pen::ViewPaths;
 use super::relief::DrawnRelief;
@@ -20,7 +20,7 @@ const LEGEND_ROWS: usize = 3;
 const ROW: f64 = 25.0;
 
 /// Bytes of path data of one view beyond which it is drawn coarser.
-const MOST_BYTES: usize = 3 << 20;
+const MAX_BYTES: usize = 3 << 20;
 
 /// A sheet in layers: what lies under the stock, the stock, and what lies over it.
 pub(super) struct SheetLayers {
@@ -94,7 +94,7 @@ pub(super) fn layers(
                     under_path(&mut under, &turned.svg(panel, unit, colors), index);
                 }
                 stock.extend(store.stock.as_ref().and_then(|of| of.draw(panel, options.dark)));
-                view(&mut over, store, panel, index, unit, MOST_BYTES, colors);
+                view(&mut over, store, panel, index, unit, MAX_BYTES, colors);
             }
             legend.draw(&mut over, &layout, colors);
         }
@@ -150,8 +150,8 @@ fn caption(
     colors: &Palette,
 ) {
     let unit = layout.unit;
-    let (left, right) = (MARGIN * unit, layout.width - MARGIN * unit);
-    let room = layout.width / unit - 2.0 * MARGIN;
+    let (left, right) = (MARGIN_UNITS * unit, layout.width - MARGIN_UNITS * unit);
+    let room = layout.width / unit - 2.0 * MARGIN_UNITS;
     let is_turned = layout.panels[0].view.doubled;
     let lines = extents(store, is_turned, grid, inch);
     let side = lines.iter().map(|line| text_width(line, 14.0)).fold(0.0, f64::max) + 30.0;
@@ -169,10 +169,10 @@ fn caption(
             ));
         }
     };
-    line(left, MARGIN + 22.0, 27.0, colors.text, "start", &title);
-    line(left, MARGIN + 48.0, 16.0, colors.faint, "start", &subtitle);
+    line(left, MARGIN_UNITS + 22.0, 27.0, colors.text, "start", &title);
+    line(left, MARGIN_UNITS + 48.0, 16.0, colors.faint, "start", &subtitle);
     for (index, text) in lines.iter().enumerate() {
-        let y = MARGIN + 14.0 + 19.0 * index as f64;
+        let y = MARGIN_UNITS + 14.0 + 19.0 * index as f64;
         line(right, y, 14.0, colors.faint, "end", text);
     }
 }
@@ -361,7 +361,7 @@ fn nothing(out: &mut String, store: &PathStore, layout: &SheetLayout, colors: &P
     } else {
         "no motion"
     };
-    let (x, y) = (MARGIN * unit, (MARGIN + 72.0) * unit);
+    let (x, y) = (MARGIN_UNITS * unit, (MARGIN_UNITS + 72.0) * unit);
     out.push_str(&format!(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n\
          <text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\" text-anchor=\"middle\">{text}\
@@ -369,7 +369,7 @@ fn nothing(out: &mut String, store: &PathStore, layout: &SheetLayout, colors: &P
         px(x),
         px(y),
         px(layout.width - 2.0 * x),
-        px(layout.height - y - MARGIN * unit),
+        px(layout.height - y - MARGIN_UNITS * unit),
         colors.panel,
         colors.border,
         px(0.5 * layout.width),
@@ -416,7 +416,7 @@ impl SheetLegend {
         let length = |mm: f64| {
             if inch { format!("{} in", measure(mm / INCH)) } else { format!("{} mm", measure(mm)) }
         };
-        let room = width / unit - 2.0 * MARGIN;
+        let room = width / unit - 2.0 * MARGIN_UNITS;
         legend.add(LegendSign::Start, "start".into(), room);
         legend.add(LegendSign::End, "end".into(), room);
         if let Some(mm) = store.rapid_mm() {
@@ -460,9 +460,9 @@ impl SheetLegend {
 
     fn draw(&self, out: &mut String, layout: &SheetLayout, colors: &Palette) {
         let unit = layout.unit;
-        let top = layout.height - (MARGIN + self.height() - 20.0) * unit;
+        let top = layout.height - (MARGIN_UNITS + self.height() - 20.0) * unit;
         for entry in &self.entries {
-            let x = (MARGIN + entry.x) * unit;
+            let x = (MARGIN_UNITS + entry.x) * unit;
             let y = top + (entry.row as f64 + 0.5) * ROW * unit;
             sign(out, entry.sign, (x, y), unit, colors);
             let offset = if entry.sign == LegendSign::None { 0.0 } else { SIGN };

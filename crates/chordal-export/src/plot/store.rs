@@ -9,11 +9,11 @@ use super::relief::StockRelief;
 use crate::not_drawn::{left_out_texts, not_named_texts};
 
 /// Pieces after which the path is thinned for the first time.
-const MANY: usize = 1 << 21;
+const FIRST_THINNING_PIECES: usize = 1 << 21;
 /// Thinning keeps detail of this fraction of the drawing: below half a pixel on any sheet.
 const DETAIL: f64 = 1.0 / 65_536.0;
 /// Rapids are drawn this far beyond the cuts, as a fraction of the largest extent.
-const BEYOND: f64 = 0.18;
+const RAPID_OVERSHOOT_SHARE: f64 = 0.18;
 
 /// A piece after the point where the one before ended.
 #[derive(Clone, Copy, Debug)]
@@ -115,7 +115,7 @@ impl PathStore {
             rapids: Aabb::EMPTY,
             start: None,
             end: Vec3::ZERO,
-            limit: MANY,
+            limit: FIRST_THINNING_PIECES,
             unknown: false,
             not_named: NotNamed::NONE,
             unrelated_zeros: Vec::new(),
@@ -247,11 +247,11 @@ impl PathStore {
 
     /// A power; where there are very many already, to three digits.
     fn known_power(&self, rpm: f64) -> f64 {
-        const MANY_POWERS: usize = 1000;
+        const POWER_STEPS: usize = 1000;
         if !rpm.is_finite() || rpm <= 0.0 {
             return 0.0;
         }
-        if self.tools.len() < MANY_POWERS {
+        if self.tools.len() < POWER_STEPS {
             return rpm;
         }
         let digit = 10f64.powf(rpm.log10().floor() - 2.0);
@@ -300,7 +300,7 @@ impl PathStore {
         self.not_named = old.not_named;
         self.unrelated_zeros = old.unrelated_zeros;
         (self.overlay, self.stock, self.by_power) = (old.overlay, old.stock, old.by_power);
-        self.limit = MANY.max(2 * self.pieces.len());
+        self.limit = FIRST_THINNING_PIECES.max(2 * self.pieces.len());
     }
 
     /// The runs with their pieces.
@@ -370,7 +370,8 @@ impl PathStore {
             return Some(cuts);
         }
         let size = cuts.size();
-        let reach = Vec3::new(1.0, 1.0, 1.0) * (BEYOND * size.x.max(size.y).max(size.z));
+        let reach =
+            Vec3::new(1.0, 1.0, 1.0) * (RAPID_OVERSHOOT_SHARE * size.x.max(size.y).max(size.z));
         let (low, high) = (cuts.min - reach, cuts.max + reach);
         let near = |value: f64, low: f64, high: f64| value.clamp(low, high);
         let corner = |p: Vec3| {

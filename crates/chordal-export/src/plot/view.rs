@@ -44,14 +44,14 @@ pub(super) const FACE: ViewDirection = ViewDirection {
 };
 
 /// Square root of a half, a sixth and two thirds: from the front right above.
-const HALF: f64 = std::f64::consts::FRAC_1_SQRT_2;
+const SQRT_HALF: f64 = std::f64::consts::FRAC_1_SQRT_2;
 const SIXTH: f64 = 0.408_248_290_463_863;
 const TWO_THIRDS: f64 = 0.816_496_580_927_726;
 
 /// From the front, the right and above, all alike.
 pub(super) const ISOMETRIC: ViewDirection = ViewDirection {
     title: "Isometric",
-    right: Vec3::new(HALF, HALF, 0.0),
+    right: Vec3::new(SQRT_HALF, SQRT_HALF, 0.0),
     up: Vec3::new(-SIXTH, SIXTH, TWO_THIRDS),
     along_axes: false,
     doubled: false,
@@ -71,7 +71,7 @@ impl ViewDirection {
 
     /// The extent of a box: left, right, bottom, top.
     pub fn extent(&self, bounds: &Aabb) -> ViewExtent {
-        let mut extent = ViewExtent::NOTHING;
+        let mut extent = ViewExtent::EMPTY_EXTENT;
         for corner in corners(bounds) {
             let (x, y) = self.project(corner);
             extent.left = extent.left.min(x);
@@ -93,7 +93,7 @@ pub(super) struct ViewExtent {
 }
 
 impl ViewExtent {
-    const NOTHING: ViewExtent = ViewExtent {
+    const EMPTY_EXTENT: ViewExtent = ViewExtent {
         left: f64::INFINITY,
         right: f64::NEG_INFINITY,
         bottom: f64::INFINITY,

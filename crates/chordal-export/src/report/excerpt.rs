@@ -7,11 +7,11 @@ use chordal::diagnostics::{FileId, TextRange};
 use chordal::{Source, SourceMap, Span};
 
 /// Characters shown on either side of the words.
-const REACH: usize = 60;
+const CONTEXT_CHARS: usize = 60;
 /// The longest words that are shown whole.
-const LONGEST: usize = 160;
+const MAX_SHOWN_CHARS: usize = 160;
 /// Lines this near to each other are shown as one piece.
-const NEAR: u32 = 3;
+const MERGE_LINES: u32 = 3;
 
 /// Words to underline.
 #[derive(Clone, Debug)]
@@ -59,7 +59,7 @@ impl ProblemExcerpts {
             .collect();
         places.sort_by_key(|(file, line, _)| (*file, *line));
         let mut excerpts: Vec<SourceExcerpt> = Vec::new();
-        for group in places.chunk_by(|a, b| a.0 == b.0 && b.1 - a.1 <= NEAR) {
+        for group in places.chunk_by(|a, b| a.0 == b.0 && b.1 - a.1 <= MERGE_LINES) {
             if let Some(source) = sources.get(group[0].0) {
                 excerpts.push(SourceExcerpt::new(group, source));
             }
@@ -164,8 +164,8 @@ struct LineWindow {
 impl LineWindow {
     fn new(line: &[u8], focus: Range<usize>) -> LineWindow {
         // A character has at most four bytes; the surplus is cut by characters below.
-        let reach = 4 * (REACH + 1);
-        let focus = focus.start..focus.end.min(focus.start + LONGEST);
+        let reach = 4 * (CONTEXT_CHARS + 1);
+        let focus = focus.start..focus.end.min(focus.start + MAX_SHOWN_CHARS);
         let mut from = focus.start.saturating_sub(reach);
         while from > 0 && line.get(from).is_some_and(|byte| byte & 0xC0 == 0x80) {
             from += 1;
@@ -174,9 +174,10 @@ impl LineWindow {
         let characters = decode(&line[from..to], from);
         let before = characters.iter().filter(|(at, _)| *at < focus.start).count();
         let until = characters.iter().filter(|(at, _)| *at < focus.end).count();
-        let short = from == 0 && to == line.len() && characters.len() <= 2 * REACH;
-        let first = if short { 0 } else { before.saturating_sub(REACH) };
-        let last = if short { characters.len() } else { (until + REACH).min(characters.len()) };
+        let short = from == 0 && to == line.len() && characters.len() <= 2 * CONTEXT_CHARS;
+        let first = if short { 0 } else { before.saturating_sub(CONTEXT_CHARS) };
+        let last =
+            if short { characters.len() } else { (until + CONTEXT_CHARS).min(characters.len()) };
         let cut_before = from > 0 || first > 0;
         let cut_after = to < line.len() || last < characters.len();
         let end = characters.get(last).map_or(to, |(at, _)| *at);

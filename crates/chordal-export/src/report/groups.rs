@@ -7,7 +7,7 @@ use super::place::place;
 use crate::numbers::grouped;
 
 /// Lines, or runs of lines, that a list names.
-const MOST_NAMED: usize = 8;
+const MAX_NAMED: usize = 8;
 
 /// The problems of one code and severity.
 #[derive(Debug)]
@@ -58,7 +58,7 @@ pub(crate) fn lines_of(hidden: &[&Diagnostic], dropped: u64, sources: &SourceMap
             .filter(|_| diagnostic.primary.span.file == hidden[0].primary.span.file)
             .map(|place| place.start.line);
         let Some(line) = line else { continue };
-        let full = runs.len() == MOST_NAMED;
+        let full = runs.len() == MAX_NAMED;
         match runs.last_mut() {
             Some((_, last)) if line == *last || line == *last + 1 => *last = line,
             _ if full => break,

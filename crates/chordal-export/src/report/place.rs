@@ -33,10 +33,10 @@ pub fn place<'a>(span: Span, sources: &'a SourceMap) -> Option<SourceLocation<'a
 pub(crate) fn call_text(span: Span, sources: &SourceMap) -> String {
     let words = sources.words(span);
     let words = words.trim();
-    match words.char_indices().nth(LONGEST_CALL) {
+    match words.char_indices().nth(MAX_CALL) {
         Some((end, _)) => format!("{}…", &words[..end]),
         None => words.into(),
     }
 }
 
-const LONGEST_CALL: usize = 60;
+const MAX_CALL: usize = 60;

@@ -10,7 +10,7 @@ use super::place::{call_text, place};
 use crate::numbers::grouped;
 
 /// Calls shown of a deep nesting.
-const MOST_CALLS: usize = 6;
+const MAX_CALLS: usize = 6;
 
 /// How much is shown of the problems.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -28,18 +28,18 @@ pub enum ReportDetail {
 }
 
 /// So many errors together are few.
-const FEW_ERRORS: u64 = 6;
+const MAX_ERRORS_IN_FULL: u64 = 6;
 
 /// Codes with a place in full, of those that fit a screen.
-const MOST_CODES: usize = 4;
+const MAX_CODES: usize = 4;
 
 impl ReportDetail {
     /// How many places of a code are shown in full: of the code with this index, in a run with so many errors.
     fn places(self, severity: Severity, index: usize, errors: u64) -> usize {
         match (self, severity) {
             (ReportDetail::Lines, _) => 0,
-            (ReportDetail::First, Severity::Error) if errors <= FEW_ERRORS => 3,
-            (ReportDetail::First, _) => usize::from(index < MOST_CODES),
+            (ReportDetail::First, Severity::Error) if errors <= MAX_ERRORS_IN_FULL => 3,
+            (ReportDetail::First, _) => usize::from(index < MAX_CODES),
             (ReportDetail::Places(most), _) => most.max(1),
             (ReportDetail::All, _) => usize::MAX,
         }
@@ -184,10 +184,10 @@ fn footer<'d>(diagnostic: &'d Diagnostic, sources: &SourceMap) -> Vec<Element<'d
     for note in &diagnostic.notes {
         lines.push(Level::NOTE.message(clean(note)).into());
     }
-    for call in diagnostic.calls.iter().take(MOST_CALLS) {
+    for call in diagnostic.calls.iter().take(MAX_CALLS) {
         lines.push(Level::NOTE.message(clean(&called_from(*call, sources))).into());
     }
-    if let more @ 1.. = diagnostic.calls.len().saturating_sub(MOST_CALLS) {
+    if let more @ 1.. = diagnostic.calls.len().saturating_sub(MAX_CALLS) {
         lines.push(Level::NOTE.message(format!("and {more} more calls")).into());
     }
     if let Some(help) = &diagnostic.help {

@@ -4,7 +4,7 @@ use chordal::stock::StockReport;
 use chordal::stock::mesh::{HeightField, HeightFieldError, LengthUnit, Mesh, SmoothError, write};
 
 /// Columns that touch in an upright edge are parted by this share of a cell in STL, which shares no vertices.
-const GAP: f64 = 1e-3;
+const EDGE_GAP_SHARE: f64 = 1e-3;
 
 /// A file format of meshes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -60,7 +60,7 @@ pub fn stock_mesh(
         MeshSurface::Steps(tolerance) => {
             let steps = found.surface(tolerance)?;
             match format {
-                MeshFormat::Stl => steps.parted(GAP * found.stock.grid().resolution()),
+                MeshFormat::Stl => steps.parted(EDGE_GAP_SHARE * found.stock.grid().resolution()),
                 MeshFormat::ThreeMf | MeshFormat::Glb => steps.mesh,
             }
         }

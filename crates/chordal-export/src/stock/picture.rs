@@ -6,7 +6,7 @@ use resvg::tiny_skia::{Pixmap, PremultipliedColorU8};
 use crate::plot::PlotError;
 
 /// The longer side of the picture, pixels.
-const LARGEST: u32 = 1200;
+const MAX_SIDE_PX: u32 = 1200;
 /// Light from the upper left, over the shoulder.
 const LIGHT: [f64; 3] = [-0.5, 0.6, 0.62];
 /// What the shade leaves of the colour where no light falls.
@@ -26,7 +26,7 @@ pub fn stock_png(found: &StockReport) -> Result<Vec<u8>, PlotError> {
     let [columns, rows] = grid.cells();
     let tops = found.tops();
     let bounds = grid.bounds();
-    let scale = f64::from(LARGEST) / f64::from(columns.max(rows)).max(1.0);
+    let scale = f64::from(MAX_SIDE_PX) / f64::from(columns.max(rows)).max(1.0);
     let size = |cells: u32| ((f64::from(cells) * scale).round() as u32).max(1);
     let (width, height) = (size(columns), size(rows));
     let mut pixmap = Pixmap::new(width, height).ok_or(PlotError::Size(width, height))?;

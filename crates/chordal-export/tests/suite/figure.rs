@@ -43,7 +43,7 @@ fn readable(worked: &WorkedCalculation) {
         assert!(inside, "`{text}` leaves the drawing of {}: {left} {top}", worked.title);
         for ([l, t, w, h], other) in &texts[index + 1..] {
             let apart = left + width <= *l || l + w <= *left || top + height <= *t || t + h <= *top;
-            assert!(apart, "`{text}` and `{other}` overlap in {:?}", worked.given);
+            assert!(apart, "`{text}` and `{other}` overlap in {:?}", worked.inputs);
         }
     }
 }
@@ -85,7 +85,13 @@ fn arcs() {
             for apart in [[30.0, 0.0], [0.0, -30.0], [-22.0, 22.0]] {
                 let inside = [inside, toward];
                 let side = TravelSide::Right;
-                let ask = ArcArc { cutter_radius: 3.0, radii: [30.0, 20.0], inside, apart, side };
+                let ask = ArcArc {
+                    cutter_radius: 3.0,
+                    radii: [30.0, 20.0],
+                    inside,
+                    center_offset: apart,
+                    side,
+                };
                 readable(&arc_with_arc(&ask, AnswerUnit::Inch).unwrap());
             }
         }

@@ -175,7 +175,7 @@ impl BlockCheck<'_> {
         let moves = |row: &CodeRow| row.action.is_plain_motion();
         let is_pair =
             |new: &CodeRow, old: &CodeRow| returns(new) && moves(old) || moves(new) && returns(old);
-        self.firmware.block.reference_beside_motion
+        self.firmware.block.reference_with_motion
             && row.as_ref().is_ok_and(|new| self.codes.iter().any(|(_, old)| is_pair(new, old)))
     }
 

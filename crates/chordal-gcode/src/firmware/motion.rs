@@ -24,7 +24,7 @@ impl BlockCheck<'_> {
         }
         if motion == FirmwareMotion::None {
             let passes =
-                self.firmware.block.cancel_beside_once && self.axis_use != Some(AxisUse::Motion);
+                self.firmware.block.cancel_with_one_shot && self.axis_use != Some(AxisUse::Motion);
             return if self.has_axes() && !passes {
                 self.refuse(FirmwareError::AxesWithoutMotion, "XYZ")
             } else {

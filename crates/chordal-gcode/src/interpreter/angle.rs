@@ -47,7 +47,7 @@ impl Interpreter<'_> {
             (true, true) => return,
             (false, false) if self.kernel.state.motion == ModalMotion::Linear => {
                 self.lose_open_line("the next block does not end it");
-                let corner = self.kernel.take_asked_corner();
+                let corner = self.kernel.take_requested_corner();
                 let feed = self.kernel.state.feed;
                 let origin = self.kernel.origin;
                 self.open_line = Some(OpenLine { origin, word: word.range, degrees, feed, corner });
@@ -85,7 +85,7 @@ impl Interpreter<'_> {
         corner[Z] += along * cos;
         corner[X] += along * sin;
         // The move belongs to its own block, with the corner and the feed of that.
-        let own = self.kernel.take_asked_corner();
+        let own = self.kernel.take_requested_corner();
         let (origin, feed) = (self.kernel.origin, self.kernel.state.feed);
         (self.kernel.origin, self.kernel.state.feed) = (open.origin, open.feed);
         open.corner.into_iter().for_each(|corner| self.kernel.ask_corner(corner));

@@ -103,7 +103,7 @@ impl Interpreter<'_> {
         if rule == ArcTurns::None || !has || !block.letters().has(b'P') {
             return 0;
         }
-        if matches!(rule, ArcTurns::Extra | ArcTurns::BesideAngle) && by_radius {
+        if matches!(rule, ArcTurns::Extra | ArcTurns::BeyondAngle) && by_radius {
             // A radius fixes an arc of less than a turn.
             if let Some(word) = block.word(b'P').copied() {
                 self.unused_word(&word);
@@ -113,8 +113,8 @@ impl Interpreter<'_> {
         let turns = self.count_of(block, b'P').unwrap_or(0).min(9999);
         match rule {
             ArcTurns::Total => turns.saturating_sub(1),
-            ArcTurns::BesideAngle if self.ends_at_its_start(target) => turns.saturating_sub(1),
-            ArcTurns::BesideAngle | ArcTurns::Extra | ArcTurns::None => turns,
+            ArcTurns::BeyondAngle if self.ends_at_its_start(target) => turns.saturating_sub(1),
+            ArcTurns::BeyondAngle | ArcTurns::Extra | ArcTurns::None => turns,
         }
     }
 

@@ -122,7 +122,7 @@ impl Interpreter<'_> {
                     codes.push((row, at));
                 }
                 None => {
-                    self.tell_unknown_code(word);
+                    self.emit_unknown_code(word);
                     self.unknown_code(word);
                 }
             }
@@ -250,7 +250,7 @@ impl Interpreter<'_> {
         }
         match one_shot {
             Some((row, at)) => {
-                self.modes_beside_one_shot(block, codes, row);
+                self.modes_with_one_shot(block, codes, row);
                 // A code that is not carried out was reported with the modes; the axis words that it names
                 // go with it.
                 match row.action {
@@ -314,7 +314,7 @@ impl Interpreter<'_> {
                 return Some(BlockFlow::Next);
             }
             if self.kernel.state.cycle.is_some() {
-                self.next_hole_beside_call(block);
+                self.next_hole_with_call(block);
             } else {
                 let (target, named) = self.target(block);
                 if named != AxisMask::NONE {

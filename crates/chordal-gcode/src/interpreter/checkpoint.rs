@@ -18,7 +18,7 @@ use super::{Interpreter, ReportedOnce};
 use crate::firmware::FirmwareChecker;
 
 /// With more chains of calls a checkpoint would cost more than it saves.
-const MOST_CALL_PATHS: usize = 1000;
+const MAX_CALL_PATHS: usize = 1000;
 
 /// What decides about all that follows.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,7 +33,7 @@ struct BlockMemory {
     sequence: Option<Decimal>,
     reported: ReportedOnce,
     lost_jump: bool,
-    units_said: bool,
+    units_programmed: bool,
     carried_out: bool,
     kept_modes: Vec<KeptModes>,
     references: [PerAxis<Option<f64>>; 2],
@@ -80,7 +80,7 @@ impl Interpreter<'_> {
             && !self.in_remark
             && !self.kernel.waits_at_corner()
             && self.open_line.is_none()
-            && self.kernel.calls.count() <= MOST_CALL_PATHS
+            && self.kernel.calls.count() <= MAX_CALL_PATHS
             && self.options.shop_codes.is_none()
             && !self.machine.answers_with_blocks()
             && self.macros.is_settled()
@@ -101,7 +101,7 @@ impl Interpreter<'_> {
             // Whoever collects keeps the first of them, so that it does not decide about what follows.
             reported: ReportedOnce { excess_decimals: false, ..self.reported.clone() },
             lost_jump: self.lost_jump,
-            units_said: self.units_said,
+            units_programmed: self.units_programmed,
             carried_out: self.carried_out,
             kept_modes: self.kept_modes.clone(),
             references: self.references,
@@ -129,7 +129,7 @@ impl Interpreter<'_> {
         self.sequence = memory.sequence;
         self.reported = memory.reported;
         self.lost_jump = memory.lost_jump;
-        self.units_said = memory.units_said;
+        self.units_programmed = memory.units_programmed;
         self.carried_out = memory.carried_out;
         self.kept_modes = memory.kept_modes;
         self.references = memory.references;
@@ -137,7 +137,7 @@ impl Interpreter<'_> {
         self.spatial = memory.spatial;
         self.spline = memory.spline;
         self.judge = memory.judge;
-        self.take_values_as_told();
+        self.mark_values_recorded();
     }
 
     /// Notes that a program was read, searched, or asked for a place in it.
@@ -155,7 +155,7 @@ impl Interpreter<'_> {
 
     /// Notes that a part of the first text was read; its main program stands in it.
     pub(super) fn look_at_range(&self, range: TextRange) {
-        let looked = self.looked.get();
-        self.looked.set(Some(looked.map_or(range, |looked| looked.cover(range))));
+        let looked = self.text_read_elsewhere.get();
+        self.text_read_elsewhere.set(Some(looked.map_or(range, |looked| looked.cover(range))));
     }
 }

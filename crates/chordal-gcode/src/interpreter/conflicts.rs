@@ -49,9 +49,9 @@ impl Interpreter<'_> {
             let clash = before.iter().find(|first| {
                 has_letter(first)
                     && self.one_group(first.0.group, second.0.group)
-                    && !self.cycle_off_beside(first.0, second.0)
+                    && !self.is_cycle_cancel_with_motion(first.0, second.0)
                     && excludes(first.0, second.0, self.control.table.distance_left_to_right)
-                    && !self.probes_beside(first.0, second.0)
+                    && !self.allows_probe(first.0, second.0)
             });
             if let Some(first) = clash {
                 self.same_group(block, *first, *second);
@@ -115,7 +115,7 @@ impl Interpreter<'_> {
     }
 
     /// A probe move with a code that leaves it the axis words of the block: G4, G92.1.
-    fn probes_beside(&self, first: &CodeRow, second: &CodeRow) -> bool {
+    fn allows_probe(&self, first: &CodeRow, second: &CodeRow) -> bool {
         let dwells = self.control.parameters.dwell_with_motion;
         let probes = |row: &CodeRow| matches!(row.action, Action::Once(OnceCode::Probe { .. }));
         let leaves = |row: &CodeRow| row.action.leaves_axes(dwells);

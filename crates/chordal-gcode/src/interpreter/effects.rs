@@ -29,67 +29,67 @@ pub(super) struct WrittenState {
 
 impl Interpreter<'_> {
     /// What the machine file gives is not told.
-    pub(super) fn with_values_told(mut self) -> Self {
+    pub(super) fn with_values_recorded(mut self) -> Self {
         self.kernel.state.offsets.take_written();
-        self.take_values_as_told();
+        self.mark_values_recorded();
         self
     }
 
     /// What the control holds now was told.
-    pub(super) fn take_values_as_told(&mut self) {
-        self.told =
+    pub(super) fn mark_values_recorded(&mut self) {
+        self.recorded =
             WrittenState { variables: self.macros.kept.clone(), references: self.references };
     }
 
-    fn tell(&mut self, effect: Effect) {
+    fn emit_effect(&mut self, effect: Effect) {
         self.kernel.emit(CommandKind::Effect(Arc::new(effect)));
     }
 
     /// The program stops itself.
-    pub(super) fn tell_alarm(&mut self, number: f64, text: &str) {
-        self.tell(Effect::Alarm { number, text: text.to_string() });
+    pub(super) fn emit_alarm(&mut self, number: f64, text: &str) {
+        self.emit_effect(Effect::Alarm { number, text: text.to_string() });
     }
 
     /// The codes of a block that act on something which is not simulated, in their order.
-    pub(super) fn tell_codes(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
+    pub(super) fn emit_codes(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
         for (row, at) in codes {
-            if acts_elsewhere(row, block) {
+            if acts_outside_commands(row, block) {
                 let text = self.code_with_words(block, row, *at);
-                self.tell(Effect::Code(text));
+                self.emit_effect(Effect::Code(text));
             }
         }
     }
 
     /// A code that the control does not have: what it would do there is not known.
-    pub(super) fn tell_unknown_code(&mut self, word: &Word) {
+    pub(super) fn emit_unknown_code(&mut self, word: &Word) {
         let text = self.plain_word(word);
-        self.tell(Effect::Code(text));
+        self.emit_effect(Effect::Code(text));
     }
 
     /// All words of a block, which are data of a code.
-    pub(super) fn tell_data(&mut self, block: &Block) {
+    pub(super) fn emit_data(&mut self, block: &Block) {
         let words: Vec<String> = block.words.iter().map(|word| self.plain_word(word)).collect();
-        self.tell(Effect::Code(words.join(" ")));
+        self.emit_effect(Effect::Code(words.join(" ")));
     }
 
     /// The block may be left out by a switch.
-    pub(super) fn tell_block_delete(&mut self, block: &Block) {
+    pub(super) fn emit_block_delete(&mut self, block: &Block) {
         let Some(delete) = block.delete else { return };
         let partly = delete.from_word > 0;
-        self.tell(Effect::Deletable { switch: delete.switch, partly });
+        self.emit_effect(Effect::Deletable { switch: delete.switch, partly });
     }
 
     /// What the block has written of what the control keeps.
     #[inline]
-    pub(super) fn tell_written(&mut self) {
+    pub(super) fn emit_written(&mut self) {
         if self.kernel.state.offsets.has_written() || self.macros.used {
             let written = self.kernel.state.offsets.take_written();
-            self.tell_all_written(written);
+            self.emit_written_offsets(written);
         }
     }
 
     #[cold]
-    fn tell_all_written(&mut self, written: Vec<WrittenOffset>) {
+    fn emit_written_offsets(&mut self, written: Vec<WrittenOffset>) {
         for place in written {
             let values = self.kernel.state.offsets.written_values(&place);
             let name = match place {
@@ -99,19 +99,19 @@ impl Interpreter<'_> {
                 WrittenOffset::Rotation(key) => format!("{} R", self.work_name(&key)),
                 WrittenOffset::Tool(number) => format!("tool {number}"),
             };
-            self.tell(Effect::Written { name, values });
+            self.emit_effect(Effect::Written { name, values });
         }
-        self.tell_references();
-        if self.macros.kept != self.told.variables {
-            let before = std::mem::replace(&mut self.told.variables, self.macros.kept.clone());
-            for (number, value) in self.told.variables.clone() {
+        self.emit_references();
+        if self.macros.kept != self.recorded.variables {
+            let before = std::mem::replace(&mut self.recorded.variables, self.macros.kept.clone());
+            for (number, value) in self.recorded.variables.clone() {
                 if before.get(&number).is_none_or(|old| old.to_bits() != value.to_bits()) {
-                    self.tell_variable(number, Some(value));
+                    self.emit_variable(number, Some(value));
                 }
             }
             for number in before.into_keys() {
-                if !self.told.variables.contains_key(&number) {
-                    self.tell_variable(number, None);
+                if !self.recorded.variables.contains_key(&number) {
+                    self.emit_variable(number, None);
                 }
             }
         }
@@ -127,25 +127,25 @@ impl Interpreter<'_> {
     }
 
     /// Reference points that were stored.
-    pub(super) fn tell_references(&mut self) {
-        if self.references == self.told.references {
+    pub(super) fn emit_references(&mut self) {
+        if self.references == self.recorded.references {
             return;
         }
-        let before = std::mem::replace(&mut self.told.references, self.references);
+        let before = std::mem::replace(&mut self.recorded.references, self.references);
         for (which, (old, new)) in before.into_iter().zip(self.references).enumerate() {
             for axis in (0..AXES).filter(|axis| old[*axis] != new[*axis]) {
                 let name = format!("reference point {} {}", which + 1, axis_letter(axis));
-                self.tell(Effect::Written { name, values: vec![new[axis]] });
+                self.emit_effect(Effect::Written { name, values: vec![new[axis]] });
             }
         }
     }
 
-    fn tell_variable(&mut self, number: u32, value: Option<f64>) {
-        self.tell(Effect::Variable { number, value });
+    fn emit_variable(&mut self, number: u32, value: Option<f64>) {
+        self.emit_effect(Effect::Variable { number, value });
     }
 
     /// The variables that keep over power-off what the program has left in them.
-    pub(super) fn tell_kept_variables(&mut self) {
+    pub(super) fn emit_retained_variables(&mut self) {
         if !self.macros.used {
             return;
         }
@@ -153,7 +153,7 @@ impl Interpreter<'_> {
             .rules()
             .common
             .iter()
-            .filter(|range| range.held == VariableRetention::OverPowerOff);
+            .filter(|range| range.retention == VariableRetention::OverPowerOff);
         let own = ranges.filter(|range| range.stored == range.first);
         for number in own.flat_map(|range| range.first..=range.last) {
             let given = self.machine.macros.variables.get(&number).copied();
@@ -163,7 +163,7 @@ impl Interpreter<'_> {
                 Ok(MacroValue::Unknown(_)) | Err(_) => continue,
             };
             if value != given {
-                self.tell_variable(number, value);
+                self.emit_variable(number, value);
             }
         }
     }
@@ -200,7 +200,7 @@ fn axis_letter(axis: usize) -> char {
 }
 
 /// What the code does is not in the commands of the run.
-fn acts_elsewhere(row: &CodeRow, block: &Block) -> bool {
+fn acts_outside_commands(row: &CodeRow, block: &Block) -> bool {
     match row.action {
         Action::NoEffect | Action::NotSimulated | Action::NotFollowed => true,
         Action::After(code) => code == AfterCode::ShopCode,

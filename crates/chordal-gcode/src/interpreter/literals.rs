@@ -23,7 +23,7 @@ pub(super) const AXIS_OF: [u8; 256] = {
 const SUSPICIOUS_INCREMENTS: u64 = 100;
 
 /// A letter and four digits: no control has a smaller largest number of blocks or programs.
-const FEWEST_LONG_NUMBER: u32 = 5;
+const MIN_LONG_NUMBER: u32 = 5;
 
 /// The letters of numbers that name blocks and programs.
 const NUMBERS: Letters = Letters::of("NO");
@@ -291,7 +291,7 @@ impl Interpreter<'_> {
                 );
             }
             let word = &block.words[index];
-            if matches!(word.letter, b'N' | b'O') && word.range.len() > FEWEST_LONG_NUMBER {
+            if matches!(word.letter, b'N' | b'O') && word.range.len() > MIN_LONG_NUMBER {
                 let word = *word;
                 self.check_long_number(&word);
             }

@@ -144,7 +144,7 @@ struct Interpreter<'a> {
     reported: ReportedOnce,
     lost_jump: bool,
     /// The program has said its units: they are not those of power-on.
-    units_said: bool,
+    units_programmed: bool,
     /// Those of F of this block, where it changes them after it is taken.
     units_of_feed: Option<Units>,
     carried_out: bool,
@@ -178,9 +178,9 @@ struct Interpreter<'a> {
     /// The firmware that judges blocks as a whole, where the control has one.
     judge: Option<FirmwareChecker>,
     /// What of the first text was read since the last rest beside the blocks one after the other.
-    looked: Cell<Option<TextRange>>,
+    text_read_elsewhere: Cell<Option<TextRange>>,
     /// Values of the control as they were told last.
-    told: effects::WrittenState,
+    recorded: effects::WrittenState,
 }
 
 /// What was reported once and is not reported for every block.
@@ -313,7 +313,7 @@ impl<'a> Interpreter<'a> {
             codes: Vec::new(),
             reported: ReportedOnce::default(),
             lost_jump: false,
-            units_said: false,
+            units_programmed: false,
             units_of_feed: None,
             carried_out: false,
             in_remark: false,
@@ -327,13 +327,13 @@ impl<'a> Interpreter<'a> {
             stopped: None,
             shop: shop::ShopState::new(program),
             kept_modes: Vec::new(),
-            references: macros::given_references(machine, control),
+            references: macros::initial_references(machine, control),
             judge: None,
-            looked: Cell::new(None),
-            told: effects::WrittenState::default(),
+            text_read_elsewhere: Cell::new(None),
+            recorded: effects::WrittenState::default(),
         }
         .with_judge()
-        .with_values_told()
+        .with_values_recorded()
     }
 
     fn outcome(mut self) -> Option<CompletedRun> {
@@ -345,7 +345,7 @@ impl<'a> Interpreter<'a> {
             calls: self.kernel.calls,
             missing_programs: self.missing,
         };
-        Some(CompletedRun { outcome, looked: self.looked.take() })
+        Some(CompletedRun { outcome, text_read: self.text_read_elsewhere.take() })
     }
 
     /// Why it ended; nothing when the sink has ended it at a rest.
@@ -363,7 +363,12 @@ impl<'a> Interpreter<'a> {
             if self.reader.position().offset >= next_checkpoint && self.is_settled() {
                 let checkpoint = self.checkpoint();
                 self.reported.excess_decimals = false;
-                if self.kernel.sink.checkpoint(checkpoint, self.looked.take()).is_break() {
+                if self
+                    .kernel
+                    .sink
+                    .checkpoint(checkpoint, self.text_read_elsewhere.take())
+                    .is_break()
+                {
                     return None;
                 }
                 next_checkpoint = self.kernel.sink.next_checkpoint();
@@ -385,7 +390,7 @@ impl<'a> Interpreter<'a> {
                 return Some(EndReason::Interrupted);
             }
             let flow = self.execute(&mut block);
-            self.tell_written();
+            self.emit_written();
             if block.commas || self.kernel.waits_at_corner() {
                 self.end_corner_block(&block);
             }
@@ -417,7 +422,7 @@ impl<'a> Interpreter<'a> {
     fn finish(&mut self, end: EndReason) {
         self.lose_open_line("the program ends before it");
         self.kernel.end_corners();
-        self.print_held();
+        self.print_pending();
         if end == EndReason::EndOfText {
             self.report_missing_end();
         }
@@ -426,7 +431,7 @@ impl<'a> Interpreter<'a> {
         if end == EndReason::EndOfText {
             self.kernel.emit(CommandKind::End);
         }
-        self.tell_kept_variables();
+        self.emit_retained_variables();
     }
 
     #[inline]
@@ -453,7 +458,7 @@ impl<'a> Interpreter<'a> {
             self.report_long_line(block, longest);
         }
         if block.delete.is_some() {
-            self.tell_block_delete(block);
+            self.emit_block_delete(block);
         }
         let goes_on = std::mem::take(&mut self.in_remark);
         if !block.problems.is_empty() {

@@ -50,7 +50,7 @@ impl Interpreter<'_> {
 
     /// The program says its units.
     fn say_units(&mut self, units: Units) {
-        self.units_said = true;
+        self.units_programmed = true;
         self.set_units(units);
     }
 
@@ -171,7 +171,7 @@ impl Interpreter<'_> {
 
     /// The units of F, where the control takes it before the block changes them from what the program has said to others.
     fn units_of_feed(&self, block: &Block, codes: &[(&'static CodeRow, usize)]) -> Option<Units> {
-        if !self.units_said || !block.letters().has(b'F') {
+        if !self.units_programmed || !block.letters().has(b'F') {
             return None;
         }
         let before = self.kernel.state.units;
@@ -415,7 +415,7 @@ impl Interpreter<'_> {
             // machine, with a length of -4 mm, `G91 G43 Z-32. H1` ends at -36.
             let mut believed = self.kernel.state.position;
             believed[Z] = commanded;
-            self.kernel.state.believed = Some(believed);
+            self.kernel.state.control_position = Some(believed);
         }
     }
 
@@ -446,7 +446,7 @@ impl Interpreter<'_> {
 
     /// A motion code stays in force, and decides between rapid and feed, when another code
     /// takes the axis words. G90 and G91 hold for words that are not read as a target.
-    pub(super) fn modes_beside_one_shot(
+    pub(super) fn modes_with_one_shot(
         &mut self,
         block: &Block,
         codes: &[(&'static CodeRow, usize)],
@@ -507,7 +507,7 @@ impl Interpreter<'_> {
         if self.kernel.state.path.once {
             self.kernel.end_exact_stop_once();
         }
-        self.tell_codes(block, codes);
+        self.emit_codes(block, codes);
         for (row, at) in codes {
             match row.action {
                 // Where they act from left to right the last one stays in force, whether or

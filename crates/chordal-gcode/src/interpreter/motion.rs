@@ -28,7 +28,7 @@ impl Interpreter<'_> {
             }
             return (target, named);
         }
-        let from = self.kernel.state.believed.unwrap_or(self.kernel.state.position);
+        let from = self.kernel.state.control_position.unwrap_or(self.kernel.state.position);
         let mut target = from;
         let mut named = AxisMask::NONE;
         let is_incremental = self.kernel.state.incremental;

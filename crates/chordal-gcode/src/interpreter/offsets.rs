@@ -30,13 +30,13 @@ enum ToolFrom {
 const Z: usize = Axis::Z as usize;
 
 /// The last work offset of a control that chooses them by E.
-const MOST_BY_E: u32 = 48;
+const MAX_BY_E: u32 = 48;
 
 impl Interpreter<'_> {
     /// E.
     pub(super) fn take_e_word(&mut self, block: &Block) {
         let Some(number) = self.count_of(block, b'E') else { return };
-        if number > MOST_BY_E {
+        if number > MAX_BY_E {
             let span = self.words_span(block, Letters::of("E"));
             self.kernel.report(
                 Diagnostic::new(
@@ -363,7 +363,7 @@ impl Interpreter<'_> {
             }
             Some(DataTarget::Tool(value)) => self.write_tool(block, value),
             Some(DataTarget::Other) => {
-                self.tell_data(block);
+                self.emit_data(block);
                 self.kernel.report(Diagnostic::new(
                     Code::NotSimulated,
                     span,
@@ -377,7 +377,7 @@ impl Interpreter<'_> {
                 self.lose_path(block.words[at].range, message);
             }
             Some(DataTarget::Lines) => {
-                self.tell_data(block);
+                self.emit_data(block);
                 self.begin_data_lines(span, l.unwrap_or(0));
             }
             None => {
@@ -418,7 +418,7 @@ impl Interpreter<'_> {
     pub(super) fn is_data_line(&mut self, block: &Block) -> bool {
         let word = block.words.iter().find(|word| matches!(word.letter, b'G' | b'M'));
         let Some(word) = word else {
-            self.tell_data(block);
+            self.emit_data(block);
             return true;
         };
         self.data_lines = false;
@@ -454,7 +454,7 @@ impl Interpreter<'_> {
             _ => self.count_of(block, b'P')?,
         };
         let name = match number {
-            n if table.work_names.by_e => return (n <= MOST_BY_E).then(|| format!("E{n}")),
+            n if table.work_names.by_e => return (n <= MAX_BY_E).then(|| format!("E{n}")),
             n if table.work_names.first > 1 => counted(n)?,
             0 if parameters.offset_zero_in_force => self.kernel.state.offsets.active(),
             0 => return Some("EXT".into()),

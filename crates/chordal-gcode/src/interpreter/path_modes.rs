@@ -25,11 +25,11 @@ impl Interpreter<'_> {
             PathCode::ExactStopOnce => path.once = true,
             PathCode::Continuous | PathCode::Tapping | PathCode::CornerOverride => {
                 if code == PathCode::CornerOverride {
-                    self.tell_no_corner_override(block, row, at);
+                    self.report_no_corner_override(block, row, at);
                 }
                 let own = if row.words.has(b'P') { self.length_of(block, b'P') } else { None };
                 if row.words.has(b'Q') {
-                    self.tell_lines_stay(block);
+                    self.report_lines_stay(block);
                 }
                 let tolerance_mm = own.or(rules.of_level(rules.level));
                 self.kernel.state.path.set_mode(rules.continuous(tolerance_mm, false));
@@ -57,7 +57,7 @@ impl Interpreter<'_> {
     }
 
     /// G62 slows down where a compensated contour turns inwards.
-    fn tell_no_corner_override(&mut self, block: &Block, row: &CodeRow, at: usize) {
+    fn report_no_corner_override(&mut self, block: &Block, row: &CodeRow, at: usize) {
         let name = row.name(b'G');
         self.kernel.report(
             Diagnostic::new(
@@ -70,7 +70,7 @@ impl Interpreter<'_> {
     }
 
     /// Q of LinuxCNC's G64 lets the control make one move of lines that are nearly straight.
-    fn tell_lines_stay(&mut self, block: &Block) {
+    fn report_lines_stay(&mut self, block: &Block) {
         let Some(within) = self.length_of(block, b'Q').filter(|mm| *mm > 0.0) else { return };
         let word = block.last(b'Q').map_or(block.range, |word| word.range);
         self.kernel.report(

@@ -297,7 +297,7 @@ impl Interpreter<'_> {
         let state = &self.kernel.state;
         let place = std::array::from_fn(|axis| Some(state.machine_position(axis)));
         self.references[usize::from(second)] = place;
-        self.tell_references();
+        self.emit_references();
     }
 
     /// G29: back over the point of the last G28, of which the end alone is known here.

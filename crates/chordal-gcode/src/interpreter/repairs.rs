@@ -19,7 +19,7 @@ const MAX_REPAIRS: usize = 3;
 
 /// The block before begins within so many bytes, and within so many lines.
 const LOOK_BACK: usize = 400;
-const MOST_LINES_BACK: usize = 3;
+const MAX_LINES_BACK: usize = 3;
 
 /// What a slip of the hand does to a word; the simplest first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -258,7 +258,7 @@ impl Interpreter<'_> {
             .map(|(at, _)| end.saturating_sub(LOOK_BACK) + at + 1);
         // The start of the block's own line, then those above.
         lines.next()?;
-        for start in lines.take(MOST_LINES_BACK) {
+        for start in lines.take(MAX_LINES_BACK) {
             let mut reader = BlockReader::new(&text[..end], self.file, self.control.table.lexicon);
             let mut before = Block::new();
             reader.seek(chordal_syntax::BlockPosition { offset: start as u32, line: 1 });

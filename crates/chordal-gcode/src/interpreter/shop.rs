@@ -26,7 +26,7 @@ static SHOP_CODE: CodeRow = CodeRow {
 /// What an interpreter keeps of the shop's codes.
 pub(super) struct ShopState {
     main: usize,
-    asked: u32,
+    question_count: u32,
     /// The answers for the block under way, by the place of their words.
     answers: Vec<(usize, CustomCode, ShopAnswer)>,
     /// An unknown M code takes the words of the block under way as the arguments of a macro.
@@ -47,7 +47,7 @@ impl ShopState {
     pub fn new(main: usize) -> ShopState {
         ShopState {
             main,
-            asked: 0,
+            question_count: 0,
             answers: Vec::new(),
             takes_words: false,
             programs: Vec::new(),
@@ -173,7 +173,7 @@ impl Interpreter<'_> {
         let word = block.words[at];
         let Some((code, answer)) = self.shop.take(at) else { return };
         let beside = codes.iter().find(|(row, place)| {
-            *place != at && (goes_elsewhere(row.action) || self.shop.runs_text(*place))
+            *place != at && (leaves_block_order(row.action) || self.shop.runs_text(*place))
         });
         if let (ShopAnswer::Text(_), Some((_, other))) = (&answer, beside) {
             let other = self.span(block.words[*other].range);
@@ -199,10 +199,10 @@ impl Interpreter<'_> {
         word: &Word,
         number: u32,
         repeats: u32,
-        given: CustomCodeCall<'_>,
+        call: CustomCodeCall<'_>,
     ) -> Option<bool> {
         let code = CustomCode::Program(number);
-        let answer = self.ask_shop(code, given);
+        let answer = self.ask_shop(code, call);
         if answer == ShopAnswer::NotMine {
             return None;
         }
@@ -213,14 +213,14 @@ impl Interpreter<'_> {
     /// The run's own hook comes first, then what the machine file says.
     fn ask_shop(&mut self, code: CustomCode, given: CustomCodeCall<'_>) -> ShopAnswer {
         if let Some(shop) = &self.options.shop_codes {
-            let words = self.given_words(given.block);
+            let words = self.passed_words(given.block);
             let sources = self.library.sources();
             let block = self.kernel.origin.span;
             let turns = matches!(self.kernel.state.spindle, SpindleState::Cw | SpindleState::Ccw);
             let answer = shop.answer(&ShopCall {
                 code,
                 main: self.shop.main,
-                nth: self.shop.asked,
+                nth: self.shop.question_count,
                 block,
                 file: sources.get(block.file).map_or("", |source| source.name()),
                 line: self.kernel.origin.line,
@@ -234,7 +234,7 @@ impl Interpreter<'_> {
                 incremental: self.kernel.state.incremental,
                 spindle_rpm: if turns { self.kernel.state.rpm } else { 0.0 },
             });
-            self.shop.asked += 1;
+            self.shop.question_count += 1;
             if answer != ShopAnswer::NotMine {
                 return answer;
             }
@@ -255,7 +255,7 @@ impl Interpreter<'_> {
         })
     }
 
-    fn given_words(&self, block: Option<&Block>) -> Vec<(char, f64)> {
+    fn passed_words(&self, block: Option<&Block>) -> Vec<(char, f64)> {
         let words = block.map_or(&[][..], |block| &block.words);
         let own = words.iter().filter(|word| word.letter != b'N');
         own.filter_map(|word| Some((char::from(word.letter), self.literal(word)?.to_f64())))
@@ -346,7 +346,7 @@ impl Interpreter<'_> {
 }
 
 /// Codes beside which a text of the shop would not run where it should.
-fn goes_elsewhere(action: Action) -> bool {
+fn leaves_block_order(action: Action) -> bool {
     matches!(
         action,
         Action::After(AfterCode::ProgramEnd { .. })

@@ -68,7 +68,7 @@ impl Interpreter<'_> {
     ) {
         let name = row.name(b'G');
         let active = self.spatial.rotations > 0;
-        let beside = rules.beside.filter(|(codes, _)| begins && codes.contains(&row.code));
+        let beside = rules.excluded_codes.filter(|(codes, _)| begins && codes.contains(&row.code));
         if let Some((_, alarm)) = beside {
             let message = format!("{name} in the block of a rotation in space");
             self.report_spatial(block, at, message, "write it in a block before", alarm);

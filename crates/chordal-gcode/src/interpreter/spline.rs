@@ -10,7 +10,7 @@ use chordal_syntax::{Block, Letters};
 use super::Interpreter;
 
 /// The order of a NURBS without L, and the least with one.
-const LEAST_ORDER: usize = 3;
+const MIN_ORDER: usize = 3;
 
 /// What splines remember from block to block.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -179,10 +179,10 @@ impl Interpreter<'_> {
         let open = self.spline.open.get_or_insert_with(|| OpenSpline {
             points: vec![start],
             weights: vec![begins],
-            order: LEAST_ORDER,
+            order: MIN_ORDER,
             named: AxisMask::NONE,
         });
-        if order as usize > LEAST_ORDER {
+        if order as usize > MIN_ORDER {
             open.order = order as usize;
         }
         if has != [false; 2] {
@@ -226,7 +226,7 @@ impl Interpreter<'_> {
         if let Some(last) = points.last() {
             target[..3].copy_from_slice(&last.to_array());
         }
-        let most = SplinePiece::MOST_ORDER;
+        let most = SplinePiece::MAX_ORDER;
         if count < order {
             let mut diagnostic = Diagnostic::new(
                 Code::SplineTooFew,

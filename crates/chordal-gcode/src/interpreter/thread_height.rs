@@ -8,10 +8,10 @@ use chordal_syntax::{Block, Letters};
 use super::Interpreter;
 
 /// Below this share of its lead no thread is so low: with four starts a thread of 60° is 0.135 to 0.153 of it.
-const LEAST_SHARE: f64 = 0.13;
+const MIN_SHARE: f64 = 0.13;
 
 /// Above this share of its lead no thread is so high: buttress threads are 0.87 of it.
-const LARGEST_SHARE: f64 = 1.5;
+const MAX_SHARE: f64 = 1.5;
 
 /// A whole thread of 60° is so high outside, as a share of its lead.
 const USUAL_SHARE: f64 = 0.6134;
@@ -43,7 +43,7 @@ impl Interpreter<'_> {
         let usual = length(USUAL_SHARE * sizes.lead);
         let of_lead =
             format!("{} of this thread is {height}, {number} times its lead of {lead}", names[0]);
-        let message = if !(LEAST_SHARE..=LARGEST_SHARE).contains(&share) {
+        let message = if !(MIN_SHARE..=MAX_SHARE).contains(&share) {
             of_lead
         } else if let Some(radius) = sizes.root_radius.filter(|radius| sizes.height > *radius) {
             let radius = length(radius);

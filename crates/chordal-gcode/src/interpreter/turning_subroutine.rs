@@ -15,7 +15,7 @@ const X: usize = 0;
 const Z: usize = 2;
 
 /// Most passes of a finishing cycle.
-const MOST_FINISHES: u32 = 10_000;
+const MAX_FINISHES: u32 = 10_000;
 
 impl Interpreter<'_> {
     /// G70: the contour of subroutine Q in P passes, from distance D down to distance E.
@@ -25,9 +25,9 @@ impl Interpreter<'_> {
         let first = self.length_of(block, b'D').unwrap_or(0.0);
         let last = self.length_of(block, b'E').unwrap_or(0.0);
         let passes = self.count_of(block, b'P').unwrap_or(1);
-        if !(1..=MOST_FINISHES).contains(&passes) {
+        if !(1..=MAX_FINISHES).contains(&passes) {
             let span = self.words_span(block, Letters::of("P"));
-            let message = format!("G70 makes 1 to {MOST_FINISHES} passes, not {passes}");
+            let message = format!("G70 makes 1 to {MAX_FINISHES} passes, not {passes}");
             let diagnostic = Diagnostic::new(Code::BadWordValue, span, message)
                 .label("not carried out")
                 .help("P is the number of passes");

@@ -9,11 +9,11 @@ use chordal_syntax::{Block, Letters};
 use super::Interpreter;
 
 /// The last work offset where one code counts all of them (Mach3).
-const MOST_COUNTED: u32 = 254;
+const MAX_COUNTED: u32 = 254;
 
 /// The work offset that a counted P names.
 pub(super) fn counted(number: u32) -> Option<WorkName> {
-    WorkName::counted(u16::try_from(number).ok().filter(|n| u32::from(*n) <= MOST_COUNTED)?)
+    WorkName::counted(u16::try_from(number).ok().filter(|n| u32::from(*n) <= MAX_COUNTED)?)
 }
 
 impl Interpreter<'_> {
@@ -65,7 +65,7 @@ impl Interpreter<'_> {
             None => self.report_no_offset(
                 block,
                 format!("there is no work offset P{number}"),
-                &format!("P1 to P6 are G54 to G59, and P{MOST_COUNTED} is the last"),
+                &format!("P1 to P6 are G54 to G59, and P{MAX_COUNTED} is the last"),
             ),
         }
     }

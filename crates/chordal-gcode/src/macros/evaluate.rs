@@ -61,11 +61,11 @@ impl EvaluationError {
     }
 
     /// What could not be read has been told; there is nothing to tell again.
-    pub fn told(range: TextRange) -> EvaluationError {
+    pub fn already_reported(range: TextRange) -> EvaluationError {
         EvaluationError::new(Code::BadExpression, range, "", "")
     }
 
-    pub fn is_told(&self) -> bool {
+    pub fn is_reported(&self) -> bool {
         self.message.is_empty()
     }
 }
@@ -96,13 +96,15 @@ pub(crate) fn evaluate(
     for (index, step) in steps.iter().enumerate() {
         let value = match step.op {
             StackOp::Number(number) => MacroValue::Number(number),
-            StackOp::Unreadable => return Err(EvaluationError::told(step.range)),
+            StackOp::Unreadable => return Err(EvaluationError::already_reported(step.range)),
             StackOp::Read => match pop(stack).counted() {
                 Err(cause) => MacroValue::Unknown(cause),
-                Ok(number) if is_asked(steps, index) => truth(variables.is_number(number)),
+                Ok(number) if is_exists_operand(steps, index) => truth(variables.is_number(number)),
                 Ok(number) => variables.read(number, step.range)?,
             },
-            StackOp::ReadNamed(name) if is_asked(steps, index) => truth(variables.is_set(name)),
+            StackOp::ReadNamed(name) if is_exists_operand(steps, index) => {
+                truth(variables.is_set(name))
+            }
             StackOp::ReadNamed(name) => variables.read_named(name, step.range)?,
             StackOp::Letters(letters) => match pop(stack).counted() {
                 Err(cause) => MacroValue::Unknown(cause),
@@ -175,7 +177,7 @@ fn truth(holds: bool) -> MacroValue {
 }
 
 /// Whether EXISTS asks for the variable of a step.
-fn is_asked(steps: &[ExpressionStep], index: usize) -> bool {
+fn is_exists_operand(steps: &[ExpressionStep], index: usize) -> bool {
     let next = steps.get(index + 1).map(|step| step.op);
     matches!(next, Some(StackOp::Call { function: Function::Exists, .. }))
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::value::MacroValue;
 
 /// Most named variables of a run; a program that makes names without end is stopped here.
-const MOST_NAMES: usize = 100_000;
+const MAX_NAMES: usize = 100_000;
 
 /// Named variables by their names as [`normal`] writes them.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -40,7 +40,7 @@ impl NamedVariables {
             let last = self.levels.len() - 1;
             &mut self.levels[last]
         };
-        if names.len() >= MOST_NAMES && !names.contains_key(&name) {
+        if names.len() >= MAX_NAMES && !names.contains_key(&name) {
             return false;
         }
         names.insert(name, value);

@@ -96,7 +96,7 @@ pub struct Recognition {
 pub const ANOTHER_KIND: i32 = -1000;
 
 /// From this weight and lead on there is no doubt.
-const SURE: i32 = 6;
+const SURE_WEIGHT: i32 = 6;
 
 impl Recognition {
     /// What was chosen.
@@ -125,7 +125,7 @@ impl Recognition {
     pub fn strength(&self) -> EvidenceStrength {
         let chosen = self.chosen();
         match chosen.weight {
-            weight if weight >= SURE && self.lead() >= SURE => EvidenceStrength::Sure,
+            weight if weight >= SURE_WEIGHT && self.lead() >= SURE_WEIGHT => EvidenceStrength::Sure,
             _ if chosen.not_read => EvidenceStrength::Likely,
             weight if weight >= CLEAR && self.lead() >= LEAD => EvidenceStrength::Likely,
             weight if weight >= CLEAR => EvidenceStrength::Weak,
@@ -138,7 +138,7 @@ impl Recognition {
     pub fn is_certain(&self) -> bool {
         let strongest = self.chosen().signs.first();
         self.strength() == EvidenceStrength::Sure
-            && strongest.is_some_and(|sign| sign.weight >= SURE)
+            && strongest.is_some_and(|sign| sign.weight >= SURE_WEIGHT)
     }
 
     /// The signs decide; otherwise runs may.
@@ -193,7 +193,7 @@ fn tally(text: &[u8]) -> TextTally {
             let rest = &text[at..part.end];
             let end = memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
             // What comes after so much of a line is no sign.
-            let words = &rest[..end.min(LONGEST_LINE)];
+            let words = &rest[..end.min(MAX_LINE_BYTES)];
             line.read(words);
             tally.line(words, &line, at);
             at += end + 1;
@@ -203,7 +203,7 @@ fn tally(text: &[u8]) -> TextTally {
 }
 
 /// So much of a line is looked at, bytes.
-const LONGEST_LINE: usize = 512;
+const MAX_LINE_BYTES: usize = 512;
 
 /// What speaks for a language; nothing where it is one that is not read, and too little speaks for it.
 fn candidate(

@@ -10,7 +10,7 @@ use super::line::{SampleLine, bit};
 use super::style::TextStyle;
 
 /// Lines between two counts of the same kind: a share of fewer says nothing.
-const FEWEST_OF_A_SHARE: u32 = 3;
+const MIN_OF_A_SHARE: u32 = 3;
 
 /// Lines with more words are not compared as a whole.
 const WHOLE_LINE_WORDS: usize = 8;
@@ -204,7 +204,7 @@ impl TextTally {
                 let share = seen.of * 100;
                 let inside =
                     share >= seen.among * u32::from(*from) && share <= seen.among * u32::from(*to);
-                (seen.among >= FEWEST_OF_A_SHARE && inside).then_some(seen.at.unwrap_or(0))
+                (seen.among >= MIN_OF_A_SHARE && inside).then_some(seen.at.unwrap_or(0))
             }
             SignMatcher::Letters { used, unused, least } => self.letters(*used, *unused, *least),
             SignMatcher::Form(TextForm::OpenComments) => {

@@ -7,7 +7,7 @@ use super::deviation::deviation;
 use super::flat::{FittedPiece, PlanarPoints};
 
 /// Arcs turn by no more than this, radians: near a whole turn the ends say little about the centre.
-const MOST_HALF_TURN: f64 = 5.0 / 6.0 * math::PI;
+const MAX_HALF_TURN: f64 = 5.0 / 6.0 * math::PI;
 
 /// A line is taken where it comes this near to what an arc would reach.
 const LINE_FOR_ARC: f64 = 0.85;
@@ -184,7 +184,7 @@ impl PieceFinder<'_> {
         let along = chord.normalized()?;
         let middle = (at[from] + at[to]) * 0.5;
         let e = self.tolerance;
-        let mut range = [-MOST_HALF_TURN, MOST_HALF_TURN];
+        let mut range = [-MAX_HALF_TURN, MAX_HALF_TURN];
         let mut limits = range.map(math::sin_cos);
         let mut narrow = |x: f64, y: f64| {
             let half_k = 0.5 * (x * x + y * y - h * h - e * e) / h;

@@ -14,7 +14,7 @@ use super::row::{EACH, JointDirections, PieceRow};
 /// Steps at most; a row is given up that keeps more than this part of what is outside over several of them.
 const STEPS: usize = 48;
 const LEFT: f64 = 0.5;
-const PATIENCE: usize = 8;
+const MAX_ROUNDS_WITHOUT_GAIN: usize = 8;
 /// Steps in which every point pulls, of a row that is not near the path yet.
 const FIRST_STEPS: usize = 3;
 /// Chords of a piece after which its path is looked at; longer ones at as many points.
@@ -62,7 +62,7 @@ impl StripRow<'_> {
         let mut outside = self.outside(&row, &probes);
         let (mut damping, mut before) = (1e-3, f64::INFINITY);
         for step in 0..STEPS {
-            if step % PATIENCE == 0 {
+            if step % MAX_ROUNDS_WITHOUT_GAIN == 0 {
                 if outside.sum > LEFT * before {
                     break;
                 }

@@ -13,9 +13,9 @@ use super::flat::{FittedPiece, PlanarPoints, part, shape};
 pub(super) const EACH: usize = 3;
 /// How much more freely a joint slides along the path than it leaves it.
 const SLIDE: f64 = 16.0;
-const MOST_STEPS: usize = 8;
+const MAX_STEPS: usize = 8;
 /// Pieces with a shorter chord are none, mm.
-const SHORTEST: f64 = 1e-9;
+const MIN_CHORD_MM: f64 = 1e-9;
 /// Directions that differ by less are one, radians.
 const TANGENT: f64 = 1e-11;
 
@@ -236,7 +236,7 @@ impl PieceRow {
     pub(super) fn is_sound(&self) -> bool {
         let has_length = |piece: usize| {
             let length = self.chord(piece).length();
-            length > SHORTEST && length.is_finite()
+            length > MIN_CHORD_MM && length.is_finite()
         };
         self.halves.iter().all(|half| half.abs() < 0.95 * math::PI)
             && (0..self.len()).all(has_length)
@@ -245,7 +245,7 @@ impl PieceRow {
     /// Makes the row tangent by the least change, in Newton's steps; `None` where they do not come to an end.
     pub(super) fn make_tangent(&mut self) -> Option<()> {
         let mut last = f64::INFINITY;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let along = self.along();
             let equations: Vec<_> =
                 (0..=self.len()).map(|joint| self.equation(joint, &along)).collect();

@@ -55,7 +55,7 @@ fn by_plane(
     sections: &mut Vec<PlanarSection>,
 ) {
     /// Fewer chords are not worth a plane of their own.
-    const FEW: usize = 4;
+    const MIN_SECTION_CHORDS: usize = 4;
     let level = 1e-6 + tolerance / 1000.0;
     let reach = |start: usize, plane: Plane| {
         let height = plane.height(points[start]);
@@ -72,7 +72,7 @@ fn by_plane(
             planes
         };
         let is_all = at == from && best.0 == to - from;
-        if best.0 < FEW && !is_all {
+        if best.0 < MIN_SECTION_CHORDS && !is_all {
             at += 1;
             continue;
         }

@@ -14,8 +14,8 @@ use super::row::{ArcDensity, JointKind, PieceRow, SpreadRule};
 use super::{FitMeasure, FitOptions};
 
 /// Halvings of the tolerance when a row is made even; that is for rows of no more pieces.
-const HALVINGS: usize = 5;
-const MANY: usize = 100;
+const TOLERANCE_HALVINGS: usize = 5;
+const MAX_HALVED_PIECES: usize = 100;
 /// The strip that points are relaxed into, of the tolerance: some lie between those looked at. Where these turn
 /// out to be further off, it is made so often narrower.
 const STRIP: f64 = 0.985;
@@ -35,9 +35,9 @@ const ATTEMPTS: usize = 8;
 /// How often a row is cut where it cannot be tangent.
 const CUTS: usize = 4;
 /// A row within this part of the tolerance decides where arcs are needed.
-const FINE: f64 = 0.05;
+const FINE_TOLERANCE_SHARE: f64 = 0.05;
 /// Pieces are lines to stay where they are nearer than this part of the tolerance.
-const STRAIGHT: f64 = 0.1001;
+const STRAIGHT_TOLERANCE_SHARE: f64 = 0.1001;
 
 /// What is asked of the ends of a row.
 #[derive(Clone, Copy, Default)]
@@ -122,7 +122,7 @@ impl SectionFit<'_> {
 
     fn density(&self, is_closed: bool) -> ArcDensity {
         let last = self.flat.last();
-        let fine = self.chain([0, last], FINE * self.options.tolerance);
+        let fine = self.chain([0, last], FINE_TOLERANCE_SHARE * self.options.tolerance);
         let heads = fine.iter().map(|piece| piece.span[0] as usize).chain([last]);
         let mut density = ArcDensity(heads.map(|head| self.flat.along[head]).collect());
         if is_closed {
@@ -135,11 +135,11 @@ impl SectionFit<'_> {
     /// there is room for the joints to move.
     fn even(&self, longest: &[FittedPiece], range: [usize; 2]) -> Vec<FittedPiece> {
         let mut best = longest.to_vec();
-        if longest.len() > MANY {
+        if longest.len() > MAX_HALVED_PIECES {
             return best;
         }
         let (mut low, mut high) = (0.0, self.options.tolerance);
-        for _ in 0..HALVINGS {
+        for _ in 0..TOLERANCE_HALVINGS {
             let middle = 0.5 * (low + high);
             let row = self.chain(range, middle);
             if row.len() <= best.len() {
@@ -154,7 +154,7 @@ impl SectionFit<'_> {
     fn is_straight(&self, piece: &FittedPiece) -> bool {
         let is_chord = piece.span[1] - piece.span[0] <= 1.0;
         piece.is_line()
-            && (piece.deviation <= STRAIGHT * self.options.tolerance
+            && (piece.deviation <= STRAIGHT_TOLERANCE_SHARE * self.options.tolerance
                 || is_chord && self.flat.stiff[piece.span[0] as usize] == piece.span[0] as usize)
     }
 

@@ -54,7 +54,7 @@ impl Kernel<'_> {
             CycleKind::SelfReversingTap => self.tap_with_head(at, hole),
         }
         let is_out = |believed: Position| believed[hole.axis] == hole.clear;
-        if !self.state.believed.is_some_and(is_out) {
+        if !self.state.control_position.is_some_and(is_out) {
             self.level(hole, hole.clear);
         }
         self.clean_chips(hole);
@@ -99,7 +99,7 @@ impl Kernel<'_> {
             }
             HoleApproach::ByClearLevel => {
                 let mut target = place;
-                let now = self.state.believed.unwrap_or(self.state.position)[hole.axis];
+                let now = self.state.control_position.unwrap_or(self.state.position)[hole.axis];
                 if hole.words.initial < hole.r {
                     self.level(hole, hole.r);
                     target[hole.axis] = hole.r;
@@ -143,7 +143,7 @@ impl Kernel<'_> {
 
     /// A rapid along the drilling axis.
     pub fn level(&mut self, hole: &HoleWords, level: f64) {
-        let mut target = self.state.believed.unwrap_or(self.state.position);
+        let mut target = self.state.control_position.unwrap_or(self.state.position);
         target[hole.axis] = level;
         self.rapid_to(target, AxisMask(1 << hole.axis));
     }

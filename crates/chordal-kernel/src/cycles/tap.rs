@@ -56,13 +56,13 @@ impl Kernel<'_> {
         }
         let level = if rules.out_to_clear { hole.clear } else { hole.r };
         if exchanged {
-            self.state.believed = Some(start);
+            self.state.control_position = Some(start);
         }
         self.tap_to(at, hole, level, factor);
         if exchanged {
             let mut believed = start;
             believed[hole.axis] = level;
-            self.state.believed = Some(believed);
+            self.state.control_position = Some(believed);
         }
         if rules.dwell_at_r {
             self.wait(hole.words.dwell_s);
@@ -100,7 +100,7 @@ impl Kernel<'_> {
             FeedMode::PerRevolution => Some(feed),
             FeedMode::PerTime | FeedMode::InverseTime => None,
         };
-        let (lead, source) = match self.lead_given(hole) {
+        let (lead, source) = match self.programmed_lead(hole) {
             Some(lead) => (Some(lead), "the words of the cycle make"),
             None => (self.state.feed.and_then(per_turn), "F and S make"),
         };
@@ -165,7 +165,7 @@ impl Kernel<'_> {
 
     /// A move along the thread; `factor` is how much faster than the way in it goes.
     fn tap_to(&mut self, at: &dyn Statement, hole: &HoleWords, level: f64, factor: f64) {
-        let mut target = self.state.believed.unwrap_or(self.state.position);
+        let mut target = self.state.control_position.unwrap_or(self.state.position);
         target[hole.axis] = level;
         let mut axes = AxisMask(1 << hole.axis);
         if self.rules.cycles.tap.exchanged_off_xy && hole.words.kind.is_tap() {
@@ -173,7 +173,7 @@ impl Kernel<'_> {
         }
         let motion = self.moved_to(target, axes);
         let rev_per_s = self.state.rpm / 60.0 * factor;
-        let lead = self.lead_given(hole);
+        let lead = self.programmed_lead(hole);
         let per_turn = self.state.feed_mode == FeedMode::PerRevolution;
         // At the speed of the way in F has been checked.
         let in_step = lead.is_some() || per_turn && factor > 1.0;
@@ -230,7 +230,7 @@ impl Kernel<'_> {
     }
 
     /// The lead of the thread in mm, where the control reads it from a word.
-    fn lead_given(&self, hole: &HoleWords) -> Option<f64> {
+    fn programmed_lead(&self, hole: &HoleWords) -> Option<f64> {
         let form = self.rules.cycles.tap.feed;
         let synchronous = hole.words.synchronous.unwrap_or(form == TapFeed::Lead);
         match form {

@@ -42,7 +42,7 @@ impl FrameMap {
                 CommandKind::Spline { motion: self.motion(&motion), curve, feed }
             }
             CommandKind::Compensation { side, number, radius_mm, toward, tip } => {
-                let toward = toward.map(|way| self.way_in_plane(plane, way));
+                let toward = toward.map(|way| self.distance_in_plane(plane, way));
                 CommandKind::Compensation {
                     side: self.side(side, plane),
                     number,
@@ -51,9 +51,9 @@ impl FrameMap {
                     tip,
                 }
             }
-            CommandKind::CornerArc { toward } => {
-                CommandKind::CornerArc { toward: toward.map(|way| self.way_in_plane(plane, way)) }
-            }
+            CommandKind::CornerArc { toward } => CommandKind::CornerArc {
+                toward: toward.map(|way| self.distance_in_plane(plane, way)),
+            },
             CommandKind::WorkOffset { name, offset, zero, turned, known, position } => {
                 let position = self.point(&position);
                 CommandKind::WorkOffset { name, offset, zero, turned, known, position }
@@ -143,7 +143,7 @@ impl FrameMap {
         }
     }
 
-    fn way_in_plane(&self, plane: Plane, way: [f64; 2]) -> [f64; 2] {
+    fn distance_in_plane(&self, plane: Plane, way: [f64; 2]) -> [f64; 2] {
         let (a, b, _) = plane.axes();
         let mut whole = [0.0; AXES];
         (whole[a], whole[b]) = (way[0], way[1]);

@@ -51,7 +51,7 @@ impl Kernel<'_> {
     /// The centre on the plane's axes, by a rule for its words.
     pub fn center(&self, words: [Option<f64>; 2], rule: ArcCenter) -> (f64, f64) {
         let (a, b, _) = self.state.plane.axes();
-        let from = self.state.believed.as_ref().unwrap_or(&self.state.position);
+        let from = self.state.control_position.as_ref().unwrap_or(&self.state.position);
         self.center_seen_from((from[a], from[b]), words, rule)
     }
 
@@ -132,7 +132,7 @@ impl Kernel<'_> {
             return None;
         }
         // The control judges the arc from where it takes the tool to be.
-        let judged = match self.state.believed {
+        let judged = match self.state.control_position {
             None => self.fit_in_work(&fit, center, arc, &target),
             Some(place) => arc_sweep(plane, point(&place), end, center, arc.direction, arc.turns),
         };

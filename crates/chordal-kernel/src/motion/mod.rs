@@ -103,7 +103,7 @@ impl Kernel<'_> {
         let left = placed.and(offset_known).without(self.state.start.program);
         self.state.start.machine = self.state.start.machine.without(left);
         self.state.machine_known = machine.without(moved).or(placed.and(offset_known));
-        self.state.believed = None;
+        self.state.control_position = None;
         let from = std::mem::replace(&mut self.state.position, target);
         Move { from, to: target, from_known, to_known: self.state.known }
     }
@@ -287,7 +287,7 @@ impl Kernel<'_> {
     /// A rapid, where it goes anywhere.
     pub fn rapid_to(&mut self, target: Position, named: AxisMask) {
         if target == self.state.position {
-            self.state.believed = None;
+            self.state.control_position = None;
             self.state.known = self.state.known.or(named).without(self.state.astray);
             return;
         }

@@ -43,7 +43,7 @@ impl Kernel<'_> {
         let place = state.frames.inverse().point(&work);
         let place_known = named.and(state.frames.inverse().known(state.offsets.known()));
         let (from, from_known) = (state.position, state.known);
-        state.position = state.believed.take().unwrap_or(state.position);
+        state.position = state.control_position.take().unwrap_or(state.position);
         named.iter().for_each(|axis| state.position[axis as usize] = place[axis as usize]);
         state.known = state.known.without(named).or(place_known);
         state.machine_known = state.machine_known.or(named);
@@ -80,7 +80,7 @@ impl Kernel<'_> {
         let offset_known = self.state.offsets.known();
         let (from, from_known) = (self.state.position, self.state.known);
         // In turned coordinates a control that is off where the machine stands moves the other axes as well.
-        let believed = self.state.believed.take().filter(|_| !self.state.frames.is_plain());
+        let believed = self.state.control_position.take().filter(|_| !self.state.frames.is_plain());
         let mut work = match believed {
             Some(place) => self.state.frames.map().point(&place),
             None => self.state.work_position(),

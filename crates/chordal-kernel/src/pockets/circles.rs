@@ -9,7 +9,7 @@ use crate::kernel::Kernel;
 use crate::statement::{Statement, WordMeaning};
 
 /// Lengths that differ by less than this, mm, are the same.
-const SAME_MM: f64 = 1e-9;
+const COINCIDENT_MM: f64 = 1e-9;
 
 /// What a statement says of a circular pocket about the place where the tool stands.
 #[derive(Clone, Debug)]
@@ -92,11 +92,11 @@ impl Kernel<'_> {
         if tool == 0.0 {
             return;
         }
-        let wide = 2.0 * tool + SAME_MM;
+        let wide = 2.0 * tool + COINCIDENT_MM;
         let core = first - 2.0 * tool;
         let (word, what, width) = if second - first > wide {
             (WordMeaning::Increment, "between the circles", second - first - 2.0 * tool)
-        } else if core > tool + SAME_MM {
+        } else if core > tool + COINCIDENT_MM {
             (WordMeaning::FirstCircle, "about the middle", core - tool)
         } else {
             return;

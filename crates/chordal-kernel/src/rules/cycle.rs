@@ -113,7 +113,7 @@ pub enum DefinitionFires {
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum IncrementalLevels {
     /// R from the initial level and Z from R, when they are given; the levels stay.
-    WhenGiven,
+    WhenProgrammed,
     /// The same, and words that stay are read again in the mode of each block (LinuxCNC).
     ReadAgain,
     /// Levels are absolute; a depth in G91 is an alarm (Fadal).
@@ -370,7 +370,7 @@ impl CycleRules {
         axis: DrillingAxis::AlwaysZ,
         fires_on: FiringWords::AxisOrLevel,
         definition: DefinitionFires::Always,
-        incremental: IncrementalLevels::WhenGiven,
+        incremental: IncrementalLevels::WhenProgrammed,
         r_from_initial: false,
         radial_r_is_diameter: false,
         missing_r: MissingLevel::Refused,

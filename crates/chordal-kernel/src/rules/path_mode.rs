@@ -18,7 +18,7 @@ pub enum StartMode {
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum ShortBlocks {
     /// Nowhere: each corner is passed by itself.
-    Apart,
+    Separate,
     /// In its look-ahead and high-accuracy modes only.
     LookAhead,
     /// Wherever corners may be rounded.
@@ -95,7 +95,7 @@ impl PathRules {
         level_parts: [1.0; 3],
         level: 2,
         look_ahead_mm: None,
-        short_blocks: ShortBlocks::Apart,
+        short_blocks: ShortBlocks::Separate,
         junctions: None,
         laser_mode: false,
     };
@@ -109,7 +109,7 @@ impl PathRules {
     /// The mode that rounds corners, with or without look-ahead.
     pub fn continuous(&self, tolerance_mm: Option<f64>, look_ahead: bool) -> PathMode {
         let joined = match self.short_blocks {
-            ShortBlocks::Apart => false,
+            ShortBlocks::Separate => false,
             ShortBlocks::LookAhead => look_ahead,
             ShortBlocks::Joined => true,
         };

@@ -10,13 +10,13 @@ use crate::turning::offset::{OffsetPiece, offset};
 use crate::turning::profile::{ContourEdge, CycleView};
 
 /// Nearer levels and places are one, in units of the program.
-const SAME: f64 = 1e-6;
+const EQUAL_LEVEL: f64 = 1e-6;
 
 /// Ends of arcs nearer than this are reached.
 const ARC_END: f64 = 1e-3;
 
 /// Most passes of one cycle.
-const MOST_PASSES: u32 = 100_000;
+const MAX_PASSES: u32 = 100_000;
 
 /// Words of a roughing cycle by the contour of a subroutine, mm on the radius.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -84,7 +84,7 @@ impl Kernel<'_> {
         self.turn_rapid(words.start);
         self.turn_rapid(view.place(first.from));
         if !self.descend(at, &descent) {
-            let message = format!("this cycle needs more than {MOST_PASSES} passes");
+            let message = format!("this cycle needs more than {MAX_PASSES} passes");
             self.report(
                 Diagnostic::new(Code::BudgetReached, at.span(), message)
                     .help("is I, the depth of a pass, meant so small?"),
@@ -103,7 +103,7 @@ impl Kernel<'_> {
         contour: &[ContourEdge],
     ) -> Result<(), DescentFault> {
         let unit = self.state.units.mm();
-        let beside = beside(start, contour);
+        let beside = start_across(start, contour);
         let along_z = contour.iter().enumerate().all(|(index, edge)| {
             let from = if index == 0 { beside } else { edge.from };
             let flat =
@@ -144,7 +144,7 @@ impl Kernel<'_> {
         }
         let (mut passes, mut stands) = (0, false);
         while now < pieces.len() {
-            if passes > MOST_PASSES {
+            if passes > MAX_PASSES {
                 return false;
             }
             passes += 1;
@@ -168,7 +168,7 @@ impl Kernel<'_> {
                 level = if job.pockets == PocketHandling::Only { here[1] } else { top };
                 continue;
             }
-            if here[1] > level || (here[1] - level).abs() > SAME * job.unit {
+            if here[1] > level || (here[1] - level).abs() > EQUAL_LEVEL * job.unit {
                 now += 1;
                 continue;
             }
@@ -196,7 +196,7 @@ impl Kernel<'_> {
             // A falling arc itself may be met again.
             let Some(end) = (if index == now { met.last() } else { met.first() }) else { continue };
             let length = (end - here[0]).abs();
-            if length < SAME * job.unit {
+            if length < EQUAL_LEVEL * job.unit {
                 if index == now {
                     continue;
                 }
@@ -339,7 +339,7 @@ impl Kernel<'_> {
 }
 
 /// A start from which the contour begins towards +Z: it is reached across its first point.
-fn beside(start: [f64; 2], contour: &[ContourEdge]) -> [f64; 2] {
+fn start_across(start: [f64; 2], contour: &[ContourEdge]) -> [f64; 2] {
     [start[0], contour.first().map_or(start[1], |edge| start[1].max(edge.to[1]))]
 }
 
@@ -378,7 +378,7 @@ fn seen(
 
 /// Where along a piece it has a height, in the order of LinuxCNC: of an arc the greater first.
 fn along_at(piece: &OffsetPiece, level: f64, unit: f64) -> Vec<f64> {
-    let same = SAME * unit;
+    let same = EQUAL_LEVEL * unit;
     let Some((center, ccw)) = piece.arc else {
         let (low, high) = (piece.from[1].min(piece.to[1]), piece.from[1].max(piece.to[1]));
         if low > level + same || high < level - same {

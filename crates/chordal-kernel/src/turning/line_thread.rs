@@ -7,7 +7,7 @@ use crate::statement::Statement;
 use crate::turning::XZ;
 
 /// Most passes of one thread.
-const MOST_PASSES: u32 = 10_000;
+const MAX_PASSES: u32 = 10_000;
 
 /// Words of a thread from its drive line, mm on the radius.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -47,8 +47,8 @@ impl Kernel<'_> {
         while depth < words.height {
             self.line_thread_pass(words, start, depth, slope, forth);
             number += 1;
-            if number > MOST_PASSES {
-                let message = format!("this thread needs more than {MOST_PASSES} passes");
+            if number > MAX_PASSES {
+                let message = format!("this thread needs more than {MAX_PASSES} passes");
                 self.report(
                     Diagnostic::new(Code::BudgetReached, at.span(), message)
                         .help("is J, the depth of the first pass, meant so small?"),
@@ -57,7 +57,7 @@ impl Kernel<'_> {
             }
             depth = words.first * libm::pow(f64::from(number), 1.0 / root);
         }
-        for _ in 0..=words.spring.min(MOST_PASSES) {
+        for _ in 0..=words.spring.min(MAX_PASSES) {
             self.line_thread_pass(words, start, words.height, slope, forth);
         }
         self.turn_rapid([start[0], words.end_z]);

@@ -31,7 +31,7 @@ const Z: usize = Axis::Z as usize;
 const XZ: AxisMask = AxisMask(1 << X | 1 << Z);
 
 /// Ends nearer than this are one, mm: sums of rounded words.
-const SAME_MM: f64 = 1e-9;
+const COINCIDENT_MM: f64 = 1e-9;
 
 impl Kernel<'_> {
     /// X (a radius) and Z of the tool.

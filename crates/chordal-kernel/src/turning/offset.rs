@@ -12,10 +12,10 @@ const GONE: f64 = 1e-3;
 const MEETS: f64 = 1e-6;
 
 /// A gap along the contour from which on an arc goes round the corner.
-const GAP: f64 = 1e-2;
+const MIN_CORNER_GAP_MM: f64 = 1e-2;
 
 /// Most steps of one offset.
-const MOST_STEPS: usize = 10_000;
+const MAX_STEPS: usize = 10_000;
 
 /// A line or an arc by its ends: its angle follows from them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,7 +94,7 @@ pub(super) fn offset(pieces: &mut Vec<OffsetPiece>, by: f64, unit: f64) {
     let by = if cross(far, entry) < 0.0 { -by } else { by };
     let mut rest = pieces.split_off(1);
     let mut done = 0.0;
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         if done == by || rest.is_empty() {
             break;
         }
@@ -123,7 +123,7 @@ fn round_corners(rest: &mut Vec<OffsetPiece>, step: f64, ccw: bool, unit: f64) {
     let mut index = 0;
     while index + 1 < rest.len() {
         let (one, next) = (rest[index], rest[index + 1]);
-        if one.to[0] - next.from[0] > GAP * unit {
+        if one.to[0] - next.from[0] > MIN_CORNER_GAP_MM * unit {
             let (before, after) = (one.moved(-step).to, next.moved(-step).from);
             let center = [0, 1].map(|i| (before[i] + after[i]) / 2.0);
             let arc = Some((center, ccw));

@@ -3,7 +3,7 @@
 use crate::kernel::Kernel;
 use crate::state::TurnPass;
 use crate::statement::Statement;
-use crate::turning::SAME_MM;
+use crate::turning::COINCIDENT_MM;
 
 impl Kernel<'_> {
     /// One pass by the words that are remembered, and back to its start.
@@ -53,7 +53,7 @@ impl Kernel<'_> {
         let out = if from[0] >= x { 1.0 } else { -1.0 };
         // Out no further than the start of the cycle, and no longer than the thread.
         let exit = full.min((from[0] - x).abs()).min(length);
-        if exit <= SAME_MM {
+        if exit <= COINCIDENT_MM {
             return self.turn_thread([x, z], lead);
         }
         // It begins where it would without ending at the start's diameter.

@@ -4,10 +4,10 @@ use chordal_diagnostics::{Code, Diagnostic};
 
 use crate::kernel::Kernel;
 use crate::statement::Statement;
-use crate::turning::SAME_MM;
+use crate::turning::COINCIDENT_MM;
 
 /// Most pecks of one cycle.
-const MOST_PECKS: f64 = 100_000.0;
+const MAX_PECKS: f64 = 100_000.0;
 
 /// Words of a pecking cycle; steps are above zero, mm.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -32,9 +32,9 @@ impl Kernel<'_> {
         let whole = [words.end[0] - start[0], words.end[1] - start[1]];
         let pecks = words.peck.map_or(1.0, |peck| whole[deep].abs() / peck);
         let plunges = words.step.map_or(1.0, |step| whole[cross].abs() / step + 1.0);
-        if pecks * plunges > MOST_PECKS {
+        if pecks * plunges > MAX_PECKS {
             let message = format!(
-                "this cycle needs {:.0} pecks; Chordal makes at most {MOST_PECKS:.0}",
+                "this cycle needs {:.0} pecks; Chordal makes at most {MAX_PECKS:.0}",
                 pecks * plunges
             );
             self.report(
@@ -64,7 +64,7 @@ impl Kernel<'_> {
                 self.turn_rapid(place(start[deep], across));
             }
             aside = words.aside;
-            if words.step.is_none() || moved >= whole[cross].abs() - SAME_MM {
+            if words.step.is_none() || moved >= whole[cross].abs() - COINCIDENT_MM {
                 break;
             }
             plunge += 1.0;
@@ -88,7 +88,7 @@ impl Kernel<'_> {
         let mut reached = from;
         loop {
             let next = reached + direction * peck;
-            if (end - next) * direction <= SAME_MM {
+            if (end - next) * direction <= COINCIDENT_MM {
                 return self.turn_cut(at, place(end));
             }
             self.turn_cut(at, place(next));

@@ -5,7 +5,7 @@ use chordal_geometry::Plane;
 
 use crate::kernel::Kernel;
 use crate::statement::Statement;
-use crate::turning::{SAME_MM, XZ};
+use crate::turning::{COINCIDENT_MM, XZ};
 
 /// A contour as its blocks cut it.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,13 +57,15 @@ impl ContourProfile {
         let axis = usize::from(!along_x);
         let cross = 1 - axis;
         let out = start[cross] - self.start[cross];
-        let is_outside =
-            |at: [f64; 2]| out != 0.0 && (at[cross] - start[cross]) * out.signum() >= -SAME_MM;
+        let is_outside = |at: [f64; 2]| {
+            out != 0.0 && (at[cross] - start[cross]) * out.signum() >= -COINCIDENT_MM
+        };
         let is_cut = |edge: &ContourEdge| !(is_outside(edge.from) && is_outside(edge.to));
         let tail = self.edges.iter().rposition(is_cut).map_or(0, |last| last + 1);
         let first = self.start[axis];
         let goes_back = |edge: &ContourEdge| {
-            (edge.to[axis] - edge.from[axis]) * (edge.from[axis] - first) < -SAME_MM * SAME_MM
+            (edge.to[axis] - edge.from[axis]) * (edge.from[axis] - first)
+                < -COINCIDENT_MM * COINCIDENT_MM
         };
         if let Some(back) = self.edges[tail..].iter().position(goes_back) {
             self.edges.truncate(tail + back);
@@ -129,7 +131,7 @@ impl ContourEdge {
         let inside = |share: &f64| *share > 1e-12 && *share < 1.0 - 1e-12;
         let Some((center, sweep)) = self.arc else {
             let rise = self.to[1] - self.from[1];
-            if rise.abs() <= SAME_MM {
+            if rise.abs() <= COINCIDENT_MM {
                 return Vec::new();
             }
             return Some((level - self.from[1]) / rise).filter(inside).into_iter().collect();

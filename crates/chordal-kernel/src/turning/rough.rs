@@ -5,11 +5,11 @@ use chordal_diagnostics::{Code, Diagnostic, Severity};
 use crate::kernel::Kernel;
 use crate::rules::FirstLevel;
 use crate::statement::Statement;
-use crate::turning::SAME_MM;
+use crate::turning::COINCIDENT_MM;
 use crate::turning::profile::{ContourEdge, ContourProfile, CycleView};
 
 /// Most passes of one cycle: a depth of a micron is a slip.
-const MOST_PASSES: u32 = 100_000;
+const MAX_PASSES: u32 = 100_000;
 
 /// Words of a roughing cycle.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -60,7 +60,7 @@ impl Kernel<'_> {
             FirstLevel::Start => seen[1],
         };
         let passes = (top - lowest) / words.depth;
-        if passes > f64::from(MOST_PASSES) {
+        if passes > f64::from(MAX_PASSES) {
             return self.report_passes(at, passes);
         }
         self.origin.cycle = true;
@@ -129,7 +129,7 @@ impl Kernel<'_> {
         let mut pass = 1.0;
         loop {
             let level = top - depth * pass;
-            if level <= lowest + SAME_MM {
+            if level <= lowest + COINCIDENT_MM {
                 return;
             }
             self.infeed(at, job, [job.begin[0], level]);
@@ -162,7 +162,7 @@ impl Kernel<'_> {
                 // Over what stands between the pockets.
                 let here = view.seen(self.turned_place())[0];
                 let over = highest_between(job.edges, here, first.from[0]) + job.retract;
-                if over > height + SAME_MM && over <= job.begin[1] {
+                if over > height + COINCIDENT_MM && over <= job.begin[1] {
                     height = over;
                     self.turn_rapid(view.place([here, height]));
                 }
@@ -175,7 +175,7 @@ impl Kernel<'_> {
                 height = end[1] + job.retract;
                 self.turn_rapid(view.place([end[0], height]));
             }
-            if level <= lowest + SAME_MM {
+            if level <= lowest + COINCIDENT_MM {
                 break;
             }
             above = level;
@@ -184,7 +184,7 @@ impl Kernel<'_> {
         // Out of the last pocket first, over what stands between it and the start.
         let here = view.seen(self.turned_place())[0];
         let over = highest_between(job.edges, here, job.begin[0]) + job.retract;
-        if over > height + SAME_MM && over <= job.begin[1] {
+        if over > height + COINCIDENT_MM && over <= job.begin[1] {
             height = over;
             self.turn_rapid(view.place([here, height]));
         }
@@ -214,7 +214,7 @@ impl Kernel<'_> {
             Diagnostic::new(
                 Code::BudgetReached,
                 at.span(),
-                format!("this depth needs {passes:.0} passes; Chordal makes at most {MOST_PASSES}"),
+                format!("this depth needs {passes:.0} passes; Chordal makes at most {MAX_PASSES}"),
             )
             .help("is the depth of a pass meant so small? a number without a point counts least increments"),
         );
@@ -293,7 +293,7 @@ fn join(run: &mut Vec<ContourEdge>, at: [f64; 2], piece: ContourEdge) {
         }
         _ => {
             let gap = (at[0] - piece.from[0]).abs() + (at[1] - piece.from[1]).abs();
-            if !run.is_empty() && gap > SAME_MM {
+            if !run.is_empty() && gap > COINCIDENT_MM {
                 run.push(ContourEdge::line(at, piece.from, piece.origin));
             }
             run.push(piece);

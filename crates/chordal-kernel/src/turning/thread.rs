@@ -4,10 +4,10 @@ use chordal_diagnostics::{Code, Diagnostic};
 
 use crate::kernel::Kernel;
 use crate::statement::Statement;
-use crate::turning::SAME_MM;
+use crate::turning::COINCIDENT_MM;
 
 /// Most passes of one thread.
-const MOST_PASSES: usize = 10_000;
+const MAX_PASSES: usize = 10_000;
 
 /// Words of a thread cycle, mm; what its first block said is remembered.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -34,7 +34,7 @@ impl Kernel<'_> {
                 Diagnostic::new(
                     Code::BudgetReached,
                     at.span(),
-                    format!("this thread needs more than {MOST_PASSES} passes"),
+                    format!("this thread needs more than {MAX_PASSES} passes"),
                 )
                 .help("is the depth of the first pass meant so small? Q counts least increments"),
             );
@@ -62,12 +62,12 @@ fn depths(words: &ThreadWords, least: f64, finish: f64, finish_passes: u32) -> O
     let rough = words.height - finish;
     let mut depths: Vec<f64> = Vec::new();
     let mut depth = 0.0;
-    while depth < rough - SAME_MM {
+    while depth < rough - COINCIDENT_MM {
         let number = depths.len() as f64;
         let by_area = words.first * ((number + 1.0).sqrt() - number.sqrt());
         depth = (depth + by_area.max(least)).min(rough);
         depths.push(depth);
-        if depths.len() > MOST_PASSES {
+        if depths.len() > MAX_PASSES {
             return None;
         }
     }

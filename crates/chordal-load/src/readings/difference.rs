@@ -4,10 +4,10 @@ use super::trace::{BlockMotion, MotionTrace};
 
 /// Positions that differ by less are the same, mm and rad: controls round arcs within the last digit of a
 /// program.
-const SAME_POSITION_MM: f64 = 0.01;
+const EQUAL_POSITION_MM: f64 = 0.01;
 
 /// Feeds that differ by less, as a share of the larger, are the same.
-const SAME_FEED_SHARE: f64 = 0.01;
+const EQUAL_FEED_SHARE: f64 = 0.01;
 
 /// What differs in a block.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -52,7 +52,7 @@ pub fn first_difference(
 }
 
 fn block_difference(one: &BlockMotion, other: &BlockMotion) -> Option<MotionAspect> {
-    let differs = |a: f64, b: f64| (a - b).abs() > SAME_POSITION_MM;
+    let differs = |a: f64, b: f64| (a - b).abs() > EQUAL_POSITION_MM;
     let known = one.known.and(other.known);
     if let Some(axis) = known.iter().find(|axis| {
         let axis = *axis as usize;
@@ -76,7 +76,7 @@ fn block_difference(one: &BlockMotion, other: &BlockMotion) -> Option<MotionAspe
         }
     }
     match (one.feed, other.feed) {
-        (Some(a), Some(b)) if (a - b).abs() > SAME_FEED_SHARE * a.abs().max(b.abs()) => {
+        (Some(a), Some(b)) if (a - b).abs() > EQUAL_FEED_SHARE * a.abs().max(b.abs()) => {
             Some(MotionAspect::Feed)
         }
         _ => None,

@@ -26,7 +26,7 @@ const POSSIBLE_SCORE_GAP: i32 = 6;
 const FIRST_ERROR_PENALTY: i32 = 6;
 
 /// What errors cost a control at most.
-const LARGEST_PENALTY: i32 = 12;
+const MAX_PENALTY: i32 = 12;
 
 /// A reading that remains: a control, the units where the text names none, and what it moves.
 pub(crate) struct PossibleReading {
@@ -136,8 +136,8 @@ fn faults(trace: &MotionTrace) -> u64 {
 fn penalty(faults: u64) -> i32 {
     match i32::try_from(faults) {
         Ok(0) => 0,
-        Ok(faults) => faults.saturating_add(FIRST_ERROR_PENALTY - 1).min(LARGEST_PENALTY),
-        Err(_) => LARGEST_PENALTY,
+        Ok(faults) => faults.saturating_add(FIRST_ERROR_PENALTY - 1).min(MAX_PENALTY),
+        Err(_) => MAX_PENALTY,
     }
 }
 

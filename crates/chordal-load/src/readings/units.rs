@@ -10,17 +10,17 @@ use super::trace::MotionTrace;
 const COMMENT_HEAD_BYTES: usize = 16 << 10;
 
 /// Nobody cuts a part larger than this on a machine that takes these programs, mm.
-const LARGEST_PART_MM: f64 = 4_000.0;
+const MAX_PART_MM: f64 = 4_000.0;
 
 /// Nor at more than this feed, mm/s (15 m/min).
-const LARGEST_FEED_MM_PER_S: f64 = 250.0;
+const MAX_FEED_MM_PER_S: f64 = 250.0;
 
 /// Nor at less than this for all of a program, mm/s (12 mm/min).
-const SMALLEST_FEED_MM_PER_S: f64 = 0.2;
+const MIN_FEED_MM_PER_S: f64 = 0.2;
 
 /// Feeds of lathes, mm per revolution: nobody turns with more, nor with less for all of a program.
-const LARGEST_FEED_MM_PER_REV: f64 = 1.6;
-const SMALLEST_FEED_MM_PER_REV: f64 = 0.03;
+const MAX_FEED_MM_PER_REV: f64 = 1.6;
+const MIN_FEED_MM_PER_REV: f64 = 0.03;
 
 /// Some block names the units by G20, G21, G70 or G71.
 pub fn names_units(text: &[u8]) -> bool {
@@ -72,8 +72,7 @@ pub fn is_plausible(trace: &MotionTrace) -> bool {
     let size = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
     let per_s = trace.largest_feed_mm_per_s;
     let per_rev = trace.largest_feed_mm_per_rev;
-    size <= LARGEST_PART_MM
-        && (per_s == 0.0 || (SMALLEST_FEED_MM_PER_S..=LARGEST_FEED_MM_PER_S).contains(&per_s))
-        && (per_rev == 0.0
-            || (SMALLEST_FEED_MM_PER_REV..=LARGEST_FEED_MM_PER_REV).contains(&per_rev))
+    size <= MAX_PART_MM
+        && (per_s == 0.0 || (MIN_FEED_MM_PER_S..=MAX_FEED_MM_PER_S).contains(&per_s))
+        && (per_rev == 0.0 || (MIN_FEED_MM_PER_REV..=MAX_FEED_MM_PER_REV).contains(&per_rev))
 }

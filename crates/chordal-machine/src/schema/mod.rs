@@ -273,7 +273,7 @@ fn variable_name(key: &str) -> Option<String> {
 }
 
 /// No control has M codes of more than four digits, and ten times the number fits 16 bits.
-const LARGEST_M_CODE: u16 = 6553;
+const MAX_M_CODE: u16 = 6553;
 
 /// What a table of `shop_codes` is about.
 #[derive(Clone, Copy, Debug)]
@@ -302,7 +302,7 @@ impl ShopName {
         match key.as_bytes()[0] {
             b'M' => {
                 let number = u16::try_from(number).ok()?;
-                (number <= LARGEST_M_CODE).then_some(ShopName::M(number))
+                (number <= MAX_M_CODE).then_some(ShopName::M(number))
             }
             b'O' => Some(ShopName::Program(number)),
             _ => None,

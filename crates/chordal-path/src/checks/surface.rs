@@ -56,14 +56,14 @@ impl RunChecks<'_> {
         let limits = self.machine.axes[surface.rotary].as_ref();
         let Some(most) = limits.and_then(|limits| limits.max_velocity) else { return };
         let (length, seconds) = (curve.length(), duration_s(feed, motion, curve));
-        if self.now.told_speed || self.assumed || seconds <= 0.0 || length <= 0.0 {
+        if self.now.reported_speed || self.assumed || seconds <= 0.0 || length <= 0.0 {
             return;
         }
         let (turn, radius) = fastest_turn(surface, curve, length / seconds);
         if turn <= most * (1.0 + 1e-9) {
             return;
         }
-        self.now.told_speed = true;
+        self.now.reported_speed = true;
         let letter = Axis::ALL[surface.rotary].letter();
         let per_minute =
             |value: f64| format!("{} deg/min", number_text(value.to_degrees() * 60.0, 0));

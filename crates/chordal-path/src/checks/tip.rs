@@ -11,7 +11,7 @@ use crate::tip::{TipDoubt, TipPlace};
 const Z: usize = Axis::Z as usize;
 
 /// Radii that differ by less are the same, mm.
-const SAME_RADIUS_MM: f64 = 1e-5;
+const EQUAL_RADIUS_MM: f64 = 1e-5;
 
 impl RunChecks<'_> {
     /// Reports each tool and length offset once.
@@ -86,7 +86,7 @@ impl RunChecks<'_> {
         let own_mm = self.machine.tools.get(&tool).and_then(Tool::radius_mm);
         let text = |mm: f64| self.now.units.length_text(mm);
         let (severity, why) = match (own_mm, radius_mm) {
-            (Some(own), Some(other)) if (own - other).abs() < SAME_RADIUS_MM => return,
+            (Some(own), Some(other)) if (own - other).abs() < EQUAL_RADIUS_MM => return,
             (Some(own), Some(other)) => {
                 let why = format!("its radius is {}, that of D{offset} {}", text(own), text(other));
                 (Severity::Error, why)

@@ -10,11 +10,11 @@ use super::{Compensator, PathSink};
 
 impl Compensator {
     /// Reports a problem with what the control shows; `{n}` stays for who knows the N word.
-    fn tell(&self, diagnostic: Diagnostic, origin: &Origin, out: &mut dyn PathSink) {
-        self.tell_of(diagnostic, false, origin, out);
+    fn report(&self, diagnostic: Diagnostic, origin: &Origin, out: &mut dyn PathSink) {
+        self.report_with(diagnostic, false, origin, out);
     }
 
-    fn tell_of(
+    fn report_with(
         &self,
         mut diagnostic: Diagnostic,
         arc: bool,
@@ -47,7 +47,7 @@ impl Compensator {
         self.units.length_text(mm)
     }
 
-    pub(super) fn inside_arc_told(
+    pub(super) fn report_inside_arc(
         &self,
         block: &QueuedBlock,
         radius: f64,
@@ -64,7 +64,7 @@ impl Compensator {
         )
         .label("the tool runs inside this arc")
         .help(format!("use a tool with a radius below {radius}, or check the offset"));
-        self.tell_of(diagnostic, true, origin, out);
+        self.report_with(diagnostic, true, origin, out);
     }
 
     /// An inside arc as large as the offset, on a control that takes it.
@@ -84,10 +84,10 @@ impl Compensator {
         .severity(Severity::Note)
         .label("the arc shrinks to a point")
         .help("a larger offset does not fit; a smaller tool cuts the arc without stopping in it");
-        self.tell_of(diagnostic, true, origin, out);
+        self.report_with(diagnostic, true, origin, out);
     }
 
-    pub(super) fn interference_told(
+    pub(super) fn report_interference(
         &self,
         block: &QueuedBlock,
         found: &InterferenceKind,
@@ -113,7 +113,7 @@ impl Compensator {
         let diagnostic = Diagnostic::new(Code::CompensationInterference, origin.span, what)
             .label("does not fit between its neighbours")
             .help("use a smaller tool, or change the contour here");
-        self.tell_of(diagnostic, block.curve.is_arc(), origin, out);
+        self.report_with(diagnostic, block.curve.is_arc(), origin, out);
     }
 
     pub(super) fn avoided(&self, block: &QueuedBlock, out: &mut dyn PathSink) {
@@ -125,7 +125,7 @@ impl Compensator {
             format!("with the offset {offset} the control skips this block"),
         )
         .help("use a smaller tool, or change the contour here");
-        self.tell(diagnostic, origin, out);
+        self.report(diagnostic, origin, out);
     }
 
     pub(super) fn no_intersection(
@@ -143,7 +143,7 @@ impl Compensator {
         )
         .also(before.command.origin.span, "the block before")
         .help("use a smaller tool, or change the corner");
-        self.tell_of(diagnostic, new.curve.is_arc(), origin, out);
+        self.report_with(diagnostic, new.curve.is_arc(), origin, out);
     }
 
     pub(super) fn lead_too_short(&self, origin: &Origin, length: f64, out: &mut dyn PathSink) {
@@ -154,7 +154,7 @@ impl Compensator {
             format!("the lead-in of {is} is too short for the offset {offset}"),
         )
         .help(format!("start more than {offset} away"));
-        self.tell(diagnostic, origin, out);
+        self.report(diagnostic, origin, out);
     }
 
     /// G40 in a block that moves nothing in the plane.
@@ -167,7 +167,7 @@ impl Compensator {
         .severity(Severity::Warning)
         .label("no lead-out")
         .help("put G40 on a straight move away from the contour");
-        self.tell(diagnostic, origin, out);
+        self.report(diagnostic, origin, out);
     }
 
     pub(super) fn starts_on_arc(&self, origin: &Origin, out: &mut dyn PathSink) {
@@ -188,10 +188,10 @@ impl Compensator {
             .label("this block is an arc")
             .also(self.code.span, "from here")
             .help(help);
-        self.tell(diagnostic, origin, out);
+        self.report(diagnostic, origin, out);
     }
 
-    pub(super) fn side_change_told(&self, origin: &Origin, out: &mut dyn PathSink) {
+    pub(super) fn report_side_change(&self, origin: &Origin, out: &mut dyn PathSink) {
         if self.rules.compensation.side_change == SideChange::Refused {
             self.side_change_refused(origin, out);
         }
@@ -201,21 +201,21 @@ impl Compensator {
         let message = "compensation changes to the other side here";
         let diagnostic = Diagnostic::new(Code::SideChangeRefused, origin.span, message)
             .help("cancel with G40 on a move away from the contour, then start compensation again");
-        self.tell(diagnostic, origin, out);
+        self.report(diagnostic, origin, out);
     }
 
     pub(super) fn new_offset_refused(&self, origin: &Origin, out: &mut dyn PathSink) {
         let message = "a new offset number while compensation is on";
         let diagnostic = Diagnostic::new(Code::NewOffsetRefused, origin.span, message)
             .help("cancel with G40 first");
-        self.tell(diagnostic, origin, out);
+        self.report(diagnostic, origin, out);
     }
 
     pub(super) fn twice(&self, origin: &Origin, out: &mut dyn PathSink) {
         let message = "compensation is already on";
         let diagnostic = Diagnostic::new(Code::CompensationTwice, origin.span, message)
             .help("remove this code, or cancel with G40 first");
-        self.tell(diagnostic, origin, out);
+        self.report(diagnostic, origin, out);
     }
 
     pub(super) fn plane_refused(&self, origin: &Origin, out: &mut dyn PathSink) {
@@ -223,7 +223,7 @@ impl Compensator {
         let diagnostic = Diagnostic::new(Code::CompensationPlane, origin.span, message)
             .label("shown as programmed")
             .help("compensate in G17");
-        self.tell(diagnostic, origin, out);
+        self.report(diagnostic, origin, out);
     }
 
     pub(super) fn look_ahead_lost(&self, before: &QueuedBlock, out: &mut dyn PathSink) {
@@ -239,7 +239,7 @@ impl Compensator {
         let diagnostic = Diagnostic::new(Code::LookAheadLost, origin.span, said)
             .label("the tool ends square to this move")
             .help("put the blocks without motion elsewhere");
-        self.tell(diagnostic, origin, out);
+        self.report(diagnostic, origin, out);
     }
 
     pub(super) fn too_many_idle(&self, origin: &Origin, out: &mut dyn PathSink) {
@@ -247,7 +247,7 @@ impl Compensator {
         let message = format!("more than {limit} commands without motion while compensation is on");
         let diagnostic = Diagnostic::new(Code::TooManyIdleBlocks, origin.span, message)
             .help("cancel compensation with G40 first");
-        self.tell(diagnostic, origin, out);
+        self.report(diagnostic, origin, out);
     }
 
     pub(super) fn spiral(&self, origin: &Origin, out: &mut dyn PathSink) {
@@ -265,14 +265,14 @@ impl Compensator {
                     .label("the exact offset would be square to the spiral")
             }
         };
-        self.tell(diagnostic, origin, out);
+        self.report(diagnostic, origin, out);
     }
 
     pub(super) fn shift_refused(&self, origin: &Origin, out: &mut dyn PathSink) {
         let message = "the coordinates shift while compensation is on";
         let diagnostic = Diagnostic::new(Code::ShiftInCompensation, origin.span, message)
             .help("cancel compensation with G40 first");
-        self.tell(diagnostic, origin, out);
+        self.report(diagnostic, origin, out);
     }
 
     pub(super) fn turn_lost(&self, block: &QueuedBlock, out: &mut dyn PathSink) {
@@ -280,6 +280,6 @@ impl Compensator {
         let message = "with its offset this arc is longer than a full turn; the control runs only the part over one turn";
         let diagnostic = Diagnostic::new(Code::FullTurnLost, origin.span, message)
             .help("divide the circle, or lead out tangentially");
-        self.tell(diagnostic, origin, out);
+        self.report(diagnostic, origin, out);
     }
 }

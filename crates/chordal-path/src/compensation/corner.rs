@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use chordal_geometry::Vec2;
 
-use super::plane::{CompensationCurve, NOTHING_MM, OffsetEdge, meeting};
+use super::plane::{CompensationCurve, NEGLIGIBLE_MM, OffsetEdge, meeting};
 
 /// How the tool goes round a corner: points joined by straight links, or an arc between two.
 #[derive(Clone, Copy, Debug, Default)]
@@ -33,7 +33,7 @@ impl CornerPath {
     }
 
     fn push(&mut self, point: Vec2) {
-        let again = self.count > 0 && self.points[self.count - 1].distance(point) <= NOTHING_MM;
+        let again = self.count > 0 && self.points[self.count - 1].distance(point) <= NEGLIGIBLE_MM;
         if !again && self.count < self.points.len() {
             self.points[self.count] = point;
             self.count += 1;

@@ -6,7 +6,7 @@ use chordal_kernel::rules::InterferenceSearch;
 use chordal_machine::PerAxis;
 
 use super::corner::CornerPath;
-use super::plane::{CompensationCurve, NOTHING_MM, offset_between};
+use super::plane::{CompensationCurve, NEGLIGIBLE_MM, offset_between};
 use super::queue::QueuedBlock;
 use super::{BlockRole, Compensator, ContourPiece, PathCommand, PathSink};
 
@@ -59,7 +59,7 @@ impl Compensator {
         centre.push(curve);
         self.links(&block, &corner, &mut centre, out);
         self.at = Some(corner.last());
-        self.tell_contour(&block, centre, out);
+        self.emit_contour(&block, centre, out);
         let (side, radius) = (self.side, self.radius);
         (self.side, self.radius) = (block.side, block.radii.1);
         for command in &block.trailing {
@@ -132,7 +132,7 @@ impl Compensator {
                 CompensationCurve::Arc { center, sweep, radius_from, radius_to, .. },
             ) => {
                 *feed = self.inside_feed(block, *feed, *radius_to);
-                if radius_from.max(*radius_to) <= NOTHING_MM * 1e3 {
+                if radius_from.max(*radius_to) <= NEGLIGIBLE_MM * 1e3 {
                     // The arc has shrunk to a point.
                     command.kind = CommandKind::Line { motion, feed: *feed };
                     if !moves {
@@ -174,7 +174,7 @@ impl Compensator {
         let least = self.rules.compensation.inside_feed_least;
         let CompensationCurve::Arc { radius_to, sweep, .. } = block.curve else { return feed };
         let inside = block.sign * sweep.signum() > 0.0;
-        if least >= 1.0 || !inside || radius_to <= NOTHING_MM {
+        if least >= 1.0 || !inside || radius_to <= NEGLIGIBLE_MM {
             return feed;
         }
         Feed { value: feed.value * (radius / radius_to).clamp(least, 1.0), ..feed }
@@ -310,7 +310,7 @@ impl Compensator {
             inserted: false,
         });
         out.contour(&ContourPiece {
-            stretch: self.stretch,
+            contour_number: self.contour_number,
             role: BlockRole::Cancel,
             plane: self.plane,
             programmed: curve.moves().then_some(curve),
@@ -325,14 +325,14 @@ impl Compensator {
         });
     }
 
-    fn tell_contour(
+    fn emit_contour(
         &self,
         block: &QueuedBlock,
         centre: Vec<CompensationCurve>,
         out: &mut dyn PathSink,
     ) {
         out.contour(&ContourPiece {
-            stretch: self.stretch,
+            contour_number: self.contour_number,
             role: block.role,
             plane: self.plane,
             programmed: (!block.made_up).then_some(block.curve),
@@ -378,7 +378,7 @@ fn entry_arc(curve: &CompensationCurve, from: Vec2, to: Vec2) -> CompensationCur
     let inward = tangent.turned_left() * w;
     let chord = from - to;
     let along = inward.dot(chord);
-    if along.abs() <= NOTHING_MM {
+    if along.abs() <= NEGLIGIBLE_MM {
         return straight;
     }
     let radius = chord.dot(chord) / (2.0 * along);

@@ -46,7 +46,7 @@ impl Compensator {
             radius < offset - short
         };
         if too_small {
-            self.inside_arc_told(block, radius, offset, out);
+            self.report_inside_arc(block, radius, offset, out);
         } else if radius <= offset + rules.tangent_mm {
             self.inside_arc_vanishes(block, offset, out);
         }

@@ -57,7 +57,7 @@ pub enum BlockRole {
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContourPiece {
     /// Counts the stretches from G41 or G42 to G40, from 1.
-    pub stretch: u32,
+    pub contour_number: u32,
     /// What the block is to the contour.
     pub role: BlockRole,
     /// The plane of the coordinates.
@@ -153,7 +153,7 @@ pub struct Compensator {
     tip: Vec2,
     /// The tool centre, if it is away from the programmed point.
     at: Option<Vec2>,
-    stretch: u32,
+    contour_number: u32,
 }
 
 /// What a [`Compensator`] remembers where compensation is off.
@@ -198,7 +198,7 @@ impl Compensator {
             queue: VecDeque::new(),
             tip: Vec2::new(0.0, 0.0),
             at: None,
-            stretch: 0,
+            contour_number: 0,
         }
     }
 
@@ -348,7 +348,7 @@ impl Compensator {
             (CompensationPhase::On, true) => {
                 let same = sign == self.sign && side == self.side;
                 if !same {
-                    self.side_change_told(origin, out);
+                    self.report_side_change(origin, out);
                 } else if radius.abs() != self.radius {
                     if rules.new_offset == AllowanceRule::Refused {
                         self.new_offset_refused(origin, out);

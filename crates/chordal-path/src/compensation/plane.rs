@@ -34,7 +34,7 @@ pub enum CompensationCurve {
 }
 
 /// Below this a length is nothing, mm: far below any least increment, far above rounding.
-pub(super) const NOTHING_MM: f64 = 1e-9;
+pub(super) const NEGLIGIBLE_MM: f64 = 1e-9;
 
 impl CompensationCurve {
     /// The curve of a motion command, seen in the plane.
@@ -75,9 +75,9 @@ impl CompensationCurve {
     /// True when it goes somewhere.
     pub(super) fn moves(&self) -> bool {
         match *self {
-            CompensationCurve::Line { from, to } => from.distance(to) > NOTHING_MM,
+            CompensationCurve::Line { from, to } => from.distance(to) > NEGLIGIBLE_MM,
             CompensationCurve::Arc { sweep, radius_from, radius_to, .. } => {
-                sweep != 0.0 && radius_from.max(radius_to) > NOTHING_MM
+                sweep != 0.0 && radius_from.max(radius_to) > NEGLIGIBLE_MM
             }
         }
     }
@@ -191,7 +191,7 @@ pub(super) fn offset_between(
     // Beyond the centre the offset point lies opposite to the programmed one.
     let arm = |p: Vec2, rho: f64| if rho < 0.0 { center - p } else { p - center };
     let turned = |programmed: Vec2, point: Vec2, rho: f64| {
-        if rho.abs() <= NOTHING_MM { 0.0 } else { angle(programmed - center, arm(point, rho)) }
+        if rho.abs() <= NEGLIGIBLE_MM { 0.0 } else { angle(programmed - center, arm(point, rho)) }
     };
     let swept = sweep - turned(start, from, rho_from) + turned(end, to, rho_to);
     CompensationCurve::Arc {

@@ -38,7 +38,7 @@ pub(super) struct QueuedBlock {
     /// Round the corner at its end by an arc.
     pub round: bool,
     /// Its corner is an error that was reported.
-    pub told: bool,
+    pub is_reported: bool,
     /// An arc that goes straight, since its corner points were left out.
     pub straight: bool,
     /// Set square to its end whatever follows.
@@ -176,7 +176,7 @@ impl Compensator {
             loose: false,
             made_up: false,
             round,
-            told: false,
+            is_reported: false,
             straight: false,
             square: false,
             corner: None,
@@ -204,7 +204,7 @@ impl Compensator {
             self.starts_on_arc(&command.origin, out);
             return self.put(command, out);
         }
-        self.stretch += 1;
+        self.contour_number += 1;
         self.at = Some(curve.from() - self.tip);
         self.phase = CompensationPhase::On;
         let alone = self.code.span != command.origin.span;
@@ -258,7 +258,7 @@ impl Compensator {
         }
         let mut new = self.block(command, curve, BlockRole::Contour);
         self.changes_allowed(&new, out);
-        new.told = self.inside_arc_too_small(&new, out);
+        new.is_reported = self.inside_arc_too_small(&new, out);
         match self.queue.pop_back() {
             Some(before) => self.join(before, new, out),
             None => {
@@ -313,8 +313,8 @@ impl Compensator {
         }
         if corner.missed {
             self.no_intersection(&before, &new, out);
-            before.told = true;
-            new.told = true;
+            before.is_reported = true;
+            new.is_reported = true;
         }
         new.start = corner.last();
         before.corner = Some(corner);
@@ -336,7 +336,7 @@ impl Compensator {
     ) {
         let strict = self.rules.compensation.interference == InterferenceSearch::Strict;
         let in_contour = block.role == BlockRole::Contour || (strict && !block.made_up);
-        let checked = in_contour && !block.told && !block.loose;
+        let checked = in_contour && !block.is_reported && !block.loose;
         if checked && let Some(found) = self.interferes(&mut block, new.as_deref()) {
             let avoid = self.rules.compensation.remedy == InterferenceRemedy::Avoid;
             if avoid && let Some(new) = new {
@@ -348,10 +348,10 @@ impl Compensator {
                         }
                         return;
                     }
-                    None => self.interference_told(&block, &found, out),
+                    None => self.report_interference(&block, &found, out),
                 }
             } else {
-                self.interference_told(&block, &found, out);
+                self.report_interference(&block, &found, out);
             }
         }
         self.queue.push_back(block);

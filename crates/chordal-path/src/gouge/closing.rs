@@ -6,10 +6,10 @@ use super::shape::GougeCurve;
 use super::{ContourBlock, GougeOptions};
 
 /// So many blocks at either end of a chain may lead to the contour and away.
-pub(super) const LONGEST_LEAD: usize = 3;
+pub(super) const MAX_LEAD: usize = 3;
 
 /// Directions that differ by less do not tell on which side a lead lies: its course does, rad.
-const NEAR: f64 = 0.2;
+const AMBIGUOUS_DIRECTION_RAD: f64 = 0.2;
 
 /// How a block lies that meets a closed contour at its closing point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,18 +45,19 @@ impl ClosingPoint<'_> {
         let back = self.last.reversed().tangent_angles().0;
         let turned = |angle: f64| (self.side * (angle - out)).rem_euclid(TAU);
         let (open, angle) = (turned(back), turned(lead.tangent_angles().0));
-        let near = |a: f64, b: f64| (a - b).abs().min(TAU - (a - b).abs()) < NEAR;
+        let near =
+            |a: f64, b: f64| (a - b).abs().min(TAU - (a - b).abs()) < AMBIGUOUS_DIRECTION_RAD;
         if near(angle, 0.0) {
-            return self.beside(lead, self.first);
+            return self.side_of(lead, self.first);
         }
         if near(angle, open) {
-            return self.beside(lead, self.last);
+            return self.side_of(lead, self.last);
         }
         if angle < open { ClosingSide::ToolSide } else { ClosingSide::FarSide }
     }
 
     /// On which side of a curve of the contour a block comes that sets out along it.
-    fn beside(&self, lead: &GougeCurve, curve: &GougeCurve) -> ClosingSide {
+    fn side_of(&self, lead: &GougeCurve, curve: &GougeCurve) -> ClosingSide {
         let way = reach(lead).min(reach(curve));
         let left = curve.left_of(lead.at((way / lead.length()).min(1.0))) * self.side;
         if left > self.grain {
@@ -86,8 +87,8 @@ pub(super) fn at_ends(
 ) -> Option<(usize, usize)> {
     let count = chain.len();
     let mut found: Vec<(usize, usize, usize)> = Vec::new();
-    for first in 0..count.min(LONGEST_LEAD + 1) {
-        for dropped in 0..=LONGEST_LEAD.min(count - 1 - first) {
+    for first in 0..count.min(MAX_LEAD + 1) {
+        for dropped in 0..=MAX_LEAD.min(count - 1 - first) {
             let end = count - dropped;
             if let Some(leads) = led_to(chain, first, end, side, options) {
                 found.push((first, end, leads));

@@ -160,7 +160,7 @@ pub struct GougeReport {
 }
 
 /// Of a contour of so few blocks leads are told from walls at once: to check it twice costs more.
-const FEW_BLOCKS: usize = 64;
+const SMALL_CONTOUR_BLOCKS: usize = 64;
 
 /// Checks the path of the tool centre against the contour of the part.
 ///
@@ -168,7 +168,7 @@ const FEW_BLOCKS: usize = 64;
 /// makes it worth while to tell leads from walls block by block.
 #[must_use]
 pub fn check(contour: &Contour, path: &[CenterMove], options: &GougeOptions) -> GougeReport {
-    if contour.blocks.len() <= FEW_BLOCKS {
+    if contour.blocks.len() <= SMALL_CONTOUR_BLOCKS {
         return check_against(&PartContour::of(contour, options), contour, path, options);
     }
     let most = PartContour::at_most(contour, options);

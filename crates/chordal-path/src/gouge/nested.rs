@@ -8,16 +8,16 @@ use super::ContourBlock;
 use super::shape::{GougeCurve, angle_of, wrapped};
 
 /// With more closed walls than this none is compared with the others.
-const MOST_WALLS: usize = 2000;
+const MAX_WALLS: usize = 2000;
 
 /// Areas that differ by less, in parts of the larger, are those of one contour run again.
-const SAME_AREA: f64 = 1e-6;
+const EQUAL_AREA_SHARE: f64 = 1e-6;
 
 /// Leaves out the walls beyond which the tool of another wall cuts. With the tool inside both, the larger of
 /// two nested contours is what remains; with the tool outside both, the smaller. An island in a pocket
 /// has the tool on the other side, and stays.
 pub(super) fn drop_rough_passes(walls: &mut Vec<Vec<usize>>, chain: &[ContourBlock], side: f64) {
-    if walls.len() < 2 || walls.len() > MOST_WALLS {
+    if walls.len() < 2 || walls.len() > MAX_WALLS {
         return;
     }
     let areas: Vec<f64> = walls.iter().map(|wall| area(curves(wall, chain))).collect();
@@ -29,7 +29,7 @@ pub(super) fn drop_rough_passes(walls: &mut Vec<Vec<usize>>, chain: &[ContourBlo
                     false => (kept, rough),
                 };
                 areas[rough] * areas[kept] > 0.0
-                    && areas[inner].abs() < areas[outer].abs() * (1.0 - SAME_AREA)
+                    && areas[inner].abs() < areas[outer].abs() * (1.0 - EQUAL_AREA_SHARE)
                     && holds(&walls[outer], &walls[inner], chain)
             })
         })

@@ -4,7 +4,7 @@
 use core::f64::consts::PI;
 
 use super::chain::{ChainWalls, closes, same_course, turn};
-use super::closing::{ClosingPoint, ClosingSide, LONGEST_LEAD};
+use super::closing::{ClosingPoint, ClosingSide, MAX_LEAD};
 use super::shape::GougeCurve;
 use super::{Contour, ContourBlock, GougeOptions, GougeRole, distance};
 
@@ -28,8 +28,8 @@ pub(super) fn walls(
 
 /// The pairs of a block near the start and one near the end, the longest stretch first.
 fn ends(count: usize) -> impl Iterator<Item = (usize, usize)> {
-    let least = count.saturating_sub(LONGEST_LEAD + 1);
-    (0..count.min(LONGEST_LEAD + 1))
+    let least = count.saturating_sub(MAX_LEAD + 1);
+    (0..count.min(MAX_LEAD + 1))
         .flat_map(move |first| (least.max(first + 1)..count).rev().map(move |last| (first, last)))
 }
 

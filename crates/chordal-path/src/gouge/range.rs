@@ -9,7 +9,7 @@ use super::tree::unwrapped_tangents;
 use super::{CenterMove, Contour, GougeOptions, GougeRole, check_against};
 
 /// Lines that turn by less have no corner between them, rad.
-const STRAIGHT: f64 = 1e-9;
+const STRAIGHT_RAD: f64 = 1e-9;
 
 /// How the tool goes round an outside corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -231,16 +231,16 @@ impl ContourChain<'_> {
             let (before, after) = (self.neighbour_before(k), self.neighbour_after(k));
             let starts = before.map_or(0.0, |b| self.inward(b, k));
             let ends = after.map_or(0.0, |a| self.inward(k, a));
-            if starts <= STRAIGHT && ends <= STRAIGHT {
+            if starts <= STRAIGHT_RAD && ends <= STRAIGHT_RAD {
                 continue;
             }
             let radius = self.vanishes(k, before, after, limit.radius.min(below));
             if radius < limit.radius {
                 let mut blocks = vec![self.material.tags[k]];
-                if let (Some(b), true) = (before, starts > STRAIGHT) {
+                if let (Some(b), true) = (before, starts > STRAIGHT_RAD) {
                     blocks.insert(0, self.material.tags[b]);
                 }
-                if let (Some(a), true) = (after, ends > STRAIGHT) {
+                if let (Some(a), true) = (after, ends > STRAIGHT_RAD) {
                     blocks.push(self.material.tags[a]);
                 }
                 let at = self.material.curves[k].at(0.5);
@@ -281,7 +281,7 @@ impl ContourChain<'_> {
 
     /// How much of a line is lost at a corner for each mm of radius; outside something is gained.
     fn lost_per_radius(&self, inward: f64) -> f64 {
-        if inward.abs() <= STRAIGHT {
+        if inward.abs() <= STRAIGHT_RAD {
             0.0
         } else if inward > 0.0 {
             libm::tan(0.5 * inward)
@@ -323,7 +323,7 @@ impl ContourChain<'_> {
         side: f64,
     ) -> Option<f64> {
         let of_lines = matches!((curve, next), (GougeCurve::Line { .. }, GougeCurve::Line { .. }));
-        if of_lines || inward <= STRAIGHT {
+        if of_lines || inward <= STRAIGHT_RAD {
             return match curve {
                 GougeCurve::Line { .. } => Some(r * self.lost_per_radius(inward)),
                 GougeCurve::Arc { .. } => Some(0.0),
@@ -333,7 +333,11 @@ impl ContourChain<'_> {
         if inward <= self.options.tangent {
             return Some(0.0);
         }
-        let meet = meeting(&beside(curve, side * r)?, &beside(next, side * r)?, curve.to())?;
+        let meet = meeting(
+            &offset_support(curve, side * r)?,
+            &offset_support(next, side * r)?,
+            curve.to(),
+        )?;
         match *curve {
             GougeCurve::Line { from, to } => {
                 let along = (to - from).normalized()?;
@@ -357,7 +361,7 @@ enum OffsetSupport {
     Circle(Circle2),
 }
 
-fn beside(curve: &GougeCurve, signed: f64) -> Option<OffsetSupport> {
+fn offset_support(curve: &GougeCurve, signed: f64) -> Option<OffsetSupport> {
     Some(match *curve {
         GougeCurve::Line { from, to } => {
             let direction = (to - from).normalized()?;

@@ -43,8 +43,8 @@ impl GougeCluster {
         let path_length = |k: usize| path.get(k).map(|m| m.curve.length());
         let contour_length = |k: usize| contour.get(k).map(GougeCurve::length);
         GougeCluster {
-            path: stretch(hit.of_path, reach, path_length),
-            contour: stretch(hit.of_contour, reach, contour_length),
+            path: indices_within(hit.of_path, reach, path_length),
+            contour: indices_within(hit.of_contour, reach, contour_length),
         }
     }
 
@@ -60,7 +60,7 @@ impl GougeCluster {
     }
 }
 
-fn stretch(at: usize, reach: f64, length: impl Fn(usize) -> Option<f64>) -> (usize, usize) {
+fn indices_within(at: usize, reach: f64, length: impl Fn(usize) -> Option<f64>) -> (usize, usize) {
     let (mut first, mut last) = (at, at);
     let mut way = 0.0;
     while first > 0 && way < reach {

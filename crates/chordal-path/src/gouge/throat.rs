@@ -13,7 +13,7 @@ use super::shape::{GougeCurve, unit, wrapped};
 use super::tree::{BoxTree, LEAF};
 
 /// Directions that differ by less than this are the same, rad.
-const SAME: f64 = 1e-6;
+const EQUAL_DIRECTION_RAD: f64 = 1e-6;
 
 /// A passage: the two curves and the chord across.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +39,8 @@ impl TangentFan {
 
     /// Whether a direction of one is opposite to a direction of the other.
     fn opposes(self, o: TangentFan) -> bool {
-        let (low, high) = (self.least - o.most - SAME, self.most - o.least + SAME);
+        let (low, high) =
+            (self.least - o.most - EQUAL_DIRECTION_RAD, self.most - o.least + EQUAL_DIRECTION_RAD);
         low <= high && libm::floor((high - PI) / TAU) * TAU + PI >= low
     }
 }
@@ -178,7 +179,8 @@ impl<'a> ThroatWalls<'a> {
         let curve = &self.material.curves[k];
         let (start, end) = self.tangents[k];
         let normal = |angle: f64| unit(angle).turned_left() * self.side;
-        let along = |n: Vec2| n.dot(direction) > 0.0 && n.cross(direction).abs() <= SAME;
+        let along =
+            |n: Vec2| n.dot(direction) > 0.0 && n.cross(direction).abs() <= EQUAL_DIRECTION_RAD;
         let grain = 1e-9 * (1.0 + curve.length());
         let joint = if at.distance(curve.from()) <= grain {
             Some((self.before(k), start, -1.0))
@@ -189,15 +191,15 @@ impl<'a> ThroatWalls<'a> {
         };
         if let Some((Some(turn), angle, way)) = joint {
             let inside = turn * self.side;
-            if inside > SAME {
+            if inside > EQUAL_DIRECTION_RAD {
                 return false;
             }
-            if inside < -SAME {
+            if inside < -EQUAL_DIRECTION_RAD {
                 // Between the normals of both curves, in the order of the turn.
                 let (mine, other) = (normal(angle), normal(angle + way * turn));
                 let sense = -self.side * way;
-                return mine.cross(direction) * sense >= -SAME
-                    && direction.cross(other) * sense >= -SAME
+                return mine.cross(direction) * sense >= -EQUAL_DIRECTION_RAD
+                    && direction.cross(other) * sense >= -EQUAL_DIRECTION_RAD
                     && direction.dot(mine + other) > 0.0;
             }
             return along(normal(angle));

@@ -12,11 +12,11 @@ use std::collections::BTreeMap;
 use chordal_geometry::Vec2;
 
 use super::chain::{ChainWalls, turn};
-use super::closing::{ClosingPoint, ClosingSide, LONGEST_LEAD};
+use super::closing::{ClosingPoint, ClosingSide, MAX_LEAD};
 use super::{Contour, ContourBlock, GougeOptions, nested, open_chain};
 
 /// A closed stretch is longer than so many grains.
-const SHORTEST: f64 = 4.0;
+const MIN_LOOP_GRAINS: f64 = 4.0;
 
 /// Finds the walls.
 pub(super) fn of(
@@ -51,7 +51,7 @@ enum WallVerdict {
     /// Neither a wall nor a part of one.
     Nothing,
     /// A stretch of something larger that touches itself here.
-    Stretch,
+    Partial,
 }
 
 /// The closed stretches of a chain.
@@ -109,7 +109,7 @@ impl ChainLoops {
                     self.closed.push(body);
                 }
                 WallVerdict::Nothing => {}
-                WallVerdict::Stretch => stack.extend(body),
+                WallVerdict::Partial => stack.extend(body),
             }
         }
         self.rest = stack;
@@ -141,8 +141,8 @@ impl ChainLoops {
             return WallVerdict::Nothing;
         }
         // A block as short as the grain ends where it begins, and closes nothing.
-        if self.length_of(body) <= SHORTEST * self.grain {
-            return WallVerdict::Stretch;
+        if self.length_of(body) <= MIN_LOOP_GRAINS * self.grain {
+            return WallVerdict::Partial;
         }
         let neighbours = self.neighbours(stack, body, next);
         if !self.lies(body, neighbours).contains(&ClosingSide::FarSide) {
@@ -156,8 +156,8 @@ impl ChainLoops {
         // Leads of few blocks are leads even where they cross the wall; that is reported then.
         let again = self.run_again(body, next);
         let after = self.chain.len() - next - again;
-        let short = stack.len() <= LONGEST_LEAD && after <= LONGEST_LEAD + again.min(1);
-        if short { WallVerdict::Wall } else { WallVerdict::Stretch }
+        let short = stack.len() <= MAX_LEAD && after <= MAX_LEAD + again.min(1);
+        if short { WallVerdict::Wall } else { WallVerdict::Partial }
     }
 
     /// So many of the next blocks are those of a closed stretch once more.

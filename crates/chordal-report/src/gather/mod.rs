@@ -28,7 +28,7 @@ use crate::data::{
 pub use self::text::title;
 
 /// Lines of the program's own output that are reported.
-const MOST_PRINTED: usize = 40;
+const MAX_PRINTED: usize = 40;
 /// The sides of a picture, px of its own.
 const PICTURE_PX: (u32, u32) = (500, 400);
 /// The half section of a lathe has the room of the page, px.
@@ -81,7 +81,7 @@ pub fn gather(job: &Job, about: &ReportContext) -> GatheredReport {
         timed.as_ref().map(|timed| time::time(timed, &tools_told.rows, &comments.head(), job));
     // The run on stock has found the same and more.
     let report = about.stock.map_or(report, |found| found.report().clone());
-    let printed = report.output.iter().take(MOST_PRINTED).map(|line| clean(line, 200));
+    let printed = report.output.iter().take(MAX_PRINTED).map(|line| clean(line, 200));
     let document = Document {
         schema: "chordal.report/1",
         chordal: env!("CARGO_PKG_VERSION"),
@@ -107,7 +107,7 @@ pub fn gather(job: &Job, about: &ReportContext) -> GatheredReport {
         },
         printed: CappedRows {
             rows: printed.collect(),
-            left_out: report.output.len().saturating_sub(MOST_PRINTED) as u64,
+            left_out: report.output.len().saturating_sub(MAX_PRINTED) as u64,
         },
         called: programs.called(about.program),
         problems: problems::problems(&report, job),

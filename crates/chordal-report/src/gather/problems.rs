@@ -8,18 +8,21 @@ use super::text::{clean, file_name};
 use crate::data::{CappedRows, ReportedProblem};
 
 /// Problems that are reported; the others are counted.
-const MOST: usize = 100;
+const MAX_PROBLEMS: usize = 100;
 /// Characters of a sentence.
-const LONGEST: usize = 600;
+const MAX_SENTENCE_CHARS: usize = 600;
 /// Calls reported of a deep nesting.
-const MOST_CALLS: usize = 4;
+const MAX_CALLS: usize = 4;
 
 /// The problems of a run, the gravest first, those of one severity by place.
 pub fn problems(report: &Report, job: &Job) -> CappedRows<ReportedProblem> {
     let mut sorted: Vec<&Diagnostic> = report.diagnostics.iter().collect();
     sorted.sort_by_key(|diagnostic| std::cmp::Reverse(diagnostic.severity));
-    let rows: Vec<ReportedProblem> =
-        sorted.iter().take(MOST).map(|diagnostic| problem(diagnostic, job.sources())).collect();
+    let rows: Vec<ReportedProblem> = sorted
+        .iter()
+        .take(MAX_PROBLEMS)
+        .map(|diagnostic| problem(diagnostic, job.sources()))
+        .collect();
     let all = report.counts.errors + report.counts.warnings + report.counts.notes;
     let left_out = all.saturating_sub(rows.len() as u64);
     CappedRows { rows, left_out }
@@ -28,8 +31,8 @@ pub fn problems(report: &Report, job: &Job) -> CappedRows<ReportedProblem> {
 /// One problem as a row.
 pub fn problem(diagnostic: &Diagnostic, sources: &SourceMap) -> ReportedProblem {
     let info = diagnostic.code.info();
-    let shown = |text: &str| clean(text, LONGEST);
-    let calls = diagnostic.calls.iter().take(MOST_CALLS);
+    let shown = |text: &str| clean(text, MAX_SENTENCE_CHARS);
+    let calls = diagnostic.calls.iter().take(MAX_CALLS);
     let calls = calls.filter_map(|call| called_from(*call, sources));
     let found = place(diagnostic.primary.span, sources);
     ReportedProblem {

@@ -7,9 +7,9 @@ use chordal_export::{stock_verdict_text, turned_verdict_text};
 use crate::data::{CappedRows, ReportedStock, StockPart, StockTool, VolumeBounds};
 
 /// Tools that are listed.
-const MOST_TOOLS: usize = 100;
+const MAX_TOOLS: usize = 100;
 /// Parts that were cut off that are listed.
-const MOST_PARTS: usize = 50;
+const MAX_PARTS: usize = 50;
 
 /// What a run on stock answers, with the times of the tools where the run was planned.
 pub fn stock(found: &StockLeft, time: Option<&TimeReport>) -> ReportedStock {
@@ -20,7 +20,7 @@ pub fn stock(found: &StockLeft, time: Option<&TimeReport>) -> ReportedStock {
     };
     let [removed, left] = found.volumes_mm3();
     let all = found.tools();
-    let tools = all.iter().take(MOST_TOOLS).map(|tool| StockTool {
+    let tools = all.iter().take(MAX_TOOLS).map(|tool| StockTool {
         number: tool.number,
         removed_mm3: volume(tool.removed_mm3),
         lowest_mm: tool.lowest_mm,
@@ -38,7 +38,7 @@ pub fn stock(found: &StockLeft, time: Option<&TimeReport>) -> ReportedStock {
         parts: parts(found),
         tools: CappedRows {
             rows: tools.collect(),
-            left_out: all.len().saturating_sub(MOST_TOOLS) as u64,
+            left_out: all.len().saturating_sub(MAX_TOOLS) as u64,
         },
     }
 }
@@ -49,10 +49,10 @@ fn parts(found: &StockLeft) -> CappedRows<StockPart> {
         StockLeft::Columns(_) => &[][..],
         StockLeft::Section(found) => &found.loose,
     };
-    let parts = loose.iter().take(MOST_PARTS);
+    let parts = loose.iter().take(MAX_PARTS);
     let part = |part: &CutOffPart| StockPart { line: part.line, volume_mm3: part.section.volume() };
     CappedRows {
         rows: parts.map(part).collect(),
-        left_out: loose.len().saturating_sub(MOST_PARTS) as u64,
+        left_out: loose.len().saturating_sub(MAX_PARTS) as u64,
     }
 }

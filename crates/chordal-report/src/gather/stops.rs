@@ -11,9 +11,9 @@ use super::text::{CommentFinder, clean, file_name, title};
 use crate::data::{CalledProgram, CappedRows, OperatorStop, StopKind};
 
 /// Stops that are reported.
-const MOST: usize = 200;
+const MAX_STOPS: usize = 200;
 /// Programs that are reported.
-const MOST_CALLED: usize = 60;
+const MAX_CALLED: usize = 60;
 
 #[derive(Debug)]
 struct StopOccurrence {
@@ -49,7 +49,7 @@ impl StopWatcher {
         let place = (kind, origin.span.file.0, origin.span.range.start);
         if let Some(seen) = self.by_place.get(&place).and_then(|at| self.seen.get_mut(*at)) {
             seen.times += 1;
-        } else if self.seen.len() < MOST {
+        } else if self.seen.len() < MAX_STOPS {
             self.by_place.insert(place, self.seen.len());
             self.seen.push(StopOccurrence { kind, origin, message, tool, times: 1 });
         } else {
@@ -67,7 +67,7 @@ impl StopWatcher {
             text: match (seen.message, seen.kind) {
                 (Some(span), _) => Some(clean(&job.sources().words(span), 200)),
                 (None, StopKind::Probe) => None,
-                (None, _) => comments.beside(&seen.origin),
+                (None, _) => comments.comment_at(&seen.origin),
             },
             times: seen.times,
         };
@@ -149,7 +149,7 @@ impl<'j> ProgramWatcher<'j> {
     }
 
     fn rows(&self, places: &[usize]) -> CappedRows<CalledProgram> {
-        let rows = places.iter().take(MOST_CALLED).map(|at| {
+        let rows = places.iter().take(MAX_CALLED).map(|at| {
             let program = &self.library.programs()[*at];
             let text = self.library.text(program.file);
             let head = &program.head;
@@ -170,7 +170,7 @@ impl<'j> ProgramWatcher<'j> {
         });
         CappedRows {
             rows: rows.collect(),
-            left_out: places.len().saturating_sub(MOST_CALLED) as u64,
+            left_out: places.len().saturating_sub(MAX_CALLED) as u64,
         }
     }
 }

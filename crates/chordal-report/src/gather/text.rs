@@ -8,15 +8,15 @@ use chordal::{Job, Span};
 use crate::data::CappedRows;
 
 /// Characters of a comment that are reported.
-const LONGEST: usize = 160;
+const MAX_COMMENT_CHARS: usize = 160;
 /// Characters of a program's title.
-const LONGEST_TITLE: usize = 60;
+const MAX_TITLE_CHARS: usize = 60;
 /// Blocks among which the head of a program ends.
-const MOST_HEAD_BLOCKS: usize = 200;
+const MAX_HEAD_BLOCKS: usize = 200;
 /// Comments of the head that are reported.
-const MOST_HEAD_COMMENTS: usize = 24;
+const MAX_HEAD_COMMENTS: usize = 24;
 /// Lines with block delete that are named.
-const MOST_SKIPPED: usize = 60;
+const MAX_SKIPPED: usize = 60;
 
 /// A text on one line, its controls and changes of direction made visible, cut to so many
 /// characters: a program may hold anything.
@@ -43,18 +43,18 @@ pub fn file_name(path: &str) -> String {
 /// The comment after the head of a program that ends at `from`: `BRACKET, SIDE 2`.
 pub fn title(text: &[u8], from: usize) -> Option<String> {
     let line = text.get(from..)?.split(|byte| matches!(byte, b'\n' | b'\r')).next()?;
-    let line = &line[..line.len().min(4 * LONGEST_TITLE)];
+    let line = &line[..line.len().min(4 * MAX_TITLE_CHARS)];
     let open = line.iter().position(|byte| *byte == b'(')?;
     let rest = &line[open + 1..];
     let comment = rest.split(|byte| *byte == b')').next().unwrap_or(rest);
-    let comment = clean(&String::from_utf8_lossy(comment), LONGEST_TITLE);
+    let comment = clean(&String::from_utf8_lossy(comment), MAX_TITLE_CHARS);
     (!comment.is_empty()).then_some(comment)
 }
 
 /// A comment without its marks.
 pub fn comment(span: Span, job: &Job) -> Option<String> {
     let text = chordal_export::comment_text(span, job)?;
-    let text = clean(&text, LONGEST);
+    let text = clean(&text, MAX_COMMENT_CHARS);
     (!text.is_empty()).then_some(text)
 }
 
@@ -92,9 +92,9 @@ impl<'j> CommentFinder<'j> {
             reader.limit(main.end);
             reader.seek(if only_head { begin } else { main.start });
         }
-        for _ in 0..MOST_HEAD_BLOCKS {
+        for _ in 0..MAX_HEAD_BLOCKS {
             let is_head = reader.read(&mut block) && is_head(&block);
-            if !is_head || comments.head.len() >= MOST_HEAD_COMMENTS {
+            if !is_head || comments.head.len() >= MAX_HEAD_COMMENTS {
                 break;
             }
             comments.head_end = block.line;
@@ -127,7 +127,7 @@ impl<'j> CommentFinder<'j> {
     }
 
     /// What the program says next to a block: in it, on the line before, on the line after.
-    pub fn beside(&self, origin: &Origin) -> Option<String> {
+    pub fn comment_at(&self, origin: &Origin) -> Option<String> {
         let (file, line) = (origin.span.file, origin.line);
         self.in_line(file, line)
             .or_else(|| self.alone(file, line.wrapping_sub(1)))
@@ -198,7 +198,7 @@ pub fn skipped(job: &Job) -> CappedRows<u32> {
         if block.delete.is_none() {
             continue;
         }
-        if lines.rows.len() < MOST_SKIPPED {
+        if lines.rows.len() < MAX_SKIPPED {
             lines.rows.push(block.line);
         } else {
             lines.left_out += 1;

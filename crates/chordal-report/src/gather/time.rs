@@ -8,7 +8,7 @@ use super::text::{clean, comment};
 use crate::data::{CappedRows, Operation, PlannedTime, ReportedBlock, ReportedTool, WaitTime};
 
 /// Operations that are reported.
-const MOST: usize = 200;
+const MAX_OPERATIONS: usize = 200;
 
 /// The time; operations without a comment of their own have that of their tool. `head` are the
 /// comments at the head of the program.
@@ -17,7 +17,7 @@ pub fn time(timed: &Timed, tools: &[ReportedTool], head: &[String], job: &Job) -
     let operations: Vec<Operation> = time
         .operations
         .iter()
-        .take(MOST)
+        .take(MAX_OPERATIONS)
         .map(|operation| of_operation(operation, tools, head, job))
         .collect();
     let all = time.operations.len() as u64 + time.operations_left_out;

@@ -14,11 +14,11 @@ use super::text::{CommentFinder, clean};
 use crate::data::{CappedRows, FeedRange, Register, ReportedTool};
 
 /// Tools and offsets that are reported; a magazine holds fewer.
-const MOST: usize = 200;
+const MAX_TOOLS: usize = 200;
 /// Numbers of offsets listed with a tool, and of tools listed with an offset.
-const MOST_NUMBERS: usize = 12;
+const MAX_NUMBERS: usize = 12;
 /// Offsets that differ by less are the same, mm.
-const SAME_MM: f64 = 1e-9;
+const COINCIDENT_MM: f64 = 1e-9;
 
 /// What one tool does.
 #[derive(Debug, Default)]
@@ -130,7 +130,7 @@ impl ToolWatcher {
     /// The entry of a tool, made where there is room.
     fn place(&mut self, number: u32) -> Option<usize> {
         let found = self.seen.iter().rposition(|tool| tool.number == number);
-        if found.is_none() && self.seen.len() <= MOST {
+        if found.is_none() && self.seen.len() <= MAX_TOOLS {
             self.seen.push(ToolRecord { number, ..ToolRecord::default() });
             return Some(self.seen.len() - 1);
         }
@@ -141,7 +141,7 @@ impl ToolWatcher {
         if number == 0 {
             return None;
         }
-        if self.registers.len() >= MOST && !self.registers.contains_key(&number) {
+        if self.registers.len() >= MAX_TOOLS && !self.registers.contains_key(&number) {
             self.registers_left_out += 1;
             return None;
         }
@@ -261,7 +261,7 @@ impl ToolWatcher {
             // Of an insert it is the nose.
             let has_nose = table.is_some_and(|tool| tool.diameter_mm.is_none());
             let other = |used: Option<f64>, own: Option<f64>| match (used, own) {
-                (Some(used), Some(own)) => (used.abs() - own.abs()).abs() > SAME_MM,
+                (Some(used), Some(own)) => (used.abs() - own.abs()).abs() > COINCIDENT_MM,
                 (used, _) => used.is_some(),
             };
             Register {
@@ -284,7 +284,7 @@ impl ToolWatcher {
 }
 
 fn note(numbers: &mut Vec<u32>, number: u32) {
-    if numbers.len() < MOST_NUMBERS && !numbers.contains(&number) {
+    if numbers.len() < MAX_NUMBERS && !numbers.contains(&number) {
         numbers.push(number);
     }
 }

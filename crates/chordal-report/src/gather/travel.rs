@@ -12,11 +12,11 @@ use chordal::{Job, Machine};
 use crate::data::{AxisRange, AxisValue, CappedRows, MachineTravel, ReportedWorkOffset, Travel};
 
 /// Work coordinate systems that are listed separately, those included that the program moves.
-const MOST: usize = 60;
+const MAX_SYSTEMS: usize = 60;
 /// Lines named where the program moves a work offset.
-const MOST_LINES: usize = 6;
+const MAX_LINES: usize = 6;
 /// Offsets that differ by less are the same, mm and rad.
-const SAME: f64 = 1e-9;
+const EQUAL_OFFSET: f64 = 1e-9;
 
 /// A range of places; empty at first.
 #[derive(Clone, Copy, Debug)]
@@ -103,14 +103,14 @@ impl TravelWatcher {
 
     fn select(&mut self, name: WorkName, offset: Position, known: AxisMask, line: u32) {
         let same = |system: &WorkSystem| {
-            let near = |(a, b): (&f64, &f64)| (a - b).abs() <= SAME;
+            let near = |(a, b): (&f64, &f64)| (a - b).abs() <= EQUAL_OFFSET;
             system.name == name && system.offset.iter().zip(&offset).all(near)
         };
         self.at = self.systems.iter().position(same);
         if self.at.is_some() {
             return;
         }
-        if self.systems.len() >= MOST {
+        if self.systems.len() >= MAX_SYSTEMS {
             self.left_out += 1;
             return;
         }
@@ -250,7 +250,7 @@ impl TravelWatcher {
                     offset.values.push(AxisValue { axis: letter, value });
                 }
             }
-            if is_moved(system, job.machine(), naming) && offset.moved_at.len() < MOST_LINES {
+            if is_moved(system, job.machine(), naming) && offset.moved_at.len() < MAX_LINES {
                 offset.moved_at.push(system.line);
             }
         }
@@ -288,7 +288,7 @@ fn is_moved(system: &WorkSystem, machine: &Machine, naming: WorkNaming) -> bool 
     let key = name(system, naming);
     (0..AXES).any(|axis| {
         let own = of(&key, axis).unwrap_or(0.0) + of("EXT", axis).unwrap_or(0.0);
-        (system.offset[axis] - own).abs() > SAME
+        (system.offset[axis] - own).abs() > EQUAL_OFFSET
     })
 }
 

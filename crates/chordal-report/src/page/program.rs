@@ -7,7 +7,7 @@ use super::{NumberDisplay, left_out, program_name, scrolling, tool_name};
 use crate::data::{CalledProgram, Document, OperatorStop, SkippedBlocks, StopKind};
 
 /// Stops and programs on the page.
-const MOST: usize = 60;
+const MAX_LISTED: usize = 60;
 
 /// Stops, messages, probing and block delete.
 pub fn stops(document: &Document) -> Markup {
@@ -29,9 +29,9 @@ pub fn stops(document: &Document) -> Markup {
                             th.n scope="col" { "Times" }
                         }
                     }
-                    tbody { @for stop in stops.rows.iter().take(MOST) { (row(stop)) } }
+                    tbody { @for stop in stops.rows.iter().take(MAX_LISTED) { (row(stop)) } }
                 } }))
-                (left_out(stops, MOST, "stops and messages"))
+                (left_out(stops, MAX_LISTED, "stops and messages"))
             }
             @if !skipped.lines.rows.is_empty() { (skipped_blocks(skipped)) }
         }
@@ -103,12 +103,12 @@ pub fn program(document: &Document, show: &NumberDisplay) -> Markup {
                         }
                     }
                     tbody {
-                        @for called in document.called.rows.iter().take(MOST) {
+                        @for called in document.called.rows.iter().take(MAX_LISTED) {
                             (subprogram(called, &document.head.file))
                         }
                     }
                 } }))
-                (left_out(&document.called, MOST, "programs"))
+                (left_out(&document.called, MAX_LISTED, "programs"))
             }
             @if !document.printed.rows.is_empty() {
                 h3 { "It prints" }

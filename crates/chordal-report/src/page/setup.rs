@@ -10,7 +10,7 @@ use crate::data::{
 };
 
 /// Rows of a table on the page.
-const MOST: usize = 100;
+const MAX_TABLE_ROWS: usize = 100;
 
 /// A place to write a value in.
 fn blank() -> Markup {
@@ -30,8 +30,8 @@ pub fn offsets(document: &Document, show: &NumberDisplay) -> Markup {
                 @if !work.is_empty() { (work_offsets(work, show)) }
                 @if !registers.rows.is_empty() {
                     div {
-                        (tool_offsets(&registers.rows[..registers.rows.len().min(MOST)], document.head.is_lathe, show))
-                        (left_out(registers, MOST, "tool offsets"))
+                        (tool_offsets(&registers.rows[..registers.rows.len().min(MAX_TABLE_ROWS)], document.head.is_lathe, show))
+                        (left_out(registers, MAX_TABLE_ROWS, "tool offsets"))
                     }
                 }
             }
@@ -69,7 +69,7 @@ fn work_offsets(offsets: &[ReportedWorkOffset], show: &NumberDisplay) -> Markup 
                     }
                 }
                 tbody {
-                    @for offset in offsets.iter().take(MOST) {
+                    @for offset in offsets.iter().take(MAX_TABLE_ROWS) {
                         tr {
                             th scope="row" { (offset.name) }
                             @for axis in &axes {
@@ -87,7 +87,7 @@ fn work_offsets(offsets: &[ReportedWorkOffset], show: &NumberDisplay) -> Markup 
                     }
                 }
             } }))
-            @for offset in offsets.iter().filter(|offset| !offset.moved_at.is_empty()).take(MOST) {
+            @for offset in offsets.iter().filter(|offset| !offset.moved_at.is_empty()).take(MAX_TABLE_ROWS) {
                 p.faint {
                     (offset.name) " is set or shifted by the program itself, line "
                     (numbers(&offset.moved_at)) "."
@@ -214,7 +214,7 @@ pub fn tools(document: &Document, show: &NumberDisplay) -> Markup {
                             }
                         }
                         tbody {
-                            @for tool in document.tools.rows.iter().take(MOST) {
+                            @for tool in document.tools.rows.iter().take(MAX_TABLE_ROWS) {
                                 tr {
                                     th scope="row" {
                                         span.sign {
@@ -241,8 +241,8 @@ pub fn tools(document: &Document, show: &NumberDisplay) -> Markup {
                             }
                         }
                     } }))
-                (left_out(&document.tools, MOST, "tools"))
-                @if document.tools.rows.iter().take(MOST).any(|tool| tool.by_comment) {
+                (left_out(&document.tools, MAX_TABLE_ROWS, "tools"))
+                @if document.tools.rows.iter().take(MAX_TABLE_ROWS).any(|tool| tool.by_comment) {
                     p { "* As a comment of the program says; the machine file gives no diameter. No offset is set by it." }
                 }
             }
@@ -352,7 +352,7 @@ pub fn travel(document: &Document, show: &NumberDisplay) -> Markup {
                             }
                         }
                         tbody {
-                            @for travel in document.travel.rows.iter().take(MOST) {
+                            @for travel in document.travel.rows.iter().take(MAX_TABLE_ROWS) {
                                 @for (index, axis) in travel.axes.iter().enumerate() {
                                     tr {
                                         @if index == 0 {
@@ -369,7 +369,7 @@ pub fn travel(document: &Document, show: &NumberDisplay) -> Markup {
                             }
                         }
                     } }))
-                (left_out(&document.travel, MOST, "changes of work offsets"))
+                (left_out(&document.travel, MAX_TABLE_ROWS, "changes of work offsets"))
             }
             @if document.travel.rows.iter().any(|t| t.axes.iter().any(|a| a.zero_may_lie.is_some())) {
                 p.faint {

@@ -7,7 +7,7 @@ use super::{left_out, scrolling, tool_name};
 use crate::data::{Document, Operation, PlannedTime, ReportedBlock};
 
 /// Operations on the page.
-const MOST: usize = 60;
+const MAX_OPERATIONS: usize = 60;
 
 pub fn times(document: &Document) -> Markup {
     html! {
@@ -82,10 +82,10 @@ fn operations(time: &PlannedTime) -> Markup {
                 }
             }
             tbody {
-                @for each in time.operations.rows.iter().take(MOST) { (operation(each, time.total_s)) }
+                @for each in time.operations.rows.iter().take(MAX_OPERATIONS) { (operation(each, time.total_s)) }
             }
         } }))
-        (left_out(&time.operations, MOST, "operations"))
+        (left_out(&time.operations, MAX_OPERATIONS, "operations"))
     }
 }
 

@@ -72,7 +72,7 @@ impl<'a> ConvertContext<'a> {
         self.contours.list.iter().any(|contour| {
             contour.blocks.contains(&at)
                 && contour.is_subroutine(self.source)
-                && contour.is_apart(self.source, &self.trace.facts)
+                && contour.is_cycle_only(self.source, &self.trace.facts)
         })
     }
 

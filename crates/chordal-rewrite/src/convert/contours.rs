@@ -61,7 +61,7 @@ impl CycleContours {
 
 impl CycleContour {
     /// Nothing runs it but cycles; what names a subroutine is only read.
-    pub fn is_apart(&self, source: &SourceBlocks, facts: &[BlockFacts]) -> bool {
+    pub fn is_cycle_only(&self, source: &SourceBlocks, facts: &[BlockFacts]) -> bool {
         let is_text = |at: usize| matches!(source.blocks[at].kind, BlockKind::Macro(_));
         self.blocks.clone().all(|at| facts[at].runs == 0 || is_text(at))
     }

@@ -11,7 +11,7 @@ use super::trace::{BlockExecution, ProgramTrace};
 use crate::source::SourceBlocks;
 
 /// Places that are the same but for rounding, mm.
-const SAME_MM: f64 = 1e-9;
+const COINCIDENT_MM: f64 = 1e-9;
 
 /// True for the words of a rounding or a chamfer, where the control has them.
 pub(super) fn is_corner_word(word: &Word, control: &Control) -> bool {
@@ -32,7 +32,8 @@ fn begins_after_corner(trace: &ProgramTrace, run: &BlockExecution) -> bool {
     let own = own[..run.commands.len()].iter().find_map(motion);
     let before = before.iter().rev().find_map(motion);
     let (Some(before), Some(own)) = (before, own) else { return false };
-    let is = |place: &Position| place.iter().zip(&own.from).all(|(a, b)| (a - b).abs() <= SAME_MM);
+    let is =
+        |place: &Position| place.iter().zip(&own.from).all(|(a, b)| (a - b).abs() <= COINCIDENT_MM);
     is(&before.to) && !is(&run.before.position)
 }
 

@@ -193,19 +193,19 @@ impl LayoutWriter<'_> {
         let mut blocks = blocks.peekable();
         while let Some(at) = blocks.next() {
             let Some(lines) = &self.lines[at] else { continue };
-            let (mut end, mut empty) = self.behind(at);
+            let (mut end, mut empty) = self.rest_of_line(at);
             // A remark on the same line stays there.
             while empty.is_none()
                 && let Some(remark) = blocks.peek().and_then(|next| self.remark(*next))
                 && let Some(next) = blocks.next()
             {
-                let (mark, lines) = self.behind(next);
+                let (mark, lines) = self.rest_of_line(next);
                 end += &format!(" {}{mark}", remark.trim());
                 empty = lines;
             }
             for (index, line) in lines.iter().enumerate() {
                 let is_last = index + 1 == lines.len();
-                let mark = if is_last { end.clone() } else { self.behind(at).0 };
+                let mark = if is_last { end.clone() } else { self.rest_of_line(at).0 };
                 layout.push(line, &format!("{mark}\n"), Some(at));
             }
             for _ in 0..empty.unwrap_or(0) {
@@ -216,7 +216,7 @@ impl LayoutWriter<'_> {
 
     /// What stands after a block on its line, and how many empty lines follow; nothing where the next block
     /// is on the same line.
-    fn behind(&self, at: usize) -> (String, Option<usize>) {
+    fn rest_of_line(&self, at: usize) -> (String, Option<usize>) {
         let block = &self.source.blocks[at];
         let end = self.source.start_of(at + 1);
         let gap = &self.source.text[block.range.end as usize..end as usize];

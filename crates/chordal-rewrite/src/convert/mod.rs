@@ -145,10 +145,10 @@ fn job(name: &str, text: String, machine: &Machine) -> Option<Job<'static>> {
 const OF_MACHINES: &[Category] = &[Category::RapidPath, Category::PathMode, Category::Overrides];
 
 /// Rounds of writing out what differs. Each writes out more blocks, so that there is an end anyway.
-const MOST_ROUNDS: usize = 8;
+const MAX_ROUNDS: usize = 8;
 
 /// Differences of one round that are followed.
-const MOST_FOLLOWED: usize = 200;
+const MAX_FOLLOWED: usize = 200;
 
 /// Writes a program for another machine.
 pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conversion {
@@ -207,7 +207,7 @@ pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conv
     let mut best = usize::MAX;
     let mut terms = (FreeCycleLines::default(), false);
     let mut tried: BTreeMap<u32, ConvertRefusal> = BTreeMap::new();
-    for round in 0..MOST_ROUNDS {
+    for round in 0..MAX_ROUNDS {
         let RenderedPlan { lines, changes, refusals, printed, unwritten } = plan.render();
         let layout = layout::lay_out(&source, &structure, lines, [from, to]);
         let Some(new) = job("converted", layout.text.clone(), &conversion.machine) else { break };
@@ -221,7 +221,7 @@ pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conv
         let certificate = proof(&trace, [old, &new], options, free.clone(), printed);
         let holds = certificate.holds() && refusals.is_empty();
         let more = !holds
-            && round + 1 < MOST_ROUNDS
+            && round + 1 < MAX_ROUNDS
             && follow(&mut plan, &certificate, &source, &layout, round);
         for refusal in refusals.iter().chain(&unwritten) {
             tried.entry(refusal.line).or_insert_with(|| refusal.clone());
@@ -306,7 +306,7 @@ fn proof(
         rotary_tolerance_rad: rotary_tolerance(trace, options),
         // Both begin at the same place, and both machines have the same tables.
         assume_known: true,
-        sides_apart: true,
+        separate_sides: true,
         free_pecks: free.pecks,
         free_passes: free.passes,
         kept: 100_000,
@@ -443,10 +443,10 @@ fn follow(
     round: usize,
 ) -> bool {
     let mut any = false;
-    for difference in certificate.comparison.differences.iter().take(MOST_FOLLOWED) {
+    for difference in certificate.comparison.differences.iter().take(MAX_FOLLOWED) {
         let reason = format!("its words do not do the same ({})", difference.category.word());
         // What a difference begins with may be all of it: the next rounds show it.
-        let all = round >= MOST_ROUNDS / 2;
+        let all = round >= MAX_ROUNDS / 2;
         for at in blocks_of(difference, source, layout) {
             let is_new = plan.write_out(at, &reason);
             any |= is_new;

@@ -43,7 +43,7 @@ pub struct PeckReading {
 }
 
 /// Measured and set values closer than this, mm, are the same.
-const SAME_MM: f64 = 1e-6;
+const EQUAL_PECK_MM: f64 = 1e-6;
 
 impl PeckReading {
     fn of(pecks: &HolePecks, kind: CycleKind, control: &Control) -> PeckReading {
@@ -57,9 +57,9 @@ impl PeckReading {
             own.into_iter().find(|one| fields.contains(&one.field)).map(|one| one.name)
         };
         let clearance_mm = pecks.clearance_mm();
-        let is_set = clearance_mm.is_some_and(|mm| (mm - set_mm).abs() <= SAME_MM);
+        let is_set = clearance_mm.is_some_and(|mm| (mm - set_mm).abs() <= EQUAL_PECK_MM);
         let above_r_mm = pecks.above_r_mm();
-        let is_above = above_r_mm.is_some_and(|mm| mm > SAME_MM);
+        let is_above = above_r_mm.is_some_and(|mm| mm > EQUAL_PECK_MM);
         PeckReading {
             pecks: pecks.depths_mm.len(),
             largest_step_mm: pecks.largest_step_mm(),
@@ -74,7 +74,7 @@ impl PeckReading {
 
     fn is_near(&self, other: &PeckReading) -> bool {
         let near = |one: Option<f64>, other: Option<f64>| match (one, other) {
-            (Some(one), Some(other)) => (one - other).abs() <= SAME_MM,
+            (Some(one), Some(other)) => (one - other).abs() <= EQUAL_PECK_MM,
             (one, other) => one == other,
         };
         self.pecks == other.pecks
@@ -122,7 +122,7 @@ pub(crate) fn changes(context: &ConvertContext, certificate: &Certificate) -> Ve
             let both = change.readings.iter().zip(&readings);
             change.lines == lines && both.into_iter().all(|(one, other)| one.is_near(other))
         };
-        if let Some(known) = changes.iter_mut().rev().take(MOST_BACK).find(same) {
+        if let Some(known) = changes.iter_mut().rev().take(MAX_BACK).find(same) {
             known.holes += 1;
             continue;
         }
@@ -133,4 +133,4 @@ pub(crate) fn changes(context: &ConvertContext, certificate: &Certificate) -> Ve
 }
 
 /// Blocks back that a loop drills again.
-const MOST_BACK: usize = 100;
+const MAX_BACK: usize = 100;

@@ -115,7 +115,7 @@ impl<'c, 'a> ConvertPlan<'c, 'a> {
         contours.iter().find(|contour| {
             contour.blocks.contains(&at)
                 && contour.cycles.iter().all(|(cycle, _)| is_out(*cycle))
-                && contour.is_apart(self.context.source, &self.context.trace.facts)
+                && contour.is_cycle_only(self.context.source, &self.context.trace.facts)
         })
     }
 

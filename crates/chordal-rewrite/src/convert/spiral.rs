@@ -28,7 +28,7 @@ pub(crate) fn as_arcs(
         return turns_of(motion, shape, whole);
     }
     let mut count = (turns * 8.0).ceil().max(1.0) as usize;
-    while count < MOST_PIECES {
+    while count < MAX_PIECES {
         if let Some(pieces) = chain(motion, shape, count, tolerance_mm / 4.0) {
             return pieces;
         }
@@ -38,7 +38,7 @@ pub(crate) fn as_arcs(
 }
 
 /// Beyond this a spiral is left as it is, and the proof fails.
-const MOST_PIECES: usize = 100_000;
+const MAX_PIECES: usize = 100_000;
 
 fn turns_of(motion: &Move, shape: &ArcShape, count: usize) -> Vec<SpiralPiece> {
     let full = TAU / shape.sweep.abs();

@@ -363,7 +363,7 @@ impl<'a> ConvertContext<'a> {
             format!("{} does not repeat lines: written {count} times", self.to.table.title),
         );
         // Letter and number of a head or a label stay with the first.
-        draft.times = count.min(MOST_COPIES);
+        draft.times = count.min(MAX_COPIES);
     }
 
     /// Codes that must be the only G code of their block.
@@ -403,4 +403,4 @@ impl<'a> ConvertContext<'a> {
 }
 
 /// Most lines that a repeat becomes.
-const MOST_COPIES: u32 = 10_000;
+const MAX_COPIES: u32 = 10_000;

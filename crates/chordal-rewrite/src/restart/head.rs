@@ -15,8 +15,8 @@ use super::watch::StateBefore;
 use crate::convert::codes;
 use crate::convert::numbers::{digits, length, plain};
 use crate::source::SourceBlocks;
-use crate::split::standing::StateSlot;
-use crate::split::text::{MOST_DECIMALS, feed_word};
+use crate::split::state_at::StateSlot;
+use crate::split::text::{MAX_DECIMALS, feed_word};
 
 /// Places nearer than this are written as they are, mm or degrees.
 const EXACT: f64 = 1e-10;
@@ -44,7 +44,7 @@ impl HeadWriter<'_, '_> {
         lines.extend(self.work());
         // The spindle is not started before the change, but a later M3 may count on its speed.
         lines.extend(self.speed());
-        lines.extend(self.before.said.coolant.iter().cloned());
+        lines.extend(self.before.words.coolant.iter().cloned());
         lines.extend(self.ready());
         lines.extend(feed_word(&self.before.modal, self.source.style));
         lines.extend(self.ending()?);
@@ -60,7 +60,7 @@ impl HeadWriter<'_, '_> {
         lines.extend(self.tool());
         lines.extend(self.work());
         lines.extend(self.spindle_line());
-        lines.extend(self.before.said.coolant.iter().cloned());
+        lines.extend(self.before.words.coolant.iter().cloned());
         lines.extend(self.ready());
         lines.extend(feed_word(&self.before.modal, self.source.style));
         lines.extend(self.ending()?);
@@ -77,7 +77,7 @@ impl HeadWriter<'_, '_> {
             lines.extend(self.spindle_line());
         }
         lines.push(self.over()?);
-        lines.extend(self.before.said.coolant.iter().cloned());
+        lines.extend(self.before.words.coolant.iter().cloned());
         lines.extend(self.ready());
         lines.extend(feed_word(&self.before.modal, self.source.style));
         lines.extend(self.ending()?);
@@ -89,7 +89,7 @@ impl HeadWriter<'_, '_> {
         if self.turns() {
             return self.at_the_part();
         }
-        let StateBefore { said, highest, .. } = self.before;
+        let StateBefore { words: said, highest, .. } = self.before;
         let mut lines = self.modes();
         lines.extend(self.tool());
         if self.has_one_command_a_line() {
@@ -132,7 +132,7 @@ impl HeadWriter<'_, '_> {
     /// Units, plane, G90, G40, G49, G80, feed mode and what else lasts, in the words of the program where it
     /// has said them.
     pub(super) fn modes(&self) -> Vec<String> {
-        let StateBefore { modal, said, .. } = self.before;
+        let StateBefore { modal, words: said, .. } = self.before;
         let mut codes = said.codes.clone();
         // What was said in a called control's default is said here all the same.
         let plane = match modal.plane {
@@ -189,7 +189,7 @@ impl HeadWriter<'_, '_> {
 
     /// The tool change, in the program's own words.
     fn tool(&self) -> Option<String> {
-        let StateBefore { modal, said, .. } = self.before;
+        let StateBefore { modal, words: said, .. } = self.before;
         let words = said.tool.as_ref().filter(|_| modal.tool > 0)?;
         let has_number = words.contains('T');
         Some(if has_number {
@@ -200,7 +200,7 @@ impl HeadWriter<'_, '_> {
     }
 
     pub(super) fn work(&self) -> Option<String> {
-        let StateBefore { modal, said, .. } = self.before;
+        let StateBefore { modal, words: said, .. } = self.before;
         codes::work_offset(modal.work, self.control, self.source.style).filter(|_| said.work)
     }
 
@@ -222,7 +222,7 @@ impl HeadWriter<'_, '_> {
     }
 
     fn spindle(&self) -> Vec<String> {
-        let StateBefore { modal, said, .. } = self.before;
+        let StateBefore { modal, words: said, .. } = self.before;
         let mut words: Vec<String> = self.speed().into_iter().collect();
         if modal.spindle != SpindleState::Off {
             words.extend(said.spindle.clone());
@@ -240,7 +240,7 @@ impl HeadWriter<'_, '_> {
     }
 
     fn speed(&self) -> Option<String> {
-        let StateBefore { modal, said, .. } = self.before;
+        let StateBefore { modal, words: said, .. } = self.before;
         let speed = plain(modal.rpm, 3, self.source.style);
         (said.speed && modal.rpm > 0.0).then(|| format!("S{}", speed.trim_end_matches('.')))
     }
@@ -254,7 +254,7 @@ impl HeadWriter<'_, '_> {
 
     /// By rapid down to where the program has been clear, with the length offset.
     fn down(&self, highest: f64) -> Result<String, HeadError> {
-        let StateBefore { modal, said, .. } = self.before;
+        let StateBefore { modal, words: said, .. } = self.before;
         let mut words: Vec<String> = self.rapid_of_line()?.into_iter().collect();
         if let Some(number) = modal.length_offset {
             words.extend(said.length.clone());
@@ -405,7 +405,7 @@ impl HeadWriter<'_, '_> {
         let letter = char::from(AXIS_LETTERS.as_bytes()[axis]);
         let (modal, style) = (&self.before.modal, self.source.style);
         if axis > 2 {
-            return Ok(format!("{letter}{}", plain(value.to_degrees(), MOST_DECIMALS, style)));
+            return Ok(format!("{letter}{}", plain(value.to_degrees(), MAX_DECIMALS, style)));
         }
         let value = if axis == 0 { value * self.before.x_factor } else { value };
         let unit = modal.units.mm();
@@ -414,7 +414,7 @@ impl HeadWriter<'_, '_> {
             ((value / unit * power).round() / power * unit - value).abs()
         };
         let least = digits(self.control, modal.units);
-        let count = (least..=MOST_DECIMALS).find(|count| off(*count) < EXACT);
+        let count = (least..=MAX_DECIMALS).find(|count| off(*count) < EXACT);
         let Some(count) = count else {
             let what = format!("the position in {letter} has more decimals than the control takes");
             return Err(HeadError(what));

@@ -13,7 +13,7 @@ use crate::convert::station;
 use crate::split::text::feed_word;
 
 /// Places nearer than this are the same, mm.
-const SAME_MM: f64 = 1e-9;
+const COINCIDENT_MM: f64 = 1e-9;
 
 impl HeadWriter<'_, '_> {
     pub(super) fn turns(&self) -> bool {
@@ -52,12 +52,12 @@ impl HeadWriter<'_, '_> {
         let rapid = self.needed(Action::Motion(MotionCode::Rapid), "a rapid")?;
         let words = [rapid, self.place(0, from_x)?, self.place(2, from_z)?];
         lines.push(words.join(self.gap()));
-        lines.extend(self.before.said.coolant.iter().cloned());
+        lines.extend(self.before.words.coolant.iter().cloned());
         let mut ways = Vec::new();
-        if (z - from_z).abs() > SAME_MM {
+        if (z - from_z).abs() > COINCIDENT_MM {
             ways.push(self.place(2, z)?);
         }
-        if (x - from_x).abs() > SAME_MM {
+        if (x - from_x).abs() > COINCIDENT_MM {
             ways.push(self.place(0, x)?);
         }
         let feed = feed_word(modal, self.source.style);
@@ -163,9 +163,9 @@ impl HeadWriter<'_, '_> {
             None => {}
         }
         if starts && modal.spindle != SpindleState::Off {
-            words.extend(self.before.said.spindle.clone());
+            words.extend(self.before.words.spindle.clone());
         }
-        let live = self.before.said.live.clone().filter(|_| modal.live.is_some());
+        let live = self.before.words.live.clone().filter(|_| modal.live.is_some());
         // P next to S and M3 names the live tool; a code of its own stands alone.
         match live {
             Some(live) if self.control.parameters.live_tool_p > 0 => words.push(live),
@@ -179,7 +179,7 @@ impl HeadWriter<'_, '_> {
     }
 
     fn finish(&self, lines: &mut Vec<String>) -> Result<(), HeadError> {
-        lines.extend(self.before.said.coolant.iter().cloned());
+        lines.extend(self.before.words.coolant.iter().cloned());
         lines.extend(feed_word(&self.before.modal, self.source.style));
         lines.extend(self.setups());
         lines.extend(self.ending()?);

@@ -15,7 +15,7 @@ use std::ops::Range;
 
 use chordal::control::{Action, AfterCode, CompensationSide, Modal, MotionMode, OnceCode, Units};
 use chordal::diagnostics::FileId;
-use chordal::stock::{StockRunError, TurnedOptions, WayIn};
+use chordal::stock::{ApproachCheck, StockRunError, TurnedOptions};
 use chordal::syntax::Letters;
 use chordal::{Job, Severity};
 
@@ -56,7 +56,7 @@ pub enum RefusalReason {
     /// The control has no form for what is needed.
     Form,
     /// The way in meets what stands on a lathe.
-    WayIn,
+    HeadApproach,
     /// The new program would not do the same.
     Unproved,
 }
@@ -77,7 +77,7 @@ impl RefusalReason {
             RefusalReason::Position => "position",
             RefusalReason::Unsure => "unsure",
             RefusalReason::Form => "form",
-            RefusalReason::WayIn => "way-in",
+            RefusalReason::HeadApproach => "way-in",
             RefusalReason::Unproved => "unproved",
         }
     }
@@ -145,7 +145,7 @@ fn begin(job: &Job, line: u32, given: Option<&[u8]>) -> Result<RestartProgram, R
         asked.refuse(RefusalReason::Beginning, "the program begins there", RUN_IT)
     })?;
     asked.closed(&before, at)?;
-    asked.apart(&main, at)?;
+    asked.check_not_spanned(&main, at)?;
     let control = job.control();
     let changes = source.changes_tool(at, control) || asked.changes_station(at);
     let axes = &job.machine().axes;
@@ -169,7 +169,7 @@ fn begin(job: &Job, line: u32, given: Option<&[u8]>) -> Result<RestartProgram, R
         approaches,
         from_the_start,
         unrepeated: unrepeated.clone(),
-        given: given.clone(),
+        existing: given.clone(),
     };
     let done = asked.prove(draft(lines));
     let Err(refused) = done else { return done };
@@ -188,21 +188,21 @@ fn begin(job: &Job, line: u32, given: Option<&[u8]>) -> Result<RestartProgram, R
 ///
 /// # Errors
 /// With a setup that is incomplete.
-pub fn way_in(
+pub fn check_head_approach(
     job: &Job,
     done: &RestartProgram,
     files: &dyn Fn(&str) -> Result<Vec<u8>, String>,
-) -> Result<Option<WayIn>, StockRunError> {
+) -> Result<Option<ApproachCheck>, StockRunError> {
     if !job.turns() || job.machine().setup.stock.is_none() || done.approaches {
         return Ok(None);
     }
     let new = main_of(job.with_text(done.text.clone()), done.head_bytes.end);
     let options = TurnedOptions::default();
-    job.turned_way_in(&new, done.head_bytes.clone(), &options, files).map(Some)
+    job.check_turned_approach(&new, done.head_bytes.clone(), &options, files).map(Some)
 }
 
 /// What the head's moves meet first, as a refusal.
-pub fn blocked(job: &Job, done: &RestartProgram, way: &WayIn) -> Option<RestartRefusal> {
+pub fn blocked(job: &Job, done: &RestartProgram, way: &ApproachCheck) -> Option<RestartRefusal> {
     let hit = way.hits.first()?;
     let units = if job.report().summary.inch { Units::Inch } else { Units::Millimetre };
     let text = String::from_utf8_lossy(&done.text);
@@ -217,7 +217,7 @@ pub fn blocked(job: &Job, done: &RestartProgram, way: &WayIn) -> Option<RestartR
         "begin at a change of the tool before it, or at a line where the tool is out of the part";
     let source = SourceBlocks::of(job);
     let asked = RestartRequest { job, source: &source, line: done.line };
-    Some(asked.refuse(RefusalReason::WayIn, what, help))
+    Some(asked.refuse(RefusalReason::HeadApproach, what, help))
 }
 
 const RUN_IT: &str = "run the program itself";
@@ -240,7 +240,7 @@ struct RestartDraft {
     from_the_start: bool,
     unrepeated: Vec<UnrepeatedCode>,
     /// A text that stands already.
-    given: Option<Vec<u8>>,
+    existing: Option<Vec<u8>>,
 }
 
 impl RestartRequest<'_, '_> {
@@ -442,7 +442,7 @@ impl RestartRequest<'_, '_> {
     }
 
     /// No loop, jump or variable spans the block.
-    fn apart(&self, main: &Range<usize>, at: usize) -> Result<(), RestartRefusal> {
+    fn check_not_spanned(&self, main: &Range<usize>, at: usize) -> Result<(), RestartRefusal> {
         let start = self.source.start_of(at);
         let held = stretches(self.job, self.source, main);
         let Some(held) = held.iter().find(|held| held.holds(start)) else { return Ok(()) };
@@ -469,7 +469,7 @@ impl RestartRequest<'_, '_> {
     /// The new text, if it does the same.
     fn prove(&self, draft: RestartDraft) -> Result<RestartProgram, RestartRefusal> {
         let (mut text, mut places) = self.text(&draft);
-        if let Some(given) = &draft.given {
+        if let Some(given) = &draft.existing {
             // Contours that are put above the line are part of the head, and their places are not looked for.
             let rest = &text[places.from[1] as usize..];
             if !given.ends_with(rest) || !given.starts_with(&text[..draft.first as usize]) {

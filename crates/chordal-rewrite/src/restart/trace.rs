@@ -10,7 +10,7 @@ use chordal::machine::AXES;
 use chordal::{Command, CommandKind, Diagnostic, Effect, Job, RunSink, Severity, Sink, SourceMap};
 
 /// Numbers nearer than this are the same: mm, rad, mm/s.
-const SAME: f64 = 1e-9;
+const EQUAL_NUMBER: f64 = 1e-9;
 
 /// A thing that happens.
 #[derive(Debug)]
@@ -121,7 +121,7 @@ impl EventTrace {
     /// What the head has not brought back as it was, although it may not show in what follows.
     pub(super) fn begins_otherwise(&self, new: &EventTrace) -> Option<&'static str> {
         let (one, other) = (self.begin.as_ref()?, new.begin.as_ref()?);
-        let mut standing = one.standing.iter().zip(&other.standing);
+        let mut standing = one.items.iter().zip(&other.items);
         let found = standing.find(|((item, a), (_, b))| {
             is_of_head(*item) && is_compared(*item, [one, other], true) && !is_same_value(a, b)
         });
@@ -258,7 +258,7 @@ fn goes_by_distance(motion: &Move, is_rapid: bool) -> bool {
 }
 
 fn near(one: f64, other: f64) -> bool {
-    (one - other).abs() <= SAME * one.abs().max(1.0)
+    (one - other).abs() <= EQUAL_NUMBER * one.abs().max(1.0)
 }
 
 /// The same on every axis of which both know the place.
@@ -365,7 +365,7 @@ fn different_modal(one: &Modal, other: &Modal, care: MatchLevel) -> Option<&'sta
     let known = one.known.and(other.known);
     let machine = one.machine_known.and(other.machine_known);
     let settled = care.exact || care.settled;
-    let standing = one.standing.iter().zip(&other.standing);
+    let standing = one.items.iter().zip(&other.items);
     let is_other = |((item, a), (_, b)): &(&(StateItem, StateValue), &(StateItem, StateValue))| {
         is_compared(*item, [one, other], settled) && !is_same_value(a, b)
     };

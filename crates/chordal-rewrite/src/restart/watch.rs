@@ -13,13 +13,13 @@ use super::cycle::OpenCycle;
 use super::shift::ActiveShift;
 use super::turned::{LatheState, limits};
 use crate::source::SourceBlocks;
-use crate::split::standing::StateWords;
+use crate::split::state_at::StateWords;
 
 /// What a program needs to begin at a block.
 #[derive(Debug)]
 pub(super) struct StateBefore {
     pub(super) modal: Modal,
-    pub(super) said: StateWords,
+    pub(super) words: StateWords,
     /// The highest Z in the work offset and with the length offset in force, mm.
     pub(super) highest: f64,
     /// The lines of the blocks that began what may still be open.
@@ -77,9 +77,10 @@ impl RunToBlock {
         at: usize,
     ) -> RunToBlock {
         let way = RunToBlock { ran: None, times: 0, caller: None, first: None };
-        let mut finder = OccurrenceFinder { source, main, at, ran: 0, main_line: 1, way };
+        let mut finder =
+            OccurrenceFinder { source, main, at, ran: 0, main_line: 1, occurrence: way };
         job.run(&mut finder);
-        finder.way
+        finder.occurrence
     }
 }
 
@@ -89,7 +90,7 @@ struct OccurrenceFinder<'s, 'a> {
     at: usize,
     ran: u64,
     main_line: u32,
-    way: RunToBlock,
+    occurrence: RunToBlock,
 }
 
 impl Sink for OccurrenceFinder<'_, '_> {
@@ -110,14 +111,14 @@ impl RunSink for OccurrenceFinder<'_, '_> {
             self.main_line = origin.line;
         }
         if let Some(at) = block {
-            if is_main && self.way.first.is_none() && self.begins(at) {
-                self.way.first = Some(self.source.start_of(at));
+            if is_main && self.occurrence.first.is_none() && self.begins(at) {
+                self.occurrence.first = Some(self.source.start_of(at));
             }
             if at == self.at && is_main {
-                self.way.ran.get_or_insert(self.ran);
-                self.way.times += 1;
+                self.occurrence.ran.get_or_insert(self.ran);
+                self.occurrence.times += 1;
             } else if at == self.at {
-                self.way.caller.get_or_insert(self.main_line);
+                self.occurrence.caller.get_or_insert(self.main_line);
             }
         }
         self.ran += 1;
@@ -139,7 +140,7 @@ pub(super) fn before(job: &Job, source: &SourceBlocks, ran: u64) -> Option<State
         control: job.control(),
         until: ran,
         ran: 0,
-        said: StateWords::default(),
+        words: StateWords::default(),
         open: OpenConstructs::default(),
         cycle: OpenCycle::default(),
         shift: ActiveShift::default(),
@@ -163,7 +164,7 @@ struct RestartScan<'s, 'a> {
     control: &'s Control,
     until: u64,
     ran: u64,
-    said: StateWords,
+    words: StateWords,
     open: OpenConstructs,
     cycle: OpenCycle,
     shift: ActiveShift,
@@ -382,7 +383,7 @@ impl RunSink for RestartScan<'_, '_> {
         }
         if let Some(at) = self.source.block_at(origin.span) {
             let block = &self.source.blocks[at];
-            self.said.follow(self.source, self.control, block);
+            self.words.follow(self.source, self.control, block);
             self.follow(block);
             self.cycle.follow(self.source, self.control, block);
             self.turned.follow(self.source, self.control, block);
@@ -391,14 +392,14 @@ impl RunSink for RestartScan<'_, '_> {
         if self.ran == self.until {
             let modal = modal();
             let highest = self.highest.unwrap_or(f64::NEG_INFINITY).max(modal.position[2]);
-            let (said, open) = (self.said.clone(), self.open.clone());
+            let (said, open) = (self.words.clone(), self.open.clone());
             let (cycle, shift) = (std::mem::take(&mut self.cycle), std::mem::take(&mut self.shift));
             let turned = std::mem::take(&mut self.turned);
             let unrepeated = std::mem::take(&mut self.unrepeated);
             let x_factor = self.x_factor;
             self.before = Some(StateBefore {
                 modal,
-                said,
+                words: said,
                 highest,
                 open,
                 cycle,

@@ -6,7 +6,7 @@
 
 pub(crate) mod open;
 mod points;
-pub(crate) mod standing;
+pub(crate) mod state_at;
 pub(crate) mod text;
 
 use chordal::Job;
@@ -19,7 +19,7 @@ use crate::source::SourceBlocks;
 use crate::{Certificate, TransformRefusal};
 
 /// So many places are given up before the parts are reported as not proved.
-const MOST_TRIES: usize = 12;
+const MAX_TRIES: usize = 12;
 
 /// Where a program is split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -109,7 +109,7 @@ pub fn split(job: &Job, by: SplitBy) -> Result<SplitProgram, TransformRefusal> {
         };
         let differences = &certificate.comparison.differences;
         let begin = differences.iter().find_map(|difference| begin_before(difference, &parts));
-        let Some(begin) = begin.filter(|_| given_up.len() < MOST_TRIES) else {
+        let Some(begin) = begin.filter(|_| given_up.len() < MAX_TRIES) else {
             let parts = parts.into_iter().map(|(part, _)| part).collect();
             standing_notes.extend(notes(&given_up));
             return Ok(SplitProgram { parts, notes: standing_notes, certificate });
@@ -162,7 +162,7 @@ fn parts(
             SplitBy::Tool => tools(),
             SplitBy::Bytes(most) => choose(source, survey, most, beside)?,
         };
-        let standing = standing::at(job, source, &chosen);
+        let standing = state_at::at(job, source, &chosen);
         let writer = PartWriter::new(job, source, survey);
         let (parts, rounded_mm) = writer.parts(&chosen, &standing);
         let SplitBy::Bytes(most) = by else { return Ok((parts, rounded_mm)) };
@@ -182,13 +182,13 @@ fn choose(
     source: &SourceBlocks,
     survey: &SplitSurvey,
     most: usize,
-    beside: [usize; 2],
+    other_bytes: [usize; 2],
 ) -> Result<Vec<SplitPoint>, TransformRefusal> {
     let mut chosen: Vec<SplitPoint> = Vec::new();
     let end = source.end_of(survey.end);
     let mut from = 0;
     loop {
-        let beside = beside[usize::from(from > 0)];
+        let beside = other_bytes[usize::from(from > 0)];
         if (end - from) as usize + beside <= most {
             return Ok(chosen);
         }
@@ -243,7 +243,7 @@ fn prove(job: &Job, parts: &[(ProgramPart, text::PartText)], rounded_mm: f64) ->
         .map(|((_, kept), job)| chordal_compare::JoinedPart {
             job,
             body: kept.body.clone(),
-            beside: kept.beside.clone(),
+            other_texts: kept.other_texts.clone(),
         })
         .collect();
     let options = ComparisonOptions { tolerance_mm: rounded_mm, ..ComparisonOptions::default() };

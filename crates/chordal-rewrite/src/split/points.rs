@@ -249,7 +249,7 @@ impl SplitPointFinder<'_, '_> {
         }
     }
 
-    fn behind(&mut self, at: usize, modal: &Modal) {
+    fn after_block(&mut self, at: usize, modal: &Modal) {
         self.forget(at + 1);
         let is_known = (0..3).all(|axis| modal.known.has(axis));
         if is_known && self.settled && self.is_closed() && at + 1 < self.main.end {
@@ -314,7 +314,7 @@ impl RunSink for SplitPointFinder<'_, '_> {
         self.settled = modal.side == CompensationSide::Off && modal.cycle.is_none() && !corner;
         match block {
             Some(at) if is_main && self.main.contains(&at) => {
-                self.behind(at, &modal);
+                self.after_block(at, &modal);
                 self.survey.end = self.survey.end.max(at);
             }
             Some(at) => {

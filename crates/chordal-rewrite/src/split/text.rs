@@ -8,20 +8,20 @@ use chordal::syntax::{Block, Word};
 use chordal::{Control, Job};
 
 use super::points::{SafePointKind, SplitPoint, SplitSurvey};
-use super::standing::{StateAt, StateSlot};
+use super::state_at::{StateAt, StateSlot};
 use super::{ProgramPart, WrittenParts};
 use crate::convert::codes;
 use crate::convert::numbers::{digits, length, plain};
 use crate::source::{SourceBlocks, SubprogramForm, WordStyle};
 
 /// Decimals of rotary axes and feeds, and the most of all others.
-pub(crate) const MOST_DECIMALS: usize = 6;
+pub(crate) const MAX_DECIMALS: usize = 6;
 
 /// What a part has from the whole.
 #[derive(Clone, Debug)]
 pub(super) struct PartText {
     pub(super) body: chordal_compare::RetainedText,
-    pub(super) beside: Vec<chordal_compare::RetainedText>,
+    pub(super) other_texts: Vec<chordal_compare::RetainedText>,
 }
 
 /// Writes parts.
@@ -41,7 +41,7 @@ pub(super) struct PartWriter<'w, 'a> {
 struct PartDraft {
     text: Vec<u8>,
     lines: u32,
-    beside: Vec<chordal_compare::RetainedText>,
+    other_texts: Vec<chordal_compare::RetainedText>,
 }
 
 impl PartDraft {
@@ -129,7 +129,7 @@ impl<'w, 'a> PartWriter<'w, 'a> {
                 begin,
                 at_tool_change: from.is_some_and(|point| point.kind == SafePointKind::ToolChange),
             };
-            parts.push((part, PartText { body, beside: draft.beside }));
+            parts.push((part, PartText { body, other_texts: draft.other_texts }));
         }
         (parts, rounded_mm)
     }
@@ -157,7 +157,7 @@ impl<'w, 'a> PartWriter<'w, 'a> {
             if self.source.sub_of(at).is_some() {
                 if self.is_used(self.source.sub_of(at), &blocks) {
                     let kept = draft.keep(self.source, at..at + 1);
-                    draft.beside.push(kept);
+                    draft.other_texts.push(kept);
                 }
                 continue;
             }
@@ -211,7 +211,7 @@ impl<'w, 'a> PartWriter<'w, 'a> {
             let to = sub.map_or(at + 1, |sub| self.source.subs[sub].blocks.end.max(at + 1));
             if self.is_used(sub, blocks) {
                 let kept = draft.keep(self.source, at..to);
-                draft.beside.push(kept);
+                draft.other_texts.push(kept);
             }
             at = to;
         }
@@ -246,7 +246,7 @@ impl<'w, 'a> PartWriter<'w, 'a> {
 
     /// The lines that a part begins with, so that all is as it was.
     fn begin(&self, standing: &StateAt, point: SplitPoint, rounded_mm: &mut f64) -> Vec<String> {
-        let StateAt { modal, said } = standing;
+        let StateAt { modal, words: said } = standing;
         let style = self.source.style;
         let gap = if style.spaced { " " } else { "" };
         let name = |action| codes::name(action, self.control, style);
@@ -288,7 +288,7 @@ impl<'w, 'a> PartWriter<'w, 'a> {
     }
 
     /// The tool change.
-    fn tool(&self, StateAt { modal, said }: &StateAt) -> Option<String> {
+    fn tool(&self, StateAt { modal, words: said }: &StateAt) -> Option<String> {
         let words = said.tool.as_ref()?;
         let gap = if self.source.style.spaced { " " } else { "" };
         Some(if words.contains('T') {
@@ -301,7 +301,7 @@ impl<'w, 'a> PartWriter<'w, 'a> {
     /// To where the tool stood: over the place, then down to it.
     fn approach(
         &self,
-        StateAt { modal, said }: &StateAt,
+        StateAt { modal, words: said }: &StateAt,
         work: Option<String>,
         rounded_mm: &mut f64,
     ) -> [String; 2] {
@@ -336,7 +336,7 @@ impl<'w, 'a> PartWriter<'w, 'a> {
         let (value, style) = (modal.position[axis], self.source.style);
         let letter = char::from(AXIS_LETTERS.as_bytes()[axis]);
         if axis > 2 {
-            return format!("{letter}{}", plain(value.to_degrees(), MOST_DECIMALS, style));
+            return format!("{letter}{}", plain(value.to_degrees(), MAX_DECIMALS, style));
         }
         let unit = modal.units.mm();
         let least = digits(self.control, modal.units);
@@ -344,7 +344,7 @@ impl<'w, 'a> PartWriter<'w, 'a> {
             let power = 10f64.powi(count as i32);
             ((value / unit * power).round() / power * unit - value).abs()
         };
-        let exact = (least..=MOST_DECIMALS).find(|count| off(*count) < 1e-10);
+        let exact = (least..=MAX_DECIMALS).find(|count| off(*count) < 1e-10);
         let count = exact.unwrap_or(least);
         if exact.is_none() {
             *rounded_mm = rounded_mm.max(off(count) * 2.0);
@@ -361,5 +361,5 @@ pub(crate) fn feed_word(modal: &Modal, style: WordStyle) -> Option<String> {
         FeedMode::PerRevolution => modal.feed? / unit,
         FeedMode::InverseTime => return None,
     };
-    Some(format!("F{}", plain(value, MOST_DECIMALS, style)))
+    Some(format!("F{}", plain(value, MAX_DECIMALS, style)))
 }

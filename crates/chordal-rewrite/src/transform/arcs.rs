@@ -16,9 +16,9 @@ use super::writer::WordWriter;
 use super::{ArcForm, StepOutcome};
 
 /// Half circles are left as they are within this much, radians: there a radius says little of the centre.
-const NEAR_HALF: f64 = 0.02;
+const HALF_CIRCLE_TOLERANCE_RAD: f64 = 0.02;
 /// A whole turn has no radius form.
-const NEAR_WHOLE: f64 = 1e-6;
+const FULL_CIRCLE_TOLERANCE_RAD: f64 = 1e-6;
 
 /// What arcs of a text are to be.
 struct ArcRewriter<'a> {
@@ -121,8 +121,8 @@ impl<'a> ArcRewriter<'a> {
         let shape = runs.first.shape?;
         let sweep = shape.sweep.abs();
         let half = std::f64::consts::PI;
-        let is_unsound = (sweep - half).abs() < NEAR_HALF
-            || sweep > 2.0 * half - NEAR_WHOLE
+        let is_unsound = (sweep - half).abs() < HALF_CIRCLE_TOLERANCE_RAD
+            || sweep > 2.0 * half - FULL_CIRCLE_TOLERANCE_RAD
             || (shape.radius_from - shape.radius_to).abs() > 0.01
             || runs.first.context.did != BlockEffect::Arc;
         if is_unsound {
@@ -227,7 +227,7 @@ impl<'a> ArcRewriter<'a> {
                 let is_shape = matches!(
                     role,
                     NumberRole::Place(_)
-                        | NumberRole::Way(_)
+                        | NumberRole::Distance(_)
                         | NumberRole::Center(_)
                         | NumberRole::Spoke(_)
                         | NumberRole::Length

@@ -20,9 +20,9 @@ use super::rows::{StraightCut, rows};
 use super::writer::WordWriter;
 
 /// Shorter rows stay.
-const LEAST: usize = 3;
+const MIN_ROW_BLOCKS: usize = 3;
 /// Steps of the last digit that rounding the ends and the centre of an arc may take it off.
-const ROUNDING: f64 = 2.0;
+const ROUNDING_STEPS: f64 = 2.0;
 
 /// Rows of chords as lines and arcs within a tolerance, mm, each cut at the slowest of its feeds, which may
 /// be apart by a part of the fastest. A row that would not make the same motion stays as it is.
@@ -36,10 +36,10 @@ pub(super) fn fit(
     let mut outcome =
         StepOutcome { tolerance_mm: tolerance, feed_tolerance, ..StepOutcome::default() };
     let (mut rows_of, mut rough) = (HashMap::new(), 0);
-    rows(&writer, &record, LEAST, feed_tolerance, |row, behind| {
+    rows(&writer, &record, MIN_ROW_BLOCKS, feed_tolerance, |row, behind| {
         let units = row[0].run.context.units;
         let step = units.mm() * 0.1f64.powi(i32::from(writer.style.digits(units)));
-        let left = tolerance - ROUNDING * step;
+        let left = tolerance - ROUNDING_STEPS * step;
         if left < step {
             rough += row.len();
             return;
@@ -74,7 +74,7 @@ pub(super) fn fit(
 fn replace(
     writer: &WordWriter,
     row: &[StraightCut],
-    behind: Option<&Block>,
+    next_block: Option<&Block>,
     fitted: &[FitPiece],
 ) -> WordEdit {
     let first = &row[0].block;
@@ -106,8 +106,8 @@ fn replace(
         }
         lines.push(words.join(writer.style.gap()));
     }
-    let feed = last_feed(row).filter(|_| behind.is_none_or(|block| block.word(b'F').is_none()));
-    lines.extend(typist.restore(context.plane, behind, feed));
+    let feed = last_feed(row).filter(|_| next_block.is_none_or(|block| block.word(b'F').is_none()));
+    lines.extend(typist.restore(context.plane, next_block, feed));
     let range = TextRange::new(first.range.start, last.range.end);
     WordEdit::new(range, lines.join(&separator), "chords as lines and arcs")
 }
@@ -222,13 +222,13 @@ impl MoveWriter<'_> {
     fn restore(
         &mut self,
         plane: Plane,
-        behind: Option<&Block>,
+        next_block: Option<&Block>,
         feed: Option<&Word>,
     ) -> Option<String> {
         let mut words = BlockWords::default();
         let is_changed = self.plane != plane;
         self.plane(plane, &mut words);
-        let says_motion = behind.is_some_and(|block| {
+        let says_motion = next_block.is_some_and(|block| {
             let is_motion = |action| {
                 matches!(
                     action,
@@ -271,7 +271,7 @@ pub(super) fn thin(job: &Job, tolerance: f64) -> Result<StepOutcome, TransformRe
     let record = RunRecord::of(job);
     let mut outcome = StepOutcome { tolerance_mm: tolerance, ..StepOutcome::default() };
     let (mut chords, mut left) = (0, 0);
-    rows(&writer, &record, LEAST, 0.0, |row, _| {
+    rows(&writer, &record, MIN_ROW_BLOCKS, 0.0, |row, _| {
         // The first block has the words that all others rely on: it stays.
         let points: Vec<Vec3> = row.iter().map(StraightCut::to).collect();
         let Ok(kept) = simplify(&points, tolerance) else { return };

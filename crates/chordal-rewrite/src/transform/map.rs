@@ -106,7 +106,7 @@ pub(super) fn map(job: &Job, transform: &Transform) -> Result<StepOutcome, Trans
             None => {}
         }
     }
-    if let Some((file, line)) = record.elsewhere {
+    if let Some((file, line)) = record.in_other_text {
         let name = job.sources().get(file).map_or("", |source| source.name());
         outcome
             .notes
@@ -239,7 +239,7 @@ impl MapWriter<'_> {
         for (word, role) in block.words.iter().zip(&roles) {
             let (factor, plus) = match *role {
                 NumberRole::Place(axis)
-                | NumberRole::Way(axis)
+                | NumberRole::Distance(axis)
                 | NumberRole::Center(axis)
                 | NumberRole::Spoke(axis)
                     if map.turns && (axis < 2 || is_upright) =>
@@ -249,7 +249,7 @@ impl MapWriter<'_> {
                 NumberRole::Place(axis) | NumberRole::Center(axis) => {
                     (map.factor(axis), map.shift[axis])
                 }
-                NumberRole::Way(axis) | NumberRole::Spoke(axis) => (map.factor(axis), 0.0),
+                NumberRole::Distance(axis) | NumberRole::Spoke(axis) => (map.factor(axis), 0.0),
                 NumberRole::Length => (map.scale, 0.0),
                 NumberRole::Counted if map.scale != 1.0 => {
                     let units = (context.units, context.units);
@@ -333,7 +333,7 @@ impl MapWriter<'_> {
         for (word, role) in block.words.iter().zip(roles) {
             let (axis, is_place) = match *role {
                 NumberRole::Place(axis) | NumberRole::Center(axis) => (axis, true),
-                NumberRole::Way(axis) | NumberRole::Spoke(axis) => (axis, false),
+                NumberRole::Distance(axis) | NumberRole::Spoke(axis) => (axis, false),
                 _ => continue,
             };
             let image = self.map.image(axis);
@@ -373,7 +373,7 @@ impl MapWriter<'_> {
         };
         for (letters, words, is_place) in [
             (*b"XY", find(&NumberRole::Place), true),
-            (*b"XY", find(&NumberRole::Way), false),
+            (*b"XY", find(&NumberRole::Distance), false),
             (*b"IJ", find(&NumberRole::Center), true),
             (*b"IJ", find(&NumberRole::Spoke), false),
         ] {

@@ -268,7 +268,7 @@ impl StepOutcome {
             speed_tolerance: self.speed_tolerance.max(ComparisonOptions::default().speed_tolerance),
             in_step: true,
             unknown_in_step: true,
-            sides_apart: true,
+            separate_sides: true,
             ..ComparisonOptions::default()
         }
     }

@@ -8,7 +8,7 @@ use chordal::syntax::{Block, BlockReader};
 use crate::source::digits_of_arcs;
 
 /// More decimals than these are not written, whatever the program does.
-const MOST_DECIMALS: u8 = 6;
+const MAX_DECIMALS: u8 = 6;
 
 /// How a program writes numbers.
 #[derive(Clone, Copy, Debug)]
@@ -73,7 +73,7 @@ impl NumberStyle {
     /// Decimals that a length in these units is rounded to where it does not come out even.
     pub(super) fn digits(&self, units: Units) -> u8 {
         let usual = self.usual[usize::from(units == Units::Millimetre)];
-        self.decimals.clamp(usual, MOST_DECIMALS).min(self.kept(units))
+        self.decimals.clamp(usual, MAX_DECIMALS).min(self.kept(units))
     }
 
     /// More decimals than these the control does not take as they are written.
@@ -126,7 +126,7 @@ impl NumberStyle {
 /// Where what it does with more is not known, it is taken to compute with all of them.
 fn kept(control: &Control, units: Units) -> u8 {
     match control.parameters.excess_decimals {
-        ExcessDecimals::Unknown => MOST_DECIMALS,
+        ExcessDecimals::Unknown => MAX_DECIMALS,
         _ => control.parameters.kept_decimals(units),
     }
 }

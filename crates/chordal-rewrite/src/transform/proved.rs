@@ -10,7 +10,7 @@ use crate::source::first_text;
 use crate::{Certificate, prove};
 
 /// Edits are taken back so many times before all of them are.
-const ROUNDS: usize = 8;
+const MAX_REVERT_ROUNDS: usize = 8;
 
 /// An edit that was taken back, and what would have differed.
 struct RevertedEdit {
@@ -34,7 +34,8 @@ impl StepOutcome {
                 self.certificate = Some(certificate);
                 break;
             }
-            let hit = if round < ROUNDS { self.take_hit(&certificate) } else { Vec::new() };
+            let hit =
+                if round < MAX_REVERT_ROUNDS { self.take_hit(&certificate) } else { Vec::new() };
             if hit.is_empty() {
                 let category = first_category(&certificate);
                 let all = std::mem::take(&mut self.edits);
@@ -47,7 +48,7 @@ impl StepOutcome {
                 refused.extend(hit);
             }
         }
-        self.tell(first_text(job), &refused);
+        self.note_refused(first_text(job), &refused);
     }
 
     fn prove(&mut self, job: &Job) -> Certificate {
@@ -77,7 +78,7 @@ impl StepOutcome {
         hit
     }
 
-    fn tell(&mut self, text: &[u8], refused: &[RevertedEdit]) {
+    fn note_refused(&mut self, text: &[u8], refused: &[RevertedEdit]) {
         let Some(first) = refused.iter().min_by_key(|refused| refused.edit.range.start) else {
             return;
         };

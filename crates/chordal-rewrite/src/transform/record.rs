@@ -9,7 +9,7 @@ use chordal::control::{
 };
 use chordal::diagnostics::{Code, FileId};
 use chordal::geometry::Plane;
-use chordal::{Command, CommandKind, Diagnostic, Job, MOST_SIDE_RUNS, Sink};
+use chordal::{Command, CommandKind, Diagnostic, Job, MAX_SIDE_RUNS, Sink};
 
 use crate::convert::CycleContours;
 use crate::sides::{block_delete_runs, deletable_blocks};
@@ -90,7 +90,7 @@ pub(super) struct BlockRuns {
 pub(super) struct RunRecord {
     pub(super) blocks: HashMap<u32, BlockRuns>,
     /// The first move of a block that stands in another text: its file and line.
-    pub(super) elsewhere: Option<(FileId, u32)>,
+    pub(super) in_other_text: Option<(FileId, u32)>,
     /// What was assumed in the run under way.
     assumed: Vec<Diagnostic>,
     /// The run under way, from 0: those after the first take other sides.
@@ -151,7 +151,7 @@ impl RunRecord {
         let deletable: HashSet<u32> = whole.map(|block| block.start).collect();
         let mut record = RunRecord::default();
         let first = record.run(job, &deletable);
-        job.run_other_sides(&first, MOST_SIDE_RUNS, block_delete, |side, _| {
+        job.run_other_sides(&first, MAX_SIDE_RUNS, block_delete, |side, _| {
             record.run(&side, &deletable)
         });
         record
@@ -180,7 +180,7 @@ impl Sink for RunRecord {
             _ => return,
         };
         if command.origin.span.file != FileId(0) {
-            self.elsewhere.get_or_insert((command.origin.span.file, command.origin.line));
+            self.in_other_text.get_or_insert((command.origin.span.file, command.origin.line));
         }
         let did = &mut self.did;
         did.kind = Some(match did.kind {

@@ -18,7 +18,7 @@ pub(super) enum NumberRole {
     /// A coordinate of the program: of X, Y or Z.
     Place(usize),
     /// A way along an axis.
-    Way(usize),
+    Distance(usize),
     /// A coordinate of an arc's centre.
     Center(usize),
     /// A part of the way between an arc's centre and its start.
@@ -160,11 +160,11 @@ pub(super) fn roles(block: &Block, context: &ReadingContext, control: &Control) 
                 _ => NumberRole::Other,
             },
             BlockSort::Local => match axis(word.letter) {
-                Some(axis) => NumberRole::Way(axis),
+                Some(axis) => NumberRole::Distance(axis),
                 None => NumberRole::Other,
             },
             BlockSort::Pattern | BlockSort::Pocket => match (axis(word.letter), word.letter) {
-                (Some(axis), _) if incremental => NumberRole::Way(axis),
+                (Some(axis), _) if incremental => NumberRole::Distance(axis),
                 (Some(axis), _) => NumberRole::Place(axis),
                 (None, b'F') => NumberRole::Feed,
                 (None, b'S') => NumberRole::Speed,
@@ -196,8 +196,9 @@ fn move_role(
     incremental: bool,
     starts_compensation: bool,
 ) -> NumberRole {
-    let place =
-        |axis: usize| if incremental { NumberRole::Way(axis) } else { NumberRole::Place(axis) };
+    let place = |axis: usize| {
+        if incremental { NumberRole::Distance(axis) } else { NumberRole::Place(axis) }
+    };
     let normal = context.plane.axes().2;
     let drilled = drilling_axis(context, control);
     let in_cycle = context.cycle.is_some();
@@ -233,13 +234,15 @@ fn move_role(
         }
         letter @ b'I'..=b'K' if in_cycle => match context.cycle {
             Some(CycleKind::FineBore | CycleKind::BackBore) if letter != b'K' => {
-                NumberRole::Way(usize::from(letter - b'I'))
+                NumberRole::Distance(usize::from(letter - b'I'))
             }
             // K counts repeats on some controls, and then has no point.
             _ if word.number().is_some_and(|number| number.has_point) => NumberRole::Length,
             _ => NumberRole::Other,
         },
-        letter @ b'I'..=b'K' if starts_compensation => NumberRole::Way(usize::from(letter - b'I')),
+        letter @ b'I'..=b'K' if starts_compensation => {
+            NumberRole::Distance(usize::from(letter - b'I'))
+        }
         b'R' if control.table.lexicon.registers => match word.register {
             Some(0) if is_arc => NumberRole::Length,
             Some(0) if in_cycle => place(drilled),

@@ -110,7 +110,7 @@ fn lengths(
     for (word, role) in block.words.iter().zip(roles(block, context, writer.control)) {
         let text = match role {
             NumberRole::Place(_)
-            | NumberRole::Way(_)
+            | NumberRole::Distance(_)
             | NumberRole::Center(_)
             | NumberRole::Spoke(_)
             | NumberRole::Length

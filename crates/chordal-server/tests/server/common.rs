@@ -89,7 +89,7 @@ impl Programs for Shown {
             help: errors[0].help.clone(),
         })?;
         let beside = vec![("O77.nc".to_string(), b"(BESIDE)\nO77\nM99\n".to_vec())];
-        let mut setup = EditorSetup { beside, ..EditorSetup::of(machine) };
+        let mut setup = EditorSetup { subprogram_texts: beside, ..EditorSetup::of(machine) };
         if text.windows(FAILS.len()).any(|word| word == FAILS.as_bytes()) {
             setup.options.shop_codes = Some(Arc::new(fails));
         }

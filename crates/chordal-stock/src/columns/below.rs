@@ -14,7 +14,7 @@ use crate::floor::merge;
 use crate::{CutterSweep, RemovedSpan, Undercut};
 
 /// The gap of the bounds where there is no closed form, mm: far below any resolution, and cheap.
-const GAP: f64 = 1e-4;
+const BOUNDS_GAP_MM: f64 = 1e-4;
 
 /// A whole move of an undercut.
 #[derive(Clone, Debug)]
@@ -87,7 +87,7 @@ struct CellSpans {
 }
 
 /// Where the bounds of a span differ by less, mm, its ends in the middle are midway between them.
-const NEAR_SPAN_MM: f64 = 2e-3;
+const MIDPOINT_SPAN_MM: f64 = 2e-3;
 
 impl CellSpans {
     /// Of a square about its middle; false where the move does not meet it.
@@ -105,7 +105,7 @@ impl CellSpans {
     fn find_middle(&mut self, sweep: &CutterSweep<'_>, middle: [f64; 2], top: f64) {
         self.middle.clear();
         let is_near = |(a, b): (&RemovedSpan, &RemovedSpan)| {
-            (a.floor - b.floor).abs() < NEAR_SPAN_MM && (a.top - b.top).abs() < NEAR_SPAN_MM
+            (a.floor - b.floor).abs() < MIDPOINT_SPAN_MM && (a.top - b.top).abs() < MIDPOINT_SPAN_MM
         };
         let mut pairs = self.surely.iter().zip(&self.maybe);
         if self.surely.len() == self.maybe.len() && pairs.all(is_near) {
@@ -140,7 +140,7 @@ impl OnTile<'_> {
         finds_middles: bool,
         mut found: impl FnMut(&mut Self, [usize; 2], &CellSpans),
     ) -> u64 {
-        let sweep = CutterSweep::of_undercut(self.cutter, &self.below.curve, GAP);
+        let sweep = CutterSweep::of_undercut(self.cutter, &self.below.curve, BOUNDS_GAP_MM);
         let (cell, corner) = (self.grid.resolution(), self.grid.corner(self.number));
         let top = self.grid.bounds().max.z;
         let width = cell * BLOCK as f64;

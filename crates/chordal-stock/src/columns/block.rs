@@ -7,7 +7,7 @@
 use wide::{CmpEq, f32x4};
 
 use super::grid::{BLOCK, LANES};
-use crate::sweep::lanes::{LOWER, NOTHING, PLAIN, TileCourse, UPPER};
+use crate::sweep::lanes::{LOWER, NOT_REACHED, PLAIN, TileCourse, UPPER};
 use crate::sweep::shape::PartKind;
 
 /// Groups of four cells in a row of a block.
@@ -48,7 +48,7 @@ fn ramp(step: f32) -> f32x4 {
 fn load(from: &[f32; STRIDE * STRIDE], at: usize) -> f32x4 {
     match from[at..].first_chunk::<LANES>() {
         Some(&group) => f32x4::from(group),
-        None => f32x4::splat(NOTHING),
+        None => f32x4::splat(NOT_REACHED),
     }
 }
 
@@ -92,7 +92,7 @@ pub(crate) fn certified<const LEVEL: bool, S: PartKind>(
         }
         row += LANES;
     }
-    let nothing = f32x4::splat(NOTHING);
+    let nothing = f32x4::splat(NOT_REACHED);
     let least = f32x4::splat(lowest);
     for group in 0..part.groups {
         let pair = |row: usize| {

@@ -7,7 +7,8 @@ use chordal_geometry::Aabb;
 use super::heights::{CellCeiling, CellHollows};
 use super::plan::StockTask;
 use super::{
-    AT_ONCE, ColumnOptions, ColumnStock, ContactDepth, JobResult, StockError, TileJob, TouchAnswer,
+    ColumnOptions, ColumnStock, ContactDepth, JobResult, MOVES_PER_PLAN, StockError, TileJob,
+    TouchAnswer,
 };
 use crate::sweep::TipMove;
 
@@ -59,7 +60,7 @@ struct RefinedRegion {
     resolution: f64,
     moves: Vec<Vec<TipMove>>,
     numbers: Vec<Vec<u32>>,
-    asked: BTreeSet<ContactQuestion>,
+    questions: BTreeSet<ContactQuestion>,
 }
 
 impl StockCheck<'_> {
@@ -178,7 +179,10 @@ impl StockCheck<'_> {
                 (stock.grid().box_of(tile), stock.options().resolution / 2.0);
             let (moves, numbers) = (vec![Vec::new(); tasks], vec![Vec::new(); tasks]);
             let asked = asked.into_keys().collect();
-            parts.insert(tile, RefinedRegion { bounds, resolution, moves, numbers, asked });
+            parts.insert(
+                tile,
+                RefinedRegion { bounds, resolution, moves, numbers, questions: asked },
+            );
         }
         if parts.is_empty() {
             return Vec::new();
@@ -188,7 +192,7 @@ impl StockCheck<'_> {
                 let plan = stock.plan(&task);
                 for (tile, todo) in plan.tiles() {
                     let Some(part) = parts.get_mut(&tile) else { continue };
-                    if part.asked.last().is_none_or(|last| last.0 < number) {
+                    if part.questions.last().is_none_or(|last| last.0 < number) {
                         continue;
                     }
                     let met: BTreeSet<u32> =
@@ -225,15 +229,17 @@ impl StockCheck<'_> {
             let of_task = &part.numbers[number];
             let is_asked = |at: &u32| {
                 let of_task = of_task[*at as usize];
-                part.asked.range((number, 0, 0)..(number + 1, 0, 0)).any(|asked| asked.2 == of_task)
+                part.questions
+                    .range((number, 0, 0)..(number + 1, 0, 0))
+                    .any(|asked| asked.2 == of_task)
             };
             let asked: Vec<u32> = (0..of_task.len() as u32).filter(is_asked).collect();
-            let task = StockTask { moves: &part.moves[number], asked: Some(&asked), ..*task };
+            let task = StockTask { moves: &part.moves[number], numbers: Some(&asked), ..*task };
             for (first, task) in chunks(task) {
                 for found in run(&mut stock, &task, runner) {
                     let questions = found.contacts.iter().filter_map(|&(body, at, contact)| {
                         let question = (number, body, of_task[(first + at) as usize]);
-                        part.asked.contains(&question).then_some((question, contact))
+                        part.questions.contains(&question).then_some((question, contact))
                     });
                     self.sort(part.resolution, found.tile, questions, &mut open, contacts);
                 }
@@ -265,9 +271,9 @@ fn run(stock: &mut ColumnStock, task: &StockTask<'_>, runner: &JobRunner<'_>) ->
 
 /// A task in parts of so many moves as are planned at once, each with the number of its first move.
 pub(crate) fn chunks(task: StockTask<'_>) -> impl Iterator<Item = (u32, StockTask<'_>)> {
-    let some = task.moves.chunks(AT_ONCE).enumerate();
+    let some = task.moves.chunks(MOVES_PER_PLAN).enumerate();
     some.map(move |(n, moves)| {
-        let first = (n * AT_ONCE) as u32;
+        let first = (n * MOVES_PER_PLAN) as u32;
         (first, StockTask { moves, first, ..task })
     })
 }

@@ -31,8 +31,8 @@ pub struct StockGrid {
 /// Cells along a length, mm.
 pub(crate) fn count(length: f64, resolution: f64) -> f64 {
     /// A box that is longer than whole cells by less than this share of a cell has no further cell.
-    const ROUNDING: f64 = 1e-9;
-    (length / resolution - ROUNDING).ceil().max(1.0)
+    const CELL_ROUNDING_SHARE: f64 = 1e-9;
+    (length / resolution - CELL_ROUNDING_SHARE).ceil().max(1.0)
 }
 
 impl StockGrid {

@@ -318,7 +318,7 @@ impl TileRun<'_> {
         lowest: f32,
     ) {
         let (corner, range) = (corner(block), self.tile.range(block));
-        if LEVEL && S::FLAT && !self.only_inner && self.even(course, block, corner, range) {
+        if LEVEL && S::IS_FLAT && !self.only_inner && self.even(course, block, corner, range) {
             return;
         }
         self.found.counts.columns += part.cells() as u64;

@@ -134,7 +134,7 @@ pub enum StockError {
 }
 
 /// Moves in one plan: enough to make the tiles' lists worth it, few enough to stay in memory.
-const AT_ONCE: usize = 1 << 15;
+const MOVES_PER_PLAN: usize = 1 << 15;
 
 /// Stock that tools remove.
 #[derive(Clone, Debug)]

@@ -62,7 +62,7 @@ pub struct StockTask<'a> {
     /// The moves, in order.
     pub moves: &'a [TipMove],
     /// The numbers, rising, of the moves whose bodies are compared; of all of them if there are none given.
-    pub asked: Option<&'a [u32]>,
+    pub numbers: Option<&'a [u32]>,
     /// The number of the first move, for `asked`.
     pub first: u32,
     /// With bodies and a cutter moves are divided so that the tip rises or falls by no more than this, mm: so
@@ -87,13 +87,13 @@ pub struct StockPlan {
 
 /// Strips are told to tiles with this much more around them, as a share of the tile: above the rounding that
 /// the tiles count.
-const MARGIN: f64 = 1e-5;
+const STRIP_MARGIN_SHARE: f64 = 1e-5;
 
 impl StockTask<'_> {
     /// Whether bodies are compared on a move.
     fn asks(&self, number: u32) -> bool {
         let asked = |asked: &[u32]| asked.binary_search(&(self.first + number)).is_ok();
-        !self.bodies.is_empty() && self.asked.is_none_or(asked)
+        !self.bodies.is_empty() && self.numbers.is_none_or(asked)
     }
 
     /// The heights of the tip between which it may take something away: above it is over the stock, and below all
@@ -154,7 +154,7 @@ impl StockPlan {
             bodies: task.bodies.len(),
             moves: task.moves.len(),
         };
-        plan.tell(grid, task, &of);
+        plan.assign_steps(grid, task, &of);
         plan
     }
 
@@ -171,7 +171,7 @@ impl StockPlan {
     /// Finds the tiles of each step. With undercuts a body, which is above their edges, meets what they leave: on the way down
     /// they never again reach what it touches, so it is compared after them; on the way up they have not been there
     /// yet, so it is compared before. On a move that does both it can only be said what is touched at most.
-    fn tell(&mut self, grid: &StockGrid, task: &StockTask<'_>, actions: &[StepAction]) {
+    fn assign_steps(&mut self, grid: &StockGrid, task: &StockTask<'_>, actions: &[StepAction]) {
         let pieces = core::mem::take(&mut self.pieces);
         let mut first = 0;
         for of_move in pieces.chunk_by(|a, b| a.number == b.number) {
@@ -190,14 +190,14 @@ impl StockPlan {
                             StepAction::Compare(body) if only_most => StepAction::CompareMost(body),
                             action => action,
                         };
-                        plan.tell_piece(grid, [first + n, part], piece, action);
+                        plan.assign_piece(grid, [first + n, part], piece, action);
                     }
                 }
             };
             if rises {
                 compare(self, falls);
             }
-            self.tell_below(grid, task, number, path, asks);
+            self.assign_undercuts(grid, task, number, path, asks);
             if falls || !rises {
                 compare(self, false);
             }
@@ -207,7 +207,7 @@ impl StockPlan {
         self.todo.sort_by_key(|&(tile, _)| tile);
     }
 
-    fn tell_piece(
+    fn assign_piece(
         &mut self,
         grid: &StockGrid,
         [at, part_at]: [usize; 2],
@@ -222,7 +222,7 @@ impl StockPlan {
         }
         let strip = strip(&if action.is_cut() { *piece } else { piece.alone() }, part);
         let step = self.steps.len() as u32;
-        let margin = piece.off_in_run + MARGIN * (width + part.reach);
+        let margin = piece.off_in_run + STRIP_MARGIN_SHARE * (width + part.reach);
         let before = self.todo.len();
         tiles(&strip, piece, bounds.min, width, margin, grid.tile_counts(), |tile| {
             self.todo.push((tile, step));
@@ -233,7 +233,7 @@ impl StockPlan {
     }
 
     /// The undercuts of a move, and those of the bodies that are compared.
-    fn tell_below(
+    fn assign_undercuts(
         &mut self,
         grid: &StockGrid,
         task: &StockTask<'_>,

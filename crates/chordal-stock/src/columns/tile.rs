@@ -456,7 +456,7 @@ impl StockTile {
 
     /// Adds what the moves of each tag have removed, mm³.
     pub fn removed(&self, grid: &StockGrid, number: usize, to: &mut Vec<(u32, VolumeInterval)>) {
-        self.ledger.tell(self.removed_last(grid, number), to);
+        self.ledger.add_to(self.removed_last(grid, number), to);
     }
 
     pub fn bytes(&self) -> u64 {

@@ -95,7 +95,7 @@ impl TagVolumes {
     }
 
     /// What the moves of each tag have removed; `open` by those that came last.
-    pub fn tell(&self, open: VolumeInterval, to: &mut Vec<(u32, VolumeInterval)>) {
+    pub fn add_to(&self, open: VolumeInterval, to: &mut Vec<(u32, VolumeInterval)>) {
         for &(tag, amount) in &self.done {
             add(to, tag, amount);
         }

@@ -39,7 +39,7 @@ pub(crate) struct StockLimits {
 }
 
 /// No stock.
-const NOTHING: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
+const EMPTY_INTERVAL: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
 impl ColumnStock {
     /// The heights of the cells that a rectangle meets, mm.
@@ -128,8 +128,8 @@ impl HeightWindow {
         let [y0, y1] = self.cells(1, place[1] - half[1], place[1] + half[1]);
         let [columns, rows] = self.size.map(|size| size as i64);
         let is_whole = x0 >= 0 && y0 >= 0 && x1 < columns && y1 < rows;
-        let mut maybe = NOTHING;
-        let mut surely = if is_whole { [f64::NEG_INFINITY, f64::INFINITY] } else { NOTHING };
+        let mut maybe = EMPTY_INTERVAL;
+        let mut surely = if is_whole { [f64::NEG_INFINITY, f64::INFINITY] } else { EMPTY_INTERVAL };
         for row in y0.max(0)..=y1.min(rows - 1) {
             for column in x0.max(0)..=x1.min(columns - 1) {
                 let at = (row * columns + column) as usize;
@@ -151,12 +151,12 @@ impl HeightWindow {
         };
         let within = |gap: &&ColumnGap| f64::from(gap[0]) <= from && from <= f64::from(gap[1]);
         let maybe = match column.surely.iter().find(within) {
-            Some(gap) if to <= f64::from(gap[1]) => NOTHING,
+            Some(gap) if to <= f64::from(gap[1]) => EMPTY_INTERVAL,
             Some(gap) => [f64::from(gap[1]), outer],
             None => [f64::NEG_INFINITY, outer],
         };
         let mut floor = f64::NEG_INFINITY;
-        let (mut surely, mut most) = (NOTHING, f64::NEG_INFINITY);
+        let (mut surely, mut most) = (EMPTY_INTERVAL, f64::NEG_INFINITY);
         for [gap, next] in column.maybe.iter().map(|gap| gap.map(f64::from)).chain([[inner; 2]]) {
             let share = gap.min(to) - floor.max(from);
             if share > most {
@@ -279,7 +279,7 @@ mod tests {
         let near = |value: f64, truth: f64| (value - truth).abs() < 0.01;
         let ends = |y: f64, stretch: [f64; 2]| window.ends([20.25, y], [0.1; 2], stretch);
         // In the gap there is nothing; below it all up to its floor, above it up to the top.
-        assert_eq!(ends(15.25, [-11.0, -9.0]).maybe, NOTHING);
+        assert_eq!(ends(15.25, [-11.0, -9.0]).maybe, EMPTY_INTERVAL);
         assert!(near(ends(15.25, [-15.0, -13.0]).surely[1], -12.0));
         let above = ends(15.25, [-7.0, -2.0]);
         assert!(

@@ -8,9 +8,9 @@ use super::{CutterError, CutterProfile};
 /// Chords of half a circle: they are nowhere further from it than 0.5 % of its radius.
 const CHORDS: u32 = 16;
 /// Outlines with more points have no inset.
-const MOST_POINTS: usize = 100;
+const MAX_POINTS: usize = 100;
 /// Places nearer than this are one, mm.
-const SAME: f64 = 1e-9;
+const COINCIDENT_MM: f64 = 1e-9;
 
 /// A piece of a surface, from one radius to a larger one.
 #[derive(Clone, Copy, Debug)]
@@ -57,7 +57,8 @@ impl CutterProfile {
     ) -> Result<Option<[CutterProfile; 2]>, CutterError> {
         let whole = CutterProfile::outline(points)?;
         let reach = whole.radius() - depth;
-        if reach <= SAME || points.len() > MOST_POINTS || depth <= 0.0 || !depth.is_finite() {
+        if reach <= COINCIDENT_MM || points.len() > MAX_POINTS || depth <= 0.0 || !depth.is_finite()
+        {
             return Ok(None);
         }
         let mut made = [Vec::new(), Vec::new()];
@@ -79,13 +80,13 @@ fn pieces(points: &[[f64; 2]], depth: f64, tangents: bool) -> Vec<SurfacePiece> 
         .collect();
     let mut pieces = Vec::new();
     let mut add = |from: [f64; 2], to: [f64; 2]| {
-        if to[0] - from[0] > SAME {
+        if to[0] - from[0] > COINCIDENT_MM {
             pieces.push(SurfacePiece { from, to });
         }
     };
     for pair in corners.windows(2) {
         let [a, b] = [pair[0], pair[1]];
-        if b[0] - a[0] <= SAME {
+        if b[0] - a[0] <= COINCIDENT_MM {
             continue;
         }
         let slope = (b[1] - a[1]) / (b[0] - a[0]);
@@ -103,7 +104,7 @@ fn pieces(points: &[[f64; 2]], depth: f64, tangents: bool) -> Vec<SurfacePiece> 
                 let moved = |[x, y]: [f64; 2]| [middle + x, height + y];
                 add(moved(pair[0]), moved(pair[1]));
             }
-            if radius <= SAME {
+            if radius <= COINCIDENT_MM {
                 break;
             }
         }
@@ -140,7 +141,7 @@ fn outline(pieces: &[SurfacePiece], reach: f64) -> Vec<[f64; 2]> {
         }
     }
     ends.sort_by(f64::total_cmp);
-    ends.dedup_by(|a, b| *a - *b <= SAME);
+    ends.dedup_by(|a, b| *a - *b <= COINCIDENT_MM);
     let mut points: Vec<[f64; 2]> = Vec::new();
     let mut high = f64::NEG_INFINITY;
     for pair in ends.windows(2) {

@@ -170,7 +170,7 @@ impl CutterProfile {
     /// Whether the height is a convex function of the place around the axis: so a straight move sweeps a
     /// convex body, and below it the floor is a convex function too.
     pub fn is_convex(&self) -> bool {
-        const SAME: f64 = 1e-12;
+        const EQUAL_RADIUS_MM: f64 = 1e-12;
         let slopes = |ring: &Ring| match ring.element {
             RingElement::Disc { .. } => [0.0, 0.0],
             RingElement::Cone { slope, .. } => [slope, slope],
@@ -184,8 +184,8 @@ impl CutterProfile {
         self.rings.iter().all(|ring| {
             let [begin, end] = slopes(ring);
             // A step up is no slope: the floor has a wall there.
-            let follows = (ring.height_at(ring.from) - height).abs() <= SAME;
-            let rises = begin >= last - SAME && end >= begin - SAME;
+            let follows = (ring.height_at(ring.from) - height).abs() <= EQUAL_RADIUS_MM;
+            let rises = begin >= last - EQUAL_RADIUS_MM && end >= begin - EQUAL_RADIUS_MM;
             (last, height) = (end, ring.height_at(ring.to));
             follows && rises
         })

@@ -39,7 +39,11 @@ impl Undercut {
             return Err(CutterError::TooLarge { what, value, most });
         }
         // Neither side comes down on its way outwards: they are nearest at the rim.
-        at_most("rise of both sides", lower.side() + upper.side(), height + ROUNDING * height)?;
+        at_most(
+            "rise of both sides",
+            lower.side() + upper.side(),
+            height + HEIGHT_ROUNDING_MM * height,
+        )?;
         Ok(Undercut { lower, upper, height, neck })
     }
 
@@ -121,7 +125,7 @@ impl Undercut {
 }
 
 /// What the height may be less than its parts together: they were added up.
-const ROUNDING: f64 = 1e-12;
+const HEIGHT_ROUNDING_MM: f64 = 1e-12;
 
 #[cfg(test)]
 mod tests {

@@ -28,13 +28,13 @@ use slice::CutterPose;
 const TURN: f64 = 0.2;
 
 /// A piece is not shorter than this, in cells: each costs a look at all cells around the cutter.
-const SHORTEST: f64 = 4.0;
+const MIN_PIECE_CELLS: f64 = 4.0;
 
 /// A piece of a line is no longer than so many diameters of the cutter, to keep the cells near it few.
 const DIAMETERS: f64 = 2.0;
 
 /// Contacts that are no deeper are none, mm, at least: heights of cells are rounded by a hundredth of it.
-const LEAST_GRAZE: f64 = 1e-3;
+const MIN_GRAZE_MM: f64 = 1e-3;
 
 /// Directions that differ less in their rise are as steep: rounding.
 const LEVEL: f64 = 1e-9;
@@ -73,7 +73,7 @@ impl EngagementMeter {
         resolution: f64,
         measuring: MeasureOptions,
     ) -> EngagementMeter {
-        let graze = measuring.graze.max(LEAST_GRAZE);
+        let graze = measuring.graze.max(MIN_GRAZE_MM);
         let spacing = if measuring.spacing > 0.0 { measuring.spacing } else { resolution };
         EngagementMeter {
             patches: CutterPatches::new(&cutter, resolution),
@@ -99,8 +99,8 @@ impl ColumnStock {
         let bend = path.curve.max_curvature();
         let radius = meter.cutter.radius();
         let longest = (DIAMETERS * 2.0 * radius).min(TURN / bend.max(f64::MIN_POSITIVE));
-        let longest = longest.max(SHORTEST * self.grid().resolution());
-        let count = (length / longest).ceil().clamp(1.0, MOST_PIECES) as u64;
+        let longest = longest.max(MIN_PIECE_CELLS * self.grid().resolution());
+        let count = (length / longest).ceil().clamp(1.0, MAX_PIECES) as u64;
         let ends = |k: u64| [k, k + 1].map(|k| length * k as f64 / count as f64);
         let piece = |k: u64| {
             let [from, to] = ends(k);
@@ -127,7 +127,7 @@ impl ColumnStock {
         }
         // Floors of curves are known to the distance of their chords.
         let off = self.options().chord_share * self.grid().resolution();
-        let graze = meter.measuring.graze.max(off + LEAST_GRAZE);
+        let graze = meter.measuring.graze.max(off + MIN_GRAZE_MM);
         for k in 0..count {
             let piece = piece(k);
             let before = self.window_around(&piece, margin);
@@ -179,7 +179,7 @@ impl LineShares {
 }
 
 /// The most pieces of one move, so that a curve far larger than any machine takes no time to speak of.
-const MOST_PIECES: f64 = 1e6;
+const MAX_PIECES: f64 = 1e6;
 
 /// Looks at the slices of a piece that begins so far along its move: `bend` is its largest curvature, 1/mm; contacts
 /// no deeper than `graze` are none, mm.
@@ -195,7 +195,7 @@ fn measure(
         return;
     }
     let length = piece.length();
-    let count = (length / meter.measuring.spacing).ceil().clamp(1.0, MOST_PIECES);
+    let count = (length / meter.measuring.spacing).ceil().clamp(1.0, MAX_PIECES);
     let half = 0.5 * length / count;
     let convex = meter.cutter.is_convex();
     for k in 0..count as u64 {

@@ -12,7 +12,7 @@ const AROUND_SIDE: [f64; 2] = [48.0, 720.0];
 /// The same of its end.
 const AROUND_END: [f64; 2] = [24.0, 128.0];
 /// Rings along the outline of its end, at most.
-const MOST_RINGS: f64 = 24.0;
+const MAX_RINGS: f64 = 24.0;
 
 /// A ring of the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,7 +52,7 @@ impl CutterPatches {
         };
         let edges = cutter.edges();
         let outline: f64 = edges.iter().map(length).sum();
-        let width = resolution.max(outline / MOST_RINGS);
+        let width = resolution.max(outline / MAX_RINGS);
         let mut end = Vec::new();
         for ring in edges.iter() {
             let rings = (length(ring) / width).ceil().max(1.0) as usize;

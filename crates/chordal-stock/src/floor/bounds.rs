@@ -15,9 +15,9 @@ use crate::floor::RemovedSpan;
 
 /// What rounding may move a column or a height by at most, mm, on slopes below a thousand and lengths of
 /// some metres. Windows are too wide by less.
-const ROUNDING: f64 = 2.0 * WIDE;
+const ROUNDING_MM: f64 = 2.0 * WIDE;
 /// The same for larger lengths, as a share of them.
-const SHARE: f64 = 64.0 * f64::EPSILON;
+const ROUNDING_SHARE: f64 = 64.0 * f64::EPSILON;
 
 /// Two bounds of a height over all of a cell, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,7 +91,7 @@ impl CellSquare {
 impl CutterSweep<'_> {
     fn cell(&self, middle: [f64; 2], side: f64) -> CellSquare {
         let size = middle.into_iter().fold(self.path.size(), |size, x| size.max(x.abs()));
-        let off = ROUNDING + SHARE * size + self.path.off();
+        let off = ROUNDING_MM + ROUNDING_SHARE * size + self.path.off();
         let half = 0.5 * side + off;
         CellSquare { middle, half, reach: half * std::f64::consts::SQRT_2, off, gap: self.gap }
     }

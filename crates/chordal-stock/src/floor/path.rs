@@ -10,11 +10,11 @@ use super::upright::VerticalArc;
 use super::{LowestLocation, LowestPoint};
 
 /// Lengths (mm) and angles beyond this, and what is no number, are no path and no place: nothing is removed.
-const LARGEST: f64 = 1e12;
+const MAX_LENGTH_MM: f64 = 1e12;
 /// What an axis may lean, as the distance that it moves the path by, mm: rounding.
 const UPRIGHT: f64 = 1e-12;
 /// What two heights of the same place may differ by, mm: rounding.
-const SAME_HEIGHT: f64 = 1e-12;
+const EQUAL_HEIGHT_MM: f64 = 1e-12;
 
 /// A path of the tip, of one of the kinds that are dealt with by themselves.
 #[derive(Clone, Copy, Debug)]
@@ -194,9 +194,9 @@ impl TipPath {
         if lower == f64::INFINITY {
             return None;
         }
-        let at = if end <= upper + SAME_HEIGHT {
+        let at = if end <= upper + EQUAL_HEIGHT_MM {
             LowestLocation::End
-        } else if start <= upper + SAME_HEIGHT {
+        } else if start <= upper + EQUAL_HEIGHT_MM {
             LowestLocation::Start
         } else {
             LowestLocation::Between
@@ -206,7 +206,7 @@ impl TipPath {
 }
 
 fn is_length(x: f64) -> bool {
-    x.abs() <= LARGEST
+    x.abs() <= MAX_LENGTH_MM
 }
 
 fn is_point(p: Vec3) -> bool {

@@ -16,14 +16,14 @@ use super::straight::StraightPath;
 
 /// Nearer to its chord than this, mm, a part of a curve is its chord: what is left is like a column that
 /// stands so much aside.
-const SAME: f64 = 1e-13;
+const STRAIGHT_MM: f64 = 1e-13;
 /// No part is shorter than this, as a share of the parameter: what is left of its bend is rounding.
-const SHORTEST: f64 = 1.0 / (1_u64 << 40) as f64;
+const MIN_PARAMETER_SHARE: f64 = 1.0 / (1_u64 << 40) as f64;
 /// How much a window may be too wide, mm, as a column that stands so much nearer has it.
 pub(super) const WIDE: f64 = 5e-10;
 /// After so many parts the bounds are what they are: along a curve that follows the rim of the cutter, or
 /// that leaves the column at one height all the way, all parts are as low.
-const MOST_PARTS: usize = 1 << 18;
+const MAX_PARTS: usize = 1 << 18;
 
 /// A curve that has no closed form; its parameter runs from 0 to 1.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +63,7 @@ struct PartChord {
 impl PartChord {
     /// Whether a part from a parameter to another is its chord, to rounding.
     fn is_all(&self, from: f64, to: f64) -> bool {
-        self.aside.max(self.above) <= SAME || to - from <= SHORTEST
+        self.aside.max(self.above) <= STRAIGHT_MM || to - from <= MIN_PARAMETER_SHARE
     }
 }
 
@@ -91,7 +91,7 @@ impl NumericWinding {
 }
 
 fn spline_chord(spline: &SplinePiece, from: f64, to: f64) -> PartChord {
-    let mut points = [([0.0; 3], 0.0); SplinePiece::MOST_ORDER];
+    let mut points = [([0.0; 3], 0.0); SplinePiece::MAX_ORDER];
     let order = spline.order();
     let origin = spline.points()[0];
     for ((own, point), weight) in points.iter_mut().zip(spline.points()).zip(spline.weights()) {
@@ -211,7 +211,7 @@ impl NumericCurve {
     }
 
     /// The lowest point above a column within a range of the parameter: a lower bound, and the lowest
-    /// that was found, no more than `gap` mm above it (more only after [`MOST_PARTS`]; infinite where
+    /// that was found, no more than `gap` mm above it (more only after [`MAX_PARTS`]; infinite where
     /// nothing was found until then). `None` where the cutter is nowhere over the column.
     pub(super) fn lowest(
         &self,
@@ -226,7 +226,7 @@ impl NumericCurve {
         let mut count = 0;
         let mut least = f64::INFINITY;
         while let Some(part) = open.pop() {
-            if part.least >= low.height - gap || count >= MOST_PARTS {
+            if part.least >= low.height - gap || count >= MAX_PARTS {
                 least = part.least;
                 break;
             }
@@ -275,7 +275,7 @@ impl NumericCurve {
     }
 
     /// Hands on the ranges of the parameter in which the axis is within a radius of the column, in order; they
-    /// may reach [`WIDE`] farther. A part that cannot be decided (after [`MOST_PARTS`], along the rim) counts
+    /// may reach [`WIDE`] farther. A part that cannot be decided (after [`MAX_PARTS`], along the rim) counts
     /// as within where `is_outer`.
     pub(super) fn windows(
         &self,
@@ -297,8 +297,8 @@ impl NumericCurve {
                 (x * x + y * y).sqrt() + chord.aside > radius
             };
             let is_inside = !beyond(chord.start) && !beyond(chord.end);
-            let is_narrow = chord.aside <= WIDE || to - from <= SHORTEST;
-            let is_enough = count >= MOST_PARTS;
+            let is_narrow = chord.aside <= WIDE || to - from <= MIN_PARAMETER_SHARE;
+            let is_enough = count >= MAX_PARTS;
             if !(is_inside || is_narrow || is_enough) {
                 let middle = 0.5 * (from + to);
                 open.push([middle, to]);

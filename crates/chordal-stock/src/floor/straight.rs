@@ -124,7 +124,7 @@ fn free_minimiser(ring: &Ring, aside: f64, slope: f64) -> f64 {
             downhill * (steep * q / (1.0 + steep * steep).sqrt())
         }
         RingElement::Torus { round, middle, .. } => {
-            downhill * way_on_torus(round, middle, aside, steep)
+            downhill * offset_on_torus(round, middle, aside, steep)
         }
     }
 }
@@ -133,13 +133,13 @@ fn free_minimiser(ring: &Ring, aside: f64, slope: f64) -> f64 {
 /// radius f touches lowest on a slope m > 0. With y = |w|/ρ the contact is at the distance
 /// ρ = f + c·m/√(m² + y²), and ρ²(1 − y²) = e². The left side falls from (f + c)² to nothing for y from
 /// nothing to one: Newton's steps, kept in a bracket.
-fn way_on_torus(round: f64, middle: f64, aside: f64, slope: f64) -> f64 {
+fn offset_on_torus(round: f64, middle: f64, aside: f64, slope: f64) -> f64 {
     // Newton's steps are three or four, eight at most of 20,000; halves alone reach neighbouring doubles in
     // 60 or so.
-    const MOST_STEPS: u32 = 100;
+    const MAX_STEPS: u32 = 100;
     // A step of Newton leaves the square of its error, and a place that is off by so much the square of it in
     // the height.
-    const CLOSE: f64 = 1e-10;
+    const NEWTON_TOLERANCE: f64 = 1e-10;
     let distance = |y: f64| middle + round * slope / (slope * slope + y * y).sqrt();
     let value = |y: f64| {
         let square = slope * slope + y * y;
@@ -160,7 +160,7 @@ fn way_on_torus(round: f64, middle: f64, aside: f64, slope: f64) -> f64 {
     let share = (aside / (middle + round)).min(1.0);
     let sine2 = ((slope * slope + share * share) / (1.0 + slope * slope)).min(1.0);
     let mut y = (slope * (1.0 - sine2).sqrt() / sine2.sqrt()).clamp(low, high);
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let (off, change) = value(y);
         if off == 0.0 {
             break;
@@ -171,7 +171,7 @@ fn way_on_torus(round: f64, middle: f64, aside: f64, slope: f64) -> f64 {
             high = y;
         }
         let newton = y - off / change;
-        if (newton - y).abs() <= CLOSE * y {
+        if (newton - y).abs() <= NEWTON_TOLERANCE * y {
             y = newton.clamp(0.0, reach);
             break;
         }

@@ -139,7 +139,7 @@ impl VerticalArc {
                 self.each_at(theta, range, &mut |at| {
                     let far = distance(theta);
                     // An edge is on the ring but for rounding.
-                    let rounding = ROUNDING * (self.radius + along.abs() + ring.to);
+                    let rounding = ROUNDING_SHARE * (self.radius + along.abs() + ring.to);
                     if ring.from - rounding <= far && far <= ring.to + rounding {
                         let reached = far.clamp(ring.from, ring.to);
                         low.offer(height(theta) + ring.height_at(reached), at);
@@ -174,4 +174,4 @@ impl VerticalArc {
 }
 
 /// What a distance may be off, as a share of the lengths that it was found from.
-const ROUNDING: f64 = 1e-14;
+const ROUNDING_SHARE: f64 = 1e-14;

@@ -18,7 +18,7 @@ pub use stl::{LengthUnit, Stl, StlError, StlForm, StlOptions, TextProblem, read_
 
 /// The largest coordinate of a vertex, mm: a hundred metres. Up to here the rounding of coordinates stays
 /// far below a nanometre, which the bounds of shapes rely on.
-pub const LARGEST_COORDINATE: f64 = 1e5;
+pub const MAX_COORDINATE_MM: f64 = 1e5;
 
 /// Why numbers are no mesh.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -33,8 +33,8 @@ pub enum MeshError {
         /// How many there are.
         count: usize,
     },
-    /// A coordinate is NaN, infinite or beyond [`LARGEST_COORDINATE`].
-    #[error("vertex {vertex} has the coordinate {value} mm; the largest is {LARGEST_COORDINATE}")]
+    /// A coordinate is NaN, infinite or beyond [`MAX_COORDINATE_MM`].
+    #[error("vertex {vertex} has the coordinate {value} mm; the largest is {MAX_COORDINATE_MM}")]
     Coordinate {
         /// The vertex, from zero.
         vertex: usize,
@@ -51,7 +51,7 @@ pub enum MeshError {
 
 /// The first coordinate that no mesh can have.
 fn beyond(point: Vec3) -> Option<f64> {
-    let within = |value: f64| value.abs() <= LARGEST_COORDINATE;
+    let within = |value: f64| value.abs() <= MAX_COORDINATE_MM;
     point.to_array().into_iter().find(|&value| !within(value))
 }
 

@@ -37,7 +37,7 @@ type GridCorner = [u32; 2];
 /// 32 bits rounds.
 const FILLED: f64 = 1e-3;
 /// How often places are filled before it is given up.
-const ROUNDS: usize = 16;
+const MAX_FILL_ROUNDS: usize = 16;
 
 impl HeightField<'_> {
     /// The closed surface through the middles of the cells, from which no cell's height is further than `tolerance`,
@@ -51,7 +51,7 @@ impl HeightField<'_> {
             return Err(SmoothError::Narrow);
         }
         let mut grid = SurfaceCorners::of(self, tolerance);
-        for _ in 0..ROUNDS {
+        for _ in 0..MAX_FILL_ROUNDS {
             let top = grid.triangles(true);
             let touching = grid.touching(&top);
             if touching.is_empty() {

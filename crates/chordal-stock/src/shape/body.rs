@@ -152,7 +152,7 @@ impl BodyOutline {
         bound: BodyBound,
     ) {
         /// More sides than any tolerance needs that a tool is made to.
-        const MOST_SIDES: f64 = 1000.0;
+        const MAX_SIDES: f64 = 1000.0;
         let [first, last] =
             [ring.from, ring.to].map(|radius| asin(((radius - x) / round).clamp(-1.0, 1.0)));
         // A chord is nearest to the middle at r·cos, a corner of tangents furthest at r/cos, of half its angle.
@@ -161,7 +161,7 @@ impl BodyOutline {
             BodyBound::Outer => round / (round + tolerance),
         };
         let step = 2.0 * acos(cosine.max(0.0));
-        let sides = ((last - first) / step).ceil().clamp(1.0, MOST_SIDES);
+        let sides = ((last - first) / step).ceil().clamp(1.0, MAX_SIDES);
         let angle = (last - first) / sides;
         let (reach, offset, count) = match bound {
             BodyBound::Inner => (round, 1.0, sides as usize - 1),

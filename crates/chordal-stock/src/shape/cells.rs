@@ -4,7 +4,7 @@
 use chordal_geometry::Aabb;
 
 use super::{ShapeError, ShapeKind, SolidShape};
-use crate::mesh::LARGEST_COORDINATE;
+use crate::mesh::MAX_COORDINATE_MM;
 
 /// How far from its own edge a cell begins, mm, if it does not grow. A wall that lies in the edge of a cell, but for
 /// rounding, then belongs to one cell only.
@@ -74,7 +74,7 @@ impl CellGrid {
         let CellGrid { columns, rows, cell, .. } = *self;
         let counted = columns.checked_mul(rows).is_some_and(|count| count < u32::MAX as usize);
         let reach = columns.max(rows) as f64 * cell + self.grow;
-        let near = self.origin.iter().all(|from| from.abs() + reach <= LARGEST_COORDINATE);
+        let near = self.origin.iter().all(|from| from.abs() + reach <= MAX_COORDINATE_MM);
         // A cell must be more than what it is drawn in by.
         let good = cell > 4.0 * EDGE && self.grow >= 0.0 && near;
         if counted && good { Ok(()) } else { Err(ShapeError::Grid { columns, rows, cell }) }

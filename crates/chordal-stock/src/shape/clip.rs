@@ -5,18 +5,18 @@ use chordal_geometry::Vec3;
 use super::cells::HeightSpan;
 
 /// A triangle cut by two strips has seven corners at most; the rest is for corners that rounding makes two of.
-const MOST_CORNERS: usize = 12;
+const MAX_CORNERS: usize = 12;
 
 /// A flat polygon in space.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FlatPolygon {
-    corners: [Vec3; MOST_CORNERS],
+    corners: [Vec3; MAX_CORNERS],
     count: usize,
 }
 
 impl FlatPolygon {
     pub(super) fn of_triangle([a, b, c]: [Vec3; 3]) -> FlatPolygon {
-        let mut polygon = FlatPolygon { corners: [Vec3::ZERO; MOST_CORNERS], count: 3 };
+        let mut polygon = FlatPolygon { corners: [Vec3::ZERO; MAX_CORNERS], count: 3 };
         polygon.corners[..3].copy_from_slice(&[a, b, c]);
         polygon
     }
@@ -36,16 +36,16 @@ impl FlatPolygon {
 
     /// The part within a strip of x (0) or y (1).
     pub(super) fn within(&self, axis: usize, strip: HeightSpan) -> FlatPolygon {
-        self.beside(axis, strip.from, 1.0).beside(axis, strip.to, -1.0)
+        self.clipped_at(axis, strip.from, 1.0).clipped_at(axis, strip.to, -1.0)
     }
 
     /// The part on the higher (1) or lower (−1) side of a coordinate.
-    fn beside(&self, axis: usize, limit: f64, side: f64) -> FlatPolygon {
-        let mut kept = FlatPolygon { corners: [Vec3::ZERO; MOST_CORNERS], count: 0 };
+    fn clipped_at(&self, axis: usize, limit: f64, side: f64) -> FlatPolygon {
+        let mut kept = FlatPolygon { corners: [Vec3::ZERO; MAX_CORNERS], count: 0 };
         let corners = &self.corners[..self.count];
         let mut push = |corner: Vec3| {
-            debug_assert!(kept.count < MOST_CORNERS, "a convex polygon has one more for each cut");
-            let at = kept.count.min(MOST_CORNERS - 1);
+            debug_assert!(kept.count < MAX_CORNERS, "a convex polygon has one more for each cut");
+            let at = kept.count.min(MAX_CORNERS - 1);
             kept.corners[at] = corner;
             kept.count = at + 1;
         };

@@ -59,7 +59,7 @@ impl ConvexBody for chordal_geometry::Aabb {
 }
 
 /// Ends the search where rounding leaves no progress; a certificate is there long before.
-const MOST_STEPS: usize = 96;
+const MAX_STEPS: usize = 96;
 
 /// The distance of two convex bodies, mm: known to `resolution`, or no further than that it is above `enough`.
 pub(super) fn distance<A: ConvexBody + ?Sized, B: ConvexBody + ?Sized>(
@@ -72,7 +72,7 @@ pub(super) fn distance<A: ConvexBody + ?Sized, B: ConvexBody + ?Sized>(
     let mut nearest = difference(Vec3::X);
     let mut simplex = Simplex { corners: [nearest; 4], count: 1 };
     let mut found = DistanceInterval { lower: 0.0, upper: nearest.length() };
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         if found.upper <= 0.0 {
             break;
         }

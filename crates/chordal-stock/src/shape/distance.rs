@@ -107,7 +107,7 @@ impl CylinderShape {
         /// Parts at first: an eighth of a turn is not far from its chord.
         const PARTS: usize = 8;
         /// Where all parts are as near the search ends; the staves are then alike to a millionth of the radius.
-        const MOST_DIVISIONS: usize = 1500;
+        const MAX_DIVISIONS: usize = 1500;
         let part = |from: f64, to: f64| {
             let half = libm::cos((to - from) / 2.0);
             let (outer, inner) = (self.outer / half, self.inner / half);
@@ -126,7 +126,7 @@ impl CylinderShape {
             .map(|number| part(number as f64 * eighth, (number + 1) as f64 * eighth))
             .collect();
         let mut upper = parts.iter().fold(f64::INFINITY, |least, part| least.min(part.0.upper));
-        for _ in 0..MOST_DIVISIONS {
+        for _ in 0..MAX_DIVISIONS {
             let lowest = (0..parts.len())
                 .min_by(|a, b| parts[*a].0.lower.total_cmp(&parts[*b].0.lower))
                 .unwrap_or(0);

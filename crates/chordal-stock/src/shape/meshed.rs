@@ -20,7 +20,7 @@ pub(super) struct MeshedShape {
 }
 
 /// The most triangles over the cells of a row, each counted once for every cell: a gigabyte of memory.
-const MOST_BANDS: usize = 1 << 24;
+const MAX_BANDS: usize = 1 << 24;
 
 /// The heights of a triangle over a cell of a row.
 #[derive(Clone, Copy, Debug)]
@@ -73,11 +73,11 @@ impl MeshedShape {
                 && around.max.y >= y.from
         };
         self.tree.each(reaches, |triangle| {
-            if bands.len() <= MOST_BANDS {
+            if bands.len() <= MAX_BANDS {
                 self.bands_of(triangle, grid, row, bands);
             }
         });
-        if bands.len() > MOST_BANDS { Err(ShapeError::TooManyTriangles { row }) } else { Ok(()) }
+        if bands.len() > MAX_BANDS { Err(ShapeError::TooManyTriangles { row }) } else { Ok(()) }
     }
 
     fn bands_of(

@@ -18,7 +18,7 @@ mod turned;
 
 use chordal_geometry::{Aabb, Vec3};
 
-use crate::mesh::{Edges, LARGEST_COORDINATE, Mesh};
+use crate::mesh::{Edges, MAX_COORDINATE_MM, Mesh};
 use meshed::MeshedShape;
 use round::CylinderShape;
 
@@ -97,7 +97,7 @@ enum ShapeKind {
 }
 
 fn finite(what: &'static str, value: f64) -> Result<f64, ShapeError> {
-    let good = value.abs() <= LARGEST_COORDINATE;
+    let good = value.abs() <= MAX_COORDINATE_MM;
     if good { Ok(value) } else { Err(ShapeError::Dimension { what, value }) }
 }
 

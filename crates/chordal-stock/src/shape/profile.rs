@@ -32,14 +32,14 @@ pub(super) fn distance(frustum: &Frustum, tip: f64, radii: HeightSpan, heights: 
     let (near, far) = (radii.from, radii.to);
     let rectangle =
         [[near, heights.from], [far, heights.from], [far, heights.to], [near, heights.to]];
-    if !apart(&body, &rectangle) {
+    if !are_separated(&body, &rectangle) {
         return 0.0;
     }
     nearest(&body, &rectangle).min(nearest(&rectangle, &body))
 }
 
 /// Whether a side of one of two convex figures, or a direction across an axis, lies between them.
-fn apart(a: &[ProfilePoint; 4], b: &[ProfilePoint; 4]) -> bool {
+fn are_separated(a: &[ProfilePoint; 4], b: &[ProfilePoint; 4]) -> bool {
     let sides = |figure: &[ProfilePoint; 4]| {
         let figure = *figure;
         [0, 1, 2, 3].map(|at: usize| {

@@ -5,7 +5,7 @@ use chordal_geometry::{Aabb, Vec3};
 use crate::mesh::Mesh;
 
 /// Triangles in a box that is not divided further.
-const FEW: usize = 4;
+const MAX_LEAF_TRIANGLES: usize = 4;
 
 /// A box, and what is in it.
 #[derive(Clone, Copy, Debug)]
@@ -56,7 +56,7 @@ impl TriangleTree {
         let node = self.nodes.len();
         let inside = NodeContent::Triangles(first, part.len());
         self.nodes.push(BoxNode { bounds: around, inside });
-        if part.len() > FEW {
+        if part.len() > MAX_LEAF_TRIANGLES {
             let Vec3 { x, y, z } = around.size();
             let axis = if x >= y && x >= z {
                 0

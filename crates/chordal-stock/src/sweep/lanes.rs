@@ -14,14 +14,14 @@ use super::{BodyPart, PartShape, SweepPiece};
 const ZERO: f32x4 = f32x4::ZERO;
 
 /// Where a column is not reached.
-pub(crate) const NOTHING: f32 = f32::INFINITY;
+pub(crate) const NOT_REACHED: f32 = f32::INFINITY;
 
 /// One step of rounding in single precision counts as 8 of them for a shift in plan: a sum of three products
 /// and two roots stay far below.
 const SHIFT: f64 = 1.0 / (1 << 21) as f64;
 
 /// Heights are rounded by this, mm, and by `SHIFT` of their range.
-const HEIGHT_ROUNDING: f64 = 1e-5;
+const HEIGHT_ROUNDING_MM: f64 = 1e-5;
 
 /// Rows of corners of a block.
 const ROWS: usize = 9;
@@ -53,7 +53,7 @@ pub(crate) struct TileCourse {
     pub across: [f32; 3],
     pub slope: f32,
     /// −1 when the piece rises, 1 when it falls: where the lowest contact lies.
-    pub behind: f32x4,
+    pub lowest_side: f32x4,
     pub upper: FloorSide,
     pub lower: FloorSide,
     pub plain: FloorSide,
@@ -109,7 +109,7 @@ impl TileCourse {
         let height = piece.start.z + piece.slope * anchor + part.height - place.top;
         let slope = piece.slope.abs();
         let range = place.depth + height.abs() + slope * (to - from);
-        let lift = HEIGHT_ROUNDING + SHIFT * range;
+        let lift = HEIGHT_ROUNDING_MM + SHIFT * range;
         let lane = |value: f64| f32x4::splat(value as f32);
         let (over, under) = (round + piece.off, round + piece.off_in_run);
         let high = part.reach - over - round;
@@ -135,7 +135,7 @@ impl TileCourse {
             along: [along as f32, (ux * place.cell) as f32, (uy * place.cell) as f32],
             across: [across as f32, (-uy * place.cell) as f32, (ux * place.cell) as f32],
             slope: piece.slope as f32,
-            behind: f32x4::splat(if piece.slope > 0.0 { -1.0 } else { 1.0 }),
+            lowest_side: f32x4::splat(if piece.slope > 0.0 { -1.0 } else { 1.0 }),
             upper: side(high, [inner_from, inner_to], height + lift + piece.off),
             lower: side(part.reach, longer, low),
             plain: side(part.reach, [from as f32, to as f32], height),
@@ -185,7 +185,7 @@ impl TileCourse {
         let square = e * e;
         let base = side.height + shape.base();
         let (low, high) = (side.from - along, side.to - along);
-        let nothing = f32x4::splat(NOTHING);
+        let nothing = f32x4::splat(NOT_REACHED);
         if LEVEL {
             let ahead = ZERO.fast_max(low).fast_min(high);
             let square = square + ahead * ahead;
@@ -194,7 +194,7 @@ impl TileCourse {
             let room = (side.reach_square - square).fast_max(ZERO).sqrt();
             let (low, high) = (low.fast_max(-room), high.fast_min(room));
             let reached = square.cmp_le(side.reach_square) & low.cmp_le(high);
-            let best = self.behind * shape.contact(e, square, room);
+            let best = self.lowest_side * shape.contact(e, square, room);
             let ahead = best.fast_max(low).fast_min(high);
             let value =
                 base + f32x4::splat(self.slope) * (along + ahead) + height(square + ahead * ahead);
@@ -218,7 +218,7 @@ impl TileCourse {
         let distance = (across * across + ahead * ahead).sqrt() - f32x4::splat(radius);
         let near = distance.fast_max(ZERO);
         let value = f32x4::splat(lowest) + shape.base() + shape.height(near * near);
-        distance.cmp_le(side.reach).blend(value, f32x4::splat(NOTHING))
+        distance.cmp_le(side.reach).blend(value, f32x4::splat(NOT_REACHED))
     }
 
     /// The least height of the part where it reaches places within `radius` mm of one along the piece.

@@ -13,11 +13,11 @@ const VERTICAL: f64 = 1e-5;
 const BETWEEN_PLACES: f64 = 1.25;
 
 /// Heights at the ends of pieces are as exact as this, mm.
-const ROUNDING: f64 = 1e-9;
+const END_ROUNDING_MM: f64 = 1e-9;
 
 /// The most pieces of one move, so that a curve far larger than any machine takes no memory to speak of. Fewer
 /// pieces than the tolerance asks for lie further off, and say so.
-const MOST_PIECES: f64 = 1e5;
+const MAX_PIECES: f64 = 1e5;
 
 /// How the piece after this one begins: the turn in plan from here to there, and its rise by length.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +55,7 @@ pub(crate) struct SweepPiece {
 impl SweepPiece {
     /// The tip is nowhere lower on the path of the piece, mm.
     pub fn lowest(&self) -> f64 {
-        self.start.z + (self.slope * self.length).min(0.0) - self.off_in_run - ROUNDING
+        self.start.z + (self.slope * self.length).min(0.0) - self.off_in_run - END_ROUNDING_MM
     }
 
     /// The piece without neighbours.
@@ -123,7 +123,7 @@ impl MoveSplitter {
         let bends = length * (curvature / (8.0 * self.tolerance)).sqrt();
         let bounds = curve.bounds().size();
         let falls = if drop > 0.0 { bounds.z / drop } else { 0.0 };
-        let count = bends.max(falls).ceil().clamp(1.0, MOST_PIECES);
+        let count = bends.max(falls).ceil().clamp(1.0, MAX_PIECES);
         let step = length / count;
         let off = curvature * step * step / 8.0;
         let count = count as u64;
@@ -139,7 +139,7 @@ impl MoveSplitter {
     fn plunge(&mut self, line: &Line, number: u32, tag: u32, drop: f64, [low, high]: [f64; 2]) {
         let [from, to] = [line.start.z, line.end.z].map(|z| z.max(low).min(high));
         let falls = if drop > 0.0 { (to - from).abs() / drop } else { 0.0 };
-        let count = falls.ceil().clamp(1.0, MOST_PIECES) as u64;
+        let count = falls.ceil().clamp(1.0, MAX_PIECES) as u64;
         let stops = (0..=count).map(|k| from + (to - from) * (k as f64 / count as f64));
         let mut at = line.start;
         for z in stops {

@@ -6,12 +6,12 @@ use super::{BodyPart, PartShape};
 
 const ZERO: f32x4 = f32x4::ZERO;
 /// No divisor is smaller.
-const TINY: f32x4 = f32x4::new([1e-12; 4]);
+const MIN_DIVISOR: f32x4 = f32x4::new([1e-12; 4]);
 
 /// A kind of part. Radii and heights in mm; heights above the core.
 pub(crate) trait PartKind: Copy {
     /// Whether it has no height outside its core.
-    const FLAT: bool = false;
+    const IS_FLAT: bool = false;
 
     /// The height at distances from the axis, given by their squares; `base` less.
     fn height(&self, square: f32x4) -> f32x4;
@@ -44,7 +44,7 @@ pub(crate) trait PartKind: Copy {
 pub(crate) struct FlatPart;
 
 impl PartKind for FlatPart {
-    const FLAT: bool = true;
+    const IS_FLAT: bool = true;
 
     #[inline(always)]
     fn height(&self, _square: f32x4) -> f32x4 {
@@ -189,18 +189,19 @@ impl PartKind for RoundPart {
         let (least, most) = (e * self.least_share, e * self.inverse);
         // On the flat end the round hardly counts, outside of it the slope; between them both do.
         let flat = (self.middle_square - square).fast_max(ZERO).sqrt();
-        let on_flat = (self.slope * e / flat.fast_max(TINY)).fast_min(self.at_middle);
+        let on_flat = (self.slope * e / flat.fast_max(MIN_DIVISOR)).fast_min(self.at_middle);
         let outside = ((e - self.middle) / self.round).fast_max(self.at_middle);
         let start = e.cmp_lt(self.middle).blend(on_flat, outside);
         let mut q = start.fast_max(least).fast_min(most);
-        let sine =
-            |q: f32x4| ((q * q + self.slope_square) * self.cosine_square).sqrt().fast_max(TINY);
+        let sine = |q: f32x4| {
+            ((q * q + self.slope_square) * self.cosine_square).sqrt().fast_max(MIN_DIVISOR)
+        };
         for _ in 0..STEPS {
             let s = sine(q);
             let arm = self.middle + self.round * s;
             let value = arm * q - e * s;
             let rate = arm + (self.round * q - e) * q * self.cosine_square / s;
-            q = (q - value / rate.fast_max(TINY)).fast_max(least).fast_min(most);
+            q = (q - value / rate.fast_max(MIN_DIVISOR)).fast_max(least).fast_min(most);
         }
         let s = sine(q);
         let arm = self.middle + self.round * s;
@@ -220,7 +221,7 @@ pub(crate) fn is_ball(part: &BodyPart) -> bool {
 }
 
 /// Farther than a cutter reaches, mm, or steeper than any lean that matters.
-const FAR: f64 = 1e9;
+const UNREACHABLE_MM: f64 = 1e9;
 
 /// A part on a slope, as one of the shapes.
 pub(crate) enum AnyShape {
@@ -242,11 +243,11 @@ impl AnyShape {
                 core_square: lane(part.core * part.core),
                 // Far beyond any reach, and no overflow in products with it.
                 lean: lane(if rise < k {
-                    (rise / (k * k - rise * rise).sqrt()).min(FAR)
+                    (rise / (k * k - rise * rise).sqrt()).min(UNREACHABLE_MM)
                 } else {
                     0.0
                 }),
-                steep: lane(if rise < k { 0.0 } else { FAR }),
+                steep: lane(if rise < k { 0.0 } else { UNREACHABLE_MM }),
             }),
             PartShape::Round { round, .. } if is_ball(part) => AnyShape::Ball(BallPart {
                 round: lane(round),

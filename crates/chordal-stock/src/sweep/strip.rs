@@ -35,11 +35,11 @@ pub(crate) fn strip(piece: &SweepPiece, part: &BodyPart) -> SweepStrip {
 /// The values of u with low ≤ c·u + d·v ≤ high for some v between two; none when the first is larger.
 pub(crate) fn span(c: f64, d: f64, [low, high]: [f64; 2], [v0, v1]: [f64; 2]) -> [f64; 2] {
     /// A direction that leans less than this is taken as even: over any tile it moves by less than rounding.
-    const EVEN: f64 = 1e-9;
+    const HORIZONTAL_SLOPE: f64 = 1e-9;
     let (least, most) = ((d * v0).min(d * v1), (d * v0).max(d * v1));
     let (low, high) = (low - most, high - least);
-    if c.abs() < EVEN {
-        let none = low > EVEN * 1e3 || high < -EVEN * 1e3;
+    if c.abs() < HORIZONTAL_SLOPE {
+        let none = low > HORIZONTAL_SLOPE * 1e3 || high < -HORIZONTAL_SLOPE * 1e3;
         return if none { [1.0, 0.0] } else { [f64::NEG_INFINITY, f64::INFINITY] };
     }
     let (a, b) = (low / c, high / c);

@@ -11,9 +11,9 @@ use super::region::RegionError;
 use super::segment::OutlineSegment;
 
 /// The most segments that a drawing may have.
-const MOST: usize = 10_000;
+const MAX_SEGMENTS: usize = 10_000;
 /// Ends this near (mm) are one point.
-const GAP: f64 = 1e-4;
+const JOIN_GAP_MM: f64 = 1e-4;
 
 /// What is wrong with a drawing.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -33,7 +33,7 @@ pub enum DxfError {
     #[error("it has no lines, arcs or polylines")]
     Empty,
     /// More is drawn than a half section has.
-    #[error("it has more than {MOST} lines and arcs")]
+    #[error("it has more than {MAX_SEGMENTS} lines and arcs")]
     TooMany,
     /// A curve that is neither a line nor an arc.
     #[error("it has a curve of the kind {kind}: a half section consists of lines and arcs")]
@@ -73,7 +73,7 @@ pub fn read_dxf(bytes: &[u8], unit_mm: f64) -> Result<Vec<Vec<OutlineSegment>>, 
                 let is_drawn = section == "ENTITIES";
                 let next = if is_drawn { value } else { "" };
                 entity.finish(next, unit_mm, &mut segments)?;
-                if segments.len() > MOST {
+                if segments.len() > MAX_SEGMENTS {
                     return Err(DxfError::TooMany);
                 }
                 entity.begin(next);
@@ -214,12 +214,12 @@ fn reversed(segment: &OutlineSegment) -> OutlineSegment {
 
 /// Joins segments end to end.
 fn loops(mut open: Vec<OutlineSegment>) -> Result<Vec<Vec<OutlineSegment>>, DxfError> {
-    let on_axis = |p: Vec2| p.b.abs() <= GAP;
+    let on_axis = |p: Vec2| p.b.abs() <= JOIN_GAP_MM;
     let lies_on_axis = |segment: &OutlineSegment| {
         segment.bend.is_none() && on_axis(segment.start) && on_axis(segment.end)
     };
     open.retain(|segment| {
-        let is_point = segment.bend.is_none() && segment.start.distance(segment.end) <= GAP;
+        let is_point = segment.bend.is_none() && segment.start.distance(segment.end) <= JOIN_GAP_MM;
         !is_point && !lies_on_axis(segment)
     });
     let mut loops = Vec::new();
@@ -228,12 +228,12 @@ fn loops(mut open: Vec<OutlineSegment>) -> Result<Vec<Vec<OutlineSegment>>, DxfE
         grow(&mut chain, &mut open);
         let ends = |chain: &[OutlineSegment]| (chain[0].start, chain[chain.len() - 1].end);
         let (start, end) = ends(&chain);
-        if start.distance(end) > GAP {
+        if start.distance(end) > JOIN_GAP_MM {
             // The other end.
             chain = chain.iter().rev().map(reversed).collect();
             grow(&mut chain, &mut open);
             let (start, end) = ends(&chain);
-            if start.distance(end) > GAP {
+            if start.distance(end) > JOIN_GAP_MM {
                 let loose = if on_axis(start) { end } else { start };
                 if !on_axis(loose) {
                     return Err(DxfError::Open { z: loose.a, r: loose.b });
@@ -250,15 +250,16 @@ fn loops(mut open: Vec<OutlineSegment>) -> Result<Vec<Vec<OutlineSegment>>, DxfE
 fn grow(chain: &mut Vec<OutlineSegment>, open: &mut Vec<OutlineSegment>) {
     loop {
         let (start, end) = (chain[0].start, chain[chain.len() - 1].end);
-        let is_closed = start.distance(end) <= GAP && (chain.len() > 1 || chain[0].bend.is_some());
+        let is_closed =
+            start.distance(end) <= JOIN_GAP_MM && (chain.len() > 1 || chain[0].bend.is_some());
         if is_closed {
             return;
         }
         let fits = |segment: &OutlineSegment| {
-            segment.start.distance(end) <= GAP || segment.end.distance(end) <= GAP
+            segment.start.distance(end) <= JOIN_GAP_MM || segment.end.distance(end) <= JOIN_GAP_MM
         };
         let Some(at) = open.iter().position(fits) else { return };
         let next = open.swap_remove(at);
-        chain.push(if next.start.distance(end) <= GAP { next } else { reversed(&next) });
+        chain.push(if next.start.distance(end) <= JOIN_GAP_MM { next } else { reversed(&next) });
     }
 }

@@ -24,7 +24,7 @@ pub(crate) struct Box2 {
 
 impl Box2 {
     /// The box that holds nothing.
-    pub const NOTHING: Box2 = Box2 {
+    pub const EMPTY: Box2 = Box2 {
         min: Vec2::new(f64::INFINITY, f64::INFINITY),
         max: Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
     };
@@ -37,7 +37,7 @@ impl Box2 {
     }
 
     pub fn around(edges: &[RegionEdge]) -> Box2 {
-        edges.iter().fold(Box2::NOTHING, |all, edge| all.with(&edge.bounds()))
+        edges.iter().fold(Box2::EMPTY, |all, edge| all.with(&edge.bounds()))
     }
 
     pub fn with(&self, other: &Box2) -> Box2 {

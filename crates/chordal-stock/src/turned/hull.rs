@@ -5,7 +5,7 @@ use chordal_geometry::Vec2;
 use super::edge::{Box2, RegionEdge};
 
 /// Directions that are tried: a sweep of a usual insert has no more edges, of others some suffice.
-const MOST: usize = 16;
+const MAX_DIRECTIONS: usize = 16;
 /// Directions of one arc of a convex loop: between them it bulges by less than 1 % of its radius.
 const OF_ARC: u32 = 6;
 
@@ -24,7 +24,7 @@ impl DirectionHull {
             edges.iter().for_each(|edge| self.add_convex(edge));
             return;
         }
-        let every = edges.len().div_ceil(MOST).max(1);
+        let every = edges.len().div_ceil(MAX_DIRECTIONS).max(1);
         for edge in edges.iter().step_by(every) {
             let out = match edge.is_straight() {
                 true => -(edge.end - edge.start).turned_left(),

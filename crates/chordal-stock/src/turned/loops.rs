@@ -6,7 +6,7 @@ use super::edge::RegionEdge;
 use super::segment::OutlineSegment;
 
 /// Sines of angles below it are those of edges that go on straight.
-const STRAIGHT_ON: f64 = 1e-9;
+const STRAIGHT_SINE: f64 = 1e-9;
 
 /// The edges, loop by loop. What does not close (it always does, after a checked operation) ends its loop.
 pub(crate) fn loops(edges: &[RegionEdge]) -> Vec<Vec<RegionEdge>> {
@@ -55,7 +55,7 @@ fn turn(edge: &RegionEdge, next: &RegionEdge) -> f64 {
     let (from, to) = (edge.direction(true), next.direction(false));
     let angle = libm::atan2(from.cross(to), from.dot(to));
     // Straight back is a turn to the left if the next edge bends away to the left.
-    if core::f64::consts::PI - angle.abs() < STRAIGHT_ON {
+    if core::f64::consts::PI - angle.abs() < STRAIGHT_SINE {
         let bend = next.curvature() + edge.curvature();
         return if bend > 0.0 { -core::f64::consts::PI } else { core::f64::consts::PI };
     }

@@ -13,7 +13,7 @@ use super::hull::DirectionHull;
 
 /// Points this near, as a part of the size, are the same: far more than rounding (2e-16 of it), far less than
 /// what areas are checked to.
-const SAME: f64 = 1e-11;
+const COINCIDENT_SHARE: f64 = 1e-11;
 /// The first shift, as a part of the size; it doubles with each of [`SHIFTS`].
 const SHIFT: f64 = 1e-7;
 /// Directions of the shifts: none is that of an axis or of a usual angle.
@@ -29,7 +29,7 @@ const MARGINS: [f64; 2] = [2e-8, 4e-6];
 /// How well areas must agree, as a part of the first's.
 const AREA: f64 = 1e-9;
 /// What sums of areas lose by rounding, as a part of the size squared.
-const ROUNDING: f64 = 1e-13;
+const AREA_ROUNDING_SHARE: f64 = 1e-13;
 
 /// A boolean operation found no answer that passes its check. The operands are as they were.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -48,7 +48,7 @@ pub(crate) struct OverlayScale {
 impl OverlayScale {
     /// From the largest coordinate (mm) and the area of the first set (mm²).
     pub fn new(size: f64, area: f64) -> OverlayScale {
-        OverlayScale { tolerance: SAME * size, margin: MARGINS[0] * size, size, area }
+        OverlayScale { tolerance: COINCIDENT_SHARE * size, margin: MARGINS[0] * size, size, area }
     }
 
     /// With room for shifts.
@@ -158,7 +158,8 @@ impl OverlayWorkspace {
         arrangement.bounds(&input, RegionRule::Difference, |edge| after += edge.area(origin));
         let OverlayScale { tolerance, size, area, .. } = operands.scale;
         let around: f64 = operands.first.iter().chain(second).map(RegionEdge::length).sum();
-        let (off, rounding) = ((before - after - amounts.area).abs(), ROUNDING * size * size);
+        let (off, rounding) =
+            ((before - after - amounts.area).abs(), AREA_ROUNDING_SHARE * size * size);
         if off <= AREA * area + rounding {
             Some(0.0)
         } else if off <= tolerance * around + rounding {

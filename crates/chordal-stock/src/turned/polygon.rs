@@ -3,7 +3,7 @@
 use chordal_geometry::Vec2;
 
 /// More corners than a tool's outline has: ears are found by trying each.
-const MOST_CORNERS: usize = 4096;
+const MAX_CORNERS: usize = 4096;
 
 /// Counter-clockwise triangles that make up a polygon given counter-clockwise; `None` where it crosses
 /// itself so that no ear is found.
@@ -11,7 +11,7 @@ pub(crate) fn triangles(corners: &[Vec2]) -> Option<Vec<[Vec2; 3]>> {
     let mut left: Vec<Vec2> = corners.to_vec();
     left.dedup();
     let mut found = Vec::new();
-    if left.len() > MOST_CORNERS {
+    if left.len() > MAX_CORNERS {
         return None;
     }
     while left.len() > 3 {

@@ -15,14 +15,14 @@ use super::segment::OutlineSegment;
 
 /// Coordinates up to this size (mm) are taken: what turns on a lathe is smaller, and squares of it keep
 /// their digits.
-const LARGEST: f64 = 1e6;
+const MAX_COORDINATE_MM: f64 = 1e6;
 /// Ends of segments this near (mm) are joined: the last digit of a written coordinate.
-const GAP: f64 = 1e-4;
+const JOIN_GAP_MM: f64 = 1e-4;
 /// The radii of an arc's two ends may differ by this (mm), as they do in drawings with three digits; the
 /// centre then moves to the middle between the ends.
 const RADII: f64 = 0.01;
 /// Radii that differ by no more (mm) are the same: outlines that came from here.
-const SAME_RADII: f64 = 1e-8;
+const EQUAL_RADIUS_MM: f64 = 1e-8;
 /// Vertices that outlines leave out lie on their edges to this part of the size.
 const ON_EDGE: f64 = 1e-11;
 /// Areas below this part of the size squared are none.
@@ -149,7 +149,7 @@ impl Region {
         }
         for edge in &edges {
             let bounds = edge.bounds();
-            if bounds.min.b < -GAP {
+            if bounds.min.b < -JOIN_GAP_MM {
                 return Err(RegionError::BelowAxis { z: bounds.min.a, r: bounds.min.b });
             }
         }
@@ -296,7 +296,7 @@ fn number_in_turn(edges: &mut [RegionEdge], first: u64) {
 }
 
 pub(crate) fn in_range(value: f64) -> Result<(), RegionError> {
-    if value.abs() <= LARGEST { Ok(()) } else { Err(RegionError::OutOfRange { value }) }
+    if value.abs() <= MAX_COORDINATE_MM { Ok(()) } else { Err(RegionError::OutOfRange { value }) }
 }
 
 /// The edges of a loop of segments.
@@ -314,7 +314,7 @@ fn closed_loop(
         for value in [segment.start.a, segment.start.b, segment.end.a, segment.end.b] {
             in_range(value)?;
         }
-        if from.distance(segment.start) > GAP {
+        if from.distance(segment.start) > JOIN_GAP_MM {
             return Err(RegionError::Open { number, z: from.a, r: from.b });
         }
         // The one before may have ended elsewhere within the gap.
@@ -348,7 +348,7 @@ fn push_segment(edges: &mut Vec<RegionEdge>, segment: &OutlineSegment) -> Result
 /// The circle through both ends whose centre is nearest to the one given; `None` where that is not near.
 fn centered(start: Vec2, end: Vec2, given: Vec2, counterclockwise: bool) -> Option<ArcCircle> {
     let (first, second) = (start.distance(given), end.distance(given));
-    if (first - second).abs() <= SAME_RADII && first + second > 0.0 {
+    if (first - second).abs() <= EQUAL_RADIUS_MM && first + second > 0.0 {
         // Of a short arc the middle between the ends may be far away.
         return Some(ArcCircle { center: given, radius: 0.5 * (first + second), counterclockwise });
     }

@@ -60,7 +60,7 @@ impl TurnedPass {
 /// Work space of one pass.
 #[derive(Debug, Default)]
 struct PassWorkspace {
-    given: PassInput,
+    input: PassInput,
     overlay: OverlayWorkspace,
     outcome: ArrangementResult,
 }
@@ -201,7 +201,7 @@ impl LatheStock {
         path: &OutlineSegment,
     ) -> Result<TurnedPass, PassError> {
         let mut pass = TurnedPass { bound: tool.bound(), ..TurnedPass::default() };
-        let PassWorkspace { given, overlay, outcome } = work;
+        let PassWorkspace { input: given, overlay, outcome } = work;
         overlay.common.clear();
         let swept = sweep(tool.parts(), path, &mut given.swept)?;
         let scale = OverlayScale::new(self.size, self.area.max(0.0));
@@ -245,21 +245,21 @@ impl LatheStock {
 
     fn overlay(
         &self,
-        given: &PassInput,
+        input: &PassInput,
         swept: &SweptRegion,
         scale: OverlayScale,
         overlay: &mut OverlayWorkspace,
         outcome: &mut ArrangementResult,
         lay: impl Fn(&mut OverlayWorkspace, &OverlayOperands<'_>) -> Result<(), OverlayError>,
     ) -> Result<(), OverlayError> {
-        let rest = RemainingRegion { store: &self.store, without: &given.slots };
+        let rest = RemainingRegion { store: &self.store, without: &input.slots };
         let operands = OverlayOperands {
-            first: &given.near,
+            first: &input.near,
             others: &rest,
-            second: &given.swept,
+            second: &input.swept,
             simple: swept.simple,
             bounds: swept.bounds,
-            hull: &given.hull,
+            hull: &input.hull,
             scale,
         };
         lay(overlay, &operands)?;
@@ -272,7 +272,7 @@ impl LatheStock {
     /// Puts the outcome of the last operation in the place of the edges it was made of.
     fn take(&mut self, work: &mut PassWorkspace) {
         for at in &work.outcome.gone {
-            self.store.remove(work.given.slots[*at as usize]);
+            self.store.remove(work.input.slots[*at as usize]);
         }
         let first = self.vertices;
         let mut highest = 0;

@@ -57,7 +57,7 @@ impl EdgeStore {
 
     pub fn remove(&mut self, at: u32) {
         if self.slots[at as usize].take().is_some() {
-            self.boxes[at as usize] = Box2::NOTHING;
+            self.boxes[at as usize] = Box2::EMPTY;
             self.free.push(at);
             self.changed.push(at / BLOCK as u32);
             self.count -= 1;
@@ -72,7 +72,7 @@ impl EdgeStore {
             let from = block as usize * BLOCK;
             let to = (from + BLOCK).min(self.boxes.len());
             let boxes = self.boxes[from..to].iter();
-            self.blocks[block as usize] = boxes.fold(Box2::NOTHING, |all, one| all.with(one));
+            self.blocks[block as usize] = boxes.fold(Box2::EMPTY, |all, one| all.with(one));
         }
     }
 

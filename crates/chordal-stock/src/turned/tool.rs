@@ -14,7 +14,7 @@ use super::region::RegionError;
 use super::segment::OutlineSegment;
 
 /// The most pieces into which an arc that bends inward is divided.
-const MOST_CHORDS: f64 = 1024.0;
+const MAX_CHORDS: f64 = 1024.0;
 
 /// What is wrong with a tool's dimensions.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -162,7 +162,7 @@ impl Insert {
     /// the direction of feed along z, which is κ of ISO 3002 (95° of a holder PCLNL: the edge leans back from
     /// a shoulder by 5°), `included` the angle of the corner (rad, 80° of a CNMG). Tips 3 and 4 cut from
     /// outside towards −z and +z, tips 2 and 1 in a bore.
-    pub fn held(
+    pub fn mounted(
         tip: Tip,
         nose: f64,
         approach: f64,
@@ -508,7 +508,7 @@ fn chords(sweep: f64, radius: f64, error: f64) -> (f64, f64) {
     let off = |pieces: f64| radius * (1.0 - libm::cos(0.5 * sweep / pieces));
     // Sagitta r(1 − cos φ) is at most rφ²/2, φ half the angle of a chord.
     let pieces = (0.5 * sweep * (0.5 * radius / error).sqrt()).ceil().max(sweep / FRAC_PI_2).ceil();
-    let pieces = pieces.clamp(1.0, MOST_CHORDS);
+    let pieces = pieces.clamp(1.0, MAX_CHORDS);
     (pieces, off(pieces))
 }
 

@@ -50,13 +50,14 @@ fn the_programmed_point_lies_where_the_tip_says() {
 #[test]
 fn held_inserts_lean_as_holders_hold_them() {
     // PCLNL 95° with CNMG 80°: 5° clear of a shoulder and of a face.
-    let insert = Insert::held(tip(3), 0.8, 95_f64.to_radians(), 80_f64.to_radians(), 12.0).unwrap();
+    let insert =
+        Insert::mounted(tip(3), 0.8, 95_f64.to_radians(), 80_f64.to_radians(), 12.0).unwrap();
     near(insert.flanks[0], 5_f64.to_radians(), 1e-15);
     near(insert.flanks[1], 85_f64.to_radians(), 1e-15);
     // In a bore it is mirrored at the axis, towards +z at a plane across it.
     for (number, low, high) in [(2, -85.0, -5.0), (4, 95.0, 175.0), (1, 185.0, 265.0)] {
         let (approach, included) = (95_f64.to_radians(), 80_f64.to_radians());
-        let other = Insert::held(tip(number), 0.8, approach, included, 12.0).unwrap();
+        let other = Insert::mounted(tip(number), 0.8, approach, included, 12.0).unwrap();
         near(other.flanks[0].to_degrees(), low, 1e-12);
         near(other.flanks[1].to_degrees(), high, 1e-12);
     }

@@ -56,7 +56,8 @@ fn half_a_sphere_and_a_relief() {
 #[test]
 fn what_a_nose_leaves_on_a_taper_and_a_cusp() {
     // Uncompensated nose 0.8 on a taper of 30°: the surface lies 0.585641 off along z, 0.338120 in r.
-    let insert = Insert::held(tip(3), 0.8, 95_f64.to_radians(), 35_f64.to_radians(), 40.0).unwrap();
+    let insert =
+        Insert::mounted(tip(3), 0.8, 95_f64.to_radians(), 35_f64.to_radians(), 40.0).unwrap();
     let tool = insert.outline().unwrap();
     let mut stock = bar(30.0, -60.0, 0.0);
     let slope = 30_f64.to_radians().tan();

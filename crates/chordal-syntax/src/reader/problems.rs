@@ -54,7 +54,7 @@ impl BlockReader<'_> {
 
     /// `(cut) o100 repeat [2]`: the interpreter reads the O as a letter like any other, and has none.
     #[cold]
-    pub(super) fn o_word_behind_comment(&self, block: &mut Block, start: usize) {
+    pub(super) fn o_word_after_comment(&self, block: &mut Block, start: usize) {
         self.problem(block, || {
             let span = Span::new(self.file, start as u32, start as u32 + 1);
             Diagnostic::new(Code::MixedBlock, span, "an O word behind a comment")

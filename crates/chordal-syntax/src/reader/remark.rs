@@ -4,7 +4,7 @@
 use super::*;
 
 /// How many bytes of a line are looked at to separate prose from words.
-const LOOKED_AT: usize = 400;
+const MAX_INSPECTED_BYTES: usize = 400;
 
 /// What the text to the end of a line holds.
 #[derive(Default)]
@@ -82,7 +82,7 @@ impl BlockReader<'_> {
     #[cold]
     pub(super) fn remark(&mut self, block: &mut Block, start: usize) -> bool {
         // A megabyte on one line must not be searched for its end again and again.
-        let head = prose_of(self.line_from(start, LOOKED_AT));
+        let head = prose_of(self.line_from(start, MAX_INSPECTED_BYTES));
         let tokens = CommentTokens::of(head);
         // A keyword alone is a statement of a macro language.
         if !tokens.is_prose() || tokens.prose == 1 && self.keyword(start) {

@@ -11,9 +11,9 @@ use super::heights::ShapeHeights;
 use super::turns::boxed;
 
 /// Places that differ by less are the same, mm.
-const SAME: f64 = 1e-6;
+const COINCIDENT_MM: f64 = 1e-6;
 /// So often a column is halved where a side has removed a part of it only.
-const HALVINGS: u32 = 4;
+const MAX_HALVINGS: u32 = 4;
 
 /// The heights above which nothing is left of a side.
 pub(super) struct SideTops {
@@ -44,10 +44,10 @@ impl SideTops {
         // Beyond its columns there was nothing.
         let range = |axis: usize, from: f64, to: f64| {
             let at = |place: f64| (place - self.low[axis]) / self.cell;
-            let end = (at(to + SAME).floor() + 1.0).clamp(0.0, self.cells[axis] as f64);
-            (at(from - SAME).floor().max(0.0) as usize)..end as usize
+            let end = (at(to + COINCIDENT_MM).floor() + 1.0).clamp(0.0, self.cells[axis] as f64);
+            (at(from - COINCIDENT_MM).floor().max(0.0) as usize)..end as usize
         };
-        let floor = body.min.z - SAME;
+        let floor = body.min.z - COINCIDENT_MM;
         range(1, body.min.y, body.max.y).all(|row| {
             range(0, body.min.x, body.max.x)
                 .all(|column| f64::from(self.outer[row * self.cells[0] + column]) <= floor)
@@ -74,7 +74,7 @@ impl EarlierSide {
         let mut free = top;
         let mut step = self.tops.cell;
         let mut halvings = 0;
-        while free > bottom && halvings <= HALVINGS {
+        while free > bottom && halvings <= MAX_HALVINGS {
             let next = (free - step).max(bottom);
             if is_empty(next, free) {
                 free = next;

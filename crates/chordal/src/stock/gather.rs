@@ -17,11 +17,11 @@ use crate::job::Job;
 use crate::report::RunWatch;
 
 /// The most angles of a run at which the part is cut: each has columns of its own.
-const MOST_TURNS: usize = 64;
+const MAX_TURNS: usize = 64;
 /// A rapid down from an unknown height begins so far above its end, mm.
 const ABOVE_MM: f64 = 1000.0;
 /// The most moves of a run on which the part turns and of which it is asked whether the tool is clear of it.
-const MOST_SWINGS: usize = 100_000;
+const MAX_SWINGS: usize = 100_000;
 
 /// Why a move in another work offset is not cut.
 pub(super) const FRAME_NOT_KNOWN: &str =
@@ -58,7 +58,7 @@ pub(super) struct MoveBatch {
     pub turn: usize,
     pub moves: Vec<TipMove>,
     /// Of moves that must touch nothing the part of each that may touch what no cut of the tool has touched before.
-    pub asked: Vec<Option<TipMove>>,
+    pub checked: Vec<Option<TipMove>>,
     pub origins: Vec<Origin>,
     /// How fast each move goes.
     pub rates: Vec<ProgrammedRate>,
@@ -124,7 +124,7 @@ pub(super) struct StockMoves<'a> {
     /// Some cuts are in no batch.
     pub misses_cuts: bool,
     /// What was told of a tool, once.
-    told: Vec<(Code, u32)>,
+    reported: Vec<(Code, u32)>,
     pub diagnostics: Vec<Diagnostic>,
     /// Moves at feed and the lowest place of the tip, mm, by tool; and the order of the tools.
     pub counts: BTreeMap<u32, (u64, f64)>,
@@ -163,7 +163,7 @@ impl<'a> StockMoves<'a> {
             has_moved_in_z: false,
             height_mm: None,
             misses_cuts: false,
-            told: Vec::new(),
+            reported: Vec::new(),
             diagnostics: Vec::new(),
             counts: BTreeMap::new(),
             order: Vec::new(),
@@ -187,14 +187,14 @@ impl<'a> StockMoves<'a> {
     }
 
     /// Says of a move on which the part turns that the tool may touch it.
-    pub fn tell_swing(&mut self, segment: &Segment) {
+    pub fn report_swing(&mut self, segment: &Segment) {
         let why = "the part turns on it, and the tool is not clear of all that it may pass";
-        self.tell(Code::StockNotFollowed, segment, why);
+        self.report_once(Code::StockNotFollowed, segment, why);
     }
 
     /// Whether every move that may cut is in a batch.
     pub fn is_whole(&self) -> bool {
-        self.told.is_empty()
+        self.reported.is_empty()
     }
 
     /// How the part lies at some angles.
@@ -207,8 +207,8 @@ impl<'a> StockMoves<'a> {
             self.leaves_out_turned = true;
             return Err(format!("the part is turned to {}", turn.name()));
         }
-        if self.turns.len() >= MOST_TURNS {
-            return Err(format!("more than {MOST_TURNS} angles of rotary axes are not followed"));
+        if self.turns.len() >= MAX_TURNS {
+            return Err(format!("more than {MAX_TURNS} angles of rotary axes are not followed"));
         }
         self.turns.push(turn);
         Ok(self.turns.len() - 1)
@@ -222,13 +222,13 @@ impl<'a> StockMoves<'a> {
         };
         if let Some(why) = reason {
             if !kind.is_rapid() {
-                self.tell(Code::ToolWithoutShape, segment, &why);
+                self.report_once(Code::ToolWithoutShape, segment, &why);
             }
             return;
         }
         if self.on_surface {
             let why = "polar or cylindrical interpolation is active";
-            return self.tell(Code::StockNotFollowed, segment, why);
+            return self.report_once(Code::StockNotFollowed, segment, why);
         }
         if segment.unrelated_zero.is_some() {
             return self.frame_not_known(segment, kind);
@@ -236,14 +236,14 @@ impl<'a> StockMoves<'a> {
         if !segment.known {
             if !kind.is_rapid() {
                 let why = "where the tool is relative to the part is not known";
-                return self.tell(Code::StockNotFollowed, segment, why);
+                return self.report_once(Code::StockNotFollowed, segment, why);
             }
             match self.rapid_of(segment) {
                 PartlyKnown::Clear => return,
                 PartlyKnown::AtDepth => {
                     let why =
                         "it leaves a place below the clearance plane for one that is not known";
-                    return self.tell(Code::StockNotFollowed, segment, why);
+                    return self.report_once(Code::StockNotFollowed, segment, why);
                 }
                 PartlyKnown::End(line) => {
                     let known = Segment { curve: Curve::Line(line), known: true, ..*segment };
@@ -261,7 +261,7 @@ impl<'a> StockMoves<'a> {
         let is_upright = is_upright(segment.curve.start(), segment.curve.end());
         let is_left_low = self.height_mm.is_some_and(|z| z < self.depth_mm);
         if !kind.is_rapid() || segment.to_known.has(2) || is_left_low && !is_upright {
-            self.tell(Code::StockNotFollowed, segment, FRAME_NOT_KNOWN);
+            self.report_once(Code::StockNotFollowed, segment, FRAME_NOT_KNOWN);
         }
     }
 
@@ -303,10 +303,10 @@ impl<'a> StockMoves<'a> {
         }
         let has_swung = !turns::are_same(segment.rotary_from, segment.rotary_to);
         if has_swung && self.follows_turns {
-            if self.swings.len() < MOST_SWINGS {
+            if self.swings.len() < MAX_SWINGS {
                 self.swings.push(*segment);
             } else {
-                self.tell_swing(segment);
+                self.report_swing(segment);
             }
             return;
         }
@@ -319,7 +319,7 @@ impl<'a> StockMoves<'a> {
         };
         let turn = match turn {
             Ok(turn) => turn,
-            Err(why) => return self.tell(Code::StockNotFollowed, segment, &why),
+            Err(why) => return self.report_once(Code::StockNotFollowed, segment, &why),
         };
         if !kind.is_rapid() {
             let count = self.counts.entry(segment.tool).or_insert((0, f64::INFINITY));
@@ -343,7 +343,7 @@ impl<'a> StockMoves<'a> {
                 kind,
                 turn,
                 moves,
-                asked,
+                checked: asked,
                 origins,
                 rates,
                 rows,
@@ -356,10 +356,10 @@ impl<'a> StockMoves<'a> {
             by_time: self.by_time && !origin.cycle,
         };
         let path = TipMove { curve: segment.curve, tag: segment.tool };
-        let asked = self.asked(&path, kind, turn);
+        let asked = self.checked_part(&path, kind, turn);
         if let Some(batch) = self.batches.last_mut() {
             batch.moves.push(path);
-            batch.asked.extend(asked);
+            batch.checked.extend(asked);
             batch.origins.push(segment.origin);
             batch.rates.push(rate);
             batch.rows.push(self.row);
@@ -367,7 +367,12 @@ impl<'a> StockMoves<'a> {
     }
 
     /// What is asked of a move that must touch nothing; cuts are followed.
-    fn asked(&mut self, path: &TipMove, kind: BatchKind, turn: usize) -> Option<Option<TipMove>> {
+    fn checked_part(
+        &mut self,
+        path: &TipMove,
+        kind: BatchKind,
+        turn: usize,
+    ) -> Option<Option<TipMove>> {
         match (kind, &path.curve, self.tools.get(&path.tag)) {
             (BatchKind::Cut, ..) => {
                 self.visited.cut(path.tag, turn, &path.curve);
@@ -392,16 +397,16 @@ impl<'a> StockMoves<'a> {
             return;
         }
         self.has_moved_in_z = true;
-        self.tell(Code::StockNotFollowed, segment, TIP_NOT_KNOWN);
+        self.report_once(Code::StockNotFollowed, segment, TIP_NOT_KNOWN);
     }
 
     /// Says once of a tool why its moves remove nothing.
-    fn tell(&mut self, code: Code, segment: &Segment, why: &str) {
+    fn report_once(&mut self, code: Code, segment: &Segment, why: &str) {
         self.misses_cuts |= segment.kind != SegmentKind::Rapid;
-        if self.told.contains(&(code, segment.tool)) {
+        if self.reported.contains(&(code, segment.tool)) {
             return;
         }
-        self.told.push((code, segment.tool));
+        self.reported.push((code, segment.tool));
         self.diagnostics.push(not_cut(code, &segment.origin, segment.tool, why));
     }
 }

@@ -44,7 +44,7 @@ impl<'s> ShapeHeights<'s> {
             let places = (0..grid.rows).flat_map(|row| (0..grid.columns).map(move |at| [at, row]));
             places.into_iter().all(|[column, row]| match cells.inner(column, row) {
                 [] => true,
-                [one] => one.from <= bottom + NEAR,
+                [one] => one.from <= bottom + ON_BOTTOM_MM,
                 _ => false,
             })
         };
@@ -146,7 +146,7 @@ impl<'s> ShapeHeights<'s> {
             let mut from = self.bottom;
             let mut hollows = Vec::new();
             for [floor, top] in filled {
-                if floor > from + NEAR {
+                if floor > from + ON_BOTTOM_MM {
                     hollows.push(Hollow { floor: from, top: floor });
                 }
                 from = top;
@@ -164,4 +164,4 @@ impl<'s> ShapeHeights<'s> {
 /// Cells are not wider than they are: the columns count their own rounding.
 const GROW: f64 = 0.0;
 /// A shape that begins so near the bottom stands on it, mm.
-const NEAR: f64 = 1e-6;
+const ON_BOTTOM_MM: f64 = 1e-6;

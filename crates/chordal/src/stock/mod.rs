@@ -47,8 +47,8 @@ pub use run::StockRunError;
 pub use setup::{SetupError, SetupFileReader};
 pub use target::TargetReport;
 pub use turned::{
-    CutOffPart, SegmentOrigin, TurnedMove, TurnedOptions, TurnedPiece, TurnedReplay, TurnedReport,
-    TurnedShape, TurnedTarget, TurnedThread, TurnedToolRemoved, WayHit, WayIn,
+    ApproachCheck, ApproachHit, CutOffPart, SegmentOrigin, TurnedMove, TurnedOptions, TurnedPiece,
+    TurnedReplay, TurnedReport, TurnedShape, TurnedTarget, TurnedThread, TurnedToolRemoved,
 };
 /// Half sections: what lathes turn.
 pub mod section {

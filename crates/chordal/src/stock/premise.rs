@@ -7,7 +7,7 @@ use chordal_machine::{Body, BodyShape};
 
 use super::run::StockRunError;
 use crate::job::Job;
-use crate::tool_comments::{StockPlace, said_stock};
+use crate::tool_comments::{StockPlace, commented_stock};
 
 /// The stock of a run, and where it was taken from.
 pub(super) struct StockPremise<'a> {
@@ -43,7 +43,7 @@ impl Job<'_> {
         if let Some(body) = &self.machine().setup.stock {
             return Ok(StockPremise { body: Cow::Borrowed(body), comment: None });
         }
-        let said = said_stock(self).ok_or(StockRunError::NoStock)?;
+        let said = commented_stock(self).ok_or(StockRunError::NoStock)?;
         match said.place {
             StockPlace::Body(body) => {
                 Ok(StockPremise { body: Cow::Owned(*body), comment: Some(said.comment) })

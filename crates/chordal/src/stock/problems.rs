@@ -46,7 +46,7 @@ pub(super) fn assumed_point_angle(origin: &Origin, tool: u32) -> Diagnostic {
 }
 
 /// Problems that are kept of a run.
-const MOST: usize = 1000;
+const MAX_PROBLEMS: usize = 1000;
 
 /// Gathers problems.
 #[derive(Debug, Default)]
@@ -82,7 +82,7 @@ pub(super) struct FixtureClearance<'a> {
 
 impl FixtureClearance<'_> {
     /// What a tool does that comes too near.
-    fn said(&self, units: Units) -> String {
+    fn tool_phrase(&self, units: Units) -> String {
         let FixtureClearance { name, clearance } = *self;
         if clearance > 0.0 {
             let clearance = units.length_text(clearance);
@@ -164,7 +164,7 @@ impl StockProblems {
             return;
         }
         self.last = Some((place.origin, code, name.to_string()));
-        if self.list.len() >= MOST {
+        if self.list.len() >= MAX_PROBLEMS {
             self.more += 1;
             return;
         }
@@ -229,7 +229,7 @@ fn diagnostic(code: Code, problem: &StockProblem, place: &ContactReport<'_>) -> 
             "check the offset, the tool and this block",
         ),
         (Code::FixtureHit, Some(fixture)) => (
-            format!("tool {tool} or its holder {}", fixture.said(units)),
+            format!("tool {tool} or its holder {}", fixture.tool_phrase(units)),
             "too near",
             "lift the tool before this move, or move the fixture",
         ),

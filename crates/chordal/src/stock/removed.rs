@@ -11,7 +11,7 @@ use super::stretches::{ColumnKnowledge, stretches_of};
 /// Columns along a side of a block of which one height is kept.
 const BLOCK: u32 = 16;
 /// Heights that differ by less are the same, mm.
-const SAME: f64 = 1e-6;
+const EQUAL_HEIGHT_MM: f64 = 1e-6;
 
 /// The columns of another way that the part lies.
 #[derive(Debug)]
@@ -53,7 +53,7 @@ impl SideRemoval {
                 if !own.is_empty() {
                     gaps.insert(index, own);
                 }
-                is_cut[index] = pairs[index].inner < begun.of(low, high)[1] - SAME;
+                is_cut[index] = pairs[index].inner < begun.of(low, high)[1] - EQUAL_HEIGHT_MM;
                 let left =
                     stretches_of(stock, [column, row], ColumnKnowledge::Surely, pairs[index].inner);
                 let [_, filled] = begun.shape.filled(corners);
@@ -74,11 +74,13 @@ impl SideRemoval {
         let range = |axis: usize, from: f64, to: f64| {
             let at = |place: f64| ((place - self.low[axis]) / self.side).floor();
             let last = self.blocks[axis] as f64 - 1.0;
-            (at(from - SAME).clamp(0.0, last) as usize)..=(at(to + SAME).clamp(0.0, last) as usize)
+            (at(from - EQUAL_HEIGHT_MM).clamp(0.0, last) as usize)
+                ..=(at(to + EQUAL_HEIGHT_MM).clamp(0.0, last) as usize)
         };
         range(1, body.min.y, body.max.y).all(|row| {
-            range(0, body.min.x, body.max.x)
-                .all(|column| body.max.z <= self.floors[row * self.blocks[0] + column] - SAME)
+            range(0, body.min.x, body.max.x).all(|column| {
+                body.max.z <= self.floors[row * self.blocks[0] + column] - EQUAL_HEIGHT_MM
+            })
         })
     }
 
@@ -107,8 +109,9 @@ fn cut_gaps(
 ) -> Vec<RemovedSpan> {
     let [mut surely, _] = stock.gaps_at(column, row);
     surely.retain(|gap| {
-        let holds =
-            |hollow: &RemovedSpan| hollow.floor <= gap.floor + SAME && gap.top <= hollow.top + SAME;
+        let holds = |hollow: &RemovedSpan| {
+            hollow.floor <= gap.floor + EQUAL_HEIGHT_MM && gap.top <= hollow.top + EQUAL_HEIGHT_MM
+        };
         !hollows.iter().any(holds)
     });
     surely
@@ -120,11 +123,11 @@ fn lowest_removed(filled: &[[f64; 2]], left: &[[f64; 2]]) -> f64 {
         // Below that nothing of the stretch is removed.
         let mut at = from;
         for &[floor, top] in left {
-            if floor <= at + SAME {
+            if floor <= at + EQUAL_HEIGHT_MM {
                 at = at.max(top);
             }
         }
-        if at < to - SAME {
+        if at < to - EQUAL_HEIGHT_MM {
             return at;
         }
     }

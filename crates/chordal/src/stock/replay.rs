@@ -16,10 +16,10 @@ use hollows::ReplayHollows;
 
 /// Moves that are cut at once: what they lower is told after each lot. More where drops are left out, as none is
 /// that is the last of a lot.
-const AT_ONCE: usize = 4096;
-const AT_ONCE_THINNED: usize = 1 << 15;
+const MOVES_PER_LOT: usize = 4096;
+const MOVES_PER_THINNED_LOT: usize = 1 << 15;
 /// Moves of undercuts that are shown as they cut: each is a few milliseconds. The tops of columns are shown all the same.
-const MOST_UNDERCUTS: usize = 5000;
+const MAX_UNDERCUTS: usize = 5000;
 /// The most memory of the columns, bytes.
 const BUDGET: u64 = 1 << 30;
 /// Round fixtures are triangles within this, mm.
@@ -164,7 +164,7 @@ impl Job<'_> {
             !batch.kind.is_rapid()
                 && tools.get(&batch.tool).is_some_and(|tool| tool.as_ref().is_ok_and(is_undercut))
         });
-        let undercuts = of_undercuts.map(|batch| batch.moves.len()).sum::<usize>() > MOST_UNDERCUTS;
+        let undercuts = of_undercuts.map(|batch| batch.moves.len()).sum::<usize>() > MAX_UNDERCUTS;
         before.missing = ReplayOmissions { undercuts, turned: gathered.leaves_out_turned };
         for (name, body) in &setup.fixtures {
             let named = NamedBody { name, body };
@@ -183,7 +183,7 @@ impl Job<'_> {
             let most = (options.lag * resolution) as f32;
             ReplayThinning { most, last: vec![0; before.heights.len()], shown: before.heights }
         });
-        let at_once = if thinning.is_some() { AT_ONCE_THINNED } else { AT_ONCE };
+        let at_once = if thinning.is_some() { MOVES_PER_THINNED_LOT } else { MOVES_PER_LOT };
         for batch in &gathered.batches {
             let Some(Ok(tool)) = tools.get(&batch.tool) else { continue };
             if batch.kind.is_rapid() {

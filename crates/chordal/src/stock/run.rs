@@ -24,7 +24,7 @@ use super::setup::{NamedBody, SetupError, SetupFileReader, shift_between};
 use super::target::{TARGET_TOLERANCE, TargetPart, TargetReport, look_at_target};
 use super::tools::{ShankPiece, ToolBody, tools_of};
 use crate::job::Job;
-use crate::other_sides::MOST_STOCK_SIDE_RUNS;
+use crate::other_sides::MAX_STOCK_SIDE_RUNS;
 use crate::report::Report;
 
 /// Why there is no run on stock.
@@ -143,7 +143,7 @@ pub(super) fn cut_other_sides(
     verdict: &mut StockVerdict,
     mut cut: impl FnMut(&Job<'_>) -> Option<(Report, StockVerdict)>,
 ) {
-    job.add_other_sides(report, MOST_STOCK_SIDE_RUNS, |side| {
+    job.add_other_sides(report, MAX_STOCK_SIDE_RUNS, |side| {
         let Some((found, of_side)) = cut(side) else { return Vec::new() };
         if of_side == StockVerdict::Problems {
             *verdict = of_side;
@@ -196,7 +196,7 @@ impl<'a> SetupBodies<'a> {
         run: &PassContext<'_>,
         problems: &mut StockProblems,
     ) -> Result<(CutStock, Option<TargetReport>), StockError> {
-        let asked = run.all_asked();
+        let asked = run.all_questions();
         let begun = InitialStock::new([&self.stock, &self.stock], run.resolution, Vec::new());
         let cut = run.cut(&begun, &asked, &[])?;
         for (asked, contacts) in asked.iter().zip(&cut.checked.contacts) {
@@ -269,19 +269,19 @@ impl TaskQuestion<'_> {
 
 impl<'a> PassContext<'a> {
     /// What is asked on all batches.
-    pub fn all_asked(&self) -> Vec<TaskQuestion<'a>> {
+    pub fn all_questions(&self) -> Vec<TaskQuestion<'a>> {
         let batches = self.batches.iter().enumerate();
-        batches.flat_map(|(number, batch)| self.asked(number, batch)).collect()
+        batches.flat_map(|(number, batch)| self.batch_questions(number, batch)).collect()
     }
 
     /// Cuts a stock, and looks at what touches it; some of it is lowered before tasks by their numbers.
     pub fn cut(
         &self,
         begun: &InitialStock<'_>,
-        asked: &[TaskQuestion<'_>],
+        questions: &[TaskQuestion<'_>],
         lowered: &[(usize, Vec<EarlierSide>)],
     ) -> Result<CutStock, StockError> {
-        let tasks: Vec<StockTask<'_>> = asked
+        let tasks: Vec<StockTask<'_>> = questions
             .iter()
             .map(|asked| StockTask {
                 cutter: asked.cutter,
@@ -325,22 +325,22 @@ impl<'a> PassContext<'a> {
     /// Takes the contacts of a task; `sure` says again what of a contact is sure, by the number of its move.
     pub fn report(
         &self,
-        asked: &TaskQuestion<'_>,
+        question: &TaskQuestion<'_>,
         contacts: &[Vec<ContactDepth>],
         sure: &dyn Fn(usize, ContactDepth) -> ContactDepth,
         problems: &mut StockProblems,
     ) {
-        for (index, origin) in asked.origins.iter().enumerate() {
-            let is_aside = self.batches[asked.batch].kind == BatchKind::Aside;
-            let place = ContactReport { is_aside, ..self.place(*origin, asked.tool) };
-            let touches = asked.codes.iter().zip(contacts);
+        for (index, origin) in question.origins.iter().enumerate() {
+            let is_aside = self.batches[question.batch].kind == BatchKind::Aside;
+            let place = ContactReport { is_aside, ..self.place(*origin, question.tool) };
+            let touches = question.codes.iter().zip(contacts);
             let touches = touches.map(|(code, of_moves)| (*code, sure(index, of_moves[index])));
             problems.touches(touches, self.options.tolerance_mm, &place);
         }
     }
 
     /// What is asked on the moves of a batch, in order.
-    fn asked(&self, number: usize, batch: &'a MoveBatch) -> Vec<TaskQuestion<'a>> {
+    fn batch_questions(&self, number: usize, batch: &'a MoveBatch) -> Vec<TaskQuestion<'a>> {
         let Some(tool) = self.tool(batch.tool) else { return Vec::new() };
         let own = |code| match &tool.undercuts[..] {
             [] => (code, RevolvedBody::of_cutter(&tool.cutter)),
@@ -381,7 +381,7 @@ fn watched<'r>(
     batch: &MoveBatch,
     bodies: impl Iterator<Item = (Code, RevolvedBody)>,
 ) -> TaskQuestion<'r> {
-    let asked = batch.asked.iter().zip(&batch.origins);
+    let asked = batch.checked.iter().zip(&batch.origins);
     let (moves, origins): (Vec<TipMove>, Vec<Origin>) =
         asked.filter_map(|(path, from)| Some(((*path)?, *from))).unzip();
     let (codes, bodies) = bodies.unzip();

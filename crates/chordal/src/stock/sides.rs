@@ -26,12 +26,12 @@ use crate::job::Job;
 
 /// So often the part is cut from one side again with what other sides have removed since. Each time all that came before
 /// on that side is cut once more.
-const MOST_VISITS: usize = 8;
+const MAX_VISITS: usize = 8;
 
 /// The stock of one way that the part lies.
 struct StockSide<'a> {
     turn: PartOrientation,
-    asked: Vec<TaskQuestion<'a>>,
+    questions: Vec<TaskQuestion<'a>>,
     cut: CutStock,
     removed: SideRemoval,
 }
@@ -40,7 +40,7 @@ struct StockSide<'a> {
 struct VisitedSide<'a> {
     turn: PartOrientation,
     shapes: [SolidShape; 2],
-    asked: Vec<TaskQuestion<'a>>,
+    questions: Vec<TaskQuestion<'a>>,
     /// What other sides had removed before it was cut first.
     begun: Vec<EarlierSide>,
     /// What they had removed before later tasks, by their numbers.
@@ -68,7 +68,7 @@ fn visits(batches: &[MoveBatch]) -> Vec<SideVisit> {
         let at = *count;
         *count += 1;
         let goes_on = visits.last().is_some_and(|last| last.side == batch.turn);
-        if !goes_on && *visited < MOST_VISITS {
+        if !goes_on && *visited < MAX_VISITS {
             *visited += 1;
             let batches = at..at + 1;
             visits.push(SideVisit { side: batch.turn, batches, is_last: false, has_later: false });
@@ -90,7 +90,7 @@ impl SetupBodies<'_> {
         let swings: Vec<Segment> = std::mem::take(&mut gathered.swings);
         for segment in &swings {
             if !self.is_clear(job, gathered, segment) {
-                gathered.tell_swing(segment);
+                gathered.report_swing(segment);
             }
         }
     }
@@ -143,27 +143,27 @@ impl SetupBodies<'_> {
             let side = visited.entry(number).or_insert_with(|| VisitedSide {
                 turn,
                 shapes,
-                asked: run.all_asked(),
+                questions: run.all_questions(),
                 begun: earlier.clone(),
                 lowered: Vec::new(),
                 tops: None,
             });
-            let task = side.asked.iter().position(|asked| asked.batch >= visit.batches.start);
+            let task = side.questions.iter().position(|asked| asked.batch >= visit.batches.start);
             if side.tops.is_some() {
                 side.lowered.extend(task.map(|task| (task, earlier)));
             }
             let [outer, inner] = &side.shapes;
             let begun = InitialStock::new([outer, inner], run.resolution, side.begun.clone());
             if visit.is_last {
-                let cut = run.cut(&begun, &side.asked, &side.lowered)?;
+                let cut = run.cut(&begun, &side.questions, &side.lowered)?;
                 let removed = SideRemoval::of(&cut.checked.stock, &begun);
                 if !visit.has_later {
                     side.tops = Some(Rc::new(SideTops::of(&cut.checked.stock)));
                 }
-                let asked = std::mem::take(&mut side.asked);
-                sides.push((number, StockSide { turn, asked, cut, removed }));
+                let asked = std::mem::take(&mut side.questions);
+                sides.push((number, StockSide { turn, questions: asked, cut, removed }));
             } else {
-                let until = side.asked.iter().filter(|asked| asked.batch < visit.batches.end);
+                let until = side.questions.iter().filter(|asked| asked.batch < visit.batches.end);
                 let cuts: Vec<TaskQuestion<'_>> = until.map(TaskQuestion::only_cuts).collect();
                 let cut = run.cut(&begun, &cuts, &side.lowered)?;
                 side.tops = Some(Rc::new(SideTops::of(&cut.checked.stock)));
@@ -210,13 +210,13 @@ impl SetupBodies<'_> {
             .collect();
         let mut order: Vec<(usize, usize, usize)> = Vec::new();
         for (at, (_, side)) in sides.iter().enumerate() {
-            let of_side = side.asked.iter().enumerate();
+            let of_side = side.questions.iter().enumerate();
             order.extend(of_side.map(|(index, asked)| (places[at][asked.batch], at, index)));
         }
         order.sort_unstable();
         for (_, at, index) in order {
             let side = &sides[at].1;
-            let asked = &side.asked[index];
+            let asked = &side.questions[index];
             let reach = runs[at].tool(asked.tool).map_or(0.0, |tool| tool.radius());
             let sure = |of_move: usize, contact: ContactDepth| {
                 if contact.least <= 0.0 {

@@ -13,7 +13,7 @@ use super::stretches::{ColumnKnowledge, stretches_of};
 use super::turns::boxed;
 
 /// Where a column is cut from another side is found to this share of a column.
-const HALVINGS: u32 = 6;
+const MAX_HALVINGS: u32 = 6;
 
 impl StockReport {
     /// What is left as stretches of material in each column of the stock, from its bottom, mm: what is in the middle of
@@ -199,7 +199,7 @@ fn kept([from, to]: [f64; 2], step: f64, is_left: &dyn Fn(f64) -> bool) -> Vec<[
             continue;
         }
         let [mut before, mut after] = [at(number as f64 - 1.0), at(number as f64)];
-        for _ in 0..HALVINGS {
+        for _ in 0..MAX_HALVINGS {
             let middle = 0.5 * (before + after);
             if is_left(middle) == was_left {
                 before = middle;

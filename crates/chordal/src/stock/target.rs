@@ -16,7 +16,7 @@ use super::problems::StockProblems;
 use super::stretches::{ColumnKnowledge, stretches_of, without};
 
 /// Contacts that are less deep are rounding, mm.
-const ROUNDING: f64 = 1e-3;
+const CONTACT_ROUNDING_MM: f64 = 1e-3;
 /// A wall is known to a tolerance with cells of this share of it.
 const OF_TOLERANCE: f64 = 0.5;
 
@@ -99,7 +99,7 @@ fn look_for_gouges(
         hollows: is_hollow.then_some(&hollows),
         tasks: &tasks,
         lowered: &[],
-        tolerance: ROUNDING,
+        tolerance: CONTACT_ROUNDING_MM,
         finest: run.finest().min(OF_TOLERANCE * target.tolerance),
     };
     let checked = check.run_by(&|tiles| run.tiles(tiles))?;
@@ -113,14 +113,14 @@ fn look_for_gouges(
                 Some(sure) if asked.is_sure => sure[index].least.min(contact.most),
                 _ => 0.0,
             };
-            if contact.most > ROUNDING {
+            if contact.most > CONTACT_ROUNDING_MM {
                 // The inner cutter's depth, and the tolerance around it.
                 contact.most += target.tolerance;
-                if contact.least > ROUNDING {
+                if contact.least > CONTACT_ROUNDING_MM {
                     contact.least += target.tolerance;
                 }
             }
-            problems.touches([(Code::Gouge, contact)].into_iter(), ROUNDING, &place);
+            problems.touches([(Code::Gouge, contact)].into_iter(), CONTACT_ROUNDING_MM, &place);
         }
     }
     Ok(())

@@ -11,7 +11,7 @@ use crate::job::Job;
 use crate::tool_comments::known_tools;
 
 /// A shank of which only the diameter is known has no end below this height, mm.
-const LONG: f64 = 1000.0;
+const UNKNOWN_SHANK_MM: f64 = 1000.0;
 
 /// A tool as a body.
 #[derive(Clone, Debug)]
@@ -44,7 +44,7 @@ impl ToolBody {
     /// The highest known place of cutter, shank and holder above the tip, mm.
     pub fn top(&self) -> f64 {
         let ends = self.shank.iter().chain(&self.holder).map(|piece| piece.from + piece.height);
-        ends.fold(self.cutter.flutes().unwrap_or(LONG), f64::max)
+        ends.fold(self.cutter.flutes().unwrap_or(UNKNOWN_SHANK_MM), f64::max)
     }
 
     /// Nowhere it is narrower than below. Above the edges it counts as wide as they are: what is there is asked as a
@@ -141,7 +141,7 @@ fn body_of(tool: &Tool) -> Result<ToolBody, NoBody> {
     let mut at = flutes;
     body.shank = stacked(&tool.shank, &mut at);
     if let (true, Some(diameter)) = (body.shank.is_empty(), tool.shank_diameter_mm) {
-        let height = if tool.holder.is_empty() { LONG } else { 0.0 };
+        let height = if tool.holder.is_empty() { UNKNOWN_SHANK_MM } else { 0.0 };
         body.shank.push(ShankPiece { from: at, height, lower: diameter, upper: diameter });
         at += height;
     }

@@ -8,7 +8,7 @@ use chordal_machine::{RotaryAxis, RotaryTarget};
 use chordal_stock::shape::SolidShape;
 
 /// Angles that differ by less are the same, rad.
-const SAME_ANGLE: f64 = 1e-9;
+const EQUAL_ANGLE_RAD: f64 = 1e-9;
 /// A cylinder that lies askew is triangles within this, mm.
 const SAG: f64 = 1e-3;
 const LETTERS: [char; 3] = ['A', 'B', 'C'];
@@ -88,12 +88,12 @@ impl PartOrientation {
 
 /// Whether rotary axes stand, rad: a whole turn is a turn.
 pub(super) fn are_same(a: [f64; 3], b: [f64; 3]) -> bool {
-    a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME_ANGLE)
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() < EQUAL_ANGLE_RAD)
 }
 
 fn within_half_a_turn(angle: f64) -> f64 {
     let rest = angle - TAU * (angle / TAU).round();
-    if rest.abs() < SAME_ANGLE { 0.0 } else { rest }
+    if rest.abs() < EQUAL_ANGLE_RAD { 0.0 } else { rest }
 }
 
 fn center(rotary: &RotaryAxis) -> Vec3 {
@@ -109,7 +109,7 @@ pub(super) fn swept(
     to: [f64; 3],
     body: &Aabb,
 ) -> Option<Aabb> {
-    let mut turning = (0..3).filter(|axis| (from[*axis] - to[*axis]).abs() >= SAME_ANGLE);
+    let mut turning = (0..3).filter(|axis| (from[*axis] - to[*axis]).abs() >= EQUAL_ANGLE_RAD);
     let (axis, None) = (turning.next()?, turning.next()) else { return None };
     if rotary[axis].turns != Some(RotaryTarget::Table) {
         return None;

@@ -12,10 +12,10 @@ use chordal_stock::TipMove;
 use super::tools::ToolBody;
 
 /// Places that differ by less are the same, mm: far below what a touch must be deep.
-const SAME_PLACE_MM: f64 = 1e-6;
+const COINCIDENT_MM: f64 = 1e-6;
 
 /// Straight cuts that are kept to be found along a rapid.
-const MOST_LINES: usize = 256;
+const MAX_LINES: usize = 256;
 
 /// The side of the cells in which places are looked up, mm.
 const CELL_MM: f64 = 1e-3;
@@ -61,7 +61,7 @@ impl VisitedPlaces {
             if is_upright(line.start, line.end) {
                 self.keep(key, [line.start.x, line.start.y], [line.start.z, line.end.z]);
             } else {
-                if self.lines.len() == MOST_LINES {
+                if self.lines.len() == MAX_LINES {
                     self.lines.pop_front();
                 }
                 self.lines.push_back((key, *line));
@@ -94,7 +94,7 @@ impl VisitedPlaces {
         let heights = self.heights((tool, turn), [at.x, at.y]);
         heights.is_some_and(|heights| {
             let has = |[low, high]: &[f64; 2]| {
-                (low - SAME_PLACE_MM..=high + SAME_PLACE_MM).contains(&at.z)
+                (low - COINCIDENT_MM..=high + COINCIDENT_MM).contains(&at.z)
             };
             heights.iter().any(has)
         })
@@ -107,15 +107,15 @@ impl VisitedPlaces {
         }
         let heights = self.heights(key, [line.start.x, line.start.y])?;
         let (low, high) = (line.start.z.min(line.end.z), line.start.z.max(line.end.z));
-        let mut below = heights.iter().filter(|[from, _]| *from <= low + SAME_PLACE_MM);
+        let mut below = heights.iter().filter(|[from, _]| *from <= low + COINCIDENT_MM);
         if widens {
             return below.next().map(|_| RapidRest::Nothing);
         }
         let passed = below.map(|[_, to]| *to).fold(f64::NEG_INFINITY, f64::max);
-        if passed < low - SAME_PLACE_MM {
+        if passed < low - COINCIDENT_MM {
             return None;
         }
-        if passed >= high - SAME_PLACE_MM {
+        if passed >= high - COINCIDENT_MM {
             return Some(RapidRest::Nothing);
         }
         let at = |z: f64| Vec3::new(line.start.x, line.start.y, z);
@@ -155,7 +155,7 @@ impl VisitedPlaces {
         let heights = &mut spots[index].heights;
         // Ranges that meet become one.
         heights.retain(|range| {
-            let meets = range[0] <= new[1] + SAME_PLACE_MM && new[0] <= range[1] + SAME_PLACE_MM;
+            let meets = range[0] <= new[1] + COINCIDENT_MM && new[0] <= range[1] + COINCIDENT_MM;
             if meets {
                 new = [new[0].min(range[0]), new[1].max(range[1])];
             }
@@ -185,7 +185,7 @@ fn reaches(cut: &Line, line: &Line, from: f64, widens: bool) -> Option<f64> {
         let by = flat(point - line.start);
         (by - direction * by.dot(direction)).length()
     };
-    if beside(cut.start) > SAME_PLACE_MM || beside(cut.end) > SAME_PLACE_MM {
+    if beside(cut.start) > COINCIDENT_MM || beside(cut.end) > COINCIDENT_MM {
         return None;
     }
     let (mut first, mut last) = (cut.start, cut.end);
@@ -193,7 +193,7 @@ fn reaches(cut: &Line, line: &Line, from: f64, widens: bool) -> Option<f64> {
         (first, last) = (last, first);
     }
     let start = from * length;
-    if along(first) > start + SAME_PLACE_MM || along(last) <= start + SAME_PLACE_MM {
+    if along(first) > start + COINCIDENT_MM || along(last) <= start + COINCIDENT_MM {
         return None;
     }
     let stop = along(last).min(length);
@@ -203,9 +203,9 @@ fn reaches(cut: &Line, line: &Line, from: f64, widens: bool) -> Option<f64> {
     };
     let fits = |at: f64| {
         let above = height(line.start, line.end, at) - height(first, last, at);
-        above.abs() <= SAME_PLACE_MM || widens && above >= 0.0
+        above.abs() <= COINCIDENT_MM || widens && above >= 0.0
     };
-    let is_done = stop >= length - SAME_PLACE_MM;
+    let is_done = stop >= length - COINCIDENT_MM;
     (fits(start) && fits(stop)).then_some(if is_done { 1.0 } else { stop / length })
 }
 
@@ -219,7 +219,7 @@ fn cell(at: [f64; 2]) -> [i64; 2] {
 }
 
 fn are_same(a: [f64; 2], b: [f64; 2]) -> bool {
-    (a[0] - b[0]).abs() <= SAME_PLACE_MM && (a[1] - b[1]).abs() <= SAME_PLACE_MM
+    (a[0] - b[0]).abs() <= COINCIDENT_MM && (a[1] - b[1]).abs() <= COINCIDENT_MM
 }
 
 impl RapidRest {

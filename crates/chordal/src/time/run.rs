@@ -13,7 +13,7 @@ use crate::motion::{
     MotionStep, PathPart, Piece, PlanSink, Planned, Planner, PlannerOptions, Planning, Step,
     StepSource, WithSources,
 };
-use crate::other_sides::{BlockDeleteRuns, MOST_SIDE_RUNS};
+use crate::other_sides::{BlockDeleteRuns, MAX_SIDE_RUNS};
 use crate::report::{KEPT_PER_CODE, Report, ReportSink, RunWatch};
 
 /// The time of a run, and how it was planned.
@@ -73,7 +73,7 @@ impl Job<'_> {
     ) -> Result<Option<[f64; 2]>, LimitError> {
         let (mut range, mut error) = ([total_s; 2], None);
         let (first, as_needed) = (&report.diagnostics, BlockDeleteRuns::WhereItDecides);
-        let sides = self.run_other_sides(first, MOST_SIDE_RUNS, as_needed, |job, _| {
+        let sides = self.run_other_sides(first, MAX_SIDE_RUNS, as_needed, |job, _| {
             let (report, timed) = job.report_timed(options, u64::MAX, &mut Unwatched);
             match timed {
                 Ok(Some(timed)) => {

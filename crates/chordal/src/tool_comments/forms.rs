@@ -4,13 +4,13 @@ use std::ops::RangeInclusive;
 
 use chordal_machine::ToolShape;
 
-use super::SaidTool;
+use super::CommentedTool;
 
 /// The diameter of a ball is twice its corner radius within this share: posts write two decimals.
 const BALL_SHARE: f64 = 0.01;
 
 /// A tool of which a comment says the number, or which it leaves to the next call.
-pub(super) fn read_form(text: &str, inch: bool) -> Option<SaidTool> {
+pub(super) fn read_form(text: &str, inch: bool) -> Option<CommentedTool> {
     let upper = text.to_ascii_uppercase();
     let upper = upper.trim();
     record(upper, inch)
@@ -57,7 +57,7 @@ fn tool_number(text: &str) -> Option<u32> {
 }
 
 /// Of Fusion, FreeCAD and Makera Studio for machines of Makera.
-fn record(text: &str, inch: bool) -> Option<SaidTool> {
+fn record(text: &str, inch: bool) -> Option<CommentedTool> {
     let fields = fields(text, "TOOL")?;
     let length = |key: &str| Some(number(field(&fields, key)?)? * scale(inch));
     let degrees = |key: &str| number(field(&fields, key)?).filter(|degrees| *degrees > 0.0);
@@ -71,14 +71,14 @@ fn record(text: &str, inch: bool) -> Option<SaidTool> {
     // Makera Studio writes half of it.
     let half = || degrees("HALFANGLE").map(|half| 2.0 * half);
     let pointed = matches!(shape, Some(ToolShape::Drill | ToolShape::Chamfer));
-    Some(SaidTool {
+    Some(CommentedTool {
         diameter_mm: length("DIAMETER").filter(|mm| *mm > 0.0),
         corner_radius_mm: length("CORNERRADIUS"),
         point_angle_rad: angle.or_else(half).filter(|_| pointed).map(f64::to_radians),
         tip_diameter_mm: length("TIPDIAMETER").filter(|_| shape == Some(ToolShape::Chamfer)),
         pitch_mm: length("PITCH").filter(|mm| *mm > 0.0),
         shape,
-        ..SaidTool::of(tool_number(field(&fields, "NUMBER")?)?)
+        ..CommentedTool::of(tool_number(field(&fields, "NUMBER")?)?)
     })
 }
 
@@ -101,7 +101,7 @@ pub(super) fn numbers(text: &str) -> Option<Vec<f64>> {
 }
 
 /// `TOOL/MILL,d,corner,height,taper`, `TOOL/DRILL,d,angle,h`: CutViewer, which CamBam, MeshCAM and others write.
-fn cut_viewer(text: &str, inch: bool) -> Option<SaidTool> {
+fn cut_viewer(text: &str, inch: bool) -> Option<CommentedTool> {
     let (kind, rest) = text.strip_prefix("TOOL/")?.split_once(',')?;
     let values = numbers(rest)?;
     let mm = |at: usize| values.get(at).map(|value| value * scale(inch));
@@ -109,7 +109,7 @@ fn cut_viewer(text: &str, inch: bool) -> Option<SaidTool> {
         let degrees = values.get(at).filter(|degrees| (10.0..=180.0).contains(*degrees));
         degrees.copied().map(f64::to_radians)
     };
-    let loose = SaidTool::of(0);
+    let loose = CommentedTool::of(0);
     let diameter_mm = mm(0).filter(|mm| *mm > 0.0)?;
     Some(match kind.trim() {
         // Of a tapered mill the diameter is that of the end, and the shape has no name.
@@ -122,21 +122,21 @@ fn cut_viewer(text: &str, inch: bool) -> Option<SaidTool> {
                 corner if 2.0 * corner < diameter_mm => ToolShape::Bull,
                 _ => return None,
             };
-            SaidTool {
+            CommentedTool {
                 diameter_mm: Some(diameter_mm),
                 corner_radius_mm: Some(corner),
                 shape: Some(shape),
                 ..loose
             }
         }
-        "DRILL" | "CHAMFER" => SaidTool {
+        "DRILL" | "CHAMFER" => CommentedTool {
             diameter_mm: Some(diameter_mm),
             point_angle_rad: angle(1),
             shape: Some(if kind.trim() == "DRILL" { ToolShape::Drill } else { ToolShape::Chamfer }),
             ..loose
         },
         // Pilot, its angle and length, then the body.
-        "CDRILL" => SaidTool {
+        "CDRILL" => CommentedTool {
             diameter_mm: Some(mm(3).filter(|mm| *mm > 0.0)?),
             shape: Some(ToolShape::Drill),
             ..loose
@@ -146,7 +146,7 @@ fn cut_viewer(text: &str, inch: bool) -> Option<SaidTool> {
 }
 
 /// `tool#=3 flute=3.175 len=12.7 unit=metric`: Kiri:Moto.
-fn kiri(text: &str, inch: bool) -> Option<SaidTool> {
+fn kiri(text: &str, inch: bool) -> Option<CommentedTool> {
     let rest = text.strip_prefix("TOOL#=")?;
     let mut words = rest.split_ascii_whitespace();
     let tool = tool_number(words.next()?)?;
@@ -157,31 +157,31 @@ fn kiri(text: &str, inch: bool) -> Option<SaidTool> {
         _ => inch,
     };
     let diameter = number(field(&fields, "FLUTE")?)?;
-    Some(SaidTool {
+    Some(CommentedTool {
         diameter_mm: Some(diameter * scale(inch)).filter(|mm| *mm > 0.0),
-        ..SaidTool::of(tool)
+        ..CommentedTool::of(tool)
     })
 }
 
 /// `MTOOL T2 D12 H80`: Predator, BobCAD.
-fn predator(text: &str, inch: bool) -> Option<SaidTool> {
+fn predator(text: &str, inch: bool) -> Option<CommentedTool> {
     let words: Vec<&str> = text.strip_prefix("MTOOL ")?.split_ascii_whitespace().collect();
     let of = |letter: char| words.iter().find_map(|word| word.strip_prefix(letter));
     let diameter = number(of('D')?)? * scale(inch);
-    Some(SaidTool {
+    Some(CommentedTool {
         diameter_mm: Some(diameter).filter(|mm| *mm > 0.0),
-        ..SaidTool::of(tool_number(of('T')?)?)
+        ..CommentedTool::of(tool_number(of('T')?)?)
     })
 }
 
 /// `tool_radius = 1.5`, a line each: PyCAM.
-fn pycam(text: &str, inch: bool) -> Option<SaidTool> {
+fn pycam(text: &str, inch: bool) -> Option<CommentedTool> {
     let (key, value) = text.split_once('=')?;
-    let loose = SaidTool::of(0);
+    let loose = CommentedTool::of(0);
     let mm = || number(value).map(|value| value * scale(inch)).filter(|mm| *mm > 0.0);
     Some(match key.trim() {
-        "TOOL_RADIUS" => SaidTool { diameter_mm: Some(2.0 * mm()?), ..loose },
-        "TORUS_RADIUS" => SaidTool { corner_radius_mm: Some(mm()?), ..loose },
+        "TOOL_RADIUS" => CommentedTool { diameter_mm: Some(2.0 * mm()?), ..loose },
+        "TORUS_RADIUS" => CommentedTool { corner_radius_mm: Some(mm()?), ..loose },
         "SHAPE" => {
             let shape = match value.trim() {
                 "CYLINDRICALCUTTER" => ToolShape::Flat,
@@ -189,18 +189,18 @@ fn pycam(text: &str, inch: bool) -> Option<SaidTool> {
                 "TOROIDALCUTTER" => ToolShape::Bull,
                 _ => return None,
             };
-            SaidTool { shape: Some(shape), ..loose }
+            CommentedTool { shape: Some(shape), ..loose }
         }
         _ => return None,
     })
 }
 
 /// `T2 : 6.35`: CamBam.
-fn cam_bam(text: &str, inch: bool) -> Option<SaidTool> {
+fn cam_bam(text: &str, inch: bool) -> Option<CommentedTool> {
     let (tool, value) = text.strip_prefix('T')?.split_once(':')?;
     let diameter = number(value).filter(|_| value.contains('.'))? * scale(inch);
-    Some(SaidTool {
+    Some(CommentedTool {
         diameter_mm: Some(diameter).filter(|mm| *mm > 0.0),
-        ..SaidTool::of(tool_number(tool)?)
+        ..CommentedTool::of(tool_number(tool)?)
     })
 }

@@ -23,15 +23,15 @@ use chordal_syntax::{Block, BlockReader};
 
 pub use self::read::read_tool_comment;
 use self::scan::scan;
-pub use self::stock::{SaidStock, StockPlace, said_stock};
+pub use self::stock::{CommentedStock, StockPlace, commented_stock};
 use crate::Job;
 
 /// Blocks among which the units of a program stand.
-const MOST_UNIT_BLOCKS: usize = 500;
+const MAX_UNIT_BLOCKS: usize = 500;
 
 /// What a comment says of a tool. Millimetres and radians.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SaidTool {
+pub struct CommentedTool {
     /// Its number.
     pub number: u32,
     /// The diameter.
@@ -60,10 +60,10 @@ pub struct SaidTool {
     pub other_nose_mm: Option<f64>,
 }
 
-impl SaidTool {
+impl CommentedTool {
     /// Nothing but the number of a tool; 0 for one that is called later.
-    const fn of(number: u32) -> SaidTool {
-        SaidTool {
+    const fn of(number: u32) -> CommentedTool {
+        CommentedTool {
             number,
             diameter_mm: None,
             corner_radius_mm: None,
@@ -81,8 +81,8 @@ impl SaidTool {
     }
 
     /// Both together; nothing where they say different things.
-    fn joined(&self, other: &SaidTool) -> Option<SaidTool> {
-        let joined = SaidTool {
+    fn joined(&self, other: &CommentedTool) -> Option<CommentedTool> {
+        let joined = CommentedTool {
             diameter_mm: self.diameter_mm.or(other.diameter_mm),
             corner_radius_mm: self.corner_radius_mm.or(other.corner_radius_mm),
             point_angle_rad: self.point_angle_rad.or(other.point_angle_rad),
@@ -118,7 +118,7 @@ pub fn known_tools(job: &Job) -> BTreeMap<u32, KnownTool> {
     let known = |tool: &Tool| KnownTool { tool: tool.clone(), comment: None };
     let mut tools: BTreeMap<u32, KnownTool> =
         job.machine().tools.iter().map(|(number, tool)| (*number, known(tool))).collect();
-    for (said, span) in said_tools(job) {
+    for (said, span) in commented_tools(job) {
         let tool = tools.entry(said.number).or_insert_with(|| known(&Tool::default()));
         // Of a tool that the machine file measures, a comment may be out of date.
         if tool.comment.is_none() && tool.tool.diameter_mm.is_none() && fill(&mut tool.tool, &said)
@@ -145,7 +145,7 @@ pub(crate) fn contradicted_tools(job: &Job) -> Vec<Diagnostic> {
 }
 
 /// True when the comment gave something.
-fn fill(tool: &mut Tool, said: &SaidTool) -> bool {
+fn fill(tool: &mut Tool, said: &CommentedTool) -> bool {
     if said.shape.is_some() && tool.shape.is_some() && said.shape != tool.shape {
         return false;
     }
@@ -161,7 +161,7 @@ fn fill(tool: &mut Tool, said: &SaidTool) -> bool {
 }
 
 /// What the comments of the first text say, those with a diameter first.
-fn said_tools(job: &Job) -> Vec<(SaidTool, Span)> {
+fn commented_tools(job: &Job) -> Vec<(CommentedTool, Span)> {
     let mut said = scan(job);
     said.sort_by_key(|(said, _)| said.diameter_mm.is_none());
     said
@@ -171,7 +171,7 @@ fn said_tools(job: &Job) -> Vec<(SaidTool, Span)> {
 fn program_is_inch(job: &Job, text: &[u8]) -> bool {
     let mut reader = BlockReader::new(text, FileId(0), job.control().table.lexicon);
     let mut block = Block::new();
-    for _ in 0..MOST_UNIT_BLOCKS {
+    for _ in 0..MAX_UNIT_BLOCKS {
         if !reader.read(&mut block) {
             break;
         }

@@ -1,6 +1,6 @@
 //! Comments that describe a tool after a key and leave its number to the call: `TC: 5mm Endmill`.
 
-use super::SaidTool;
+use super::CommentedTool;
 use super::forms::number;
 use super::read::read_description;
 
@@ -24,19 +24,19 @@ pub(super) fn named_tool(text: &str) -> Option<u32> {
 
 /// A tool that the text describes; its number is 0 where nothing says it. `named`: the number that the comment
 /// before it has said.
-pub(super) fn read_phrase(text: &str, inch: bool, named: Option<u32>) -> Option<SaidTool> {
+pub(super) fn read_phrase(text: &str, inch: bool, named: Option<u32>) -> Option<CommentedTool> {
     let upper = text.to_ascii_uppercase();
     let upper = upper.trim();
     if let Some(number) = named {
         let described = upper.strip_prefix("DESCRIPTION:").or(Some(upper));
         let said = described.and_then(|text| read_description(text, inch));
-        return said.map(|said| SaidTool { number, ..said });
+        return said.map(|said| CommentedTool { number, ..said });
     }
     if let Some(rest) = DIAMETER_KEYS.iter().find_map(|key| upper.strip_prefix(key)) {
         let diameter = number(rest.trim_start_matches([' ', ':', '-', '=']))?;
         let diameter_mm = if inch { 25.4 * diameter } else { diameter };
         return (diameter_mm > 0.0)
-            .then(|| SaidTool { diameter_mm: Some(diameter_mm), ..SaidTool::of(0) });
+            .then(|| CommentedTool { diameter_mm: Some(diameter_mm), ..CommentedTool::of(0) });
     }
     let rest = KEYS.iter().find_map(|key| upper.strip_prefix(key))?.trim();
     let own_number =

@@ -2,7 +2,7 @@
 
 use chordal_machine::ToolShape;
 
-use super::SaidTool;
+use super::CommentedTool;
 use super::drills::{letter_drill, number_drill, number_screw};
 use super::tokens::{CommentToken, CommentTokenKind, join_mixed, tokens};
 use super::turning::read_turning;
@@ -44,7 +44,7 @@ const TOOL_WORDS: &[&str] = &[
 ];
 
 /// Words that stand within the name of a tool.
-const WITHIN: &[&str] = &[
+const INNER_WORDS: &[&str] = &[
     "END", "FACE", "SHELL", "FLAT", "SQUARE", "BALL", "BULL", "NOSE", "SPOT", "CENTER", "STUB",
     "THREAD",
 ];
@@ -56,7 +56,7 @@ const SENTENCE: &[&str] = &[
 ];
 
 /// Sizes beyond are no tool's, mm.
-const LARGEST_MM: f64 = 500.0;
+const MAX_TOOL_MM: f64 = 500.0;
 
 /// Reads a comment, without its marks. `inch`: what numbers without a unit are counted in. `called`: the
 /// tool that the block of the comment calls, where the comment names none. `None`: it says nothing of
@@ -66,12 +66,12 @@ pub fn read_tool_comment(
     inch: bool,
     called: Option<u32>,
     turns: bool,
-) -> Option<SaidTool> {
+) -> Option<CommentedTool> {
     let text = plain(text);
     let all = tokens(&text);
     let (number, rest) = tool_number(&all, called)?;
     let (said, is_keyed) = described(&text, rest, inch, turns);
-    let said = SaidTool { number, ..said };
+    let said = CommentedTool { number, ..said };
     let sentence = is_sentence(&all);
     let says = said.diameter_mm.is_some()
         || said.shape.is_some()
@@ -81,7 +81,7 @@ pub fn read_tool_comment(
 }
 
 /// Reads the description of a tool, which a key has announced; its number is 0.
-pub(super) fn read_description(text: &str, inch: bool) -> Option<SaidTool> {
+pub(super) fn read_description(text: &str, inch: bool) -> Option<CommentedTool> {
     let text = plain(text);
     let all = tokens(&text);
     let sentence = is_sentence(&all);
@@ -114,7 +114,7 @@ fn described(
     mut rest: Vec<CommentToken<'_>>,
     inch: bool,
     turns: bool,
-) -> (SaidTool, bool) {
+) -> (CommentedTool, bool) {
     // `TOOL 1 = 12MM ENDMILL`: the sign belongs to the number of the tool.
     let is_list_sign = |token: &CommentToken<'_>| {
         matches!(token.kind, CommentTokenKind::Sign('=' | '-' | ':' | ','))
@@ -186,7 +186,7 @@ struct CommentReader<'t> {
 }
 
 impl CommentReader<'_> {
-    fn read(&self) -> SaidTool {
+    fn read(&self) -> CommentedTool {
         let (thread_mm, pitch_mm) = self.thread();
         // The thread that a mill cuts is not the diameter of the mill.
         let thread_mm = thread_mm.filter(|_| self.shape != Some(ToolShape::ThreadMill));
@@ -195,13 +195,13 @@ impl CommentReader<'_> {
             .or(thread_mm)
             .or_else(|| self.named_size())
             .or_else(|| self.size());
-        SaidTool {
-            diameter_mm: diameter_mm.filter(|mm| (0.0..=LARGEST_MM).contains(mm) && *mm > 0.0),
+        CommentedTool {
+            diameter_mm: diameter_mm.filter(|mm| (0.0..=MAX_TOOL_MM).contains(mm) && *mm > 0.0),
             corner_radius_mm: self.corner_radius(),
             point_angle_rad: self.point_angle(),
             pitch_mm: pitch_mm.or_else(|| self.keyed_pitch()),
             shape: self.shape.or_else(|| self.mill_with_corners()),
-            ..SaidTool::of(0)
+            ..CommentedTool::of(0)
         }
     }
 
@@ -225,7 +225,7 @@ impl CommentReader<'_> {
     }
 
     /// The number behind a key, over signs: its place.
-    fn number_behind(&self, at: usize) -> Option<usize> {
+    fn number_after(&self, at: usize) -> Option<usize> {
         let at = self.past_signs(at + 1);
         self.tokens.get(at)?.number().map(|_| at)
     }
@@ -241,7 +241,7 @@ impl CommentReader<'_> {
             | CommentTokenKind::Sign('Ø' | '⌀' | 'ø') => {
                 let is_size =
                     |at: &usize| self.tokens[*at].number().is_some_and(|number| number.is_size());
-                let behind = self.number_behind(at);
+                let behind = self.number_after(at);
                 let before = at.checked_sub(1).filter(is_size);
                 // `LEN. - 3 DIA. - .375`, and `.25 DIA. 2 FLUTE`.
                 self.mm(behind.filter(is_size).or(before).or(behind)?)
@@ -249,7 +249,7 @@ impl CommentReader<'_> {
             // `D3` is the number of an offset.
             CommentTokenKind::Word("D") => {
                 let keyed = self.tokens.get(at + 1)?.is_sign('=');
-                let value = self.number_behind(at)?;
+                let value = self.number_after(at)?;
                 let point = self.tokens[value].number()?.point && self.tokens[at + 1].glued;
                 (keyed || point).then(|| self.mm(value)).flatten()
             }
@@ -274,7 +274,7 @@ impl CommentReader<'_> {
             if !rad || of_nose {
                 return None;
             }
-            let behind = self.number_behind(at).filter(|behind| {
+            let behind = self.number_after(at).filter(|behind| {
                 let number = self.tokens[*behind].number();
                 // `DIA 10.0 R 0.5`; elsewhere `R .1` may be a level.
                 let after_diameter = || (0..at).any(|at| self.word(at) == Some("DIA"));
@@ -295,7 +295,7 @@ impl CommentReader<'_> {
         let pointed = matches!(self.shape, Some(ToolShape::Drill | ToolShape::Chamfer));
         let degrees = (0..self.tokens.len()).find_map(|at| match self.tokens[at].kind {
             CommentTokenKind::Word("TAPER") => {
-                let side = number(self.number_behind(at)?)?;
+                let side = number(self.number_after(at)?)?;
                 Some(if self.shape == Some(ToolShape::Chamfer) { 2.0 * side } else { side })
             }
             CommentTokenKind::Word("DEG" | "DEGREE" | "DEGREES") | CommentTokenKind::Sign('°') => {
@@ -310,9 +310,9 @@ impl CommentReader<'_> {
     fn keyed_pitch(&self) -> Option<f64> {
         let number = |at: usize| self.tokens.get(at)?.number().map(|number| number.value());
         (0..self.tokens.len()).find_map(|at| match self.word(at)? {
-            "PITCH" => self.mm(self.number_behind(at)?),
+            "PITCH" => self.mm(self.number_after(at)?),
             "TPI" => {
-                let behind = self.number_behind(at).and_then(number);
+                let behind = self.number_after(at).and_then(number);
                 let per_inch = behind.or_else(|| number(at.checked_sub(1)?))?;
                 (per_inch > 0.0).then(|| 25.4 / per_inch)
             }
@@ -377,7 +377,7 @@ impl CommentReader<'_> {
         // `3/8 BALL`.
         let round = || (0..self.tokens.len()).find(|at| is(&["BALL", "BULL"], *at));
         let named = named.or_else(round)?;
-        let in_name = |at: &usize| is(TOOL_WORDS, *at) || is(WITHIN, *at);
+        let in_name = |at: &usize| is(TOOL_WORDS, *at) || is(INNER_WORDS, *at);
         let first = (0..named).rev().take_while(in_name).last().unwrap_or(named);
         let last = (named..self.tokens.len()).take_while(in_name).last().unwrap_or(named);
         let before = (0..first).rev().find(|at| self.is_size(*at, *at + 1 == first));

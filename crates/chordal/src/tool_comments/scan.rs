@@ -7,11 +7,11 @@ use chordal_syntax::{Block, BlockPosition, BlockReader};
 use super::forms::{number as plain_number, read_form};
 use super::phrases::{named_tool, read_phrase};
 use super::turning::read_insert;
-use super::{SaidTool, program_is_inch, read_tool_comment};
+use super::{CommentedTool, program_is_inch, read_tool_comment};
 use crate::Job;
 
 /// What the comments of the first text say of tools, in their order.
-pub(super) fn scan(job: &Job) -> Vec<(SaidTool, Span)> {
+pub(super) fn scan(job: &Job) -> Vec<(CommentedTool, Span)> {
     let Some(source) = job.sources().get(FileId(0)) else { return Vec::new() };
     let text = source.text();
     let writes_tools =
@@ -23,8 +23,8 @@ pub(super) fn scan(job: &Job) -> Vec<(SaidTool, Span)> {
         named: None,
         loose: None,
         last: 0,
-        said: Vec::new(),
-        given: Vec::new(),
+        found: Vec::new(),
+        without_number: Vec::new(),
     };
     let mut reader = BlockReader::new(text, FileId(0), job.control().table.lexicon);
     let mut block = Block::new();
@@ -49,12 +49,12 @@ struct ToolCommentScan<'j, 'a> {
     /// The tool whose number a comment of its own has said, for the comment after it.
     named: Option<u32>,
     /// What was said of a tool without its number.
-    loose: Option<(SaidTool, Span)>,
+    loose: Option<(CommentedTool, Span)>,
     /// The tool that was called last; 0: none yet.
     last: u32,
-    said: Vec<(SaidTool, Span)>,
+    found: Vec<(CommentedTool, Span)>,
     /// What was said without a number, of the tool that it was found to be about.
-    given: Vec<(SaidTool, Span)>,
+    without_number: Vec<(CommentedTool, Span)>,
 }
 
 impl ToolCommentScan<'_, '_> {
@@ -69,7 +69,7 @@ impl ToolCommentScan<'_, '_> {
             self.give_loose();
         }
         let written = self.written(block);
-        self.said.extend(written);
+        self.found.extend(written);
         let changes = block.words.iter().any(|word| {
             let row = self.job.control().row_of(word);
             row.is_some_and(|row| row.action == Action::Before(BeforeCode::ToolChange))
@@ -92,16 +92,16 @@ impl ToolCommentScan<'_, '_> {
         let named = self.named.take();
         let loose = read_form(words, inch).or_else(|| read_phrase(words, inch, named));
         match loose {
-            Some(said) if said.number > 0 => self.said.push((said, span)),
+            Some(said) if said.number > 0 => self.found.push((said, span)),
             Some(said) => match called {
-                Some(number) => self.given.push((SaidTool { number, ..said }, span)),
+                Some(number) => self.without_number.push((CommentedTool { number, ..said }, span)),
                 None => self.keep(said, span),
             },
             None => {
                 let called = called.filter(|_| changes);
                 let turns = self.job.turns();
                 match read_tool_comment(words, inch, called, turns) {
-                    Some(said) => self.said.push((said, span)),
+                    Some(said) => self.found.push((said, span)),
                     // `(OD ROUGH RIGHT - 80 DEG. INSERT - CNMG-432)` is of the tool that is called next.
                     None if turns => {
                         if let Some(said) = read_insert(words) {
@@ -115,31 +115,31 @@ impl ToolCommentScan<'_, '_> {
     }
 
     /// Adds what was said to what is known of the tool that is called next; what contradicts it takes its place.
-    fn keep(&mut self, said: SaidTool, span: Span) {
+    fn keep(&mut self, said: CommentedTool, span: Span) {
         let joined = self.loose.and_then(|(before, at)| Some((before.joined(&said)?, at)));
         self.loose = Some(joined.unwrap_or((said, span)));
     }
 
     fn give_loose(&mut self) {
         let Some((said, span)) = self.loose.take() else { return };
-        self.given.push((SaidTool { number: self.last, ..said }, span));
+        self.without_number.push((CommentedTool { number: self.last, ..said }, span));
     }
 
     /// Comments that name their tool come first. Where others say two sizes of one tool, another was put into the
     /// spindle without a call, and neither is taken.
-    fn finish(mut self) -> Vec<(SaidTool, Span)> {
-        let is_only = |(said, _): &&(SaidTool, Span)| {
-            let same = self.given.iter().filter(|(other, _)| other.number == said.number);
+    fn finish(mut self) -> Vec<(CommentedTool, Span)> {
+        let is_only = |(said, _): &&(CommentedTool, Span)| {
+            let same = self.without_number.iter().filter(|(other, _)| other.number == said.number);
             let mut sizes = same.filter_map(|(other, _)| other.diameter_mm);
             let first = sizes.next();
             sizes.all(|size| Some(size) == first)
         };
-        self.said.extend(self.given.iter().filter(is_only));
-        self.said
+        self.found.extend(self.without_number.iter().filter(is_only));
+        self.found
     }
 
     /// `G10 L1 P1 R[10/2]` writes the radius of a tool into the control's table: with a quotient, as people write it.
-    fn written(&mut self, block: &Block) -> Option<(SaidTool, Span)> {
+    fn written(&mut self, block: &Block) -> Option<(CommentedTool, Span)> {
         let l = block.word(b'L')?.number()?.to_integer()?;
         let is_tool = |(number, target): &(u16, DataTarget)| {
             i64::from(*number) == l && *target == DataTarget::ToolTable
@@ -163,7 +163,7 @@ impl ToolCommentScan<'_, '_> {
         let inch = *self.inch.get_or_insert_with(|| program_is_inch(self.job, self.text));
         let diameter = 2.0 * radius * if inch { 25.4 } else { 1.0 };
         (diameter > 0.0).then(|| {
-            let said = SaidTool { diameter_mm: Some(diameter), ..SaidTool::of(number) };
+            let said = CommentedTool { diameter_mm: Some(diameter), ..CommentedTool::of(number) };
             (said, block.range.in_file(FileId(0)))
         })
     }

@@ -12,15 +12,15 @@ use super::program_is_inch;
 use crate::Job;
 
 /// Blocks among which comments on the stock stand.
-const MOST_HEAD_BLOCKS: usize = 500;
+const MAX_HEAD_BLOCKS: usize = 500;
 /// Stock that is larger is none, mm.
-const LARGEST_MM: f64 = 20_000.0;
+const MAX_STOCK_MM: f64 = 20_000.0;
 /// Places that are nearer to each other are the same, mm: posts write two decimals.
 const TOLERANCE_MM: f64 = 0.02;
 
 /// What a comment says of the stock.
 #[derive(Clone, Debug, PartialEq)]
-pub struct SaidStock {
+pub struct CommentedStock {
     /// Its size, and where it is.
     pub place: StockPlace,
     /// The comment that says its size.
@@ -37,7 +37,7 @@ pub enum StockPlace {
 }
 
 /// The stock that the comments before the first move describe.
-pub fn said_stock(job: &Job) -> Option<SaidStock> {
+pub fn commented_stock(job: &Job) -> Option<CommentedStock> {
     let source = job.sources().get(FileId(0))?;
     let text = source.text();
     let comments = head_comments(job, text);
@@ -53,7 +53,7 @@ fn head_comments(job: &Job, text: &[u8]) -> Vec<(String, Span)> {
     let mut reader = BlockReader::new(text, FileId(0), job.control().table.lexicon);
     let mut block = Block::new();
     let mut comments = Vec::new();
-    for _ in 0..MOST_HEAD_BLOCKS {
+    for _ in 0..MAX_HEAD_BLOCKS {
         if !reader.read(&mut block) {
             break;
         }
@@ -85,11 +85,11 @@ struct HeadComments {
 }
 
 impl HeadComments {
-    fn stock(&self) -> Option<SaidStock> {
+    fn stock(&self) -> Option<CommentedStock> {
         let mut found: Option<(SizedStock, Span)> = None;
         for (at, (text, span)) in self.comments.iter().enumerate() {
             let Some(sized) = self.sized(at, text) else { continue };
-            let sound = sized.size.iter().all(|side| *side > 0.0 && *side <= LARGEST_MM);
+            let sound = sized.size.iter().all(|side| *side > 0.0 && *side <= MAX_STOCK_MM);
             if !sound {
                 return None;
             }
@@ -108,7 +108,7 @@ impl HeadComments {
             }
             _ => StockPlace::Size(sized.size),
         };
-        Some(SaidStock { place, comment })
+        Some(CommentedStock { place, comment })
     }
 
     fn mm(&self) -> f64 {

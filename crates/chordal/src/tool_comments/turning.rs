@@ -4,52 +4,52 @@ use chordal_machine::{
     HolderDesignation, InsertDesignation, InsertLetter, Tool, ToolShape, WrittenDesignation,
 };
 
-use super::SaidTool;
+use super::CommentedTool;
 use super::tokens::{CommentToken, CommentTokenKind};
 
 /// Nose radii that are nearer to each other are the same, mm: 1/32 in is 0.8 mm in a catalogue.
 const NOSE_TOLERANCE_MM: f64 = 0.02;
 /// A nose is not larger, mm.
-const LARGEST_NOSE_MM: f64 = 20.0;
+const MAX_NOSE_MM: f64 = 20.0;
 
 /// Adds what a comment of a lathe says of the insert and its holder.
 pub(super) fn read_turning(
     text: &str,
     tokens: &[CommentToken<'_>],
     inch: bool,
-    said: &mut SaidTool,
+    tool: &mut CommentedTool,
 ) {
-    said.insert = insert_in(text);
-    said.holder = holder_in(text);
-    said.letter = said.insert.map(|insert| insert.letter).or_else(|| letter_after_key(text));
-    said.tip = tip(tokens);
+    tool.insert = insert_in(text);
+    tool.holder = holder_in(text);
+    tool.letter = tool.insert.map(|insert| insert.letter).or_else(|| letter_after_key(text));
+    tool.tip = tip(tokens);
     let nose = nose(tokens, inch);
-    let of_insert = said.insert.map(|insert| insert.nose_mm);
+    let of_insert = tool.insert.map(|insert| insert.nose_mm);
     match (nose, of_insert) {
         (Some(nose), Some(own)) if (nose - own).abs() > NOSE_TOLERANCE_MM => {
-            said.other_nose_mm = Some(nose);
+            tool.other_nose_mm = Some(nose);
         }
-        (nose, own) => said.nose_radius_mm = nose.or(own),
+        (nose, own) => tool.nose_radius_mm = nose.or(own),
     }
-    if said.nose_radius_mm.is_some() || said.insert.is_some() || said.tip.is_some() {
-        said.shape = said.shape.or(Some(ToolShape::Insert));
+    if tool.nose_radius_mm.is_some() || tool.insert.is_some() || tool.tip.is_some() {
+        tool.shape = tool.shape.or(Some(ToolShape::Insert));
     }
-    if said.shape == Some(ToolShape::Insert) {
+    if tool.shape == Some(ToolShape::Insert) {
         // What the words call a radius is that of the nose.
-        said.corner_radius_mm = None;
-        said.diameter_mm = None;
+        tool.corner_radius_mm = None;
+        tool.diameter_mm = None;
     }
 }
 
 /// What a comment says of an insert where it names no tool.
-pub(super) fn read_insert(text: &str) -> Option<SaidTool> {
+pub(super) fn read_insert(text: &str) -> Option<CommentedTool> {
     let insert = insert_in(&text.to_ascii_uppercase())?;
-    Some(SaidTool {
+    Some(CommentedTool {
         insert: Some(insert),
         letter: Some(insert.letter),
         nose_radius_mm: Some(insert.nose_mm),
         shape: Some(ToolShape::Insert),
-        ..SaidTool::of(0)
+        ..CommentedTool::of(0)
     })
 }
 
@@ -110,7 +110,7 @@ fn nose(tokens: &[CommentToken<'_>], inch: bool) -> Option<f64> {
     let at = value_after(tokens, &keys)?;
     let number = tokens[at].number()?;
     let nose = number.mm(inch);
-    (number.is_size() && nose <= LARGEST_NOSE_MM).then_some(nose)
+    (number.is_size() && nose <= MAX_NOSE_MM).then_some(nose)
 }
 
 /// `TOOL TIP: 3`, `TIP 3`, `ORIENTATION 3`.
@@ -122,7 +122,7 @@ fn tip(tokens: &[CommentToken<'_>]) -> Option<u32> {
 }
 
 /// Gives a tool what a comment says of its insert and its holder.
-pub(super) fn fill(tool: &mut Tool, said: &SaidTool) {
+pub(super) fn fill(tool: &mut Tool, said: &CommentedTool) {
     let is_turning = said.shape == Some(ToolShape::Insert) && tool.shape == said.shape;
     if !is_turning {
         return;
@@ -139,7 +139,7 @@ pub(super) fn fill(tool: &mut Tool, said: &SaidTool) {
 }
 
 /// What a comment contradicts: the designation in it, or the machine file.
-pub(super) fn contradiction(said: &SaidTool, known: Option<&Tool>) -> Option<String> {
+pub(super) fn contradiction(said: &CommentedTool, known: Option<&Tool>) -> Option<String> {
     let number = said.number;
     let differs = |one: f64, other: f64| (one - other).abs() > NOSE_TOLERANCE_MM;
     if let (Some(words), Some(insert)) = (said.other_nose_mm, said.insert) {

@@ -1,6 +1,6 @@
 //! `chordal diff`: its arguments and its exit code.
 
-mod told;
+mod render;
 
 use std::path::PathBuf;
 
@@ -143,9 +143,9 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
         output::write_whole(out, &table)?;
     }
     match args.format {
-        ArchiveDiffFormat::Text => say(&told::text(&rows, args.all))?,
-        ArchiveDiffFormat::Json => say(&told::json(&rows))?,
-        ArchiveDiffFormat::Markdown => say(&told::markdown(&rows, args.all))?,
+        ArchiveDiffFormat::Text => say(&render::text(&rows, args.all))?,
+        ArchiveDiffFormat::Json => say(&render::json(&rows))?,
+        ArchiveDiffFormat::Markdown => say(&render::markdown(&rows, args.all))?,
     }
     Ok(args.fail_on.verdict(&rows))
 }

@@ -17,15 +17,15 @@ pub(crate) const MACHINES: &[&str] = &[
 ];
 
 /// Controls of their own that read blocks as a Fanuc does.
-const NEAR: &[&str] = &["BROTHER", "SPEEDIO", "TC-S2D", "S700X1", "HURCO", "WINMAX", "CENTROID", "SYIL"];
+const RELATED_CONTROLS: &[&str] = &["BROTHER", "SPEEDIO", "TC-S2D", "S700X1", "HURCO", "WINMAX", "CENTROID", "SYIL"];
 
 pub(super) const EVIDENCE: &[RecognitionEvidence] = &[
     evidence(RecognitionSign::Header(NAMES), 12, "the header names a Fanuc"),
     evidence(RecognitionSign::Comment(NAMES), 7, "a comment names a Fanuc"),
     evidence(RecognitionSign::Header(MACHINES), 10, "the header names a machine that has a Fanuc"),
     evidence(RecognitionSign::Comment(MACHINES), 6, "a comment names a machine that has a Fanuc"),
-    evidence(RecognitionSign::Header(NEAR), 9, "the header names a control that reads as a Fanuc"),
-    evidence(RecognitionSign::Comment(NEAR), 6, "a comment names a control that reads as a Fanuc"),
+    evidence(RecognitionSign::Header(RELATED_CONTROLS), 9, "the header names a control that reads as a Fanuc"),
+    evidence(RecognitionSign::Comment(RELATED_CONTROLS), 6, "a comment names a control that reads as a Fanuc"),
     evidence(RecognitionSign::Block("G54.1 P"), 3, "G54.1 chooses an extended work offset"),
     evidence(RecognitionSign::Block("G5.1 Q"), 4, "G5.1 switches look-ahead on"),
     evidence(RecognitionSign::Block("G8 P"), 4, "G8 P1 switches look-ahead on"),

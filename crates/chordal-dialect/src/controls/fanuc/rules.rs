@@ -81,7 +81,7 @@ pub(super) const SPATIAL: SpatialRules = SpatialRules {
     parallel_axes: Some("PS0047 ILLEGAL AXIS SELECT"),
     in_compensation: Some("PS0049 ILLEGAL COMMAND(G68,G69)"),
     length_not_nested: Some("PS0049 ILLEGAL COMMAND(G68,G69)"),
-    beside: None,
+    excluded_codes: None,
     inside: &[],
     before: &[],
     scaling_in_offset: Some("PS0141 CAN NOT COMMAND G51 IN 3-D OFFSET"),

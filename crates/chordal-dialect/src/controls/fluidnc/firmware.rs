@@ -19,8 +19,8 @@ pub(super) static FIRMWARE: Firmware = Firmware {
     block: BlockRules {
         bare_circles: false,
         length_axes: Letters::of("XYZ"),
-        cancel_beside_once: false,
-        reference_beside_motion: true,
+        cancel_with_one_shot: false,
+        reference_with_motion: true,
     },
     with_fractions: &[28, 30, 38, 43, 59, 61, 90, 91, 92],
     any_fraction: &[49],

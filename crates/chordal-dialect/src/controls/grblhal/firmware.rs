@@ -19,8 +19,8 @@ pub(super) static FIRMWARE: Firmware = Firmware {
     block: BlockRules {
         bare_circles: true,
         length_axes: Letters::of("XYZ"),
-        cancel_beside_once: true,
-        reference_beside_motion: false,
+        cancel_with_one_shot: true,
+        reference_with_motion: false,
     },
     with_fractions: &[5, 28, 30, 38, 43, 59, 61, 90, 91, 92],
     any_fraction: &[49],

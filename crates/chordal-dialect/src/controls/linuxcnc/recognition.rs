@@ -9,13 +9,13 @@ const NAMES: &[&str] =
 const PATHPILOT: &[&str] = &["PATHPILOT", "TORMACH"];
 
 /// Controls of their own that are nearest to it.
-const NEAR: &[&str] = &["MACH4", "MASSO", "PLANETCNC"];
+const RELATED_CONTROLS: &[&str] = &["MACH4", "MASSO", "PLANETCNC"];
 
 pub(super) const EVIDENCE: &[RecognitionEvidence] = &[
     evidence(RecognitionSign::Header(NAMES), 12, "the header names LinuxCNC"),
     evidence(RecognitionSign::Comment(NAMES), 7, "a comment names LinuxCNC"),
-    evidence(RecognitionSign::Header(NEAR), 9, "the header names a control that reads as LinuxCNC"),
-    evidence(RecognitionSign::Comment(NEAR), 6, "a comment names a control that reads as LinuxCNC"),
+    evidence(RecognitionSign::Header(RELATED_CONTROLS), 9, "the header names a control that reads as LinuxCNC"),
+    evidence(RecognitionSign::Comment(RELATED_CONTROLS), 6, "a comment names a control that reads as LinuxCNC"),
     evidence(RecognitionSign::Form(TextForm::OWord), 10, "O words are flow control"),
     evidence(RecognitionSign::Form(TextForm::NamedParameter), 10, "variables have names"),
     evidence(RecognitionSign::Code(&["EXISTS["]), 8, "EXISTS asks for a variable"),

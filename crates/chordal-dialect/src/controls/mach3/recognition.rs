@@ -15,13 +15,13 @@ const NAMES: &[&str] = &[
 ];
 
 /// Made to read the same programs.
-const NEAR: &[&str] = &["UCCNC"];
+const RELATED_CONTROLS: &[&str] = &["UCCNC"];
 
 pub(super) const EVIDENCE: &[RecognitionEvidence] = &[
     evidence(RecognitionSign::Header(NAMES), 14, "the header names Mach3"),
     evidence(RecognitionSign::Comment(NAMES), 9, "a comment names Mach3"),
-    evidence(RecognitionSign::Header(NEAR), 9, "the header names a control that reads as Mach3"),
-    evidence(RecognitionSign::Comment(NEAR), 6, "a comment names a control that reads as Mach3"),
+    evidence(RecognitionSign::Header(RELATED_CONTROLS), 9, "the header names a control that reads as Mach3"),
+    evidence(RecognitionSign::Comment(RELATED_CONTROLS), 6, "a comment names a control that reads as Mach3"),
     evidence(RecognitionSign::Block("M47"), 6, "M47 starts the program again"),
     evidence(RecognitionSign::Block("G68 A B R"), 8, "G68 with A and B turns about a centre"),
     evidence(RecognitionSign::Block("G59 P"), 6, "G59 P chooses one of 254 work offsets"),

@@ -32,7 +32,7 @@ pub static TABLE: ControlTable = ControlTable {
     subroutines: SubroutineForm::None,
     fixed_routines: &[],
     axis_letters: AXIS_LETTERS,
-    arc_turns: ArcTurns::BesideAngle,
+    arc_turns: ArcTurns::BeyondAngle,
     strict_center_words: false,
     set_data: SET_DATA,
     dwell: DWELL,

@@ -83,7 +83,7 @@ pub(super) const SPATIAL: SpatialRules = SpatialRules {
     parallel_axes: None,
     in_compensation: Some("P922"),
     length_not_nested: None,
-    beside: Some((NOT_INSIDE, "P923")),
+    excluded_codes: Some((NOT_INSIDE, "P923")),
     inside: &[(NOT_INSIDE, "P921"), (&[431], "P927"), (&[434, 435], "P941")],
     before: &[(431, "P931"), (434, "P922"), (435, "P922")],
     scaling_in_offset: None,

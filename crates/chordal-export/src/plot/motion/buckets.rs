@@ -2,7 +2,7 @@
 //! lost, however long it goes on.
 
 /// Intervals beyond which they are joined in pairs; more than a sheet has columns.
-const MOST: usize = 4096;
+const MAX_BUCKETS: usize = 4096;
 
 /// The extremes of `N` values in an interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,7 +60,7 @@ impl<const N: usize> ValueBuckets<N> {
             return;
         }
         self.end = self.end.max(at);
-        while at / self.width >= MOST as f64 {
+        while at / self.width >= MAX_BUCKETS as f64 {
             self.halve();
         }
         let index = (at / self.width) as usize;
@@ -128,7 +128,7 @@ mod tests {
             let peak = if index == 123_456 { 7.0 } else { 0.0 };
             buckets.push(index as f64 * 0.001, &[peak, -peak], 1 + index / 1000);
         }
-        assert!(buckets.cells.len() <= MOST && buckets.cells.len() > MOST / 4);
+        assert!(buckets.cells.len() <= MAX_BUCKETS && buckets.cells.len() > MAX_BUCKETS / 4);
         assert_eq!(buckets.extent(0), Some((0.0, 7.0)));
         assert_eq!(buckets.extent(1), Some((-7.0, 0.0)));
         let (at, _) = buckets.cells().find(|(_, cell)| cell.high[0] > 0.0).unwrap();
@@ -143,7 +143,7 @@ mod tests {
         buckets.push(1e15, &[2.0], 9);
         buckets.push(f64::NAN, &[5.0], 9);
         buckets.push(5.0, &[f64::INFINITY], 9);
-        assert!(buckets.cells.len() <= MOST);
+        assert!(buckets.cells.len() <= MAX_BUCKETS);
         assert_eq!(buckets.cells().count(), 2);
         assert_eq!(buckets.extent(0), Some((1.0, 2.0)));
         assert_eq!((buckets.line_at(1.0), buckets.line_at(1e15)), (Some(3), Some(9)));

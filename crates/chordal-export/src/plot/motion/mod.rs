@@ -13,11 +13,11 @@ use super::{PlotError, PlotOptions, render};
 /// Time between the setpoints that a picture is made of, s.
 const PERIOD_S: f64 = 0.0005;
 /// Setpoints of which a picture is made at most. Those of what takes longer are further apart.
-const MOST_SAMPLES: u64 = 20_000_000;
+const MAX_SAMPLES: u64 = 20_000_000;
 /// Tool changes that are marked.
-const MOST_TOOLS: usize = 500;
+const MAX_TOOLS: usize = 500;
 /// Slower than this there is no direction of travel, mm/s.
-const STANDING: f64 = 1e-6;
+const STANDSTILL_MM_PER_S: f64 = 1e-6;
 
 /// Values of the path and of the axes, by their place in a [`ValueBuckets`] cell.
 const SPEED: usize = 0;
@@ -37,8 +37,8 @@ pub struct MotionPlot {
     limits: Limits,
     inch: bool,
     time: ValueBuckets<VALUES>,
-    way: ValueBuckets<1>,
-    way_mm: f64,
+    by_distance: ValueBuckets<1>,
+    distance_mm: f64,
     last: Option<Sample>,
     /// Unit vector of travel.
     direction: [f64; 3],
@@ -55,26 +55,26 @@ impl MotionPlot {
             limits: *limits,
             inch,
             time: ValueBuckets::new(PERIOD_S),
-            way: ValueBuckets::new(0.01),
-            way_mm: 0.0,
+            by_distance: ValueBuckets::new(0.01),
+            distance_mm: 0.0,
             last: None,
             direction: [0.0; 3],
             tool: 0,
             tools: Vec::new(),
-            sampler: Some(Sampler::new(PERIOD_S).at_most(2 * MOST_SAMPLES)),
+            sampler: Some(Sampler::new(PERIOD_S).at_most(2 * MAX_SAMPLES)),
         }
     }
 
     /// The time between its setpoints where a program takes so long, s: a picture of days must not take hours.
     pub fn period_s(time_s: f64) -> f64 {
-        PERIOD_S.max(time_s / MOST_SAMPLES as f64)
+        PERIOD_S.max(time_s / MAX_SAMPLES as f64)
     }
 
     /// The same drawing of a program that takes so long, s.
     #[must_use]
     pub fn lasting(self, time_s: f64) -> MotionPlot {
         let period_s = MotionPlot::period_s(time_s);
-        let sampler = Sampler::new(period_s).at_most(2 * MOST_SAMPLES);
+        let sampler = Sampler::new(period_s).at_most(2 * MAX_SAMPLES);
         MotionPlot { time: ValueBuckets::new(period_s), sampler: Some(sampler), ..self }
     }
 
@@ -107,7 +107,7 @@ impl MotionPlot {
 
     /// Marks that a tool is in the spindle from a time on, s.
     pub fn tool(&mut self, time_s: f64, tool: u32) {
-        if tool != self.tool && self.tools.len() < MOST_TOOLS {
+        if tool != self.tool && self.tools.len() < MAX_TOOLS {
             self.tools.push((time_s, tool));
         }
         self.tool = tool;
@@ -117,7 +117,7 @@ impl MotionPlot {
     pub fn sample(&mut self, sample: &Sample, line: u32) {
         let [vx, vy, vz, ..] = sample.velocity;
         let speed = (vx * vx + vy * vy + vz * vz).sqrt();
-        if speed > STANDING {
+        if speed > STANDSTILL_MM_PER_S {
             self.direction = [vx / speed, vy / speed, vz / speed];
         } else if self.direction == [0.0; 3] {
             self.direction = unit(&sample.jerk);
@@ -135,9 +135,9 @@ impl MotionPlot {
         self.time.push(sample.time_s * (1.0 + 1e-12), &values, line);
         if let Some(last) = &self.last {
             let step = |axis: usize| sample.position[axis] - last.position[axis];
-            self.way_mm += (0..3).map(|axis| step(axis) * step(axis)).sum::<f64>().sqrt();
+            self.distance_mm += (0..3).map(|axis| step(axis) * step(axis)).sum::<f64>().sqrt();
         }
-        self.way.push(self.way_mm, &[speed], line);
+        self.by_distance.push(self.distance_mm, &[speed], line);
         self.last = Some(*sample);
     }
 

@@ -4,7 +4,7 @@ use chordal::machine::{AXES, AXIS_NAMES, PerAxis};
 
 use super::super::PlotOptions;
 use super::super::frame::INCH;
-use super::super::layout::{MARGIN, SheetLayout};
+use super::super::layout::{MARGIN_UNITS, SheetLayout};
 use super::super::palette::Palette;
 use super::super::sheet::{shorten, text_width};
 use super::super::text::{escape, px};
@@ -23,14 +23,14 @@ const BELOW: [f64; 4] = [50.0, 30.0, 30.0, 38.0];
 /// Heights of the charts, as shares.
 const SHARES: [f64; 4] = [1.15, 1.0, 1.0, 1.0];
 /// A limit that is farther above all values than this is reported, but not drawn.
-const FAR: f64 = 1.7;
+const MAX_LIMIT_RATIO: f64 = 1.7;
 
 /// Words and factors of the program's units.
 struct ChartUnits {
     speed: (&'static str, f64),
     acceleration: (&'static str, f64),
     jerk: (&'static str, f64),
-    way: (&'static str, f64),
+    distance: (&'static str, f64),
 }
 
 impl ChartUnits {
@@ -41,14 +41,14 @@ impl ChartUnits {
                 speed: ("in/min", 60.0 * per),
                 acceleration: ("in/s²", per),
                 jerk: ("in/s³", per),
-                way: ("in", per),
+                distance: ("in", per),
             }
         } else {
             ChartUnits {
                 speed: ("mm/min", 60.0),
                 acceleration: ("mm/s²", 1.0),
                 jerk: ("m/s³", 1e-3),
-                way: if way_mm > 20_000.0 { ("m", 1e-3) } else { ("mm", 1.0) },
+                distance: if way_mm > 20_000.0 { ("m", 1e-3) } else { ("mm", 1.0) },
             }
         }
     }
@@ -70,7 +70,7 @@ pub(super) fn svg(plot: &MotionPlot, options: &PlotOptions) -> String {
     let sheet = MotionSheet {
         plot,
         colors: Palette::of(options.dark),
-        words: ChartUnits::of(plot.inch, plot.way_mm),
+        words: ChartUnits::of(plot.inch, plot.distance_mm),
         width,
         height,
         unit: SheetLayout::unit(width, height),
@@ -113,15 +113,15 @@ impl MotionSheet<'_> {
             escape(&options.title),
             self.colors.sheet
         ));
-        let room = self.width / unit - 2.0 * MARGIN;
+        let room = self.width / unit - 2.0 * MARGIN_UNITS;
         for (text, size, below, color) in [
             (&options.title, 27.0, 22.0, self.colors.text),
             (&options.subtitle, 16.0, 48.0, self.colors.faint),
         ] {
             out.push_str(&format!(
                 "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{color}\">{}</text>\n",
-                px(MARGIN * unit),
-                px((MARGIN + below) * unit),
+                px(MARGIN_UNITS * unit),
+                px((MARGIN_UNITS + below) * unit),
                 px(size * unit),
                 escape(&shorten(text, size, room))
             ));
@@ -135,8 +135,8 @@ impl MotionSheet<'_> {
 
     fn legend(&self, out: &mut String) {
         let unit = self.unit;
-        let y = (MARGIN + 76.0) * unit;
-        let mut x = MARGIN * unit;
+        let y = (MARGIN_UNITS + 76.0) * unit;
+        let mut x = MARGIN_UNITS * unit;
         let mut entries = vec![("along the path".to_string(), self.colors.faint, 3.0, "")];
         for axis in (0..AXES).filter(|axis| self.moves(*axis)) {
             let name = AXIS_NAMES[axis];
@@ -195,18 +195,21 @@ impl MotionSheet<'_> {
 
     fn rects(&self) -> [PixelRect; 4] {
         let unit = self.unit;
-        let room =
-            self.height / unit - 2.0 * MARGIN - HEADER - 4.0 * ABOVE - BELOW.iter().sum::<f64>()
-                + 12.0;
+        let room = self.height / unit
+            - 2.0 * MARGIN_UNITS
+            - HEADER
+            - 4.0 * ABOVE
+            - BELOW.iter().sum::<f64>()
+            + 12.0;
         let whole: f64 = SHARES.iter().sum();
-        let mut top = MARGIN + HEADER;
+        let mut top = MARGIN_UNITS + HEADER;
         std::array::from_fn(|chart| {
             let (share, below) = (SHARES[chart], BELOW[chart]);
             let height = (room * share / whole).max(20.0);
             let rect = PixelRect {
-                x: (MARGIN + LEFT) * unit,
+                x: (MARGIN_UNITS + LEFT) * unit,
                 y: (top + ABOVE) * unit,
-                width: self.width - (2.0 * MARGIN + LEFT + RIGHT) * unit,
+                width: self.width - (2.0 * MARGIN_UNITS + LEFT + RIGHT) * unit,
                 height: height * unit,
             };
             top += ABOVE + height + below;
@@ -258,11 +261,11 @@ impl MotionSheet<'_> {
             .map(|axis| (*axis, what.limits[*axis] * factor_of(*axis)))
             .filter(|(_, limit)| limit.is_finite())
             .collect();
-        let drawn = limits.iter().filter(|(_, limit)| *limit <= FAR * largest);
+        let drawn = limits.iter().filter(|(_, limit)| *limit <= MAX_LIMIT_RATIO * largest);
         let high = drawn.clone().map(|(_, limit)| *limit).fold(largest, f64::max) * 1.04;
         let y = AxisScale::new(-high, high, 6.0, false);
         let chart = ChartArea { rect, x: time.clone(), y, unit: self.unit };
-        let title = format!("{} over time, {unit}{}", what.title, told(&limits, &chart.y));
+        let title = format!("{} over time, {unit}{}", what.title, limits_text(&limits, &chart.y));
         chart.frame(out, &title, word, self.colors);
         self.tools(out, &chart, factor, false);
         let faint = self.colors.faint;
@@ -285,21 +288,21 @@ impl MotionSheet<'_> {
     }
 
     fn along_the_path(&self, out: &mut String, rect: PixelRect) {
-        let (way, factor) = self.words.way;
+        let (way, factor) = self.words.distance;
         let (unit, scale) = self.words.speed;
-        let x = AxisScale::new(0.0, (self.plot.way.end() * factor).max(1e-9), 12.0, false);
-        let high = self.plot.way.extent(0).map_or(0.0, |extent| extent.1) * scale;
+        let x = AxisScale::new(0.0, (self.plot.by_distance.end() * factor).max(1e-9), 12.0, false);
+        let high = self.plot.by_distance.extent(0).map_or(0.0, |extent| extent.1) * scale;
         let y = AxisScale::new(0.0, high.max(1e-9) * 1.06, 5.0, false);
         let chart = ChartArea { rect, x, y, unit: self.unit };
         chart.frame(out, &format!("Speed along the path, {unit}"), way, self.colors);
         let color = self.colors.faint;
         chart.curve(
             out,
-            &self.plot.way,
+            &self.plot.by_distance,
             factor,
             &ChartSeries { value: 0, factor: scale, color, stroke: 1.8 },
         );
-        self.lines(out, &chart, |x| self.plot.way.line_at(x / factor));
+        self.lines(out, &chart, |x| self.plot.by_distance.line_at(x / factor));
     }
 
     /// Tool changes where there is room.
@@ -344,7 +347,7 @@ impl MotionSheet<'_> {
 }
 
 /// `; limits X Y 3,000, Z 2,000`.
-fn told(limits: &[(usize, f64)], scale: &AxisScale) -> String {
+fn limits_text(limits: &[(usize, f64)], scale: &AxisScale) -> String {
     let mut groups: Vec<(f64, String)> = Vec::new();
     for (axis, limit) in limits {
         match groups.iter_mut().find(|(value, _)| value == limit) {

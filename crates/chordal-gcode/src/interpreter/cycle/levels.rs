@@ -42,7 +42,7 @@ impl Interpreter<'_> {
             && let Some(value) =
                 self.radius_word(block).and_then(|word| self.length_in_cycle(&word))
         {
-            let relative = rules.incremental == IncrementalLevels::WhenGiven
+            let relative = rules.incremental == IncrementalLevels::WhenProgrammed
                 && self.incremental_at(block, b'R');
             let is_diameter = rules.radial_r_is_diameter && cycle.axis == 0;
             let value = if is_diameter { value / 2.0 } else { value };
@@ -62,7 +62,7 @@ impl Interpreter<'_> {
             }
             let level = self.kernel.state.position[axis];
             let base = cycle.r.unwrap_or(level);
-            let adds = relative && rules.incremental == IncrementalLevels::WhenGiven;
+            let adds = relative && rules.incremental == IncrementalLevels::WhenProgrammed;
             cycle.z = Some(value + from(adds, base));
         }
         let increments = self.control.parameters.increments;

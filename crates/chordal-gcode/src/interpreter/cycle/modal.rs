@@ -21,7 +21,11 @@ impl Interpreter<'_> {
     }
 
     /// G80 and a motion or a cycle in one block, where they are one group: the other one counts.
-    pub(in super::super) fn cycle_off_beside(&self, first: &CodeRow, second: &CodeRow) -> bool {
+    pub(in super::super) fn is_cycle_cancel_with_motion(
+        &self,
+        first: &CodeRow,
+        second: &CodeRow,
+    ) -> bool {
         let off = |row: &CodeRow| row.action == Action::Mode(ModeCode::CancelCycle);
         self.control.parameters.rules.cycles.one_group_with_motion && off(first) != off(second)
     }
@@ -62,7 +66,7 @@ impl Interpreter<'_> {
     }
 
     /// The hole of a block that also calls a subroutine: L is not its repeat.
-    pub(in super::super) fn next_hole_beside_call(&mut self, block: &Block) {
+    pub(in super::super) fn next_hole_with_call(&mut self, block: &Block) {
         if block.letters().meets(AXIS_WORDS) {
             let (target, _) = self.target(block);
             self.kernel.fire_hole_at(&self.at(block), target);

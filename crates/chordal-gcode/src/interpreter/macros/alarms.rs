@@ -11,7 +11,7 @@ impl Interpreter<'_> {
         let rules = self.rules();
         let shown = libm::round(value) + f64::from(rules.alarm_base);
         let text = self.message_text();
-        self.tell_alarm(libm::round(value), &text);
+        self.emit_alarm(libm::round(value), &text);
         let shown = format!("{shown} {text}").trim_end().to_string();
         let span = self.kernel.origin.span;
         let title = self.control.table.title;

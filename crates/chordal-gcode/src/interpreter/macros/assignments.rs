@@ -13,7 +13,7 @@ use crate::macros::evaluate::ValuePurpose;
 use crate::macros::value::MacroValue;
 
 /// Most assignments of a line; the control's lines are 255 characters long.
-const MOST_ASSIGNMENTS: usize = 200;
+const MAX_ASSIGNMENTS: usize = 200;
 
 /// An assignment that is still to be made.
 struct PendingAssignment {
@@ -53,7 +53,7 @@ impl Interpreter<'_> {
             words.extend_from_slice(&block.polar);
             comments.extend_from_slice(&block.comments);
             let BlockKind::Macro(range) = block.kind else { break };
-            if pending.len() >= MOST_ASSIGNMENTS {
+            if pending.len() >= MAX_ASSIGNMENTS {
                 self.report_too_many(range);
                 break;
             }
@@ -96,7 +96,7 @@ impl Interpreter<'_> {
             Diagnostic::new(
                 Code::BadStatement,
                 self.span(range),
-                format!("this line has more than {MOST_ASSIGNMENTS} assignments"),
+                format!("this line has more than {MAX_ASSIGNMENTS} assignments"),
             )
             .label("the rest of the line is not read")
             .help("write them on several lines"),

@@ -457,10 +457,10 @@ impl Interpreter<'_> {
         word: &Word,
         number: u32,
         repeats: u32,
-        given: CustomCodeCall<'_>,
+        call: CustomCodeCall<'_>,
     ) -> bool {
         let Some(program) = self.library.find(number, self.file) else {
-            return self.shop_program(word, number, repeats, given).unwrap_or_else(|| {
+            return self.shop_program(word, number, repeats, call).unwrap_or_else(|| {
                 self.report_missing_program(word, number);
                 false
             });

@@ -11,7 +11,7 @@ use super::{ActiveLoop, LoopEnds};
 use crate::macros::evaluate::ValuePurpose;
 
 /// DO and END by their numbers stay in a list of this many at most.
-const MOST_LOOPS: usize = 127;
+const MAX_LOOPS: usize = 127;
 
 impl<'a> Interpreter<'a> {
     /// The number of a GOTO.
@@ -113,7 +113,7 @@ impl<'a> Interpreter<'a> {
         if self.loop_end(entry.head, number).is_none() {
             self.report_open_loop(range, number);
         }
-        if self.macros.loops.len() < MOST_LOOPS {
+        if self.macros.loops.len() < MAX_LOOPS {
             self.macros.loops.push(entry);
         }
     }

@@ -1,7 +1,7 @@
 //! Macro lines: one statement behind `#`, in the manner of BASIC (Fadal manual, section 18).
 
 use chordal_command::{CallPath, CommandKind};
-use chordal_dialect::macros::LONGEST_LINE;
+use chordal_dialect::macros::MAX_LINE;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
@@ -18,16 +18,16 @@ use crate::macros::names::normal;
 use crate::macros::value::MacroValue;
 
 /// Most places of RND.
-const MOST_PLACES: f64 = 5.0;
+const MAX_PLACES: f64 = 5.0;
 
 /// Smallest number that is not zero; smaller ones are out of range.
-const SMALLEST: f64 = 1e-4;
+const SMALLEST_NUMBER: f64 = 1e-4;
 
 /// From here on a number has too many digits.
-const LARGEST: f64 = 1e12;
+const NUMBER_LIMIT: f64 = 1e12;
 
 /// Most programs that a run starts.
-const MOST_STARTS: u32 = 1000;
+const MAX_STARTS: u32 = 1000;
 
 /// Decimals that PRINT shows.
 const PRINTED_DECIMALS: usize = 4;
@@ -44,7 +44,7 @@ pub(super) struct MacroLineState {
     /// SET RND.
     places: u8,
     /// What PRINT holds back for the next one.
-    held: String,
+    pending_print: String,
     /// Answers to INPUT that were used.
     answered: usize,
     /// Labels of each program.
@@ -61,7 +61,7 @@ impl MacroLineState {
         MacroLineState {
             variables: self.variables.clone(),
             written: self.written.clone(),
-            held: self.held.clone(),
+            pending_print: self.pending_print.clone(),
             labels: HashMap::new(),
             left: self.left.clone(),
             ..*self
@@ -70,7 +70,7 @@ impl MacroLineState {
 
     /// Whether no line is held back and no program was left.
     pub fn is_settled(&self) -> bool {
-        self.held.is_empty() && self.left.is_empty() && self.starts == 0
+        self.pending_print.is_empty() && self.left.is_empty() && self.starts == 0
     }
 }
 
@@ -93,7 +93,7 @@ impl<'a> Interpreter<'a> {
             }
         }
         let length = range.slice(self.reader.text()).len();
-        if length > LONGEST_LINE {
+        if length > MAX_LINE {
             self.report_length(range, length);
         }
         let mut parser = self.take_parser();
@@ -129,9 +129,7 @@ impl<'a> Interpreter<'a> {
             Diagnostic::new(
                 Code::MacroLineTooLong,
                 self.span(range),
-                format!(
-                    "this macro line has {length} characters; the control reads {LONGEST_LINE}"
-                ),
+                format!("this macro line has {length} characters; the control reads {MAX_LINE}"),
             )
             .help("compute a part of it in a line before it"),
         );
@@ -152,7 +150,7 @@ impl<'a> Interpreter<'a> {
             Err(cause) => return Some(MacroValue::Unknown(cause)),
         };
         let size = value.abs();
-        if size < LARGEST && (size >= SMALLEST || size == 0.0) {
+        if size < NUMBER_LIMIT && (size >= SMALLEST_NUMBER || size == 0.0) {
             return Some(MacroValue::Number(value));
         }
         let shown = if size < 1.0 { format!("{value:.3e}") } else { format!("{value}") };
@@ -205,7 +203,7 @@ impl<'a> Interpreter<'a> {
             LineStatement::SetRadians(radians) => self.macros.lines.radians = radians,
             LineStatement::SetPlaces(places) => {
                 if let Some(places) = self.line_value(parser, places).and_then(MacroValue::known) {
-                    self.macros.lines.places = libm::round(places).clamp(0.0, MOST_PLACES) as u8;
+                    self.macros.lines.places = libm::round(places).clamp(0.0, MAX_PLACES) as u8;
                 }
             }
             LineStatement::Empty
@@ -273,12 +271,12 @@ impl<'a> Interpreter<'a> {
             return BlockFlow::End(EndReason::LostJump);
         };
         self.macros.lines.starts += 1;
-        if self.macros.lines.starts > MOST_STARTS {
+        if self.macros.lines.starts > MAX_STARTS {
             self.kernel.report(
                 Diagnostic::new(
                     Code::BudgetReached,
                     self.span(range),
-                    format!("stopped after {MOST_STARTS} starts of programs"),
+                    format!("stopped after {MAX_STARTS} starts of programs"),
                 )
                 .help("the programs start each other without end"),
             );
@@ -308,7 +306,7 @@ impl<'a> Interpreter<'a> {
         items: &[PrintItem],
         holds: bool,
     ) {
-        let mut line = std::mem::take(&mut self.macros.lines.held);
+        let mut line = std::mem::take(&mut self.macros.lines.pending_print);
         for item in items {
             match item {
                 PrintItem::Text(text) => {
@@ -322,17 +320,17 @@ impl<'a> Interpreter<'a> {
                 }
             }
         }
-        const MOST_HELD: usize = 4096;
-        if holds && line.len() < MOST_HELD {
-            self.macros.lines.held = line;
+        const MAX_PENDING_PRINT_BYTES: usize = 4096;
+        if holds && line.len() < MAX_PENDING_PRINT_BYTES {
+            self.macros.lines.pending_print = line;
         } else {
             self.print_text(range, line);
         }
     }
 
     /// What PRINT has held back when the program ends.
-    pub(in super::super) fn print_held(&mut self) {
-        let held = std::mem::take(&mut self.macros.lines.held);
+    pub(in super::super) fn print_pending(&mut self) {
+        let held = std::mem::take(&mut self.macros.lines.pending_print);
         if !held.is_empty() {
             self.kernel.emit(CommandKind::Output { text: held });
         }

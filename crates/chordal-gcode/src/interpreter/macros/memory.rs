@@ -15,14 +15,14 @@ use crate::macros::value::MacroValue;
 use crate::macros::variables::VariableStore;
 
 /// With more problems told a rest would cost more than it saves.
-const MOST_TOLD: usize = 1000;
+const MAX_REPORTED_PROBLEMS: usize = 1000;
 
 /// The part of [`MacroState`] that lasts; what was found in the text is found again.
 #[derive(Clone, Debug, PartialEq)]
 pub(in super::super) struct MacroMemory {
     store: VariableStore,
     kept: BTreeMap<u32, f64>,
-    told: BTreeSet<(FileId, u32, Code)>,
+    reported: BTreeSet<(FileId, u32, Code)>,
     used: bool,
     last_words: [Option<f64>; 26],
     skip: Position,
@@ -50,14 +50,14 @@ impl MacroState<'_> {
             && self.in_alias == 0
             && self.owords.is_settled()
             && self.lines.is_settled()
-            && self.told.len() <= MOST_TOLD
+            && self.reported.len() <= MAX_REPORTED_PROBLEMS
     }
 
     pub fn memory(&self) -> MacroMemory {
         MacroMemory {
             store: self.store.clone(),
             kept: self.kept.clone(),
-            told: self.told.clone(),
+            reported: self.reported.clone(),
             used: self.used,
             last_words: self.last_words,
             skip: self.skip,
@@ -75,7 +75,7 @@ impl MacroState<'_> {
     pub fn recall(&mut self, memory: MacroMemory) {
         self.store = memory.store;
         self.kept = memory.kept;
-        self.told = memory.told;
+        self.reported = memory.reported;
         self.used = memory.used;
         self.last_words = memory.last_words;
         self.skip = memory.skip;
@@ -93,10 +93,10 @@ impl MacroState<'_> {
 impl MacroMemory {
     /// Moves its places to those of a text that has changed elsewhere.
     pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
-        let told = std::mem::take(&mut self.told);
+        let told = std::mem::take(&mut self.reported);
         for (file, at, code) in told {
             let at = if file == FileId(0) { shift.offset(at)? } else { at };
-            self.told.insert((file, at, code));
+            self.reported.insert((file, at, code));
         }
         self.unknown.shift(shift)?;
         for place in self.called.values_mut() {

@@ -33,7 +33,7 @@ use chordal_syntax::{
 };
 
 pub(super) use memory::MacroMemory;
-pub(super) use system::given_references;
+pub(super) use system::initial_references;
 
 use super::Interpreter;
 
@@ -76,7 +76,7 @@ pub(super) struct MacroState<'a> {
     /// The ENDs of each program of each file, as far as they were looked for.
     loop_ends: HashMap<(FileId, usize), LoopEnds>,
     /// Places of which a problem was told: a loop would tell it again and again.
-    told: BTreeSet<(FileId, u32, Code)>,
+    reported: BTreeSet<(FileId, u32, Code)>,
     /// A macro statement was carried out: what comes is no longer the text alone.
     pub(super) used: bool,
     /// Modal calls, the first one first.
@@ -134,7 +134,7 @@ impl MacroState<'_> {
             kept,
             loops: Vec::new(),
             loop_ends: HashMap::new(),
-            told: BTreeSet::new(),
+            reported: BTreeSet::new(),
             used: false,
             modal: Vec::new(),
             active: 0,
@@ -252,7 +252,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn report_fault(&mut self, fault: EvaluationError) {
-        if fault.is_told() {
+        if fault.is_reported() {
             return;
         }
         let diagnostic = Diagnostic::new(fault.code, self.span(fault.range), fault.message);
@@ -264,7 +264,7 @@ impl<'a> Interpreter<'a> {
     /// Reports a problem the first time that its place shows one.
     pub(super) fn report_once(&mut self, diagnostic: Diagnostic) {
         let span = diagnostic.primary.span;
-        if self.macros.told.insert((span.file, span.range.start, diagnostic.code)) {
+        if self.macros.reported.insert((span.file, span.range.start, diagnostic.code)) {
             self.kernel.report(diagnostic);
         }
     }

@@ -9,7 +9,7 @@ use crate::macros::evaluate::ValuePurpose;
 use crate::macros::output::{NumberFormat, OutputPart, next_part, write_number};
 
 /// Most bytes that a run prints.
-const MOST_OUTPUT: usize = 1 << 20;
+const MAX_OUTPUT: usize = 1 << 20;
 
 impl Interpreter<'_> {
     pub(super) fn print(&mut self, range: TextRange, output: OutputCode) {
@@ -46,8 +46,8 @@ impl Interpreter<'_> {
 
     /// Prints a line, as long as there is room for it.
     pub(super) fn print_text(&mut self, range: TextRange, line: String) {
-        if self.macros.printed + line.len() > MOST_OUTPUT {
-            let kept = MOST_OUTPUT >> 20;
+        if self.macros.printed + line.len() > MAX_OUTPUT {
+            let kept = MAX_OUTPUT >> 20;
             self.report_once(
                 Diagnostic::new(
                     Code::OutputLimit,

@@ -22,7 +22,7 @@ use crate::macros::names::normal;
 use crate::macros::value::MacroValue;
 
 /// Most arguments of a call.
-const MOST_ARGUMENTS: usize = 30;
+const MAX_ARGUMENTS: usize = 30;
 
 /// No line.
 const NONE: usize = usize::MAX;
@@ -448,13 +448,13 @@ impl<'a> Interpreter<'a> {
             arguments.push((arguments.len() as u32 + 1, value));
         }
         self.check_line_end(parser);
-        if arguments.len() > MOST_ARGUMENTS {
+        if arguments.len() > MAX_ARGUMENTS {
             let count = arguments.len();
             self.report_once(
                 Diagnostic::new(
                     Code::BadArgument,
                     self.span(line.range),
-                    format!("{count} arguments are more than the {MOST_ARGUMENTS} of a call"),
+                    format!("{count} arguments are more than the {MAX_ARGUMENTS} of a call"),
                 )
                 .help("pass more values in #31 and above, or in named variables"),
             );

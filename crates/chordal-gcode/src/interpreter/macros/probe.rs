@@ -20,11 +20,11 @@ pub(in super::super) struct ProbeResults {
     /// Points that the program can read: the last touch is the first of them, mm and rad.
     pub points: [Position; 3],
     /// What is assumed has been told.
-    told: bool,
+    is_reported: bool,
 }
 
 /// A probe move of less is none, mm and rad.
-const LEAST_PROBE_MM: f64 = 1e-6;
+const MIN_PROBE_MM: f64 = 1e-6;
 
 impl Interpreter<'_> {
     /// A move that ends where the probe touches. `must_hit`: without a touch the control stops.
@@ -55,7 +55,7 @@ impl Interpreter<'_> {
             );
         }
         let way = (0..AXES).map(|axis| (target[axis] - self.kernel.state.position[axis]).abs());
-        if self.control.parameters.strict_words && way.fold(0.0, f64::max) < LEAST_PROBE_MM {
+        if self.control.parameters.strict_words && way.fold(0.0, f64::max) < MIN_PROBE_MM {
             self.report_refused(
                 Diagnostic::new(Code::BadProbeMove, span, "this probe move ends where it begins")
                     .help("program an end point on the other side of what is probed"),
@@ -63,8 +63,8 @@ impl Interpreter<'_> {
             );
         }
         let (end, found) = self.probe_end(target);
-        if !self.macros.probe.told {
-            self.macros.probe.told = true;
+        if !self.macros.probe.is_reported {
+            self.macros.probe.is_reported = true;
             self.report_skip(span);
         }
         if !found && must_hit {

@@ -44,7 +44,7 @@ pub(super) fn read_only(number: u32, range: TextRange) -> EvaluationError {
 }
 
 /// The reference points that the variables of the machine file give: machine position, mm and rad.
-pub(in super::super) fn given_references(
+pub(in super::super) fn initial_references(
     machine: &Machine,
     control: &Control,
 ) -> [PerAxis<Option<f64>>; 2] {

@@ -19,13 +19,13 @@ use super::ConditionOf;
 use crate::macros::value::{MacroValue, UnknownCause};
 
 /// Most variables that are noted.
-const MOST_NOTED: usize = 1000;
+const MAX_NOTED: usize = 1000;
 
 /// How often an IF is taken as fulfilled.
-const MOST_FULFILLED: u32 = 100;
+const MAX_FULFILLED: u32 = 100;
 
 /// Most variables that a message names.
-const MOST_NAMED: usize = 20;
+const MAX_NAMED: usize = 20;
 
 /// Words of a block that stay where the others are left out: they change no place.
 const KEPT_WORDS: Letters = Letters::of("GMNFSTDH");
@@ -111,7 +111,7 @@ impl Interpreter<'_> {
         let span = self.span(range);
         let is_own = self.is_own(cause);
         let unknown = &mut self.macros.unknown;
-        if unknown.read.len() < MOST_NOTED {
+        if unknown.read.len() < MAX_NOTED {
             unknown.read.insert(cause);
         }
         let first = if is_own { &mut unknown.first } else { &mut unknown.first_of_system };
@@ -131,7 +131,7 @@ impl Interpreter<'_> {
     pub(super) fn cause_of_name(&mut self, name: &str) -> UnknownCause {
         let names = &mut self.macros.unknown.names;
         let at = names.iter().position(|known| known == name).unwrap_or_else(|| {
-            if names.len() < MOST_NOTED {
+            if names.len() < MAX_NOTED {
                 names.push(name.to_string());
             }
             names.len() - 1
@@ -224,7 +224,7 @@ impl Interpreter<'_> {
             // Every loop makes one pass.
             ConditionOf::Loop => *times % 2 == 1,
             // A jump back must end.
-            ConditionOf::Branch => *times <= MOST_FULFILLED,
+            ConditionOf::Branch => *times <= MAX_FULFILLED,
         }
     }
 
@@ -245,9 +245,10 @@ impl Interpreter<'_> {
                 .help(self.give(cause, &self.name_of(cause)));
             let held = |held: VariableRetention| -> Vec<UnknownCause> {
                 let is_held = |cause: &UnknownCause| match *cause {
-                    UnknownCause::Variable(number) => {
-                        self.rules().common_range(number).is_some_and(|range| range.held == held)
-                    }
+                    UnknownCause::Variable(number) => self
+                        .rules()
+                        .common_range(number)
+                        .is_some_and(|range| range.retention == held),
                     UnknownCause::Letters(..) | UnknownCause::Name(_) => false,
                 };
                 own.iter().copied().filter(is_held).collect()
@@ -348,8 +349,8 @@ impl Interpreter<'_> {
 
     fn names_of(&self, causes: &[UnknownCause]) -> String {
         let mut names: Vec<String> =
-            causes.iter().take(MOST_NAMED).map(|cause| self.name_of(*cause)).collect();
-        match causes.len().saturating_sub(MOST_NAMED) {
+            causes.iter().take(MAX_NAMED).map(|cause| self.name_of(*cause)).collect();
+        match causes.len().saturating_sub(MAX_NAMED) {
             0 => {}
             more => names.push(format!("{more} more")),
         }

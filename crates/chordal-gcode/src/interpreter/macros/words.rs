@@ -13,10 +13,10 @@ use crate::macros::value::{MacroValue, UnknownCause};
 const WHOLE: Letters = Letters::of("NOLMSTHD");
 
 /// Those of them where decimals are likely a slip.
-const TOLD_WHEN_ROUNDED: Letters = Letters::of("LMTHD");
+const REPORTED_WHEN_ROUNDED: Letters = Letters::of("LMTHD");
 
 /// Largest value behind an address, in units of its last digit.
-const LARGEST: f64 = 1e15;
+const MAX_ADDRESS_VALUE: f64 = 1e15;
 
 impl Interpreter<'_> {
     /// Whether a block has a word with a register that holds what nobody knows.
@@ -126,21 +126,21 @@ impl Interpreter<'_> {
     /// A value as if it had been written behind its address.
     fn decimal_of(&mut self, word: &Word, value: f64, digits: u8) -> Option<Decimal> {
         let whole = round(value);
-        let is_whole = (value - whole).abs() < 1e-4 && whole.abs() < LARGEST;
+        let is_whole = (value - whole).abs() < 1e-4 && whole.abs() < MAX_ADDRESS_VALUE;
         let letter = word.letter;
         let counts = digits == 0 || letter == b'P';
         if counts && (is_whole || digits == 0 && self.rules().round_words) {
             if !is_whole {
                 self.check_rounded(word, value, whole);
             }
-            if whole.abs() < LARGEST {
+            if whole.abs() < MAX_ADDRESS_VALUE {
                 return Some(Decimal::integer(whole as i64));
             }
         }
         let digits = if self.rules().round_words { digits } else { exact_digits(value) };
         let scaled = value * 10f64.powi(i32::from(digits));
         let scaled = round(scaled);
-        if scaled.abs() > LARGEST {
+        if scaled.abs() > MAX_ADDRESS_VALUE {
             self.report_fault(EvaluationError::new(
                 Code::NumberOverflow,
                 word.range,
@@ -153,7 +153,7 @@ impl Interpreter<'_> {
     }
 
     fn check_rounded(&mut self, word: &Word, value: f64, whole: f64) {
-        if !TOLD_WHEN_ROUNDED.has(word.letter) {
+        if !REPORTED_WHEN_ROUNDED.has(word.letter) {
             return;
         }
         let letter = word.letter as char;
@@ -171,7 +171,7 @@ impl Interpreter<'_> {
 /// As many decimals as a double holds.
 fn exact_digits(value: f64) -> u8 {
     let mut digits = 12;
-    while digits > 0 && value.abs() * 10f64.powi(i32::from(digits)) > LARGEST {
+    while digits > 0 && value.abs() * 10f64.powi(i32::from(digits)) > MAX_ADDRESS_VALUE {
         digits -= 1;
     }
     digits
@@ -181,7 +181,7 @@ fn exact_digits(value: f64) -> u8 {
 pub(super) fn decimal(value: f64) -> Option<Decimal> {
     let digits = exact_digits(value);
     let scaled = round(value * 10f64.powi(i32::from(digits)));
-    (scaled.abs() <= LARGEST).then(|| shortest(scaled as i64, digits))
+    (scaled.abs() <= MAX_ADDRESS_VALUE).then(|| shortest(scaled as i64, digits))
 }
 
 /// The number without zeros at its end.

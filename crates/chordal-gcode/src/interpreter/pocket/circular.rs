@@ -13,7 +13,7 @@ use crate::interpreter::Interpreter;
 use chordal_kernel::{CirclesWords, MAX_RINGS};
 
 /// Lengths that differ by less than this, mm, are the same.
-const SAME_MM: f64 = 1e-9;
+const COINCIDENT_MM: f64 = 1e-9;
 
 impl Interpreter<'_> {
     /// G12 and G13.
@@ -54,7 +54,7 @@ impl Interpreter<'_> {
         if !self.may_have_pocket(block, at) {
             return;
         }
-        let radius = self.length_of(block, b'I').filter(|radius| radius.abs() > SAME_MM);
+        let radius = self.length_of(block, b'I').filter(|radius| radius.abs() > COINCIDENT_MM);
         let Some(radius) = radius else {
             let message =
                 "a circular pocket without I, the radius of the circle of the tool's centre";
@@ -114,7 +114,7 @@ impl Interpreter<'_> {
             self.refuse_pocket(block, at, message, "give I, and K and Q for a larger pocket");
             return None;
         };
-        if first <= tool + SAME_MM {
+        if first <= tool + COINCIDENT_MM {
             let (is, tool) = (self.kernel.length_text(first), self.kernel.length_text(tool));
             self.report_pocket_radii(
                 block,
@@ -126,14 +126,14 @@ impl Interpreter<'_> {
         let (last, step) = (self.length_of(block, b'K'), self.length_of(block, b'Q'));
         let (last, step) = match (last, step) {
             (None, None) => return Some(vec![first]),
-            (Some(last), Some(step)) if step > SAME_MM => (last, step),
+            (Some(last), Some(step)) if step > COINCIDENT_MM => (last, step),
             _ => {
                 let message = "K, the radius of the last circle, and Q, the step, go together";
                 self.refuse_pocket(block, at, message, "give both above zero, or neither");
                 return None;
             }
         };
-        if last <= first + SAME_MM {
+        if last <= first + COINCIDENT_MM {
             let (is, first) = (self.kernel.length_text(last), self.kernel.length_text(first));
             self.report_pocket_radii(block, b'K', format!("K is {is}, and I is {first}"));
             return None;

@@ -15,7 +15,7 @@ use chordal_kernel::MAX_RINGS;
 use chordal_kernel::is_over;
 
 /// Sizes that differ by less than this, mm, are the same.
-const SAME_MM: f64 = 1e-9;
+const COINCIDENT_MM: f64 = 1e-9;
 
 /// What a pocket routine was called with.
 struct PocketCall {
@@ -77,7 +77,7 @@ impl Interpreter<'_> {
         }
         let last = (0.5 * diameter - call.tool).max(0.0);
         let step = (2.0 * call.flat).min(self.control.parameters.rules.pocket_stepover_mm);
-        let count = (last / step - SAME_MM).ceil().max(0.0);
+        let count = (last / step - COINCIDENT_MM).ceil().max(0.0);
         if count > f64::from(MAX_RINGS) {
             return self.kernel.report_too_many_passes(self.span(word.range), "rings");
         }
@@ -136,7 +136,7 @@ impl Interpreter<'_> {
         let tool = self.routine_tool(word)?;
         let corner = self.register_length(block, 1)?;
         let flat = tool - corner;
-        if flat <= SAME_MM || corner < 0.0 {
+        if flat <= COINCIDENT_MM || corner < 0.0 {
             let (corner, tool) = (self.kernel.length_text(corner), self.kernel.length_text(tool));
             let span = self.register_span(block, 1);
             self.kernel.report(
@@ -259,7 +259,7 @@ impl Interpreter<'_> {
         (register, size): (u8, f64),
         tool: f64,
     ) -> bool {
-        if size >= 2.0 * tool - SAME_MM {
+        if size >= 2.0 * tool - COINCIDENT_MM {
             return true;
         }
         let span = self.register_span(block, register);

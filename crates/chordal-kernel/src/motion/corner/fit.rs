@@ -98,7 +98,7 @@ impl CornerLeg {
     }
 
     /// What lies at a distance to its left, seen from a point of it.
-    fn beside(&self, place: CornerPoint, distance: f64) -> Option<OffsetShape> {
+    fn parallel_at(&self, place: CornerPoint, distance: f64) -> Option<OffsetShape> {
         match self.arc {
             None => {
                 let direction = self.direction_at(place);
@@ -248,7 +248,8 @@ fn tangent_arc(
     sense: f64,
 ) -> Option<CornerFit> {
     let distance = sense * radius;
-    let (into, out) = (first.beside(first.to, distance)?, second.beside(second.from, distance)?);
+    let (into, out) =
+        (first.parallel_at(first.to, distance)?, second.parallel_at(second.from, distance)?);
     let mut best: Option<(f64, CornerFit)> = None;
     for center in meetings(into, out).into_iter().flatten() {
         let mut begin = first.touch(center, distance, first.to, true);

@@ -18,7 +18,7 @@ use crate::rules::CornerMoves;
 use crate::state::State;
 
 /// Ends that are the same place but for rounding, mm.
-const SAME_MM: f64 = 1e-9;
+const COINCIDENT_MM: f64 = 1e-9;
 
 /// A move that is shorter than this is gone, mm.
 const LEFT_MM: f64 = 1e-6;
@@ -60,27 +60,27 @@ impl Kernel<'_> {
 
     /// A contour ends: a corner at the end of its last move is none.
     pub fn end_corners_of_contour(&mut self) {
-        self.corners.asked = None;
-        if let Some(held) = self.corners.held.take() {
+        self.corners.request = None;
+        if let Some(held) = self.corners.queued.take() {
             self.pass_on(*held);
         }
     }
 
     /// Takes back what was asked, where the move of the block comes later.
-    pub fn take_asked_corner(&mut self) -> Option<CornerRequest> {
-        self.corners.asked.take()
+    pub fn take_requested_corner(&mut self) -> Option<CornerRequest> {
+        self.corners.request.take()
     }
 
     /// The corner that waits is at the end of the last move: what comes is the move after it, in this block or the next.
     pub fn corner_move_done(&mut self) {
-        if let Some(held) = &mut self.corners.held {
+        if let Some(held) = &mut self.corners.queued {
             held.is_open = false;
         }
     }
 
     /// The next move of this block ends in a corner.
     pub fn ask_corner(&mut self, corner: CornerRequest) {
-        self.corners.asked = Some(corner);
+        self.corners.request = Some(corner);
     }
 
     /// A move waits for the next one, so that what has come so far is not all.
@@ -93,23 +93,23 @@ impl Kernel<'_> {
     pub(crate) fn emit_at_corner(&mut self, kind: CommandKind) {
         if kind.motion().is_none() {
             let command = self.in_work(kind, self.origin);
-            match &mut self.corners.held {
+            match &mut self.corners.queued {
                 Some(held) => held.waiting.push(QueuedItem::Command(command)),
                 None => self.hand_over(&command),
             }
             return;
         }
-        let kind = match self.corners.held.take() {
+        let kind = match self.corners.queued.take() {
             // Several moves of one block: the corner is at the end of the last.
-            Some(held) if held.is_open && self.corners.asked.is_none() => {
-                self.corners.asked = Some(held.corner);
+            Some(held) if held.is_open && self.corners.request.is_none() => {
+                self.corners.request = Some(held.corner);
                 self.pass_on(*held);
                 Some(kind)
             }
             Some(held) => self.join(*held, kind),
             None => Some(kind),
         };
-        match (self.corners.asked.take(), kind) {
+        match (self.corners.request.take(), kind) {
             (Some(corner), Some(kind)) => self.hold(corner, kind),
             (None, Some(kind)) => self.push(kind),
             (Some(corner), None) => {
@@ -132,7 +132,7 @@ impl Kernel<'_> {
             self.refuse(&corner, refusal, None);
             return self.push(kind);
         }
-        self.corners.held = Some(Box::new(QueuedMove {
+        self.corners.queued = Some(Box::new(QueuedMove {
             corner,
             kind,
             origin: self.origin,
@@ -233,7 +233,7 @@ impl Kernel<'_> {
             to: pick(&motion.to),
             arc: shape.map(|shape| (shape.center, shape.sweep)),
         };
-        if leg.length() <= SAME_MM {
+        if leg.length() <= COINCIDENT_MM {
             return Err(refusal(nothing, "the move has no length in the plane", help));
         }
         Ok(leg)
@@ -264,7 +264,7 @@ impl Kernel<'_> {
     /// The first move and the corner; the second move.
     fn corner_between(
         &self,
-        held: &QueuedMove,
+        queued: &QueuedMove,
         next: &CommandKind,
     ) -> Result<Option<JoinedMoves>, CornerRefusal> {
         let codes = [Code::CornerNext, Code::CornerNextMotion];
@@ -272,27 +272,27 @@ impl Kernel<'_> {
         if self.origin.cycle || self.state.overrides.in_tap {
             return Err(refusal(codes[1], "a cycle or a thread comes next", help));
         }
-        if self.state.plane != held.plane {
+        if self.state.plane != queued.plane {
             return Err(refusal(codes[0], "the plane changes before the next move", help));
         }
-        let (Some(first), Some(after)) = (held.kind.motion(), next.motion()) else {
+        let (Some(first), Some(after)) = (queued.kind.motion(), next.motion()) else {
             return Ok(None);
         };
-        let moved = first.to.iter().zip(&after.from).any(|(a, b)| (a - b).abs() > SAME_MM);
-        if moved || self.state.frames != held.frames {
+        let moved = first.to.iter().zip(&after.from).any(|(a, b)| (a - b).abs() > COINCIDENT_MM);
+        if moved || self.state.frames != queued.frames {
             return Err(refusal(codes[0], "the coordinates change before the next move", help));
         }
-        let one = self.leg(&held.corner, &held.kind, codes)?;
-        let two = self.leg(&held.corner, next, codes).map_err(|refusal| CornerRefusal {
+        let one = self.leg(&queued.corner, &queued.kind, codes)?;
+        let two = self.leg(&queued.corner, next, codes).map_err(|refusal| CornerRefusal {
             what: format!("after this block {}", refusal.what),
             ..refusal
         })?;
         let straight = self.rules.corner.straight_deg.to_radians();
-        let fit = match held.corner.form {
-            CornerForm::Rounding => fit::rounding(&one, &two, held.corner.size_mm, straight),
-            CornerForm::Chamfer => fit::chamfer(&one, &two, held.corner.size_mm, straight),
+        let fit = match queued.corner.form {
+            CornerForm::Rounding => fit::rounding(&one, &two, queued.corner.size_mm, straight),
+            CornerForm::Chamfer => fit::chamfer(&one, &two, queued.corner.size_mm, straight),
             CornerForm::ChordOfRounding => {
-                let fit = fit::rounding(&one, &two, held.corner.size_mm, straight);
+                let fit = fit::rounding(&one, &two, queued.corner.size_mm, straight);
                 fit.map(|fit| fit.map(|fit| fit::CornerFit { arc: None, ..fit }))
             }
         };
@@ -305,13 +305,13 @@ impl Kernel<'_> {
             {
                 return Ok(None);
             }
-            Err(misfit) => return Err(self.too_large(&held.corner, misfit, [&one, &two])),
+            Err(misfit) => return Err(self.too_large(&queued.corner, misfit, [&one, &two])),
         };
         let span = libm::hypot(fit.end[0] - fit.start[0], fit.end[1] - fit.start[1]);
         if self.reads_contour_words() && span < self.least_corner_of_contour() {
             return Ok(None);
         }
-        let (a, b, _) = held.plane.axes();
+        let (a, b, _) = queued.plane.axes();
         let plane_axes = AxisMask(1 << a | 1 << b);
         // Where the first move begins elsewhere than is known, so does the corner.
         let known = match first.from_known.covers(plane_axes) {
@@ -329,16 +329,16 @@ impl Kernel<'_> {
         let rest =
             [rest[0] - fit_length(&one, fit.lost[0]), rest[1] - fit_length(&two, fit.lost[1])];
         let first_part =
-            (rest[0] > LEFT_MM).then(|| trimmed(&held.kind, shortened, fit.lost[0], true));
+            (rest[0] > LEFT_MM).then(|| trimmed(&queued.kind, shortened, fit.lost[0], true));
         let motion = Move { from: start, to: end, from_known: known, to_known: known };
-        let mut feed = feed_of(&held.kind);
+        let mut feed = feed_of(&queued.kind);
         feed.along = FeedAlong::Path;
         let corner = match fit.arc {
             None => CommandKind::Line { motion, feed },
             Some((center, sweep)) => {
                 let radius = |at: [f64; 2]| libm::hypot(at[0] - center[0], at[1] - center[1]);
                 let shape = ArcShape {
-                    plane: held.plane,
+                    plane: queued.plane,
                     center,
                     sweep,
                     radius_from: radius(fit.start),
@@ -388,12 +388,12 @@ impl Kernel<'_> {
 
     /// A block has been carried out: whether the corner before it still may wait.
     pub fn corner_block_done(&mut self) {
-        if let Some(corner) = self.corners.asked.take().filter(|_| !self.reads_contour_words()) {
+        if let Some(corner) = self.corners.request.take().filter(|_| !self.reads_contour_words()) {
             let help = "write it into a block that cuts a line or an arc in the active plane";
             let refusal = refusal(Code::CornerBlock, "this block makes no move", help);
             self.refuse(&corner, refusal, None);
         }
-        let Some(held) = &mut self.corners.held else { return };
+        let Some(held) = &mut self.corners.queued else { return };
         let own = std::mem::take(&mut held.is_open);
         let fresh = held.judged;
         held.judged = held.waiting.len();
@@ -417,7 +417,7 @@ impl Kernel<'_> {
             between = between.or(Some("a dwell comes before the next move"));
         }
         if let Some(what) = between
-            && let Some(held) = self.corners.held.take()
+            && let Some(held) = self.corners.queued.take()
         {
             let help = "write the next move into the block after it";
             self.give_up(*held, refusal(Code::CornerNext, what, help));
@@ -432,7 +432,7 @@ impl Kernel<'_> {
     /// A corner that waits is given up: no move comes before what happens now.
     pub(crate) fn end_corner_before(&mut self, what: &'static str) {
         self.corner_block_done();
-        if let Some(held) = self.corners.held.take() {
+        if let Some(held) = self.corners.queued.take() {
             let help = "write the next move after it, or remove the word";
             self.give_up(*held, refusal(Code::CornerNext, what, help));
         }
@@ -440,10 +440,10 @@ impl Kernel<'_> {
 
     /// Says that a block has been carried out; after the move that is held.
     pub fn block_done(&mut self, modal: &dyn Fn(&State) -> Modal) {
-        if self.corners.held.is_some() {
+        if self.corners.queued.is_some() {
             let modal = Box::new(modal(&self.state));
             let origin = self.origin;
-            if let Some(held) = &mut self.corners.held {
+            if let Some(held) = &mut self.corners.queued {
                 held.waiting.push(QueuedItem::BlockDone(origin, modal));
             }
             return;

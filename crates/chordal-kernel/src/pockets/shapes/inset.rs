@@ -9,7 +9,7 @@ use core::f64::consts::TAU;
 
 use chordal_geometry::Vec2;
 
-use super::outline::{Outline, OutlineElement, SAME_POINT_MM};
+use super::outline::{COINCIDENT_POINT_MM, Outline, OutlineElement};
 
 /// Parts whose middle comes nearer than the distance by more than this, mm, are dropped.
 const NEARER_MM: f64 = 1e-9;
@@ -23,7 +23,7 @@ const JOIN_MM: f64 = 5e-4;
 /// The border of what a tool's centre may reach, `distance` (zero or more, mm) inside an
 /// outline: one counter-clockwise loop for each connected part.
 pub fn inset(outline: &Outline, distance: f64) -> Vec<Outline> {
-    if distance <= SAME_POINT_MM {
+    if distance <= COINCIDENT_POINT_MM {
         return vec![outline.clone()];
     }
     let candidates = candidates(outline, distance);
@@ -55,7 +55,7 @@ fn candidates(outline: &Outline, distance: f64) -> Vec<OutlineElement> {
                 let radius = element.radius();
                 let moved = radius - distance * sweep.signum();
                 // An arc of no radius is its centre, which no loop passes as an arc.
-                if moved > SAME_POINT_MM {
+                if moved > COINCIDENT_POINT_MM {
                     let scale = moved / radius;
                     candidates.push(OutlineElement::Arc {
                         from: center + (from - center) * scale,
@@ -82,18 +82,18 @@ fn cuts(candidate: &OutlineElement, index: usize, all: &[OutlineElement]) -> Vec
         if other_index == index {
             continue;
         }
-        for point in candidate.crossings(other, SAME_POINT_MM) {
-            at.extend(candidate.fraction(point, SAME_POINT_MM));
+        for point in candidate.crossings(other, COINCIDENT_POINT_MM) {
+            at.extend(candidate.fraction(point, COINCIDENT_POINT_MM));
         }
         // Where one ends on the other, and where two lie on each other.
         for end in [other.from(), other.to()] {
-            if candidate.distance(end) < SAME_POINT_MM {
-                at.extend(candidate.fraction(end, SAME_POINT_MM));
+            if candidate.distance(end) < COINCIDENT_POINT_MM {
+                at.extend(candidate.fraction(end, COINCIDENT_POINT_MM));
             }
         }
     }
     at.sort_by(f64::total_cmp);
-    let short = SAME_POINT_MM / candidate.length();
+    let short = COINCIDENT_POINT_MM / candidate.length();
     let mut cuts = vec![0.0];
     for t in at {
         // A touch is found twice, or just beside an end.
@@ -117,7 +117,10 @@ fn kept_ranges(
         let (begin, end) = (pair[0], pair[1]);
         let middle = candidate.point(0.5 * (begin + end));
         let near = outline.distance(middle) < distance - NEARER_MM;
-        if near || !outline.contains(middle) || (end - begin) * candidate.length() < SAME_POINT_MM {
+        if near
+            || !outline.contains(middle)
+            || (end - begin) * candidate.length() < COINCIDENT_POINT_MM
+        {
             continue;
         }
         match ranges.last_mut() {
@@ -130,7 +133,7 @@ fn kept_ranges(
 
 /// Two parts that are one: same ends, same middle.
 fn same(a: &OutlineElement, b: &OutlineElement) -> bool {
-    let near = |p: Vec2, q: Vec2| p.distance(q) < 10.0 * SAME_POINT_MM;
+    let near = |p: Vec2, q: Vec2| p.distance(q) < 10.0 * COINCIDENT_POINT_MM;
     near(a.from(), b.from()) && near(a.to(), b.to()) && near(a.point(0.5), b.point(0.5))
 }
 

@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use chordal_geometry::{Circle2, Line2, Vec2, circle_circle, line_circle, line_line};
 
 /// Points closer than this, mm, are one point.
-pub(super) const SAME_POINT_MM: f64 = 1e-6;
+pub(super) const COINCIDENT_POINT_MM: f64 = 1e-6;
 
 /// A straight or circular part, with its direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -227,14 +227,14 @@ impl Outline {
         }
         if gap > 0.0 {
             elements.push(OutlineElement::Line { from: last.to(), to: first.from() });
-            elements.retain(|element| element.length() > SAME_POINT_MM);
+            elements.retain(|element| element.length() > COINCIDENT_POINT_MM);
             close(&mut elements);
         }
         if let Some(point) = self_crossing(&elements) {
             return Err(OutlineError::CrossesItself(point));
         }
         let area = area(&elements);
-        if area.abs() <= SAME_POINT_MM {
+        if area.abs() <= COINCIDENT_POINT_MM {
             return Err(OutlineError::Empty);
         }
         let clockwise = area < 0.0;
@@ -292,7 +292,7 @@ fn settled(element: &OutlineElement) -> Option<OutlineElement> {
         OutlineElement::Line { .. } => *element,
         OutlineElement::Arc { from, to, center, sweep } => {
             let chord = to - from;
-            match chord.normalized().filter(|_| chord.length() > SAME_POINT_MM) {
+            match chord.normalized().filter(|_| chord.length() > COINCIDENT_POINT_MM) {
                 None => *element,
                 Some(along) => {
                     let middle = from + chord * 0.5;
@@ -307,7 +307,7 @@ fn settled(element: &OutlineElement) -> Option<OutlineElement> {
             }
         }
     };
-    (settled.length() > SAME_POINT_MM).then_some(settled)
+    (settled.length() > COINCIDENT_POINT_MM).then_some(settled)
 }
 
 /// Makes the ends of neighbours the same doubles.
@@ -326,7 +326,7 @@ fn self_crossing(elements: &[OutlineElement]) -> Option<Vec2> {
     let count = elements.len();
     for (i, first) in elements.iter().enumerate() {
         for (j, second) in elements.iter().enumerate().skip(i + 1) {
-            for point in first.crossings(second, SAME_POINT_MM) {
+            for point in first.crossings(second, COINCIDENT_POINT_MM) {
                 let joint = |a: &OutlineElement, b: &OutlineElement| {
                     a.to().distance(point) < 1e-3 && b.from().distance(point) < 1e-3
                 };

@@ -3,10 +3,10 @@
 use chordal_geometry::Vec2;
 
 use super::Step;
-use super::outline::{Outline, OutlineElement, SAME_POINT_MM};
+use super::outline::{COINCIDENT_POINT_MM, Outline, OutlineElement};
 
 /// Rows and links shorter than this, mm, are nothing.
-const SHORT_MM: f64 = 1e-3;
+const MIN_ROW_MM: f64 = 1e-3;
 
 /// Along which axis the rows step.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -54,10 +54,10 @@ impl<'a> PocketRegion<'a> {
         distance: f64,
         start: Vec2,
     ) -> Option<PocketRegion<'a>> {
-        if outline.distance(start) < distance - SAME_POINT_MM {
+        if outline.distance(start) < distance - COINCIDENT_POINT_MM {
             return None;
         }
-        let nearest = |border: &Outline| border.distance(start) <= 2.0 * SHORT_MM;
+        let nearest = |border: &Outline| border.distance(start) <= 2.0 * MIN_ROW_MM;
         let border = borders
             .iter()
             .find(|border| border.contains(start))
@@ -127,7 +127,7 @@ impl<'a> PocketRegion<'a> {
             let line = if first { row.line } else { 0 };
             for (end, (_, point)) in row.ends.iter().enumerate() {
                 let way = here.distance(*point);
-                if line < best.0 || line == best.0 && way < best.1 - SAME_POINT_MM {
+                if line < best.0 || line == best.0 && way < best.1 - COINCIDENT_POINT_MM {
                     best = (line, way, index, end);
                 }
             }
@@ -178,9 +178,9 @@ impl<'a> PocketRegion<'a> {
     fn rows_of_line(&self, line: usize, scan: &OutlineElement, rows: &mut Vec<RasterRow>) {
         let mut ends: Vec<(f64, f64, Vec2)> = Vec::new();
         for (index, element) in self.border.elements().iter().enumerate() {
-            for point in element.crossings(scan, SAME_POINT_MM) {
-                let on_scan = scan.fraction(point, SAME_POINT_MM);
-                let on_border = element.fraction(point, SAME_POINT_MM);
+            for point in element.crossings(scan, COINCIDENT_POINT_MM) {
+                let on_scan = scan.fraction(point, COINCIDENT_POINT_MM);
+                let on_border = element.fraction(point, COINCIDENT_POINT_MM);
                 if let (Some(t), Some(s)) = (on_scan, on_border) {
                     ends.push((t, self.before[index] + s * element.length(), point));
                 }
@@ -189,7 +189,7 @@ impl<'a> PocketRegion<'a> {
         ends.sort_by(|a, b| a.0.total_cmp(&b.0));
         for pair in ends.windows(2) {
             let (a, b) = (pair[0].2, pair[1].2);
-            if a.distance(b) < SHORT_MM || !self.holds((a + b) * 0.5) {
+            if a.distance(b) < MIN_ROW_MM || !self.holds((a + b) * 0.5) {
                 continue;
             }
             rows.push(RasterRow { line, ends: [(pair[0].1, a), (pair[1].1, b)] });
@@ -198,29 +198,29 @@ impl<'a> PocketRegion<'a> {
 
     /// True for points of this part.
     fn holds(&self, p: Vec2) -> bool {
-        self.outline.distance(p) >= self.distance - SAME_POINT_MM && self.border.contains(p)
+        self.outline.distance(p) >= self.distance - COINCIDENT_POINT_MM && self.border.contains(p)
     }
 
     /// True when the straight way stays in the region.
     fn is_clear(&self, from: Vec2, to: Vec2) -> bool {
         let way = OutlineElement::Line { from, to };
-        if way.length() < SHORT_MM {
+        if way.length() < MIN_ROW_MM {
             return true;
         }
-        let apart = |p: &Vec2| p.distance(from) > SHORT_MM && p.distance(to) > SHORT_MM;
+        let apart = |p: &Vec2| p.distance(from) > MIN_ROW_MM && p.distance(to) > MIN_ROW_MM;
         let crossed = self
             .border
             .elements()
             .iter()
-            .any(|element| element.crossings(&way, SAME_POINT_MM).iter().any(apart));
+            .any(|element| element.crossings(&way, COINCIDENT_POINT_MM).iter().any(apart));
         let far =
-            |t: f64| self.outline.distance(way.point(t)) >= self.distance - 2.0 * NEAR_ENOUGH_MM;
+            |t: f64| self.outline.distance(way.point(t)) >= self.distance - 2.0 * ON_BORDER_MM;
         !crossed && [0.25, 0.5, 0.75].into_iter().all(far) && self.holds_or_borders(way.point(0.5))
     }
 
     /// Inside, or on the border itself.
     fn holds_or_borders(&self, p: Vec2) -> bool {
-        self.border.contains(p) || self.border.distance(p) < SAME_POINT_MM
+        self.border.contains(p) || self.border.distance(p) < COINCIDENT_POINT_MM
     }
 
     /// To the end of a row: straight where that stays inside, along the border otherwise.
@@ -274,7 +274,7 @@ impl<'a> PocketRegion<'a> {
             };
             for t in [Some(0.0), foot].into_iter().flatten() {
                 let distance = element.point(t).distance(p);
-                if distance < best.0 - SAME_POINT_MM {
+                if distance < best.0 - COINCIDENT_POINT_MM {
                     best = (distance, self.before[index] + t * element.length());
                 }
             }
@@ -300,7 +300,7 @@ impl<'a> PocketRegion<'a> {
         let mut rest = by.abs();
         // Once round passes every element once, and the first one twice.
         for _ in 0..=elements.len() + 1 {
-            if rest <= SAME_POINT_MM {
+            if rest <= COINCIDENT_POINT_MM {
                 return;
             }
             let element = elements[index];
@@ -313,7 +313,7 @@ impl<'a> PocketRegion<'a> {
                 (false, true) => t + go / length,
                 (false, false) => t - go / length,
             };
-            if go > SAME_POINT_MM {
+            if go > COINCIDENT_POINT_MM {
                 let part = element.part(t.min(end), t.max(end));
                 steps.push(step_of(&if by > 0.0 { part } else { part.reversed() }));
             }
@@ -329,7 +329,7 @@ impl<'a> PocketRegion<'a> {
 }
 
 /// Links run along the border itself, whose points are as near as rounding has them.
-const NEAR_ENOUGH_MM: f64 = 1e-7;
+const ON_BORDER_MM: f64 = 1e-7;
 
 fn step_of(element: &OutlineElement) -> Step {
     match *element {

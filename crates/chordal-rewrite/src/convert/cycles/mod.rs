@@ -25,7 +25,7 @@ pub(crate) fn translate(
     at: usize,
 ) -> Result<(), NeedsExpansion> {
     ending(context, draft, at);
-    apart_from_motion(context, draft, at);
+    split_from_motion(context, draft, at);
     let codes = || {
         let words = context.source.blocks[at].words.iter();
         words.filter_map(|word| code_action(word, context.from))
@@ -390,7 +390,7 @@ fn dwell(context: &ConvertContext, draft: &mut BlockDraft) {
 }
 
 /// G80 in a block of its own, where it excludes motion codes.
-fn apart_from_motion(context: &ConvertContext, draft: &mut BlockDraft, at: usize) {
+fn split_from_motion(context: &ConvertContext, draft: &mut BlockDraft, at: usize) {
     let [one, other] =
         context.controls().map(|control| control.parameters.rules.cycles.one_group_with_motion);
     let moves = context.source.has_action(at, context.from, Action::is_plain_motion);

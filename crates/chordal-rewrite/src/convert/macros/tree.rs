@@ -3,7 +3,7 @@
 use chordal::syntax::{Expression, ExpressionParser, Function, Operator, StackOp};
 
 /// Longer expressions are not carried over.
-const MOST_STEPS: usize = 200;
+const MAX_STEPS: usize = 200;
 
 /// A variable by its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -39,7 +39,7 @@ impl ExpressionTree {
         text: &[u8],
     ) -> Option<ExpressionTree> {
         let steps = parser.steps(expression);
-        if steps.len() > MOST_STEPS || !parser.problems.is_empty() {
+        if steps.len() > MAX_STEPS || !parser.problems.is_empty() {
             return None;
         }
         let mut stack: Vec<ExpressionTree> = Vec::new();

@@ -10,11 +10,11 @@ use super::super::record::{BlockEffect, BlockPass, BlockRuns};
 use super::super::roles::actions;
 use super::super::writer::WordWriter;
 use super::grid::HeightMap;
-use super::way::PlanePath;
+use super::plane_path::PlanePath;
 
 type HeightsRefusal = (String, &'static str);
 
-fn told(
+fn refusal_text(
     writer: &WordWriter,
     block: &Block,
     reason: Option<HeightsRefusal>,
@@ -42,7 +42,7 @@ pub(super) fn codes(
     work: &mut Option<String>,
 ) -> Result<(), TransformRefusal> {
     for (word, action) in actions(block, writer.control) {
-        told(writer, block, of_code(&writer.word(word), action))?;
+        refusal_text(writer, block, of_code(&writer.word(word), action))?;
     }
     let Some(chosen) = work_offset(writer, block) else { return Ok(()) };
     let first = work.get_or_insert_with(|| chosen.clone());
@@ -52,7 +52,7 @@ pub(super) fn codes(
             "bend one program for each work offset",
         )
     });
-    told(writer, block, reason)
+    refusal_text(writer, block, reason)
 }
 
 /// Why a code does not go with a map; nothing where it does.
@@ -122,7 +122,7 @@ pub(super) fn of_move(
     } else {
         return Ok(());
     };
-    told(writer, block, Some((what.into(), help)))
+    refusal_text(writer, block, Some((what.into(), help)))
 }
 
 /// A cut that leaves the map.
@@ -131,9 +131,9 @@ pub(super) fn inside(
     map: &HeightMap,
     block: &Block,
     run: &BlockPass,
-    way: &PlanePath,
+    plane_path: &PlanePath,
 ) -> Result<(), TransformRefusal> {
-    let most = way.extremes().into_iter().map(|at| map.outside(at)).fold(0.0, f64::max);
+    let most = plane_path.extremes().into_iter().map(|at| map.outside(at)).fold(0.0, f64::max);
     let unit = run.context.units.mm();
     let name = if unit == 1.0 { "mm" } else { "in" };
     let reason = (most > 1e-6).then(|| {
@@ -142,7 +142,7 @@ pub(super) fn inside(
             "measure a larger rectangle, or let the edge of the map go on: --heights-outside clamp",
         )
     });
-    told(writer, block, reason)
+    refusal_text(writer, block, reason)
 }
 
 /// A block that becomes several, and cannot. `alone` is said of one that has its line for itself.
@@ -188,5 +188,5 @@ pub(super) fn several(
     } else {
         return Ok(());
     };
-    told(writer, block, Some((what, help)))
+    refusal_text(writer, block, Some((what, help)))
 }

@@ -3,9 +3,9 @@
 use std::cmp::Ordering;
 
 /// Points whose X or Y differ by less stand in one row or column, mm.
-const SAME_MM: f64 = 0.005;
+const SAME_LINE_MM: f64 = 0.005;
 /// More points than these are not read.
-const MOST_POINTS: usize = 1_000_000;
+const MAX_POINTS: usize = 1_000_000;
 
 /// Heights over a rectangle, mm. Between four points the surface is bilinear.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,8 +88,8 @@ impl HeightMap {
                     "write a point as X, Y and Z, such as 10,20,-0.05",
                 )
             })?;
-            if points.len() >= MOST_POINTS {
-                let what = format!("the map has more than {MOST_POINTS} points");
+            if points.len() >= MAX_POINTS {
+                let what = format!("the map has more than {MAX_POINTS} points");
                 return Err(MapError::of_line(line, whole, what, "measure fewer points"));
             }
             points.push(MeasuredPoint { at: at.map(|value| value * unit_mm), line });
@@ -301,7 +301,7 @@ fn point(cells: &[String], order: [usize; 3]) -> Result<[f64; 3], String> {
 fn places(points: &[MeasuredPoint], axis: usize) -> Vec<f64> {
     let mut all: Vec<f64> = points.iter().map(|point| point.at[axis]).collect();
     all.sort_unstable_by(f64::total_cmp);
-    all.dedup_by(|next, before| *next - *before <= SAME_MM);
+    all.dedup_by(|next, before| *next - *before <= SAME_LINE_MM);
     all
 }
 

@@ -7,8 +7,8 @@
 mod checks;
 mod grid;
 mod levels;
+mod plane_path;
 mod proof;
-mod way;
 mod write;
 
 use chordal::Job;
@@ -91,7 +91,7 @@ pub fn warp(
             if !comparison.differences.is_empty() {
                 comparison.verdict = ComparisonVerdict::Different;
             } else if comparison.verdict != ComparisonVerdict::NotVerified {
-                let is_same = proved.deviation_mm <= chordal_compare::SAME_MM;
+                let is_same = proved.deviation_mm <= chordal_compare::COINCIDENT_MM;
                 comparison.verdict =
                     if is_same { ComparisonVerdict::Same } else { ComparisonVerdict::Within };
             }

@@ -10,11 +10,11 @@ use chordal::{Command, CommandKind, Diagnostic, Job, RunSink, Severity, Sink};
 
 use super::HeightOptions;
 use super::grid::HeightMap;
-use super::way::PlanePath;
+use super::plane_path::PlanePath;
 use super::write::{WrittenTrail, arc};
 
 /// Steps of the bisection for all pieces of one move.
-const MOST_STEPS: u32 = 2_000_000;
+const MAX_STEPS: u32 = 2_000_000;
 
 /// What was found.
 #[derive(Debug, Default)]
@@ -351,21 +351,21 @@ impl HeightProver<'_> {
         &mut self,
         old: &ProofMove,
         new: &ProofMove,
-        way: &PlanePath,
+        plane_path: &PlanePath,
         part: [f64; 2],
         aside: f64,
     ) -> Result<(), String> {
         let rise = old.to[2] - old.from[2];
-        let length = match way {
+        let length = match plane_path {
             PlanePath::Line { from, to } => (to[0] - from[0]).hypot(to[1] - from[1]),
             PlanePath::Arc { radius, sweep, .. } => radius * sweep.abs(),
         };
         let off = |s: f64| {
             let z = new.from[2] * (1.0 - s) + new.to[2] * s;
             let t = part[0] * (1.0 - s) + part[1] * s;
-            (z - (old.from[2] + rise * t) - self.map.height(way.at(s))).abs()
+            (z - (old.from[2] + rise * t) - self.map.height(plane_path.at(s))).abs()
         };
-        let [low, high] = way.bounds();
+        let [low, high] = plane_path.bounds();
         let steepest = self.map.steepest(low.map(|at| at - aside), high.map(|at| at + aside));
         // How fast the difference can change along the piece.
         let most = (new.to[2] - new.from[2] - rise * (part[1] - part[0])).abs() + steepest * length;
@@ -389,9 +389,9 @@ impl HeightProver<'_> {
                     self.allowed
                 ));
             }
-            if steps > MOST_STEPS {
+            if steps > MAX_STEPS {
                 return Err(format!(
-                    "the move was looked at in {MOST_STEPS} places, and more would be needed; \
+                    "the move was looked at in {MAX_STEPS} places, and more would be needed; \
                      allow a larger tolerance"
                 ));
             }
@@ -403,7 +403,7 @@ impl HeightProver<'_> {
                 open.extend([(low, middle), (middle, high)]);
             }
         }
-        let heights = [0.0, 0.5, 1.0].map(|s| self.map.height(way.at(s)));
+        let heights = [0.0, 0.5, 1.0].map(|s| self.map.height(plane_path.at(s)));
         let [low, high] = self.proved.heights_mm.unwrap_or([f64::INFINITY, f64::NEG_INFINITY]);
         self.proved.heights_mm = Some([
             heights.iter().copied().fold(low, f64::min),

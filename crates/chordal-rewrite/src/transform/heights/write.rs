@@ -23,11 +23,11 @@ use super::HeightOptions;
 use super::checks;
 use super::grid::HeightMap;
 use super::levels::{ZLevel, is_machine, levels};
-use super::way::PlanePath;
+use super::plane_path::PlanePath;
 
 const REASON: &str = "the height of the map";
 /// Steps of the last digit that rounding the ends of a piece may take it off.
-const ROUNDING: f64 = 2.0;
+const ROUNDING_STEPS: f64 = 2.0;
 
 /// What was written, for the proof: by the first byte of an old block.
 #[derive(Debug, Default)]
@@ -52,7 +52,7 @@ pub(super) fn write(
 ) -> Result<HeightEdits, TransformRefusal> {
     let writer = WordWriter::new(job);
     let record = RunRecord::of(job);
-    if let Some((file, line)) = record.elsewhere {
+    if let Some((file, line)) = record.in_other_text {
         let name = job.sources().get(file).map_or("", |source| source.name());
         return Err(TransformRefusal {
             line,
@@ -224,7 +224,7 @@ impl HeightWriter<'_> {
         level: ZLevel,
         alone: bool,
     ) -> Result<(), TransformRefusal> {
-        let way = way(run);
+        let way = plane_path(run);
         if !self.warp.clamp {
             checks::inside(&self.writer, self.map, block, run, &way)?;
         }
@@ -232,7 +232,7 @@ impl HeightWriter<'_> {
             * 0.1f64.powi(i32::from(self.writer.style.digits(run.context.units)));
         // On a slope a place that is rounded aside has another height as well.
         let [low, high] = way.bounds();
-        let rounded = ROUNDING * step * (1.0 + self.map.steepest(low, high));
+        let rounded = ROUNDING_STEPS * step * (1.0 + self.map.steepest(low, high));
         let left = self.warp.tolerance_mm - rounded;
         if left < step {
             let unit = run.context.units.mm();
@@ -401,7 +401,7 @@ fn point(run: &BlockPass) -> [f64; 3] {
 }
 
 /// The way of a cut in X and Y.
-fn way(run: &BlockPass) -> PlanePath {
+fn plane_path(run: &BlockPass) -> PlanePath {
     let [from, to] = [run.from, run.to].map(|at| [at[0], at[1]]);
     match run.shape.filter(|_| run.context.did == BlockEffect::Arc) {
         Some(shape) => arc(&shape, from),

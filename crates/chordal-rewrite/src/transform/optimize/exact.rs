@@ -21,17 +21,18 @@ pub(super) enum ExactPoints {
 }
 
 /// Larger coordinates have no exact points, in increments: their products stay below 2^53.
-const LARGEST: f64 = 4e7;
+const MAX_COORDINATE_INCREMENTS: f64 = 4e7;
 /// Larger circles are not searched, in increments: a metre in thousandths of a millimetre.
-const LARGEST_RADIUS: i64 = 1_000_000;
+const MAX_RADIUS_INCREMENTS: i64 = 1_000_000;
 /// A number that is so near an increment is on it, in increments: what is left of a sum of doubles.
-const NEAR: f64 = 1e-5;
+const ON_INCREMENT: f64 = 1e-5;
 
 /// A length as increments, where it is a whole number of them.
 pub(super) fn whole(length: f64, increment: f64) -> Option<i64> {
     let count = length / increment;
     let near = count.round();
-    ((count - near).abs() < NEAR && near.abs() < LARGEST).then_some(near as i64)
+    ((count - near).abs() < ON_INCREMENT && near.abs() < MAX_COORDINATE_INCREMENTS)
+        .then_some(near as i64)
 }
 
 impl ExactPoints {
@@ -49,7 +50,7 @@ impl ExactPoints {
             ExactPoints::Line { from, step, count } => {
                 // What is on a point but for rounding is on it.
                 let steps = share * *count as f64;
-                let on = Some(steps.round()).filter(|on| (steps - on).abs() < NEAR);
+                let on = Some(steps.round()).filter(|on| (steps - on).abs() < ON_INCREMENT);
                 [on.unwrap_or(steps.floor()), on.unwrap_or(steps.ceil())].map(|steps| {
                     let steps = steps as i64;
                     let at = [0, 1, 2].map(|axis| from[axis] + step[axis] * steps);
@@ -96,7 +97,10 @@ impl CirclePoints {
         let [first, last] = [spoke(arc.from), spoke(arc.to)];
         let square = |[a, b]: [i64; 2]| a * a + b * b;
         let radius = square(first);
-        if radius == 0 || radius != square(last) || radius > LARGEST_RADIUS * LARGEST_RADIUS {
+        if radius == 0
+            || radius != square(last)
+            || radius > MAX_RADIUS_INCREMENTS * MAX_RADIUS_INCREMENTS
+        {
             return None;
         }
         let turn = 2.0 * std::f64::consts::PI;

@@ -3,7 +3,7 @@
 use super::exact::{BlockPoint, ExactPoints};
 
 /// A part is not shorter than this, mm.
-const SHORTEST: f64 = 2.0;
+const MIN_PART_MM: f64 = 2.0;
 /// No part takes less time than this, s: controls read blocks and change feeds, and a few in a row are their limit.
 const QUICKEST: f64 = 0.1;
 /// What a split must save, s.
@@ -11,9 +11,9 @@ const PAYS: f64 = 0.05;
 /// What is so near a limit is on it.
 const ON_IT: f64 = 1.0 - 1e-9;
 /// The most places of a block that are looked at.
-const MOST_PLACES: usize = 200;
+const MAX_PLACES: usize = 200;
 /// The most bins of a profile.
-const MOST_BINS: f64 = 20_000.0;
+const MAX_BINS: f64 = 20_000.0;
 
 /// The share of its feed that a block may have, by bins along its length.
 #[derive(Clone, Debug)]
@@ -25,7 +25,7 @@ pub(super) struct FeedProfile {
 impl FeedProfile {
     /// A block of a length, mm, that has the share `most` wherever nothing lowers it; bins about so long, mm.
     pub fn new(length: f64, bin: f64, most: f64) -> FeedProfile {
-        let count = (length / bin).ceil().clamp(1.0, MOST_BINS) as usize;
+        let count = (length / bin).ceil().clamp(1.0, MAX_BINS) as usize;
         FeedProfile { length, bins: vec![most; count] }
     }
 
@@ -57,8 +57,8 @@ impl FeedProfile {
             .filter(|&k| self.bins[k - 1] != self.bins[k])
             .map(|k| k as f64 / count as f64)
             .collect();
-        let step = 2.0 / MOST_PLACES as f64;
-        if places.len() > MOST_PLACES / 2 {
+        let step = 2.0 / MAX_PLACES as f64;
+        if places.len() > MAX_PLACES / 2 {
             let mut last = f64::NEG_INFINITY;
             places.retain(|place| {
                 let is_next = place - last >= step;
@@ -94,7 +94,7 @@ impl FeedProfile {
                 let length = (ends(to) - ends(from)) * self.length;
                 let seconds = length / (feed * share);
                 let is_whole = from == 0 && to == count - 1;
-                if !is_whole && (length < SHORTEST * ON_IT || seconds < QUICKEST * ON_IT) {
+                if !is_whole && (length < MIN_PART_MM * ON_IT || seconds < QUICKEST * ON_IT) {
                     continue;
                 }
                 let time = best[from].0 + seconds + if from > 0 { PAYS } else { 0.0 };
@@ -125,7 +125,7 @@ impl FeedProfile {
         if changes.is_empty() {
             return Vec::new();
         }
-        let short = SHORTEST / self.length;
+        let short = MIN_PART_MM / self.length;
         let end = |share: f64| (QUICKEST * feed * share / self.length).max(short);
         let ends = [end(self.bins[0]), 1.0 - end(self.bins[self.bins.len() - 1])];
         let near = changes.into_iter().flat_map(|at| [at - short, at, at + short]);

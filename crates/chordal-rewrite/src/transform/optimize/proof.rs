@@ -19,7 +19,7 @@ pub struct FeedProof {
 }
 
 /// A chip may be above its limit by so much: rounding of a product.
-const ROUNDING: f64 = 1e-9;
+const ROUNDING_SHARE: f64 = 1e-9;
 
 /// The commands of a run, each with its line.
 #[derive(Default)]
@@ -140,7 +140,7 @@ pub(super) fn within(
         |line: u32, what: String| Err(OptimizeError::NotProved(format!("line {line}: {what}")));
     for (old, new) in before.moves.iter().zip(&after.moves) {
         let line = new.origin.line;
-        let most = old.feed_mm_per_s * faster * (1.0 + ROUNDING);
+        let most = old.feed_mm_per_s * faster * (1.0 + ROUNDING_SHARE);
         if new.feed_mm_per_s > most {
             return failed(line, "the feed is faster than asked".into());
         }
@@ -150,7 +150,7 @@ pub(super) fn within(
             Some(limit) if new.by_time && new.origin.span.file == FileId(0) => *limit,
             _ => was,
         };
-        if is > limit * (1.0 + ROUNDING) {
+        if is > limit * (1.0 + ROUNDING_SHARE) {
             let what = format!("the chip is up to {is:.4} mm thick, {limit:.4} mm is the limit");
             return failed(line, what);
         }

@@ -5,7 +5,7 @@ use chordal::stock::{
 };
 
 /// More slices are not kept: 100 MB.
-const MOST: usize = 4_000_000;
+const MAX_SLICES: usize = 4_000_000;
 
 /// One slice of a move.
 #[derive(Clone, Copy, Debug)]
@@ -25,7 +25,7 @@ pub(super) struct MoveSlices(Vec<MoveSlice>);
 impl MoveSlices {
     /// Keeps a slice of the move of a number.
     pub fn add(&mut self, number: usize, slice: &EngagementSlice) {
-        if self.0.len() < MOST {
+        if self.0.len() < MAX_SLICES {
             self.0.push(MoveSlice {
                 number: number as u32,
                 at: slice.at as f32,
@@ -39,7 +39,7 @@ impl MoveSlices {
 
     /// All slices of the move of a number are here.
     pub fn has(&self, number: usize) -> bool {
-        let last = self.0.last().filter(|_| self.0.len() >= MOST);
+        let last = self.0.last().filter(|_| self.0.len() >= MAX_SLICES);
         last.is_none_or(|last| (number as u32) < last.number)
     }
 

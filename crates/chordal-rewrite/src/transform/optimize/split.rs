@@ -21,7 +21,7 @@ use crate::source::first_text;
 use crate::{Change, prove};
 
 /// Splits whose sides have the same feed are taken out, and the rest is measured again, so many times.
-const ROUNDS: usize = 4;
+const MAX_SPLIT_ROUNDS: usize = 4;
 
 /// What was split.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -72,7 +72,7 @@ impl JointChoice<'_> {
     pub fn in_parts(&self) -> Result<(Option<InParts>, Vec<NotSplit>), OptimizeError> {
         let mut parts = BlockSplitter::new(self.job);
         let (mut joints, why) = self.joints(&mut parts);
-        for round in 0..ROUNDS {
+        for round in 0..MAX_SPLIT_ROUNDS {
             if joints.is_empty() {
                 break;
             }
@@ -103,7 +103,8 @@ impl JointChoice<'_> {
             let same_cells = same_within(self.before, &before)?;
             let fed = feed(&new, &before, self.limits, self.options, self.files)?;
             let lines = PartLines::new(&parts, &joints);
-            if lines.without_same(&mut joints, &fed, &before.moves) && round + 1 < ROUNDS {
+            if lines.without_same(&mut joints, &fed, &before.moves) && round + 1 < MAX_SPLIT_ROUNDS
+            {
                 continue;
             }
             let parts = lines.split.iter().map(|&(_, _, count)| count as usize).sum();

@@ -16,9 +16,9 @@ const DIGITS: i32 = 3;
 /// Decimals that a feed may have.
 const DECIMALS: u8 = 4;
 /// Feeds that differ by less than this share are the same: rounding of a unit.
-const SAME: f64 = 1e-12;
+const EQUAL_FEED_SHARE: f64 = 1e-12;
 /// The most rounds until every block has the feed it needs: loops and subprograms take a few.
-const ROUNDS: usize = 1000;
+const MAX_FEED_ROUNDS: usize = 1000;
 
 const REASON: &str = "the feed for what the tool meets here";
 const BACK: &str = "the feed that it had";
@@ -41,7 +41,7 @@ struct ExecutedBlock {
 pub(super) fn write(
     job: &Job,
     visits: &RunVisits,
-    wanted: &HashMap<u32, f64>,
+    feeds: &HashMap<u32, f64>,
 ) -> Result<FeedText, TransformRefusal> {
     let writer = WordWriter::new(job);
     let places = places(&writer);
@@ -50,7 +50,7 @@ pub(super) fn write(
         let (Some(block), Some((value, FeedMode::PerTime))) = (visit.block, visit.used) else {
             continue;
         };
-        let Some(&share) = wanted.get(&block).filter(|share| **share != 1.0) else { continue };
+        let Some(&share) = feeds.get(&block).filter(|share| **share != 1.0) else { continue };
         let target = rounded(per_minute(value, visit.units) * share);
         match targets.get(&block) {
             // One word cannot be two feeds: the slower one, which is slow enough for both.
@@ -113,7 +113,7 @@ fn explicit(
             explicit.insert(*block, *target);
         }
     }
-    for _ in 0..ROUNDS {
+    for _ in 0..MAX_FEED_ROUNDS {
         let mut added = false;
         // What F is now, by minute, and whether it is the program's own.
         let mut now: Option<f64> = None;
@@ -204,7 +204,7 @@ fn per_minute(feed: f64, units: Units) -> f64 {
 }
 
 fn is_same(a: f64, b: f64) -> bool {
-    (a - b).abs() <= SAME * a.abs().max(b.abs())
+    (a - b).abs() <= EQUAL_FEED_SHARE * a.abs().max(b.abs())
 }
 
 /// Down to three digits.

@@ -74,8 +74,8 @@ impl LatheBlockSort {
                 of_cycle(word, block, cycle, is_setup, control)
             }
             LatheBlockSort::Pass(pass) => match word.letter {
-                b'R' | b'I' if pass != TurnPass::Facing => Some(NumberRole::Way(0)),
-                b'R' | b'K' if pass == TurnPass::Facing => Some(NumberRole::Way(2)),
+                b'R' | b'I' if pass != TurnPass::Facing => Some(NumberRole::Distance(0)),
+                b'R' | b'K' if pass == TurnPass::Facing => Some(NumberRole::Distance(2)),
                 b'F' if pass == TurnPass::Thread => Some(NumberRole::Lead),
                 b'Q' => Some(NumberRole::Other),
                 _ => increment(word, control),
@@ -109,10 +109,10 @@ fn level_of_hole(block: &Block, control: &Control) -> NumberRole {
         code.is_some_and(|code| control.table.radial_cycles.contains(&code))
     });
     match (is_radial, rules.r_from_initial) {
-        (false, true) => NumberRole::Way(2),
+        (false, true) => NumberRole::Distance(2),
         (false, false) => NumberRole::Place(2),
         (true, false) if rules.radial_r_is_diameter => NumberRole::Place(0),
-        (true, _) => NumberRole::Way(0),
+        (true, _) => NumberRole::Distance(0),
     }
 }
 
@@ -136,7 +136,7 @@ fn of_motion(code: MotionCode) -> LatheBlockSort {
 fn increment(word: &Word, control: &Control) -> Option<NumberRole> {
     let increments = control.parameters.increments;
     let (_, of) = increments.iter().find(|(letter, _)| *letter == word.letter)?;
-    b"XYZ".iter().position(|axis| axis == of).map(NumberRole::Way)
+    b"XYZ".iter().position(|axis| axis == of).map(NumberRole::Distance)
 }
 
 fn of_cycle(
@@ -155,14 +155,14 @@ fn of_cycle(
         (_, b'F' | b'S') => return None,
         (TurnCycle::Rough | TurnCycle::RoughFace, letter) => match (is_setup, letter) {
             (true, b'U' | b'W' | b'R') => NumberRole::Length,
-            (false, b'U') => NumberRole::Way(0),
-            (false, b'W') => NumberRole::Way(2),
+            (false, b'U') => NumberRole::Distance(0),
+            (false, b'W') => NumberRole::Distance(2),
             (false, b'D' | b'I' | b'K') => NumberRole::Length,
             _ => NumberRole::Other,
         },
         (TurnCycle::Pattern, letter) => match letter {
-            b'U' | b'I' => NumberRole::Way(0),
-            b'W' | b'K' => NumberRole::Way(2),
+            b'U' | b'I' => NumberRole::Distance(0),
+            b'W' | b'K' => NumberRole::Distance(2),
             _ => NumberRole::Other,
         },
         (TurnCycle::PeckZ | TurnCycle::PeckX, letter) => match letter {
@@ -176,7 +176,7 @@ fn of_cycle(
             b'Q' if is_setup || !one_line => counted,
             b'P' if !is_setup && !one_line => counted,
             b'R' if is_setup => NumberRole::Length,
-            b'R' | b'I' => NumberRole::Way(0),
+            b'R' | b'I' => NumberRole::Distance(0),
             b'K' | b'D' => counted,
             _ => NumberRole::Other,
         },
@@ -194,7 +194,7 @@ fn of_cycle(
         },
         (TurnCycle::LineThread, letter) => match letter {
             b'X' | b'Z' => return None,
-            b'I' => NumberRole::Way(0),
+            b'I' => NumberRole::Distance(0),
             b'J' | b'K' | b'E' => NumberRole::Length,
             _ => NumberRole::Other,
         },

@@ -122,8 +122,10 @@ impl<'a> StepBuilder<'a> {
                 let node = self.node(at, used);
                 for (height, &way) in node.vertices().zip(node.ways()) {
                     if way != [0, 0] {
-                        self.touching
-                            .push(TouchingVertex { vertex: self.vertices.len() as u32, way });
+                        self.touching.push(TouchingVertex {
+                            vertex: self.vertices.len() as u32,
+                            toward: way,
+                        });
                     }
                     self.vertices.push(self.point(at, height));
                 }

@@ -14,7 +14,7 @@ mod node;
 
 use chordal_geometry::Vec3;
 
-use super::{LARGEST_COORDINATE, Mesh};
+use super::{MAX_COORDINATE_MM, Mesh};
 
 pub use layers::{LayerField, SolidIntervals};
 
@@ -52,7 +52,7 @@ pub struct HeightMesh {
 struct TouchingVertex {
     vertex: u32,
     /// The way to its own column, along X and Y.
-    way: [i8; 2],
+    toward: [i8; 2],
 }
 
 impl HeightMesh {
@@ -63,7 +63,7 @@ impl HeightMesh {
     /// small beside a cell, and more than the rounding of the form.
     #[must_use]
     pub fn parted(mut self, gap: f64) -> Mesh {
-        for TouchingVertex { vertex, way: [x, y] } in self.touching {
+        for TouchingVertex { vertex, toward: [x, y] } in self.touching {
             let way = Vec3::new(f64::from(x), f64::from(y), 0.0);
             self.mesh.vertices[vertex as usize] += way * gap;
         }
@@ -113,7 +113,7 @@ pub enum HeightFieldError {
 }
 
 /// The cells of a field may be longer or shorter together than its size by this share for rounding.
-const ROUNDING: f64 = 1e-9;
+const SIZE_ROUNDING_SHARE: f64 = 1e-9;
 /// A last cell is not narrower than this share of a cell: the one before ends earlier for it. So columns that touch can
 /// be parted, and floats of 32 bits tell its corners apart.
 const NARROWEST: f64 = 0.01;
@@ -194,20 +194,20 @@ impl HeightField<'_> {
             return Err(HeightFieldError::Count { found, columns, rows });
         }
         // Each corner has at most as many vertices as columns meet there, and one for the bottom, twice.
-        const MOST: usize = u32::MAX as usize / 10;
-        if (columns + 1).saturating_mul(rows + 1) > MOST {
+        const MAX_CELLS: usize = u32::MAX as usize / 10;
+        if (columns + 1).saturating_mul(rows + 1) > MAX_CELLS {
             return Err(HeightFieldError::TooMany { columns, rows });
         }
         let at_least_zero = tolerance >= 0.0 && tolerance.is_finite();
         let reach = columns.max(rows) as f64 * self.cell;
-        let within = self.cell > 0.0 && reach <= LARGEST_COORDINATE;
+        let within = self.cell > 0.0 && reach <= MAX_COORDINATE_MM;
         let floor = f64::from(self.floor);
-        let near = |from: f64| from.abs() + reach <= LARGEST_COORDINATE;
+        let near = |from: f64| from.abs() + reach <= MAX_COORDINATE_MM;
         let HeightField { origin: Vec3 { x, y, .. }, .. } = *self;
         // The last cells may be narrower, and are none without a width.
         let ends = |cells: usize, size: f64| {
             let whole = cells as f64 * self.cell;
-            size <= whole * (1.0 + ROUNDING) && (cells == 0 || size > whole - self.cell)
+            size <= whole * (1.0 + SIZE_ROUNDING_SHARE) && (cells == 0 || size > whole - self.cell)
         };
         for (what, value, good) in [
             ("origin", x, near(x)),
@@ -216,14 +216,14 @@ impl HeightField<'_> {
             ("cell", self.cell, within),
             ("size", size[0], ends(columns, size[0])),
             ("size", size[1], ends(rows, size[1])),
-            ("bottom", floor, (self.origin.z + floor).abs() <= LARGEST_COORDINATE),
+            ("bottom", floor, (self.origin.z + floor).abs() <= MAX_COORDINATE_MM),
         ] {
             if !good {
                 return Err(HeightFieldError::Dimension { what, value });
             }
         }
         // Minus infinity is a column that is not there.
-        let good = |value: f32| self.origin.z + f64::from(value) <= LARGEST_COORDINATE;
+        let good = |value: f32| self.origin.z + f64::from(value) <= MAX_COORDINATE_MM;
         match self.heights.iter().position(|&value| !good(value)) {
             Some(at) => {
                 let (column, row) = (at % columns, at / columns);

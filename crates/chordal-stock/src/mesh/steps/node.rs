@@ -41,22 +41,22 @@ fn solid_cell(face: usize, above: [bool; 4], below: [bool; 4]) -> usize {
 }
 
 /// Four tops, the bottom.
-const MOST_LEVELS: usize = 5;
+const MAX_LEVELS: usize = 5;
 /// No more than two bodies touch at a level.
-const MOST_VERTICES: usize = 2 * MOST_LEVELS;
+const MAX_VERTICES: usize = 2 * MAX_LEVELS;
 
 /// The vertices over one corner.
 pub(super) struct CornerNode {
-    levels: [f64; MOST_LEVELS],
+    levels: [f64; MAX_LEVELS],
     count: usize,
     /// The vertex of each face at each level, where two bodies touch in the upright line; otherwise there is one
     /// vertex for each level.
-    touching: Option<[[u8; FaceKind::COUNT]; MOST_LEVELS]>,
+    touching: Option<[[u8; FaceKind::COUNT]; MAX_LEVELS]>,
     /// The level of each vertex.
-    vertex_levels: [u8; MOST_VERTICES],
+    vertex_levels: [u8; MAX_VERTICES],
     vertices: usize,
     /// For each vertex the way to its body, along X and Y, where another body has one at the same place.
-    ways: [[i8; 2]; MOST_VERTICES],
+    ways: [[i8; 2]; MAX_VERTICES],
 }
 
 impl CornerNode {
@@ -64,12 +64,12 @@ impl CornerNode {
     /// the bottom have a vertex here.
     pub(super) fn new(heights: [f64; 4], floor: f64, tops: bool, bottom: bool) -> CornerNode {
         let mut node = CornerNode {
-            levels: [0.0; MOST_LEVELS],
+            levels: [0.0; MAX_LEVELS],
             count: 0,
             touching: None,
             vertex_levels: std::array::from_fn(|vertex| vertex as u8),
             vertices: 0,
-            ways: [[0, 0]; MOST_VERTICES],
+            ways: [[0, 0]; MAX_VERTICES],
         };
         if bottom {
             node.add(floor);
@@ -122,8 +122,8 @@ impl CornerNode {
 
     /// Two bodies may touch in the line: each level has the vertices of each of them.
     fn part(&mut self, heights: [f64; 4], floor: f64) {
-        let mut of = [[0; FaceKind::COUNT]; MOST_LEVELS];
-        let (mut first, mut vertex_levels) = (0, [0; MOST_VERTICES]);
+        let mut of = [[0; FaceKind::COUNT]; MAX_LEVELS];
+        let (mut first, mut vertex_levels) = (0, [0; MAX_VERTICES]);
         for (level, of) in of.iter_mut().enumerate().take(self.count) {
             let z = self.levels[level];
             let above = heights.map(|height| height > z);

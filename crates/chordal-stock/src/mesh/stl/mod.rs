@@ -108,7 +108,7 @@ pub enum StlError {
     /// No triangle at all.
     #[error("the STL has no triangle")]
     NoTriangle,
-    /// A coordinate that is NaN, infinite or larger than [`super::LARGEST_COORDINATE`].
+    /// A coordinate that is NaN, infinite or larger than [`super::MAX_COORDINATE_MM`].
     #[error("triangle {triangle} has the coordinate {value} mm (at byte {offset})")]
     Coordinate {
         /// The triangle, from one.

@@ -11,7 +11,7 @@ pub enum TextProblem {
     Word {
         /// What belongs there.
         expected: &'static str,
-        /// What stands there, cut at [`LONGEST_SHOWN`] characters.
+        /// What stands there, cut at [`MAX_SHOWN_CHARS`] characters.
         found: String,
     },
     /// No number.
@@ -29,7 +29,7 @@ pub enum TextProblem {
 }
 
 /// How much of a word a message shows, in characters.
-const LONGEST_SHOWN: usize = 24;
+const MAX_SHOWN_CHARS: usize = 24;
 /// A binary file has zeros in its head or in its count (of less than 2²⁴ triangles); text has none.
 const HEAD: usize = 84;
 
@@ -94,7 +94,7 @@ impl StlWord<'_> {
     }
 
     fn shown(&self) -> String {
-        String::from_utf8_lossy(self.bytes).chars().take(LONGEST_SHOWN).collect()
+        String::from_utf8_lossy(self.bytes).chars().take(MAX_SHOWN_CHARS).collect()
     }
 
     fn problem(&self, problem: TextProblem) -> StlError {

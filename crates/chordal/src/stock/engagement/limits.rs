@@ -11,7 +11,7 @@ use super::materials::POWER_SHARE;
 use super::report::{EngagementProblem, MoveEngagement};
 
 /// Problems that are kept of a run.
-const MOST: usize = 1000;
+const MAX_PROBLEMS: usize = 1000;
 
 /// What tools and spindle may do.
 pub(super) struct EngagementLimits<'a> {
@@ -50,7 +50,7 @@ impl EngagementLimits<'_> {
                     value,
                     limit,
                 };
-                let said = self.said(&problem, each);
+                let said = self.limit_diagnostic(&problem, each);
                 if let (true, Some(kept), Some(diagnostic)) =
                     (again, found.list.last_mut(), found.diagnostics.last_mut())
                 {
@@ -61,7 +61,7 @@ impl EngagementLimits<'_> {
                     if worse {
                         (*kept, *diagnostic) = (problem, said);
                     }
-                } else if found.list.len() < MOST {
+                } else if found.list.len() < MAX_PROBLEMS {
                     found.list.push(problem);
                     found.diagnostics.push(said);
                 } else {
@@ -83,7 +83,9 @@ impl EngagementLimits<'_> {
         let mut broken = Vec::new();
         if let Some(chip) = each.chip {
             let most = self.max_chip.or(tool.and_then(|tool| tool.max_chip_mm));
-            if let Some(limit) = most.filter(|limit| chip.peak_mm.most > limit * (1.0 + ROUNDING)) {
+            if let Some(limit) =
+                most.filter(|limit| chip.peak_mm.most > limit * (1.0 + ROUNDING_SHARE))
+            {
                 broken.push((Code::ChipTooThick, chip.peak_mm, limit));
             }
             // Only where something is cut: beside a wall that is cut already there is nothing to rub on.
@@ -104,7 +106,7 @@ impl EngagementLimits<'_> {
         broken
     }
 
-    fn said(&self, problem: &EngagementProblem, each: &MoveEngagement) -> Diagnostic {
+    fn limit_diagnostic(&self, problem: &EngagementProblem, each: &MoveEngagement) -> Diagnostic {
         let EngagementProblem { code, tool, value, limit, .. } = *problem;
         let chip = |mm: f64| match self.units {
             Units::Inch => format!("{} in", telling_number(mm / 25.4, 5)),
@@ -151,4 +153,4 @@ impl EngagementLimits<'_> {
 }
 
 /// A chip at its limit is not above it for the last digit of a feed: a billionth.
-const ROUNDING: f64 = 1e-9;
+const ROUNDING_SHARE: f64 = 1e-9;

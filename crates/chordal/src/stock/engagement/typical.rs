@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 /// Numbers that differ by less than this share are one.
-const SHARE: f64 = 0.01;
+const EQUAL_SHARE: f64 = 0.01;
 
 /// Numbers with the time for which they held.
 #[derive(Clone, Debug, Default)]
@@ -16,7 +16,7 @@ impl TimeWeightedValues {
     /// Takes a number above zero.
     pub fn add(&mut self, value: f64, seconds: f64) {
         if value > 0.0 && value.is_finite() && seconds > 0.0 {
-            let step = (libm::log(value) / SHARE).round() as i32;
+            let step = (libm::log(value) / EQUAL_SHARE).round() as i32;
             let entry = self.steps.entry(step).or_default();
             *entry = (entry.0 + seconds, entry.1 + value * seconds);
         }

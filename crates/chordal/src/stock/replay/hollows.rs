@@ -9,11 +9,11 @@ use super::super::tools::ToolBody;
 use super::{ColumnDrop, GapChange, StockBefore};
 
 /// Columns that are lower by less are as they were, mm: rounding.
-const NEAR: f32 = 1e-3;
+const EQUAL_HEIGHT_MM: f32 = 1e-3;
 /// A move is cut in pieces of so many columns, and in no more than so many pieces: what it removes comes to be with
 /// each of them.
 const COLUMNS: f64 = 4.0;
-const MOST_PIECES: f64 = 64.0;
+const MAX_PIECES: f64 = 64.0;
 
 /// The gaps and heights that were told last.
 pub(super) struct ReplayHollows {
@@ -59,7 +59,7 @@ impl ReplayHollows {
         row: u32,
     ) -> (Vec<ColumnDrop>, Vec<GapChange>) {
         let length = path.curve.length();
-        let count = (length / (COLUMNS * self.side)).ceil().clamp(1.0, MOST_PIECES);
+        let count = (length / (COLUMNS * self.side)).ceil().clamp(1.0, MAX_PIECES);
         let (mut drops, mut gaps) = (Vec::new(), Vec::new());
         for k in 0..count as u32 {
             let [from, to] = [k, k + 1].map(|k| f64::from(k) / count);
@@ -99,7 +99,7 @@ impl ReplayHollows {
                 let Some(heights) = stock.heights_at(x, y) else { continue };
                 let height = (heights.outer - self.top) as f32;
                 let known = &mut self.heights[column as usize];
-                if height < *known - NEAR {
+                if height < *known - EQUAL_HEIGHT_MM {
                     *known = height;
                     drops.push(ColumnDrop { column, row, share, height });
                 }

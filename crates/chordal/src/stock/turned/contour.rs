@@ -12,7 +12,7 @@ use super::tools::LatheTool;
 /// Walls that are remembered: a flank is not longer than some moves.
 const WALLS: usize = 24;
 /// Ends this near are one point, mm.
-const SAME: f64 = 1e-6;
+const COINCIDENT_MM: f64 = 1e-6;
 /// Directions nearer to parallel than this have no side.
 const PARALLEL: f64 = 0.05;
 /// A flank that leads by less than this does not cut.
@@ -47,7 +47,7 @@ impl FeedChain {
     /// Finds out on which side the part is; a chain that does not go on begins again.
     fn side(&mut self, tool: &LatheTool, move_: &TurnMove) -> Option<Vec2> {
         let path = &move_.path;
-        let goes_on = self.tool == move_.tool && self.end.distance(path.start) <= SAME;
+        let goes_on = self.tool == move_.tool && self.end.distance(path.start) <= COINCIDENT_MM;
         if move_.kind != TurnedMoveKind::Cut || !goes_on {
             self.walls.clear();
         }
@@ -86,7 +86,7 @@ impl FeedChain {
         let mut deepest: Option<(f64, Vec2)> = None;
         for wall in &self.walls {
             let Some((low, high)) = removed.bounds() else { break };
-            let Some(inside) = behind(wall, self.left, 2.0 * reach) else { continue };
+            let Some(inside) = part_side_of(wall, self.left, 2.0 * reach) else { continue };
             let Some(bounds) = inside.bounds() else { continue };
             if low.a > bounds.1.a
                 || high.a < bounds.0.a
@@ -135,7 +135,7 @@ fn depth_in(wall: &OutlineSegment, left: bool, point: Vec2) -> f64 {
 }
 
 /// What is within `reach` (mm) on the part's side of a wall, square to it.
-fn behind(wall: &OutlineSegment, left: bool, reach: f64) -> Option<Region> {
+fn part_side_of(wall: &OutlineSegment, left: bool, reach: f64) -> Option<Region> {
     let side = if left { 1.0 } else { -1.0 };
     let outline = match wall.bend {
         None => {

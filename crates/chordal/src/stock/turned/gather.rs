@@ -17,7 +17,7 @@ use super::tools::{LatheTool, NoOutline, TurningToolKind};
 use crate::report::RunWatch;
 
 /// Angles of rotary axes that differ by less are the same, rad; places, mm.
-const SAME: f64 = 1e-9;
+const EQUAL_POSITION: f64 = 1e-9;
 /// A drill farther from the axis than this is not on it, mm.
 const ON_AXIS: f64 = 1e-4;
 
@@ -84,7 +84,7 @@ pub(super) struct TurnedMoves<'a> {
     programmed: Vec<(Origin, OutlineSegment)>,
     /// Drills of which a point angle was assumed, and said.
     assumed: Vec<u32>,
-    told: Vec<(Code, u32)>,
+    reported: Vec<(Code, u32)>,
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -110,14 +110,14 @@ impl<'a> TurnedMoves<'a> {
             on_surface: false,
             programmed: Vec::new(),
             assumed: Vec::new(),
-            told: Vec::new(),
+            reported: Vec::new(),
             diagnostics: Vec::new(),
         }
     }
 
     /// Whether every move that may cut is here.
     pub fn is_whole(&self) -> bool {
-        self.told.is_empty()
+        self.reported.is_empty()
     }
 
     fn segment(&mut self, path: &PathCommand<'_>, segment: &PathSegment, kind: TurnedMoveKind) {
@@ -132,18 +132,23 @@ impl<'a> TurnedMoves<'a> {
             if kind != TurnedMoveKind::Rapid {
                 let why =
                     "it mills a face or a cylinder: polar or cylindrical interpolation is active";
-                self.tell(Code::StockNotFollowed, segment, why);
+                self.report_once(Code::StockNotFollowed, segment, why);
             }
             return;
         }
         let angles = *self.rotary.get_or_insert(segment.rotary_from);
-        let same = |a: &[f64; 3]| a.iter().zip(&angles).all(|(a, b)| (a - b).abs() < SAME);
+        let same =
+            |a: &[f64; 3]| a.iter().zip(&angles).all(|(a, b)| (a - b).abs() < EQUAL_POSITION);
         if !same(&segment.rotary_from) || !same(&segment.rotary_to) {
             self.rotary = Some(segment.rotary_to);
             if kind == TurnedMoveKind::Rapid {
                 return;
             }
-            return self.tell(Code::StockNotFollowed, segment, "a rotary axis moves with it");
+            return self.report_once(
+                Code::StockNotFollowed,
+                segment,
+                "a rotary axis moves with it",
+            );
         }
         let unknown = match (segment.known, segment.unrelated_zero.is_none(), segment.tip_known) {
             (true, true, true) => None,
@@ -153,14 +158,14 @@ impl<'a> TurnedMoves<'a> {
         };
         if let Some(why) = unknown {
             if kind != TurnedMoveKind::Rapid {
-                self.tell(Code::StockNotFollowed, segment, why);
+                self.report_once(Code::StockNotFollowed, segment, why);
             }
             return;
         }
         let Some(curve) = flat(&segment.curve) else {
             if kind != TurnedMoveKind::Rapid {
                 let why = "it is not a line or an arc in the plane of Z and X at Y0";
-                self.tell(Code::StockNotFollowed, segment, why);
+                self.report_once(Code::StockNotFollowed, segment, why);
             }
             return;
         };
@@ -169,7 +174,7 @@ impl<'a> TurnedMoves<'a> {
         if cuts && tool.kind == TurningToolKind::Drill && (is_off(curve.start) || is_off(curve.end))
         {
             let why = "a drill that is not on the axis does not turn the part";
-            return self.tell(Code::StockNotFollowed, segment, why);
+            return self.report_once(Code::StockNotFollowed, segment, why);
         }
         if tool.has_assumed_point_angle && cuts && !self.assumed.contains(&segment.tool) {
             self.assumed.push(segment.tool);
@@ -222,16 +227,16 @@ impl<'a> TurnedMoves<'a> {
 
     fn no_tool(&mut self, segment: &PathSegment, kind: TurnedMoveKind, why: &str) {
         if kind != TurnedMoveKind::Rapid {
-            self.tell(Code::ToolWithoutShape, segment, why);
+            self.report_once(Code::ToolWithoutShape, segment, why);
         }
     }
 
     /// Says once of a tool why its moves remove nothing.
-    fn tell(&mut self, code: Code, segment: &PathSegment, why: &str) {
-        if self.told.contains(&(code, segment.tool)) {
+    fn report_once(&mut self, code: Code, segment: &PathSegment, why: &str) {
+        if self.reported.contains(&(code, segment.tool)) {
             return;
         }
-        self.told.push((code, segment.tool));
+        self.reported.push((code, segment.tool));
         self.diagnostics.push(not_cut(code, &segment.origin, segment.tool, why));
     }
 }
@@ -293,13 +298,15 @@ impl RunWatch for TurnedMoves<'_> {
 
 /// A curve in the plane of Z and X: z and the radius; `None` of another one.
 fn flat(curve: &Curve) -> Option<OutlineSegment> {
-    let in_plane = |p: chordal_geometry::Vec3| p.y.abs() <= SAME;
+    let in_plane = |p: chordal_geometry::Vec3| p.y.abs() <= EQUAL_POSITION;
     let place = |p: chordal_geometry::Vec3| Vec2::new(p.z, p.x);
     match curve {
         Curve::Line(line) if in_plane(line.start) && in_plane(line.end) => {
             Some(OutlineSegment::line(place(line.start), place(line.end)))
         }
-        Curve::Arc(arc) if arc.w.y.abs() > 1.0 - SAME && arc.rise.abs() <= SAME => {
+        Curve::Arc(arc)
+            if arc.w.y.abs() > 1.0 - EQUAL_POSITION && arc.rise.abs() <= EQUAL_POSITION =>
+        {
             if !in_plane(arc.start) {
                 return None;
             }

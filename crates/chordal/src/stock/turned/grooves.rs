@@ -7,8 +7,8 @@ use chordal_geometry::Vec2;
 use chordal_stock::turned::{BladeFacing, LatheStock, PlaceSide, Region};
 
 use super::gather::{TurnMove, TurnedMoveKind};
+use super::problems::{MessageDetail, ProblemLocation, TurnedProblems};
 use super::report::CutOffPart;
-use super::said::{MessageDetail, ProblemLocation, TurnedProblems};
 use super::tools::{LatheTool, TurningToolKind};
 
 /// What holds a part after a part-off is thinner than this, mm.
@@ -120,13 +120,13 @@ impl GrooveRecord {
             if let Some(deepest) =
                 run.iter().filter(|plunge| !plunge.inside).min_by(|a, b| a.end.total_cmp(&b.end))
             {
-                self.held(deepest, sections, moves, found);
+                self.remaining_link(deepest, sections, moves, found);
             }
         }
     }
 
     /// What still holds a part that was nearly cut off.
-    fn held(
+    fn remaining_link(
         &self,
         plunge: &BladePlunge,
         sections: &[&Region],

@@ -11,13 +11,13 @@ use super::gather::TurnMove;
 use super::threads::{SpindleRevolutions, ThreadAdvance};
 
 /// Advances that differ by less are the same, mm.
-const SAME_MM: f64 = 1e-9;
+const EQUAL_ADVANCE_MM: f64 = 1e-9;
 /// Starts that are a whole number of revolutions apart, but for this part of one, cut the same groove.
-const SAME_TURN: f64 = 1e-6;
+const EQUAL_TURN_SHARE: f64 = 1e-6;
 /// Steps in which a groove moves along a thread, about: what it has in common is taken as largest within each.
 const STEPS: i64 = 64;
 /// Steps of one revolution at most.
-const MOST_STEPS: i64 = 16;
+const MAX_STEPS: i64 = 16;
 
 /// Moves of one thread that advance alike.
 #[derive(Clone, Debug)]
@@ -59,7 +59,8 @@ impl ThreadGrooves {
     }
 
     fn with(&mut self, course: ThreadCourse) -> Option<()> {
-        let alike = |known: &&mut ThreadCourse| known.advance.distance(course.advance) < SAME_MM;
+        let alike =
+            |known: &&mut ThreadCourse| known.advance.distance(course.advance) < EQUAL_ADVANCE_MM;
         match self.courses.iter_mut().find(alike) {
             Some(known) => known.join(&course)?,
             None => self.courses.push(course),
@@ -103,7 +104,8 @@ impl ThreadCourse {
     fn join(&mut self, other: &ThreadCourse) -> Option<()> {
         let square = self.advance.dot(self.advance);
         // Rounding must not put a groove that is cut again next to itself.
-        let away = ((other.start - self.start).dot(self.advance) / square + SAME_TURN).floor();
+        let away =
+            ((other.start - self.start).dot(self.advance) / square + EQUAL_TURN_SHARE).floor();
         let moved = other.groove.moved(self.advance * -away);
         self.groove = self.groove.union(&moved).ok()?.region;
         let away = away as i64;
@@ -115,7 +117,7 @@ impl ThreadCourse {
     /// `None` where the regions cannot be told apart.
     fn volume(&self, section: &Region) -> Option<f64> {
         let (first, last) = self.turns;
-        let steps = (STEPS / (last - first).max(1)).clamp(1, MOST_STEPS);
+        let steps = (STEPS / (last - first).max(1)).clamp(1, MAX_STEPS);
         let step = self.advance * (1.0 / steps as f64);
         // What the groove meets while it moves on by a step. The section is longer along the thread than that.
         let reach = section.union(&section.moved(step * -1.0)).ok()?.region;

@@ -8,7 +8,7 @@ use super::report::{TurnedMove, TurnedToolRemoved};
 use crate::job::Job;
 
 /// A chip at its limit is not above it for the last digit of a feed: a billionth.
-const ROUNDING: f64 = 1e-9;
+const ROUNDING_SHARE: f64 = 1e-9;
 
 /// Estimates the power of each move.
 pub(super) fn give_power(
@@ -38,7 +38,7 @@ pub(super) fn overloads(job: &Job<'_>, moves: &mut [TurnedMove], units: Units) -
     for move_ in moves.iter_mut().filter(|move_| move_.removed_mm3 > 0.0 && !move_.is_thread) {
         let most = machine.tools.get(&move_.tool).and_then(|tool| tool.max_chip_mm);
         let limits = [
-            (Code::ChipTooThick, move_.chip_mm, most.map(|most| most * (1.0 + ROUNDING))),
+            (Code::ChipTooThick, move_.chip_mm, most.map(|most| most * (1.0 + ROUNDING_SHARE))),
             (Code::SpindleOverloaded, move_.power_kw, machine.spindle_power_kw),
         ];
         for (code, value, limit) in limits {
@@ -61,11 +61,17 @@ pub(super) fn overloads(job: &Job<'_>, moves: &mut [TurnedMove], units: Units) -
     }
     worst
         .iter()
-        .map(|(code, move_, value, limit)| said(*code, move_, *value, *limit, units))
+        .map(|(code, move_, value, limit)| limit_diagnostic(*code, move_, *value, *limit, units))
         .collect()
 }
 
-fn said(code: Code, move_: &TurnedMove, value: f64, limit: f64, units: Units) -> Diagnostic {
+fn limit_diagnostic(
+    code: Code,
+    move_: &TurnedMove,
+    value: f64,
+    limit: f64,
+    units: Units,
+) -> Diagnostic {
     let tool = move_.tool;
     let chip = |mm: f64| match units {
         Units::Inch => format!("{} in", telling_number(mm / 25.4, 5)),

@@ -8,13 +8,13 @@ use chordal_geometry::Vec2;
 use chordal_stock::turned::{OutlineSegment, Region};
 
 use super::gather::{TurnMove, TurnedMoveKind};
-use super::said::{MessageDetail, ProblemLocation, TurnedProblems};
+use super::problems::{MessageDetail, ProblemLocation, TurnedProblems};
 use super::tools::{LatheTool, TurningToolKind};
 
 /// Parts of the outline shorter than this are rounding, mm.
-const SHORT: f64 = 0.01;
+const MIN_OUTLINE_MM: f64 = 0.01;
 /// Lines are parallel, and radii differ by the nose, within this.
-const SAME: f64 = 1e-6;
+const PARALLEL_TOLERANCE: f64 = 1e-6;
 
 /// Compares an outline with the moves that made it.
 pub(super) fn look_at_surface<'t>(
@@ -36,7 +36,7 @@ pub(super) fn look_at_surface<'t>(
         else {
             continue;
         };
-        if segment.start.distance(segment.end) < SHORT {
+        if segment.start.distance(segment.end) < MIN_OUTLINE_MM {
             continue;
         }
         if let Some((off, place)) = miss(segment, &move_.path, nose)
@@ -64,7 +64,7 @@ fn miss(segment: &OutlineSegment, path: &OutlineSegment, nose: f64) -> Option<(f
         (None, None) => {
             let along = (segment.end - segment.start).normalized()?;
             let way = (path.end - path.start).normalized()?;
-            if along.cross(way).abs() > SAME {
+            if along.cross(way).abs() > PARALLEL_TOLERANCE {
                 return None;
             }
             // The region is to the left of its outline.
@@ -72,8 +72,8 @@ fn miss(segment: &OutlineSegment, path: &OutlineSegment, nose: f64) -> Option<(f
             (off.abs() <= 2.0 * nose).then_some((off, (segment.start + segment.end) * 0.5))
         }
         (Some(bend), Some(arc)) => {
-            let by_nose =
-                ((bend.radius - arc.radius).abs() - nose).abs() <= SAME.max(1e-6 * bend.radius);
+            let by_nose = ((bend.radius - arc.radius).abs() - nose).abs()
+                <= PARALLEL_TOLERANCE.max(1e-6 * bend.radius);
             if !by_nose {
                 return None;
             }

@@ -11,7 +11,7 @@ use super::report::CutOffPart;
 use super::tools::{LatheTool, NoOutline};
 
 /// Segments that are compared with those before, of a run; then only the section after each tool is kept.
-const MOST: usize = 20_000_000;
+const MAX_SEGMENTS: usize = 20_000_000;
 
 /// What two segments have in common that are the same: their numbers, bit by bit, and their tag.
 type SegmentKey = ([u64; 7], u32);
@@ -75,7 +75,7 @@ impl SectionRecorder {
             return;
         }
         self.due = Some((move_.row, move_.tool));
-        if self.compared <= MOST || comes_off {
+        if self.compared <= MAX_SEGMENTS || comes_off {
             self.settle(&stock.region());
         } else {
             self.replay.is_whole = false;

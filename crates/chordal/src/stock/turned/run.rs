@@ -15,16 +15,16 @@ use super::cut::{TurnedFixture, TurnedRun};
 use super::gather::{TurnMove, TurnedMoves};
 use super::load::{give_power, overloads};
 use super::nose::look_at_surface;
+use super::problems::{MessageDetail, ProblemLocation, TurnedProblems};
 use super::recorder::SectionRecorder;
 use super::report::TurnedReport;
-use super::said::{MessageDetail, ProblemLocation, TurnedProblems};
 use super::target::TurnedTargetPart;
 use super::tools::{LatheTool, tools_of};
 use crate::job::Job;
 use crate::report::Report;
 
 /// Moves between two looks at whether to end early.
-const AT_ONCE: usize = 256;
+const MOVES_PER_CHECK: usize = 256;
 
 /// How a run on turned stock is made.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -103,7 +103,7 @@ impl Job<'_> {
             cutting.target = Some(TurnedTargetPart::new(section_of("target", body)?, tolerance));
         }
         for number in 0..gathered.moves.len() {
-            if number % AT_ONCE == 0 && self.is_interrupted() {
+            if number % MOVES_PER_CHECK == 0 && self.is_interrupted() {
                 return Err(StockRunError::Interrupted);
             }
             cutting.step(number, &gathered.moves);

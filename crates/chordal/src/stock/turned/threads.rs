@@ -7,7 +7,7 @@ use super::gather::TurnMove;
 use super::report::TurnedThread;
 
 /// Grooves of one move that are drawn; a finer thread is shown by where it lies.
-const MOST_TURNS: f64 = 5000.0;
+const MAX_TURNS: f64 = 5000.0;
 
 /// How a move of a thread goes round.
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +40,7 @@ impl SpindleRevolutions {
         let length = path.start.distance(path.end);
         let advance = move_.feed / move_.rev_per_s;
         let turns = length / advance;
-        if path.bend.is_some() || !turns.is_finite() || turns > MOST_TURNS || advance <= 0.0 {
+        if path.bend.is_some() || !turns.is_finite() || turns > MAX_TURNS || advance <= 0.0 {
             self.since = 0.0;
             return None;
         }
@@ -68,7 +68,7 @@ impl SpindleRevolutions {
         let advance = move_.feed / move_.rev_per_s;
         let turns = length / advance;
         let is_even = path.bend.is_none() && move_.lead_change == 0.0 && advance > 0.0;
-        if !is_even || !turns.is_finite() || turns <= 0.0 || turns > MOST_TURNS {
+        if !is_even || !turns.is_finite() || turns <= 0.0 || turns > MAX_TURNS {
             return None;
         }
         let along = (path.end - path.start) * (advance / length);

@@ -16,7 +16,7 @@ use crate::stock::tools::lacking;
 use crate::tool_comments::known_tools;
 
 /// A shank or body of which no length is known has none below this, mm.
-const LONG: f64 = 1000.0;
+const UNKNOWN_BODY_MM: f64 = 1000.0;
 /// The block above a blade is at least so much wider on each side, mm.
 const BLOCK: f64 = 0.5;
 /// A thread's depth as a share of its pitch (ISO 68-1).
@@ -124,7 +124,7 @@ fn insert(tool: &Tool) -> Result<LatheTool, NoOutline> {
             let approach = tool.turning.approach_angle_rad.ok_or_else(|| {
                 missing("approach_angle", "between its main edge and the feed along Z")
             })?;
-            Insert { shape: far, ..Insert::held(tip, nose, approach, corner, reach)? }
+            Insert { shape: far, ..Insert::mounted(tip, nose, approach, corner, reach)? }
         }
         5..=8 => {
             let to = tip.to_center();
@@ -212,8 +212,8 @@ fn blade(tool: &Tool) -> Result<LatheTool, NoOutline> {
     let above = [
         place(left, length),
         place(right, length),
-        place(right, length + LONG),
-        place(left, length + LONG),
+        place(right, length + UNKNOWN_BODY_MM),
+        place(left, length + UNKNOWN_BODY_MM),
     ];
     Ok(LatheTool {
         has_assumed_point_angle: tool.has_assumed_point_angle(),
@@ -247,11 +247,11 @@ fn on_axis(tool: &Tool, shape: ToolShape) -> Result<LatheTool, NoOutline> {
             return Err(NoOutline(why));
         }
     };
-    let length = tool.flute_length_mm.unwrap_or(LONG);
+    let length = tool.flute_length_mm.unwrap_or(UNKNOWN_BODY_MM);
     let mut at = length;
     let shank = match tool.shank_diameter_mm.filter(|_| tool.shank.is_empty()) {
         Some(diameter) => stack(
-            &[HolderSegment { height_mm: LONG, lower_mm: diameter, upper_mm: diameter }],
+            &[HolderSegment { height_mm: UNKNOWN_BODY_MM, lower_mm: diameter, upper_mm: diameter }],
             &mut at,
         )?,
         None => stack(&tool.shank, &mut at)?,
@@ -296,7 +296,11 @@ fn bar(tool: &Tool, tip: Tip, from: f64) -> Result<Option<Outline>, NoOutline> {
     let Some(diameter) = tool.shank_diameter_mm.filter(|_| is_inside) else { return Ok(None) };
     let offset = tool.turning.bar_offset_mm.unwrap_or(0.5 * diameter);
     let (low, high) = (-offset - 0.5 * diameter, -offset + 0.5 * diameter);
-    let ends = if tip.number() == 1 { [-from - LONG, -from] } else { [from, from + LONG] };
+    let ends = if tip.number() == 1 {
+        [-from - UNKNOWN_BODY_MM, -from]
+    } else {
+        [from, from + UNKNOWN_BODY_MM]
+    };
     let corners = [
         Vec2::new(ends[0], low),
         Vec2::new(ends[1], low),

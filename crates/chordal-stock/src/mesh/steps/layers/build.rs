@@ -72,7 +72,8 @@ impl<'a> LayerBuilder<'a> {
         for level in &corner.levels {
             for &way in &level.meeting.ways[..level.meeting.count] {
                 if way != [0, 0] {
-                    self.touching.push(TouchingVertex { vertex: self.vertices.len() as u32, way });
+                    self.touching
+                        .push(TouchingVertex { vertex: self.vertices.len() as u32, toward: way });
                 }
                 self.vertices.push(self.point(at, level.height));
             }

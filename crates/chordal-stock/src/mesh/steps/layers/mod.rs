@@ -12,7 +12,7 @@ mod cover;
 use chordal_geometry::Vec3;
 
 use super::{HeightField, HeightFieldError, HeightMesh, PlanGrid};
-use crate::mesh::LARGEST_COORDINATE;
+use crate::mesh::MAX_COORDINATE_MM;
 
 /// Tops have heights in such steps, mm: files of floats of 32 bits tell half of one apart up to four metres.
 pub(super) const STEP: f64 = 1.0 / 1024.0;
@@ -117,7 +117,7 @@ impl LayerField<'_> {
             floor: 0.0,
         };
         flat.check(tolerance)?;
-        let good = |height: f64| height >= 0.0 && self.origin.z + height <= LARGEST_COORDINATE;
+        let good = |height: f64| height >= 0.0 && self.origin.z + height <= MAX_COORDINATE_MM;
         for cell in 0..stretches.len() {
             let bad = stretches.of(cell).iter().flatten().find(|height| !good(**height));
             if let Some(&value) = bad {

@@ -7,9 +7,9 @@ use chordal::geometry::fractions_at_angle;
 use super::grid::HeightMap;
 
 /// More places than these in one move are not looked at.
-const MOST_NODES: usize = 200_000;
+const MAX_NODES: usize = 200_000;
 /// What the surface may rise off the straight between two neighbouring places, as a part of the tolerance.
-const SHARE: f64 = 0.125;
+const NODE_TOLERANCE_SHARE: f64 = 0.125;
 
 /// The way of a move in X and Y, from fraction 0 to 1, mm and rad.
 #[derive(Clone, Copy, Debug)]
@@ -59,8 +59,8 @@ impl PlanePath {
     /// The fractions that end the pieces: over each the surface with the move's own rise is straight within a
     /// tolerance, mm. The last is 1.
     pub(super) fn pieces(&self, map: &HeightMap, tolerance: f64) -> Result<Vec<f64>, TooLong> {
-        let nodes = self.nodes(map, tolerance * SHARE)?;
-        let allowed = tolerance * (1.0 - SHARE);
+        let nodes = self.nodes(map, tolerance * NODE_TOLERANCE_SHARE)?;
+        let allowed = tolerance * (1.0 - NODE_TOLERANCE_SHARE);
         let heights: Vec<f64> = nodes.iter().map(|t| map.height(self.at(*t))).collect();
         let mut ends = Vec::new();
         let mut from = 0;
@@ -98,7 +98,7 @@ impl PlanePath {
             let bend = self.bend(map, 0.5 * (pair[0] + pair[1]));
             // A function whose second derivative is at most M leaves its chord by M l²/8 at most.
             let count = libm::ceil((bend * length * length / (8.0 * left)).sqrt()).max(1.0);
-            if count > MOST_NODES as f64 || nodes.len() + count as usize > MOST_NODES {
+            if count > MAX_NODES as f64 || nodes.len() + count as usize > MAX_NODES {
                 return Err(TooLong);
             }
             let steps = count as usize;

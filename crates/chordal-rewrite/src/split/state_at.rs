@@ -16,7 +16,7 @@ use crate::source::SourceBlocks;
 #[derive(Clone, Debug)]
 pub(crate) struct StateAt {
     pub(crate) modal: Modal,
-    pub(crate) said: StateWords,
+    pub(crate) words: StateWords,
 }
 
 /// What the program has said so far and what still counts, in its own words.
@@ -195,18 +195,18 @@ impl StateWords {
 /// What holds at places, in the order of the run.
 pub(super) fn at(job: &Job, source: &SourceBlocks, points: &[SplitPoint]) -> Vec<StateAt> {
     let (control, said) = (job.control(), StateWords::default());
-    let mut walk = StateScan { source, control, points, said, ran: 0, standing: Vec::new() };
+    let mut walk = StateScan { source, control, points, words: said, ran: 0, states: Vec::new() };
     job.run(&mut walk);
-    walk.standing
+    walk.states
 }
 
 struct StateScan<'s, 'a> {
     source: &'s SourceBlocks<'a>,
     control: &'s Control,
     points: &'s [SplitPoint],
-    said: StateWords,
+    words: StateWords,
     ran: u32,
-    standing: Vec<StateAt>,
+    states: Vec<StateAt>,
 }
 
 impl Sink for StateScan<'_, '_> {
@@ -222,12 +222,12 @@ impl RunSink for StateScan<'_, '_> {
 
     fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
         if let Some(at) = self.source.block_at(origin.span) {
-            self.said.follow(self.source, self.control, &self.source.blocks[at]);
+            self.words.follow(self.source, self.control, &self.source.blocks[at]);
         }
         self.ran += 1;
-        let next = self.points.get(self.standing.len());
+        let next = self.points.get(self.states.len());
         if next.is_some_and(|point| point.ran == self.ran) {
-            self.standing.push(StateAt { modal: modal(), said: self.said.clone() });
+            self.states.push(StateAt { modal: modal(), words: self.words.clone() });
         }
     }
 }

@@ -11,14 +11,14 @@ use super::super::setup::{NamedBody, SetupFileReader, shift_between};
 use super::bodies::grown;
 use super::cut::{TurnedFixture, TurnedRun};
 use super::gather::{TurnMove, TurnedMoveKind, TurnedMoves};
+use super::problems::TurnedProblems;
 use super::run::TurnedOptions;
-use super::said::TurnedProblems;
 use super::tools::tools_of;
 use crate::job::Job;
 
 /// What the way in meets.
 #[derive(Clone, Debug, PartialEq)]
-pub struct WayHit {
+pub struct ApproachHit {
     /// The line of the new program that goes there.
     pub line: u32,
     /// How deep, mm.
@@ -31,11 +31,11 @@ pub struct WayHit {
 
 /// The way in to a line, on what the moves before it have left.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct WayIn {
+pub struct ApproachCheck {
     /// Its moves that were looked at.
     pub moves: u64,
     /// What it meets, in the order of its moves.
-    pub hits: Vec<WayHit>,
+    pub hits: Vec<ApproachHit>,
     /// Why it is not known whether it meets something.
     pub unknown: Option<String>,
 }
@@ -46,13 +46,13 @@ impl Job<'_> {
     ///
     /// # Errors
     /// Without stock, or with a setup that is incomplete.
-    pub fn turned_way_in(
+    pub fn check_turned_approach(
         &self,
         new: &Job<'_>,
         head: Range<u32>,
         options: &TurnedOptions,
         files: SetupFileReader<'_>,
-    ) -> Result<WayIn, StockRunError> {
+    ) -> Result<ApproachCheck, StockRunError> {
         let tools = tools_of(self);
         let (naming, units) =
             (self.control().table.work_names, self.control().parameters.rules.units);
@@ -67,7 +67,7 @@ impl Job<'_> {
         let way: Vec<TurnMove> =
             begun.moves.iter().take_while(|one| is_head(&one.origin)).copied().collect();
         let after = begun.moves.len() - way.len();
-        let mut found = WayIn { moves: way.len() as u64, ..WayIn::default() };
+        let mut found = ApproachCheck { moves: way.len() as u64, ..ApproachCheck::default() };
         let Some(before) = old.moves.len().checked_sub(after) else {
             found.unknown = Some("the moves after the line are not the same".into());
             return Ok(found);
@@ -115,14 +115,14 @@ impl Job<'_> {
 }
 
 /// Carries out a move of the way in, and keeps what it meets.
-fn meet(cutting: &mut TurnedRun<'_>, number: usize, moves: &[TurnMove], found: &mut WayIn) {
+fn meet(cutting: &mut TurnedRun<'_>, number: usize, moves: &[TurnMove], found: &mut ApproachCheck) {
     let (known, cuts) = (cutting.found.list.len(), cutting.moves.len());
     cutting.step(number, moves);
     let move_ = &moves[number];
     let line = move_.origin.line;
     let problems = cutting.found.list.iter().zip(&cutting.found.diagnostics).skip(known);
     for (problem, said) in problems {
-        found.hits.push(WayHit {
+        found.hits.push(ApproachHit {
             line,
             depth_mm: problem.depth_mm.most,
             at: [problem.at.z, problem.at.x],
@@ -136,7 +136,7 @@ fn meet(cutting: &mut TurnedRun<'_>, number: usize, moves: &[TurnMove], found: &
             && cut.area_mm2 > 0.0
     }) {
         let depth = cutting.found.units.length_text(cut.depth_mm);
-        found.hits.push(WayHit {
+        found.hits.push(ApproachHit {
             line,
             depth_mm: cut.depth_mm,
             at: [move_.path.end.a, move_.path.end.b],

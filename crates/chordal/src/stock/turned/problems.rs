@@ -8,7 +8,7 @@ use chordal_stock::VolumeInterval;
 use super::super::problems::StockProblem;
 
 /// Problems that are kept of a run.
-const MOST: usize = 1000;
+const MAX_PROBLEMS: usize = 1000;
 
 /// What a message needs in addition to the depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,7 +85,7 @@ impl<'a> TurnedProblems<'a> {
             return;
         }
         self.last = Some((at.origin, code, name.to_string()));
-        if self.list.len() >= MOST {
+        if self.list.len() >= MAX_PROBLEMS {
             self.more += 1;
             return;
         }

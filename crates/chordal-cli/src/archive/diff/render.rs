@@ -6,11 +6,11 @@ use crate::numbers::{counted, duration, grouped};
 use crate::summary::plain_table;
 
 /// New problems of a file that are told in a table of Markdown; the others are counted.
-const TOLD_PER_FILE: usize = 5;
+const MAX_LISTED_PER_FILE: usize = 5;
 
 /// Most files with new problems that are told one by one in Markdown. A summary of a job holds a
 /// megabyte.
-const MOST_FILES: usize = 200;
+const MAX_FILES: usize = 200;
 
 pub fn json(rows: &[DiffRow]) -> String {
     let document = serde_json::json!({ "schema": "chordal.diff/2", "files": rows });
@@ -46,7 +46,7 @@ pub fn markdown(rows: &[DiffRow], all: bool) -> String {
     }
     text.push_str("\n\n");
     let mut table = String::new();
-    for row in listed(rows, all).take(MOST_FILES) {
+    for row in listed(rows, all).take(MAX_FILES) {
         let cells = [cell(&row.path), row.status.word().into(), cell(&how(row))];
         let more = [time(row, " → "), problems(row)];
         table.push_str(&format!("| {} |\n", [&cells[..], &more[..]].concat().join(" | ")));
@@ -55,7 +55,7 @@ pub fn markdown(rows: &[DiffRow], all: bool) -> String {
         let head = "| file | change | how | time | problems |\n|---|---|---|---|---|\n";
         text.push_str(&format!("{head}{table}\n"));
     }
-    let left = listed(rows, all).count().saturating_sub(MOST_FILES) as u64;
+    let left = listed(rows, all).count().saturating_sub(MAX_FILES) as u64;
     if left > 0 {
         text.push_str(&format!("… and {}.\n\n", counted(left, "more file", "more files")));
     }
@@ -65,13 +65,13 @@ pub fn markdown(rows: &[DiffRow], all: bool) -> String {
 
 fn new_problems(rows: &[DiffRow]) -> String {
     let mut text = String::new();
-    for row in rows.iter().filter(|row| row.new_problems > 0).take(MOST_FILES) {
-        for problem in row.problems.iter().take(TOLD_PER_FILE) {
+    for row in rows.iter().filter(|row| row.new_problems > 0).take(MAX_FILES) {
+        for problem in row.problems.iter().take(MAX_LISTED_PER_FILE) {
             let place = cell(&format!("{}:{}", row.path, problem.line));
             let (severity, code) = (&problem.severity, &problem.code);
             text.push_str(&format!("- {place} {severity} {code}: {}\n", cell(&problem.message)));
         }
-        let left = row.new_problems - row.problems.len().min(TOLD_PER_FILE) as u64;
+        let left = row.new_problems - row.problems.len().min(MAX_LISTED_PER_FILE) as u64;
         if left > 0 {
             text.push_str(&format!("- {}: {} more\n", cell(&row.path), grouped(left)));
         }

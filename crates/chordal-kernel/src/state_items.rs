@@ -139,13 +139,13 @@ fn place(position: Position, known: AxisMask) -> StateValue {
 impl State {
     /// All that is kept, each item with its value. Whatever a control keeps is one of the items: a further field of the
     /// state does not compile until this list has it.
-    pub fn standing(&self) -> Vec<(StateItem, StateValue)> {
+    pub fn state_items(&self) -> Vec<(StateItem, StateValue)> {
         let State {
             position,
             known,
             machine_known: _,
             start: _,
-            believed: _,
+            control_position: _,
             astray: _,
             unknown: _,
             offsets,
