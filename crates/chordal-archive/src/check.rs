@@ -320,9 +320,10 @@ fn lines(text: &[u8]) -> u64 {
 /// What a question gives; a panic inside is an error like any other.
 pub(crate) fn guarded<T>(question: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(question)).unwrap_or_else(|payload| {
-        let told = payload.downcast_ref::<String>().map(String::as_str);
-        let told = told.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("a panic");
-        Err(format!("Chordal itself failed on it: {told}; please report the program"))
+        let reported = payload.downcast_ref::<String>().map(String::as_str);
+        let reported =
+            reported.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("a panic");
+        Err(format!("Chordal itself failed on it: {reported}; please report the program"))
     })
 }
 

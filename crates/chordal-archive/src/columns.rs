@@ -335,8 +335,8 @@ fn value_in_row<'a>(
     }
 }
 
-fn put(cells: &mut ColumnBuffer, said: RowValue) {
-    match (cells, said) {
+fn put(cells: &mut ColumnBuffer, stated: RowValue) {
+    match (cells, stated) {
         (ColumnBuffer::Text(cells), RowValue::Text(text)) => cells.append_option(text),
         (ColumnBuffer::Count(cells), RowValue::Count(count)) => cells.append_option(count),
         (ColumnBuffer::Number(cells), RowValue::Number(number)) => {

@@ -36,10 +36,10 @@ struct CircleCrossing {
 /// # Errors
 /// When the arcs do not cross, or the cutter cannot touch both.
 pub fn arc_with_arc(ask: &ArcArc, units: AnswerUnit) -> Result<WorkedCalculation, CalcError> {
-    let ArcArc { cutter_radius: cr, radii, inside, center_offset: apart, side } = *ask;
-    bounded(&[cr, radii[0], radii[1], apart[0], apart[1]], &[], units)?;
+    let ArcArc { cutter_radius: cr, radii, inside, center_offset: separate, side } = *ask;
+    bounded(&[cr, radii[0], radii[1], separate[0], separate[1]], &[], units)?;
     cutter(cr, units)?;
-    let distance = (apart[0] * apart[0] + apart[1] * apart[1]).sqrt();
+    let distance = (separate[0] * separate[0] + separate[1] * separate[1]).sqrt();
     for (radius, inside) in radii.into_iter().zip(inside) {
         if !(radius > 0.0 && radius.is_finite()) || (inside && cr >= radius) {
             return Err(CalcError::new(
@@ -66,7 +66,7 @@ pub fn arc_with_arc(ask: &ArcArc, units: AnswerUnit) -> Result<WorkedCalculation
         separation_error("the paths of the cutter's centre", offset, distance, units)
     })?;
     let turned = if side == TravelSide::Left { 1.0 } else { -1.0 };
-    let angle = atan2(apart[1], apart[0]);
+    let angle = atan2(separate[1], separate[0]);
     let (du, dv) = (center.along - corner.along, turned * (center.across - corner.across));
     let (dx, dy) = (du * cos(angle) - dv * sin(angle), du * sin(angle) + dv * cos(angle));
 
@@ -104,13 +104,13 @@ pub fn arc_with_arc(ask: &ArcArc, units: AnswerUnit) -> Result<WorkedCalculation
         |index: usize| format!("(R{} {} CR)", index + 1, if inside[index] { "−" } else { "+" });
     circle(["a'", "h'"], [&name(0), &name(1)], offset, &center);
     let (u, v, phi) = (factor(n(du)), factor(n(dv)), degrees(angle));
-    let (u_way, v_way) = ("a' − a", if side == TravelSide::Left { "h' − h" } else { "h − h'" });
+    let (u_path, v_path) = ("a' − a", if side == TravelSide::Left { "h' − h" } else { "h − h'" });
     worked.intermediate(
         "u",
         "along the centres, corner to cutter",
         length,
         du,
-        u_way,
+        u_path,
         format!("{} − {}", n(center.along), factor(n(corner.along))),
     );
     let (first, second) =
@@ -120,7 +120,7 @@ pub fn arc_with_arc(ask: &ArcArc, units: AnswerUnit) -> Result<WorkedCalculation
         "left of them, corner to cutter",
         length,
         dv,
-        v_way,
+        v_path,
         format!("{} − {}", n(first.across), n(second.across)),
     );
     let text = format!("{u}·cos({phi}) − {v}·sin({phi})");
@@ -184,7 +184,7 @@ fn draw(ask: &ArcArc, corner: Vec2, center: Vec2, offset: [f64; 2], units: Answe
         let (middle, other) = (middles[index], middles[1 - index]);
         // From the corner, each arc goes on where the cutter's side of the other arc is.
         let toward = ask.inside[1 - index];
-        let way = |at: Vec2| {
+        let path = |at: Vec2| {
             let from = at - middle;
             let ccw = from.turned_left().dot(other - at) > 0.0;
             if ccw == toward { 1.0 } else { -1.0 }
@@ -193,7 +193,7 @@ fn draw(ask: &ArcArc, corner: Vec2, center: Vec2, offset: [f64; 2], units: Answe
             [(corner, ask.radii[index], LineStyle::Part), (center, offset[index], LineStyle::Path)]
         {
             let from = at - middle;
-            let sweep = way(at) * (arm / radius).min(0.8 * PI);
+            let sweep = path(at) * (arm / radius).min(0.8 * PI);
             figure.arc(middle, radius, atan2(from.b, from.a), sweep, style);
         }
         let from = center - middle;

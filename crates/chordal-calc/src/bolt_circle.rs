@@ -82,9 +82,16 @@ pub fn bolt_circle(ask: &BoltCircle, units: AnswerUnit) -> Result<WorkedCalculat
         }
     }
     if holes > 1 {
-        let apart = diameter * sin(step.abs() / 2.0);
+        let separate = diameter * sin(step.abs() / 2.0);
         let filled = format!("{d}·sin({}/2)", degrees(step.abs()));
-        worked.result("c", "between neighbours", QuantityKind::Length, apart, "D·sin(w/2)", filled);
+        worked.result(
+            "c",
+            "between neighbours",
+            QuantityKind::Length,
+            separate,
+            "D·sin(w/2)",
+            filled,
+        );
     }
     worked.figure = draw(ask, step, units);
     Ok(worked)

@@ -153,16 +153,16 @@ fn draw(ask: &LineArc, along: f64, center: f64, line: f64, units: AnswerUnit) ->
     let arm = 3.5 * cr;
     let mut figure = Figure::default();
     // The part of the line and of the arc that the cutter can touch.
-    let way = if ask.inside { -1.0 } else { 1.0 };
+    let path = if ask.inside { -1.0 } else { 1.0 };
     let up = if ask.toward { 1.0 } else { -1.0 };
-    figure.line(corner, corner + Vec2::new(way * arm, 0.0), LineStyle::Part);
+    figure.line(corner, corner + Vec2::new(path * arm, 0.0), LineStyle::Part);
     let arc_part = |figure: &mut Figure, at: Vec2, radius: f64, style: LineStyle| {
         let start = atan2(at.b, at.a);
         let sweep = (arm / radius).min(0.6 * PI);
         figure.arc(Vec2::ZERO, radius, start, up * sweep, style);
     };
     arc_part(&mut figure, corner, ask.radius, LineStyle::Part);
-    figure.line(center, center + Vec2::new(way * arm, 0.0), LineStyle::Path);
+    figure.line(center, center + Vec2::new(path * arm, 0.0), LineStyle::Path);
     let offset = if ask.inside { ask.radius - cr } else { ask.radius + cr };
     arc_part(&mut figure, center, offset, LineStyle::Path);
     figure.circle(center, cr, LineStyle::Cutter);

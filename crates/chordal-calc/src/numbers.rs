@@ -63,8 +63,8 @@ pub(crate) fn degrees(angle: f64) -> String {
 pub(crate) fn trimmed(value: f64, decimals: usize) -> String {
     let last = 10f64.powi(-(decimals as i32));
     let steps = (value / last).abs();
-    let half_way = (steps.fract() - 0.5).abs() < 1e-6;
-    let shown = if half_way { value + (0.25 * last).copysign(value) } else { value };
+    let half_path = (steps.fract() - 0.5).abs() < 1e-6;
+    let shown = if half_path { value + (0.25 * last).copysign(value) } else { value };
     let text = format!("{shown:.decimals$}");
     let text = if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.')

@@ -106,8 +106,9 @@ fn read(args: &Args) -> Result<Vec<CycleTimeMeasurement>, CommandFailure> {
         if row.is_empty() || row.starts_with('#') {
             continue;
         }
-        let said = row.rsplit_once([',', ';', '\t']);
-        let (file, time) = said.map_or((row, ""), |(file, time)| (unquoted(file), unquoted(time)));
+        let stated = row.rsplit_once([',', ';', '\t']);
+        let (file, time) =
+            stated.map_or((row, ""), |(file, time)| (unquoted(file), unquoted(time)));
         match seconds(time) {
             Some(seconds) => {
                 let loaded = load_one(&folder.join(file), &args.common)?;
@@ -207,8 +208,8 @@ fn text(
             format!("{} s", fixed(to.tool_change_s, 2)),
         ),
     ] {
-        let told = fitted.untold.iter().all(|(untold, _)| *untold != parameter);
-        let after = if told { after } else { "kept".to_string() };
+        let reported = fitted.untold.iter().all(|(untold, _)| *untold != parameter);
+        let after = if reported { after } else { "kept".to_string() };
         numbers.add_row([parameter.word().to_string(), before, after]);
     }
     push_lines(&mut text, &numbers);
@@ -288,7 +289,7 @@ fn machine_file(
     machine: &Machine,
     fitted: &Fit,
 ) -> Result<String, LimitError> {
-    let told = |parameter| fitted.untold.iter().all(|(untold, _)| *untold != parameter);
+    let reported = |parameter| fitted.untold.iter().all(|(untold, _)| *untold != parameter);
     let factors = &fitted.factors;
     let changed = factors.on(machine)?;
     let mut text = format!(
@@ -306,7 +307,7 @@ fn machine_file(
             ("max_jerk", limits.max_jerk, Parameter::Jerk, 3),
             ("rapid_jerk", limits.rapid_jerk, Parameter::Jerk, 3),
         ];
-        let rows = rows.iter().filter(|(_, _, parameter, _)| told(*parameter));
+        let rows = rows.iter().filter(|(_, _, parameter, _)| reported(*parameter));
         let rows: String = rows
             .filter_map(|(key, value, _, power)| {
                 let value = short((*value)? * part, 1);
@@ -317,7 +318,7 @@ fn machine_file(
             text.push_str(&format!("\n[axes.{axis}]\n{rows}"));
         }
     }
-    if told(Parameter::ToolChange) {
+    if reported(Parameter::ToolChange) {
         let seconds = short(factors.tool_change_s, 2);
         text.push_str(&format!("\n[times]\ntool_change = \"{seconds} s\"\n"));
     }

@@ -43,19 +43,19 @@ pub fn only_changed(
 
 /// The top folder of the repository that a folder is in.
 fn top(folder: &Path) -> Result<PathBuf, CommandFailure> {
-    let told = git(folder, ["rev-parse", "--show-toplevel"])?.ok_or_else(|| {
+    let noted = git(folder, ["rev-parse", "--show-toplevel"])?.ok_or_else(|| {
         let message = format!("{} is not in a git repository", folder.display());
         CommandFailure::wrong(message, "--changed-since asks git what changed")
     })?;
-    let told = told.strip_suffix(b"\n").unwrap_or(&told);
-    let top = path(told);
+    let noted = noted.strip_suffix(b"\n").unwrap_or(&noted);
+    let top = path(noted);
     Ok(top.canonicalize().unwrap_or(top))
 }
 
 /// The files of a repository that changed.
 fn changes(root: &Path, commit: &str) -> Result<Vec<PathBuf>, CommandFailure> {
-    let asked = format!("{commit}^{{commit}}");
-    let known = git(root, ["rev-parse", "--verify", "--quiet", "--end-of-options", &asked])?;
+    let requested = format!("{commit}^{{commit}}");
+    let known = git(root, ["rev-parse", "--verify", "--quiet", "--end-of-options", &requested])?;
     let known = known.and_then(|hash| String::from_utf8(hash).ok()).ok_or_else(|| {
         let message = format!("there is no commit `{commit}` in {}", root.display());
         CommandFailure::wrong(
@@ -75,11 +75,11 @@ fn changes(root: &Path, commit: &str) -> Result<Vec<PathBuf>, CommandFailure> {
 
 /// What git lists, each name ended by a zero.
 fn listed<const N: usize>(root: &Path, words: [&str; N]) -> Result<Vec<PathBuf>, CommandFailure> {
-    let told = git(root, words)?.ok_or_else(|| {
+    let noted = git(root, words)?.ok_or_else(|| {
         let message = format!("git {} failed in {}", words[0], root.display());
         CommandFailure::wrong(message, "run it there to see why")
     })?;
-    let names = told.split(|byte| *byte == 0).filter(|name| !name.is_empty());
+    let names = noted.split(|byte| *byte == 0).filter(|name| !name.is_empty());
     Ok(names.map(|name| root.join(path(name))).collect())
 }
 

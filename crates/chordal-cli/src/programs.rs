@@ -72,9 +72,9 @@ impl ProgramList {
         let inputs = without_called(inputs);
         let called = (found - inputs.len()) as u64;
         let bar = progress(inputs.len());
-        let (told, verdict) = (BTreeSet::new(), ExitVerdict::Clean);
+        let (noted, verdict) = (BTreeSet::new(), ExitVerdict::Clean);
         let mut programs =
-            ProgramList { terminal, loader, inputs, called, bar, reported: told, verdict };
+            ProgramList { terminal, loader, inputs, called, bar, reported: noted, verdict };
         failures.into_iter().for_each(|failure| programs.report_failure(failure));
         Ok(programs)
     }

@@ -69,14 +69,14 @@ pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, Co
     let job = loaded.job()?;
     terminal.write_error(&recognized(&loaded));
     let streams = args.output.as_deref() == Some(Path::new("-"));
-    let mut way = None;
+    let mut course = None;
     let done = restart(&job, args.line);
     if let Ok(done) = &done {
-        way = check_head_approach(&job, done, &files)
+        course = check_head_approach(&job, done, &files)
             .map_err(|error| failure_of(error, args.setup.as_deref()))?;
     }
     let is_blocked =
-        |done: RestartProgram| match way.as_ref().and_then(|way| blocked(&job, &done, way)) {
+        |done: RestartProgram| match course.as_ref().and_then(|way| blocked(&job, &done, way)) {
             Some(refused) => Err(refused),
             None => Ok(done),
         };
@@ -104,9 +104,9 @@ pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, Co
     }
     let written = path.filter(|_| !streams).map(|path| path.display().to_string());
     let answer = match args.format {
-        AnswerFormat::Text => text(&done, way.as_ref(), path),
+        AnswerFormat::Text => text(&done, course.as_ref(), path),
         AnswerFormat::Json => {
-            restart_json(Ok(&done), loaded.name(), written.as_deref(), way.as_ref())
+            restart_json(Ok(&done), loaded.name(), written.as_deref(), course.as_ref())
         }
     };
     if streams {
@@ -141,7 +141,7 @@ fn not_repeated(codes: &[UnrepeatedCode]) -> String {
     )
 }
 
-fn text(done: &RestartProgram, way: Option<&ApproachCheck>, path: Option<&Path>) -> String {
+fn text(done: &RestartProgram, course: Option<&ApproachCheck>, path: Option<&Path>) -> String {
     let mut text = format!("begins at line {}\n", done.line);
     for line in &done.head {
         text += &format!("  + {line}\n");
@@ -162,9 +162,9 @@ fn text(done: &RestartProgram, way: Option<&ApproachCheck>, path: Option<&Path>)
     let moves = counted(done.moves, "move", "moves");
     text += &format!("proof: from this line on both programs do the same, {moves}\n");
     text += &not_repeated(&done.unrepeated);
-    if let Some(way) = way {
-        let moves = counted(way.moves, "move", "moves");
-        text += &match &way.unknown {
+    if let Some(course) = course {
+        let moves = counted(course.moves, "move", "moves");
+        text += &match &course.unknown {
             None => format!("way in: {moves}, free of what stands there\n"),
             Some(why) => format!("way in: {moves}, not proved free: {why}\n"),
         };

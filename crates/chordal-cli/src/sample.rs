@@ -113,8 +113,8 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
     let job = loaded.job()?;
     let report = job.report();
     let head = SampleHead::of(&job, &report, args.period);
-    let told = |error| trouble(path, error);
-    let mut writer = SampleWriter::new(out, inside(format), &head).map_err(told)?;
+    let reported = |error| trouble(path, error);
+    let mut writer = SampleWriter::new(out, inside(format), &head).map_err(reported)?;
     let mut done = Ok(());
     let sampling =
         Sampling { period_s: args.period, level: args.level.of(), most: args.max_samples };
@@ -122,8 +122,8 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
         keep(&mut done, || writer.sample(sample, line));
     });
     let sampled = sampled.map_err(|error| failure(&error, args.max_samples, args.period))?;
-    done.map_err(told)?;
-    writer.finish().map_err(told)?.put()?;
+    done.map_err(reported)?;
+    writer.finish().map_err(reported)?.put()?;
 
     terminal.write_error(&recognized(&loaded));
     terminal.write_error(&report::text(

@@ -242,11 +242,11 @@ pub fn plain_table(header: &[&str], left: usize) -> Table {
 
 /// The tools of which a comment gave the size or the shape: `T1, T3`.
 fn by_comment(tools: &[ToolUse], known: &BTreeMap<u32, KnownTool>) -> String {
-    let said =
+    let stated =
         |tool: &&ToolUse| known.get(&tool.number).is_some_and(|known| known.comment.is_some());
     let mut names: Vec<String> = tools
         .iter()
-        .filter(said)
+        .filter(stated)
         .take(MAX_TOOLS + 1)
         .map(|tool| format!("T{}", tool.number))
         .collect();

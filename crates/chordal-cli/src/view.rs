@@ -181,8 +181,8 @@ impl ShownProgram {
     fn new(file: &Path, common: &CommonArgs) -> Result<ShownProgram, CommandFailure> {
         if is_stdin(file) {
             let shown = ShownProgram::named(file, common)?;
-            let held = Some(ProgramText::read(&shown.input)?.bytes().to_vec());
-            return Ok(ShownProgram { bytes: held, ..shown });
+            let retained = Some(ProgramText::read(&shown.input)?.bytes().to_vec());
+            return Ok(ShownProgram { bytes: retained, ..shown });
         }
         if file.is_dir() {
             return Err(load_one(&file.to_path_buf(), common).err().unwrap_or_else(|| {

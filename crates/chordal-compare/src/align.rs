@@ -222,10 +222,10 @@ fn move_token(course: &ComparedRun, moved: &ComparedMove, grid_mm: f64) -> Align
     let grid = |value: f64| (value / grid_mm).round() as i64;
     let place = |place: Vec3| place.to_array().map(grid);
     if !moved.known {
-        let way = place(moved.curve.end() - moved.curve.start());
+        let route = place(moved.curve.end() - moved.curve.start());
         return AlignmentToken::Unknown {
             rapid: moved.kind != ComparedMoveKind::Cut,
-            length_cells: way,
+            length_cells: route,
         };
     }
     let (start, end) = (place(moved.curve.start()), place(moved.curve.end()));

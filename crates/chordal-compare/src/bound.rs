@@ -74,8 +74,7 @@ fn of_splines(a: &CurveRange<'_>, b: &CurveRange<'_>) -> Option<f64> {
     if one == two && (a.from, a.to) == (b.from, b.to) {
         return Some(0.0);
     }
-    let whole =
-        |stretch: &CurveRange<'_>| stretch.from == 0.0 && stretch.to == stretch.curve.length();
+    let whole = |range: &CurveRange<'_>| range.from == 0.0 && range.to == range.curve.length();
     let alike = one.weights() == two.weights() && whole(a) && whole(b);
     let pairs = one.points().iter().zip(two.points());
     alike.then(|| pairs.fold(0.0, |far: f64, (p, q)| far.max((*p - *q).length())))
@@ -107,11 +106,11 @@ fn frame(origin: Vec3, u: Vec3, w: Vec3) -> Frame {
 
 fn by_halving(a: CurveRange<'_>, b: CurveRange<'_>, precision_mm: f64) -> f64 {
     let bend = a.bend() + b.bend();
-    let apart = |fraction: f64| (a.at(fraction) - b.at(fraction)).length();
-    let ends = [apart(0.0), apart(1.0)];
+    let separate = |fraction: f64| (a.at(fraction) - b.at(fraction)).length();
+    let ends = [separate(0.0), separate(1.0)];
     let mut low = ends[0].max(ends[1]);
     let mut high = low;
-    let mut asked = 2;
+    let mut requested = 2;
     let mut width = 1.0;
     let mut open = vec![(0.0, ends)];
     while !open.is_empty() {
@@ -125,14 +124,14 @@ fn by_halving(a: CurveRange<'_>, b: CurveRange<'_>, precision_mm: f64) -> f64 {
             }
             is_open
         });
-        if asked + open.len() > MAX_EVALUATIONS || excess.is_nan() {
+        if requested + open.len() > MAX_EVALUATIONS || excess.is_nan() {
             return open.iter().map(|(_, ends)| bound(*ends)).fold(high, f64::max);
         }
         width /= 2.0;
-        asked += open.len();
+        requested += open.len();
         let mut halves = Vec::with_capacity(2 * open.len());
         for (from, ends) in open {
-            let middle = apart(from + width);
+            let middle = separate(from + width);
             low = low.max(middle);
             halves.push((from, [ends[0], middle]));
             halves.push((from + width, [middle, ends[1]]));
@@ -154,15 +153,15 @@ struct RotatingCurve {
 }
 
 impl RotatingCurve {
-    fn of(stretch: &CurveRange<'_>) -> Option<RotatingCurve> {
-        let (center, u, w, radii, sweep, rise, angles) = match stretch.curve {
+    fn of(range: &CurveRange<'_>) -> Option<RotatingCurve> {
+        let (center, u, w, radii, sweep, rise, angles) = match range.curve {
             Curve::Line(_) | Curve::Spline(_) => return None,
             Curve::Arc(arc) => {
-                let angles = [stretch.from, stretch.to].map(|s| arc.angle_at(s));
+                let angles = [range.from, range.to].map(|s| arc.angle_at(s));
                 (arc.center, arc.u, arc.w, [arc.radius; 2], arc.sweep, arc.rise, angles)
             }
             Curve::Spiral(spiral) => {
-                let angles = [stretch.from, stretch.to].map(|s| spiral.angle_at(s));
+                let angles = [range.from, range.to].map(|s| spiral.angle_at(s));
                 let radii = [spiral.radius_start, spiral.radius_end];
                 (spiral.center, spiral.u, spiral.w, radii, spiral.sweep, spiral.rise, angles)
             }
@@ -195,9 +194,9 @@ impl RotatingCurve {
         let at = [0, 1];
         let angle = most(at.map(|end: usize| self.angles[end] - angles[end] - whole));
         let radius = most(at.map(|end: usize| self.radii[end] - other.radii[end]));
-        let way = self.center - other.center;
-        let aside = (way - self.w * way.dot(self.w)).length();
-        let height = way.dot(self.w);
+        let path = self.center - other.center;
+        let aside = (path - self.w * path.dot(self.w)).length();
+        let height = path.dot(self.w);
         let height =
             most(at.map(|end: usize| height + self.heights[end] - sign * other.heights[end]));
         let largest = other.radii[0].max(other.radii[1]);

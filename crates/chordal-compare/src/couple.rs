@@ -21,8 +21,8 @@ const WHOLE: [[f64; 2]; 2] = [[0.0, 1.0]; 2];
 
 impl PathCoupling {
     /// Two moves from beginning to end.
-    pub(crate) fn whole(moves: [usize; 2], apart_mm: f64) -> PathCoupling {
-        PathCoupling { moves, max_distance_mm: apart_mm, parts: WHOLE }
+    pub(crate) fn whole(moves: [usize; 2], separate_mm: f64) -> PathCoupling {
+        PathCoupling { moves, max_distance_mm: separate_mm, parts: WHOLE }
     }
 
     /// Both go along a whole move.
@@ -76,10 +76,11 @@ impl<'a> PathWalker<'a> {
 
     /// The way to the place of the rest of this curve that is nearest, and its distance.
     fn nearest(&self, place: Vec3) -> (f64, f64) {
-        let (way, length) = (self.distance, self.length());
-        let rest = if way > 0.0 { self.curve().subsegment(way, length) } else { *self.curve() };
+        let (course, length) = (self.distance, self.length());
+        let rest =
+            if course > 0.0 { self.curve().subsegment(course, length) } else { *self.curve() };
         let nearest = rest.nearest(place);
-        ((way + nearest.s).min(length), nearest.distance)
+        ((course + nearest.s).min(length), nearest.distance)
     }
 
     fn walk(&mut self, to: f64) {
@@ -97,7 +98,7 @@ impl<'a> PathWalker<'a> {
             return [1.0; 2];
         }
         let length = self.length();
-        let fraction = |way: f64| if length > 0.0 { way / length } else { 1.0 };
+        let fraction = |course: f64| if length > 0.0 { course / length } else { 1.0 };
         let from = if self.distance > 0.0 { fraction(self.distance) } else { 0.0 };
         [from, if to < length { fraction(to) } else { 1.0 }]
     }
@@ -126,8 +127,9 @@ pub(crate) fn couple(
         let to = together(&walkers, tolerance_mm, precision_mm);
         let moves = [walkers[0].index(), walkers[1].index()];
         let parts = [0, 1].map(|at| walkers[at].part(to[at]));
-        let apart_mm = bound(walkers[0].range_to(to[0]), walkers[1].range_to(to[1]), precision_mm);
-        couples.push(PathCoupling { moves, max_distance_mm: apart_mm, parts });
+        let separate_mm =
+            bound(walkers[0].range_to(to[0]), walkers[1].range_to(to[1]), precision_mm);
+        couples.push(PathCoupling { moves, max_distance_mm: separate_mm, parts });
         for (walker, to) in walkers.iter_mut().zip(to) {
             if !walker.is_done() {
                 walker.walk(to);
@@ -172,9 +174,9 @@ fn together(walkers: &[PathWalker<'_>; 2], tolerance_mm: f64, precision_mm: f64)
     if both == 0.0 {
         return ends;
     }
-    let (of_b, apart_b) = b.nearest(a.end());
-    let (of_a, apart_a) = a.nearest(b.end());
-    let least = apart_a.min(apart_b);
+    let (of_b, separate_b) = b.nearest(a.end());
+    let (of_a, separate_a) = a.nearest(b.end());
+    let least = separate_a.min(separate_b);
     // Where it makes no difference that counts, whole curves go with whole curves.
     let rounding = 1e-12 * (1.0 + a.end().length().max(b.end().length()));
     if both <= least + rounding {
@@ -188,7 +190,7 @@ fn together(walkers: &[PathWalker<'_>; 2], tolerance_mm: f64, precision_mm: f64)
     }
     let ways = [[ends[0], of_b], [of_a, ends[1]]];
     let [first, second] = if walkers.iter().all(|walker| matches!(walker.curve(), Curve::Line(_))) {
-        [apart_b, apart_a]
+        [separate_b, separate_a]
     } else {
         // A curve may come by the same place again: a circle ends where it begins.
         ways.map(|to| bound(a.range_to(to[0]), b.range_to(to[1]), precision_mm))

@@ -29,13 +29,13 @@ pub(crate) fn frechet(a: &[Vec3], b: &[Vec3], most: f64, precision: f64) -> f64 
 
 /// The part of a line, as fractions, that lies within a distance of a place.
 fn within(place: Vec3, from: Vec3, to: Vec3, distance: f64) -> Option<(f64, f64)> {
-    let (way, off) = (to - from, place - from);
-    let square = way.length_squared();
+    let (path, off) = (to - from, place - from);
+    let square = path.length_squared();
     if square == 0.0 {
         return (off.length() <= distance).then_some((0.0, 1.0));
     }
-    let foot = off.dot(way) / square;
-    let aside = (off - way * foot).length_squared();
+    let foot = off.dot(path) / square;
+    let aside = (off - path * foot).length_squared();
     let rest = (distance * distance - aside) / square;
     if rest < 0.0 {
         return None;

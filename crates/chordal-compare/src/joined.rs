@@ -201,8 +201,8 @@ fn join_reports(joined: &mut Report, report: Report, part: &JoinedPart) {
 fn arrive(courses: [&mut ComparedRun; 2], begins: [usize; 2], tolerance_mm: f64) {
     let [a, b] = courses;
     let (Some(one), Some(other)) = (approach(a, begins[0]), approach(b, begins[1])) else { return };
-    let apart = |a: Vec3, b: Vec3| (a - b).length() > tolerance_mm;
-    if apart(one.cut_from, other.cut_from) {
+    let separate = |a: Vec3, b: Vec3| (a - b).length() > tolerance_mm;
+    if separate(one.cut_from, other.cut_from) {
         return;
     }
     let ends = |course: &ComparedRun, at: usize| {
@@ -210,7 +210,7 @@ fn arrive(courses: [&mut ComparedRun; 2], begins: [usize; 2], tolerance_mm: f64)
     };
     let is_alike = |(at, of): &(&usize, &usize)| {
         let (Some(one), Some(other)) = (ends(a, **at), ends(b, **of)) else { return false };
-        !apart(one[0], other[0]) && !apart(one[1], other[1])
+        !separate(one[0], other[0]) && !separate(one[1], other[1])
     };
     let alike = one.rapids.iter().rev().zip(other.rapids.iter().rev()).take_while(is_alike).count();
     for (course, rapids) in [(a, one.rapids), (b, other.rapids)] {

@@ -313,7 +313,7 @@ fn time_difference(
         )
     };
     let times = courses.map(course::ComparedRun::cutting_s);
-    let apart = (times[0] - times[1]).abs();
+    let separate = (times[0] - times[1]).abs();
     let most = times[0].max(times[1]);
     // A path within the tolerance may be longer, and takes longer then: at the lowest feed the longest.
     let lengths = courses.map(course::ComparedRun::cut_mm);
@@ -321,7 +321,7 @@ fn time_difference(
         courses.into_iter().filter_map(course::ComparedRun::slowest).fold(f64::INFINITY, f64::min);
     let longer_s = (lengths[0] - lengths[1]).abs() / slowest;
     let part = options.time_tolerance.max(options.feed_tolerance);
-    if apart <= part * most + longer_s || found.differences.iter().any(shows) {
+    if separate <= part * most + longer_s || found.differences.iter().any(shows) {
         return None;
     }
     let ends = courses.map(|course| {

@@ -50,10 +50,10 @@ struct SkippedBlock {
 }
 
 impl SkippedBlock {
-    fn of(job: &Job, report: &Report, sides_apart: bool) -> Vec<SkippedBlock> {
+    fn of(job: &Job, report: &Report, sides_separate: bool) -> Vec<SkippedBlock> {
         let mut ran = ExecutedBlocks::default();
         job.run(&mut ran);
-        if sides_apart {
+        if sides_separate {
             let as_needed = BlockDeleteRuns::WhereItDecides;
             let (sides, _) = job.other_side_jobs(&report.diagnostics, as_needed);
             for (_, side) in sides {

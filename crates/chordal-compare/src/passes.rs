@@ -186,10 +186,10 @@ fn plunges(moves: &[&ComparedMove]) -> Option<Vec<ComparedMove>> {
         let deeper = found.last_mut().and_then(|plunge| match plunge.curve {
             Curve::Line(before) => {
                 let down = (before.end - before.start).normalized()?;
-                let way = line.end - before.start;
-                let aside = (way - down * way.dot(down)).length();
+                let path = line.end - before.start;
+                let aside = (path - down * path.dot(down)).length();
                 let same = aside <= EQUAL_LENGTH_MM && along.dot(down) > 1.0 - EQUAL_LENGTH_MM;
-                (same && way.dot(down) > plunge.length_mm).then_some((plunge, before.start))
+                (same && path.dot(down) > plunge.length_mm).then_some((plunge, before.start))
             }
             _ => None,
         });
@@ -242,13 +242,13 @@ fn passes(moves: &[&ComparedMove]) -> CyclePasses {
             if let Curve::Line(line) = own.curve {
                 let [dx, _, dz] = (line.end - line.start).to_array().map(f64::abs);
                 // Along Z at a level of X, along X at a level of Z.
-                for (which, (way, across, level)) in
+                for (which, (path, across, level)) in
                     [(dz, dx, line.end.to_array()[0]), (dx, dz, line.end.to_array()[2])]
                         .into_iter()
                         .enumerate()
                 {
-                    if across <= EQUAL_LENGTH_MM && way > EQUAL_LENGTH_MM {
-                        along[which] += way;
+                    if across <= EQUAL_LENGTH_MM && path > EQUAL_LENGTH_MM {
+                        along[which] += path;
                         levels[which].push(level);
                     }
                 }

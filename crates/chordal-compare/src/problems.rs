@@ -48,18 +48,18 @@ pub(crate) fn compare_values(
     reports: [&Report; 2],
     found: &mut ComparisonFindings,
 ) {
-    let said = reports.map(|report| {
-        let mut said: BTreeMap<&str, Vec<&Diagnostic>> = BTreeMap::new();
+    let stated = reports.map(|report| {
+        let mut stated: BTreeMap<&str, Vec<&Diagnostic>> = BTreeMap::new();
         for diagnostic in &report.diagnostics {
             if VALUES.contains(&diagnostic.code) {
-                said.entry(diagnostic.message.as_str()).or_default().push(diagnostic);
+                stated.entry(diagnostic.message.as_str()).or_default().push(diagnostic);
             }
         }
-        said
+        stated
     });
-    let messages: BTreeSet<&str> = said.iter().flat_map(BTreeMap::keys).copied().collect();
+    let messages: BTreeSet<&str> = stated.iter().flat_map(BTreeMap::keys).copied().collect();
     for message in messages {
-        let of = said.each_ref().map(|said| said.get(message).map_or(&[][..], Vec::as_slice));
+        let of = stated.each_ref().map(|said| said.get(message).map_or(&[][..], Vec::as_slice));
         if of[0].len() == of[1].len() {
             continue;
         }

@@ -33,9 +33,9 @@ impl ComparisonFindings {
     ) {
         if self.max_distance_mm.is_none_or(|most| distance_mm > most || distance_mm.is_nan()) {
             self.max_distance_mm = Some(distance_mm);
-            let is_apart = distance_mm > COINCIDENT_MM;
-            self.farthest = is_apart.then_some(at);
-            self.farthest_at_mm = is_apart.then(|| spot().map(Vec3::to_array));
+            let is_separate = distance_mm > COINCIDENT_MM;
+            self.farthest = is_separate.then_some(at);
+            self.farthest_at_mm = is_separate.then(|| spot().map(Vec3::to_array));
         }
     }
 }
@@ -59,14 +59,14 @@ impl<'a> AlignmentWalker<'a> {
     ) -> AlignmentWalker<'a> {
         let steps = DifferenceCollector::new([a, b], options);
         let found = ComparisonFindings::default();
-        let elsewhere = Default::default();
+        let outside = Default::default();
         AlignmentWalker {
             courses: [a, b],
             options,
             steps,
             found,
             open: None,
-            at_other_time: elsewhere,
+            at_other_time: outside,
         }
     }
 
@@ -97,8 +97,8 @@ impl<'a> AlignmentWalker<'a> {
             self.matched(*a, *b);
         }
         self.close();
-        for (elsewhere, moves) in self.at_other_time.iter_mut().zip(moves) {
-            elsewhere.extend(moves);
+        for (outside, moves) in self.at_other_time.iter_mut().zip(moves) {
+            outside.extend(moves);
         }
     }
 
@@ -117,8 +117,8 @@ impl<'a> AlignmentWalker<'a> {
                 if one.known && other.known {
                     let whole =
                         |moved: &'a ComparedMove| CurveRange::whole(&moved.curve, moved.length_mm);
-                    let apart_mm = bound(whole(one), whole(other), self.precision());
-                    self.pair(&PathCoupling::whole([a, b], apart_mm));
+                    let separate_mm = bound(whole(one), whole(other), self.precision());
+                    self.pair(&PathCoupling::whole([a, b], separate_mm));
                 } else {
                     self.steps.moves(one, other);
                 }
@@ -360,8 +360,8 @@ impl<'a> AlignmentWalker<'a> {
         let known = |at: usize| course.moved(at).filter(|moved| moved.known);
         let before = (0..range.start).rev().find_map(known).map(|moved| moved.curve.end());
         before.or_else(|| {
-            let behind = (range.end..course.steps.len()).find_map(known);
-            behind.map(|moved| moved.curve.start())
+            let following = (range.end..course.steps.len()).find_map(known);
+            following.map(|moved| moved.curve.start())
         })
     }
 }
@@ -381,8 +381,8 @@ fn spots(moves: [&ComparedMove; 2], parts: [[f64; 2]; 2]) -> impl Iterator<Item 
 /// The two places that are furthest apart; of those that the best walk passes at other times, the nearest.
 fn widest(spots: impl IntoIterator<Item = [Vec3; 2]>, most_mm: f64) -> [Vec3; 2] {
     let key = |[a, b]: &[Vec3; 2]| {
-        let apart = (*a - *b).length();
-        if apart <= most_mm + COINCIDENT_MM { apart } else { -apart }
+        let separate = (*a - *b).length();
+        if separate <= most_mm + COINCIDENT_MM { separate } else { -separate }
     };
     let wider = |a: &[Vec3; 2], b: &[Vec3; 2]| key(a).total_cmp(&key(b));
     spots.into_iter().max_by(wider).unwrap_or([Vec3::ZERO; 2])

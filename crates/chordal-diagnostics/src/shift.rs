@@ -19,14 +19,14 @@ impl TextShift {
     pub fn between(old: &[u8], new: &[u8]) -> TextShift {
         let before = common(old, new);
         let rest = old.len().min(new.len()) - before;
-        let behind = old.len() - common_end(&old[old.len() - rest..], &new[new.len() - rest..]);
+        let following = old.len() - common_end(&old[old.len() - rest..], &new[new.len() - rest..]);
         let from = line_start_above(old, before);
-        let to = line_ends(&old[behind..]).nth(1).map_or(old.len(), |end| behind + end);
+        let to = line_ends(&old[following..]).nth(1).map_or(old.len(), |end| following + end);
         let bytes = new.len() as i64 - old.len() as i64;
         let count = |text: &[u8]| line_ends(text).count() as i64;
         let to_new = (to as i64 + bytes) as usize;
         TextShift {
-            changed: TextRange::new(before as u32, behind as u32),
+            changed: TextRange::new(before as u32, following as u32),
             touched: TextRange::new(from as u32, to as u32),
             bytes,
             lines: count(&new[from..to_new]) - count(&old[from..to]),
@@ -66,8 +66,8 @@ impl TextShift {
         if range.end <= self.changed.start {
             return Some(range);
         }
-        let behind = range.start >= self.changed.end;
-        behind.then(|| TextRange::new(self.moved(range.start), self.moved(range.end)))
+        let following = range.start >= self.changed.end;
+        following.then(|| TextRange::new(self.moved(range.start), self.moved(range.end)))
     }
 
     /// The same of a span; only the first text of a job has changed.

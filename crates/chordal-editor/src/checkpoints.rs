@@ -20,9 +20,10 @@ impl CheckpointState {
     pub fn segment_of(&self, byte: u32) -> Option<usize> {
         (0..self.checkpoints.len()).find(|&index| {
             let from = self.start(index).map_or(0, |checkpoint| checkpoint.offset());
-            let (end, looked) = &self.checkpoints[index];
-            let looked = looked.is_some_and(|looked| (looked.start..looked.end).contains(&byte));
-            (from..end.offset()).contains(&byte) || looked
+            let (end, inspected) = &self.checkpoints[index];
+            let inspected =
+                inspected.is_some_and(|looked| (looked.start..looked.end).contains(&byte));
+            (from..end.offset()).contains(&byte) || inspected
         })
     }
 

@@ -177,6 +177,6 @@ const MAX_COMPLETIONS: usize = 500;
 
 /// The first line of meaning after the title.
 fn first_meaning(text: &str) -> String {
-    let behind = text.split_once(':').map_or(text, |(_, rest)| rest);
-    behind.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or("").to_string()
+    let following = text.split_once(':').map_or(text, |(_, rest)| rest);
+    following.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or("").to_string()
 }

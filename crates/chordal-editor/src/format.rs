@@ -166,8 +166,8 @@ impl EditorProgram {
             let gap = TextRange::new(pair[0].0.end, pair[1].0.start);
             gap.slice(text).iter().all(u8::is_ascii_whitespace)
         });
-        let behind = TextRange::new(pieces.last()?.0.end, block.range.end);
-        if !gaps_are_blank || !behind.slice(text).iter().all(u8::is_ascii_whitespace) {
+        let following = TextRange::new(pieces.last()?.0.end, block.range.end);
+        if !gaps_are_blank || !following.slice(text).iter().all(u8::is_ascii_whitespace) {
             return None;
         }
         // Block delete hugs the first word.
@@ -201,8 +201,9 @@ impl EditorProgram {
             {
                 let statement = range.slice(self.text()).to_ascii_uppercase();
                 let jump = statement.windows(4).position(|word| word == b"GOTO");
-                let behind = jump.map(|at| statement[at + 4..].trim_ascii_start());
-                if behind.and_then(<[u8]>::first).is_some_and(|byte| matches!(byte, b'#' | b'[')) {
+                let following = jump.map(|at| statement[at + 4..].trim_ascii_start());
+                if following.and_then(<[u8]>::first).is_some_and(|byte| matches!(byte, b'#' | b'['))
+                {
                     found = Some(block.line);
                 }
             }

@@ -141,9 +141,9 @@ impl EditorProgram {
         let mut facts = Vec::new();
         facts.extend(modal.feed.map(|feed| feed_text(feed, modal)));
         if let Some(live) = modal.live {
-            let way =
+            let path =
                 if live.turns == SpindleState::Ccw { "counter-clockwise" } else { "clockwise" };
-            facts.push(format!("live tool {} rpm {way}", number_text(live.rpm, 1)));
+            facts.push(format!("live tool {} rpm {path}", number_text(live.rpm, 1)));
         }
         match modal.spindle {
             SpindleState::Off => {}

@@ -105,8 +105,8 @@ impl EditorProgram {
     /// The same, unless it is given up on the way.
     pub fn ran_unless(&self, interrupt: InterruptCheck) -> Option<RunMoves> {
         let ran = self.ran_by(&self.job().interrupt(interrupt));
-        let given_up = |outcome: &Outcome| outcome.end == EndReason::Interrupted;
-        (!ran.report.outcomes.iter().any(given_up)).then_some(ran)
+        let provided_up = |outcome: &Outcome| outcome.end == EndReason::Interrupted;
+        (!ran.report.outcomes.iter().any(provided_up)).then_some(ran)
     }
 
     fn ran_by(&self, job: &Job) -> RunMoves {

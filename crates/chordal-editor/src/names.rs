@@ -380,10 +380,10 @@ impl<'a> NameFinder<'a> {
         let Some(size) = size else { return };
         let name = String::from_utf8_lossy(&label[..size]).to_ascii_lowercase();
         let end = range.start + (1 + blanks + size) as u32;
-        let behind =
+        let after =
             words.iter().find(|(mark, word)| *mark == StatementMark::Word && word.start >= end);
         let is = |flow: &[u8]| {
-            behind
+            after
                 .is_some_and(|(_, word)| word.slice(self.program.text()).eq_ignore_ascii_case(flow))
         };
         let role = if is(b"CALL") || is(b"ENDSUB") || is(b"RETURN") {
@@ -431,8 +431,8 @@ impl<'a> NameFinder<'a> {
             if mark != StatementMark::Variable {
                 continue;
             }
-            let behind = &text[place.end as usize..(range.end as usize).min(text.len())];
-            let next = behind.iter().find(|byte| !byte.is_ascii_whitespace());
+            let after = &text[place.end as usize..(range.end as usize).min(text.len())];
+            let next = after.iter().find(|byte| !byte.is_ascii_whitespace());
             let role =
                 if assigns && next == Some(&b'=') { NameRole::Definition } else { NameRole::Use };
             let name = self.variable(place.slice(text));

@@ -98,9 +98,9 @@ impl EditorProgram {
             let name = tool.map_or("tool change".into(), |number| format!("T{number}"));
             let mut entry = self.make(block, EntryKind::Tool, name);
             let known = tool.and_then(|number| self.machine().tools.get(&number));
-            let said = known.and_then(|tool| tool.label());
-            if let (Some(said), true) = (said, entry.detail.is_empty()) {
-                entry.detail = said.to_string();
+            let stated = known.and_then(|tool| tool.label());
+            if let (Some(stated), true) = (stated, entry.detail.is_empty()) {
+                entry.detail = stated.to_string();
             }
             return Some((TOOL, entry));
         }

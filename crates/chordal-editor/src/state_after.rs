@@ -29,8 +29,8 @@ impl EditorProgram {
     fn modal_of(&self, line: u32) -> Option<Modal> {
         let known = self.checkpoints.known().clone();
         let byte = self.source().line_start(line);
-        let stretch = known.segment_of(byte).unwrap_or(known.checkpoints.len());
-        let checkpoint = known.start(stretch);
+        let section = known.segment_of(byte).unwrap_or(known.checkpoints.len());
+        let checkpoint = known.start(section);
         let mut taking = StateRecorder::new(
             line,
             checkpoint.map_or(0, Checkpoint::offset),
@@ -41,7 +41,7 @@ impl EditorProgram {
             job.run(&mut taking);
             return taking.modal.map(|(_, _, modal)| modal);
         }
-        if stretch == known.checkpoints.len() {
+        if section == known.checkpoints.len() {
             let mut now = self.checkpoints.known();
             // Another question may have come as far.
             if now.checkpoints.len() == known.checkpoints.len() {
@@ -122,14 +122,14 @@ struct StateRecorder {
 }
 
 impl StateRecorder {
-    fn new(line: u32, from: u32, apart: u32) -> StateRecorder {
+    fn new(line: u32, from: u32, separate: u32) -> StateRecorder {
         let over = Arc::new(AtomicBool::new(false));
         StateRecorder {
             line,
             modal: None,
             over,
-            spacing: apart,
-            next: from + apart,
+            spacing: separate,
+            next: from + separate,
             checkpoints: Vec::new(),
         }
     }
@@ -171,12 +171,16 @@ impl RunSink for StateRecorder {
         self.next
     }
 
-    fn checkpoint(&mut self, checkpoint: Checkpoint, looked: Option<TextRange>) -> ControlFlow<()> {
+    fn checkpoint(
+        &mut self,
+        checkpoint: Checkpoint,
+        inspected: Option<TextRange>,
+    ) -> ControlFlow<()> {
         if self.over.load(Ordering::Relaxed) {
             return ControlFlow::Break(());
         }
         self.next = checkpoint.offset().saturating_add(self.spacing);
-        self.checkpoints.push((Arc::new(checkpoint), looked));
+        self.checkpoints.push((Arc::new(checkpoint), inspected));
         ControlFlow::Continue(())
     }
 }

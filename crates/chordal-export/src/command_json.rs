@@ -236,15 +236,15 @@ impl CommandJsonContext<'_> {
         object.object("from", |inner| self.position(inner, &motion.from));
         object.object("to", |inner| self.position(inner, &motion.to));
         // Rotary axes that stand still are reported only where a program turns them: most never do.
-        let mut told = AxisMask::LINEAR;
+        let mut noted = AxisMask::LINEAR;
         for axis in 3..AXES {
             let (from, to) = (motion.from[axis], motion.to[axis]);
             if from != to {
-                told.insert(axis);
+                noted.insert(axis);
             }
         }
-        unknown(object, "from_unknown", told.without(motion.from_known));
-        unknown(object, "to_unknown", told.without(motion.to_known));
+        unknown(object, "from_unknown", noted.without(motion.from_known));
+        unknown(object, "to_unknown", noted.without(motion.to_known));
     }
 
     fn position(&self, object: &mut JsonObject, position: &Position) {

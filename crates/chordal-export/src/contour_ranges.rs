@@ -122,13 +122,13 @@ fn contour(number: usize, range: &ContourRange, job: &Job) -> String {
             _ => format!("  {name}  radius up to {}: {}\n", len(limit.radius_mm), reason(limit)),
         };
     }
-    if let Some((block, radius, Some(beside))) = range.lead_arc {
+    if let Some((block, radius, Some(adjacent))) = range.lead_arc {
         text += &format!(
             "           the lead-in or lead-out arc of line {} has the radius {}; the line to it passes its centre \
              at {}\n",
             block.line,
             range.units.length_text(radius),
-            range.units.length_text(beside)
+            range.units.length_text(adjacent)
         );
     }
     if let (number, Some(radius)) = range.offset {

@@ -100,9 +100,9 @@ impl<W: Write> DxfWriter<W> {
     /// Those of the output.
     pub fn finish(mut self) -> io::Result<W> {
         let left_out = left_out_texts(&self.unrelated_zeros, self.naming);
-        for said in not_named_texts(self.not_named).into_iter().chain(left_out) {
+        for stated in not_named_texts(self.not_named).into_iter().chain(left_out) {
             // A comment.
-            self.group(999, &said);
+            self.group(999, &stated);
         }
         if self.tolerance_mm > TOLERANCE_MM {
             let within = self.tolerance_mm;

@@ -44,7 +44,7 @@ pub(crate) fn path_feed(feed: &Feed, motion: &Move, curve: &Curve, length_mm: f6
     let turn = motion.turn_rad();
     // A move that stands still but for its rotary axes is measured by their angle.
     let rotary = length_mm == 0.0 && turn > 0.0;
-    let way =
+    let course =
         if rotary { turn.to_degrees() } else { measured_length(feed.along, curve, length_mm) };
     // The path is slower than F where F counts rotary axes too.
     let share = match feed.along {
@@ -54,7 +54,7 @@ pub(crate) fn path_feed(feed: &Feed, motion: &Move, curve: &Curve, length_mm: f6
     let per_second = match feed.mode {
         FeedMode::PerTime if rotary => feed.value.to_degrees(),
         FeedMode::PerTime => feed.value * share,
-        FeedMode::InverseTime => feed.value * way,
+        FeedMode::InverseTime => feed.value * course,
         FeedMode::PerRevolution => feed.value * feed.spindle_rev_per_s * share,
     };
     PathFeed { per_minute: per_second * 60.0, rotary }

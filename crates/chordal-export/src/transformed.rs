@@ -103,7 +103,7 @@ pub fn restart_json(
     written: Option<&str>,
     approach: Option<&ApproachCheck>,
 ) -> String {
-    let way = approach.map(|way| json!({ "moves": way.moves, "not_proved": way.unknown }));
+    let course = approach.map(|way| json!({ "moves": way.moves, "not_proved": way.unknown }));
     let codes = done.map(|done| done.unrepeated.as_slice()).unwrap_or_default();
     let not_repeated: Vec<Value> =
         codes.iter().map(|code| json!({ "words": code.words, "line": code.line })).collect();
@@ -119,7 +119,7 @@ pub fn restart_json(
             "goes_to_first_place_itself": done.approaches,
             "from_the_start_of_the_whole": done.from_the_start,
             "not_repeated": not_repeated,
-            "way_in": way,
+            "way_in": course,
             "written": written,
         }),
         Err(refused) => json!({

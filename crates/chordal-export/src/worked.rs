@@ -60,7 +60,7 @@ pub fn worked_json(worked: &WorkedCalculation, program: Option<&str>) -> String 
         object.insert("unit".into(), unit.map_or(Value::Null, |unit| json!(unit)));
         object
     };
-    let given: Vec<_> = worked.inputs.iter().map(quantity).collect();
+    let provided: Vec<_> = worked.inputs.iter().map(quantity).collect();
     let steps: Vec<_> = worked
         .steps
         .iter()
@@ -74,7 +74,7 @@ pub fn worked_json(worked: &WorkedCalculation, program: Option<&str>) -> String 
         .collect();
     let mut whole = json!({
         "title": worked.title,
-        "given": given,
+        "given": provided,
         "steps": steps,
         "notes": worked.notes,
     });

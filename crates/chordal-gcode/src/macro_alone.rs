@@ -206,8 +206,8 @@ impl<'a> MacroScan<'a> {
     fn macro_line(&mut self, block: &Block) -> Option<()> {
         self.words(block)?;
         let BlockKind::Macro(range) = block.kind else { return Some(()) };
-        let behind = TextRange::new((range.start + 1).min(range.end), range.end);
-        self.parser.start(self.text, self.file, behind);
+        let after = TextRange::new((range.start + 1).min(range.end), range.end);
+        self.parser.start(self.text, self.file, after);
         loop {
             let before = self.parser.position();
             match parse_line_statement(&mut self.parser) {

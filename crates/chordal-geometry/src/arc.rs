@@ -187,7 +187,7 @@ impl Arc {
         let (winding, length) = (self.winding(), self.length());
         let per_mm = if length == 0.0 { 0.0 } else { 1.0 / length };
         let rate = winding.theta * per_mm;
-        let turned = |way: f64| math::sin_cos_of_quarters(way * rate / math::FRAC_PI_2);
+        let turned = |path: f64| math::sin_cos_of_quarters(path * rate / math::FRAC_PI_2);
         let (sin, cos) = turned(s);
         let first = self.radius * rate;
         Derivatives {

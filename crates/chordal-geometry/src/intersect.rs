@@ -63,8 +63,8 @@ impl Meeting {
 
 /// The fractions of an arc, from 0 to less than 1, at which it passes an angle (rad): one for each of its turns.
 pub fn fractions_at_angle(start: f64, sweep: f64, angle: f64) -> impl Iterator<Item = f64> {
-    let way = if sweep < 0.0 { start - angle } else { angle - start };
-    let (first, whole) = (way.rem_euclid(TAU), sweep.abs());
+    let path = if sweep < 0.0 { start - angle } else { angle - start };
+    let (first, whole) = (path.rem_euclid(TAU), sweep.abs());
     let turns = core::iter::successors(Some(first), |swept| Some(swept + TAU));
     turns.take_while(move |swept| *swept < whole).map(move |swept| swept / whole)
 }

@@ -76,8 +76,8 @@ impl Kernel<'_> {
                 of_axes[..scaled].fill(factor);
             }
             ScaleFactors::Each(each) => {
-                for (of_axis, given) in of_axes.iter_mut().zip(each) {
-                    *of_axis = given.unwrap_or(1.0);
+                for (of_axis, provided) in of_axes.iter_mut().zip(each) {
+                    *of_axis = provided.unwrap_or(1.0);
                 }
             }
             ScaleFactors::Omitted => of_axes[..3].copy_from_slice(&rules.omitted_factors),

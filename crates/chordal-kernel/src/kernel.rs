@@ -217,12 +217,12 @@ impl<'a> Kernel<'a> {
             diagnostic.alarm = self.alarm_text(diagnostic.code, None);
         }
         if self.collected.is_some() || self.contour_again {
-            let said = (diagnostic.code, diagnostic.primary.span);
-            if self.reported_contours.contains(&said) {
+            let stated = (diagnostic.code, diagnostic.primary.span);
+            if self.reported_contours.contains(&stated) {
                 return;
             }
             if self.collected.is_some() {
-                self.reported_contours.push(said);
+                self.reported_contours.push(stated);
             }
         }
         self.sink.diagnostic(diagnostic);

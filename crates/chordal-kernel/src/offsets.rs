@@ -438,16 +438,16 @@ impl Offsets {
     /// One value of a work offset, where it is given. The external offset is zero where offsets are given and it is
     /// not.
     pub fn known_work_value(&self, key: &str, axis: usize) -> Option<f64> {
-        let has_given = || self.systems.values().flatten().any(Option::is_some);
-        let absent = || (key == "EXT" && has_given()).then_some(0.0);
+        let has_provided = || self.systems.values().flatten().any(Option::is_some);
+        let absent = || (key == "EXT" && has_provided()).then_some(0.0);
         self.work_value(key, axis).or_else(absent)
     }
 
     /// The rotation of a work coordinate system, degrees, where it is given or the system is and has none.
     pub fn known_rotation(&self, key: &str) -> Option<f64> {
-        let is_given =
+        let is_provided =
             || self.systems.get(key).is_some_and(|values| values.iter().any(Option::is_some));
-        self.rotations.get(key).copied().or_else(|| is_given().then_some(0.0))
+        self.rotations.get(key).copied().or_else(|| is_provided().then_some(0.0))
     }
 
     /// Computes total and known anew; to be called after any change.

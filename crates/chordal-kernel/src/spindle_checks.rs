@@ -262,9 +262,9 @@ pub fn hole_at_surface_speed(span: Span, what: &str, rpm: Option<f64>) -> Diagno
 
 /// How much of a straight path goes along each axis.
 fn shares_of_axes(motion: &Move) -> [f64; 3] {
-    let way: [f64; 3] = std::array::from_fn(|axis| (motion.to[axis] - motion.from[axis]).abs());
-    let length = libm::sqrt(way.iter().map(|part| part * part).sum());
-    way.map(|part| if length > 0.0 { part / length } else { 0.0 })
+    let course: [f64; 3] = std::array::from_fn(|axis| (motion.to[axis] - motion.from[axis]).abs());
+    let length = libm::sqrt(course.iter().map(|part| part * part).sum());
+    course.map(|part| if length > 0.0 { part / length } else { 0.0 })
 }
 
 /// The lead of a cut in step with the spindle where it is largest, mm: at one of its ends, where it changes.

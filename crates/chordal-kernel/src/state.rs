@@ -455,7 +455,7 @@ impl State {
         let old_turn_deg = self.frames.work_rotation_deg();
         let drift = self
             .control_position
-            .map(|believed| [0, 1, 2].map(|axis| believed[axis] - self.position[axis]));
+            .map(|assumed| [0, 1, 2].map(|axis| assumed[axis] - self.position[axis]));
         change(&mut self.offsets);
         self.offsets.update();
         let new_total = self.offsets.total();
@@ -485,9 +485,9 @@ impl State {
         self.stand_at(work, known);
         if let Some([x, y, z]) = drift {
             let [x, y] = turned([x, y], old_turn_deg - self.frames.work_rotation_deg());
-            let mut believed = self.position;
-            [x, y, z].iter().enumerate().for_each(|(axis, by)| believed[axis] += by);
-            self.control_position = Some(believed);
+            let mut assumed = self.position;
+            [x, y, z].iter().enumerate().for_each(|(axis, by)| assumed[axis] += by);
+            self.control_position = Some(assumed);
         }
     }
 
@@ -501,9 +501,9 @@ impl State {
         let preset = self.offsets.zero_of_turn().map(|zero| -zero);
         if by_deg != 0.0 && preset != [0.0; 2] {
             let by = turned(preset, by_deg);
-            let mut believed = self.control_position.unwrap_or(self.position);
-            (0..2).for_each(|axis| believed[axis] += preset[axis] - by[axis]);
-            self.control_position = Some(believed);
+            let mut assumed = self.control_position.unwrap_or(self.position);
+            (0..2).for_each(|axis| assumed[axis] += preset[axis] - by[axis]);
+            self.control_position = Some(assumed);
         }
     }
 

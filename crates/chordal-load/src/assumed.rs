@@ -80,8 +80,8 @@ fn missing_axes(machine: &Machine, text: &[u8]) -> Vec<char> {
     };
     let Ok(job) = Job::new(sources, machine.clone()) else { return Vec::new() };
     let report = job.options(options).check();
-    let missing = report.diagnostics.iter().filter(|said| said.code == Code::NoSuchAxis);
-    let words = missing.filter_map(|said| text.get(said.primary.span.range.start as usize));
+    let missing = report.diagnostics.iter().filter(|stated| stated.code == Code::NoSuchAxis);
+    let words = missing.filter_map(|stated| text.get(stated.primary.span.range.start as usize));
     let mut letters: Vec<char> =
         words.map(|letter| char::from(letter.to_ascii_uppercase())).collect();
     letters.sort_unstable();

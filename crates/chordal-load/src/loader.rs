@@ -29,15 +29,15 @@ impl Loader {
     /// # Errors
     /// A machine that cannot be used.
     pub fn new(request: Request) -> Result<Loader, LoadError> {
-        let given = machine::requested_machine(&request)?;
-        Ok(Loader { request, machine: given, folders: FolderCache::default() })
+        let provided = machine::requested_machine(&request)?;
+        Ok(Loader { request, machine: provided, folders: FolderCache::default() })
     }
 
     /// The same with nothing remembered of folders: for another thread, or when files may have
     /// changed.
     pub fn again(&self) -> Loader {
-        let (request, given) = (self.request.clone(), self.machine.clone());
-        Loader { request, machine: given, folders: FolderCache::default() }
+        let (request, provided) = (self.request.clone(), self.machine.clone());
+        Loader { request, machine: provided, folders: FolderCache::default() }
     }
 
     /// The same on another machine, for which the assignments and the tool table count as well; `more` are further

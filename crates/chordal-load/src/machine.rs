@@ -248,7 +248,8 @@ fn check_settings(machine: &Machine) -> Result<(), LoadError> {
         return Ok(());
     }
     let drawn = errors.into_iter().map(|error| {
-        let setting = machine.settings.get(&error.name).and_then(|given| given.location.as_ref());
+        let setting =
+            machine.settings.get(&error.name).and_then(|provided| provided.location.as_ref());
         let location = setting.or_else(|| code_place(machine, &error.name));
         MachineError {
             span: location.map(|at| place_of(&error, at, &control)),

@@ -43,9 +43,9 @@ impl FolderCache {
         lexicon: &Lexicon,
     ) -> Vec<ProgramText> {
         let mut found: Vec<ProgramText> = Vec::new();
-        let mut wanted: BTreeSet<u32> = referenced_programs(text, lexicon).into_iter().collect();
+        let mut target: BTreeSet<u32> = referenced_programs(text, lexicon).into_iter().collect();
         let mut names: BTreeSet<String> = called_subs(text, lexicon).into_iter().collect();
-        if wanted.is_empty() && names.is_empty() {
+        if target.is_empty() && names.is_empty() {
             return found;
         }
         let mut known: BTreeSet<u32> = numbers(text, lexicon).collect();
@@ -54,7 +54,7 @@ impl FolderCache {
         }
         let folder =
             self.folders.entry(folder_of(path)).or_insert_with(|| FolderListing::of(files, path));
-        while let Some(number) = wanted.pop_first() {
+        while let Some(number) = target.pop_first() {
             if known.contains(&number) || found.len() >= MAX_FILES {
                 continue;
             }
@@ -66,15 +66,15 @@ impl FolderCache {
                     text.give_head(number);
                 }
                 known.extend(numbers(text.bytes(), lexicon));
-                wanted.extend(referenced_programs(text.bytes(), lexicon));
+                target.extend(referenced_programs(text.bytes(), lexicon));
                 found.push(text);
             }
             // Found or not, it is not looked for again.
             known.insert(number);
         }
-        let mut looked = BTreeSet::new();
+        let mut inspected = BTreeSet::new();
         while let Some(name) = names.pop_first() {
-            if found.len() >= MAX_FILES || !looked.insert(name.clone()) {
+            if found.len() >= MAX_FILES || !inspected.insert(name.clone()) {
                 continue;
             }
             let Some(path) = folder.subroutine(&name, path) else { continue };

@@ -49,16 +49,16 @@ impl FolderVariables {
         table: &ControlTable,
         text: &[u8],
     ) -> Vec<Diagnostic> {
-        let mut said = Vec::new();
+        let mut stated = Vec::new();
         if table.macros.form == MacroForm::None || !text.contains(&b'#') {
-            return said;
+            return stated;
         }
         for (path, dump) in &self.0 {
             for (&number, &value) in &dump.values {
                 let macros = &mut machine.macros;
-                let is_given =
+                let is_provided =
                     macros.variables.contains_key(&number) || macros.vacant.contains(&number);
-                if is_given || !is_programs(table, number) {
+                if is_provided || !is_programs(table, number) {
                     continue;
                 }
                 match value {
@@ -74,14 +74,14 @@ impl FolderVariables {
             for bad in dump.bad_lines.iter().take(MAX_LISTED_LINES) {
                 let (line, text) = (bad.line, &bad.text);
                 let message = format!("{file}:{line}: `{text}` is no value of a variable");
-                said.push(
+                stated.push(
                     Diagnostic::new(Code::VariableFile, Span::default(), message)
                         .label("a file of variables next to this program")
                         .help("correct the line, or take the file out of the folder"),
                 );
             }
         }
-        said
+        stated
     }
 }
 

@@ -34,10 +34,10 @@ pub fn actions(
 ) -> Vec<CodeActionOrCommand> {
     let uri = &params.text_document.uri;
     let only = params.context.only.as_deref();
-    let wanted = |kind: &CodeActionKind| {
+    let target = |kind: &CodeActionKind| {
         only.is_none_or(|kinds| {
-            kinds.iter().any(|wanted| {
-                let rest = kind.as_str().strip_prefix(wanted.as_str());
+            kinds.iter().any(|target| {
+                let rest = kind.as_str().strip_prefix(target.as_str());
                 rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
             })
         })
@@ -48,7 +48,7 @@ pub fn actions(
         offset_of(source, params.range.end),
     );
     let mut found = Vec::new();
-    if wanted(&CodeActionKind::QUICKFIX) {
+    if target(&CodeActionKind::QUICKFIX) {
         let problems = ran.report.diagnostics.iter();
         for (problem, fix) in problems.flat_map(|one| one.fixes().map(move |fix| (one, fix))) {
             if fix.span.file == FileId(0) && touch(problem.primary.span.range, range) {
@@ -67,7 +67,7 @@ pub fn actions(
         }
     }
     let safe = safe_fixes(ran);
-    if wanted(&FIX_ALL) && !safe.is_empty() {
+    if target(&FIX_ALL) && !safe.is_empty() {
         found.push(CodeAction {
             title: format!("Make all safe fixes ({})", safe.len()),
             kind: Some(FIX_ALL),
@@ -75,7 +75,7 @@ pub fn actions(
             ..CodeAction::default()
         });
     }
-    if wanted(&RENUMBER) {
+    if target(&RENUMBER) {
         found.push(CodeAction {
             title: "Renumber blocks by ten".into(),
             kind: Some(RENUMBER),
@@ -110,11 +110,11 @@ fn safe_fixes(ran: &RunMoves) -> Vec<FormatEdit> {
         fixes.filter(|fix| fix.applicability == Applicability::Safe && fix.span.file == FileId(0));
     let mut edits: Vec<FormatEdit> = safe.map(edit).collect();
     edits.sort_by_key(|edit| (edit.range.start, edit.range.end));
-    let mut apart: Vec<FormatEdit> = Vec::new();
+    let mut separate: Vec<FormatEdit> = Vec::new();
     for edit in edits {
-        if apart.last().is_none_or(|last| last.range.end <= edit.range.start && *last != edit) {
-            apart.push(edit);
+        if separate.last().is_none_or(|last| last.range.end <= edit.range.start && *last != edit) {
+            separate.push(edit);
         }
     }
-    apart
+    separate
 }

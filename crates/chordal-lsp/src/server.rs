@@ -316,14 +316,14 @@ impl<'a> Server<'a> {
         match found {
             RunFindings::Problems(problems) => {
                 let uri = uri.clone();
-                let told = problems.iter().map(|problem| diagnostic(&program, &uri, problem));
-                self.publish(uri.clone(), told.collect(), Some(version));
+                let noted = problems.iter().map(|problem| diagnostic(&program, &uri, problem));
+                self.publish(uri.clone(), noted.collect(), Some(version));
             }
             RunFindings::Failed(why) => {
                 document.failed = Some(version);
-                let (uri, told) =
+                let (uri, noted) =
                     (uri.clone(), Diagnostic::new_simple(Range::default(), why.clone()));
-                self.publish(uri, vec![told], Some(version));
+                self.publish(uri, vec![noted], Some(version));
                 for request in self.waiting_for(&key) {
                     let code = ErrorCode::InternalError as i32;
                     self.send(Response::new_err(request.id, code, why.clone()).into());
@@ -358,9 +358,9 @@ impl<'a> Server<'a> {
     /// The questions about a document that wait, which they do no longer.
     fn waiting_for(&mut self, uri: &str) -> Vec<Request> {
         let of_this = |request: &Request| document_of(request) == Some(uri);
-        let (asked, others) = self.waiting.drain(..).partition(of_this);
+        let (requested, others) = self.waiting.drain(..).partition(of_this);
         self.waiting = others;
-        asked
+        requested
     }
 
     /// The text has changed or gone: questions about how it ran have no answer.

@@ -342,7 +342,7 @@ impl CheckedValue<'_> {
     /// An override as a fraction.
     fn percentage(&self) -> Result<f64, MachineError> {
         let help = || Some("write it as `\"80 %\"` or `0.8`".to_string());
-        let wanted = "a percentage or a fraction";
+        let target = "a percentage or a fraction";
         let fraction = match self.value.get_ref() {
             DeValue::String(text) => match text.trim().strip_suffix('%') {
                 Some(number) => number.trim().parse::<f64>().ok().map(|percent| percent / 100.0),
@@ -352,7 +352,7 @@ impl CheckedValue<'_> {
             _ => None,
         };
         let Some(fraction) = fraction.filter(|fraction| fraction.is_finite()) else {
-            return Err(self.takes(wanted, help()));
+            return Err(self.takes(target, help()));
         };
         if fraction > 0.0 && fraction <= MAX_OVERRIDE {
             return Ok(fraction);
@@ -523,7 +523,7 @@ impl CheckedValue<'_> {
     }
 
     fn switches(&self) -> Result<[bool; 10], MachineError> {
-        let wanted = "`true`, `false` or a list of switch numbers from 1 to 9";
+        let target = "`true`, `false` or a list of switch numbers from 1 to 9";
         match self.value.get_ref() {
             DeValue::Boolean(all) => Ok([*all; 10]),
             DeValue::Array(items) => {
@@ -536,7 +536,7 @@ impl CheckedValue<'_> {
                     match number.and_then(|number| usize::try_from(number).ok()) {
                         Some(number @ 1..=9) => switches[number] = true,
                         _ => {
-                            let message = format!("`{}` takes {wanted}", self.name());
+                            let message = format!("`{}` takes {target}", self.name());
                             return Err(self.source.error(Some(item.span()), message, None));
                         }
                     }
@@ -544,7 +544,7 @@ impl CheckedValue<'_> {
                 switches[0] = switches[1];
                 Ok(switches)
             }
-            _ => Err(self.takes(wanted, None)),
+            _ => Err(self.takes(target, None)),
         }
     }
 

@@ -87,26 +87,26 @@ fn with_insert(
     let InsertDesignation { letter, edge_mm, nose_mm, .. } = insert.value;
     let name = format!("the insert {}", insert.text);
     let mut wrong = Vec::new();
-    let mut differs = |says: String, key: &str, given: String| {
+    let mut differs = |says: String, key: &str, provided: String| {
         wrong.push((
-            format!("{name} has {says}, and `tools.{number}.{key}` says {given}"),
+            format!("{name} has {says}, and `tools.{number}.{key}` says {provided}"),
             format!("correct one of the two, or leave `{key}` out"),
         ));
     };
-    if let Some(given) =
-        tool.nose_radius_mm.filter(|given| (given - nose_mm).abs() > NOSE_TOLERANCE_MM)
+    if let Some(provided) =
+        tool.nose_radius_mm.filter(|provided| (provided - nose_mm).abs() > NOSE_TOLERANCE_MM)
     {
-        differs(format!("a nose radius of {}", mm(nose_mm)), "nose_radius", mm(given));
+        differs(format!("a nose radius of {}", mm(nose_mm)), "nose_radius", mm(provided));
     }
-    if let (Some(given), Some(corner)) = (tool.turning.insert_angle_rad, letter.corner_degrees())
-        && (given.to_degrees() - corner).abs() > ANGLE_TOLERANCE_DEG
+    if let (Some(provided), Some(corner)) = (tool.turning.insert_angle_rad, letter.corner_degrees())
+        && (provided.to_degrees() - corner).abs() > ANGLE_TOLERANCE_DEG
     {
-        differs(format!("a corner of {corner}°"), "insert_angle", degrees(given));
+        differs(format!("a corner of {corner}°"), "insert_angle", degrees(provided));
     }
-    if let (Some(given), Some(edge)) = (tool.flute_length_mm, edge_mm)
-        && given > edge + EDGE_TOLERANCE_MM
+    if let (Some(provided), Some(edge)) = (tool.flute_length_mm, edge_mm)
+        && provided > edge + EDGE_TOLERANCE_MM
     {
-        differs(format!("edges of {}", mm(edge)), "flute_length", mm(given));
+        differs(format!("edges of {}", mm(edge)), "flute_length", mm(provided));
     }
     if let Some(shape) = tool.shape.filter(|shape| *shape != ToolShape::Insert) {
         differs("the shape `insert`".to_string(), "shape", format!("`{}`", shape.as_str()));
@@ -122,14 +122,14 @@ fn with_holder(
     let value = holder.value;
     let name = format!("the holder {}", holder.text);
     let mut wrong = Vec::new();
-    if let (Some(given), Some(approach)) =
+    if let (Some(provided), Some(approach)) =
         (tool.turning.approach_angle_rad, value.approach_degrees())
-        && (given.to_degrees() - approach).abs() > ANGLE_TOLERANCE_DEG
+        && (provided.to_degrees() - approach).abs() > ANGLE_TOLERANCE_DEG
     {
         wrong.push((
             format!(
                 "{name} holds the main edge at {approach}° to Z, and `tools.{number}.approach_angle` says {}",
-                degrees(given)
+                degrees(provided)
             ),
             "correct one of the two, or leave `approach_angle` out".to_string(),
         ));

@@ -152,7 +152,7 @@ impl Tool {
             ToolShape::Insert => vec![("nose_radius", self.nose_radius_mm.is_some()), tip],
             ToolShape::Groove => vec![("width", self.turning.width_mm.is_some()), tip],
         };
-        needed.into_iter().filter(|(_, is_given)| !is_given).map(|(key, _)| key).collect()
+        needed.into_iter().filter(|(_, is_provided)| !is_provided).map(|(key, _)| key).collect()
     }
 
     /// The diameter of the shank where the edges end.

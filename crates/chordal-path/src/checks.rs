@@ -449,7 +449,7 @@ impl<'a> RunChecks<'a> {
         if to.z >= self.depth_mm() {
             return;
         }
-        let rapid = |way| LowRapid { direction: way, from, to, plane, units, origin };
+        let rapid = |course| LowRapid { direction: course, from, to, plane, units, origin };
         let sideways = (from.x, from.y) != (to.x, to.y);
         if sideways && to.z < from.z {
             self.seen.rapids.rapid(rapid(RapidDirection::Slanting));
@@ -495,10 +495,10 @@ impl<'a> RunChecks<'a> {
                 "a rapid plunges {depth} below the clearance plane, inside the region that is cut next"
             ),
         };
-        let given =
+        let provided =
             if self.machine.clearance_mm.is_some() { "the machine file's" } else { "Z0, the" };
         Diagnostic::new(Code::RapidIntoPart, rapid.origin.span, message)
-            .label(format!("below {given} clearance plane"))
+            .label(format!("below {provided} clearance plane"))
             .help("use G1 if this is a cut, or lift the tool first")
     }
 

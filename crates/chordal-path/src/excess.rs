@@ -24,9 +24,9 @@ fn share_in_step(feed: &Feed, motion: &Move) -> f64 {
     if feed.mode != FeedMode::PerRevolution {
         return 1.0;
     }
-    let way: [f64; 3] = std::array::from_fn(|axis| (motion.to[axis] - motion.from[axis]).abs());
-    let length = libm::sqrt(way.iter().map(|part| part * part).sum());
-    let longest = way.into_iter().fold(0.0, f64::max);
+    let path: [f64; 3] = std::array::from_fn(|axis| (motion.to[axis] - motion.from[axis]).abs());
+    let length = libm::sqrt(path.iter().map(|part| part * part).sum());
+    let longest = path.into_iter().fold(0.0, f64::max);
     if length > 0.0 { longest / length } else { 1.0 }
 }
 

@@ -10,9 +10,9 @@ pub(crate) fn rapid_time_s(machine: &Machine, from: &Position, to: &Position) ->
 
 fn axis_time_s(machine: &Machine, axis: usize, from: &Position, to: &Position) -> f64 {
     let speed = machine.axes[axis].as_ref().and_then(|limits| limits.max_velocity);
-    let way = (to[axis] - from[axis]).abs();
+    let course = (to[axis] - from[axis]).abs();
     match speed {
-        Some(speed) if speed > 0.0 => way / speed,
+        Some(speed) if speed > 0.0 => course / speed,
         _ => 0.0,
     }
 }

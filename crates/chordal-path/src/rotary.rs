@@ -63,14 +63,14 @@ pub(crate) fn fastest_turn(surface: &RotarySurface, curve: &Curve, speed: f64) -
     let length = curve.length();
     let mut fastest = (0.0, f64::INFINITY);
     let mut look = |s: f64| {
-        let (point, way) = (curve.point_at(s).to_array(), curve.tangent_at(s).to_array());
+        let (point, path) = (curve.point_at(s).to_array(), curve.tangent_at(s).to_array());
         let radius = surface.radius_at(point);
         let across = match surface.shape {
             SurfaceShape::Face { along, .. } => {
-                let arm = point[along] * way[surface.across] - point[surface.across] * way[along];
+                let arm = point[along] * path[surface.across] - point[surface.across] * path[along];
                 if arm.abs() > POLE_MM { arm / radius } else { 0.0 }
             }
-            SurfaceShape::Cylinder { .. } => way[surface.across],
+            SurfaceShape::Cylinder { .. } => path[surface.across],
         };
         let turn = (speed * across / radius).abs();
         if turn > fastest.0 {

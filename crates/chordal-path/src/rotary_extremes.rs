@@ -109,11 +109,11 @@ fn on(motion: &Move, surface: &RotarySurface, along: usize, at: &FacePoint) -> P
 
 /// Where a line is nearest to the pole, if that is between its ends.
 fn foot(from: [f64; 2], to: [f64; 2]) -> Option<FacePoint> {
-    let way = [to[0] - from[0], to[1] - from[1]];
-    let square = way[0] * way[0] + way[1] * way[1];
-    let share = -(from[0] * way[0] + from[1] * way[1]) / square;
+    let path = [to[0] - from[0], to[1] - from[1]];
+    let square = path[0] * path[0] + path[1] * path[1];
+    let share = -(from[0] * path[0] + from[1] * path[1]) / square;
     (share > 0.0 && share < 1.0)
-        .then(|| FacePoint { share, flat: [from[0] + way[0] * share, from[1] + way[1] * share] })
+        .then(|| FacePoint { share, flat: [from[0] + path[0] * share, from[1] + path[1] * share] })
 }
 
 /// Where an arc is nearest to the pole and farthest from it, and where lines from the pole touch it.
@@ -132,8 +132,8 @@ fn of_arc(from: [f64; 2], shape: &ArcShape) -> Vec<FacePoint> {
     }
     let mut places: Vec<FacePoint> = Vec::new();
     for angle in angles {
-        let way = if shape.sweep < 0.0 { begin - angle } else { angle - begin };
-        let share = way.rem_euclid(TAU) / shape.sweep.abs();
+        let path = if shape.sweep < 0.0 { begin - angle } else { angle - begin };
+        let share = path.rem_euclid(TAU) / shape.sweep.abs();
         if share > 0.0 && share < 1.0 {
             let (sin, cos) = libm::sincos(angle);
             places.push(FacePoint {

@@ -63,12 +63,12 @@ impl TurnedCut {
 }
 
 fn distance_to_segment(place: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
-    let way = [to[0] - from[0], to[1] - from[1]];
+    let path = [to[0] - from[0], to[1] - from[1]];
     let off = [place[0] - from[0], place[1] - from[1]];
-    let square = way[0] * way[0] + way[1] * way[1];
-    let share = if square > 0.0 { (off[0] * way[0] + off[1] * way[1]) / square } else { 0.0 };
+    let square = path[0] * path[0] + path[1] * path[1];
+    let share = if square > 0.0 { (off[0] * path[0] + off[1] * path[1]) / square } else { 0.0 };
     let share = share.clamp(0.0, 1.0);
-    libm::hypot(off[0] - way[0] * share, off[1] - way[1] * share)
+    libm::hypot(off[0] - path[0] * share, off[1] - path[1] * share)
 }
 
 /// The turret turns.

@@ -126,8 +126,8 @@ impl Journal {
 
     /// The key of the record that a file has, shortened.
     fn key(&self, index: usize) -> PyResult<Option<String>> {
-        let held = self.lock_journal();
-        let (journal, _) = held.as_ref().ok_or_else(finished)?;
+        let retained = self.lock_journal();
+        let (journal, _) = retained.as_ref().ok_or_else(finished)?;
         Ok(journal.key(index))
     }
 
@@ -135,8 +135,8 @@ impl Journal {
     fn put(&self, py: Python<'_>, index: usize, record: &[u8]) -> PyResult<()> {
         let record = record.to_vec();
         py.detach(|| {
-            let mut held = self.lock_journal();
-            let (journal, shard) = held.as_mut().ok_or_else(finished)?;
+            let mut retained = self.lock_journal();
+            let (journal, shard) = retained.as_mut().ok_or_else(finished)?;
             journal.put(shard, index, &record).map_err(wrong)
         })
     }

@@ -85,8 +85,8 @@ fn planned(
         });
     };
     let mut at: Option<PerAxis<f64>> = None;
-    for (index, given) in moves.iter().enumerate() {
-        let (curve, rotary_from, rotary_to, number, tolerance, rotary_rad, rapid) = *given;
+    for (index, provided) in moves.iter().enumerate() {
+        let (curve, rotary_from, rotary_to, number, tolerance, rotary_rad, rapid) = *provided;
         let tag = index as u64;
         let Some(Curve(curve)) = curve else {
             let seconds = number.unwrap_or(0.0);

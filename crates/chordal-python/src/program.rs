@@ -243,14 +243,14 @@ impl Program {
     /// the setup sheet shows it.
     fn problems(&self, py: Python<'_>) -> PyResult<(String, Vec<(String, String)>)> {
         self.ask(py, |job| {
-            let told = self.cached_report(job)?;
+            let reported = self.cached_report(job)?;
             let sources = job.sources();
-            let drawn = told.diagnostics.iter().map(|each| {
+            let drawn = reported.diagnostics.iter().map(|each| {
                 let text = report::one(each, sources, false);
                 (text, chordal_report::problem_html(each, sources))
             });
             let loaded = &self.loaded;
-            let json = report::json(told, sources, loaded.name(), &loaded.reading());
+            let json = report::json(reported, sources, loaded.name(), &loaded.reading());
             Ok((json, drawn.collect()))
         })
     }
@@ -281,8 +281,8 @@ impl Program {
             let columns =
                 if of_path { CommandColumns::of_path(job) } else { CommandColumns::new(job) };
             let mut commands = CommandGatherer { columns, of_path };
-            let told = job.report_watched(&mut commands);
-            self.keep(told)?;
+            let reported = job.report_watched(&mut commands);
+            self.keep(reported)?;
             commands.columns.take().and_then(Table::new).map_err(error::inside)
         })
     }
@@ -339,9 +339,9 @@ impl Program {
             let assumed = motion.limits.assumed.iter();
             let assumed =
                 assumed.map(|each| format!("{} of {}", each.quantity, each.axis.letter()));
-            let told =
+            let reported =
                 (motion.moves, motion.cuts_without_feed, refused.collect(), assumed.collect());
-            Ok(Ok((table, told)))
+            Ok(Ok((table, reported)))
         })?;
         planned.map_err(|error| match error {
             SamplingError::Limit(error) => wrong_limit(py, &error),
@@ -387,8 +387,8 @@ impl Program {
         self.ask(py, |job| match rewrite::transform(job, &steps) {
             Ok(done) => {
                 let new = job.with_text(done.text.clone());
-                let told = transformed_json(&done, [job, &new], None);
-                Ok((Some(done.text), told))
+                let reported = transformed_json(&done, [job, &new], None);
+                Ok((Some(done.text), reported))
             }
             Err(refusal) => Ok((None, refusal_json(&refusal, self.loaded.name()))),
         })
@@ -417,8 +417,8 @@ impl Program {
         self.ask(py, |job| match rewrite::warp(job, &map, &how) {
             Ok(warped) => {
                 let new = job.with_text(warped.done.text.clone());
-                let told = transformed_json(&warped.done, [job, &new], None);
-                Ok((Some(warped.done.text), told))
+                let reported = transformed_json(&warped.done, [job, &new], None);
+                Ok((Some(warped.done.text), reported))
             }
             Err(refusal) => Ok((None, refusal_json(&refusal, self.loaded.name()))),
         })
@@ -430,8 +430,8 @@ impl Program {
         let by = most.map_or(rewrite::SplitBy::Tool, rewrite::SplitBy::Bytes);
         self.ask(py, |job| match rewrite::split(job, by) {
             Ok(done) => {
-                let told = split_json(&done, None, [job, job], &[]);
-                Ok((done.parts.into_iter().map(|part| part.text).collect(), told))
+                let reported = split_json(&done, None, [job, job], &[]);
+                Ok((done.parts.into_iter().map(|part| part.text).collect(), reported))
             }
             Err(refusal) => Ok((Vec::new(), refusal_json(&refusal, self.loaded.name()))),
         })
@@ -442,8 +442,8 @@ impl Program {
         let name = self.loaded.name();
         self.ask(py, |job| match rewrite::restart::restart(job, line) {
             Ok(done) => {
-                let told = restart_json(Ok(&done), name, None, None);
-                Ok((Some(done.text), told))
+                let reported = restart_json(Ok(&done), name, None, None);
+                Ok((Some(done.text), reported))
             }
             Err(refused) => Ok((None, restart_json(Err(&refused), name, None, None))),
         })
@@ -591,10 +591,10 @@ impl Program {
 impl Program {
     fn plot(&self, job: &Job<'_>, width: u32, height: u32, dark: bool) -> (Plot, PlotOptions) {
         let mut plot = Plot::picture(job);
-        let told = job.report_with(|_, segments| {
+        let reported = job.report_with(|_, segments| {
             segments.iter().for_each(|segment| plot.segment(segment));
         });
-        plot.set_inch(told.summary.inch);
+        plot.set_inch(reported.summary.inch);
         let options = PlotOptions {
             title: self.loaded.name().to_string(),
             subtitle: job.machine().title.clone(),

@@ -45,10 +45,10 @@ impl PythonSignals {
         if self.has_raised() {
             return true;
         }
-        let mut asked = locked(&self.checked_at);
-        let due = asked.elapsed() >= BETWEEN_ASKINGS;
+        let mut requested = locked(&self.checked_at);
+        let due = requested.elapsed() >= BETWEEN_ASKINGS;
         if due {
-            *asked = Instant::now();
+            *requested = Instant::now();
         }
         due
     }

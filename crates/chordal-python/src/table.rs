@@ -109,8 +109,8 @@ impl Table {
         let at = |array: &ArrayRef| array.as_primitive::<Float64Type>().values().as_ptr() as usize;
         let places: Vec<usize> = arrays.iter().map(|array| at(array)).collect();
         let Some(&first) = places.first() else { return Ok(None) };
-        let apart = places.get(1).map_or(0, |second| second.wrapping_sub(first));
-        let even = places.windows(2).all(|pair| pair[1].wrapping_sub(pair[0]) == apart);
+        let separate = places.get(1).map_or(0, |second| second.wrapping_sub(first));
+        let even = places.windows(2).all(|pair| pair[1].wrapping_sub(pair[0]) == separate);
         // All numbers of a table lie in one piece of memory, so what is between them is ours.
         let ahead = places.windows(2).all(|pair| pair[1] > pair[0]) || self.batch.num_rows() == 0;
         if !(even && ahead) {
@@ -119,7 +119,7 @@ impl Table {
         Ok(Some(NumberBuffer {
             address: first,
             shape: vec![self.batch.num_rows(), names.len()],
-            strides: vec![8, apart],
+            strides: vec![8, separate],
             kind: "<f8",
             _batch: self.batch.clone(),
         }))
@@ -254,8 +254,8 @@ pub fn rows<const N: usize>(values: Vec<[f64; N]>) -> PyResult<NumberBuffer> {
     let address = array.values().as_ptr() as usize;
     let field = arrow_schema::Field::new("rows", DataType::Float64, false);
     let schema = Arc::new(arrow_schema::Schema::new(vec![field]));
-    let held = RecordBatch::try_new(schema, vec![Arc::new(array)]).map_err(error::inside)?;
-    Ok(NumberBuffer { address, shape, strides: vec![8 * N, 8], kind: "<f8", _batch: held })
+    let retained = RecordBatch::try_new(schema, vec![Arc::new(array)]).map_err(error::inside)?;
+    Ok(NumberBuffer { address, shape, strides: vec![8 * N, 8], kind: "<f8", _batch: retained })
 }
 
 /// Triangles as rows of the numbers of their vertices.
@@ -265,6 +265,6 @@ pub fn indices(values: Vec<[u32; 3]>) -> PyResult<NumberBuffer> {
     let address = array.values().as_ptr() as usize;
     let field = arrow_schema::Field::new("indices", DataType::UInt32, false);
     let schema = Arc::new(arrow_schema::Schema::new(vec![field]));
-    let held = RecordBatch::try_new(schema, vec![Arc::new(array)]).map_err(error::inside)?;
-    Ok(NumberBuffer { address, shape, strides: vec![12, 4], kind: "<u4", _batch: held })
+    let retained = RecordBatch::try_new(schema, vec![Arc::new(array)]).map_err(error::inside)?;
+    Ok(NumberBuffer { address, shape, strides: vec![12, 4], kind: "<u4", _batch: retained })
 }

@@ -54,9 +54,10 @@ impl Certificate {
         comparison.differences = others;
         let nothing_left = comparison.differences.is_empty() && comparison.dropped == 0;
         if comparison.verdict == ComparisonVerdict::Different && nothing_left {
-            let apart = comparison.max_distance_mm.unwrap_or(0.0) > chordal_compare::COINCIDENT_MM;
+            let separate =
+                comparison.max_distance_mm.unwrap_or(0.0) > chordal_compare::COINCIDENT_MM;
             let verified = comparison.reports.iter().all(chordal::Report::verified);
-            comparison.verdict = match apart {
+            comparison.verdict = match separate {
                 _ if !verified => ComparisonVerdict::NotVerified,
                 true => ComparisonVerdict::Within,
                 false => ComparisonVerdict::Same,

@@ -341,12 +341,12 @@ pub(crate) fn whole(word: Option<&Word>) -> Option<u32> {
 }
 
 fn style(text: &[u8], blocks: &[Block]) -> WordStyle {
-    let (mut together, mut apart) = (0, 0);
+    let (mut together, mut separate) = (0, 0);
     let (mut zeros, mut points) = (0, 0);
     let (mut two, mut one) = (0, 0);
     for block in blocks.iter().take(2000) {
         for pair in block.words.windows(2) {
-            if pair[1].range.start > pair[0].range.end { apart += 1 } else { together += 1 }
+            if pair[1].range.start > pair[0].range.end { separate += 1 } else { together += 1 }
         }
         for word in &block.words {
             let written = &word.range.slice(text)[1..];
@@ -359,15 +359,15 @@ fn style(text: &[u8], blocks: &[Block]) -> WordStyle {
             }
         }
     }
-    WordStyle { spaced: apart >= together, leading_zero: zeros > points, two_digits: two > one }
+    WordStyle { spaced: separate >= together, leading_zero: zeros > points, two_digits: two > one }
 }
 
 /// The text as an editor holds it, for the places of names.
 pub(crate) fn program(job: &Job) -> Option<EditorProgram> {
     let texts = job.sources().iter().skip(1);
-    let beside = texts.map(|(_, source)| (source.name().to_string(), source.text().to_vec()));
+    let adjacent = texts.map(|(_, source)| (source.name().to_string(), source.text().to_vec()));
     let setup = EditorSetup {
-        subprogram_texts: beside.collect(),
+        subprogram_texts: adjacent.collect(),
         ..EditorSetup::of(job.machine().clone())
     };
     let name = job.sources().get(FileId(0)).map_or("", |source| source.name());

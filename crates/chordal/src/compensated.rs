@@ -136,13 +136,13 @@ impl<'a, S: PathSink> CompensationSink<'a, S> {
         sink: S,
     ) -> CompensationSink<'a, S> {
         let compensator = Compensator::new(&job.control().parameters.rules, job.control().alarms());
-        let told = PendingDiagnostics {
+        let reported = PendingDiagnostics {
             inner: sink,
             sources: job.sources(),
             waiting: Vec::new(),
             contours,
         };
-        CompensationSink { compensator, pending: told, control: job.control(), nominal: None }
+        CompensationSink { compensator, pending: reported, control: job.control(), nominal: None }
     }
 
     /// Lets the nominal contour follow, from a G41 or G42 on whose offset is not known.

@@ -117,9 +117,9 @@ impl Job<'_> {
             in_no_cut: AxisMask::LINEAR,
             has_all: has_all.clone(),
         };
-        let wanted = options.interrupt.clone();
+        let target = options.interrupt.clone();
         let ends = move || {
-            has_all.load(Ordering::Relaxed) || wanted.as_ref().is_some_and(|interrupt| interrupt())
+            has_all.load(Ordering::Relaxed) || target.as_ref().is_some_and(|interrupt| interrupt())
         };
         let options = RunOptions { interrupt: Some(Arc::new(ends)), ..options.clone() };
         let language = WordAddress::new(self.sources(), self.machine(), self.control(), &options);

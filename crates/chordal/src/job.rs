@@ -289,8 +289,8 @@ impl<'a> Job<'a> {
     /// The program that is run, where it is one, and nobody is asked on the way.
     pub(crate) fn single_main(&self) -> Option<(WordAddress<'_>, usize)> {
         let readable = !chordal_syntax::decode(self.text()).binary;
-        let asked = self.options.shop_codes.is_some() || self.machine.answers_with_blocks();
-        if !readable || asked || self.options.not_read.is_some() {
+        let requested = self.options.shop_codes.is_some() || self.machine.answers_with_blocks();
+        if !readable || requested || self.options.not_read.is_some() {
             return None;
         }
         let language = self.language();

@@ -84,9 +84,9 @@ impl Job<'_> {
         // Where somebody has switched it on, that is how the program is run.
         let is_on = self.machine().switches.block_delete.contains(&true);
         let decides = first.iter().any(|each| each.code == Code::BlockDeleteDecides);
-        let is_asked =
+        let is_requested =
             self.run_options().both_block_deletes || block_delete == BlockDeleteRuns::Both;
-        if is_asked || decides && !is_on {
+        if is_requested || decides && !is_on {
             let (side, fulfilled) = (AlternativeRun::BlockDelete, BTreeSet::new());
             pending.push_back(PendingRun { side, fulfilled, block_delete: true });
         }
@@ -126,12 +126,12 @@ impl Job<'_> {
         for (_, source) in self.sources().iter() {
             sources.add(Source::new(source.name(), source.text()));
         }
-        let given = self.run_options();
+        let provided = self.run_options();
         let options = RunOptions {
             is_other_side: true,
             fulfilled: Arc::new(fulfilled),
-            max_repeated_blocks: given.max_repeated_blocks.min(MAX_REPEATED_BLOCKS),
-            ..given.clone()
+            max_repeated_blocks: provided.max_repeated_blocks.min(MAX_REPEATED_BLOCKS),
+            ..provided.clone()
         };
         let job = self.with_sources(sources).options(options);
         if block_delete { job.with_other_block_delete() } else { job }

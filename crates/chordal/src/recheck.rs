@@ -159,8 +159,8 @@ impl CheckedSegment {
             start.shift(shift)?;
         }
         self.end = shift.offset(self.end)?;
-        if let Some(looked) = &mut self.text_read {
-            *looked = shift.range(*looked)?;
+        if let Some(inspected) = &mut self.text_read {
+            *inspected = shift.range(*inspected)?;
         }
         self.findings.shift(shift)?;
         for (diagnostic, _) in &mut self.waiting {
@@ -171,7 +171,7 @@ impl CheckedSegment {
 
     /// Whether what it reads elsewhere is still the same.
     fn reads_the_same(&self, shift: &TextShift) -> bool {
-        self.text_read.is_none_or(|looked| shift.leaves(looked))
+        self.text_read.is_none_or(|inspected| shift.leaves(inspected))
     }
 
     /// Whether it names numbers of lines, which may have moved.
@@ -225,7 +225,7 @@ impl CheckMemory {
         let bytes = self.segment_bytes.max(job.text().len() / MAX_STRETCHES) as u32;
         let run = before.and_then(|run| run.again(job, language, bytes));
         let run = run.unwrap_or_else(|| SegmentedRun::whole(job, language, numbers, main, bytes));
-        let waiting = run.stretches.iter().map(|stretch| stretch.waiting.len()).sum::<usize>();
+        let waiting = run.stretches.iter().map(|section| section.waiting.len()).sum::<usize>();
         if waiting >= MAX_WAITING {
             return job.check();
         }
@@ -264,24 +264,24 @@ impl SegmentedRun {
     fn again(mut self, job: &Job, language: &WordAddress<'_>, bytes: u32) -> Option<SegmentedRun> {
         let shift = TextShift::between(&self.text, job.text());
         let start_of =
-            |stretch: &CheckedSegment| stretch.start.as_ref().map_or(0, SegmentStart::offset);
-        let same = |stretch: &&CheckedSegment| {
-            let own = TextRange::new(start_of(stretch), stretch.end);
+            |section: &CheckedSegment| section.start.as_ref().map_or(0, SegmentStart::offset);
+        let same = |section: &&CheckedSegment| {
+            let own = TextRange::new(start_of(section), section.end);
             shift.leaves(own)
-                && stretch.reads_the_same(&shift)
-                && (shift.lines() == 0 || !stretch.tells_lines())
+                && section.reads_the_same(&shift)
+                && (shift.lines() == 0 || !section.tells_lines())
         };
         let last = self.stretches.len() - 1;
-        let before = |stretch: &&CheckedSegment| {
-            shift.offset(stretch.end) == Some(stretch.end) && same(stretch)
+        let before = |section: &&CheckedSegment| {
+            shift.offset(section.end) == Some(section.end) && same(section)
         };
         let kept = self.stretches[..last].iter().take_while(before).count();
         let tail = self.stretches[kept + 1..].iter().rev().take_while(same).count();
         let mut tail = self.stretches.split_off(self.stretches.len() - tail);
         self.stretches.truncate(kept + 1);
         let mut first = self.stretches.pop()?.start;
-        for stretch in &mut self.stretches {
-            stretch.shift(&shift)?;
+        for section in &mut self.stretches {
+            section.shift(&shift)?;
         }
         if let Some(first) = &mut first {
             first.shift(&shift)?;
@@ -299,9 +299,9 @@ impl SegmentedRun {
             None => {
                 tail.drain(..met);
                 let was = tail.first()?.start.as_ref()?.checkpoint.blocks();
-                for stretch in &mut tail {
-                    stretch.shift(&shift)?;
-                    let checkpoint = &mut stretch.start.as_mut()?.checkpoint;
+                for section in &mut tail {
+                    section.shift(&shift)?;
+                    let checkpoint = &mut section.start.as_mut()?.checkpoint;
                     checkpoint.count_blocks(checkpoint.blocks() - was + blocks);
                 }
                 self.outcome.calls.shift(&shift)?;
@@ -320,12 +320,12 @@ impl SegmentedRun {
         job.before_run(language.library()).for_each(|diagnostic| collector.push(diagnostic));
         let mut sink = CheckSink::new(job, ());
         let mut output = Vec::new();
-        for stretch in &self.stretches {
-            stretch.findings.add_to(&mut collector);
-            sink.checks.add_seen(&stretch.seen);
-            output.extend_from_slice(&stretch.output);
+        for section in &self.stretches {
+            section.findings.add_to(&mut collector);
+            sink.checks.add_seen(&section.seen);
+            output.extend_from_slice(&section.output);
         }
-        for (diagnostic, call) in self.stretches.iter().flat_map(|stretch| &stretch.waiting) {
+        for (diagnostic, call) in self.stretches.iter().flat_map(|section| &section.waiting) {
             let mut diagnostic = diagnostic.clone();
             diagnostic.calls = self.outcome.calls.resolve(*call);
             collector.push(diagnostic);
@@ -381,21 +381,21 @@ impl<'a, 'o> IncrementalRun<'a, 'o> {
     ) -> (Option<Outcome>, ChecksMemory) {
         let checkpoint = self.start.as_ref().map(|start| start.checkpoint.clone());
         let ended = language.run(main, checkpoint.as_ref(), self);
-        let outcome = ended.map(|CompletedRun { outcome, text_read: looked }| {
+        let outcome = ended.map(|CompletedRun { outcome, text_read: inspected }| {
             self.run.finish();
             self.blocks = outcome.blocks;
-            self.close(job.text().len() as u32, looked);
+            self.close(job.text().len() as u32, inspected);
             outcome
         });
         (outcome, self.run.pending.inner.checks.memory().clone())
     }
 
-    fn close(&mut self, end: u32, looked: Option<TextRange>) {
+    fn close(&mut self, end: u32, inspected: Option<TextRange>) {
         let sink = &mut self.run.pending.inner;
         self.done.push(CheckedSegment {
             start: self.start.take(),
             end,
-            text_read: looked,
+            text_read: inspected,
             findings: std::mem::take(&mut sink.notes),
             waiting: std::mem::take(&mut self.run.pending.waiting),
             seen: sink.checks.take_seen(),
@@ -435,9 +435,13 @@ impl RunSink for IncrementalRun<'_, '_> {
         self.run.is_settled()
     }
 
-    fn checkpoint(&mut self, checkpoint: Checkpoint, looked: Option<TextRange>) -> ControlFlow<()> {
+    fn checkpoint(
+        &mut self,
+        checkpoint: Checkpoint,
+        inspected: Option<TextRange>,
+    ) -> ControlFlow<()> {
         let (here, blocks) = (checkpoint.offset(), checkpoint.blocks());
-        self.close(here, looked);
+        self.close(here, inspected);
         let start = SegmentStart {
             checkpoint,
             compensator: self.run.compensator.memory(),

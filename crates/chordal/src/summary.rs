@@ -254,11 +254,11 @@ impl SummaryBuilder {
             let (start, end) = (start.to_array(), end.to_array());
             for axis in (0..3).filter(|axis| known.has(*axis)) {
                 self.axes[axis].take(min[axis], max[axis], cuts);
-                let way = match segment.kind {
+                let path = match segment.kind {
                     SegmentKind::Rapid | SegmentKind::Line => (end[axis] - start[axis]).abs(),
                     _ => (max[axis] - min[axis]).abs(),
                 };
-                self.axes[axis].distance += way;
+                self.axes[axis].distance += path;
             }
         }
         for axis in 0..3 {
@@ -279,7 +279,7 @@ impl SummaryBuilder {
         let end = run.on_axes(&motion.to);
         let cuts = kind.feed().is_some();
         for axis in (0..AXES).filter(|axis| known.has(*axis)) {
-            let way = (end[axis] - start[axis]).abs();
+            let path = (end[axis] - start[axis]).abs();
             // An axis that turns is listed when it turns, be it out and back.
             let stands = |place: &chordal_command::Position| place[axis] == start[axis];
             if axis >= 3 && places.iter().all(stands) {
@@ -288,7 +288,7 @@ impl SummaryBuilder {
             for place in places.iter().chain([&start]) {
                 self.axes[axis].take(place[axis], place[axis], cuts);
             }
-            self.axes[axis].distance += way;
+            self.axes[axis].distance += path;
         }
     }
 

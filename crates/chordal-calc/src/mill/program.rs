@@ -32,11 +32,11 @@ pub(super) fn title(ask: &ThreadMill) -> String {
 /// Which way, and why.
 pub(super) fn direction(ask: &ThreadMill, plan: &ThreadMillPlan) -> String {
     let code = if plan.sense > 0.0 { "G3" } else { "G2" };
-    let way = if plan.rises(ask) { "up" } else { "down" };
+    let path = if plan.rises(ask) { "up" } else { "down" };
     let cut = if ask.cut == MillingDirection::Climb { "climb" } else { "conventional" };
     let hand = if ask.hand == ThreadHand::Right { "right" } else { "left" };
     let place = if ask.place == ThreadLocation::Inside { "inside" } else { "outside" };
-    format!("{hand} hand, {place}, {cut} cut with M3: {code}, Z {way}")
+    format!("{hand} hand, {place}, {cut} cut with M3: {code}, Z {path}")
 }
 
 /// The hole below which the Haas manual (thread milling) has doubts, mm: 3/8 in.
@@ -86,8 +86,8 @@ impl ProgramWords<'_> {
 
     /// Height of rapids: above all that is cut, so that none goes down.
     fn clear(&self) -> f64 {
-        let asked = (self.ask.clearance / self.plan.step).round();
-        self.plan.heights.iter().copied().fold(asked, f64::max)
+        let requested = (self.ask.clearance / self.plan.step).round();
+        self.plan.heights.iter().copied().fold(requested, f64::max)
     }
 
     fn xy(&self, at: [f64; 2]) -> String {

@@ -44,8 +44,8 @@ const fn source(form: ThreadForm) -> (&'static str, &'static str) {
 pub(super) fn read(text: &str, words: &[String]) -> Result<ThreadDesignation, CalcError> {
     let form = form(words).ok_or_else(|| no_thread(text))?;
     let rest = without_form(words, form);
-    let (asked, used) = diameter(&rest).ok_or_else(|| no_thread(text))?;
-    let found = find(form, asked)?;
+    let (requested, used) = diameter(&rest).ok_or_else(|| no_thread(text))?;
+    let found = find(form, requested)?;
     let inch = matches!(form, ThreadForm::Npt | ThreadForm::Nptf);
     let (unit, units) = if inch { (INCH, AnswerUnit::Inch) } else { (1.0, AnswerUnit::Millimetre) };
     let mut name = ThreadDesignation::new(found.major * unit, INCH / found.tpi, units, form);
@@ -95,18 +95,18 @@ fn without_form(words: &[String], form: ThreadForm) -> Vec<String> {
     rest
 }
 
-fn find(form: ThreadForm, asked: f64) -> Result<&'static PipeSize, CalcError> {
+fn find(form: ThreadForm, requested: f64) -> Result<&'static PipeSize, CalcError> {
     let table: &'static [PipeSize] = match form {
         ThreadForm::Npt | ThreadForm::Nptf => &NPT,
         _ => &G,
     };
     let has = |own: &&PipeSize| form != ThreadForm::R || own.gauge > 0.0;
-    let found = table.iter().filter(has).find(|own| (own.size - asked).abs() < 1e-6);
+    let found = table.iter().filter(has).find(|own| (own.size - requested).abs() < 1e-6);
     found.ok_or_else(|| {
         let names: Vec<&str> = table.iter().filter(has).map(|own| own.name).collect();
         let (kind, standard) = source(form);
         CalcError::new(
-            format!("there is no {kind} thread of size {}", trimmed(asked, 4)),
+            format!("there is no {kind} thread of size {}", trimmed(requested, 4)),
             format!("the sizes of {standard} here are {}", names.join(", ")),
         )
     })

@@ -81,9 +81,9 @@ impl ArchiveMachines {
 }
 
 /// As many threads as were asked for, or as the machine has.
-pub fn jobs(asked: Option<usize>) -> usize {
+pub fn jobs(requested: Option<usize>) -> usize {
     let all = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    asked.unwrap_or_else(all).max(1)
+    requested.unwrap_or_else(all).max(1)
 }
 
 pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {

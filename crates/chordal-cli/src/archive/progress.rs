@@ -28,7 +28,7 @@ struct ProgressLines {
 }
 
 impl ProgressMeter {
-    pub fn new(files: usize, asked: bool, terminal: TerminalSupport) -> ProgressMeter {
+    pub fn new(files: usize, requested: bool, terminal: TerminalSupport) -> ProgressMeter {
         let target = ProgressDrawTarget::stderr();
         let drawn = !target.is_hidden() && files > 1;
         let bar = if drawn {
@@ -48,7 +48,7 @@ impl ProgressMeter {
             began: now,
             last_report: now,
         };
-        ProgressMeter { bar, lines: (asked && !drawn).then(|| Mutex::new(lines)), terminal }
+        ProgressMeter { bar, lines: (requested && !drawn).then(|| Mutex::new(lines)), terminal }
     }
 
     pub fn finish(&self) {

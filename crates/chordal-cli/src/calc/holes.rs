@@ -87,16 +87,19 @@ pub struct TapDrillArgs {
 }
 
 pub fn tap_drill_of(args: &TapDrillArgs) -> Result<(), CommandFailure> {
-    let asked = args.size.read(args.answer.units)?;
+    let requested = args.size.read(args.answer.units)?;
     let pipe =
         |form| matches!(form, ThreadForm::Npt | ThreadForm::Nptf | ThreadForm::G | ThreadForm::R);
-    if asked.name.as_ref().is_some_and(|name| pipe(name.form)) {
+    if requested.name.as_ref().is_some_and(|name| pipe(name.form)) {
         return Err(CommandFailure::wrong(
             "the share of a profile of 60° says nothing of a pipe thread",
             "the tap's maker names its drill; `chordal calc thread` gives the sizes of the thread",
         ));
     }
-    let ask =
-        TapDrill { thread: asked.thread(1)?, share: args.percent / 100.0, forming: args.forming };
-    give(tap_drill(&ask, asked.numbers.units), &args.answer)
+    let ask = TapDrill {
+        thread: requested.thread(1)?,
+        share: args.percent / 100.0,
+        forming: args.forming,
+    };
+    give(tap_drill(&ask, requested.numbers.units), &args.answer)
 }

@@ -81,15 +81,15 @@ pub struct UnitReader {
 impl UnitReader {
     /// The unit that was asked for; without, inches when one of the numbers is in inches.
     pub fn new<'a>(
-        asked: Option<UnitsName>,
+        queried: Option<UnitsName>,
         written: impl IntoIterator<Item = Option<&'a WrittenQuantity>>,
     ) -> UnitReader {
-        let inch = match asked {
+        let inch = match queried {
             Some(name) => name == UnitsName::Inch,
             None => written.into_iter().flatten().any(|own| own.read.is_some_and(|(_, inch)| inch)),
         };
         UnitReader {
-            requested: asked,
+            requested: queried,
             units: if inch { AnswerUnit::Inch } else { AnswerUnit::Millimetre },
         }
     }

@@ -81,18 +81,18 @@ fn missing_thread() -> CommandFailure {
 
 impl ThreadSizeArgs {
     /// The thread, by its name or by its sizes.
-    pub fn read(&self, asked: Option<UnitsName>) -> Result<ThreadRequest, CommandFailure> {
+    pub fn read(&self, requested: Option<UnitsName>) -> Result<ThreadRequest, CommandFailure> {
         if let Some(name) = &self.name {
             let name = ThreadDesignation::read(name).map_err(refused)?;
-            let mut numbers = UnitReader::new(asked, []);
-            if asked.is_none() {
+            let mut numbers = UnitReader::new(requested, []);
+            if requested.is_none() {
                 numbers.units = name.units;
             }
             return Ok(ThreadRequest { name: Some(name), size: None, numbers });
         }
         let written = [self.diameter.as_ref(), self.pitch.as_ref()];
-        let mut numbers = UnitReader::new(asked, written);
-        if asked.is_none() && self.tpi.is_some() {
+        let mut numbers = UnitReader::new(requested, written);
+        if requested.is_none() && self.tpi.is_some() {
             numbers.units = AnswerUnit::Inch;
         }
         let pitch = self.pitch(&numbers)?;
@@ -121,11 +121,11 @@ impl ThreadSizeArgs {
 }
 
 pub fn run(args: &Args) -> Result<(), CommandFailure> {
-    let asked = args.size.read(args.answer.units)?;
-    let units = asked.numbers.units;
-    let worked = match &asked.name {
+    let requested = args.size.read(args.answer.units)?;
+    let units = requested.numbers.units;
+    let worked = match &requested.name {
         Some(name) => named_thread(name, args.starts, units),
-        None => thread_data(&asked.thread(args.starts)?, units),
+        None => thread_data(&requested.thread(args.starts)?, units),
     };
     give(worked, &args.answer)
 }

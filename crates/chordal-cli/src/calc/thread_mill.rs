@@ -149,9 +149,9 @@ fn ramp(text: &str) -> Result<RampSweep, String> {
 }
 
 pub fn run(args: &Args) -> Result<(), CommandFailure> {
-    let asked = args.size.read(args.units)?;
-    let mut program = thread_mill(&ask(args, &asked)?).map_err(refused)?;
-    if let Some(name) = &asked.name {
+    let requested = args.size.read(args.units)?;
+    let mut program = thread_mill(&ask(args, &requested)?).map_err(refused)?;
+    if let Some(name) = &requested.name {
         program.worked.notes.extend(name.notes.iter().cloned());
     }
     let mut written = Vec::new();
@@ -181,30 +181,30 @@ pub fn run(args: &Args) -> Result<(), CommandFailure> {
 }
 
 /// The hand of `--hand` or of the name, which have to agree.
-fn hand(args: &Args, asked: &ThreadRequest) -> Result<ThreadHand, CommandFailure> {
-    let said = args.hand.map(|hand| match hand {
+fn hand(args: &Args, requested: &ThreadRequest) -> Result<ThreadHand, CommandFailure> {
+    let stated = args.hand.map(|hand| match hand {
         HandName::Right => ThreadHand::Right,
         HandName::Left => ThreadHand::Left,
     });
-    let named = asked.name.as_ref().and_then(|name| name.hand);
-    match (said, named) {
+    let named = requested.name.as_ref().and_then(|name| name.hand);
+    match (stated, named) {
         (Some(said), Some(named)) if said != named => Err(CommandFailure::wrong(
             "the name of the thread and --hand give different hands",
             "leave out --hand, or LH or RH",
         )),
-        _ => Ok(said.or(named).unwrap_or(ThreadHand::Right)),
+        _ => Ok(stated.or(named).unwrap_or(ThreadHand::Right)),
     }
 }
 
-fn ask(args: &Args, asked: &ThreadRequest) -> Result<ThreadMill, CommandFailure> {
-    let numbers = &asked.numbers;
+fn ask(args: &Args, requested: &ThreadRequest) -> Result<ThreadMill, CommandFailure> {
+    let numbers = &requested.numbers;
     let inch = numbers.units == AnswerUnit::Inch;
     let usual = |inches: f64, mm: f64| if inch { inches * 25.4 } else { mm };
     let wear = numbers.maybe(args.wear.as_ref())?.unwrap_or(usual(0.01, 0.25));
     Ok(ThreadMill {
-        thread: asked.thread(1)?,
+        thread: requested.thread(1)?,
         place: if args.outside { ThreadLocation::Outside } else { ThreadLocation::Inside },
-        hand: hand(args, asked)?,
+        hand: hand(args, requested)?,
         cutter: if args.cutter == CutterName::Hob {
             ThreadMillCutter::Hob
         } else {

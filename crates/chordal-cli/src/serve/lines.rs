@@ -16,7 +16,7 @@ pub fn read(input: &mut impl BufRead, mut take: impl FnMut(InputLine) -> bool) {
     loop {
         let mut line = Vec::new();
         let read = input.take(MAX_LINE_BYTES).read_until(b'\n', &mut line);
-        let told = match read {
+        let reported = match read {
             Ok(0) => return,
             Ok(_) if line.len() as u64 == MAX_LINE_BYTES && line.last() != Some(&b'\n') => {
                 line = Vec::new();
@@ -30,13 +30,13 @@ pub fn read(input: &mut impl BufRead, mut take: impl FnMut(InputLine) -> bool) {
             }
             Ok(_) => Ok(line),
             Err(error) => {
-                let told = Failure::plain(format!("the input cannot be read: {error}"), None);
-                take(Err(told));
+                let reported = Failure::plain(format!("the input cannot be read: {error}"), None);
+                take(Err(reported));
                 return;
             }
         };
-        let is_empty = told.as_ref().is_ok_and(|line| line.iter().all(u8::is_ascii_whitespace));
-        if !is_empty && !take(told) {
+        let is_empty = reported.as_ref().is_ok_and(|line| line.iter().all(u8::is_ascii_whitespace));
+        if !is_empty && !take(reported) {
             return;
         }
     }

@@ -66,8 +66,8 @@ pub struct RejectedLine {
 }
 
 impl RejectedLine {
-    fn of(id: &Value, told: Failure) -> Box<RejectedLine> {
-        Box::new(RejectedLine { id: id.clone(), failure: told })
+    fn of(id: &Value, reported: Failure) -> Box<RejectedLine> {
+        Box::new(RejectedLine { id: id.clone(), failure: reported })
     }
 }
 
@@ -90,14 +90,14 @@ impl ServeMessage {
         }
         match (object.ask, object.cancel) {
             (Some(ask), None) => {
-                let given = object.program.into_iter().chain(object.programs);
-                let programs = given.map(ServeRequest::of).collect::<Result<Vec<_>, _>>();
-                let programs = programs.map_err(|told| RejectedLine::of(&id, told))?;
+                let provided = object.program.into_iter().chain(object.programs);
+                let programs = provided.map(ServeRequest::of).collect::<Result<Vec<_>, _>>();
+                let programs = programs.map_err(|reported| RejectedLine::of(&id, reported))?;
                 let options = Value::Object(object.options);
                 let is_watched = object.watch;
                 if is_watched && programs.iter().all(|program| program.file.is_none()) {
-                    let told = Failure::wrong("there is no file to watch", FORM);
-                    return Err(RejectedLine::of(&id, told));
+                    let reported = Failure::wrong("there is no file to watch", FORM);
+                    return Err(RejectedLine::of(&id, reported));
                 }
                 let question = PendingQuestion { id, ask, programs, options, is_watched, times: 0 };
                 Ok(ServeMessage::Ask(Box::new(question)))
@@ -128,11 +128,11 @@ impl ServeRequest {
 impl PendingQuestion {
     /// The request, with the files of the disk.
     pub fn request(&self) -> Result<Request, Failure> {
-        let program = |asked: &ServeRequest| {
-            let mut given: ProgramOptions = options(&self.ask, asked.options.clone())?;
-            given.name = asked.file.clone().or(given.name);
-            let text = asked.text.clone().map(String::into_bytes);
-            Ok(Program { options: given, text })
+        let program = |requested: &ServeRequest| {
+            let mut provided: ProgramOptions = options(&self.ask, requested.options.clone())?;
+            provided.name = requested.file.clone().or(provided.name);
+            let text = requested.text.clone().map(String::into_bytes);
+            Ok(Program { options: provided, text })
         };
         Ok(Request {
             ask: self.ask.clone(),

@@ -118,20 +118,20 @@ impl ServeSession {
     }
 
     fn answer(&mut self, question: PendingQuestion) -> Result<(), CommandFailure> {
-        let mut told = json!({ "id": question.id, "ask": question.ask });
+        let mut reported = json!({ "id": question.id, "ask": question.ask });
         if question.times > 0 {
-            told["again"] = json!(question.times);
+            reported["again"] = json!(question.times);
         }
         // What the file holds when it is read: what it becomes in the meantime is a change.
         let stamps = question.stamps();
         match answer(&question) {
-            Ok(answer) => told["answer"] = answer,
-            Err(failure) => told["error"] = failure.json(),
+            Ok(answer) => reported["answer"] = answer,
+            Err(failure) => reported["error"] = failure.json(),
         }
         if question.is_watched {
             self.watching.keep(question, stamps);
         }
-        self.send(&told)
+        self.send(&reported)
     }
 
     fn send(&self, message: &Value) -> Result<(), CommandFailure> {
@@ -143,10 +143,11 @@ impl ServeSession {
 
 /// A panic ends the answer, not the service.
 fn answer(question: &PendingQuestion) -> Result<Value, Unanswered> {
-    let asked = || question.request().and_then(ask).map(inline);
-    catch_unwind(AssertUnwindSafe(asked)).unwrap_or_else(|payload| {
-        let told = payload.downcast_ref::<String>().map(String::as_str);
-        let told = told.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("a panic");
-        Err(Unanswered::own(format!("Chordal itself failed on it: {told}")))
+    let requested = || question.request().and_then(ask).map(inline);
+    catch_unwind(AssertUnwindSafe(requested)).unwrap_or_else(|payload| {
+        let reported = payload.downcast_ref::<String>().map(String::as_str);
+        let reported =
+            reported.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("a panic");
+        Err(Unanswered::own(format!("Chordal itself failed on it: {reported}")))
     })
 }

@@ -105,8 +105,8 @@ impl StreamClient {
         match self.stream.read(&mut bytes) {
             Ok(0) => false,
             Ok(count) => {
-                let said = bytes[..count].windows(6).any(|word| word == b"* PING");
-                !said || self.stream.write_all(HEARTBEAT.as_bytes()).is_ok()
+                let stated = bytes[..count].windows(6).any(|word| word == b"* PING");
+                !stated || self.stream.write_all(HEARTBEAT.as_bytes()).is_ok()
             }
             Err(error) => matches!(
                 error.kind(),

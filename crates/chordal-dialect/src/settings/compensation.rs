@@ -263,11 +263,11 @@ pub(crate) fn value_text(p: &Parameters, field: CompensationField) -> String {
 }
 
 fn count(value: &SettingValue, range: std::ops::RangeInclusive<u32>) -> Result<u32, String> {
-    let given = match value {
+    let provided = match value {
         SettingValue::Integer(number) => u32::try_from(*number).ok(),
         _ => None,
     };
-    given
+    provided
         .filter(|number| range.contains(number))
         .ok_or_else(|| format!("a whole number from {} to {}", range.start(), range.end()))
 }

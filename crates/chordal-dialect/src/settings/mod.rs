@@ -374,8 +374,8 @@ pub fn resolve(
     }
     parameters.rules.rotary_feed.has_a = machine.axes[3].is_some();
     let mut errors = Vec::new();
-    for (name, given) in &machine.settings {
-        if let Err(error) = apply(own, &mut parameters, name, given) {
+    for (name, provided) in &machine.settings {
+        if let Err(error) = apply(own, &mut parameters, name, provided) {
             errors.push(error);
         }
     }
@@ -411,8 +411,8 @@ fn apply(
         .iter()
         .find(|(own_word, _)| own_word.eq_ignore_ascii_case(&written))
         .map_or(written.as_str(), |(_, word)| word);
-    set(parameters, setting.field, word, &context.value).map_err(|wanted| {
-        refuse(format!("`{name}` cannot be `{written}`"), Some(format!("it takes {wanted}")))
+    set(parameters, setting.field, word, &context.value).map_err(|target| {
+        refuse(format!("`{name}` cannot be `{written}`"), Some(format!("it takes {target}")))
     })
 }
 

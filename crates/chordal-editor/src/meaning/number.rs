@@ -95,7 +95,7 @@ fn repeats_or_calls(number: u32, view: &ControlView) -> Option<String> {
 }
 
 fn routine_text(routine: FixedRoutine, count: u32) -> String {
-    let way = |direction: TurnDirection| match direction {
+    let path = |direction: TurnDirection| match direction {
         TurnDirection::Ccw => "counter-clockwise",
         TurnDirection::Cw => "clockwise",
     };
@@ -109,12 +109,12 @@ fn routine_text(routine: FixedRoutine, count: u32) -> String {
         FixedRoutine::BoltCircle => {
             format!("the cycle in force at {count} places on a circle about the present one")
         }
-        FixedRoutine::Bore(direction) => format!("mills a bore, {}, {times}", way(direction)),
+        FixedRoutine::Bore(direction) => format!("mills a bore, {}, {times}", path(direction)),
         FixedRoutine::Rectangle(direction) => {
-            format!("clears a rectangular pocket, {}, {times}", way(direction))
+            format!("clears a rectangular pocket, {}, {times}", path(direction))
         }
         FixedRoutine::Circle(direction) => {
-            format!("clears a circular pocket, {}, {times}", way(direction))
+            format!("clears a circular pocket, {}, {times}", path(direction))
         }
     }
 }

@@ -489,7 +489,7 @@ fn call(letter: u8, view: &ControlView) -> Option<String> {
 
 fn set_data(letter: u8, view: &ControlView) -> Option<String> {
     let targets = view.table.set_data;
-    let writes = |wanted: DataTarget| targets.iter().any(|(_, target)| *target == wanted);
+    let writes = |desired: DataTarget| targets.iter().any(|(_, target)| *target == desired);
     let name = char::from(letter);
     let text = match letter {
         b'L' => "number of what is written",

@@ -83,8 +83,8 @@ impl CoordinateRotation {
             let middle = (from[axis] + to[axis]) / 2.0;
             (middle - square * corner[axis]) / (1.0 - square)
         });
-        let way = |place: [f64; 2]| [place[0] - center[0], place[1] - center[1]];
-        let (u, v) = (way(from), way(corner));
+        let path = |place: [f64; 2]| [place[0] - center[0], place[1] - center[1]];
+        let (u, v) = (path(from), path(corner));
         let cross = u[0] * v[1] - u[1] * v[0];
         let sweep = pieces as f64 * 2.0 * weight.acos() * cross.signum();
         let radius = (u[0] * u[0] + u[1] * u[1]).sqrt();

@@ -378,8 +378,8 @@ impl<'a> FigureSheet<'a> {
         let worked = self.worked;
         let most = (width / extent("m", FORMULA).0).max(12.0) as usize;
         let mut lines = Vec::new();
-        for given in &worked.inputs {
-            let text = format!("{} = {}", given.symbol, given.text(worked.units));
+        for provided in &worked.inputs {
+            let text = format!("{} = {}", provided.symbol, provided.text(worked.units));
             lines.extend(wrap(&text, most).into_iter().map(|line| (line, false)));
         }
         for step in worked.steps.iter().filter(|step| all || step.result) {

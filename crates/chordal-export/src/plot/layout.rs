@@ -182,7 +182,7 @@ impl LayoutTrack {
     /// The sizes at a scale, with what is left over shared out.
     fn sizes(&self, scale: f64) -> (f64, f64) {
         let (first, second) = self.needs(scale);
-        let stretch = self.room / (first + second);
-        (first * stretch, second * stretch)
+        let range = self.room / (first + second);
+        (first * range, second * range)
     }
 }

@@ -169,11 +169,11 @@ impl<'p> PanelPen<'p> {
         let radius = DOT_PX * self.unit;
         self.data.push('M');
         self.point((x - radius, y));
-        for way in [2.0 * radius, -2.0 * radius] {
+        for course in [2.0 * radius, -2.0 * radius] {
             self.data.push('a');
             self.point((radius, radius));
             self.data.push_str(" 0 0 0 ");
-            self.point((way, 0.0));
+            self.point((course, 0.0));
         }
         self.at = None;
     }

@@ -303,8 +303,8 @@ impl SectionSheet {
         places.sort_by(|x, y| y.0.total_cmp(&x.0));
         let ends: Vec<(f64, f64)> =
             places.iter().map(|(r, z, _)| self.place(Vec2::new(*z, *r))).collect();
-        let wanted: Vec<f64> = ends.iter().map(|end| end.1).collect();
-        let rows = spread(&wanted, 18.0 * self.unit);
+        let desired: Vec<f64> = ends.iter().map(|end| end.1).collect();
+        let rows = spread(&desired, 18.0 * self.unit);
         let x = self.place(bounds(found).1).0 + 46.0 * self.unit;
         for (((r, ..), end), y) in places.iter().zip(&ends).zip(rows) {
             self.leader(out, &[*end, (x - 20.0 * self.unit, end.1), (x - 4.0 * self.unit, y)]);
@@ -329,11 +329,11 @@ impl SectionSheet {
         places.truncate(MAX_DIMENSIONS);
         places.sort_by(|x, y| x.0.total_cmp(&y.0));
         let under = self.zero.1 + self.top * self.scale + 8.0 * self.unit;
-        let wanted: Vec<f64> =
+        let desired: Vec<f64> =
             places.iter().map(|(z, _)| self.place(Vec2::new(*z, 0.0)).0).collect();
-        let columns = spread(&wanted, 17.0 * self.unit);
+        let columns = spread(&desired, 17.0 * self.unit);
         let y = under + 34.0 * self.unit;
-        for (((z, _), from), x) in places.iter().zip(&wanted).zip(columns) {
+        for (((z, _), from), x) in places.iter().zip(&desired).zip(columns) {
             self.leader(
                 out,
                 &[(*from, under), (*from, under + 10.0 * self.unit), (x, y - 4.0 * self.unit)],
@@ -412,10 +412,10 @@ fn middle(segment: &OutlineSegment) -> Vec2 {
 }
 
 /// Places in ascending order, moved as little as needed to be `gap` apart.
-fn spread(wanted: &[f64], gap: f64) -> Vec<f64> {
+fn spread(desired: &[f64], gap: f64) -> Vec<f64> {
     // Groups that touch lie around the middle of what their members want.
     let mut groups: Vec<(f64, usize)> = Vec::new();
-    for place in wanted {
+    for place in desired {
         groups.push((*place, 1));
         while let [.., (before, count), (after, more)] = groups[..] {
             let (half, other) = (0.5 * gap * count as f64, 0.5 * gap * more as f64);

@@ -158,15 +158,15 @@ impl PixelRect {
             (-dy, a.1 - self.y),
             (dy, self.bottom() - a.1),
         ];
-        for (way, room) in sides {
-            if way == 0.0 {
+        for (path, room) in sides {
+            if path == 0.0 {
                 if room < 0.0 {
                     return None;
                 }
-            } else if way < 0.0 {
-                from = from.max(room / way);
+            } else if path < 0.0 {
+                from = from.max(room / path);
             } else {
-                to = to.min(room / way);
+                to = to.min(room / path);
             }
         }
         let at = |t: f64| (a.0 + t * dx, a.1 + t * dy);

@@ -102,8 +102,8 @@ impl BlockCheck<'_> {
             return self.refuse(FirmwareError::WorkOffset, "P");
         }
         let from_position = target == Some(DataTarget::WorkOffsetFromPosition);
-        let given = target == Some(DataTarget::WorkOffset);
-        if !given && !from_position || given && self.written.has(b'R') {
+        let provided = target == Some(DataTarget::WorkOffset);
+        if !provided && !from_position || provided && self.written.has(b'R') {
             return self.refuse(FirmwareError::Unknown, "LG");
         }
         self.use_up(Letters::of("PL"));

@@ -176,8 +176,8 @@ impl Interpreter<'_> {
         }
         let (number, repeats) = self.unpacked(written, times);
         let Some(program) = self.library.find(number, self.file) else {
-            let given = CustomCodeCall { block: Some(block), arguments: &[] };
-            if self.shop_program(&word, number, repeats, given).is_none() {
+            let provided = CustomCodeCall { block: Some(block), arguments: &[] };
+            if self.shop_program(&word, number, repeats, provided).is_none() {
                 self.report_missing_program(&word, number);
             }
             return;
@@ -374,17 +374,17 @@ impl Interpreter<'_> {
     pub(super) fn report_repeat(&mut self, span: Span, what: &str) {
         let state = &self.kernel.state;
         let is_part = state.tool == 0 && state.spindle == SpindleState::Off && state.rpm == 0.0;
-        let said = Diagnostic::new(
+        let stated = Diagnostic::new(
             Code::EndlessLoop,
             span,
             format!("{what} starts the program again without end"),
         );
         self.kernel.report(match is_part {
-            true => said
+            true => stated
                 .label("shown once")
                 .severity(Severity::Note)
                 .help("nothing in this file calls it: if it is a subprogram, this is right"),
-            false => said
+            false => stated
                 .label("shown once")
                 .severity(Severity::Warning)
                 .help("end the program with M30, unless the repeat is intended"),

@@ -57,8 +57,8 @@ impl Interpreter<'_> {
         let number = self.control.parameters.second_spindle_p;
         let word = block.last(b'P').copied().filter(|_| number > 0);
         let Some(word) = word else { return };
-        let given = self.literal(&word).map(|number| number.to_f64());
-        if given == Some(f64::from(number)) {
+        let provided = self.literal(&word).map(|number| number.to_f64());
+        if provided == Some(f64::from(number)) {
             let message = format!("P{number} names the second spindle, which is not followed");
             self.note_second_spindle(
                 word.range,

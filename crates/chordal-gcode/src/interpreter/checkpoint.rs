@@ -155,7 +155,7 @@ impl Interpreter<'_> {
 
     /// Notes that a part of the first text was read; its main program stands in it.
     pub(super) fn look_at_range(&self, range: TextRange) {
-        let looked = self.text_read_elsewhere.get();
-        self.text_read_elsewhere.set(Some(looked.map_or(range, |looked| looked.cover(range))));
+        let inspected = self.text_read_outside.get();
+        self.text_read_outside.set(Some(inspected.map_or(range, |looked| looked.cover(range))));
     }
 }

@@ -110,8 +110,8 @@ impl Interpreter<'_> {
         let title = self.control.table.title;
         let (one, two) = (first.0.name(b'G'), second.0.name(b'G'));
         let message = format!("{one} and {two} in one block: both use its axis words");
-        let said = self.two_codes(block, first.1, second.1, message, "the first");
-        self.kernel.report(said.alarm(format!("{title}: {alarm}")));
+        let stated = self.two_codes(block, first.1, second.1, message, "the first");
+        self.kernel.report(stated.alarm(format!("{title}: {alarm}")));
     }
 
     /// A probe move with a code that leaves it the axis words of the block: G4, G92.1.
@@ -133,12 +133,14 @@ impl Interpreter<'_> {
             let names = [first.0.name(b'M'), second.0.name(b'M')];
             let title = self.control.table.title;
             let message = format!("{} and {} cannot be in one block", names[0], names[1]);
-            let said = self.two_codes(block, first.1, second.1, message, "the first");
+            let stated = self.two_codes(block, first.1, second.1, message, "the first");
             self.kernel.report(match self.control.parameters.m_groups_alarm {
-                Some(alarm) => said.alarm(format!("{title}: {alarm}")),
+                Some(alarm) => stated.alarm(format!("{title}: {alarm}")),
                 // More than one M code is an option there, and what two of a spindle do is not written.
-                None if self.control.table.last_of_group_counts => said.severity(Severity::Warning),
-                None => said,
+                None if self.control.table.last_of_group_counts => {
+                    stated.severity(Severity::Warning)
+                }
+                None => stated,
             });
         }
     }

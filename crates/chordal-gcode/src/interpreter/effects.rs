@@ -156,13 +156,13 @@ impl Interpreter<'_> {
             .filter(|range| range.retention == VariableRetention::OverPowerOff);
         let own = ranges.filter(|range| range.stored == range.first);
         for number in own.flat_map(|range| range.first..=range.last) {
-            let given = self.machine.macros.variables.get(&number).copied();
+            let provided = self.machine.macros.variables.get(&number).copied();
             let value = match self.macros.store.read(number) {
                 Ok(MacroValue::Number(value)) => Some(value),
                 Ok(MacroValue::Vacant) => None,
                 Ok(MacroValue::Unknown(_)) | Err(_) => continue,
             };
-            if value != given {
+            if value != provided {
                 self.emit_variable(number, value);
             }
         }

@@ -12,8 +12,8 @@ impl Interpreter<'_> {
     pub(super) fn names_live_tool(&mut self, block: &Block) -> bool {
         let number = self.control.parameters.live_tool_p;
         let word = block.last(b'P').copied().filter(|_| number > 0);
-        let given = word.and_then(|word| self.literal(&word));
-        given.is_some_and(|given| given.to_f64() == f64::from(number))
+        let provided = word.and_then(|word| self.literal(&word));
+        provided.is_some_and(|given| given.to_f64() == f64::from(number))
     }
 
     /// M3 and M4.
@@ -32,13 +32,13 @@ impl Interpreter<'_> {
 
     /// A code for the live tool, with its speed in P; without P it is S of the block, or the last one.
     pub(super) fn start_live_tool(&mut self, block: &Block, at: usize, turns: SpindleState) {
-        let given = block.last(b'P').copied();
-        let rpm = match given {
+        let provided = block.last(b'P').copied();
+        let rpm = match provided {
             Some(word) => self.literal(&word).map_or(0.0, |number| number.to_f64()),
             None if block.letters().has(b'S') => self.kernel.state.rpm,
             None => self.kernel.state.live_rpm,
         };
-        if given.is_none() && rpm <= 0.0 {
+        if provided.is_none() && rpm <= 0.0 {
             let code = self.code_text(block, at);
             let span = self.span(block.words[at].range);
             let message = format!("{code} without P: the live tool has no speed yet");

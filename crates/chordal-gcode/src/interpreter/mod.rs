@@ -178,7 +178,7 @@ struct Interpreter<'a> {
     /// The firmware that judges blocks as a whole, where the control has one.
     judge: Option<FirmwareChecker>,
     /// What of the first text was read since the last rest beside the blocks one after the other.
-    text_read_elsewhere: Cell<Option<TextRange>>,
+    text_read_outside: Cell<Option<TextRange>>,
     /// Values of the control as they were told last.
     recorded: effects::WrittenState,
 }
@@ -329,7 +329,7 @@ impl<'a> Interpreter<'a> {
             kept_modes: Vec::new(),
             references: macros::initial_references(machine, control),
             judge: None,
-            text_read_elsewhere: Cell::new(None),
+            text_read_outside: Cell::new(None),
             recorded: effects::WrittenState::default(),
         }
         .with_judge()
@@ -345,7 +345,7 @@ impl<'a> Interpreter<'a> {
             calls: self.kernel.calls,
             missing_programs: self.missing,
         };
-        Some(CompletedRun { outcome, text_read: self.text_read_elsewhere.take() })
+        Some(CompletedRun { outcome, text_read: self.text_read_outside.take() })
     }
 
     /// Why it ended; nothing when the sink has ended it at a rest.
@@ -363,11 +363,7 @@ impl<'a> Interpreter<'a> {
             if self.reader.position().offset >= next_checkpoint && self.is_settled() {
                 let checkpoint = self.checkpoint();
                 self.reported.excess_decimals = false;
-                if self
-                    .kernel
-                    .sink
-                    .checkpoint(checkpoint, self.text_read_elsewhere.take())
-                    .is_break()
+                if self.kernel.sink.checkpoint(checkpoint, self.text_read_outside.take()).is_break()
                 {
                     return None;
                 }

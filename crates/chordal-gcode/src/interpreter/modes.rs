@@ -413,9 +413,9 @@ impl Interpreter<'_> {
         if adds && self.kernel.state.incremental && block.letters().has(b'Z') && !is_once {
             // The way of Z begins at the coordinate before, and the length is added to its end: from Z0 of the
             // machine, with a length of -4 mm, `G91 G43 Z-32. H1` ends at -36.
-            let mut believed = self.kernel.state.position;
-            believed[Z] = commanded;
-            self.kernel.state.control_position = Some(believed);
+            let mut assumed = self.kernel.state.position;
+            assumed[Z] = commanded;
+            self.kernel.state.control_position = Some(assumed);
         }
     }
 

@@ -101,8 +101,8 @@ impl Interpreter<'_> {
             if self.is_axis_of_second_spindle(letter, span.range) {
                 continue;
             }
-            let said = self.no_such_axis(letter, span);
-            self.kernel.report(said);
+            let stated = self.no_such_axis(letter, span);
+            self.kernel.report(stated);
         }
         *named = named.and(self.control.axes());
     }

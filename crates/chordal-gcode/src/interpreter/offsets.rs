@@ -269,8 +269,9 @@ impl Interpreter<'_> {
     /// The offset in force, or the tool in the spindle.
     fn compensation_number(&mut self, block: &Block) -> Option<u32> {
         if self.control.parameters.rules.compensation.offset_of_tool {
-            let given = if block.letters().has(b'D') { self.count_of(block, b'D') } else { None };
-            return given.filter(|number| *number > 0).or(Some(self.kernel.state.tool));
+            let provided =
+                if block.letters().has(b'D') { self.count_of(block, b'D') } else { None };
+            return provided.filter(|number| *number > 0).or(Some(self.kernel.state.tool));
         }
         self.offset_in_force()
     }
@@ -470,8 +471,8 @@ impl Interpreter<'_> {
             let span = self.words_span(block, Letters::of("P"));
             if let Some(word) = block.last(b'P') {
                 let text = String::from_utf8_lossy(word.range.slice(self.reader.text()));
-                let said = format!("there is no work offset {text} for G10 L2");
-                return self.kernel.report(Diagnostic::new(Code::BadWordValue, span, said));
+                let stated = format!("there is no work offset {text} for G10 L2");
+                return self.kernel.report(Diagnostic::new(Code::BadWordValue, span, stated));
             }
             let message = "G10 L2 needs P, the number of the work offset".to_string();
             return self.kernel.missing_word(span, message, "P1 to P6 are G54 to G59");

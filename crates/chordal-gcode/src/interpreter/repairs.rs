@@ -188,9 +188,9 @@ impl Interpreter<'_> {
             let axis = usize::from(AXIS_OF[usize::from(word.letter)]);
             let by_increment = self.increment_axis(word);
             if let Some(axis) = by_increment.or(Some(axis).filter(|axis| *axis < 3)) {
-                let is_way = by_increment.is_some() || self.kernel.state.incremental;
+                let is_path = by_increment.is_some() || self.kernel.state.incremental;
                 let value = length * self.per_word[axis];
-                end[axis] = if is_way { start[axis] + value } else { value };
+                end[axis] = if is_path { start[axis] + value } else { value };
             } else if word.letter == a_letter {
                 arc.center[0] = Some(length);
             } else if word.letter == b_letter {
@@ -215,9 +215,9 @@ impl Interpreter<'_> {
     ) -> Option<ArcSweep> {
         let (a, b, _) = misfit.plane.axes();
         let (end, arc) = self.arc_of(words, start, misfit);
-        let apart = (end[a] - start[a]).abs().max((end[b] - start[b]).abs());
+        let separate = (end[a] - start[a]).abs().max((end[b] - start[b]).abs());
         let has_center = arc.center.iter().any(Option::is_some);
-        (apart > 2.0 * increment && has_center)
+        (separate > 2.0 * increment && has_center)
             .then(|| self.kernel.sweep_by_words(start, &end, &arc))
     }
 

@@ -172,10 +172,10 @@ impl Interpreter<'_> {
     ) {
         let word = block.words[at];
         let Some((code, answer)) = self.shop.take(at) else { return };
-        let beside = codes.iter().find(|(row, place)| {
+        let adjacent = codes.iter().find(|(row, place)| {
             *place != at && (leaves_block_order(row.action) || self.shop.runs_text(*place))
         });
-        if let (ShopAnswer::Text(_), Some((_, other))) = (&answer, beside) {
+        if let (ShopAnswer::Text(_), Some((_, other))) = (&answer, adjacent) {
             let other = self.span(block.words[*other].range);
             self.kernel.report(
                 Diagnostic::new(
@@ -211,9 +211,9 @@ impl Interpreter<'_> {
     }
 
     /// The run's own hook comes first, then what the machine file says.
-    fn ask_shop(&mut self, code: CustomCode, given: CustomCodeCall<'_>) -> ShopAnswer {
+    fn ask_shop(&mut self, code: CustomCode, provided: CustomCodeCall<'_>) -> ShopAnswer {
         if let Some(shop) = &self.options.shop_codes {
-            let words = self.passed_words(given.block);
+            let words = self.passed_words(provided.block);
             let sources = self.library.sources();
             let block = self.kernel.origin.span;
             let turns = matches!(self.kernel.state.spindle, SpindleState::Cw | SpindleState::Ccw);
@@ -226,7 +226,7 @@ impl Interpreter<'_> {
                 line: self.kernel.origin.line,
                 text: &sources.words(block),
                 words: &words,
-                arguments: given.arguments,
+                arguments: provided.arguments,
                 tool: self.kernel.state.tool,
                 position: self.kernel.state.position,
                 known: self.kernel.state.known,

@@ -68,8 +68,9 @@ impl Interpreter<'_> {
     ) {
         let name = row.name(b'G');
         let active = self.spatial.rotations > 0;
-        let beside = rules.excluded_codes.filter(|(codes, _)| begins && codes.contains(&row.code));
-        if let Some((_, alarm)) = beside {
+        let adjacent =
+            rules.excluded_codes.filter(|(codes, _)| begins && codes.contains(&row.code));
+        if let Some((_, alarm)) = adjacent {
             let message = format!("{name} in the block of a rotation in space");
             self.report_spatial(block, at, message, "write it in a block before", alarm);
         } else if let Some(alarm) = rules.refused_inside(row.code).filter(|_| active) {

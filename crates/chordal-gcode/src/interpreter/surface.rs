@@ -222,9 +222,9 @@ impl Interpreter<'_> {
             return;
         }
         self.check_rotary_axis(span, rotary, rules);
-        let standing = self.kernel.state.position[across];
+        let stationary = self.kernel.state.position[across];
         let shape = SurfaceShape::Cylinder { radius_mm };
-        let surface = RotarySurface { shape, rotary, across, across_position: standing };
+        let surface = RotarySurface { shape, rotary, across, across_position: stationary };
         let own_plane = plane_of(axial, across);
         let plane = lie(self.kernel.state.plane, own_plane, axial, rules);
         self.kernel.begin_surface(NewSurface {

@@ -242,13 +242,13 @@ impl Interpreter<'_> {
     /// Reads A and C of a contour's block as a corner, be they axes elsewhere. False where the control refuses it.
     fn read_as_contour(&mut self, block: &mut Block) -> bool {
         for (letter, axis) in self.increments() {
-            let (Some(way), Some(place)) = (block.word(*letter), block.word(*axis)) else {
+            let (Some(path), Some(place)) = (block.word(*letter), block.word(*axis)) else {
                 continue;
             };
             let [letter, axis] = [*letter, *axis].map(char::from);
             let diagnostic = Diagnostic::new(
                 Code::BadWordValue,
-                self.span(way.range),
+                self.span(path.range),
                 format!("{letter} and {axis} in one block of a contour"),
             )
             .label("the block is not read")

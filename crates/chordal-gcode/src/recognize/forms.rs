@@ -59,9 +59,9 @@ pub fn shows(form: TextForm, text: &[u8], line: &SampleLine) -> bool {
 
 /// The text begins with the piece, whose `?` are digits, in small letters as well.
 pub fn begins(text: &[u8], piece: &str, whole: bool) -> bool {
-    let same = |(given, wanted): (&u8, u8)| match wanted {
-        b'?' => given.is_ascii_digit(),
-        wanted => given.to_ascii_uppercase() == wanted,
+    let same = |(provided, target): (&u8, u8)| match target {
+        b'?' => provided.is_ascii_digit(),
+        wanted => provided.to_ascii_uppercase() == wanted,
     };
     let fits = if whole { text.len() == piece.len() } else { text.len() >= piece.len() };
     fits && text.iter().zip(piece.bytes()).all(same)

@@ -183,13 +183,13 @@ impl TextTally {
         let other = is_about(&comment, ABOUT_ANOTHER);
         let machine = !other && is_about(&comment, ABOUT_THE_MACHINE);
         for (entry, seen) in CATALOG.entries.iter().zip(&mut self.seen) {
-            let wanted = match entry.kind {
+            let target = match entry.kind {
                 _ if seen.at.is_some() => continue,
                 SignMatcher::Comment(words) if !other => words,
                 SignMatcher::Header(words) if machine => words,
                 _ => continue,
             };
-            if is_about(&comment, wanted) {
+            if is_about(&comment, target) {
                 seen.at = Some(at);
             }
         }

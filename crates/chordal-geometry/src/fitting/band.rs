@@ -72,8 +72,9 @@ impl<const W: usize> BandMatrix<W> {
             for shift in 1..W.min(count - row) {
                 let factor = pivot[shift] / pivot[0];
                 if factor != 0.0 {
-                    for (entry, behind) in self.rows[row + shift].iter_mut().zip(&pivot[shift..]) {
-                        *entry -= factor * behind;
+                    for (entry, following) in self.rows[row + shift].iter_mut().zip(&pivot[shift..])
+                    {
+                        *entry -= factor * following;
                     }
                 }
             }

@@ -35,8 +35,8 @@ pub(super) fn deviation(
 /// The points of a part of the path: both its ends, and those between.
 fn points(flat: &PlanarPoints, span: [f64; 2]) -> impl Iterator<Item = (Vec2, f64)> + '_ {
     let [from, to] = span;
-    let (first, behind) = (from as usize + 1, math::ceil(to) as usize);
-    let inner = (first..behind.max(first)).map(|index| (flat.at[index], flat.height[index]));
+    let (first, after) = (from as usize + 1, math::ceil(to) as usize);
+    let inner = (first..after.max(first)).map(|index| (flat.at[index], flat.height[index]));
     let end = (to > from).then(|| flat.point(to));
     core::iter::once(flat.point(from)).chain(inner).chain(end)
 }

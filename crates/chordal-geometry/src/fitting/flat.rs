@@ -97,9 +97,9 @@ impl PlanarPoints {
 
     /// The place of a length along the chords.
     pub(super) fn place(&self, length: f64) -> f64 {
-        let behind = self.along.partition_point(|along| *along <= length).min(self.end());
-        let (a, b) = (self.along[behind - 1], self.along[behind]);
-        (behind - 1) as f64 + part(length, a, b)
+        let following = self.along.partition_point(|along| *along <= length).min(self.end());
+        let (a, b) = (self.along[following - 1], self.along[following]);
+        (following - 1) as f64 + part(length, a, b)
     }
 
     /// The place, near to another, where the path crosses the line through a point square to a direction.
@@ -128,8 +128,8 @@ impl PlanarPoints {
             let middle = low + (high - low) / 2;
             if ahead(middle) <= 0.0 { low = middle } else { high = middle }
         }
-        let (before, behind) = (ahead(low), ahead(high));
-        Some(low as f64 + before / (before - behind))
+        let (before, following) = (ahead(low), ahead(high));
+        Some(low as f64 + before / (before - following))
     }
 
     /// Places at which a piece between two others is looked at: all points, or about `count` of more.
@@ -151,8 +151,8 @@ impl PlanarPoints {
         let mut index = first;
         for probe in 0..=count {
             let length = start + (end - start) * (probe as f64 / count as f64);
-            let behind = &self.along[index..=last];
-            index += behind.partition_point(|along| *along < length).min(behind.len() - 1);
+            let following = &self.along[index..=last];
+            index += following.partition_point(|along| *along < length).min(following.len() - 1);
             look(index);
         }
     }

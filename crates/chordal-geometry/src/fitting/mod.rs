@@ -134,8 +134,8 @@ pub fn fit_path(points: &[Vec3], options: &FitOptions) -> Result<Vec<FitPiece>, 
 pub fn breaks(pieces: &[FitPiece]) -> impl Iterator<Item = (usize, f64)> + '_ {
     use crate::ParamCurve;
     pieces.windows(2).enumerate().map(|(index, pair)| {
-        let (before, behind) = (pair[0].curve, pair[1].curve);
-        let (a, b) = (before.tangent_at(before.length()), behind.tangent_at(0.0));
+        let (before, after) = (pair[0].curve, pair[1].curve);
+        let (a, b) = (before.tangent_at(before.length()), after.tangent_at(0.0));
         (index + 1, math::atan2(a.cross(b).length(), a.dot(b)))
     })
 }

@@ -240,9 +240,9 @@ impl SupportCircle {
     ) -> EquationTerms {
         let [v, w] = self.ends.map(|end| point - end);
         let part = 1.0 / self.length;
-        let stretch = self.chord * (off * part * part);
-        let first = (w.turned_left() * self.cos + w * self.sin) * part + stretch;
-        let last = (v.turned_left() * -self.cos + v * self.sin) * part - stretch;
+        let range = self.chord * (off * part * part);
+        let first = (w.turned_left() * self.cos + w * self.sin) * part + range;
+        let last = (v.turned_left() * -self.cos + v * self.sin) * part - range;
         let mut terms = EquationTerms::default();
         along.terms(piece, first, &mut terms);
         along.terms(piece + 1, last, &mut terms);

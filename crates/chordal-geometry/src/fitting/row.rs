@@ -114,7 +114,7 @@ impl PieceRow {
             0 => self.directions[0],
             _ => (self.kinds[from] != JointKind::Corner).then(|| self.direction(from - 1, true)),
         };
-        let behind = match to {
+        let following = match to {
             _ if is_closed => None,
             _ if self.is_closed && to >= count => Some(self.direction(to - count, false)),
             _ if to == count => self.directions[1],
@@ -132,7 +132,7 @@ impl PieceRow {
             halves: pieces().map(|at| self.halves[at]).collect(),
             lines: pieces().map(|at| self.lines[at]).collect(),
             is_closed,
-            directions: [before, behind],
+            directions: [before, following],
         }
     }
 
@@ -181,7 +181,7 @@ impl PieceRow {
     ) -> Option<(EquationTerms, f64)> {
         let count = self.len();
         let mut terms = EquationTerms::default();
-        let (before, behind) = match joint {
+        let (before, following) = match joint {
             0 if self.is_closed => (Some(count - 1), Some(0)),
             0 => (None, Some(0)),
             _ if joint == count => (Some(count - 1), None),
@@ -189,13 +189,14 @@ impl PieceRow {
             _ => (Some(joint - 1), Some(joint)),
         };
         // At an end one of the directions is given.
-        let given = self.directions[usize::from(joint == count)];
-        let direction = |piece: Option<usize>| piece.map_or(given, |piece| Some(self.chord(piece)));
-        let (a, b) = (direction(before)?, direction(behind)?);
+        let provided = self.directions[usize::from(joint == count)];
+        let direction =
+            |piece: Option<usize>| piece.map_or(provided, |piece| Some(self.chord(piece)));
+        let (a, b) = (direction(before)?, direction(following)?);
         let (mut slopes, mut meant) = (Vec2::ZERO, 0.0);
         // A piece turns by its chord, which its other joint moves, and by its bulge.
         for (piece, other) in
-            [before.map(|at| (at, at)), behind.map(|at| (at, at + 1))].into_iter().flatten()
+            [before.map(|at| (at, at)), following.map(|at| (at, at + 1))].into_iter().flatten()
         {
             let slope = slope(self.chord(piece));
             along.terms(other, slope, &mut terms);
@@ -290,13 +291,13 @@ impl PieceRow {
         let factored = band.factored()?;
         let mut factors = factored.solve(right);
         if let Some((terms, off)) = closing {
-            let beside: Vec<f64> = (0..count)
+            let adjacent: Vec<f64> = (0..count)
                 .map(|joint| inner(joint).map_or(0.0, |(other, _)| terms.product(other, weight)))
                 .collect();
-            let solved = factored.solve(beside.clone());
+            let solved = factored.solve(adjacent.clone());
             let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-            let pivot = terms.product(terms, weight) - dot(&beside, &solved);
-            let factor = (-off - dot(&beside, &factors)) / pivot;
+            let pivot = terms.product(terms, weight) - dot(&adjacent, &solved);
+            let factor = (-off - dot(&adjacent, &factors)) / pivot;
             for (entry, by) in factors.iter_mut().zip(&solved) {
                 *entry -= factor * by;
             }
@@ -390,9 +391,9 @@ impl PieceRow {
         let whole = table[table.len() - 1].0;
         let at = |joint: f64| {
             let level = whole * joint / count as f64;
-            let behind =
+            let following =
                 table.partition_point(|(there, _)| *there < level).clamp(1, table.len() - 1);
-            let [(a, from), (b, to)] = [table[behind - 1], table[behind]];
+            let [(a, from), (b, to)] = [table[following - 1], table[following]];
             flat.place(from + part(level, a, b) * (to - from))
         };
         let inner = 1..count;
@@ -433,9 +434,10 @@ impl ArcDensity {
     /// Sums of arcs with the lengths at which they are reached, between two lengths.
     fn table(&self, [start, end]: [f64; 2]) -> Vec<(f64, f64)> {
         let rank = |length: f64| {
-            let behind = self.0.partition_point(|joint| *joint < length).clamp(1, self.0.len() - 1);
-            let (a, b) = (self.0[behind - 1], self.0[behind]);
-            (behind - 1) as f64 + part(length, a, b)
+            let following =
+                self.0.partition_point(|joint| *joint < length).clamp(1, self.0.len() - 1);
+            let (a, b) = (self.0[following - 1], self.0[following]);
+            (following - 1) as f64 + part(length, a, b)
         };
         let first = self.0.partition_point(|length| *length <= start);
         let inner = self.0[first..].iter().copied().take_while(|length| *length < end);

@@ -32,8 +32,8 @@ fn sections(points: &[Vec3], options: &FitOptions) -> Vec<PlanarSection> {
     sections
 }
 
-fn is_corner(before: Vec3, at: Vec3, behind: Vec3, options: &FitOptions) -> bool {
-    let (a, b) = (at - before, behind - at);
+fn is_corner(before: Vec3, at: Vec3, after: Vec3, options: &FitOptions) -> bool {
+    let (a, b) = (at - before, after - at);
     let (sin, cos) = math::sin_cos(options.corner.clamp(0.0, math::PI));
     // The sine of how much more than a corner it turns.
     a.cross(b).length() * cos > a.dot(b) * sin

@@ -177,17 +177,17 @@ impl Kernel<'_> {
         let mut target = self.state.position;
         let mut named = AxisMask::NONE;
         let axes = plane_axes(hole.axis);
-        let mut way = [0.0; AXES];
+        let mut path = [0.0; AXES];
         for (axis, part) in axes.into_iter().zip(shift) {
-            way[axis] = part;
+            path[axis] = part;
         }
         // The tip points where the spindle stands, whatever frame the program is in.
         if !self.state.frames.is_plain() {
-            way = self.state.frames.inverse().vector(&way);
+            path = self.state.frames.inverse().vector(&path);
         }
         for axis in axes {
-            target[axis] += way[axis];
-            if way[axis] != 0.0 && self.state.known.has(axis) {
+            target[axis] += path[axis];
+            if path[axis] != 0.0 && self.state.known.has(axis) {
                 named.insert(axis);
             }
         }

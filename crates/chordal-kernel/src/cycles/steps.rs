@@ -41,10 +41,10 @@ impl Kernel<'_> {
                 self.feed_to(at, hole, hole.r);
             }
             CycleKind::BoreDwell => {
-                let all_the_way = self.rules.cycles.bore.dwell_out_to_clear;
+                let all_the_path = self.rules.cycles.bore.dwell_out_to_clear;
                 self.feed_to(at, hole, hole.z);
                 self.wait(hole.words.dwell_s);
-                self.feed_to(at, hole, if all_the_way { hole.clear } else { hole.r });
+                self.feed_to(at, hole, if all_the_path { hole.clear } else { hole.r });
             }
             CycleKind::BoreStop => self.bore_and_stop(at, hole),
             CycleKind::BoreManual => self.bore_by_hand(at, hole),
@@ -53,7 +53,7 @@ impl Kernel<'_> {
             CycleKind::Tap | CycleKind::LeftTap => self.tap(at, hole),
             CycleKind::SelfReversingTap => self.tap_with_head(at, hole),
         }
-        let is_out = |believed: Position| believed[hole.axis] == hole.clear;
+        let is_out = |assumed: Position| assumed[hole.axis] == hole.clear;
         if !self.state.control_position.is_some_and(is_out) {
             self.level(hole, hole.clear);
         }

@@ -60,9 +60,9 @@ impl Kernel<'_> {
         }
         self.tap_to(at, hole, level, factor);
         if exchanged {
-            let mut believed = start;
-            believed[hole.axis] = level;
-            self.state.control_position = Some(believed);
+            let mut assumed = start;
+            assumed[hole.axis] = level;
+            self.state.control_position = Some(assumed);
         }
         if rules.dwell_at_r {
             self.wait(hole.words.dwell_s);
@@ -244,7 +244,7 @@ impl Kernel<'_> {
     }
 
     fn report_wrong_spindle(&mut self, at: &dyn Statement, inward: SpindleState) {
-        let (wanted, code) = match inward {
+        let (desired, code) = match inward {
             SpindleState::Ccw => ("counter-clockwise", "M4"),
             _ => ("clockwise", "M3"),
         };
@@ -253,7 +253,7 @@ impl Kernel<'_> {
             Diagnostic::new(
                 Code::CycleSpindle,
                 span,
-                format!("the spindle must turn {wanted} before this cycle"),
+                format!("the spindle must turn {desired} before this cycle"),
             )
             .help(format!("write S and {code} before the cycle")),
         );

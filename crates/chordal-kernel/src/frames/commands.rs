@@ -42,7 +42,7 @@ impl FrameMap {
                 CommandKind::Spline { motion: self.motion(&motion), curve, feed }
             }
             CommandKind::Compensation { side, number, radius_mm, toward, tip } => {
-                let toward = toward.map(|way| self.distance_in_plane(plane, way));
+                let toward = toward.map(|course| self.distance_in_plane(plane, course));
                 CommandKind::Compensation {
                     side: self.side(side, plane),
                     number,
@@ -52,7 +52,7 @@ impl FrameMap {
                 }
             }
             CommandKind::CornerArc { toward } => CommandKind::CornerArc {
-                toward: toward.map(|way| self.distance_in_plane(plane, way)),
+                toward: toward.map(|course| self.distance_in_plane(plane, course)),
             },
             CommandKind::WorkOffset { name, offset, zero, turned, known, position } => {
                 let position = self.point(&position);
@@ -143,10 +143,10 @@ impl FrameMap {
         }
     }
 
-    fn distance_in_plane(&self, plane: Plane, way: [f64; 2]) -> [f64; 2] {
+    fn distance_in_plane(&self, plane: Plane, course: [f64; 2]) -> [f64; 2] {
         let (a, b, _) = plane.axes();
         let mut whole = [0.0; AXES];
-        (whole[a], whole[b]) = (way[0], way[1]);
+        (whole[a], whole[b]) = (course[0], course[1]);
         let turned = self.vector(&whole);
         [turned[a], turned[b]]
     }

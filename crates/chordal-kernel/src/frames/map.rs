@@ -103,8 +103,8 @@ impl FrameMap {
     }
 
     /// What becomes of the difference of two places.
-    pub fn vector(&self, way: &Position) -> Position {
-        std::array::from_fn(|axis| self.turned(way, axis))
+    pub fn vector(&self, path: &Position) -> Position {
+        std::array::from_fn(|axis| self.turned(path, axis))
     }
 
     fn turned(&self, place: &Position, axis: usize) -> f64 {

@@ -80,8 +80,8 @@ impl Kernel<'_> {
         let offset_known = self.state.offsets.known();
         let (from, from_known) = (self.state.position, self.state.known);
         // In turned coordinates a control that is off where the machine stands moves the other axes as well.
-        let believed = self.state.control_position.take().filter(|_| !self.state.frames.is_plain());
-        let mut work = match believed {
+        let assumed = self.state.control_position.take().filter(|_| !self.state.frames.is_plain());
+        let mut work = match assumed {
             Some(place) => self.state.frames.map().point(&place),
             None => self.state.work_position(),
         };

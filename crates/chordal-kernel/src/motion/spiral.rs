@@ -316,7 +316,7 @@ impl Kernel<'_> {
         let off = (turns - whole - fraction).abs() * per_turn;
         if off > self.rules.arc.spiral_end_tolerance_mm * (1.0 + 1e-9) {
             let span = at.words(letter);
-            let given = turns_text(turns);
+            let provided = turns_text(turns);
             let fits = turns_text(whole + fraction);
             let off = self.length_text(off);
             let allowed = self.length_text(self.rules.arc.spiral_end_tolerance_mm);
@@ -325,7 +325,7 @@ impl Kernel<'_> {
                     Code::SpiralTurns,
                     span,
                     format!(
-                        "{} asks for {given} turns, and start, end and centre allow {fits}",
+                        "{} asks for {provided} turns, and start, end and centre allow {fits}",
                         at.name(letter)
                     ),
                 )

@@ -103,15 +103,15 @@ impl Kernel<'_> {
         contour: &[ContourEdge],
     ) -> Result<(), DescentFault> {
         let unit = self.state.units.mm();
-        let beside = start_across(start, contour);
+        let adjacent = start_across(start, contour);
         let along_z = contour.iter().enumerate().all(|(index, edge)| {
-            let from = if index == 0 { beside } else { edge.from };
+            let from = if index == 0 { adjacent } else { edge.from };
             let flat =
                 ContourEdge { from: [from[1], from[0]], to: [edge.to[1], edge.to[0]], ..*edge };
             let arc = edge.arc.map(|(center, sweep)| ([center[1], center[0]], -sweep));
             OffsetPiece::of(&ContourEdge { arc, ..flat }).goes_on(unit)
         });
-        let start = if along_z { beside } else { start };
+        let start = if along_z { adjacent } else { start };
         let (view, pieces) = seen(!along_z, start, contour)?;
         self.origin.cycle = true;
         for distance in distances {

@@ -71,8 +71,8 @@ impl TextSample {
 pub(super) fn fits(line: &str, shape: &str) -> bool {
     let mut rest = line.as_bytes();
     let mut shape = shape.bytes().peekable();
-    while let Some(wanted) = shape.next() {
-        let same = |byte: u8| if wanted == b'9' { byte.is_ascii_digit() } else { byte == wanted };
+    while let Some(target) = shape.next() {
+        let same = |byte: u8| if target == b'9' { byte.is_ascii_digit() } else { byte == target };
         let least = 1;
         let most = if shape.next_if_eq(&b'+').is_some() { usize::MAX } else { least };
         let count = rest.iter().take_while(|byte| same(**byte)).count().min(most);

@@ -140,8 +140,8 @@ impl RunChecks<'_> {
         let known = motion.from_known.and(motion.to_known);
         let centered =
             known.has(X) && motion.from[X].abs() <= CENTER_MM && motion.to[X].abs() <= CENTER_MM;
-        let way = motion.to[Z] - motion.from[Z];
-        if !centered || way == 0.0 {
+        let path = motion.to[Z] - motion.from[Z];
+        if !centered || path == 0.0 {
             if !centered {
                 self.now.cutting_speed.in_center = None;
             }
@@ -150,7 +150,7 @@ impl RunChecks<'_> {
         let memory = &mut self.now.cutting_speed;
         let surface = command.kind.feed().and_then(|feed| feed.surface);
         if let Some(cut) = memory.in_center {
-            if (way > 0.0) != cut.is_up {
+            if (path > 0.0) != cut.is_up {
                 memory.in_center = None;
                 self.report_hole(cut, report);
             }
@@ -162,7 +162,7 @@ impl RunChecks<'_> {
             && matches!(command.kind, CommandKind::Line { .. })
         {
             memory.in_center =
-                Some(CenterCut { origin: command.origin, is_up: way > 0.0, surface });
+                Some(CenterCut { origin: command.origin, is_up: path > 0.0, surface });
         }
     }
 

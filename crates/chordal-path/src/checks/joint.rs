@@ -21,15 +21,15 @@ impl RunChecks<'_> {
         report: &mut impl FnMut(Diagnostic),
     ) {
         let (from, to) = (point(&motion.from), point(&motion.to));
-        let way = to - from;
+        let course = to - from;
         if let Some((before, place, Some(plane))) = self.now.last
             && place == from
         {
-            self.joint(plane, before, way, origin, report);
+            self.joint(plane, before, course, origin, report);
         }
         // The direction is needed only when an arc follows; it is cheaper kept as it is.
-        if way != Vec3::ZERO {
-            self.now.last = Some((way, to, None));
+        if course != Vec3::ZERO {
+            self.now.last = Some((course, to, None));
         }
     }
 

@@ -231,12 +231,12 @@ impl Compensator {
         let limit = self.rules.compensation.idle_blocks.unwrap_or(0);
         let idle = before.idle;
         let blocks = if idle == 1 { "block" } else { "blocks" };
-        let said = if idle >= 1000 {
+        let stated = if idle >= 1000 {
             "a stop follows this move".to_string()
         } else {
             format!("{idle} {blocks} without motion follow this move; the control allows {limit}")
         };
-        let diagnostic = Diagnostic::new(Code::LookAheadLost, origin.span, said)
+        let diagnostic = Diagnostic::new(Code::LookAheadLost, origin.span, stated)
             .label("the tool ends square to this move")
             .help("put the blocks without motion elsewhere");
         self.report(diagnostic, origin, out);

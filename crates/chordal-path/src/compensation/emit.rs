@@ -18,7 +18,7 @@ impl Compensator {
     pub(super) fn put(&mut self, command: &Command, out: &mut dyn PathSink) {
         let (side, radius) =
             (self.side, if self.side == CompensationSide::Off { 0.0 } else { self.radius });
-        let told =
+        let reported =
             |command| PathCommand { command, side, cutter_radius_mm: radius, inserted: false };
         match (self.at, command.kind.motion()) {
             (Some(at), Some(_)) => {
@@ -27,9 +27,9 @@ impl Compensator {
                     self.place(&mut motion.from, at);
                     self.place(&mut motion.to, at);
                 }
-                out.command(told(&moved));
+                out.command(reported(&moved));
             }
-            _ => out.command(told(command)),
+            _ => out.command(reported(command)),
         }
     }
 

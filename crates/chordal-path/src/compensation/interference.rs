@@ -170,8 +170,8 @@ fn swept(block: &QueuedBlock, start: Vec2, end: Vec2) -> f64 {
 /// True when the way from `a` to `b` and the way from `c` to `d` cross between their ends.
 fn crossing(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool {
     let side = |p: Vec2, q: Vec2, r: Vec2| (q - p).cross(r - p);
-    let apart = |one: f64, other: f64| {
+    let separate = |one: f64, other: f64| {
         (one > REVERSED_MM && other < -REVERSED_MM) || (one < -REVERSED_MM && other > REVERSED_MM)
     };
-    apart(side(a, b, c), side(a, b, d)) && apart(side(c, d, a), side(c, d, b))
+    separate(side(a, b, c), side(a, b, d)) && separate(side(c, d, a), side(c, d, b))
 }

@@ -33,9 +33,9 @@ pub(super) fn closes(chain: &[ContourBlock], vertex: f64) -> bool {
 pub(super) fn same_course(first: &GougeCurve, second: &GougeCurve, grain: f64) -> bool {
     match (first, second) {
         (GougeCurve::Line { from, to }, GougeCurve::Line { from: start, to: end }) => {
-            let same_way = (*to - *from).dot(*end - *start) > 0.0;
+            let same_path = (*to - *from).dot(*end - *start) > 0.0;
             let off = |p: Vec2| first.left_of(p).abs();
-            same_way && off(*start) <= grain && off(*end) <= grain
+            same_path && off(*start) <= grain && off(*end) <= grain
         }
         (
             GougeCurve::Arc { center, radius, sweep, .. },

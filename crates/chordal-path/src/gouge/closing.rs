@@ -58,8 +58,8 @@ impl ClosingPoint<'_> {
 
     /// On which side of a curve of the contour a block comes that sets out along it.
     fn side_of(&self, lead: &GougeCurve, curve: &GougeCurve) -> ClosingSide {
-        let way = reach(lead).min(reach(curve));
-        let left = curve.left_of(lead.at((way / lead.length()).min(1.0))) * self.side;
+        let path = reach(lead).min(reach(curve));
+        let left = curve.left_of(lead.at((path / lead.length()).min(1.0))) * self.side;
         if left > self.grain {
             ClosingSide::ToolSide
         } else if left < -self.grain {

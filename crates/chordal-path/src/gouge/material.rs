@@ -203,14 +203,14 @@ impl CurveKey {
                 (cell(center), (sweep.abs() > TAU - 1e-9).then_some(sweep > 0.0))
             }
         };
-        let arc_way = match *curve {
+        let arc_path = match *curve {
             GougeCurve::Arc { sweep, .. } if whole.is_none() => Some(sweep > 0.0),
             _ => None,
         };
         let forward = whole.unwrap_or(first <= second);
         // The two arcs of one circle between the same ends differ in their way round: put it into
         // the key as seen from the lower end.
-        let round = arc_way.map_or(0, |left| if left == forward { 1 } else { 2 });
+        let round = arc_path.map_or(0, |left| if left == forward { 1 } else { 2 });
         let center = (center.0, center.1.wrapping_mul(3).wrapping_add(round));
         let (low, high) = if first <= second { (first, second) } else { (second, first) };
         CurveKey { low, high, center, forward }

@@ -214,10 +214,10 @@ pub fn check_against(
             _ => Some(hit),
         };
         let hit = deepest.unwrap_or(hit);
-        let told = gouge(&hit, material, contour, path);
+        let noted = gouge(&hit, material, contour, path);
         // The lead at the mouth of a slot may hide that the slot itself is too narrow, or that the lead cuts
         // its other wall.
-        if told.kind == GougeKind::AtLead {
+        if noted.kind == GougeKind::AtLead {
             for aim in [SearchAim::DeepestOfPart, SearchAim::DeepestOffEnds] {
                 let Some(hit) = search.nearest(limit, &clusters, aim(around(&hit))) else {
                     continue;
@@ -227,7 +227,7 @@ pub fn check_against(
             }
         }
         clusters.push(around(&hit));
-        report.gouges.push(told);
+        report.gouges.push(noted);
         aim = SearchAim::Any;
     }
     report.gouges.sort_by(|a, b| b.depth.total_cmp(&a.depth));

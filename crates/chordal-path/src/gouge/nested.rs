@@ -98,11 +98,11 @@ fn seen_from(p: Vec2, curve: &GougeCurve) -> f64 {
                 .map(|k| {
                     let piece = curve.piece(f64::from(k) / pieces, f64::from(k + 1) / pieces);
                     let (from, to) = (piece.from(), piece.to());
-                    let way = sweep.signum();
-                    let beyond_chord = (to - from).cross(p - from) * way < 0.0;
-                    let within_circle = piece.left_of(p) * way > 0.0;
+                    let path = sweep.signum();
+                    let beyond_chord = (to - from).cross(p - from) * path < 0.0;
+                    let within_circle = piece.left_of(p) * path > 0.0;
                     let seen = chord(from, to);
-                    if beyond_chord && within_circle { seen + way * 2.0 * PI } else { seen }
+                    if beyond_chord && within_circle { seen + path * 2.0 * PI } else { seen }
                 })
                 .sum()
         }

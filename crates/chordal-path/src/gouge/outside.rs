@@ -27,9 +27,9 @@ fn crossings(curve: &GougeCurve, about: Vec2, radius: f64) -> Vec<f64> {
     let circle = Circle2 { center: about, radius };
     match *curve {
         GougeCurve::Line { from, to } => {
-            let way = to - from;
-            let meeting = line_circle(Line2 { point: from, direction: way }, circle, 0.0);
-            meeting.points().map(|p| (p - from).dot(way) / way.dot(way)).collect()
+            let path = to - from;
+            let meeting = line_circle(Line2 { point: from, direction: path }, circle, 0.0);
+            meeting.points().map(|p| (p - from).dot(path) / path.dot(path)).collect()
         }
         GougeCurve::Arc { center, radius: own, start, sweep } => {
             let meeting = circle_circle(Circle2 { center, radius: own }, circle, 0.0);

@@ -344,11 +344,11 @@ impl ContourChain<'_> {
                 Some((to - meet).dot(along))
             }
             GougeCurve::Arc { center, start, sweep, .. } => {
-                let way = sweep.signum();
+                let course = sweep.signum();
                 let angle = angle_of(meet - center);
                 // Inside its own sweep the meeting point leaves the rest; beyond, nothing.
                 within(start, sweep, angle).then(|| {
-                    wrapped((start + sweep - angle) * way).rem_euclid(core::f64::consts::TAU)
+                    wrapped((start + sweep - angle) * course).rem_euclid(core::f64::consts::TAU)
                 })
             }
         }

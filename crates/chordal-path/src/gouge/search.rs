@@ -62,17 +62,17 @@ impl GougeCluster {
 
 fn indices_within(at: usize, reach: f64, length: impl Fn(usize) -> Option<f64>) -> (usize, usize) {
     let (mut first, mut last) = (at, at);
-    let mut way = 0.0;
-    while first > 0 && way < reach {
+    let mut course = 0.0;
+    while first > 0 && course < reach {
         first -= 1;
-        way += length(first).unwrap_or(0.0);
+        course += length(first).unwrap_or(0.0);
     }
-    way = 0.0;
-    while way < reach
+    course = 0.0;
+    while course < reach
         && let Some(step) = length(last + 1)
     {
         last += 1;
-        way += step;
+        course += step;
     }
     (first, last)
 }
@@ -184,10 +184,10 @@ impl<'a> GougeSearch<'a> {
             return true;
         }
         let (path_span, span) = ((path_first, path_end - 1), (first, end - 1));
-        if let SearchAim::DeepestIn(stretch)
-        | SearchAim::DeepestOfPart(stretch)
-        | SearchAim::DeepestOffEnds(stretch) = aim
-            && !stretch.meets(path_span, span)
+        if let SearchAim::DeepestIn(section)
+        | SearchAim::DeepestOfPart(section)
+        | SearchAim::DeepestOffEnds(section) = aim
+            && !section.meets(path_span, span)
         {
             return true;
         }
@@ -340,17 +340,17 @@ fn is_offset(step: &GougeCurve, block: &GougeCurve, signed: f64, slack: f64) -> 
     match (step, block) {
         (GougeCurve::Line { from, to }, GougeCurve::Line { from: start, to: end }) => {
             let Some(along) = (*end - *start).normalized() else { return false };
-            let beside =
+            let adjacent =
                 |p: chordal_geometry::Vec2| (along.cross(p - *start) - signed).abs() <= slack;
-            (*to - *from).dot(along) > 0.0 && beside(*from) && beside(*to)
+            (*to - *from).dot(along) > 0.0 && adjacent(*from) && adjacent(*to)
         }
         (
             GougeCurve::Arc { center, radius, sweep, .. },
             GougeCurve::Arc { center: about, radius: of_block, sweep: turned, .. },
         ) => {
-            let beside = of_block - signed * turned.signum();
+            let adjacent = of_block - signed * turned.signum();
             center.distance(*about) <= slack
-                && (radius - beside).abs() <= slack
+                && (radius - adjacent).abs() <= slack
                 && sweep * turned > 0.0
                 && sweep.abs() <= turned.abs() + 1e-6
         }

@@ -57,14 +57,14 @@ impl GougeCurve {
     pub fn arc(center: Vec2, from: Vec2, to: Vec2, counter_clockwise: bool) -> Self {
         let start = angle_of(from - center);
         let raw = angle_of(to - center) - start;
-        let way = if counter_clockwise { 1.0 } else { -1.0 };
-        let mut turn = raw * way;
+        let path = if counter_clockwise { 1.0 } else { -1.0 };
+        let mut turn = raw * path;
         turn -= TAU * libm::floor(turn / TAU);
         // A turn of nothing, and a turn that is whole but for rounding, both mean the full circle.
         if from.distance(to) <= 1e-9 || turn <= 0.0 {
             turn = TAU;
         }
-        GougeCurve::Arc { center, radius: from.distance(center), start, sweep: way * turn }
+        GougeCurve::Arc { center, radius: from.distance(center), start, sweep: path * turn }
     }
 
     /// The first point, mm.

@@ -189,15 +189,15 @@ impl<'a> ThroatWalls<'a> {
         } else {
             None
         };
-        if let Some((Some(turn), angle, way)) = joint {
+        if let Some((Some(turn), angle, path)) = joint {
             let inside = turn * self.side;
             if inside > EQUAL_DIRECTION_RAD {
                 return false;
             }
             if inside < -EQUAL_DIRECTION_RAD {
                 // Between the normals of both curves, in the order of the turn.
-                let (mine, other) = (normal(angle), normal(angle + way * turn));
-                let sense = -self.side * way;
+                let (mine, other) = (normal(angle), normal(angle + path * turn));
+                let sense = -self.side * path;
                 return mine.cross(direction) * sense >= -EQUAL_DIRECTION_RAD
                     && direction.cross(other) * sense >= -EQUAL_DIRECTION_RAD
                     && direction.dot(mine + other) > 0.0;

@@ -209,20 +209,20 @@ fn places(chain: &[ContourBlock], grain: f64) -> Vec<(usize, usize)> {
         let at = x / (CELL * grain);
         let cell = libm::floor(at) as i64;
         let inside = at - cell as f64;
-        let beside = match inside * CELL {
+        let adjacent = match inside * CELL {
             near_low if near_low <= 1.0 => Some(cell - 1),
             near_high if near_high >= CELL - 1.0 => Some(cell + 1),
             _ => None,
         };
-        (cell, beside)
+        (cell, adjacent)
     };
     let mut number = |p: Vec2| {
-        let ((a, beside_a), (b, beside_b)) = (cells(p.a), cells(p.b));
+        let ((a, adjacent_a), (b, adjacent_b)) = (cells(p.a), cells(p.b));
         let around = [
             Some((a, b)),
-            beside_a.map(|beside| (beside, b)),
-            beside_b.map(|beside| (a, beside)),
-            beside_a.zip(beside_b),
+            adjacent_a.map(|adjacent| (adjacent, b)),
+            adjacent_b.map(|adjacent| (a, adjacent)),
+            adjacent_a.zip(adjacent_b),
         ];
         for cell in around.into_iter().flatten() {
             let near = known.get(&cell).and_then(|all| {

@@ -76,9 +76,9 @@ pub fn gather(job: &Job, about: &ReportContext) -> GatheredReport {
 
     let comments = CommentFinder::new(job, programs.first_main(about.program));
     let time = timed.as_ref().map(|timed| &timed.time);
-    let tools_told = tools.tools(job, &comments, &report.summary, time);
+    let tools_reported = tools.tools(job, &comments, &report.summary, time);
     let times =
-        timed.as_ref().map(|timed| time::time(timed, &tools_told.rows, &comments.head(), job));
+        timed.as_ref().map(|timed| time::time(timed, &tools_reported.rows, &comments.head(), job));
     // The run on stock has found the same and more.
     let report = about.stock.map_or(report, |found| found.report().clone());
     let printed = report.output.iter().take(MAX_PRINTED).map(|line| clean(line, 200));
@@ -95,7 +95,7 @@ pub fn gather(job: &Job, about: &ReportContext) -> GatheredReport {
         ends: ends(job, &report),
         moves: moves(&report),
         time: times,
-        tools: tools_told,
+        tools: tools_reported,
         work_offsets: travels.work_offsets(job),
         registers: tools.registers(job),
         travel: travels.travel(job),

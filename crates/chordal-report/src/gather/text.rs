@@ -116,13 +116,13 @@ impl<'j> CommentFinder<'j> {
     /// line before or on the line after.
     pub fn of_tool(&self, number: u32, call: &Origin) -> Option<String> {
         let file = call.span.file;
-        let behind_head = file != FileId(0) || call.line > self.head_end + 1;
+        let after_head = file != FileId(0) || call.line > self.head_end + 1;
         self.in_line(file, call.line)
             .or_else(|| {
                 let named = self.head.iter().find(|comment| names_tool(&comment.text, number));
                 named.map(|comment| comment.text.clone())
             })
-            .or_else(|| behind_head.then(|| self.alone(file, call.line.wrapping_sub(1))).flatten())
+            .or_else(|| after_head.then(|| self.alone(file, call.line.wrapping_sub(1))).flatten())
             .or_else(|| self.alone(file, call.line + 1))
     }
 

@@ -93,8 +93,9 @@ fn counts(document: &Document) -> String {
         (document.notes, "note", "notes"),
     ];
     let some = all.into_iter().filter(|(number, ..)| *number > 0);
-    let told: Vec<String> = some.map(|(number, one, many)| counted(number, one, many)).collect();
-    if told.is_empty() { "none".to_string() } else { told.join(", ") }
+    let reported: Vec<String> =
+        some.map(|(number, one, many)| counted(number, one, many)).collect();
+    if reported.is_empty() { "none".to_string() } else { reported.join(", ") }
 }
 
 /// The colours of the drawings: light ones for paper and by day.
@@ -244,8 +245,8 @@ fn pictures(document: &Document) -> Markup {
                 @if pictures.cuts_left_out {
                     p.faint { "Cuts at unknown positions are left out." }
                 }
-                @for said in &pictures.remarks {
-                    p.faint { (upper_first(said)) "." }
+                @for stated in &pictures.remarks {
+                    p.faint { (upper_first(stated)) "." }
                 }
             }
         }

@@ -81,13 +81,14 @@ pub fn program(document: &Document, show: &NumberDisplay) -> Markup {
         (moves.dwells, "dwell", "dwells"),
     ];
     let some = counts.into_iter().filter(|(number, ..)| *number > 0);
-    let told: Vec<String> = some.map(|(number, one, many)| counted(number, one, many)).collect();
+    let reported: Vec<String> =
+        some.map(|(number, one, many)| counted(number, one, many)).collect();
     let unit = show.units.length_unit();
     html! {
         section aria-labelledby="program" {
             h2 #program { "Program" }
             p {
-                @if told.is_empty() { "No moves" } @else { (told.join(", ")) }
+                @if reported.is_empty() { "No moves" } @else { (reported.join(", ")) }
                 " in " (counted(moves.blocks, "block", "blocks")) "; "
                 (show.units.length(moves.cut_mm)) " " (unit) " of cuts, "
                 (show.units.length(moves.rapid_mm)) " " (unit) " of rapids."

@@ -418,13 +418,13 @@ impl<'a> CommandEmitter<'a> {
             self.to.parameters.rules.arc.arc_center == chordal::control::ArcCenter::FromCenter;
         let mut centers = Vec::new();
         for (axis, center) in [a, b].into_iter().zip(shape.center) {
-            let way = center - motion.from[axis];
+            let path = center - motion.from[axis];
             let value = if absolute {
                 center
             } else if back {
-                -way
+                -path
             } else {
-                way
+                path
             };
             if value.abs() > 1e-7 || absolute {
                 centers.push(format!("{}{}", CENTERS[axis], self.length(value)));

@@ -257,9 +257,10 @@ fn prove_sides(conversion: &mut Conversion, old: &Job, prove: impl Fn(&Job, &Job
     let Some(new) = conversion.job("converted") else { return };
     let Some(mut certificate) = conversion.certificate.take() else { return };
     let before = certificate.comparison.verdict;
-    let said = prove_other_sides([old, &new], &mut certificate, prove);
+    let stated = prove_other_sides([old, &new], &mut certificate, prove);
     let is_different = certificate.comparison.verdict == ComparisonVerdict::Different;
-    if let Some(reason) = said.filter(|_| is_different && before != ComparisonVerdict::Different) {
+    if let Some(reason) = stated.filter(|_| is_different && before != ComparisonVerdict::Different)
+    {
         conversion.refusals.push(ConvertRefusal { line: 0, words: String::new(), reason });
     }
     conversion.certificate = Some(certificate);
@@ -367,7 +368,7 @@ fn rotary_tolerance(trace: &ProgramTrace, options: &ConversionOptions) -> f64 {
 /// Revolutions of a spindle that keeps a cutting speed in both programs follow the diameter; at which point of a rapid they
 /// change makes no difference. What a cut makes of them is compared as its feed.
 fn follows_the_diameter(difference: &Difference, surface: &[BTreeSet<u32>; 2]) -> bool {
-    let same_way = matches!(
+    let same_path = matches!(
         difference.values,
         Some([DifferenceValue::Spindle(one, _), DifferenceValue::Spindle(other, _)]) if one == other
     );
@@ -378,7 +379,7 @@ fn follows_the_diameter(difference: &Difference, surface: &[BTreeSet<u32>; 2]) -
         })
     };
     difference.category == Category::Spindle
-        && same_way
+        && same_path
         && difference.blocks.iter().zip(surface).all(is_surface)
 }
 

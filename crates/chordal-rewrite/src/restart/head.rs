@@ -89,7 +89,7 @@ impl HeadWriter<'_, '_> {
         if self.turns() {
             return self.at_the_part();
         }
-        let StateBefore { words: said, highest, .. } = self.before;
+        let StateBefore { words: stated, highest, .. } = self.before;
         let mut lines = self.modes();
         lines.extend(self.tool());
         if self.has_one_command_a_line() {
@@ -99,7 +99,7 @@ impl HeadWriter<'_, '_> {
         lines.extend(self.own_length()?);
         lines.push(self.over()?);
         lines.push(self.down(*highest)?);
-        lines.extend(said.coolant.iter().cloned());
+        lines.extend(stated.coolant.iter().cloned());
         lines.extend(self.plunge(*highest)?);
         lines.extend(self.ready());
         lines.extend(self.ending()?);
@@ -132,8 +132,8 @@ impl HeadWriter<'_, '_> {
     /// Units, plane, G90, G40, G49, G80, feed mode and what else lasts, in the words of the program where it
     /// has said them.
     pub(super) fn modes(&self) -> Vec<String> {
-        let StateBefore { modal, words: said, .. } = self.before;
-        let mut codes = said.codes.clone();
+        let StateBefore { modal, words: stated, .. } = self.before;
+        let mut codes = stated.codes.clone();
         // What was said in a called control's default is said here all the same.
         let plane = match modal.plane {
             Plane::Xy => ModeCode::PlaneXy,
@@ -168,8 +168,8 @@ impl HeadWriter<'_, '_> {
             true => codes.into_values().collect(),
             false => vec![self.safe_line(codes)],
         };
-        lines.extend(said.lines.values().cloned());
-        lines.extend(said.data.iter().cloned());
+        lines.extend(stated.lines.values().cloned());
+        lines.extend(stated.data.iter().cloned());
         lines.extend(self.before.shift.presets.iter().cloned());
         lines.extend(self.before.shift.lines.iter().cloned());
         lines
@@ -189,8 +189,8 @@ impl HeadWriter<'_, '_> {
 
     /// The tool change, in the program's own words.
     fn tool(&self) -> Option<String> {
-        let StateBefore { modal, words: said, .. } = self.before;
-        let words = said.tool.as_ref().filter(|_| modal.tool > 0)?;
+        let StateBefore { modal, words: stated, .. } = self.before;
+        let words = stated.tool.as_ref().filter(|_| modal.tool > 0)?;
         let has_number = words.contains('T');
         Some(if has_number {
             words.clone()
@@ -200,8 +200,8 @@ impl HeadWriter<'_, '_> {
     }
 
     pub(super) fn work(&self) -> Option<String> {
-        let StateBefore { modal, words: said, .. } = self.before;
-        codes::work_offset(modal.work, self.control, self.source.style).filter(|_| said.work)
+        let StateBefore { modal, words: stated, .. } = self.before;
+        codes::work_offset(modal.work, self.control, self.source.style).filter(|_| stated.work)
     }
 
     /// By rapid over the place, with the spindle on.
@@ -222,10 +222,10 @@ impl HeadWriter<'_, '_> {
     }
 
     fn spindle(&self) -> Vec<String> {
-        let StateBefore { modal, words: said, .. } = self.before;
+        let StateBefore { modal, words: stated, .. } = self.before;
         let mut words: Vec<String> = self.speed().into_iter().collect();
         if modal.spindle != SpindleState::Off {
-            words.extend(said.spindle.clone());
+            words.extend(stated.spindle.clone());
         }
         words
     }
@@ -240,9 +240,9 @@ impl HeadWriter<'_, '_> {
     }
 
     fn speed(&self) -> Option<String> {
-        let StateBefore { modal, words: said, .. } = self.before;
+        let StateBefore { modal, words: stated, .. } = self.before;
         let speed = plain(modal.rpm, 3, self.source.style);
-        (said.speed && modal.rpm > 0.0).then(|| format!("S{}", speed.trim_end_matches('.')))
+        (stated.speed && modal.rpm > 0.0).then(|| format!("S{}", speed.trim_end_matches('.')))
     }
 
     /// The tool that is made ready.
@@ -254,11 +254,11 @@ impl HeadWriter<'_, '_> {
 
     /// By rapid down to where the program has been clear, with the length offset.
     fn down(&self, highest: f64) -> Result<String, HeadError> {
-        let StateBefore { modal, words: said, .. } = self.before;
+        let StateBefore { modal, words: stated, .. } = self.before;
         let mut words: Vec<String> = self.rapid_of_line()?.into_iter().collect();
         if let Some(number) = modal.length_offset {
-            words.extend(said.length.clone());
-            let written = said.h.clone().filter(|word| word[1..].parse() == Ok(number));
+            words.extend(stated.length.clone());
+            let written = stated.h.clone().filter(|word| word[1..].parse() == Ok(number));
             words.push(written.unwrap_or_else(|| format!("H{number}")));
         }
         words.push(self.place(2, highest)?);
@@ -326,8 +326,8 @@ impl HeadWriter<'_, '_> {
             self.source.blocks[*at].word(b'D').is_some()
                 || self.source.has_action(*at, self.control, starts)
         })?;
-        let is_said = self.source.blocks[next].word(b'D').is_some();
-        (!is_said).then(|| format!("D{number}"))
+        let is_stated = self.source.blocks[next].word(b'D').is_some();
+        (!is_stated).then(|| format!("D{number}"))
     }
 
     /// G91 and the motion code, so that words without a code mean the same.
@@ -386,9 +386,9 @@ impl HeadWriter<'_, '_> {
     /// The program has turned a rotary axis, or said that it stands at zero.
     fn names(&self, axis: usize) -> bool {
         let letter = AXIS_LETTERS.as_bytes()[axis];
-        let is_said =
+        let is_stated =
             self.source.blocks[..self.at].iter().any(|block| block.word(letter).is_some());
-        is_said || self.before.modal.position[axis] != 0.0
+        is_stated || self.before.modal.position[axis] != 0.0
     }
 
     /// The block itself says what it does.

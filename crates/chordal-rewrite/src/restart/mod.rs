@@ -133,21 +133,21 @@ pub fn prove_head(job: &Job, line: u32, text: &[u8]) -> Result<RestartProgram, R
     begin(job, line, Some(text))
 }
 
-fn begin(job: &Job, line: u32, given: Option<&[u8]>) -> Result<RestartProgram, RestartRefusal> {
+fn begin(job: &Job, line: u32, provided: Option<&[u8]>) -> Result<RestartProgram, RestartRefusal> {
     let source = SourceBlocks::of(job);
-    let asked = RestartRequest { job, source: &source, line };
-    let main = asked.main()?;
-    let at = asked.block(&main)?;
-    let way = RunToBlock::to(job, &source, &main, at);
-    let (ran, first) = asked.once(&way, at)?;
-    asked.verified(at)?;
+    let requested = RestartRequest { job, source: &source, line };
+    let main = requested.main()?;
+    let at = requested.block(&main)?;
+    let course = RunToBlock::to(job, &source, &main, at);
+    let (ran, first) = requested.once(&course, at)?;
+    requested.verified(at)?;
     let before = before(job, &source, ran).ok_or_else(|| {
-        asked.refuse(RefusalReason::Beginning, "the program begins there", RUN_IT)
+        requested.refuse(RefusalReason::Beginning, "the program begins there", RUN_IT)
     })?;
-    asked.closed(&before, at)?;
-    asked.check_not_spanned(&main, at)?;
+    requested.closed(&before, at)?;
+    requested.check_not_spanned(&main, at)?;
     let control = job.control();
-    let changes = source.changes_tool(at, control) || asked.changes_station(at);
+    let changes = source.changes_tool(at, control) || requested.changes_station(at);
     let axes = &job.machine().axes;
     let is_known = (0..3).all(|axis| axes[axis].is_none() || before.modal.known.has(axis));
     let head = HeadWriter { source: &source, control, before: &before, at };
@@ -156,11 +156,11 @@ fn begin(job: &Job, line: u32, given: Option<&[u8]>) -> Result<RestartProgram, R
         (false, true) => head.all(),
         (false, false) => head.before_approach(),
     };
-    let lines = lines.map_err(|lack| asked.lack(lack))?;
+    let lines = lines.map_err(|lack| requested.lack(lack))?;
     let approaches = changes || !is_known;
     let from_the_start = !before.shift.presets.is_empty();
     let unrepeated = before.unrepeated.clone();
-    let given = given.map(<[u8]>::to_vec);
+    let provided = provided.map(<[u8]>::to_vec);
     let draft = |lines: Vec<String>| RestartDraft {
         first,
         at,
@@ -169,9 +169,9 @@ fn begin(job: &Job, line: u32, given: Option<&[u8]>) -> Result<RestartProgram, R
         approaches,
         from_the_start,
         unrepeated: unrepeated.clone(),
-        existing: given.clone(),
+        existing: provided.clone(),
     };
-    let done = asked.prove(draft(lines));
+    let done = requested.prove(draft(lines));
     let Err(refused) = done else { return done };
     if is_known || changes {
         return Err(refused);
@@ -179,8 +179,8 @@ fn begin(job: &Job, line: u32, given: Option<&[u8]>) -> Result<RestartProgram, R
     // Over the place that is known, where the program does not go to one by itself.
     let is_over = !job.turns() && before.modal.known.has(0) && before.modal.known.has(1);
     let lines = is_over.then(|| head.before_descent().ok()).flatten();
-    let done = lines.and_then(|lines| asked.prove(draft(lines)).ok());
-    done.ok_or_else(|| asked.position(&before.modal))
+    let done = lines.and_then(|lines| requested.prove(draft(lines)).ok());
+    done.ok_or_else(|| requested.position(&before.modal))
 }
 
 /// Looks whether the head's moves meet what the program has left of the stock of a lathe at the line; nothing without a stock, on a
@@ -202,8 +202,8 @@ pub fn check_head_approach(
 }
 
 /// What the head's moves meet first, as a refusal.
-pub fn blocked(job: &Job, done: &RestartProgram, way: &ApproachCheck) -> Option<RestartRefusal> {
-    let hit = way.hits.first()?;
+pub fn blocked(job: &Job, done: &RestartProgram, course: &ApproachCheck) -> Option<RestartRefusal> {
+    let hit = course.hits.first()?;
     let units = if job.report().summary.inch { Units::Inch } else { Units::Millimetre };
     let text = String::from_utf8_lossy(&done.text);
     let own = text.lines().nth(hit.line.saturating_sub(1) as usize).unwrap_or("").trim();
@@ -216,8 +216,8 @@ pub fn blocked(job: &Job, done: &RestartProgram, way: &ApproachCheck) -> Option<
     let help =
         "begin at a change of the tool before it, or at a line where the tool is out of the part";
     let source = SourceBlocks::of(job);
-    let asked = RestartRequest { job, source: &source, line: done.line };
-    Some(asked.refuse(RefusalReason::HeadApproach, what, help))
+    let requested = RestartRequest { job, source: &source, line: done.line };
+    Some(requested.refuse(RefusalReason::HeadApproach, what, help))
 }
 
 const RUN_IT: &str = "run the program itself";
@@ -298,19 +298,19 @@ impl RestartRequest<'_, '_> {
     }
 
     /// The block is carried out once, by the main program: after how many blocks, and where the first is.
-    fn once(&self, way: &RunToBlock, at: usize) -> Result<(u64, u32), RestartRefusal> {
-        if let (Some(caller), None) = (way.caller, way.ran) {
+    fn once(&self, course: &RunToBlock, at: usize) -> Result<(u64, u32), RestartRefusal> {
+        if let (Some(caller), None) = (course.caller, course.ran) {
             return Err(self.refuse(
                 RefusalReason::Called,
                 "the line is in a called program",
                 format!("begin at line {caller}, which calls it"),
             ));
         }
-        if let Some(line) = self.cycle_that_reads(at).filter(|_| way.ran.is_none()) {
+        if let Some(line) = self.cycle_that_reads(at).filter(|_| course.ran.is_none()) {
             let what = format!("the line is in the contour of the cycle in line {line}");
             return Err(self.refuse(RefusalReason::Cycle, what, format!("begin at line {line}")));
         }
-        let Some(ran) = way.ran else {
+        let Some(ran) = course.ran else {
             let what = "the run never comes to this line";
             return Err(self.refuse(
                 RefusalReason::NoBlock,
@@ -318,12 +318,12 @@ impl RestartRequest<'_, '_> {
                 "name a line that is carried out",
             ));
         };
-        let first = way.first.unwrap_or(0);
+        let first = course.first.unwrap_or(0);
         if ran == 0 || self.source.start_of(at) <= first {
             return Err(self.refuse(RefusalReason::Beginning, "the program begins there", RUN_IT));
         }
-        if way.times > 1 || way.caller.is_some() {
-            let what = format!("the line is carried out {} times", way.times);
+        if course.times > 1 || course.caller.is_some() {
+            let what = format!("the line is carried out {} times", course.times);
             let help = "begin before the loop, the repeat or the jump";
             return Err(self.refuse(RefusalReason::Repeated, what, help));
         }
@@ -444,10 +444,10 @@ impl RestartRequest<'_, '_> {
     /// No loop, jump or variable spans the block.
     fn check_not_spanned(&self, main: &Range<usize>, at: usize) -> Result<(), RestartRefusal> {
         let start = self.source.start_of(at);
-        let held = stretches(self.job, self.source, main);
-        let Some(held) = held.iter().find(|held| held.holds(start)) else { return Ok(()) };
-        let line = self.source.blocks[self.source.first_at(held.from())].line;
-        let what = format!("{} begins before the line and is needed after it", held.what);
+        let retained = stretches(self.job, self.source, main);
+        let Some(retained) = retained.iter().find(|held| held.holds(start)) else { return Ok(()) };
+        let line = self.source.blocks[self.source.first_at(retained.from())].line;
+        let what = format!("{} begins before the line and is needed after it", retained.what);
         Err(self.refuse(RefusalReason::Repeated, what, format!("begin at line {line} or before")))
     }
 
@@ -469,10 +469,10 @@ impl RestartRequest<'_, '_> {
     /// The new text, if it does the same.
     fn prove(&self, draft: RestartDraft) -> Result<RestartProgram, RestartRefusal> {
         let (mut text, mut places) = self.text(&draft);
-        if let Some(given) = &draft.existing {
+        if let Some(provided) = &draft.existing {
             // Contours that are put above the line are part of the head, and their places are not looked for.
             let rest = &text[places.from[1] as usize..];
-            if !given.ends_with(rest) || !given.starts_with(&text[..draft.first as usize]) {
+            if !provided.ends_with(rest) || !provided.starts_with(&text[..draft.first as usize]) {
                 let what = "the text from this line on, or before the head, is another one";
                 return Err(self.refuse(
                     RefusalReason::Unproved,
@@ -480,8 +480,8 @@ impl RestartRequest<'_, '_> {
                     "change the lines of the head alone",
                 ));
             }
-            places.from[1] = (given.len() - rest.len()) as u32;
-            text.clone_from(given);
+            places.from[1] = (provided.len() - rest.len()) as u32;
+            text.clone_from(provided);
         }
         let after = self.contours_needed(&draft).1.into_iter().flatten();
         let after_the_end = after.map(|block| self.source.words(block)).collect();
@@ -497,8 +497,8 @@ impl RestartRequest<'_, '_> {
             )
         };
         let at = source.first_at(start);
-        let way = RunToBlock::to(&new, &source, &(0..source.blocks.len()), at);
-        let Some(ran) = way.ran else {
+        let course = RunToBlock::to(&new, &source, &(0..source.blocks.len()), at);
+        let Some(ran) = course.ran else {
             return Err(unproved("the new program never comes to the line".into()));
         };
         let errors = new.check().diagnostics.into_iter().find(|one| {
@@ -567,12 +567,12 @@ impl RestartRequest<'_, '_> {
         let line_end = if crlf { "\r\n" } else { "\n" };
         let from = self.source.start_of(self.source.blocks_on(self.line, u32::MAX).start);
         let mut text = old[..draft.first as usize].to_vec();
-        let told = format!("(BEGINS AT LINE {} OF {})", self.line, self.file());
+        let reported = format!("(BEGINS AT LINE {} OF {})", self.line, self.file());
         let put = |text: &mut Vec<u8>, line: &str| {
             text.extend_from_slice(line.as_bytes());
             text.extend_from_slice(line_end.as_bytes());
         };
-        put(&mut text, &told);
+        put(&mut text, &reported);
         let (above, after) = self.contours_needed(draft);
         let mut contours = Vec::new();
         for blocks in above {

@@ -121,8 +121,8 @@ impl EventTrace {
     /// What the head has not brought back as it was, although it may not show in what follows.
     pub(super) fn begins_otherwise(&self, new: &EventTrace) -> Option<&'static str> {
         let (one, other) = (self.begin.as_ref()?, new.begin.as_ref()?);
-        let mut standing = one.items.iter().zip(&other.items);
-        let found = standing.find(|((item, a), (_, b))| {
+        let mut stationary = one.items.iter().zip(&other.items);
+        let found = stationary.find(|((item, a), (_, b))| {
             is_of_head(*item) && is_compared(*item, [one, other], true) && !is_same_value(a, b)
         });
         found.map(|((item, _), _)| item.word())
@@ -365,11 +365,11 @@ fn different_modal(one: &Modal, other: &Modal, care: MatchLevel) -> Option<&'sta
     let known = one.known.and(other.known);
     let machine = one.machine_known.and(other.machine_known);
     let settled = care.exact || care.settled;
-    let standing = one.items.iter().zip(&other.items);
+    let stationary = one.items.iter().zip(&other.items);
     let is_other = |((item, a), (_, b)): &(&(StateItem, StateValue), &(StateItem, StateValue))| {
         is_compared(*item, [one, other], settled) && !is_same_value(a, b)
     };
-    if let Some(((item, _), _)) = standing.clone().find(is_other) {
+    if let Some(((item, _), _)) = stationary.clone().find(is_other) {
         return Some(item.word());
     }
     let checks = [

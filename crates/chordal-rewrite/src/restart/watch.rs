@@ -76,9 +76,9 @@ impl RunToBlock {
         main: &Range<usize>,
         at: usize,
     ) -> RunToBlock {
-        let way = RunToBlock { ran: None, times: 0, caller: None, first: None };
+        let path = RunToBlock { ran: None, times: 0, caller: None, first: None };
         let mut finder =
-            OccurrenceFinder { source, main, at, ran: 0, main_line: 1, occurrence: way };
+            OccurrenceFinder { source, main, at, ran: 0, main_line: 1, occurrence: path };
         job.run(&mut finder);
         finder.occurrence
     }
@@ -217,7 +217,7 @@ impl RestartScan<'_, '_> {
             return;
         }
         let row = self.control.row_of(word);
-        let acts_elsewhere = row.is_none_or(|row| {
+        let acts_outside = row.is_none_or(|row| {
             matches!(
                 row.action,
                 Action::NoEffect
@@ -226,7 +226,7 @@ impl RestartScan<'_, '_> {
                     | Action::After(AfterCode::ShopCode)
             )
         });
-        if !acts_elsewhere {
+        if !acts_outside {
             return;
         }
         let is_own = |letter: u8| match row {
@@ -392,14 +392,14 @@ impl RunSink for RestartScan<'_, '_> {
         if self.ran == self.until {
             let modal = modal();
             let highest = self.highest.unwrap_or(f64::NEG_INFINITY).max(modal.position[2]);
-            let (said, open) = (self.words.clone(), self.open.clone());
+            let (stated, open) = (self.words.clone(), self.open.clone());
             let (cycle, shift) = (std::mem::take(&mut self.cycle), std::mem::take(&mut self.shift));
             let turned = std::mem::take(&mut self.turned);
             let unrepeated = std::mem::take(&mut self.unrepeated);
             let x_factor = self.x_factor;
             self.before = Some(StateBefore {
                 modal,
-                words: said,
+                words: stated,
                 highest,
                 open,
                 cycle,

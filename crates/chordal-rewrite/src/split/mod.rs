@@ -75,7 +75,7 @@ pub fn split(job: &Job, by: SplitBy) -> Result<SplitProgram, TransformRefusal> {
         return Err(refusal(1, "there is no program to split".into(), "name a file that has one"));
     }
     let open = open::stretches(job, &source, main);
-    let mut standing_notes: Vec<String> = survey
+    let mut stationary_notes: Vec<String> = survey
         .unknown
         .iter()
         .map(|(code, line)| {
@@ -83,18 +83,21 @@ pub fn split(job: &Job, by: SplitBy) -> Result<SplitProgram, TransformRefusal> {
         })
         .collect();
     survey.points.retain(|point| {
-        let held = open.iter().find(|open| open.holds(source.start_of(point.at)));
-        if let (Some(held), SplitBy::Tool, SafePointKind::ToolChange) = (held, by, point.kind) {
+        let retained = open.iter().find(|open| open.holds(source.start_of(point.at)));
+        if let (Some(retained), SplitBy::Tool, SafePointKind::ToolChange) =
+            (retained, by, point.kind)
+        {
             let line = source.blocks[point.at].line;
-            standing_notes.push(format!("not split before line {line}, inside {}", held.what));
+            stationary_notes
+                .push(format!("not split before line {line}, inside {}", retained.what));
         }
-        held.is_none()
+        retained.is_none()
     });
-    let mut given_up = Vec::new();
+    let mut provided_up = Vec::new();
     loop {
         let made = parts(job, &source, &survey, by);
         let (parts, rounded_mm) = made.map_err(|mut refusal| {
-            for note in notes(&given_up) {
+            for note in notes(&provided_up) {
                 refusal.what += &format!("; {note}");
             }
             refusal
@@ -109,18 +112,18 @@ pub fn split(job: &Job, by: SplitBy) -> Result<SplitProgram, TransformRefusal> {
         };
         let differences = &certificate.comparison.differences;
         let begin = differences.iter().find_map(|difference| begin_before(difference, &parts));
-        let Some(begin) = begin.filter(|_| given_up.len() < MAX_TRIES) else {
+        let Some(begin) = begin.filter(|_| provided_up.len() < MAX_TRIES) else {
             let parts = parts.into_iter().map(|(part, _)| part).collect();
-            standing_notes.extend(notes(&given_up));
-            return Ok(SplitProgram { parts, notes: standing_notes, certificate });
+            stationary_notes.extend(notes(&provided_up));
+            return Ok(SplitProgram { parts, notes: stationary_notes, certificate });
         };
         survey.points.retain(|point| source.blocks[point.at].line != begin);
-        given_up.push(begin);
+        provided_up.push(begin);
     }
 }
 
-fn notes(given_up: &[u32]) -> Vec<String> {
-    given_up
+fn notes(provided_up: &[u32]) -> Vec<String> {
+    provided_up
         .iter()
         .map(|line| {
             format!("not split before line {line}: the blocks after it would not do the same")
@@ -156,15 +159,15 @@ fn parts(
         points
     };
     // What the first part and the others have in addition to their blocks is known once they are written.
-    let mut beside = [0; 2];
+    let mut adjacent = [0; 2];
     loop {
         let chosen = match by {
             SplitBy::Tool => tools(),
-            SplitBy::Bytes(most) => choose(source, survey, most, beside)?,
+            SplitBy::Bytes(most) => choose(source, survey, most, adjacent)?,
         };
-        let standing = state_at::at(job, source, &chosen);
+        let stationary = state_at::at(job, source, &chosen);
         let writer = PartWriter::new(job, source, survey);
-        let (parts, rounded_mm) = writer.parts(&chosen, &standing);
+        let (parts, rounded_mm) = writer.parts(&chosen, &stationary);
         let SplitBy::Bytes(most) = by else { return Ok((parts, rounded_mm)) };
         let over = |part: &(ProgramPart, text::PartText)| part.0.text.len().saturating_sub(most);
         let first = parts.first().map_or(0, over);
@@ -172,7 +175,7 @@ fn parts(
         if first == 0 && others == 0 {
             return Ok((parts, rounded_mm));
         }
-        beside = [beside[0] + first, beside[1] + others];
+        adjacent = [adjacent[0] + first, adjacent[1] + others];
     }
 }
 
@@ -188,11 +191,11 @@ fn choose(
     let end = source.end_of(survey.end);
     let mut from = 0;
     loop {
-        let beside = other_bytes[usize::from(from > 0)];
-        if (end - from) as usize + beside <= most {
+        let adjacent = other_bytes[usize::from(from > 0)];
+        if (end - from) as usize + adjacent <= most {
             return Ok(chosen);
         }
-        let room = most.saturating_sub(beside);
+        let room = most.saturating_sub(adjacent);
         let at = |point: &SplitPoint| source.start_of(point.at);
         let ahead = || survey.points.iter().filter(|point| at(point) > from && at(point) < end);
         let fits = |point: &&SplitPoint| (at(point) - from) as usize <= room;
@@ -208,7 +211,7 @@ fn choose(
             let (what, help) = match ahead().next() {
                 Some(point) => {
                     let to = source.blocks[point.at].line;
-                    let bytes = (at(point) - from) as usize + beside;
+                    let bytes = (at(point) - from) as usize + adjacent;
                     let what = format!(
                         "from line {line} to line {} there is no point to split the program: a part \
                          would have {bytes} bytes, {} more than allowed",
@@ -222,7 +225,7 @@ fn choose(
                         "from line {line} on there is no point to split the program, and the rest has {} \
                          bytes: neither a tool change nor a block where the tool is above all cuts \
                          and nothing is open",
-                        (end - from) as usize + beside
+                        (end - from) as usize + adjacent
                     ),
                     "retract above all cuts in between, with G40 and G80 active and outside of loops; \
                      blocks that set variables must be in the part that uses them",

@@ -76,8 +76,8 @@ fn whole(places: &[NameOccurrence], what: String) -> Option<UnsplittableRange> {
 /// From where a variable gets its first value to where it is used last. The values of the control's own
 /// variables act without being named.
 fn variable(name: &str, places: &[NameOccurrence]) -> Option<UnsplittableRange> {
-    let given = places.iter().filter(|place| place.role == NameRole::Definition);
-    let from = given.map(|place| place.range.start).min()?;
+    let provided = places.iter().filter(|place| place.role == NameRole::Definition);
+    let from = provided.map(|place| place.range.start).min()?;
     let number = name.trim_start_matches(|letter: char| !letter.is_ascii_digit()).parse::<u32>();
     let is_system = number.is_ok_and(|number| number >= FIRST_SYSTEM_VARIABLE);
     let used = places.iter().filter(|place| place.role == NameRole::Use);

@@ -92,7 +92,7 @@ impl StateWords {
     pub(crate) fn follow(&mut self, source: &SourceBlocks, control: &Control, block: &Block) {
         let text = |word: &Word| source.text_of(word);
         let gap = if source.style.spaced { " " } else { "" };
-        let beside =
+        let adjacent =
             |own: &Word, letters: &dyn Fn(u8) -> bool| source.code_with(block, own, letters);
         self.work |= control.table.work_names.by_e && block.word(b'E').is_some();
         self.speed |= block.word(b'S').is_some();
@@ -100,7 +100,7 @@ impl StateWords {
         for word in &block.words {
             let Some(row) = control.row_of(word) else { continue };
             if let Some(slot) = slot(row.group, row.action) {
-                let words = beside(word, &|letter| row.words.has(letter));
+                let words = adjacent(word, &|letter| row.words.has(letter));
                 if slot == StateSlot::Overrides {
                     self.lines.remove(&StateSlot::OverridesByP);
                 }
@@ -119,12 +119,12 @@ impl StateWords {
                     }
                 }
                 Action::Before(BeforeCode::ToolChange) => {
-                    let words = beside(word, &|letter| letter == b'T');
+                    let words = adjacent(word, &|letter| letter == b'T');
                     self.tool = Some(words.join(gap));
                     self.coolant.clear();
                 }
                 Action::Before(code) => {
-                    let words = beside(word, &|letter| letter == b'P' && row.words.has(letter));
+                    let words = adjacent(word, &|letter| letter == b'P' && row.words.has(letter));
                     let names_live = control.parameters.live_tool_p > 0 && words.len() > 1;
                     self.follow_before(code, text(word), names_live.then(|| words.join(gap)));
                     if matches!(code, BeforeCode::LiveToolCw | BeforeCode::LiveToolCcw) {
@@ -156,7 +156,7 @@ impl StateWords {
                 self.spindle = Some(with_p.unwrap_or(text));
             }
             BeforeCode::CoolantMist | BeforeCode::CoolantFlood | BeforeCode::CoolantThroughTool => {
-                self.coolant.retain(|said| *said != text);
+                self.coolant.retain(|stated| *stated != text);
                 self.coolant.push(text);
             }
             BeforeCode::ToolChange
@@ -174,10 +174,10 @@ impl StateWords {
     fn follow_after(&mut self, code: AfterCode, control: &Control) {
         match code {
             AfterCode::CoolantOff => self.coolant.clear(),
-            AfterCode::CoolantThroughToolOff => self.coolant.retain(|said| {
+            AfterCode::CoolantThroughToolOff => self.coolant.retain(|stated| {
                 !control.table.m_codes.iter().any(|row| {
                     row.action == Action::Before(BeforeCode::CoolantThroughTool)
-                        && row.name(b'M') == *said
+                        && row.name(b'M') == *stated
                 })
             }),
             AfterCode::SpindleStop
@@ -194,8 +194,8 @@ impl StateWords {
 
 /// What holds at places, in the order of the run.
 pub(super) fn at(job: &Job, source: &SourceBlocks, points: &[SplitPoint]) -> Vec<StateAt> {
-    let (control, said) = (job.control(), StateWords::default());
-    let mut walk = StateScan { source, control, points, words: said, ran: 0, states: Vec::new() };
+    let (control, stated) = (job.control(), StateWords::default());
+    let mut walk = StateScan { source, control, points, words: stated, ran: 0, states: Vec::new() };
     job.run(&mut walk);
     walk.states
 }

@@ -83,12 +83,12 @@ impl<'w, 'a> PartWriter<'w, 'a> {
         survey: &'w SplitSurvey,
     ) -> PartWriter<'w, 'a> {
         let main = &source.mains[0];
-        let behind_sections = source.section_end.map_or(main.start, |end| end + 1);
+        let after_sections = source.section_end.map_or(main.start, |end| end + 1);
         let words = |at: &usize| {
             let block = &source.blocks[*at];
             !block.words.is_empty() && !source.heads.contains(at)
         };
-        let first = (behind_sections..main.end).find(words).unwrap_or(main.end);
+        let first = (after_sections..main.end).find(words).unwrap_or(main.end);
         let crlf = source.text.windows(2).any(|pair| pair == b"\r\n");
         let taken = job.programs().iter().filter_map(|program| program.head.number).collect();
         let line_end = if crlf { "\r\n" } else { "\n" };
@@ -96,7 +96,7 @@ impl<'w, 'a> PartWriter<'w, 'a> {
     }
 
     /// The parts between places, and by how much places that are said again were rounded, mm.
-    pub(super) fn parts(&self, points: &[SplitPoint], standing: &[StateAt]) -> WrittenParts {
+    pub(super) fn parts(&self, points: &[SplitPoint], stationary: &[StateAt]) -> WrittenParts {
         let count = points.len() + 1;
         let end = self.survey.end + 1;
         let (mut parts, mut rounded_mm) = (Vec::new(), 0.0f64);
@@ -104,7 +104,8 @@ impl<'w, 'a> PartWriter<'w, 'a> {
             let from = index.checked_sub(1).map(|before| points[before]);
             let to = points.get(index).map_or(end, |point| point.at);
             let blocks = from.map_or(0, |point| point.at)..to;
-            let begin = from.map(|point| self.begin(&standing[index - 1], point, &mut rounded_mm));
+            let begin =
+                from.map(|point| self.begin(&stationary[index - 1], point, &mut rounded_mm));
             let number = self.number(index);
             let begin = begin.unwrap_or_default();
             let mut draft = PartDraft::default();
@@ -115,8 +116,8 @@ impl<'w, 'a> PartWriter<'w, 'a> {
                 }
             }
             let body = draft.keep(self.source, blocks.clone());
-            if let Some(standing) = standing.get(index) {
-                for line in self.end(standing) {
+            if let Some(stationary) = stationary.get(index) {
+                for line in self.end(stationary) {
                     draft.line(&line, self.line_end);
                 }
             }
@@ -151,8 +152,8 @@ impl<'w, 'a> PartWriter<'w, 'a> {
         blocks: std::ops::Range<usize>,
     ) {
         let line = self.source.blocks[blocks.start].line;
-        let told = format!("(PART {index} OF {count}, FROM LINE {line})");
-        let mut is_told = false;
+        let reported = format!("(PART {index} OF {count}, FROM LINE {line})");
+        let mut is_reported = false;
         for at in 0..self.first {
             if self.source.sub_of(at).is_some() {
                 if self.is_used(self.source.sub_of(at), &blocks) {
@@ -171,11 +172,11 @@ impl<'w, 'a> PartWriter<'w, 'a> {
             }
             let words = self.renumbered(block, number);
             draft.line(&words, self.line_end);
-            draft.line(&told, self.line_end);
-            is_told = true;
+            draft.line(&reported, self.line_end);
+            is_reported = true;
         }
-        if !is_told {
-            draft.line(&told, self.line_end);
+        if !is_reported {
+            draft.line(&reported, self.line_end);
         }
     }
 
@@ -218,13 +219,13 @@ impl<'w, 'a> PartWriter<'w, 'a> {
     }
 
     /// The lines that end a part that is not the last.
-    fn end(&self, standing: &StateAt) -> Vec<String> {
+    fn end(&self, stationary: &StateAt) -> Vec<String> {
         let name = |action| codes::name(action, self.control, self.source.style);
         let mut lines = Vec::new();
-        if standing.modal.coolant != Default::default() {
+        if stationary.modal.coolant != Default::default() {
             lines.extend(name(Action::After(AfterCode::CoolantOff)));
         }
-        if standing.modal.spindle != SpindleState::Off {
+        if stationary.modal.spindle != SpindleState::Off {
             lines.extend(name(Action::After(AfterCode::SpindleStop)));
         }
         lines.extend(
@@ -245,8 +246,8 @@ impl<'w, 'a> PartWriter<'w, 'a> {
     }
 
     /// The lines that a part begins with, so that all is as it was.
-    fn begin(&self, standing: &StateAt, point: SplitPoint, rounded_mm: &mut f64) -> Vec<String> {
-        let StateAt { modal, words: said } = standing;
+    fn begin(&self, stationary: &StateAt, point: SplitPoint, rounded_mm: &mut f64) -> Vec<String> {
+        let StateAt { modal, words: said } = stationary;
         let style = self.source.style;
         let gap = if style.spaced { " " } else { "" };
         let name = |action| codes::name(action, self.control, style);
@@ -269,8 +270,8 @@ impl<'w, 'a> PartWriter<'w, 'a> {
             .map(Action::from)
             .filter(|action| *action == Action::Motion(MotionCode::Linear));
         if is_clear {
-            lines.extend(self.tool(standing));
-            lines.extend(self.approach(standing, work, rounded_mm));
+            lines.extend(self.tool(stationary));
+            lines.extend(self.approach(stationary, work, rounded_mm));
             lines.extend(said.coolant.iter().cloned());
             lines.extend(motion.and_then(name));
         } else {
@@ -312,9 +313,9 @@ impl<'w, 'a> PartWriter<'w, 'a> {
         let mut over: Vec<String> =
             name(Action::Motion(MotionCode::Rapid)).into_iter().chain(work).collect();
         // Rotary axes begin at zero.
-        let is_said =
+        let is_stated =
             |axis: &usize| modal.known.has(*axis) && (*axis < 3 || modal.position[*axis] != 0.0);
-        over.extend([0, 1, 3, 4, 5].into_iter().filter(is_said).map(&mut place));
+        over.extend([0, 1, 3, 4, 5].into_iter().filter(is_stated).map(&mut place));
         if said.speed && modal.rpm > 0.0 {
             over.push(format!("S{}", plain(modal.rpm, 3, style).trim_end_matches('.')));
         }

@@ -35,8 +35,8 @@ pub(super) fn form(job: &Job, form: ArcForm) -> Result<StepOutcome, TransformRef
         let roles = roles(block, &runs.first.context, arcs.writer.control);
         let is_center =
             |role: &NumberRole| matches!(role, NumberRole::Center(_) | NumberRole::Spoke(_));
-        let words = |wanted: &dyn Fn(&Word, &NumberRole) -> bool| -> Vec<Word> {
-            let both = block.words.iter().zip(&roles).filter(|(word, role)| wanted(word, role));
+        let words = |desired: &dyn Fn(&Word, &NumberRole) -> bool| -> Vec<Word> {
+            let both = block.words.iter().zip(&roles).filter(|(word, role)| desired(word, role));
             both.map(|(word, _)| *word).collect()
         };
         let centers = words(&|_, role| is_center(role));

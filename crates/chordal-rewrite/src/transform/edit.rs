@@ -56,13 +56,13 @@ pub(super) fn apply(text: &[u8], edits: &mut Vec<WordEdit>) -> Vec<u8> {
     let mut edited = Vec::with_capacity(text.len());
     let mut at = 0;
     edits.retain(|edit| {
-        let is_behind = edit.range.start as usize >= at;
-        if is_behind {
+        let is_after = edit.range.start as usize >= at;
+        if is_after {
             edited.extend_from_slice(&text[at..edit.range.start as usize]);
             edited.extend_from_slice(edit.text.as_bytes());
             at = edit.range.end as usize;
         }
-        is_behind
+        is_after
     });
     edited.extend_from_slice(&text[at..]);
     edited

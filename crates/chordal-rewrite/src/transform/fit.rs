@@ -36,7 +36,7 @@ pub(super) fn fit(
     let mut outcome =
         StepOutcome { tolerance_mm: tolerance, feed_tolerance, ..StepOutcome::default() };
     let (mut rows_of, mut rough) = (HashMap::new(), 0);
-    rows(&writer, &record, MIN_ROW_BLOCKS, feed_tolerance, |row, behind| {
+    rows(&writer, &record, MIN_ROW_BLOCKS, feed_tolerance, |row, following| {
         let units = row[0].run.context.units;
         let step = units.mm() * 0.1f64.powi(i32::from(writer.style.digits(units)));
         let left = tolerance - ROUNDING_STEPS * step;
@@ -54,7 +54,7 @@ pub(super) fn fit(
         if fitted.len() >= row.len() {
             return;
         }
-        let edit = replace(&writer, row, behind, &fitted);
+        let edit = replace(&writer, row, following, &fitted);
         rows_of.insert(edit.range.start, [row.len(), fitted.len()]);
         outcome.edits.push(edit);
     });

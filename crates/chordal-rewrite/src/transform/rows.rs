@@ -64,9 +64,9 @@ pub(super) fn rows(
     let mut row: Vec<StraightCut> = Vec::new();
     let mut feeds = RowFeeds(None);
     let mut order = 0;
-    let mut flush = |row: &mut Vec<StraightCut>, behind: Option<&Block>| {
+    let mut flush = |row: &mut Vec<StraightCut>, following: Option<&Block>| {
         if row.len() >= least {
-            see(row, behind);
+            see(row, following);
         }
         row.clear();
     };

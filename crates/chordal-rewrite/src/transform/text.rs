@@ -34,7 +34,7 @@ pub(super) fn no_numbers(job: &Job) -> StepOutcome {
     const REASON: &str = "nothing jumps to this number";
     let text = first_text(job);
     let Some(program) = program(job) else { return StepOutcome::default() };
-    let wanted: HashSet<i64> = program
+    let target: HashSet<i64> = program
         .occurrences()
         .into_iter()
         .filter(|place| place.role == NameRole::Use)
@@ -51,11 +51,11 @@ pub(super) fn no_numbers(job: &Job) -> StepOutcome {
     each_block(job, |block| {
         let Some(word) = block.words.first().filter(|word| word.letter == b'N') else { return };
         let number = word.number().and_then(|number| number.to_integer());
-        if number.is_none_or(|number| wanted.contains(&number)) || block.all(b'N').count() > 1 {
+        if number.is_none_or(|number| target.contains(&number)) || block.all(b'N').count() > 1 {
             return;
         }
-        let behind = text.get(word.range.end as usize..).unwrap_or(&[]);
-        let blanks = behind.iter().take_while(|byte| **byte == b' ').count() as u32;
+        let after = text.get(word.range.end as usize..).unwrap_or(&[]);
+        let blanks = after.iter().take_while(|byte| **byte == b' ').count() as u32;
         let range = TextRange::new(word.range.start, word.range.end + blanks);
         outcome.edits.push(WordEdit::new(range, "", REASON));
     });
@@ -69,9 +69,9 @@ fn computed_jump(job: &Job) -> bool {
     each_block(job, |block| {
         if let BlockKind::Macro(range) = block.kind {
             let words = range.slice(text).to_ascii_uppercase();
-            let behind =
+            let after =
                 words.windows(4).position(|word| word == b"GOTO").map(|at| &words[at + 4..]);
-            let first = behind.and_then(|behind| behind.iter().find(|byte| **byte != b' '));
+            let first = after.and_then(|behind| behind.iter().find(|byte| **byte != b' '));
             found |= first.is_some_and(|byte| !byte.is_ascii_digit());
         }
     });
@@ -136,12 +136,12 @@ pub(super) fn shrink(job: &Job, most: usize) -> Result<StepOutcome, TransformRef
         ("block numbers", no_numbers),
         ("comments", strip_comments),
     ];
-    for (name, way) in ways {
+    for (name, path) in ways {
         if text.len() <= most {
             break;
         }
         let now = job.with_text(text);
-        let mut outcome = way(&now);
+        let mut outcome = path(&now);
         text = apply(first_text(&now), &mut outcome.edits);
         made.extend(changes(first_text(&now), &outcome.edits));
         done.push(name);

@@ -19,7 +19,7 @@ const REASON: &str = "lengths in the other unit";
 pub(super) fn units(job: &Job, to: Units) -> Result<StepOutcome, TransformRefusal> {
     let record = RunRecord::with_contours(job);
     let writer = WordWriter::new(job);
-    let wanted = match to {
+    let target = match to {
         Units::Inch => Action::Reading(ReadingCode::Inch),
         Units::Millimetre => Action::Reading(ReadingCode::Millimetre),
     };
@@ -27,7 +27,7 @@ pub(super) fn units(job: &Job, to: Units) -> Result<StepOutcome, TransformRefusa
     let speed_tolerance = if job.control().table.turns() { 1e-3 } else { 0.0 };
     let mut outcome =
         StepOutcome { feed_tolerance: 1e-3, speed_tolerance, ..StepOutcome::default() };
-    let Some(code) = writer.control.g_codes().find(|row| row.action == wanted) else {
+    let Some(code) = writer.control.g_codes().find(|row| row.action == target) else {
         return Err(TransformRefusal::new(
             writer.text,
             &Block::new(),
@@ -36,7 +36,7 @@ pub(super) fn units(job: &Job, to: Units) -> Result<StepOutcome, TransformRefusa
         ));
     };
     let mut first: Option<(u32, u32)> = None;
-    let mut is_said = false;
+    let mut is_stated = false;
     let mut idle = Vec::new();
     let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
     let mut block = Block::new();
@@ -57,7 +57,7 @@ pub(super) fn units(job: &Job, to: Units) -> Result<StepOutcome, TransformRefusa
                 Action::Reading(ReadingCode::Inch) | Action::Reading(ReadingCode::Millimetre)
             ) {
                 says = true;
-                if action != wanted {
+                if action != target {
                     let text = writer.code(word, code.code);
                     outcome.edits.push(WordEdit::new(word.range, text, "the other unit"));
                 }
@@ -66,7 +66,7 @@ pub(super) fn units(job: &Job, to: Units) -> Result<StepOutcome, TransformRefusa
         let is_head = block.word(b'O').is_some();
         if !is_head && first.is_none_or(|(order, _)| runs.order < order) {
             first = Some((runs.order, block.range.start));
-            is_said = says;
+            is_stated = says;
         }
         let mut edits: Option<Vec<WordEdit>> = None;
         for context in &runs.contexts {
@@ -83,7 +83,7 @@ pub(super) fn units(job: &Job, to: Units) -> Result<StepOutcome, TransformRefusa
         }
         outcome.edits.extend(edits.unwrap_or_default());
     }
-    if let Some((_, at)) = first.filter(|_| !is_said && outcome_changes(&outcome)) {
+    if let Some((_, at)) = first.filter(|_| !is_stated && outcome_changes(&outcome)) {
         let line = format!("{}\n", code.name(b'G'));
         outcome.edits.push(WordEdit::insert(at, line, "the unit at power-on no longer applies"));
     }

@@ -174,14 +174,14 @@ impl StockCheck<'_> {
     ) -> Vec<RefinedRegion> {
         let tasks = self.tasks.len();
         let mut parts: BTreeMap<usize, RefinedRegion> = BTreeMap::new();
-        for (tile, asked) in open {
+        for (tile, requested) in open {
             let (bounds, resolution) =
                 (stock.grid().box_of(tile), stock.options().resolution / 2.0);
             let (moves, numbers) = (vec![Vec::new(); tasks], vec![Vec::new(); tasks]);
-            let asked = asked.into_keys().collect();
+            let requested = requested.into_keys().collect();
             parts.insert(
                 tile,
-                RefinedRegion { bounds, resolution, moves, numbers, questions: asked },
+                RefinedRegion { bounds, resolution, moves, numbers, questions: requested },
             );
         }
         if parts.is_empty() {
@@ -227,14 +227,14 @@ impl StockCheck<'_> {
         for (number, task) in self.tasks.iter().enumerate() {
             self.lower(&mut stock, number);
             let of_task = &part.numbers[number];
-            let is_asked = |at: &u32| {
+            let is_requested = |at: &u32| {
                 let of_task = of_task[*at as usize];
                 part.questions
                     .range((number, 0, 0)..(number + 1, 0, 0))
-                    .any(|asked| asked.2 == of_task)
+                    .any(|requested| requested.2 == of_task)
             };
-            let asked: Vec<u32> = (0..of_task.len() as u32).filter(is_asked).collect();
-            let task = StockTask { moves: &part.moves[number], numbers: Some(&asked), ..*task };
+            let requested: Vec<u32> = (0..of_task.len() as u32).filter(is_requested).collect();
+            let task = StockTask { moves: &part.moves[number], numbers: Some(&requested), ..*task };
             for (first, task) in chunks(task) {
                 for found in run(&mut stock, &task, runner) {
                     let questions = found.contacts.iter().filter_map(|&(body, at, contact)| {

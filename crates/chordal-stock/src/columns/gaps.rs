@@ -159,11 +159,11 @@ fn insert(gaps: &mut Vec<ColumnGap>, [mut floor, mut top]: ColumnGap) {
         return;
     }
     gaps.retain(|gap| {
-        let apart = gap[1] < floor || top < gap[0];
-        if !apart {
+        let separate = gap[1] < floor || top < gap[0];
+        if !separate {
             (floor, top) = (floor.min(gap[0]), top.max(gap[1]));
         }
-        apart
+        separate
     });
     let at = gaps.partition_point(|gap| gap[0] < floor);
     gaps.insert(at, [floor, top]);

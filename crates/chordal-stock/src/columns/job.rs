@@ -368,7 +368,7 @@ impl TileRun<'_> {
         let heights = self.tile.get(block);
         let bottom = f32x4::splat(self.bottom);
         let within = self.within;
-        let mut tell = |at: usize, hi: f32x4, lo: f32x4| {
+        let mut report = |at: usize, hi: f32x4, lo: f32x4| {
             let group = |heights: &[f32; CELLS]| {
                 let at = at * LANES;
                 f32x4::from([heights[at], heights[at + 1], heights[at + 2], heights[at + 3]])
@@ -397,12 +397,12 @@ impl TileRun<'_> {
         match self.mode {
             Mode::Certified => {
                 certified::<LEVEL, S>(course, shape, corner, part, lowest, |at, hi, lo, _| {
-                    tell(at, hi, lo);
+                    report(at, hi, lo);
                 });
             }
             Mode::Sampled => {
                 sampled::<LEVEL, S>(course, shape, corner, part, |at, floor| {
-                    tell(at, floor, floor)
+                    report(at, floor, floor)
                 });
             }
         }

@@ -92,8 +92,8 @@ const STRIP_MARGIN_SHARE: f64 = 1e-5;
 impl StockTask<'_> {
     /// Whether bodies are compared on a move.
     fn asks(&self, number: u32) -> bool {
-        let asked = |asked: &[u32]| asked.binary_search(&(self.first + number)).is_ok();
-        !self.bodies.is_empty() && self.numbers.is_none_or(asked)
+        let requested = |asked: &[u32]| asked.binary_search(&(self.first + number)).is_ok();
+        !self.bodies.is_empty() && self.numbers.is_none_or(requested)
     }
 
     /// The heights of the tip between which it may take something away: above it is over the stock, and below all

@@ -122,8 +122,8 @@ impl HeightWindow {
 
     /// What is known of the stock on the cells that a rectangle about a place meets, by half its sides, over a stretch of
     /// heights, mm. Outside the window there is no stock.
-    pub fn ends(&self, place: [f64; 2], half: [f64; 2], stretch: [f64; 2]) -> StockLimits {
-        let stretch = stretch.map(|height| height - self.top);
+    pub fn ends(&self, place: [f64; 2], half: [f64; 2], section: [f64; 2]) -> StockLimits {
+        let section = section.map(|height| height - self.top);
         let [x0, x1] = self.cells(0, place[0] - half[0], place[0] + half[0]);
         let [y0, y1] = self.cells(1, place[1] - half[1], place[1] + half[1]);
         let [columns, rows] = self.size.map(|size| size as i64);
@@ -133,7 +133,7 @@ impl HeightWindow {
         for row in y0.max(0)..=y1.min(rows - 1) {
             for column in x0.max(0)..=x1.min(columns - 1) {
                 let at = (row * columns + column) as usize;
-                let [some, all] = self.over(at, stretch);
+                let [some, all] = self.over(at, section);
                 maybe = [maybe[0].min(some[0]), maybe[1].max(some[1])];
                 surely = [surely[0].max(all[0]), surely[1].min(all[1])];
             }
@@ -184,10 +184,10 @@ impl HeightWindow {
 
     /// Which share of a stretch of heights gaps take of the cell at a place: the middle between what is surely gone and
     /// what may be.
-    pub fn missing(&self, place: [f64; 2], stretch: [f64; 2]) -> f64 {
+    pub fn missing(&self, place: [f64; 2], section: [f64; 2]) -> f64 {
         let column = self.cell(place).and_then(|at| self.gaps.get(&at));
         let Some(column) = column else { return 0.0 };
-        let [from, to] = stretch.map(|height| height - self.top);
+        let [from, to] = section.map(|height| height - self.top);
         let taken = |gap: &ColumnGap| {
             let [floor, top] = gap.map(f64::from);
             if to > from {

@@ -33,13 +33,13 @@ impl SurfacePiece {
     fn crossing(&self, other: &SurfacePiece) -> Option<f64> {
         let slope =
             |piece: &SurfacePiece| (piece.to[1] - piece.from[1]) / (piece.to[0] - piece.from[0]);
-        let apart = slope(self) - slope(other);
-        if apart == 0.0 {
+        let separate = slope(self) - slope(other);
+        if separate == 0.0 {
             return None;
         }
         let radius = (other.from[1] - self.from[1] + slope(self) * self.from[0]
             - slope(other) * other.from[0])
-            / apart;
+            / separate;
         (self.has(radius) && other.has(radius)).then_some(radius)
     }
 }

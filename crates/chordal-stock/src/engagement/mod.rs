@@ -165,10 +165,10 @@ struct LineShares {
 
 impl LineShares {
     fn new(line: &Line, count: u64) -> LineShares {
-        let way = line.end - line.start;
-        let square = way.x * way.x + way.y * way.y;
+        let course = line.end - line.start;
+        let square = course.x * course.x + course.y * course.y;
         let scale = if square > 0.0 { count as f64 / square } else { 0.0 };
-        LineShares { start: line.start, along: [way.x * scale, way.y * scale], count }
+        LineShares { start: line.start, along: [course.x * scale, course.y * scale], count }
     }
 
     fn of(&self, place: [f64; 2]) -> u64 {

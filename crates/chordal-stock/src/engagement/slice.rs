@@ -251,8 +251,8 @@ impl PatchScan<'_> {
         });
         let top = place.highest() + self.flutes;
         let heights = [place.lowest() + band.heights[0], place.highest() + band.heights[1]];
-        let stretch = [heights[0], if band.is_side { top } else { heights[1] }];
-        let StockLimits { maybe, surely } = self.window.ends(middle, reach, stretch);
+        let section_value = [heights[0], if band.is_side { top } else { heights[1] }];
+        let StockLimits { maybe, surely } = self.window.ends(middle, reach, section_value);
         let bottom = heights[0].max(maybe[0]);
         let highest = maybe[1].min(top);
         let lowest = surely[1].min(place.lowest() + self.flutes);
@@ -304,8 +304,8 @@ impl PatchScan<'_> {
         let share = if above > bottom { ((top - bottom) / (above - bottom)).min(1.0) } else { 1.0 };
         let radius = 0.5 * (band.radii[0] + band.radii[1]);
         let width = width * if band.radii[1] > 0.0 { radius / band.radii[1] } else { 0.0 };
-        let stretch = [bottom, if band.is_side { top } else { above.min(top) }];
-        let there = 1.0 - self.window.missing(middle, stretch);
+        let section_value = [bottom, if band.is_side { top } else { above.min(top) }];
+        let there = 1.0 - self.window.missing(middle, section_value);
         let area = width * there * if band.is_side { top - bottom } else { share * band.length };
         self.surface += area;
         self.section += area * facing;

@@ -186,22 +186,22 @@ impl SweptFrustum {
     pub(super) fn bounds(&self) -> Aabb {
         let Frustum { from, to, lower, upper } = self.frustum;
         let radius = lower.max(upper);
-        let way = Aabb::of_points(self.from, self.to);
+        let path = Aabb::of_points(self.from, self.to);
         Aabb {
-            min: way.min + Vec3::new(-radius, -radius, from),
-            max: way.max + Vec3::new(radius, radius, to),
+            min: path.min + Vec3::new(-radius, -radius, from),
+            max: path.max + Vec3::new(radius, radius, to),
         }
     }
 }
 
 impl ConvexBody for SweptFrustum {
-    fn furthest(&self, way: Vec3) -> Vec3 {
+    fn furthest(&self, path: Vec3) -> Vec3 {
         let Frustum { from, to, lower, upper } = self.frustum;
-        let plan = (way.x * way.x + way.y * way.y).sqrt();
-        let higher = upper * plan + to * way.z > lower * plan + from * way.z;
+        let plan = (path.x * path.x + path.y * path.y).sqrt();
+        let higher = upper * plan + to * path.z > lower * plan + from * path.z;
         let (radius, height) = if higher { (upper, to) } else { (lower, from) };
-        let tip = if (self.to - self.from).dot(way) > 0.0 { self.to } else { self.from };
+        let tip = if (self.to - self.from).dot(path) > 0.0 { self.to } else { self.from };
         let out = if plan > 0.0 { radius / plan } else { 0.0 };
-        tip + Vec3::new(way.x * out, way.y * out, height)
+        tip + Vec3::new(path.x * out, path.y * out, height)
     }
 }

@@ -34,14 +34,14 @@ impl DistanceInterval {
 /// A body that knows its furthest point in any direction.
 pub(super) trait ConvexBody {
     /// A point furthest in a direction of any length, mm.
-    fn furthest(&self, way: Vec3) -> Vec3;
+    fn furthest(&self, path: Vec3) -> Vec3;
 }
 
 impl ConvexBody for [Vec3] {
-    fn furthest(&self, way: Vec3) -> Vec3 {
+    fn furthest(&self, path: Vec3) -> Vec3 {
         let mut best = (f64::NEG_INFINITY, Vec3::ZERO);
         for &corner in self {
-            let reach = corner.dot(way);
+            let reach = corner.dot(path);
             if reach > best.0 {
                 best = (reach, corner);
             }
@@ -51,10 +51,10 @@ impl ConvexBody for [Vec3] {
 }
 
 impl ConvexBody for chordal_geometry::Aabb {
-    fn furthest(&self, way: Vec3) -> Vec3 {
-        let at = |way: f64, low: f64, high: f64| if way > 0.0 { high } else { low };
+    fn furthest(&self, path: Vec3) -> Vec3 {
+        let at = |path: f64, low: f64, high: f64| if path > 0.0 { high } else { low };
         let (low, high) = (self.min, self.max);
-        Vec3::new(at(way.x, low.x, high.x), at(way.y, low.y, high.y), at(way.z, low.z, high.z))
+        Vec3::new(at(path.x, low.x, high.x), at(path.y, low.y, high.y), at(path.z, low.z, high.z))
     }
 }
 
@@ -68,7 +68,7 @@ pub(super) fn distance<A: ConvexBody + ?Sized, B: ConvexBody + ?Sized>(
     resolution: f64,
     enough: f64,
 ) -> DistanceInterval {
-    let difference = |way: Vec3| a.furthest(way) - b.furthest(-way);
+    let difference = |path: Vec3| a.furthest(path) - b.furthest(-path);
     let mut nearest = difference(Vec3::X);
     let mut simplex = Simplex { corners: [nearest; 4], count: 1 };
     let mut found = DistanceInterval { lower: 0.0, upper: nearest.length() };

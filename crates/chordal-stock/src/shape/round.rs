@@ -116,11 +116,11 @@ impl CylinderShape {
 
 /// The cylinder without its bore.
 impl ConvexBody for CylinderShape {
-    fn furthest(&self, way: Vec3) -> Vec3 {
+    fn furthest(&self, path: Vec3) -> Vec3 {
         let (along, across) = match self.axis {
-            ShapeAxis::X => (way.x, Vec3::new(0.0, way.y, way.z)),
-            ShapeAxis::Y => (way.y, Vec3::new(way.x, 0.0, way.z)),
-            ShapeAxis::Z => (way.z, Vec3::new(way.x, way.y, 0.0)),
+            ShapeAxis::X => (path.x, Vec3::new(0.0, path.y, path.z)),
+            ShapeAxis::Y => (path.y, Vec3::new(path.x, 0.0, path.z)),
+            ShapeAxis::Z => (path.z, Vec3::new(path.x, path.y, 0.0)),
         };
         let end = if along > 0.0 { self.to } else { self.from };
         let rim = across.normalized().map_or(Vec3::ZERO, |unit| unit * self.outer);

@@ -61,9 +61,9 @@ impl SolidShape {
 /// A cylinder whose axis is one of the three again.
 fn turned_round(round: &CylinderShape, by: &Transform) -> Option<CylinderShape> {
     let [along, ..] = round.axis.frame();
-    let way = by.apply_direction(along);
+    let path = by.apply_direction(along);
     let axis =
-        ShapeAxis::ALL.into_iter().find(|axis| way.dot(axis.frame()[0]).abs() > 1.0 - ALONG)?;
+        ShapeAxis::ALL.into_iter().find(|axis| path.dot(axis.frame()[0]).abs() > 1.0 - ALONG)?;
     let own = round.middle - along * along.dot(round.middle);
     let ends = [round.from, round.to].map(|at| by.apply_point(own + along * at));
     let [a, b] = ends.map(|end| end.dot(axis.frame()[0]));

@@ -346,19 +346,23 @@ fn push_segment(edges: &mut Vec<RegionEdge>, segment: &OutlineSegment) -> Result
 }
 
 /// The circle through both ends whose centre is nearest to the one given; `None` where that is not near.
-fn centered(start: Vec2, end: Vec2, given: Vec2, counterclockwise: bool) -> Option<ArcCircle> {
-    let (first, second) = (start.distance(given), end.distance(given));
+fn centered(start: Vec2, end: Vec2, provided: Vec2, counterclockwise: bool) -> Option<ArcCircle> {
+    let (first, second) = (start.distance(provided), end.distance(provided));
     if (first - second).abs() <= EQUAL_RADIUS_MM && first + second > 0.0 {
         // Of a short arc the middle between the ends may be far away.
-        return Some(ArcCircle { center: given, radius: 0.5 * (first + second), counterclockwise });
+        return Some(ArcCircle {
+            center: provided,
+            radius: 0.5 * (first + second),
+            counterclockwise,
+        });
     }
     let half = (start + end) * 0.5;
     let center = match (end - start).normalized() {
-        Some(along) => given + along * (half - given).dot(along),
-        None => given,
+        Some(along) => provided + along * (half - provided).dot(along),
+        None => provided,
     };
     let radius = start.distance(center);
-    let near = center.distance(given) <= RADII && radius > 0.0;
+    let near = center.distance(provided) <= RADII && radius > 0.0;
     near.then_some(ArcCircle { center, radius, counterclockwise })
 }
 

@@ -201,20 +201,20 @@ impl LatheStock {
         path: &OutlineSegment,
     ) -> Result<TurnedPass, PassError> {
         let mut pass = TurnedPass { bound: tool.bound(), ..TurnedPass::default() };
-        let PassWorkspace { input: given, overlay, outcome } = work;
+        let PassWorkspace { input: provided, overlay, outcome } = work;
         overlay.common.clear();
-        let swept = sweep(tool.parts(), path, &mut given.swept)?;
+        let swept = sweep(tool.parts(), path, &mut provided.swept)?;
         let scale = OverlayScale::new(self.size, self.area.max(0.0));
         if self.store.len() == 0 || !self.bounds.meets(&swept.bounds.grown(scale.margin)) {
             return Ok(pass);
         }
-        given.hull.of(&given.swept, swept.simple);
-        self.gather(given, &swept, scale);
+        provided.hull.of(&provided.swept, swept.simple);
+        self.gather(provided, &swept, scale);
         let lay = OverlayWorkspace::lay;
-        if self.overlay(given, &swept, scale, overlay, outcome, lay).is_err() {
+        if self.overlay(provided, &swept, scale, overlay, outcome, lay).is_err() {
             let scale = scale.wide();
-            self.gather(given, &swept, scale);
-            self.overlay(given, &swept, scale, overlay, outcome, OverlayWorkspace::lay_shifted)?;
+            self.gather(provided, &swept, scale);
+            self.overlay(provided, &swept, scale, overlay, outcome, OverlayWorkspace::lay_shifted)?;
         }
         let OverlayWorkspace { common, amounts, off, .. } = overlay;
         pass.bound += *off;
@@ -232,8 +232,8 @@ impl LatheStock {
     }
 
     /// Finds the edges near what is swept.
-    fn gather(&self, given: &mut PassInput, swept: &SweptRegion, scale: OverlayScale) {
-        let PassInput { hull, near, slots, .. } = given;
+    fn gather(&self, provided: &mut PassInput, swept: &SweptRegion, scale: OverlayScale) {
+        let PassInput { hull, near, slots, .. } = provided;
         near.clear();
         slots.clear();
         let area = swept.bounds.grown(scale.margin);

@@ -111,9 +111,9 @@ impl BlockReader<'_> {
         let rest = &self.text[at..self.end];
         let letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
         let open = self.lexicon.grammar.bracket_bytes().0;
-        let behind = rest[letters..].iter().find(|b| !matches!(b, b' ' | b'\t'));
+        let following = rest[letters..].iter().find(|b| !matches!(b, b' ' | b'\t'));
         let known = |(name, _): &(&str, _)| rest[..letters].eq_ignore_ascii_case(name.as_bytes());
-        behind == Some(&open) && self.lexicon.grammar.functions.iter().any(known)
+        following == Some(&open) && self.lexicon.grammar.functions.iter().any(known)
     }
 
     /// `#12`, `#[…]`, `[…]`, `SIN[…]`, with a sign; brackets are matched, the line end closes

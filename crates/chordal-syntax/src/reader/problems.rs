@@ -104,9 +104,10 @@ impl BlockReader<'_> {
         let words = &rest[..token];
         // The words after it, not a comment's.
         let line_end = memchr::memchr3(b'\n', b'\r', b'(', rest).unwrap_or(rest.len());
-        let behind = &rest[token..line_end.min(token + 200)];
+        let following = &rest[token..line_end.min(token + 200)];
         let has = |letter: u8| {
-            block.letters().has(letter) || behind.iter().any(|b| b.to_ascii_uppercase() == letter)
+            block.letters().has(letter)
+                || following.iter().any(|b| b.to_ascii_uppercase() == letter)
         };
         let one_for_i = words.len() > 1
             && words[0] == b'1'

@@ -55,10 +55,11 @@ pub(super) fn look_at_fixtures(
 /// A move that passes the box of a fixture at a distance.
 fn is_far(path: &TipMove, fixture: &Aabb, reach: f64, top: f64) -> bool {
     let bounds = path.curve.bounds();
-    let apart = |low: f64, high: f64, from: f64, to: f64| low > to + reach || high < from - reach;
-    apart(bounds.min.x, bounds.max.x, fixture.min.x, fixture.max.x)
-        || apart(bounds.min.y, bounds.max.y, fixture.min.y, fixture.max.y)
-        || apart(bounds.min.z, bounds.max.z + top, fixture.min.z, fixture.max.z)
+    let separate =
+        |low: f64, high: f64, from: f64, to: f64| low > to + reach || high < from - reach;
+    separate(bounds.min.x, bounds.max.x, fixture.min.x, fixture.max.x)
+        || separate(bounds.min.y, bounds.max.y, fixture.min.y, fixture.max.y)
+        || separate(bounds.min.z, bounds.max.z + top, fixture.min.z, fixture.max.z)
 }
 
 /// Cutter, shank and holder as one body.

@@ -337,13 +337,13 @@ impl<'a> StockMoves<'a> {
         let follows =
             |batch: &MoveBatch| (batch.tool, batch.kind, batch.turn) == (segment.tool, kind, turn);
         if !self.batches.last().is_some_and(follows) {
-            let (moves, asked, origins, rates, rows) = Default::default();
+            let (moves, requested, origins, rates, rows) = Default::default();
             self.batches.push(MoveBatch {
                 tool: segment.tool,
                 kind,
                 turn,
                 moves,
-                checked: asked,
+                checked: requested,
                 origins,
                 rates,
                 rows,
@@ -356,10 +356,10 @@ impl<'a> StockMoves<'a> {
             by_time: self.by_time && !origin.cycle,
         };
         let path = TipMove { curve: segment.curve, tag: segment.tool };
-        let asked = self.checked_part(&path, kind, turn);
+        let requested = self.checked_part(&path, kind, turn);
         if let Some(batch) = self.batches.last_mut() {
             batch.moves.push(path);
-            batch.checked.extend(asked);
+            batch.checked.extend(requested);
             batch.origins.push(segment.origin);
             batch.rates.push(rate);
             batch.rows.push(self.row);
@@ -379,11 +379,11 @@ impl<'a> StockMoves<'a> {
                 None
             }
             (_, Curve::Line(line), Some(Ok(body))) => {
-                let asked = self.visited.rapid(path.tag, turn, body, line);
+                let requested = self.visited.rapid(path.tag, turn, body, line);
                 // A bar that steps aside in its hole is narrow enough for that: its cycle asks for it.
                 let steps_aside =
                     kind == BatchKind::Aside && self.visited.has(path.tag, turn, line.start);
-                Some(asked.of(path).filter(|_| !steps_aside))
+                Some(requested.of(path).filter(|_| !steps_aside))
             }
             _ => Some(Some(*path)),
         }

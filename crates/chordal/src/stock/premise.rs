@@ -43,10 +43,10 @@ impl Job<'_> {
         if let Some(body) = &self.machine().setup.stock {
             return Ok(StockPremise { body: Cow::Borrowed(body), comment: None });
         }
-        let said = commented_stock(self).ok_or(StockRunError::NoStock)?;
-        match said.place {
+        let stated = commented_stock(self).ok_or(StockRunError::NoStock)?;
+        match stated.place {
             StockPlace::Body(body) => {
-                Ok(StockPremise { body: Cow::Owned(*body), comment: Some(said.comment) })
+                Ok(StockPremise { body: Cow::Owned(*body), comment: Some(stated.comment) })
             }
             StockPlace::Size(size) => Err(StockRunError::StockNotPlaced(size)),
         }

@@ -153,14 +153,14 @@ impl StockProblems {
             (*origin, *known, of.as_str()) == (place.origin, code, name)
         });
         if is_same
-            && let (Some(last), Some(said)) = (self.list.last_mut(), self.diagnostics.last_mut())
+            && let (Some(last), Some(stated)) = (self.list.last_mut(), self.diagnostics.last_mut())
         {
             if depth_mm.most > last.depth_mm.most {
                 last.depth_mm.most = depth_mm.most;
                 last.at = at;
             }
             last.depth_mm.least = last.depth_mm.least.max(depth_mm.least);
-            *said = diagnostic(code, last, place);
+            *stated = diagnostic(code, last, place);
             return;
         }
         self.last = Some((place.origin, code, name.to_string()));

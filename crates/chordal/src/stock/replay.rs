@@ -245,12 +245,12 @@ impl ReplayThinning {
         let mut place = 0;
         lowered.retain(|at| {
             let cell = at.cell as usize;
-            let is_told = self.last[cell] == place || self.shown[cell] - at.height > self.most;
+            let is_reported = self.last[cell] == place || self.shown[cell] - at.height > self.most;
             place += 1;
-            if is_told {
+            if is_reported {
                 self.shown[cell] = at.height;
             }
-            is_told
+            is_reported
         });
     }
 }

@@ -196,11 +196,11 @@ impl<'a> SetupBodies<'a> {
         run: &PassContext<'_>,
         problems: &mut StockProblems,
     ) -> Result<(CutStock, Option<TargetReport>), StockError> {
-        let asked = run.all_questions();
+        let requested = run.all_questions();
         let begun = InitialStock::new([&self.stock, &self.stock], run.resolution, Vec::new());
-        let cut = run.cut(&begun, &asked, &[])?;
-        for (asked, contacts) in asked.iter().zip(&cut.checked.contacts) {
-            run.report(asked, contacts, &|_, contact| contact, problems);
+        let cut = run.cut(&begun, &requested, &[])?;
+        for (requested, contacts) in requested.iter().zip(&cut.checked.contacts) {
+            run.report(requested, contacts, &|_, contact| contact, problems);
         }
         for (fixture, shape) in &self.fixtures {
             look_at_fixtures(run, fixture, shape, problems);
@@ -283,12 +283,12 @@ impl<'a> PassContext<'a> {
     ) -> Result<CutStock, StockError> {
         let tasks: Vec<StockTask<'_>> = questions
             .iter()
-            .map(|asked| StockTask {
-                cutter: asked.cutter,
-                may: asked.may,
-                undercuts: asked.undercuts,
-                bodies: &asked.bodies,
-                moves: &asked.moves,
+            .map(|requested| StockTask {
+                cutter: requested.cutter,
+                may: requested.may,
+                undercuts: requested.undercuts,
+                bodies: &requested.bodies,
+                moves: &requested.moves,
                 drop: self.options.tolerance_mm,
                 ..StockTask::default()
             })
@@ -381,9 +381,9 @@ fn watched<'r>(
     batch: &MoveBatch,
     bodies: impl Iterator<Item = (Code, RevolvedBody)>,
 ) -> TaskQuestion<'r> {
-    let asked = batch.checked.iter().zip(&batch.origins);
+    let requested = batch.checked.iter().zip(&batch.origins);
     let (moves, origins): (Vec<TipMove>, Vec<Origin>) =
-        asked.filter_map(|(path, from)| Some(((*path)?, *from))).unzip();
+        requested.filter_map(|(path, from)| Some(((*path)?, *from))).unzip();
     let (codes, bodies) = bodies.unzip();
     let (moves, origins) = (Cow::Owned(moves), Cow::Owned(origins));
     let tool = batch.tool;

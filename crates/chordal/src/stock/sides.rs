@@ -148,7 +148,8 @@ impl SetupBodies<'_> {
                 lowered: Vec::new(),
                 tops: None,
             });
-            let task = side.questions.iter().position(|asked| asked.batch >= visit.batches.start);
+            let task =
+                side.questions.iter().position(|requested| requested.batch >= visit.batches.start);
             if side.tops.is_some() {
                 side.lowered.extend(task.map(|task| (task, earlier)));
             }
@@ -160,10 +161,11 @@ impl SetupBodies<'_> {
                 if !visit.has_later {
                     side.tops = Some(Rc::new(SideTops::of(&cut.checked.stock)));
                 }
-                let asked = std::mem::take(&mut side.questions);
-                sides.push((number, StockSide { turn, questions: asked, cut, removed }));
+                let requested = std::mem::take(&mut side.questions);
+                sides.push((number, StockSide { turn, questions: requested, cut, removed }));
             } else {
-                let until = side.questions.iter().filter(|asked| asked.batch < visit.batches.end);
+                let until =
+                    side.questions.iter().filter(|requested| requested.batch < visit.batches.end);
                 let cuts: Vec<TaskQuestion<'_>> = until.map(TaskQuestion::only_cuts).collect();
                 let cut = run.cut(&begun, &cuts, &side.lowered)?;
                 side.tops = Some(Rc::new(SideTops::of(&cut.checked.stock)));
@@ -211,25 +213,26 @@ impl SetupBodies<'_> {
         let mut order: Vec<(usize, usize, usize)> = Vec::new();
         for (at, (_, side)) in sides.iter().enumerate() {
             let of_side = side.questions.iter().enumerate();
-            order.extend(of_side.map(|(index, asked)| (places[at][asked.batch], at, index)));
+            order
+                .extend(of_side.map(|(index, requested)| (places[at][requested.batch], at, index)));
         }
         order.sort_unstable();
         for (_, at, index) in order {
             let side = &sides[at].1;
-            let asked = &side.questions[index];
-            let reach = runs[at].tool(asked.tool).map_or(0.0, |tool| tool.radius());
+            let requested = &side.questions[index];
+            let reach = runs[at].tool(requested.tool).map_or(0.0, |tool| tool.radius());
             let sure = |of_move: usize, contact: ContactDepth| {
                 if contact.least <= 0.0 {
                     return contact;
                 }
-                let body = above(&asked.moves[of_move].curve.bounds(), reach, side);
+                let body = above(&requested.moves[of_move].curve.bounds(), reach, side);
                 let others = sides.iter().enumerate().filter(|(other, _)| *other != at);
                 let mut others = others.map(|(_, (_, other))| other);
                 let is_untouched = others.all(|other| other.is_untouched(&body, &side.turn));
                 ContactDepth { least: if is_untouched { contact.least } else { 0.0 }, ..contact }
             };
             let contacts = &side.cut.checked.contacts[index];
-            runs[at].report(asked, contacts, &sure, problems);
+            runs[at].report(requested, contacts, &sure, problems);
         }
     }
 }

@@ -156,11 +156,11 @@ impl<'a> SideHeights<'a> {
             !self.is_removed(self.side.there.apply_point(at))
         };
         let mut left = Vec::new();
-        for stretch in stretches {
-            if self.side.removed.is_above(&boxed(&body(stretch), &self.side.there)) {
-                left.push(stretch);
+        for range in stretches {
+            if self.side.removed.is_above(&boxed(&body(range), &self.side.there)) {
+                left.push(range);
             } else {
-                left.extend(kept(stretch, step, &is_left));
+                left.extend(kept(range, step, &is_left));
             }
         }
         left

@@ -63,7 +63,7 @@ fn look_for_gouges(
     problems: &mut StockProblems,
 ) -> Result<(), StockError> {
     let bounds = heights.bounds();
-    let mut asked: Vec<TargetQuestion<'_>> = Vec::new();
+    let mut requested: Vec<TargetQuestion<'_>> = Vec::new();
     for batch in run.batches.iter().filter(|batch| !batch.kind.is_rapid()) {
         let Some(tool) = run.tool(batch.tool) else { continue };
         let Some(InnerCutter { holds, sure, lift }) = tool.inside(target.tolerance) else {
@@ -78,13 +78,13 @@ fn look_for_gouges(
         let up = Transform::translation(Vec3::new(0.0, 0.0, lift));
         let moves =
             batch.moves.iter().map(|path| TipMove { curve: path.curve.transformed(&up), ..*path });
-        asked.push(TargetQuestion { batch, bodies, is_sure, moves: moves.collect() });
+        requested.push(TargetQuestion { batch, bodies, is_sure, moves: moves.collect() });
     }
-    let tasks: Vec<StockTask<'_>> = asked
+    let tasks: Vec<StockTask<'_>> = requested
         .iter()
-        .map(|asked| StockTask {
-            bodies: &asked.bodies,
-            moves: &asked.moves,
+        .map(|requested| StockTask {
+            bodies: &requested.bodies,
+            moves: &requested.moves,
             drop: f64::INFINITY,
             ..StockTask::default()
         })
@@ -103,14 +103,14 @@ fn look_for_gouges(
         finest: run.finest().min(OF_TOLERANCE * target.tolerance),
     };
     let checked = check.run_by(&|tiles| run.tiles(tiles))?;
-    for (asked, contacts) in asked.iter().zip(&checked.contacts) {
-        let batch = asked.batch;
+    for (requested, contacts) in requested.iter().zip(&checked.contacts) {
+        let batch = requested.batch;
         for (index, origin) in batch.origins.iter().enumerate() {
             let place = run.place(*origin, batch.tool);
             let mut contact = contacts[0][index];
             // What is sure is that of the last body.
             contact.least = match contacts.last() {
-                Some(sure) if asked.is_sure => sure[index].least.min(contact.most),
+                Some(sure) if requested.is_sure => sure[index].least.min(contact.most),
                 _ => 0.0,
             };
             if contact.most > CONTACT_ROUNDING_MM {

@@ -82,11 +82,11 @@ impl VisitedPlaces {
         let key = (tool, turn);
         // Of a body that is nowhere narrower than below, all that lies higher was in the way before.
         let widens = body.widens();
-        let asked = match is_upright(line.start, line.end) {
+        let requested = match is_upright(line.start, line.end) {
             true => self.upright(key, widens, line),
             false => self.along(key, widens, line),
         };
-        asked.unwrap_or(RapidRest::Part(*line))
+        requested.unwrap_or(RapidRest::Part(*line))
     }
 
     /// The tool has cut at a place.
@@ -177,15 +177,15 @@ impl VisitedPlaces {
 /// `widens`.
 fn reaches(cut: &Line, line: &Line, from: f64, widens: bool) -> Option<f64> {
     let flat = |v: Vec3| Vec3::new(v.x, v.y, 0.0);
-    let way = flat(line.end - line.start);
-    let length = way.length();
-    let direction = way / length;
+    let course = flat(line.end - line.start);
+    let length = course.length();
+    let direction = course / length;
     let along = |point: Vec3| flat(point - line.start).dot(direction);
-    let beside = |point: Vec3| {
+    let adjacent = |point: Vec3| {
         let by = flat(point - line.start);
         (by - direction * by.dot(direction)).length()
     };
-    if beside(cut.start) > COINCIDENT_MM || beside(cut.end) > COINCIDENT_MM {
+    if adjacent(cut.start) > COINCIDENT_MM || adjacent(cut.end) > COINCIDENT_MM {
         return None;
     }
     let (mut first, mut last) = (cut.start, cut.end);

@@ -118,10 +118,12 @@ pub fn known_tools(job: &Job) -> BTreeMap<u32, KnownTool> {
     let known = |tool: &Tool| KnownTool { tool: tool.clone(), comment: None };
     let mut tools: BTreeMap<u32, KnownTool> =
         job.machine().tools.iter().map(|(number, tool)| (*number, known(tool))).collect();
-    for (said, span) in commented_tools(job) {
-        let tool = tools.entry(said.number).or_insert_with(|| known(&Tool::default()));
+    for (stated, span) in commented_tools(job) {
+        let tool = tools.entry(stated.number).or_insert_with(|| known(&Tool::default()));
         // Of a tool that the machine file measures, a comment may be out of date.
-        if tool.comment.is_none() && tool.tool.diameter_mm.is_none() && fill(&mut tool.tool, &said)
+        if tool.comment.is_none()
+            && tool.tool.diameter_mm.is_none()
+            && fill(&mut tool.tool, &stated)
         {
             tool.comment = Some(span);
         }
@@ -134,37 +136,38 @@ pub(crate) fn contradicted_tools(job: &Job) -> Vec<Diagnostic> {
     if !job.turns() {
         return Vec::new();
     }
-    let said = scan(job).into_iter();
-    said.filter_map(|(said, span)| {
-        let known = job.machine().tools.get(&said.number);
-        let message = turning::contradiction(&said, known)?;
-        let help = "correct the one that is wrong: the value of the machine file counts";
-        Some(Diagnostic::new(Code::ToolContradicted, span, message).help(help))
-    })
-    .collect()
+    let stated = scan(job).into_iter();
+    stated
+        .filter_map(|(said, span)| {
+            let known = job.machine().tools.get(&said.number);
+            let message = turning::contradiction(&said, known)?;
+            let help = "correct the one that is wrong: the value of the machine file counts";
+            Some(Diagnostic::new(Code::ToolContradicted, span, message).help(help))
+        })
+        .collect()
 }
 
 /// True when the comment gave something.
-fn fill(tool: &mut Tool, said: &CommentedTool) -> bool {
-    if said.shape.is_some() && tool.shape.is_some() && said.shape != tool.shape {
+fn fill(tool: &mut Tool, stated: &CommentedTool) -> bool {
+    if stated.shape.is_some() && tool.shape.is_some() && stated.shape != tool.shape {
         return false;
     }
     let before = tool.clone();
-    tool.diameter_mm = tool.diameter_mm.or(said.diameter_mm);
-    tool.shape = tool.shape.or(said.shape);
-    tool.corner_radius_mm = tool.corner_radius_mm.or(said.corner_radius_mm);
-    tool.point_angle_rad = tool.point_angle_rad.or(said.point_angle_rad);
-    tool.tip_diameter_mm = tool.tip_diameter_mm.or(said.tip_diameter_mm);
-    tool.pitch_mm = tool.pitch_mm.or(said.pitch_mm);
-    turning::fill(tool, said);
+    tool.diameter_mm = tool.diameter_mm.or(stated.diameter_mm);
+    tool.shape = tool.shape.or(stated.shape);
+    tool.corner_radius_mm = tool.corner_radius_mm.or(stated.corner_radius_mm);
+    tool.point_angle_rad = tool.point_angle_rad.or(stated.point_angle_rad);
+    tool.tip_diameter_mm = tool.tip_diameter_mm.or(stated.tip_diameter_mm);
+    tool.pitch_mm = tool.pitch_mm.or(stated.pitch_mm);
+    turning::fill(tool, stated);
     *tool != before
 }
 
 /// What the comments of the first text say, those with a diameter first.
 fn commented_tools(job: &Job) -> Vec<(CommentedTool, Span)> {
-    let mut said = scan(job);
-    said.sort_by_key(|(said, _)| said.diameter_mm.is_none());
-    said
+    let mut stated = scan(job);
+    stated.sort_by_key(|(said, _)| said.diameter_mm.is_none());
+    stated
 }
 
 /// The units that the program begins in: its first G20 or G21, else the control's.

@@ -29,8 +29,8 @@ pub(super) fn read_phrase(text: &str, inch: bool, named: Option<u32>) -> Option<
     let upper = upper.trim();
     if let Some(number) = named {
         let described = upper.strip_prefix("DESCRIPTION:").or(Some(upper));
-        let said = described.and_then(|text| read_description(text, inch));
-        return said.map(|said| CommentedTool { number, ..said });
+        let stated = described.and_then(|text| read_description(text, inch));
+        return stated.map(|said| CommentedTool { number, ..said });
     }
     if let Some(rest) = DIAMETER_KEYS.iter().find_map(|key| upper.strip_prefix(key)) {
         let diameter = number(rest.trim_start_matches([' ', ':', '-', '=']))?;

@@ -70,14 +70,14 @@ pub fn read_tool_comment(
     let text = plain(text);
     let all = tokens(&text);
     let (number, rest) = tool_number(&all, called)?;
-    let (said, is_keyed) = described(&text, rest, inch, turns);
-    let said = CommentedTool { number, ..said };
+    let (stated, is_keyed) = described(&text, rest, inch, turns);
+    let stated = CommentedTool { number, ..stated };
     let sentence = is_sentence(&all);
-    let says = said.diameter_mm.is_some()
-        || said.shape.is_some()
-        || said.tip.is_some()
-        || said.nose_radius_mm.is_some();
-    (says && (is_keyed || !sentence)).then_some(said)
+    let says = stated.diameter_mm.is_some()
+        || stated.shape.is_some()
+        || stated.tip.is_some()
+        || stated.nose_radius_mm.is_some();
+    (says && (is_keyed || !sentence)).then_some(stated)
 }
 
 /// Reads the description of a tool, which a key has announced; its number is 0.
@@ -85,8 +85,8 @@ pub(super) fn read_description(text: &str, inch: bool) -> Option<CommentedTool> 
     let text = plain(text);
     let all = tokens(&text);
     let sentence = is_sentence(&all);
-    let (said, is_keyed) = described(&text, all, inch, false);
-    (said.diameter_mm.is_some() && (is_keyed || !sentence)).then_some(said)
+    let (stated, is_keyed) = described(&text, all, inch, false);
+    (stated.diameter_mm.is_some() && (is_keyed || !sentence)).then_some(stated)
 }
 
 /// Words of a sentence are among them.
@@ -123,12 +123,12 @@ fn described(
     rest.drain(..signs);
     join_mixed(&mut rest);
     let reader = CommentReader { tokens: rest, inch, shape: shape_of(text) };
-    let mut said = reader.read();
+    let mut stated = reader.read();
     if turns {
-        read_turning(text, &reader.tokens, inch, &mut said);
+        read_turning(text, &reader.tokens, inch, &mut stated);
     }
     let is_keyed = reader.keyed_diameter().is_some();
-    (said, is_keyed)
+    (stated, is_keyed)
 }
 
 /// The shape that the text names, at best before a colon: behind it stands what the tool is for.
@@ -241,10 +241,10 @@ impl CommentReader<'_> {
             | CommentTokenKind::Sign('Ø' | '⌀' | 'ø') => {
                 let is_size =
                     |at: &usize| self.tokens[*at].number().is_some_and(|number| number.is_size());
-                let behind = self.number_after(at);
+                let following = self.number_after(at);
                 let before = at.checked_sub(1).filter(is_size);
                 // `LEN. - 3 DIA. - .375`, and `.25 DIA. 2 FLUTE`.
-                self.mm(behind.filter(is_size).or(before).or(behind)?)
+                self.mm(following.filter(is_size).or(before).or(following)?)
             }
             // `D3` is the number of an offset.
             CommentTokenKind::Word("D") => {
@@ -274,7 +274,7 @@ impl CommentReader<'_> {
             if !rad || of_nose {
                 return None;
             }
-            let behind = self.number_after(at).filter(|behind| {
+            let following = self.number_after(at).filter(|behind| {
                 let number = self.tokens[*behind].number();
                 // `DIA 10.0 R 0.5`; elsewhere `R .1` may be a level.
                 let after_diameter = || (0..at).any(|at| self.word(at) == Some("DIA"));
@@ -285,7 +285,7 @@ impl CommentReader<'_> {
                 let hugs = word != "R" || self.tokens[at].glued;
                 hugs && self.tokens[*before].number().is_some_and(|number| number.is_size())
             });
-            self.mm(behind.or(before)?)
+            self.mm(following.or(before)?)
         })
     }
 
@@ -312,8 +312,8 @@ impl CommentReader<'_> {
         (0..self.tokens.len()).find_map(|at| match self.word(at)? {
             "PITCH" => self.mm(self.number_after(at)?),
             "TPI" => {
-                let behind = self.number_after(at).and_then(number);
-                let per_inch = behind.or_else(|| number(at.checked_sub(1)?))?;
+                let following = self.number_after(at).and_then(number);
+                let per_inch = following.or_else(|| number(at.checked_sub(1)?))?;
                 (per_inch > 0.0).then(|| 25.4 / per_inch)
             }
             _ => None,
@@ -381,13 +381,13 @@ impl CommentReader<'_> {
         let first = (0..named).rev().take_while(in_name).last().unwrap_or(named);
         let last = (named..self.tokens.len()).take_while(in_name).last().unwrap_or(named);
         let before = (0..first).rev().find(|at| self.is_size(*at, *at + 1 == first));
-        let behind = || (last + 1..self.tokens.len()).find(|at| self.is_size(*at, false));
-        self.mm(before.or_else(behind)?)
+        let following = || (last + 1..self.tokens.len()).find(|at| self.is_size(*at, false));
+        self.mm(before.or_else(following)?)
     }
 
     /// A number that may be a size: not that of an offset, a level, a count of flutes or an angle. A
     /// whole number without a unit is one only beside the name, and in millimetres.
-    fn is_size(&self, at: usize, beside_name: bool) -> bool {
+    fn is_size(&self, at: usize, adjacent_name: bool) -> bool {
         let Some(number) = self.tokens[at].number() else { return false };
         let before = at.checked_sub(1).map(|before| &self.tokens[before]);
         // `H3`, `R0.5`; `ZMIN=-8.`
@@ -410,7 +410,7 @@ impl CommentReader<'_> {
                     | "RAD"
             ) | Some("CR" | "RADIUS" | "LOC" | "LONG" | "OAL" | "DEEP" | "TPI" | "PITCH" | "HOLES")
         ) || self.tokens.get(at + 1).is_some_and(|next| next.is_sign('°'));
-        let sized = number.is_size() || beside_name && !self.inch;
+        let sized = number.is_size() || adjacent_name && !self.inch;
         let is_thread = self.unified(at).is_some();
         sized && !keyed && !equals && !is_other && !is_thread
     }

@@ -104,8 +104,8 @@ impl ToolCommentScan<'_, '_> {
                     Some(said) => self.found.push((said, span)),
                     // `(OD ROUGH RIGHT - 80 DEG. INSERT - CNMG-432)` is of the tool that is called next.
                     None if turns => {
-                        if let Some(said) = read_insert(words) {
-                            self.keep(said, span);
+                        if let Some(stated) = read_insert(words) {
+                            self.keep(stated, span);
                         }
                     }
                     None => {}
@@ -115,21 +115,22 @@ impl ToolCommentScan<'_, '_> {
     }
 
     /// Adds what was said to what is known of the tool that is called next; what contradicts it takes its place.
-    fn keep(&mut self, said: CommentedTool, span: Span) {
-        let joined = self.loose.and_then(|(before, at)| Some((before.joined(&said)?, at)));
-        self.loose = Some(joined.unwrap_or((said, span)));
+    fn keep(&mut self, stated: CommentedTool, span: Span) {
+        let joined = self.loose.and_then(|(before, at)| Some((before.joined(&stated)?, at)));
+        self.loose = Some(joined.unwrap_or((stated, span)));
     }
 
     fn give_loose(&mut self) {
-        let Some((said, span)) = self.loose.take() else { return };
-        self.without_number.push((CommentedTool { number: self.last, ..said }, span));
+        let Some((stated, span)) = self.loose.take() else { return };
+        self.without_number.push((CommentedTool { number: self.last, ..stated }, span));
     }
 
     /// Comments that name their tool come first. Where others say two sizes of one tool, another was put into the
     /// spindle without a call, and neither is taken.
     fn finish(mut self) -> Vec<(CommentedTool, Span)> {
-        let is_only = |(said, _): &&(CommentedTool, Span)| {
-            let same = self.without_number.iter().filter(|(other, _)| other.number == said.number);
+        let is_only = |(stated, _): &&(CommentedTool, Span)| {
+            let same =
+                self.without_number.iter().filter(|(other, _)| other.number == stated.number);
             let mut sizes = same.filter_map(|(other, _)| other.diameter_mm);
             let first = sizes.next();
             sizes.all(|size| Some(size) == first)
@@ -163,8 +164,8 @@ impl ToolCommentScan<'_, '_> {
         let inch = *self.inch.get_or_insert_with(|| program_is_inch(self.job, self.text));
         let diameter = 2.0 * radius * if inch { 25.4 } else { 1.0 };
         (diameter > 0.0).then(|| {
-            let said = CommentedTool { diameter_mm: Some(diameter), ..CommentedTool::of(number) };
-            (said, block.range.in_file(FileId(0)))
+            let stated = CommentedTool { diameter_mm: Some(diameter), ..CommentedTool::of(number) };
+            (stated, block.range.in_file(FileId(0)))
         })
     }
 

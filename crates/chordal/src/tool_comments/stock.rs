@@ -256,14 +256,14 @@ impl HeadComments {
                 "" => self.comments.get(at + 1)?.0.as_str(),
                 rest => rest,
             };
-            let said_unit = self.comments.iter().find_map(|(text, _)| {
+            let stated_unit = self.comments.iter().find_map(|(text, _)| {
                 match text.strip_prefix("UNITS:")?.trim() {
                     "INCH" | "INCHES" => Some(25.4),
                     "METRIC" | "MM" | "MILLIMETERS" => Some(1.0),
                     _ => None,
                 }
             });
-            return Some(in_mm(by_letters(rest)?, said_unit.unwrap_or(scale)));
+            return Some(in_mm(by_letters(rest)?, stated_unit.unwrap_or(scale)));
         }
         if let Some(rest) = text.strip_prefix("BLANK SIZE:") {
             return Some(in_mm(by_letters(rest)?, scale));
@@ -298,13 +298,13 @@ impl HeadComments {
 
     /// `Z Origin for Material = …`, `XY Origin for Material = …`: Vectric.
     fn vectric_corner(&self, size: &[f64; 3]) -> Option<[f64; 3]> {
-        let said = |key: &str| {
+        let stated = |key: &str| {
             self.comments.iter().find_map(|(text, _)| {
                 Some(text.strip_prefix(key)?.trim_start_matches([' ', '=']).trim())
             })
         };
         // What a position of the origin that is not zero moves is not known.
-        if let Some(position) = said("XY ORIGIN POSITION") {
+        if let Some(position) = stated("XY ORIGIN POSITION") {
             let values: Option<Vec<f64>> = position
                 .split(',')
                 .map(|part| number(part.trim().trim_start_matches(['X', 'Y', ':'])))
@@ -313,13 +313,13 @@ impl HeadComments {
                 return None;
             }
         }
-        let z = match said("Z ORIGIN FOR MATERIAL")? {
+        let z = match stated("Z ORIGIN FOR MATERIAL")? {
             "MATERIAL SURFACE" => -size[2],
             "TABLE SURFACE" => 0.0,
             "CENTER" | "CENTER OF MATERIAL" => -0.5 * size[2],
             _ => return None,
         };
-        let [x, y] = match said("XY ORIGIN FOR MATERIAL")?.trim_end_matches("CORNER").trim() {
+        let [x, y] = match stated("XY ORIGIN FOR MATERIAL")?.trim_end_matches("CORNER").trim() {
             "BOTTOM LEFT" => [0.0, 0.0],
             "BOTTOM RIGHT" => [-size[0], 0.0],
             "TOP LEFT" => [0.0, -size[1]],

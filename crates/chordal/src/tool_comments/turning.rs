@@ -122,42 +122,42 @@ fn tip(tokens: &[CommentToken<'_>]) -> Option<u32> {
 }
 
 /// Gives a tool what a comment says of its insert and its holder.
-pub(super) fn fill(tool: &mut Tool, said: &CommentedTool) {
-    let is_turning = said.shape == Some(ToolShape::Insert) && tool.shape == said.shape;
+pub(super) fn fill(tool: &mut Tool, stated: &CommentedTool) {
+    let is_turning = stated.shape == Some(ToolShape::Insert) && tool.shape == stated.shape;
     if !is_turning {
         return;
     }
-    tool.nose_radius_mm = tool.nose_radius_mm.or(said.nose_radius_mm);
-    tool.tip = tool.tip.or(said.tip);
-    tool.turning.insert = tool.turning.insert.or(said.letter);
-    let edge = said.insert.and_then(|insert| insert.edge_mm);
+    tool.nose_radius_mm = tool.nose_radius_mm.or(stated.nose_radius_mm);
+    tool.tip = tool.tip.or(stated.tip);
+    tool.turning.insert = tool.turning.insert.or(stated.letter);
+    let edge = stated.insert.and_then(|insert| insert.edge_mm);
     tool.flute_length_mm = tool.flute_length_mm.or(edge);
-    let approach = said.holder.and_then(|holder| holder.approach_degrees());
-    let fits = said.holder.is_some_and(|holder| tool.turning.insert == Some(holder.letter));
+    let approach = stated.holder.and_then(|holder| holder.approach_degrees());
+    let fits = stated.holder.is_some_and(|holder| tool.turning.insert == Some(holder.letter));
     let approach = approach.filter(|_| fits).map(f64::to_radians);
     tool.turning.approach_angle_rad = tool.turning.approach_angle_rad.or(approach);
 }
 
 /// What a comment contradicts: the designation in it, or the machine file.
-pub(super) fn contradiction(said: &CommentedTool, known: Option<&Tool>) -> Option<String> {
-    let number = said.number;
+pub(super) fn contradiction(stated: &CommentedTool, known: Option<&Tool>) -> Option<String> {
+    let number = stated.number;
     let differs = |one: f64, other: f64| (one - other).abs() > NOSE_TOLERANCE_MM;
-    if let (Some(words), Some(insert)) = (said.other_nose_mm, said.insert) {
+    if let (Some(words), Some(insert)) = (stated.other_nose_mm, stated.insert) {
         return Some(format!(
             "tool {number}: the comment says a nose radius of {words} mm, and its insert has {} mm",
             insert.nose_mm
         ));
     }
     let known = known?;
-    let (said_nose, own) = (said.nose_radius_mm?, known.nose_radius_mm?);
+    let (stated_nose, own) = (stated.nose_radius_mm?, known.nose_radius_mm?);
     let from = known
         .turning
         .insert_designation
         .as_ref()
         .map(|written: &WrittenDesignation<_>| format!(" (its insert is {})", written.text));
-    differs(said_nose, own).then(|| {
+    differs(stated_nose, own).then(|| {
         format!(
-            "tool {number}: the comment says a nose radius of {said_nose} mm, and the machine file {own} mm{}",
+            "tool {number}: the comment says a nose radius of {stated_nose} mm, and the machine file {own} mm{}",
             from.unwrap_or_default()
         )
     })

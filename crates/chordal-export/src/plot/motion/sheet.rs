@@ -34,7 +34,7 @@ struct ChartUnits {
 }
 
 impl ChartUnits {
-    fn of(inch: bool, way_mm: f64) -> ChartUnits {
+    fn of(inch: bool, path_mm: f64) -> ChartUnits {
         if inch {
             let per = 1.0 / INCH;
             ChartUnits {
@@ -48,7 +48,7 @@ impl ChartUnits {
                 speed: ("mm/min", 60.0),
                 acceleration: ("mm/s²", 1.0),
                 jerk: ("m/s³", 1e-3),
-                distance: if way_mm > 20_000.0 { ("m", 1e-3) } else { ("mm", 1.0) },
+                distance: if path_mm > 20_000.0 { ("m", 1e-3) } else { ("mm", 1.0) },
             }
         }
     }
@@ -288,13 +288,13 @@ impl MotionSheet<'_> {
     }
 
     fn along_the_path(&self, out: &mut String, rect: PixelRect) {
-        let (way, factor) = self.words.distance;
+        let (course, factor) = self.words.distance;
         let (unit, scale) = self.words.speed;
         let x = AxisScale::new(0.0, (self.plot.by_distance.end() * factor).max(1e-9), 12.0, false);
         let high = self.plot.by_distance.extent(0).map_or(0.0, |extent| extent.1) * scale;
         let y = AxisScale::new(0.0, high.max(1e-9) * 1.06, 5.0, false);
         let chart = ChartArea { rect, x, y, unit: self.unit };
-        chart.frame(out, &format!("Speed along the path, {unit}"), way, self.colors);
+        chart.frame(out, &format!("Speed along the path, {unit}"), course, self.colors);
         let color = self.colors.faint;
         chart.curve(
             out,

@@ -341,8 +341,8 @@ impl Interpreter<'_> {
             let arguments = self.arguments(block, Some(at), false);
             self.enter_macro(&word, program, 1, &arguments)
         } else {
-            let given = CustomCodeCall { block: Some(block), arguments: &[] };
-            self.enter_program(&word, program, 1, given)
+            let provided = CustomCodeCall { block: Some(block), arguments: &[] };
+            self.enter_program(&word, program, 1, provided)
         };
         if entered {
             self.macros.in_alias += 1;
@@ -437,12 +437,12 @@ impl Interpreter<'_> {
             self.report_macro_nesting(word, depth, limit);
             return false;
         }
-        let given: Vec<(u32, f64)> = arguments
+        let provided: Vec<(u32, f64)> = arguments
             .iter()
             .filter_map(|(number, value)| Some((*number, value.known()?)))
             .collect();
-        let given = CustomCodeCall { block: None, arguments: &given };
-        if !self.enter_program(word, program, repeats, given) {
+        let provided = CustomCodeCall { block: None, arguments: &provided };
+        if !self.enter_program(word, program, repeats, provided) {
             return false;
         }
         self.macros.store.enter(arguments);

@@ -60,22 +60,22 @@ impl Interpreter<'_> {
         let mut at = 0;
         let shown = |part: &[u8]| String::from_utf8_lossy(part).into_owned();
         while at < bytes.len() {
-            let behind = &bytes[at + 1..];
+            let after = &bytes[at + 1..];
             if bytes[at] == b'%'
-                && let Some((places, length)) = format_of(behind, decimals)
+                && let Some((places, length)) = format_of(after, decimals)
             {
                 line += &shown(&bytes[plain..at]);
                 decimals = places;
                 at += 1 + length;
                 plain = at;
             } else if bytes[at] == b'#'
-                && behind.first().is_some_and(|b| b.is_ascii_digit() || *b == b'<')
+                && after.first().is_some_and(|b| b.is_ascii_digit() || *b == b'<')
             {
                 line += &shown(&bytes[plain..at]);
                 let start = range.start + at as u32;
-                let digits = behind.iter().take_while(|b| b.is_ascii_digit()).count();
-                let length = match behind[0] {
-                    b'<' => behind.iter().position(|b| *b == b'>').map_or(behind.len(), |n| n + 1),
+                let digits = after.iter().take_while(|b| b.is_ascii_digit()).count();
+                let length = match after[0] {
+                    b'<' => after.iter().position(|b| *b == b'>').map_or(after.len(), |n| n + 1),
                     _ => digits,
                 };
                 let value = TextRange::new(start, start + 1 + length as u32);

@@ -156,8 +156,8 @@ impl<'a> Interpreter<'a> {
         if ends.from.is_none_or(|from| head.offset < from) {
             *ends = LoopEnds { from: Some(head.offset), next: Some(head), found: Vec::new() };
         }
-        let behind = ends.found.partition_point(|(at, ..)| *at <= head.offset);
-        let known = ends.found[behind..].iter().find(|(_, own, _)| *own == number);
+        let following = ends.found.partition_point(|(at, ..)| *at <= head.offset);
+        let known = ends.found[following..].iter().find(|(_, own, _)| *own == number);
         if let Some((.., end)) = known {
             return Some(*end);
         }

@@ -97,8 +97,8 @@ impl<'a> Interpreter<'a> {
             self.report_length(range, length);
         }
         let mut parser = self.take_parser();
-        let behind = TextRange::new(range.start + 1, range.end);
-        parser.start(self.reader.text(), self.file, behind);
+        let following = TextRange::new(range.start + 1, range.end);
+        parser.start(self.reader.text(), self.file, following);
         let mut flow = BlockFlow::Next;
         loop {
             let statement = parse_line_statement(&mut parser);
@@ -330,9 +330,9 @@ impl<'a> Interpreter<'a> {
 
     /// What PRINT has held back when the program ends.
     pub(in super::super) fn print_pending(&mut self) {
-        let held = std::mem::take(&mut self.macros.lines.pending_print);
-        if !held.is_empty() {
-            self.kernel.emit(CommandKind::Output { text: held });
+        let retained = std::mem::take(&mut self.macros.lines.pending_print);
+        if !retained.is_empty() {
+            self.kernel.emit(CommandKind::Output { text: retained });
         }
     }
 
@@ -344,8 +344,8 @@ impl<'a> Interpreter<'a> {
             if answer.is_none() {
                 let name = String::from_utf8_lossy(target.range.slice(self.reader.text()));
                 let message = format!("the program asks for {name}, and no answer is given");
-                let given = self.machine.macros.inputs.len();
-                let note = format!("the machine file has {given} answers; 0 is used");
+                let provided = self.machine.macros.inputs.len();
+                let note = format!("the machine file has {provided} answers; 0 is used");
                 self.report_once(
                     Diagnostic::new(Code::InputNotAnswered, self.span(range), message)
                         .label("the operator would type a number here")

@@ -93,8 +93,8 @@ impl MacroState<'_> {
 impl MacroMemory {
     /// Moves its places to those of a text that has changed elsewhere.
     pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
-        let told = std::mem::take(&mut self.reported);
-        for (file, at, code) in told {
+        let noted = std::mem::take(&mut self.reported);
+        for (file, at, code) in noted {
             let at = if file == FileId(0) { shift.offset(at)? } else { at };
             self.reported.insert((file, at, code));
         }

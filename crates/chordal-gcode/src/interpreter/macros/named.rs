@@ -28,9 +28,9 @@ impl Interpreter<'_> {
             return Ok(value);
         }
         if let Some(value) = self.predefined(&name) {
-            let given = || self.machine.macros.named_variables.get(&name).copied();
+            let provided = || self.machine.macros.named_variables.get(&name).copied();
             let cause = self.cause_of_name(&name);
-            let value = MacroValue::or_unknown(value.or_else(given), cause);
+            let value = MacroValue::or_unknown(value.or_else(provided), cause);
             self.note_unknown(value, range);
             return Ok(value);
         }

@@ -54,8 +54,8 @@ impl Interpreter<'_> {
                 "Cannot probe with feed per rev mode",
             );
         }
-        let way = (0..AXES).map(|axis| (target[axis] - self.kernel.state.position[axis]).abs());
-        if self.control.parameters.strict_words && way.fold(0.0, f64::max) < MIN_PROBE_MM {
+        let course = (0..AXES).map(|axis| (target[axis] - self.kernel.state.position[axis]).abs());
+        if self.control.parameters.strict_words && course.fold(0.0, f64::max) < MIN_PROBE_MM {
             self.report_refused(
                 Diagnostic::new(Code::BadProbeMove, span, "this probe move ends where it begins")
                     .help("program an end point on the other side of what is probed"),
@@ -108,10 +108,10 @@ impl Interpreter<'_> {
         let mut nearest = f64::INFINITY;
         for axis in 0..AXES {
             let Some(plane) = probe.planes[axis] else { continue };
-            let way = target[axis] - from[axis];
-            let part = (plane - from[axis]) / way;
+            let course = target[axis] - from[axis];
+            let part = (plane - from[axis]) / course;
             // A move along the plane does not meet it.
-            if way != 0.0 && (0.0..=1.0).contains(&part) {
+            if course != 0.0 && (0.0..=1.0).contains(&part) {
                 nearest = nearest.min(part);
             }
         }

@@ -96,9 +96,9 @@ impl Interpreter<'_> {
         index: u32,
         range: TextRange,
     ) -> Result<MacroValue, EvaluationError> {
-        let given = self.macros.kept.get(&index).copied();
+        let provided = self.macros.kept.get(&index).copied();
         let Some((what, at)) = self.system_at(index) else {
-            return given
+            return provided
                 .map(MacroValue::Number)
                 .ok_or_else(|| no_variable(f64::from(index), range));
         };
@@ -108,8 +108,8 @@ impl Interpreter<'_> {
         let value = match what {
             SystemVariable::WorkSystem
             | SystemVariable::WorkTable
-            | SystemVariable::ProbeResult => given.or_else(|| self.system_value(what, at)),
-            _ => self.system_value(what, at).or(given),
+            | SystemVariable::ProbeResult => provided.or_else(|| self.system_value(what, at)),
+            _ => self.system_value(what, at).or(provided),
         };
         Ok(MacroValue::or_unknown(value, UnknownCause::Variable(index)))
     }
@@ -194,8 +194,8 @@ impl Interpreter<'_> {
         range: TextRange,
     ) -> Result<(), EvaluationError> {
         let Some((what, at)) = self.system_at(index) else {
-            let given = self.macros.kept.get_mut(&index);
-            let place = given.ok_or_else(|| no_variable(f64::from(index), range))?;
+            let provided = self.macros.kept.get_mut(&index);
+            let place = provided.ok_or_else(|| no_variable(f64::from(index), range))?;
             match value.known() {
                 Some(value) => *place = value,
                 None => {

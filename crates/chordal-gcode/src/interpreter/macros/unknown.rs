@@ -243,21 +243,21 @@ impl Interpreter<'_> {
             let mut diagnostic = Diagnostic::new(Code::UnknownVariable, span, message)
                 .label("the first one")
                 .help(self.give(cause, &self.name_of(cause)));
-            let held = |held: VariableRetention| -> Vec<UnknownCause> {
-                let is_held = |cause: &UnknownCause| match *cause {
+            let retained = |held: VariableRetention| -> Vec<UnknownCause> {
+                let is_retained = |cause: &UnknownCause| match *cause {
                     UnknownCause::Variable(number) => self
                         .rules()
                         .common_range(number)
                         .is_some_and(|range| range.retention == held),
                     UnknownCause::Letters(..) | UnknownCause::Name(_) => false,
                 };
-                own.iter().copied().filter(is_held).collect()
+                own.iter().copied().filter(is_retained).collect()
             };
             let keep = |some: &[UnknownCause]| {
                 if some.len() == 1 { "keeps its value" } else { "keep their values" }
             };
-            let over = held(VariableRetention::OverPowerOff);
-            let until = held(VariableRetention::UntilPowerOff);
+            let over = retained(VariableRetention::OverPowerOff);
+            let until = retained(VariableRetention::UntilPowerOff);
             for (some, how) in [(over, "over power-off"), (until, "until power-off")] {
                 if !some.is_empty() {
                     let text = format!("{} {} {how}", self.names_of(&some), keep(&some));

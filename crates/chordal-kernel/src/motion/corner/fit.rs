@@ -84,9 +84,9 @@ impl CornerLeg {
     fn direction_at(&self, place: CornerPoint) -> CornerPoint {
         match self.arc {
             None => {
-                let way = minus(self.to, self.from);
-                let length = norm(way);
-                [way[0] / length, way[1] / length]
+                let path = minus(self.to, self.from);
+                let length = norm(path);
+                [path[0] / length, path[1] / length]
             }
             Some((center, sweep)) => {
                 let spoke = minus(place, center);
@@ -180,14 +180,14 @@ fn meetings(first: OffsetShape, second: OffsetShape) -> [Option<CornerPoint>; 2]
             OffsetShape::Circle { center, radius },
             OffsetShape::Circle { center: other, radius: other_radius },
         ) => {
-            let way = minus(other, center);
-            let apart = norm(way);
-            if apart == 0.0 {
+            let path = minus(other, center);
+            let separate = norm(path);
+            if separate == 0.0 {
                 return [None; 2];
             }
-            let direction = [way[0] / apart, way[1] / apart];
-            let to_chord =
-                (apart * apart + radius * radius - other_radius * other_radius) / (2.0 * apart);
+            let direction = [path[0] / separate, path[1] / separate];
+            let to_chord = (separate * separate + radius * radius - other_radius * other_radius)
+                / (2.0 * separate);
             let half = radius * radius - to_chord * to_chord;
             if half < 0.0 {
                 return [None; 2];

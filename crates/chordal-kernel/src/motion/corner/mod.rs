@@ -61,8 +61,8 @@ impl Kernel<'_> {
     /// A contour ends: a corner at the end of its last move is none.
     pub fn end_corners_of_contour(&mut self) {
         self.corners.request = None;
-        if let Some(held) = self.corners.queued.take() {
-            self.pass_on(*held);
+        if let Some(retained) = self.corners.queued.take() {
+            self.pass_on(*retained);
         }
     }
 
@@ -73,8 +73,8 @@ impl Kernel<'_> {
 
     /// The corner that waits is at the end of the last move: what comes is the move after it, in this block or the next.
     pub fn corner_move_done(&mut self) {
-        if let Some(held) = &mut self.corners.queued {
-            held.is_open = false;
+        if let Some(retained) = &mut self.corners.queued {
+            retained.is_open = false;
         }
     }
 
@@ -240,22 +240,22 @@ impl Kernel<'_> {
     }
 
     /// The move that was held, its corner, and what came after; gives what is left of the next move.
-    fn join(&mut self, held: QueuedMove, next: CommandKind) -> Option<CommandKind> {
-        match self.corner_between(&held, &next) {
+    fn join(&mut self, retained: QueuedMove, next: CommandKind) -> Option<CommandKind> {
+        match self.corner_between(&retained, &next) {
             Ok(Some(JoinedMoves { first, corner, next })) => {
                 for part in first.into_iter().chain([corner]) {
-                    let command = self.in_work(part, held.origin);
+                    let command = self.in_work(part, retained.origin);
                     self.hand_over(&command);
                 }
-                self.push_waiting(held.waiting);
+                self.push_waiting(retained.waiting);
                 next
             }
             Ok(None) => {
-                self.pass_on(held);
+                self.pass_on(retained);
                 Some(next)
             }
             Err(refusal) => {
-                self.give_up(held, refusal);
+                self.give_up(retained, refusal);
                 Some(next)
             }
         }
@@ -393,19 +393,19 @@ impl Kernel<'_> {
             let refusal = refusal(Code::CornerBlock, "this block makes no move", help);
             self.refuse(&corner, refusal, None);
         }
-        let Some(held) = &mut self.corners.queued else { return };
-        let own = std::mem::take(&mut held.is_open);
-        let fresh = held.judged;
-        held.judged = held.waiting.len();
+        let Some(retained) = &mut self.corners.queued else { return };
+        let own = std::mem::take(&mut retained.is_open);
+        let fresh = retained.judged;
+        retained.judged = retained.waiting.len();
         if own {
             return;
         }
         let mut between = None;
-        for waiting in &held.waiting[fresh..] {
+        for waiting in &retained.waiting[fresh..] {
             let QueuedItem::Command(command) = waiting else { continue };
             match command.kind {
                 CommandKind::Idle => {}
-                CommandKind::Dwell { .. } => held.dwells += 1,
+                CommandKind::Dwell { .. } => retained.dwells += 1,
                 CommandKind::End => between = Some("the program ends before the next move"),
                 CommandKind::Plane(_) => between = Some("the plane changes before the next move"),
                 _ => {
@@ -413,14 +413,14 @@ impl Kernel<'_> {
                 }
             }
         }
-        if held.dwells > self.rules.corner.dwells_between {
+        if retained.dwells > self.rules.corner.dwells_between {
             between = between.or(Some("a dwell comes before the next move"));
         }
         if let Some(what) = between
-            && let Some(held) = self.corners.queued.take()
+            && let Some(retained) = self.corners.queued.take()
         {
             let help = "write the next move into the block after it";
-            self.give_up(*held, refusal(Code::CornerNext, what, help));
+            self.give_up(*retained, refusal(Code::CornerNext, what, help));
         }
     }
 
@@ -432,9 +432,9 @@ impl Kernel<'_> {
     /// A corner that waits is given up: no move comes before what happens now.
     pub(crate) fn end_corner_before(&mut self, what: &'static str) {
         self.corner_block_done();
-        if let Some(held) = self.corners.queued.take() {
+        if let Some(retained) = self.corners.queued.take() {
             let help = "write the next move after it, or remove the word";
-            self.give_up(*held, refusal(Code::CornerNext, what, help));
+            self.give_up(*retained, refusal(Code::CornerNext, what, help));
         }
     }
 
@@ -443,8 +443,8 @@ impl Kernel<'_> {
         if self.corners.queued.is_some() {
             let modal = Box::new(modal(&self.state));
             let origin = self.origin;
-            if let Some(held) = &mut self.corners.queued {
-                held.waiting.push(QueuedItem::BlockDone(origin, modal));
+            if let Some(retained) = &mut self.corners.queued {
+                retained.waiting.push(QueuedItem::BlockDone(origin, modal));
             }
             return;
         }
@@ -452,18 +452,18 @@ impl Kernel<'_> {
         sink.block_done(origin, &|| modal(state));
     }
 
-    fn give_up(&mut self, held: QueuedMove, refusal: CornerRefusal) {
-        let corner = held.corner;
-        let reached = (held.call, held.block_number);
-        self.pass_on(held);
+    fn give_up(&mut self, retained: QueuedMove, refusal: CornerRefusal) {
+        let corner = retained.corner;
+        let reached = (retained.call, retained.block_number);
+        self.pass_on(retained);
         self.refuse(&corner, refusal, Some(reached));
     }
 
     /// The move as it was written, and what came after.
-    fn pass_on(&mut self, held: QueuedMove) {
-        let kind = held.frames.map().command(held.kind, held.plane);
-        self.hand_over(&Command { kind, origin: held.origin });
-        self.push_waiting(held.waiting);
+    fn pass_on(&mut self, retained: QueuedMove) {
+        let kind = retained.frames.map().command(retained.kind, retained.plane);
+        self.hand_over(&Command { kind, origin: retained.origin });
+        self.push_waiting(retained.waiting);
     }
 
     fn push_waiting(&mut self, waiting: Vec<QueuedItem>) {

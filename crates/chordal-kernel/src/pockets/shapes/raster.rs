@@ -126,9 +126,9 @@ impl<'a> PocketRegion<'a> {
         for (index, row) in rows.iter().enumerate() {
             let line = if first { row.line } else { 0 };
             for (end, (_, point)) in row.ends.iter().enumerate() {
-                let way = here.distance(*point);
-                if line < best.0 || line == best.0 && way < best.1 - COINCIDENT_POINT_MM {
-                    best = (line, way, index, end);
+                let path = here.distance(*point);
+                if line < best.0 || line == best.0 && path < best.1 - COINCIDENT_POINT_MM {
+                    best = (line, path, index, end);
                 }
             }
         }
@@ -203,19 +203,19 @@ impl<'a> PocketRegion<'a> {
 
     /// True when the straight way stays in the region.
     fn is_clear(&self, from: Vec2, to: Vec2) -> bool {
-        let way = OutlineElement::Line { from, to };
-        if way.length() < MIN_ROW_MM {
+        let path = OutlineElement::Line { from, to };
+        if path.length() < MIN_ROW_MM {
             return true;
         }
-        let apart = |p: &Vec2| p.distance(from) > MIN_ROW_MM && p.distance(to) > MIN_ROW_MM;
+        let separate = |p: &Vec2| p.distance(from) > MIN_ROW_MM && p.distance(to) > MIN_ROW_MM;
         let crossed = self
             .border
             .elements()
             .iter()
-            .any(|element| element.crossings(&way, COINCIDENT_POINT_MM).iter().any(apart));
+            .any(|element| element.crossings(&path, COINCIDENT_POINT_MM).iter().any(separate));
         let far =
-            |t: f64| self.outline.distance(way.point(t)) >= self.distance - 2.0 * ON_BORDER_MM;
-        !crossed && [0.25, 0.5, 0.75].into_iter().all(far) && self.holds_or_borders(way.point(0.5))
+            |t: f64| self.outline.distance(path.point(t)) >= self.distance - 2.0 * ON_BORDER_MM;
+        !crossed && [0.25, 0.5, 0.75].into_iter().all(far) && self.holds_or_borders(path.point(0.5))
     }
 
     /// Inside, or on the border itself.

@@ -123,8 +123,9 @@ fn return_level(context: &ConvertContext, draft: &mut BlockDraft, at: usize) {
     let is_level = |action: Action| {
         matches!(action, Action::Mode(ModeCode::ReturnInitial | ModeCode::ReturnToR))
     };
-    let is_said = || (0..=at).any(|block| context.source.has_action(block, context.from, is_level));
-    if one == other || is_said() {
+    let is_stated =
+        || (0..=at).any(|block| context.source.has_action(block, context.from, is_level));
+    if one == other || is_stated() {
         return;
     }
     let level = if one { ModeCode::ReturnToR } else { ModeCode::ReturnInitial };

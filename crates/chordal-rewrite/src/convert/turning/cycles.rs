@@ -106,10 +106,10 @@ impl LatheCycleBlock<'_> {
 
     /// The last block before this one that only sets the cycle up.
     fn setup(&self) -> Option<&Block> {
-        let wanted = Action::Once(OnceCode::Turning(self.cycle));
+        let target = Action::Once(OnceCode::Turning(self.cycle));
         let source = self.context.source;
         let found = (0..self.at).rev().find(|at| {
-            source.has_action(*at, self.context.from, |action| action == wanted)
+            source.has_action(*at, self.context.from, |action| action == target)
                 && lacks_ends(self.cycle, &source.blocks[*at])
         });
         found.map(|at| &source.blocks[at])

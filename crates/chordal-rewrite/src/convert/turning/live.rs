@@ -59,9 +59,9 @@ fn rpm_text(context: &ConvertContext, rpm: f64) -> String {
 fn by_code(context: &ConvertContext, draft: &mut BlockDraft, at: usize, run: &BlockExecution) {
     let title = context.to.table.title;
     let gap = if context.style().spaced { " " } else { "" };
-    let place = |wanted: &dyn Fn(Action) -> bool| {
+    let place = |target: &dyn Fn(Action) -> bool| {
         (0..draft.block.words.len())
-            .find(|word| code_action(&draft.block.words[*word], context.from).is_some_and(wanted))
+            .find(|word| code_action(&draft.block.words[*word], context.from).is_some_and(target))
     };
     let p = draft.place(b'P');
     if context.live.starts.contains(&at) {

@@ -122,8 +122,8 @@ fn tool_as_station(
     at: usize,
     run: &BlockExecution,
 ) {
-    let is = |word: usize, wanted: fn(Action) -> bool| {
-        code_action(&draft.block.words[word], context.from).is_some_and(wanted)
+    let is = |word: usize, target: fn(Action) -> bool| {
+        code_action(&draft.block.words[word], context.from).is_some_and(target)
     };
     let words = 0..draft.block.words.len();
     let change = words

@@ -124,8 +124,8 @@ impl HeightMap {
         if placed.len() < count {
             let missing = (0..count)
                 .zip(placed.iter().map(|(place, _)| *place).chain([usize::MAX]))
-                .find(|(wanted, found)| wanted != found)
-                .map_or(0, |(wanted, _)| wanted);
+                .find(|(target, found)| target != found)
+                .map_or(0, |(target, _)| target);
             let at = [columns[missing % columns.len()], rows[missing / columns.len()]];
             let what = format!(
                 "the grid of {} by {} lacks {}, the first at X{} Y{}",

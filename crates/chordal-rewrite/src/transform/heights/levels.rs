@@ -51,11 +51,11 @@ pub(super) fn levels(
     for (block, runs) in ran {
         levels.insert(block.range.start, level);
         let run = &runs.first;
-        let is_elsewhere = run.from[2] != run.to[2] || run.known[0].has(2) != run.known[1].has(2);
+        let is_outside = run.from[2] != run.to[2] || run.known[0].has(2) != run.known[1].has(2);
         level = match run.context.did {
-            BlockEffect::Nothing if is_elsewhere => ZLevel::Machine,
+            BlockEffect::Nothing if is_outside => ZLevel::Machine,
             BlockEffect::Nothing => level,
-            _ if is_machine(writer, block) && is_elsewhere => ZLevel::Machine,
+            _ if is_machine(writer, block) && is_outside => ZLevel::Machine,
             _ if is_machine(writer, block) => level,
             BlockEffect::Rapid if block.word(b'Z').is_some() => ZLevel::Rapid,
             // Aside from a cut it is lifted before.

@@ -69,8 +69,8 @@ impl PlanePath {
             // The slopes at which a straight from here passes all places so far within the tolerance.
             let mut slopes = [f64::NEG_INFINITY, f64::INFINITY];
             for to in from + 1..nodes.len() {
-                let way = nodes[to] - nodes[from];
-                let slope = |height: f64| (height - heights[from]) / way;
+                let path = nodes[to] - nodes[from];
+                let slope = |height: f64| (height - heights[from]) / path;
                 if (slopes[0]..=slopes[1]).contains(&slope(heights[to])) {
                     best = to;
                 }

@@ -201,8 +201,8 @@ impl HeightProver<'_> {
         let aside = |step: &ProofMove| step.from[..2] != step.to[..2] || step.shape.is_some();
         let pieces = match pieces {
             [down, rest @ ..] if !rest.is_empty() && aside(old) && !aside(down) => {
-                let wanted = old.from[2] + self.map.height([old.from[0], old.from[1]]);
-                if (down.to[2] - wanted).abs() > self.allowed {
+                let target = old.from[2] + self.map.height([old.from[0], old.from[1]]);
+                if (down.to[2] - target).abs() > self.allowed {
                     return Err("the cut does not begin on the surface".into());
                 }
                 rest
@@ -237,7 +237,8 @@ impl HeightProver<'_> {
         if !knows || !pieces[0].known[0].has(2) {
             return Ok(());
         }
-        let way = PlanePath::Line { from: [old.from[0], old.from[1]], to: [old.to[0], old.to[1]] };
+        let route =
+            PlanePath::Line { from: [old.from[0], old.from[1]], to: [old.to[0], old.to[1]] };
         if let [up, _] = pieces
             && (up.from[..2] != up.to[..2] || up.to[2] < up.from[2] - self.allowed)
         {
@@ -248,11 +249,11 @@ impl HeightProver<'_> {
         if above(last.from[2], old.from[2]) && above(last.to[2], old.to[2]) {
             return Ok(());
         }
-        let places = way.nodes(self.map, self.allowed).map_err(|_| "the rapid is too long")?;
+        let places = route.nodes(self.map, self.allowed).map_err(|_| "the rapid is too long")?;
         let near = places.into_iter().find(|t| {
             let between = |from: f64, to: f64| from * (1.0 - t) + to * t;
-            let wanted = between(old.from[2], old.to[2]) + self.map.height(way.at(*t));
-            between(last.from[2], last.to[2]) < wanted - 2.0 * self.allowed
+            let target = between(old.from[2], old.to[2]) + self.map.height(route.at(*t));
+            between(last.from[2], last.to[2]) < target - 2.0 * self.allowed
         });
         match near {
             Some(_) => Err("the rapid would come nearer to the surface".into()),
@@ -261,8 +262,8 @@ impl HeightProver<'_> {
     }
 
     fn line(&mut self, old: &ProofMove, pieces: &[ProofMove]) -> Result<(), String> {
-        let way = [old.to[0] - old.from[0], old.to[1] - old.from[1]];
-        let square = way[0] * way[0] + way[1] * way[1];
+        let route = [old.to[0] - old.from[0], old.to[1] - old.from[1]];
+        let square = route[0] * route[0] + route[1] * route[1];
         if square == 0.0 {
             return self.down(old, pieces);
         }
@@ -272,7 +273,7 @@ impl HeightProver<'_> {
                 return Err("a line became an arc".into());
             }
             let fraction = |at: &Position| {
-                ((at[0] - old.from[0]) * way[0] + (at[1] - old.from[1]) * way[1]) / square
+                ((at[0] - old.from[0]) * route[0] + (at[1] - old.from[1]) * route[1]) / square
             };
             let [first, last] = [fraction(&new.from), fraction(&new.to)];
             if first < before - 1e-9 || last < first {
@@ -280,7 +281,7 @@ impl HeightProver<'_> {
             }
             before = last;
             let aside = [first, last].into_iter().zip([&new.from, &new.to]).map(|(t, at)| {
-                let on = [old.from[0] + way[0] * t, old.from[1] + way[1] * t];
+                let on = [old.from[0] + route[0] * t, old.from[1] + route[1] * t];
                 (at[0] - on[0]).hypot(at[1] - on[1])
             });
             let aside = aside.fold(0.0, f64::max);
@@ -317,11 +318,11 @@ impl HeightProver<'_> {
             };
             let piece = arc(&own, [new.from[0], new.from[1]]);
             let PlanePath::Arc { radius: of_piece, .. } = piece else { return Ok(()) };
-            let apart = (own.center[0] - shape.center[0]).hypot(own.center[1] - shape.center[1]);
+            let separate = (own.center[0] - shape.center[0]).hypot(own.center[1] - shape.center[1]);
             let first = swept / shape.sweep;
             swept += own.sweep;
             // Every point of the piece is at least as near to the old circle as this.
-            let reach = apart + (of_piece - radius).abs();
+            let reach = separate + (of_piece - radius).abs();
             // On a short piece a centre that is off moves its points by much less: its ends are on it.
             let ends = [&new.from, &new.to].map(|at| {
                 ((at[0] - shape.center[0]).hypot(at[1] - shape.center[1]) - radius).abs()
@@ -371,7 +372,7 @@ impl HeightProver<'_> {
         let most = (new.to[2] - new.from[2] - rise * (part[1] - part[0])).abs() + steepest * length;
         // The place on the old move lies aside, where the surface has another height.
         let slant = steepest * aside;
-        let apart = |off: f64| (off + slant).hypot(aside);
+        let separate = |off: f64| (off + slant).hypot(aside);
         let allowed = (self.allowed * self.allowed - aside * aside).max(0.0).sqrt() - slant;
         let mut open = vec![(0.0, 1.0)];
         let (mut deepest, mut steps) = (off(0.0).max(off(1.0)), 0);
@@ -385,7 +386,7 @@ impl HeightProver<'_> {
             if deepest > allowed + 1e-9 {
                 return Err(format!(
                     "the new path is {:.4} mm off, {:.4} mm is allowed",
-                    apart(deepest),
+                    separate(deepest),
                     self.allowed
                 ));
             }
@@ -409,7 +410,7 @@ impl HeightProver<'_> {
             heights.iter().copied().fold(low, f64::min),
             heights.iter().copied().fold(high, f64::max),
         ]);
-        let distance = apart(bound.max(deepest));
+        let distance = separate(bound.max(deepest));
         self.proved.deviation_mm = self.proved.deviation_mm.max(distance);
         Ok(())
     }

@@ -224,14 +224,14 @@ impl HeightWriter<'_> {
         level: ZLevel,
         alone: bool,
     ) -> Result<(), TransformRefusal> {
-        let way = plane_path(run);
+        let path = plane_path(run);
         if !self.warp.clamp {
-            checks::inside(&self.writer, self.map, block, run, &way)?;
+            checks::inside(&self.writer, self.map, block, run, &path)?;
         }
         let step = run.context.units.mm()
             * 0.1f64.powi(i32::from(self.writer.style.digits(run.context.units)));
         // On a slope a place that is rounded aside has another height as well.
-        let [low, high] = way.bounds();
+        let [low, high] = path.bounds();
         let rounded = ROUNDING_STEPS * step * (1.0 + self.map.steepest(low, high));
         let left = self.warp.tolerance_mm - rounded;
         if left < step {
@@ -244,10 +244,10 @@ impl HeightWriter<'_> {
             );
             return Err(self.refuse(block, what, "allow a larger tolerance: --heights-tolerance"));
         }
-        let ends = way.pieces(self.map, left).map_err(|_| {
+        let ends = path.pieces(self.map, left).map_err(|_| {
             self.refuse(block, "the move crosses too many points of the map", "use fewer points")
         })?;
-        let mut pieces = self.rounded(run, &way, &ends);
+        let mut pieces = self.rounded(run, &path, &ends);
         let begin = [run.from[0], run.from[1], self.on_surface(run, point(run))];
         let is_aside = run.from[..2] != run.to[..2] || run.context.did == BlockEffect::Arc;
         if level == ZLevel::Rapid
@@ -274,7 +274,7 @@ impl HeightWriter<'_> {
     }
 
     /// The ends of pieces as they are written; those that come to nothing are left out.
-    fn rounded(&self, run: &BlockPass, way: &PlanePath, ends: &[f64]) -> Vec<CorrectedPiece> {
+    fn rounded(&self, run: &BlockPass, path: &PlanePath, ends: &[f64]) -> Vec<CorrectedPiece> {
         let sweep = run.shape.map_or(0.0, |shape| shape.sweep);
         let mut pieces: Vec<CorrectedPiece> = Vec::new();
         let (mut at, mut before) = (point(run), 0.0);
@@ -282,7 +282,7 @@ impl HeightWriter<'_> {
             let is_last = index + 1 == ends.len();
             let [x, y] = match is_last {
                 true => [run.to[0], run.to[1]],
-                false => way.at(*end).map(|value| self.number(run, value).1),
+                false => path.at(*end).map(|value| self.number(run, value).1),
             };
             if [x, y] == at[..2] && !is_last {
                 continue;

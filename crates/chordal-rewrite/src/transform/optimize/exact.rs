@@ -38,9 +38,9 @@ pub(super) fn whole(length: f64, increment: f64) -> Option<i64> {
 impl ExactPoints {
     /// Those of a line.
     pub fn of_line(from: [i64; 3], to: [i64; 3]) -> ExactPoints {
-        let way = [0, 1, 2].map(|axis| to[axis] - from[axis]);
-        let count = way.iter().fold(0, |count, length| common(count, length.abs()));
-        let step = way.map(|length| if count > 0 { length / count } else { 0 });
+        let path = [0, 1, 2].map(|axis| to[axis] - from[axis]);
+        let count = path.iter().fold(0, |count, length| common(count, length.abs()));
+        let step = path.map(|length| if count > 0 { length / count } else { 0 });
         ExactPoints::Line { from, step, count }
     }
 

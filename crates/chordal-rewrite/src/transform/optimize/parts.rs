@@ -145,10 +145,10 @@ impl<'a> BlockSplitter<'a> {
                 continue;
             };
             // A word that says something else is scaled, turned or polar.
-            let said = word.number().map(|n| self.writer.length_mm(run.context.units, n));
-            let said = said.and_then(|mm| whole(mm, increment));
-            let way = if run.context.incremental { to[axis] - from[axis] } else { to[axis] };
-            if said != Some(way) {
+            let stated = word.number().map(|n| self.writer.length_mm(run.context.units, n));
+            let stated = stated.and_then(|mm| whole(mm, increment));
+            let path = if run.context.incremental { to[axis] - from[axis] } else { to[axis] };
+            if stated != Some(path) {
                 return Err("its words are turned, scaled or polar");
             }
         }
@@ -204,9 +204,9 @@ impl<'a> BlockSplitter<'a> {
     /// What a word of an axis says on the way from one point to another.
     fn number(&self, whole: &SplittableBlock, axis: usize, from: [i64; 3], to: [i64; 3]) -> String {
         let BlockPass { context, .. } = &whole.run;
-        let way = if context.incremental { to[axis] - from[axis] } else { to[axis] };
+        let path = if context.incremental { to[axis] - from[axis] } else { to[axis] };
         let old = whole.block.last(b"XYZ"[axis]).and_then(|word| word.number());
-        self.writer.length(way as f64 * self.increment(&whole.run), context.units, old, 0)
+        self.writer.length(path as f64 * self.increment(&whole.run), context.units, old, 0)
     }
 
     /// The edits of the block's own words, for its first part.

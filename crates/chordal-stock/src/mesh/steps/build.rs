@@ -120,11 +120,11 @@ impl<'a> StepBuilder<'a> {
                 // The count was checked against 32 bits before.
                 self.first.push(self.vertices.len() as u32);
                 let node = self.node(at, used);
-                for (height, &way) in node.vertices().zip(node.ways()) {
-                    if way != [0, 0] {
+                for (height, &path) in node.vertices().zip(node.ways()) {
+                    if path != [0, 0] {
                         self.touching.push(TouchingVertex {
                             vertex: self.vertices.len() as u32,
-                            toward: way,
+                            toward: path,
                         });
                     }
                     self.vertices.push(self.point(at, height));

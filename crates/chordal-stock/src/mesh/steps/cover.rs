@@ -83,8 +83,8 @@ impl HeightRounder {
     fn height(&mut self, heights: &HeightSummary, tolerance: f64) -> f64 {
         let mean = heights.mean();
         let cells = heights.count as f64;
-        let wanted = mean + (self.missing / cells).clamp(-STEP, STEP);
-        let rounded = (wanted / STEP).round() * STEP;
+        let target = mean + (self.missing / cells).clamp(-STEP, STEP);
+        let rounded = (target / STEP).round() * STEP;
         let height = if heights.low < heights.high && heights.deviation_from(rounded) <= tolerance {
             rounded
         } else {

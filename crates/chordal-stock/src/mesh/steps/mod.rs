@@ -64,8 +64,8 @@ impl HeightMesh {
     #[must_use]
     pub fn parted(mut self, gap: f64) -> Mesh {
         for TouchingVertex { vertex, toward: [x, y] } in self.touching {
-            let way = Vec3::new(f64::from(x), f64::from(y), 0.0);
-            self.mesh.vertices[vertex as usize] += way * gap;
+            let path = Vec3::new(f64::from(x), f64::from(y), 0.0);
+            self.mesh.vertices[vertex as usize] += path * gap;
         }
         self.mesh
     }

@@ -202,13 +202,13 @@ impl LevelMeeting {
                 meeting.count - 1
             });
             meeting.vertex[face] = number as u8;
-            let way = WAYS[solid_cell(face, above, below)];
-            for (sum, part) in meeting.ways[number].iter_mut().zip(way) {
+            let path = WAYS[solid_cell(face, above, below)];
+            for (sum, part) in meeting.ways[number].iter_mut().zip(path) {
                 *sum += part;
             }
         }
         let is_one = meeting.count < 2;
-        meeting.ways = meeting.ways.map(|way| if is_one { [0, 0] } else { way.map(i8::signum) });
+        meeting.ways = meeting.ways.map(|path| if is_one { [0, 0] } else { path.map(i8::signum) });
         meeting
     }
 

@@ -50,7 +50,7 @@ impl EngagementLimits<'_> {
                     value,
                     limit,
                 };
-                let said = self.limit_diagnostic(&problem, each);
+                let stated = self.limit_diagnostic(&problem, each);
                 if let (true, Some(kept), Some(diagnostic)) =
                     (again, found.list.last_mut(), found.diagnostics.last_mut())
                 {
@@ -59,11 +59,11 @@ impl EngagementLimits<'_> {
                         _ => value.most > kept.value.most,
                     };
                     if worse {
-                        (*kept, *diagnostic) = (problem, said);
+                        (*kept, *diagnostic) = (problem, stated);
                     }
                 } else if found.list.len() < MAX_PROBLEMS {
                     found.list.push(problem);
-                    found.diagnostics.push(said);
+                    found.diagnostics.push(stated);
                 } else {
                     found.more += 1;
                 }

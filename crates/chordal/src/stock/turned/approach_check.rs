@@ -64,10 +64,10 @@ impl Job<'_> {
         let is_head = |origin: &Origin| {
             origin.span.file == FileId(0) && head.contains(&origin.span.range.start)
         };
-        let way: Vec<TurnMove> =
+        let course: Vec<TurnMove> =
             begun.moves.iter().take_while(|one| is_head(&one.origin)).copied().collect();
-        let after = begun.moves.len() - way.len();
-        let mut found = ApproachCheck { moves: way.len() as u64, ..ApproachCheck::default() };
+        let after = begun.moves.len() - course.len();
+        let mut found = ApproachCheck { moves: course.len() as u64, ..ApproachCheck::default() };
         let Some(before) = old.moves.len().checked_sub(after) else {
             found.unknown = Some("the moves after the line are not the same".into());
             return Ok(found);
@@ -87,7 +87,7 @@ impl Job<'_> {
             &stock,
             TurnedProblems::new(old.units, self.sources()),
         );
-        let moves: Vec<TurnMove> = old.moves[..before].iter().chain(&way).copied().collect();
+        let moves: Vec<TurnMove> = old.moves[..before].iter().chain(&course).copied().collect();
         for number in 0..before {
             if self.is_interrupted() {
                 return Err(StockRunError::Interrupted);
@@ -121,12 +121,12 @@ fn meet(cutting: &mut TurnedRun<'_>, number: usize, moves: &[TurnMove], found: &
     let move_ = &moves[number];
     let line = move_.origin.line;
     let problems = cutting.found.list.iter().zip(&cutting.found.diagnostics).skip(known);
-    for (problem, said) in problems {
+    for (problem, stated) in problems {
         found.hits.push(ApproachHit {
             line,
             depth_mm: problem.depth_mm.most,
             at: [problem.at.z, problem.at.x],
-            what: said.message.clone(),
+            what: stated.message.clone(),
         });
     }
     let deepest = cutting.moves[cuts..].iter().max_by(|a, b| a.depth_mm.total_cmp(&b.depth_mm));

@@ -39,9 +39,9 @@ impl FeedChain {
         let Some(along) = self.side(tool, move_) else { return false };
         let Some(before) = self.walls.last().map(end_tangent) else { return false };
         let Some(normals) = tool.flank_normals() else { return false };
-        let behind =
+        let following =
             normals.into_iter().max_by(|a, b| (-*a).dot(before).total_cmp(&(-*b).dot(before)));
-        behind.is_some_and(|normal| normal.dot(along) > LEADS)
+        following.is_some_and(|normal| normal.dot(along) > LEADS)
     }
 
     /// Finds out on which side the part is; a chain that does not go on begins again.

@@ -113,15 +113,15 @@ impl<'a> TurnedRun<'a> {
                 self.cut(number, move_, tool);
                 self.in_thread = false;
                 if self.grooves.cut(number, move_, tool) {
-                    let held = self.grooves.part_off(
+                    let retained = self.grooves.part_off(
                         &self.stock,
                         moves,
                         self.tolerance,
                         &mut self.loose,
                         &mut self.found,
                     );
-                    if let Some(held) = held {
-                        self.stock = held;
+                    if let Some(retained) = retained {
+                        self.stock = retained;
                     }
                 }
             }

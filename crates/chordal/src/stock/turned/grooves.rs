@@ -93,9 +93,9 @@ impl GrooveRecord {
         }
         let lowest = |body: &Region| body.bounds().map_or(f64::INFINITY, |(low, _)| low.a);
         // The chuck holds what reaches farthest towards −Z.
-        let held =
+        let retained =
             (0..bodies.len()).min_by(|a, b| lowest(&bodies[*a]).total_cmp(&lowest(&bodies[*b])))?;
-        let held = bodies.swap_remove(held);
+        let retained = bodies.swap_remove(retained);
         for section in bodies {
             if let Some(radius) = pip(&section, plunge).filter(|radius| *radius > tolerance) {
                 let place = Vec2::new(0.5 * (plunge.from + plunge.to), radius);
@@ -104,7 +104,7 @@ impl GrooveRecord {
             }
             loose.push(CutOffPart { section, line: move_.origin.line, tool: move_.tool });
         }
-        Some(LatheStock::new(&held))
+        Some(LatheStock::new(&retained))
     }
 
     /// Looks at what is left between plunges, and below the deepest ones.

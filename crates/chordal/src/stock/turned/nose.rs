@@ -63,8 +63,8 @@ fn miss(segment: &OutlineSegment, path: &OutlineSegment, nose: f64) -> Option<(f
     match (segment.bend, path.bend) {
         (None, None) => {
             let along = (segment.end - segment.start).normalized()?;
-            let way = (path.end - path.start).normalized()?;
-            if along.cross(way).abs() > PARALLEL_TOLERANCE {
+            let course = (path.end - path.start).normalized()?;
+            if along.cross(course).abs() > PARALLEL_TOLERANCE {
                 return None;
             }
             // The region is to the left of its outline.

@@ -75,12 +75,12 @@ impl<'a> TurnedProblems<'a> {
             (*origin, *known, of.as_str()) == (at.origin, code, name)
         });
         if is_same
-            && let (Some(last), Some(said)) = (self.list.last_mut(), self.diagnostics.last_mut())
+            && let (Some(last), Some(stated)) = (self.list.last_mut(), self.diagnostics.last_mut())
         {
             if depth > last.depth_mm.most {
                 last.depth_mm = VolumeInterval { least: depth, most: depth };
                 last.at = Vec3::new(at.place.b, 0.0, at.place.a);
-                *said = diagnostic(code, depth, at, more, self.units);
+                *stated = diagnostic(code, depth, at, more, self.units);
             }
             return;
         }

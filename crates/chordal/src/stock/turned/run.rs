@@ -162,7 +162,7 @@ impl Job<'_> {
             give_power(&mut moves, &mut tools, &material);
         }
         let mut too_hard = overloads(self, &mut moves, gathered.units);
-        let TurnedRun { found, threads, target: wanted, bound, .. } = cutting;
+        let TurnedRun { found, threads, target: desired, bound, .. } = cutting;
         let has_problems = found.hits > 0 || !too_hard.is_empty() || report.counts.errors > 0;
         let is_proved = gathered.is_whole()
             && found.undecided == 0
@@ -193,7 +193,7 @@ impl Job<'_> {
             section,
             loose,
             threads,
-            target_section: wanted.map(|target| target.section),
+            target_section: desired.map(|target| target.section),
             target,
             makers: gathered.moves.iter().map(TurnMove::maker).collect(),
             replay,

@@ -90,13 +90,13 @@ fn distance(segment: &OutlineSegment, p: Vec2) -> f64 {
     let ends = segment.start.distance(p).min(segment.end.distance(p));
     match segment.bend {
         None => {
-            let way = segment.end - segment.start;
-            let square = way.dot(way);
+            let path = segment.end - segment.start;
+            let square = path.dot(path);
             if square == 0.0 {
                 return ends;
             }
-            let part = ((p - segment.start).dot(way) / square).clamp(0.0, 1.0);
-            p.distance(segment.start + way * part)
+            let part = ((p - segment.start).dot(path) / square).clamp(0.0, 1.0);
+            p.distance(segment.start + path * part)
         }
         Some(bend) => {
             let on = OutlineSegment::arc(segment.start, p, bend.center, bend.counterclockwise);

@@ -52,8 +52,8 @@ impl SpindleRevolutions {
             // After n revolutions the tool has come by first n + change n² / 2.
             let n = index - self.since;
             let first = advance - move_.lead_change * turns / 2.0;
-            let way = first * n + move_.lead_change * n * n / 2.0;
-            let share = if turns > 0.0 { (way / length).min(1.0) } else { 0.0 };
+            let course = first * n + move_.lead_change * n * n / 2.0;
+            let share = if turns > 0.0 { (course / length).min(1.0) } else { 0.0 };
             places.push(path.start + (path.end - path.start) * share);
             index += 1.0;
         }

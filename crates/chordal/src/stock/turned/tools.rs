@@ -119,7 +119,7 @@ fn insert(tool: &Tool) -> Result<LatheTool, NoOutline> {
         .ok_or_else(|| missing("flute_length", "the length of the cutting edges of the insert"))?;
     let triangle = tool.turning.insert.is_some_and(InsertLetter::is_triangle);
     let far = if triangle { InsertShape::Triangle } else { InsertShape::Parallelogram };
-    let held = match tip.number() {
+    let retained = match tip.number() {
         1..=4 => {
             let approach = tool.turning.approach_angle_rad.ok_or_else(|| {
                 missing("approach_angle", "between its main edge and the feed along Z")
@@ -137,14 +137,14 @@ fn insert(tool: &Tool) -> Result<LatheTool, NoOutline> {
             return Err(NoOutline(why.to_string()));
         }
     };
-    let middle = 0.5 * (held.flanks[0] + held.flanks[1]);
+    let middle = 0.5 * (retained.flanks[0] + retained.flanks[1]);
     let (sine, cosine) = libm::sincos(middle);
     Ok(LatheTool {
         has_assumed_point_angle: tool.has_assumed_point_angle(),
-        edges: held.outline()?,
+        edges: retained.outline()?,
         kind: TurningToolKind::Insert {
             nose,
-            flanks: held.flanks,
+            flanks: retained.flanks,
             centered: false,
             approach: tool.turning.approach_angle_rad,
         },

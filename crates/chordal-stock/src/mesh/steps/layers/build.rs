@@ -70,10 +70,10 @@ impl<'a> LayerBuilder<'a> {
         // The count was checked against 32 bits before.
         let corner = LayerCorner::new(&cells, self.vertices.len() as u32);
         for level in &corner.levels {
-            for &way in &level.meeting.ways[..level.meeting.count] {
-                if way != [0, 0] {
+            for &path in &level.meeting.ways[..level.meeting.count] {
+                if path != [0, 0] {
                     self.touching
-                        .push(TouchingVertex { vertex: self.vertices.len() as u32, toward: way });
+                        .push(TouchingVertex { vertex: self.vertices.len() as u32, toward: path });
                 }
                 self.vertices.push(self.point(at, level.height));
             }

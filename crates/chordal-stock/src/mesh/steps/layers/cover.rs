@@ -32,9 +32,9 @@ impl LayerCover {
         for end in [UNDERSIDE, TOP] {
             let mut growing = RectangleGrowth { field, stretches, tolerance, end, row: Vec::new() };
             for cell in 0..stretches.len() {
-                for stretch in stretches.range(cell) {
-                    if cover.of[stretch][end] == NONE {
-                        growing.rectangle(cell, stretch, &mut cover);
+                for section in stretches.range(cell) {
+                    if cover.of[section][end] == NONE {
+                        growing.rectangle(cell, section, &mut cover);
                     }
                 }
             }
@@ -69,11 +69,11 @@ struct RectangleGrowth<'a> {
 
 impl RectangleGrowth<'_> {
     /// From an end as far along X as the tolerance allows, then along Y.
-    fn rectangle(&mut self, cell: usize, stretch: usize, cover: &mut LayerCover) {
+    fn rectangle(&mut self, cell: usize, section: usize, cover: &mut LayerCover) {
         let LayerField { columns, rows, .. } = *self.field;
         let (column, row) = (cell % columns, cell / columns);
-        let mut heights = HeightSummary::NO.with(self.stretches.all[stretch][self.end]);
-        let mut all = vec![stretch];
+        let mut heights = HeightSummary::NO.with(self.stretches.all[section][self.end]);
+        let mut all = vec![section];
         let mut right = column + 1;
         while right < columns {
             let Some((next, more)) = self.next(row * columns + right, heights, cover) else {
@@ -103,9 +103,9 @@ impl RectangleGrowth<'_> {
         let into = if self.end == TOP { &mut cover.tops } else { &mut cover.undersides };
         let number = into.len() as u32;
         into.push(CellRectangle { columns: [column, right], rows: [row, top], height });
-        for stretch in all {
-            cover.of[stretch][self.end] = number;
-            cover.stretches.all[stretch][self.end] = height;
+        for section in all {
+            cover.of[section][self.end] = number;
+            cover.stretches.all[section][self.end] = height;
         }
     }
 
@@ -117,7 +117,7 @@ impl RectangleGrowth<'_> {
         cover: &LayerCover,
     ) -> Option<(usize, HeightSummary)> {
         let mean = heights.mean();
-        let off = |stretch: &usize| (self.stretches.all[*stretch][self.end] - mean).abs();
+        let off = |section: &usize| (self.stretches.all[*section][self.end] - mean).abs();
         let free = self.stretches.range(cell).filter(|at| cover.of[*at][self.end] == NONE);
         let nearest = free.min_by(|a, b| off(a).total_cmp(&off(b)))?;
         let height = self.stretches.all[nearest][self.end];
