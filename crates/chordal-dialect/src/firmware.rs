@@ -156,6 +156,25 @@ pub enum BuildOption {
     Coolant,
 }
 
+impl BuildOption {
+    /// All of them, in the order of their numbers.
+    pub const ALL: [BuildOption; 13] = [
+        BuildOption::Mist,
+        BuildOption::ToolTable,
+        BuildOption::Expressions,
+        BuildOption::Parentheses,
+        BuildOption::LowerCase,
+        BuildOption::MotionModes,
+        BuildOption::WorkSystems,
+        BuildOption::Planes,
+        BuildOption::Inch,
+        BuildOption::Turns,
+        BuildOption::Splines,
+        BuildOption::Probe,
+        BuildOption::Coolant,
+    ];
+}
+
 /// The codes that a build option brings: letter and ten times the number.
 pub type OptionalCodes = (BuildOption, &'static [(u8, u16)]);
 

@@ -50,10 +50,7 @@ pub use controls::ALL as CONTROLS;
 pub use parameters::*;
 pub use post::PostTemplate;
 pub use scale::LiteralScale;
-pub use settings::{
-    COMMON as COMMON_SETTINGS, Certainty, CompensationField, CycleField, PathField, Setting,
-    SettingError, SettingField, TurningField, value_text,
-};
+pub use settings::{COMMON as COMMON_SETTINGS, Certainty, Setting, SettingError, SettingField};
 pub use spatial::SpatialRules;
 pub use surface::{SurfaceRules, SurfaceWord};
 pub use table::{CodeGroup, CodeRow, ControlTable, DataTarget, code_name, code_number};

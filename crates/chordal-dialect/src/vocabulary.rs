@@ -19,8 +19,7 @@ pub(crate) use crate::macros::*;
 pub(crate) use crate::parameters::*;
 pub(crate) use crate::recognition::*;
 pub(crate) use crate::settings::{
-    CORNER_ROUNDING, Certainty, CompensationField as C, CycleField, FrameField, PathField,
-    RotaryFeedField, Setting, SettingField, TurningField, setting, short_blocks,
+    CORNER_ROUNDING, Certainty, Setting, SettingField, setting, short_blocks,
 };
 pub(crate) use crate::spatial::SpatialRules;
 pub(crate) use crate::surface::{SurfaceRules, SurfaceWord};

@@ -1,6 +1,6 @@
 //! The examples of `explain` run on their controls.
 
-use chordal::control::{Action, CycleKind, SettingField};
+use chordal::control::{Action, CycleKind};
 use chordal::diagnostics::Source;
 use chordal::{Job, Machine, Severity, SourceMap};
 use chordal_editor::meaning::{ControlView, codes, example};
@@ -45,7 +45,7 @@ fn every_example_runs_without_an_error() {
                 machine.set("tools.1.diameter=\"6 mm\"").unwrap();
                 // Codes that not every build of a firmware has are there.
                 for setting in view.table.settings {
-                    if matches!(setting.field, SettingField::Build(_)) {
+                    if setting.field.is_build_option() {
                         machine.set(&format!("settings.\"{}\"=\"on\"", setting.name)).unwrap();
                     }
                 }

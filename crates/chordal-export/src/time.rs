@@ -1,8 +1,6 @@
 //! The time of a program as JSON.
 
-use chordal::control::{
-    Certainty, Origin, PathField, PathMode, Setting, SettingField, ShortBlocks,
-};
+use chordal::control::{Certainty, Origin, PathMode, Setting, SettingField, ShortBlocks};
 use chordal::diagnostics::{FileId, Span};
 use chordal::motion::{Level, MotionReport};
 use chordal::time::{
@@ -214,7 +212,7 @@ fn assumed(motion: &MotionReport) -> Value {
 pub fn junctions_text(job: &Job) -> Option<String> {
     let rules = job.control().parameters.rules.path.junctions?;
     let name = |field| {
-        let is_own = |setting: &&Setting| setting.field == SettingField::Path(field);
+        let is_own = |setting: &&Setting| setting.field == field;
         job.control().table.settings.iter().find(is_own).map_or("", |setting| setting.name)
     };
     let title = job.control().table.title;
@@ -222,19 +220,19 @@ pub fn junctions_text(job: &Job) -> Option<String> {
         let corners = match rules.speed_steps_mm_s {
             Some([x, y, z]) => format!(
                 "at corners X, Y and Z change their speed at once by {x}, {y} and {z} mm/s at most (setting `{}`)",
-                name(PathField::SpeedStep(0))
+                name(SettingField::path_speed_step(0))
             ),
             None => format!(
                 "a junction deviation of {} mm (setting `{}`)",
                 rules.deviation_mm,
-                name(PathField::JunctionDeviation)
+                name(SettingField::PATH_JUNCTION_DEVIATION)
             ),
         };
         return Some(format!(
             "times are those of {title}'s own planner: even acceleration, {corners}, arcs as segments of at most {} mm \
              (setting `{}`), {} of them known ahead",
             segments.most_mm,
-            name(PathField::ArcSegmentMost),
+            name(SettingField::PATH_ARC_SEGMENT_MOST),
             rules.blocks,
         ));
     }
@@ -242,9 +240,9 @@ pub fn junctions_text(job: &Job) -> Option<String> {
         "times are those of {title}'s own planner: even acceleration, no jerk, a junction deviation of {} mm (setting \
          `{}`), arcs as segments within {} mm (setting `{}`), {} of them known ahead",
         rules.deviation_mm,
-        name(PathField::JunctionDeviation),
+        name(SettingField::PATH_JUNCTION_DEVIATION),
         rules.arc_tolerance_mm,
-        name(PathField::ArcTolerance),
+        name(SettingField::PATH_ARC_TOLERANCE),
         rules.blocks,
     ))
 }
@@ -254,7 +252,7 @@ pub fn short_blocks_text(ends: &CutEnds, job: &Job) -> Option<String> {
     if let Some(text) = junctions_text(job) {
         return Some(text);
     }
-    let field = SettingField::Path(PathField::ShortBlocks);
+    let field = SettingField::PATH_SHORT_BLOCKS;
     let control = job.control();
     let setting = control.table.settings.iter().find(|setting| setting.field == field)?;
     let sure = match setting.certainty {

@@ -1,6 +1,6 @@
 //! Settings of machine files: what is listed can be written, and means what it says.
 
-use chordal::control::{COMMON_SETTINGS, Control, value_text};
+use chordal::control::{COMMON_SETTINGS, Control};
 use chordal::machine::{Machine, builtin_names};
 
 #[test]
@@ -10,7 +10,7 @@ fn every_listed_value_can_be_written_back() {
         let (control, errors) = Control::of(&machine);
         assert!(errors.is_empty(), "{name}: {errors:?}");
         for setting in control.table.settings.iter().chain(COMMON_SETTINGS) {
-            let value = value_text(&control.parameters, setting.field);
+            let value = setting.field.value_text(&control.parameters);
             if value == "no limit" {
                 continue;
             }
@@ -22,7 +22,7 @@ fn every_listed_value_can_be_written_back() {
             changed.set(&assignment).unwrap_or_else(|e| panic!("{assignment}: {e}"));
             let (again, errors) = Control::of(&changed);
             assert!(errors.is_empty(), "{name}, {assignment}: {errors:?}");
-            assert_eq!(value_text(&again.parameters, setting.field), value, "{assignment}");
+            assert_eq!(setting.field.value_text(&again.parameters), value, "{assignment}");
         }
     }
 }
@@ -56,7 +56,7 @@ fn the_manuals_own_words_are_taken() {
         let (name, value) = setting.split_once('=').expect("a name and a value");
         let all = control.table.settings.iter().chain(COMMON_SETTINGS);
         let field = all.into_iter().find(|s| s.name == name).expect("a setting").field;
-        assert_eq!(value_text(&control.parameters, field), value, "{assignment}");
+        assert_eq!(field.value_text(&control.parameters), value, "{assignment}");
     }
 }
 

@@ -6,7 +6,7 @@
 
 use chordal::control::table::LineRepeat;
 use chordal::control::{
-    Action, AfterCode, CONTROLS, CallCode, CodeRow, ControlTable, OnceCode, SettingField, table,
+    Action, AfterCode, CONTROLS, CallCode, CodeRow, ControlTable, OnceCode, table,
 };
 use chordal::{CommandKind, Job, Machine, Severity, Source, SourceMap};
 
@@ -158,7 +158,7 @@ fn machine_of(table: &ControlTable) -> Machine {
     TOOLS.iter().for_each(|tool| machine.set(tool).unwrap());
     // Codes that not every build of a firmware has are there.
     for setting in table.settings {
-        if matches!(setting.field, SettingField::Build(_)) {
+        if setting.field.is_build_option() {
             machine.set(&format!("settings.\"{}\"=\"on\"", setting.name)).unwrap();
         }
     }

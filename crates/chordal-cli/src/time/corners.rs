@@ -1,9 +1,7 @@
 //! How the program's corners were passed, and what changes that.
 
 use chordal::Job;
-use chordal::control::{
-    COMMON_SETTINGS, PathField, Setting, SettingField, StartMode, Units as ProgramUnits,
-};
+use chordal::control::{COMMON_SETTINGS, Setting, SettingField, StartMode, Units as ProgramUnits};
 use chordal::time::TimeReport;
 use chordal_export::{junctions_text, short_blocks_text};
 
@@ -53,16 +51,16 @@ fn default(job: &Job, units: ProgramUnits) -> String {
         (StartMode::ExactStop, _) => format!(
             "this control starts in exact stop mode (setting `{}`): the tool stops at the end of every block until the \
              program changes the mode",
-            named(PathField::Start)
+            named(SettingField::PATH_START)
         ),
         (StartMode::ExactPath, _) => format!(
             "this control starts in exact path mode (setting `{}`)",
-            named(PathField::Start)
+            named(SettingField::PATH_START)
         ),
         (StartMode::Continuous, Some(tolerance)) => format!(
             "where the program gives no tolerance it is {} (setting `{}`)",
             units.length_text(tolerance),
-            named(PathField::Rounding)
+            named(SettingField::PATH_ROUNDING)
         ),
         (StartMode::Continuous, None) => format!(
             "where the program gives no tolerance it is {} (--set motion.corner_tolerance=…)",
@@ -72,7 +70,7 @@ fn default(job: &Job, units: ProgramUnits) -> String {
 }
 
 /// The setting of a rule: the control's own name before the common one.
-fn setting(job: &Job, field: PathField) -> Option<&'static Setting> {
-    let of = |setting: &&Setting| setting.field == SettingField::Path(field);
+fn setting(job: &Job, field: SettingField) -> Option<&'static Setting> {
+    let of = |setting: &&Setting| setting.field == field;
     job.control().table.settings.iter().find(of).or_else(|| COMMON_SETTINGS.iter().find(of))
 }

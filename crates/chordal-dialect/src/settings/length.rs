@@ -3,41 +3,28 @@
 use chordal_kernel::rules::{LengthWithoutNumber, ToolLengths};
 
 use super::choices::{choose, name_of};
-use super::{Certainty, Setting, SettingField, common, setting};
-use crate::parameters::Parameters;
-
-/// The rule of tool lengths that a setting changes.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-#[allow(missing_docs, reason = "each names a field of `LengthRules`")]
-pub enum LengthField {
-    Source,
-    WithoutNumber,
-    InIncrement,
-    OfZero,
-    AtToolChange,
-    AtReferenceReturn,
-    AtMachineMove,
-}
+use super::field::{SettingField, setting_fields};
+use super::{Certainty, Setting, common, setting};
 
 pub(super) const COMMON: &[Setting] = &[
     common(
         "tool_lengths",
-        SettingField::Length(LengthField::Source),
+        SettingField::LENGTH_SOURCE,
         "where the length of a tool comes from: `table` (a code of the program), `touched-off` (the work offset is set with each tool) or `absent`",
     ),
     common(
         "length_without_h",
-        SettingField::Length(LengthField::WithoutNumber),
+        SettingField::LENGTH_WITHOUT_NUMBER,
         "G43 without H: the length that is `in-force` (none at power-on), or that of the `tool` in the spindle",
     ),
     common(
         "length_in_increment",
-        SettingField::Length(LengthField::InIncrement),
+        SettingField::LENGTH_IN_INCREMENT,
         "`G91 G43 Z-32. H1`: the length is `added` to the way of Z, or `not-added`",
     ),
     setting(
         "length_with_h0",
-        SettingField::Length(LengthField::OfZero),
+        SettingField::LENGTH_OF_ZERO,
         &[],
         "`G43 H0`: `none` is in force, or the length of the `tool` in the spindle",
         Certainty::Documented,
@@ -45,7 +32,7 @@ pub(super) const COMMON: &[Setting] = &[
     ),
     setting(
         "length_at_tool_change",
-        SettingField::Length(LengthField::AtToolChange),
+        SettingField::LENGTH_AT_TOOL_CHANGE,
         &[],
         "a change of tools: the length in force is `kept` or `ended`",
         Certainty::Trade,
@@ -53,7 +40,7 @@ pub(super) const COMMON: &[Setting] = &[
     ),
     setting(
         "length_at_reference_return",
-        SettingField::Length(LengthField::AtReferenceReturn),
+        SettingField::LENGTH_AT_REFERENCE_RETURN,
         &[],
         "G28 or G30 with Z: the length in force is `kept` or `ended`",
         Certainty::Trade,
@@ -61,7 +48,7 @@ pub(super) const COMMON: &[Setting] = &[
     ),
     setting(
         "length_at_machine_move",
-        SettingField::Length(LengthField::AtMachineMove),
+        SettingField::LENGTH_AT_MACHINE_MOVE,
         &[],
         "G53 with Z: the length in force is `kept` or `ended`",
         Certainty::Trade,
@@ -84,41 +71,12 @@ const LENGTHS_OF_ZERO: &[(&str, bool)] = &[("none", false), ("tool", true)];
 
 const LENGTH_ENDS: &[(&str, bool)] = &[("kept", false), ("ended", true)];
 
-/// Sets one of them; the error says what it takes.
-pub(super) fn set(p: &mut Parameters, field: LengthField, word: &str) -> Result<(), String> {
-    let rules = &mut p.rules.length;
-    match field {
-        LengthField::Source => rules.source = choose(word, TOOL_LENGTHS)?,
-        LengthField::WithoutNumber => {
-            rules.without_number = choose(word, LENGTHS_WITHOUT_NUMBER)?;
-        }
-        LengthField::InIncrement => {
-            rules.adds_to_increment = choose(word, LENGTHS_IN_INCREMENT)?;
-        }
-        LengthField::OfZero => rules.zero_is_of_tool = choose(word, LENGTHS_OF_ZERO)?,
-        LengthField::AtToolChange => {
-            rules.ended_by.tool_change = choose(word, LENGTH_ENDS)?;
-        }
-        LengthField::AtReferenceReturn => {
-            rules.ended_by.reference_return = choose(word, LENGTH_ENDS)?;
-        }
-        LengthField::AtMachineMove => {
-            rules.ended_by.machine_move = choose(word, LENGTH_ENDS)?;
-        }
-    }
-    Ok(())
-}
-
-/// The present value, as a machine file writes it.
-pub(super) fn value_text(p: &Parameters, field: LengthField) -> String {
-    let rules = &p.rules.length;
-    match field {
-        LengthField::Source => name_of(rules.source, TOOL_LENGTHS),
-        LengthField::WithoutNumber => name_of(rules.without_number, LENGTHS_WITHOUT_NUMBER),
-        LengthField::InIncrement => name_of(rules.adds_to_increment, LENGTHS_IN_INCREMENT),
-        LengthField::OfZero => name_of(rules.zero_is_of_tool, LENGTHS_OF_ZERO),
-        LengthField::AtToolChange => name_of(rules.ended_by.tool_change, LENGTH_ENDS),
-        LengthField::AtReferenceReturn => name_of(rules.ended_by.reference_return, LENGTH_ENDS),
-        LengthField::AtMachineMove => name_of(rules.ended_by.machine_move, LENGTH_ENDS),
-    }
+setting_fields! {
+    LENGTH_SOURCE = choice(rules.length.source, TOOL_LENGTHS);
+    LENGTH_WITHOUT_NUMBER = choice(rules.length.without_number, LENGTHS_WITHOUT_NUMBER);
+    LENGTH_IN_INCREMENT = choice(rules.length.adds_to_increment, LENGTHS_IN_INCREMENT);
+    LENGTH_OF_ZERO = choice(rules.length.zero_is_of_tool, LENGTHS_OF_ZERO);
+    LENGTH_AT_TOOL_CHANGE = choice(rules.length.ended_by.tool_change, LENGTH_ENDS);
+    LENGTH_AT_REFERENCE_RETURN = choice(rules.length.ended_by.reference_return, LENGTH_ENDS);
+    LENGTH_AT_MACHINE_MOVE = choice(rules.length.ended_by.machine_move, LENGTH_ENDS);
 }

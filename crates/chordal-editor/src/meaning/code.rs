@@ -5,7 +5,7 @@ use chordal::control::table::{
 };
 use chordal::control::{Action, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode};
 use chordal::control::{Certainty, SettingField, SurfaceCode, SurfaceWord};
-use chordal::control::{CycleKind, ToolValue, TurnCycle, TurnPass, TurningField};
+use chordal::control::{CycleKind, ToolValue, TurnCycle, TurnPass};
 use chordal::syntax::Letters;
 
 use crate::meaning::alarm_codes::alarms;
@@ -225,32 +225,35 @@ pub(crate) fn target_name(target: DataTarget) -> &'static str {
 
 /// The settings that change what an action does.
 fn fields_of(action: Action) -> &'static [SettingField] {
-    use SettingField as F;
     match action {
         Action::Motion(code) => match code {
-            MotionCode::Rapid => &[F::Rapid],
+            MotionCode::Rapid => &[SettingField::RAPID],
             MotionCode::Linear
             | MotionCode::Thread
             | MotionCode::RigidTap
             | MotionCode::Turn(TurnPass::Turning | TurnPass::Facing) => &[],
-            MotionCode::Turn(TurnPass::Thread) => &[F::Turning(TurningField::ThreadExit)],
+            MotionCode::Turn(TurnPass::Thread) => &[SettingField::TURNING_THREAD_EXIT],
             MotionCode::ArcCw | MotionCode::ArcCcw => &[
-                F::ArcCenter,
-                F::RadiusErrorTolerance,
-                F::ArcMismatch,
-                F::SemicircleTolerance,
-                F::CenterAndRadius,
-                F::FullCircleByRadius,
-                F::HelixFeed,
-                F::MaxRadius,
-                F::Spiral,
+                SettingField::ARC_CENTER,
+                SettingField::RADIUS_ERROR_TOLERANCE,
+                SettingField::ARC_MISMATCH,
+                SettingField::SEMICIRCLE_TOLERANCE,
+                SettingField::CENTER_AND_RADIUS,
+                SettingField::FULL_CIRCLE_BY_RADIUS,
+                SettingField::HELIX_FEED,
+                SettingField::MAX_RADIUS,
+                SettingField::SPIRAL,
             ],
-            MotionCode::SpiralCw | MotionCode::SpiralCcw => &[F::Spiral, F::SpiralEndTolerance],
+            MotionCode::SpiralCw | MotionCode::SpiralCcw => {
+                &[SettingField::SPIRAL, SettingField::SPIRAL_END_TOLERANCE]
+            }
             MotionCode::Spline(_) | MotionCode::SplineEnd => &[],
         },
         Action::Reading(code) => match code {
-            ReadingCode::Inch | ReadingCode::Millimetre => &[F::Units, F::UnitCodes],
-            ReadingCode::Absolute | ReadingCode::Incremental => &[F::StartDistance],
+            ReadingCode::Inch | ReadingCode::Millimetre => {
+                &[SettingField::UNITS, SettingField::UNIT_CODES]
+            }
+            ReadingCode::Absolute | ReadingCode::Incremental => &[SettingField::START_DISTANCE],
             ReadingCode::ArcCenterAbsolute
             | ReadingCode::ArcCenterIncremental
             | ReadingCode::FeedPerTime
@@ -263,15 +266,19 @@ fn fields_of(action: Action) -> &'static [SettingField] {
         },
         Action::Mode(code) => settings_of_mode(code),
         Action::Length(code) => match code {
-            LengthCode::Plus | LengthCode::Minus => &[F::LengthMustMatchTool, F::LengthByHAlone],
+            LengthCode::Plus | LengthCode::Minus => {
+                &[SettingField::LENGTH_MUST_MATCH_TOOL, SettingField::LENGTH_BY_H_ALONE]
+            }
             LengthCode::Cancel | LengthCode::FromAxes | LengthCode::Add => &[],
         },
-        Action::Cycle(CycleKind::ChipBreak) => &[F::ChipBreak],
-        Action::Cycle(CycleKind::Peck) => &[F::PeckClearance],
+        Action::Cycle(CycleKind::ChipBreak) => &[SettingField::CHIP_BREAK],
+        Action::Cycle(CycleKind::Peck) => &[SettingField::PECK_CLEARANCE],
         Action::Cycle(_) => &[],
         Action::Call(code) => match code {
-            CallCode::CallProgram | CallCode::CallLabel => &[F::Nesting, F::PackedCalls],
-            CallCode::Return => &[F::ReturnLabelInCallee],
+            CallCode::CallProgram | CallCode::CallLabel => {
+                &[SettingField::NESTING, SettingField::PACKED_CALLS]
+            }
+            CallCode::Return => &[SettingField::RETURN_LABEL_IN_CALLEE],
             CallCode::SubroutineEnd | CallCode::MacroCall | CallCode::ModalMacroCall { .. } => &[],
         },
         Action::Once(OnceCode::Turning(cycle)) => settings_of_turning(cycle),
@@ -285,7 +292,6 @@ fn fields_of(action: Action) -> &'static [SettingField] {
 }
 
 fn settings_of_turning(cycle: TurnCycle) -> &'static [SettingField] {
-    use TurningField as T;
     match cycle {
         TurnCycle::Finish
         | TurnCycle::Pattern
@@ -294,26 +300,26 @@ fn settings_of_turning(cycle: TurnCycle) -> &'static [SettingField] {
         | TurnCycle::RoughFaceSubroutine(_)
         | TurnCycle::LineThread => &[],
         TurnCycle::Rough | TurnCycle::RoughFace => &[
-            SettingField::Turning(T::RoughDepth),
-            SettingField::Turning(T::RoughRetract),
-            SettingField::Turning(T::FirstLevel),
+            SettingField::TURNING_ROUGH_DEPTH,
+            SettingField::TURNING_ROUGH_RETRACT,
+            SettingField::TURNING_FIRST_LEVEL,
         ],
-        TurnCycle::PeckZ | TurnCycle::PeckX => &[SettingField::Turning(T::PeckRetract)],
+        TurnCycle::PeckZ | TurnCycle::PeckX => &[SettingField::TURNING_PECK_RETRACT],
         TurnCycle::Thread => &[
-            SettingField::Turning(T::ThreadExit),
-            SettingField::Turning(T::ThreadLeast),
-            SettingField::Turning(T::ThreadFinish),
-            SettingField::Turning(T::ThreadFinishPasses),
-            SettingField::Turning(T::ThreadAngle),
+            SettingField::TURNING_THREAD_EXIT,
+            SettingField::TURNING_THREAD_LEAST,
+            SettingField::TURNING_THREAD_FINISH,
+            SettingField::TURNING_THREAD_FINISH_PASSES,
+            SettingField::TURNING_THREAD_ANGLE,
         ],
     }
 }
 
 fn settings_of_mode(code: ModeCode) -> &'static [SettingField] {
     match code {
-        ModeCode::PlaneXy | ModeCode::PlaneZx | ModeCode::PlaneYz => &[SettingField::PlaneCodes],
+        ModeCode::PlaneXy | ModeCode::PlaneZx | ModeCode::PlaneYz => &[SettingField::PLANE_CODES],
         ModeCode::CompensationLeft | ModeCode::CompensationRight => {
-            &[SettingField::RadiusOffsets, SettingField::MaxRadiusCompensated]
+            &[SettingField::RADIUS_OFFSETS, SettingField::MAX_RADIUS_COMPENSATED]
         }
         ModeCode::CompensationOff
         | ModeCode::CompensationLeftBy
@@ -337,7 +343,7 @@ fn settings_of_mode(code: ModeCode) -> &'static [SettingField] {
         | ModeCode::ModalSubroutine
         | ModeCode::ModalCallOff
         | ModeCode::DataLinesOff => &[],
-        ModeCode::ThreadExit { .. } => &[SettingField::Turning(TurningField::ThreadExit)],
+        ModeCode::ThreadExit { .. } => &[SettingField::TURNING_THREAD_EXIT],
     }
 }
 

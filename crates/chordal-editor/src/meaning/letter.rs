@@ -51,7 +51,7 @@ pub fn letter_meanings(letter: u8, view: &ControlView) -> Vec<String> {
             add("a rotary axis, in degrees");
         }
         b'I' | b'J' | b'K' => {
-            for setting in settings(table, &[SettingField::ArcCenter]) {
+            for setting in settings(table, &[SettingField::ARC_CENTER]) {
                 let value = own_value(setting, parameters);
                 add(&format!("centre of an arc, along {}: {value}", axis_of(letter)));
             }

@@ -13,7 +13,6 @@ use chordal::Code;
 use chordal::control::table::ControlTable;
 use chordal::control::{
     COMMON_SETTINGS, CONTROLS, Control, Parameters, Setting, SettingField, telling_number,
-    value_text,
 };
 
 pub use alarm::alarm_text;
@@ -179,7 +178,7 @@ pub(crate) fn settings(table: &ControlTable, fields: &[SettingField]) -> Vec<&'s
 
 /// The present value of a setting in its own words; a length in both units.
 pub fn own_value(setting: &Setting, parameters: &Parameters) -> String {
-    let value = value_text(parameters, setting.field);
+    let value = setting.field.value_text(parameters);
     if let Some(mm) = value.strip_suffix(" mm").and_then(|mm| mm.parse().ok()) {
         return both_units(mm);
     }

@@ -3,7 +3,7 @@
 use chordal_command::CompensationSide;
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
 use chordal_dialect::{Action, MotionCode, OnceCode};
-use chordal_dialect::{CodeRow, CycleField, SettingField, ToolWord, code_name, code_number};
+use chordal_dialect::{CodeRow, SettingField, ToolWord, code_name, code_number};
 use chordal_syntax::{Block, BlockKind, Letters, Word};
 
 use super::Interpreter;
@@ -57,7 +57,7 @@ impl Interpreter<'_> {
         }
         let name = row.name(b'G');
         let setting =
-            self.control.table.settings.iter().find(|row| row.field == SettingField::CodeSystem);
+            self.control.table.settings.iter().find(|row| row.field == SettingField::CODE_SYSTEM);
         let setting = setting.map_or("the system of G codes", |setting| setting.name);
         self.kernel.report(
             Diagnostic::new(
@@ -130,7 +130,7 @@ impl Interpreter<'_> {
     /// For an L where cycles count with another letter.
     fn repeat_word_help(&self, letter: u8) -> Option<String> {
         let own = self.control.parameters.rules.cycles.repeat_letter;
-        let field = SettingField::Cycle(CycleField::RepeatLetter);
+        let field = SettingField::CYCLE_REPEAT_LETTER;
         let setting = self.control.table.settings.iter().find(|row| row.field == field)?;
         let (own, name) = (own as char, setting.name);
         (letter == b'L' && own != 'L').then(|| {
@@ -288,7 +288,7 @@ impl Interpreter<'_> {
             return None;
         }
         let setting =
-            table.settings.iter().find(|setting| setting.field == SettingField::Spiral)?;
+            table.settings.iter().find(|setting| setting.field == SettingField::SPIRAL)?;
         let here = match table.g_code(21).map(|row| row.action) {
             Some(Action::Motion(MotionCode::SpiralCw)) => "a spiral is G2.1 or G3.1 with P here; ",
             _ => "",

@@ -625,7 +625,7 @@ fn with_tables_of(job: &Job, target: &Machine) -> Machine {
 fn goes_on_after_refusal(machine: &mut Machine) {
     let table = chordal::control::table(machine.control);
     if let Some(setting) =
-        table.settings.iter().find(|setting| setting.field == SettingField::AfterRefusal)
+        table.settings.iter().find(|setting| setting.field == SettingField::AFTER_REFUSAL)
     {
         let value = SettingValue::Text("continue".into());
         machine.settings.insert(setting.name.into(), SettingEntry { value, location: None });

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use chordal::control::{Action, COMMON_SETTINGS, Control, CycleField, CycleKind, SettingField};
+use chordal::control::{Action, COMMON_SETTINGS, Control, CycleKind, SettingField};
 use chordal_compare::HolePecks;
 
 use super::codes;
@@ -49,8 +49,8 @@ impl PeckReading {
     fn of(pecks: &HolePecks, kind: CycleKind, control: &Control) -> PeckReading {
         let rules = &control.parameters.rules;
         let (field, set_mm) = match kind {
-            CycleKind::ChipBreak => (SettingField::ChipBreak, rules.chip_break_mm),
-            _ => (SettingField::PeckClearance, rules.peck_clearance_mm),
+            CycleKind::ChipBreak => (SettingField::CHIP_BREAK, rules.chip_break_mm),
+            _ => (SettingField::PECK_CLEARANCE, rules.peck_clearance_mm),
         };
         let name = |fields: &[SettingField]| {
             let own = control.table.settings.iter().chain(COMMON_SETTINGS);
@@ -64,11 +64,9 @@ impl PeckReading {
             pecks: pecks.depths_mm.len(),
             largest_step_mm: pecks.largest_step_mm(),
             clearance_mm,
-            clearance_setting: name(&[field, SettingField::Cycle(CycleField::Lifts)])
-                .filter(|_| is_set),
+            clearance_setting: name(&[field, SettingField::CYCLE_LIFTS]).filter(|_| is_set),
             above_r_mm,
-            above_r_setting: name(&[SettingField::Cycle(CycleField::ReturnAboveR)])
-                .filter(|_| is_above),
+            above_r_setting: name(&[SettingField::CYCLE_RETURN_ABOVE_R]).filter(|_| is_above),
         }
     }
 

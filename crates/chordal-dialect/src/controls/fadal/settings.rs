@@ -5,7 +5,7 @@ use crate::vocabulary::*;
 pub(super) const SETTINGS: &[Setting] = &[
     setting(
         "rapid_disarms_arc",
-        SettingField::RapidDisarmsArc,
+        SettingField::RAPID_DISARMS_ARC,
         &[],
         "G0 cancels the direction that G2 or G3 gave: `on` or `off`",
         Certainty::Unknown,
@@ -13,7 +13,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "feed ramps",
-        SettingField::Path(PathField::Start),
+        SettingField::PATH_START,
         &[("G9", "exact-stop"), ("G8", "continuous")],
         "at power-on: `G9` stops in position after every block, `G8` runs on without ramps",
         Certainty::Unknown,
@@ -21,7 +21,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "G8 rounding",
-        SettingField::Path(PathField::Rounding),
+        SettingField::PATH_ROUNDING,
         &[],
         "how far from a corner the tool passes in G8; `none`: `[motion] corner_tolerance`",
         Certainty::Unknown,
@@ -30,7 +30,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     short_blocks(Certainty::Unknown, "section 13 tells of ramps at each block only"),
     setting(
         "format",
-        SettingField::Cycle(CycleField::Format),
+        SettingField::CYCLE_FORMAT,
         &[("1", "on"), ("2", "off")],
         "Format 1: H alone makes length (and diameter) active, F of a tap is the spindle speed; Format 2: G43 H and D",
         Certainty::Documented,
@@ -38,7 +38,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "SETP diameter",
-        SettingField::RadiusOffsets,
+        SettingField::RADIUS_OFFSETS,
         &[],
         "the tool table holds `diameter` or `radius`",
         Certainty::Documented,
@@ -46,7 +46,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "pocket stepover",
-        SettingField::PocketStepover,
+        SettingField::POCKET_STEPOVER,
         &[],
         "L96 to L99: largest distance between two rings; never so large that material is left",
         Certainty::Unknown,
@@ -54,7 +54,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "pocket count",
-        SettingField::FixedRoutineCount,
+        SettingField::FIXED_ROUTINE_COUNT,
         &[],
         "L96NN to L99NN: `repeat` runs the routine NN times, `once` ignores NN",
         Certainty::Unknown,
@@ -62,7 +62,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "bore diameter word",
-        SettingField::BoreDiameterRegister,
+        SettingField::BORE_DIAMETER_REGISTER,
         &[],
         "L94NN and L95NN: the register word of the bore's diameter, `R1` to `R4`",
         Certainty::Unknown,
@@ -70,7 +70,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "cycle activation",
-        SettingField::Cycle(CycleField::Definition),
+        SettingField::CYCLE_DEFINITION,
         &[],
         "whether the block that defines a cycle drills: `with-place` (if it has X or Y), `never`, `always`",
         Certainty::Unknown,
@@ -78,7 +78,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "cycle without R0",
-        SettingField::Cycle(CycleField::MissingR),
+        SettingField::CYCLE_MISSING_R,
         &[],
         "a cycle without R0: `current` (feeds from the position of the tool) or `refused`",
         Certainty::Unknown,
@@ -86,7 +86,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "L0 in cycles",
-        SettingField::Cycle(CycleField::ZeroRepeats),
+        SettingField::CYCLE_ZERO_REPEATS,
         &[],
         "`stored` (nothing moves), `place-only` or `refused`",
         Certainty::Unknown,
@@ -94,7 +94,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "G73 P",
-        SettingField::Cycle(CycleField::PIsLift),
+        SettingField::CYCLE_P_IS_LIFT,
         &[],
         "P of G73 is the lift of a peck (`on`) or a time (`off`)",
         Certainty::Trade,
@@ -102,7 +102,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "G83 P",
-        SettingField::Cycle(CycleField::PIsClearance),
+        SettingField::CYCLE_P_IS_CLEARANCE,
         &[],
         "P of G83 is the clearance of a peck (`on`) or a time (`off`)",
         Certainty::Trade,
@@ -110,7 +110,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "G76 direction",
-        SettingField::Cycle(CycleField::ShiftDirection),
+        SettingField::CYCLE_SHIFT_DIRECTION,
         &[],
         "where Q shifts the tool: `x+`, `x-`, `y+`, `y-`",
         Certainty::Trade,
@@ -118,7 +118,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "L93 radius",
-        SettingField::Cycle(CycleField::BoltCircleRadius),
+        SettingField::CYCLE_BOLT_CIRCLE_RADIUS,
         &[],
         "register that holds the radius of a bolt circle",
         Certainty::Unknown,
@@ -126,7 +126,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "L93 angle",
-        SettingField::Cycle(CycleField::BoltCircleAngle),
+        SettingField::CYCLE_BOLT_CIRCLE_ANGLE,
         &[],
         "register that holds the first angle of a bolt circle, in degrees",
         Certainty::Unknown,

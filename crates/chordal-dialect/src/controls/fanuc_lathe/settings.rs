@@ -5,7 +5,7 @@ use crate::vocabulary::*;
 /// Of the lathes that have G12.1.
 pub(in crate::controls) const FACE_X: Setting = setting(
     "X in G12.1",
-    SettingField::FaceX,
+    SettingField::FACE_X,
     &[],
     "X of polar interpolation is written as `diameters`, as everywhere else, or as `radii`",
     Certainty::Unknown,
@@ -16,7 +16,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     CORNER_ROUNDING,
     setting(
         "P of live tools",
-        SettingField::LiveToolP,
+        SettingField::LIVE_TOOL_P,
         &[],
         "M3, M4 and M5 with this P are for the live tool of the turret; 0: M3 has no such P",
         Certainty::Inferred,
@@ -24,7 +24,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 3401",
-        SettingField::CodeSystem,
+        SettingField::CODE_SYSTEM,
         &[],
         "system of G codes: A, B or C (bits GSB and GSC)",
         Certainty::Documented,
@@ -32,7 +32,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 3403#5",
-        SettingField::ArcWithoutCenter,
+        SettingField::ARC_WITHOUT_CENTER,
         &[("0", "line"), ("1", "refused")],
         "CIR: a block of G2 or G3 with neither a centre nor a radius is a straight line (0), or alarm PS0022 (1)",
         Certainty::Trade,
@@ -40,7 +40,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "P of the second spindle",
-        SettingField::SecondSpindleP,
+        SettingField::SECOND_SPINDLE_P,
         &[],
         "M3 and M4 with this P are for the second spindle, which is not followed; 0: M3 has no such P",
         Certainty::Inferred,
@@ -48,7 +48,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 8110",
-        SettingField::WaitCode { last: false },
+        SettingField::FIRST_WAIT_CODE,
         &[],
         "first M code that waits for another path; 0: none",
         Certainty::Documented,
@@ -56,7 +56,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 8111",
-        SettingField::WaitCode { last: true },
+        SettingField::LAST_WAIT_CODE,
         &[],
         "last M code that waits for another path",
         Certainty::Documented,
@@ -64,7 +64,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5102#6",
-        SettingField::Cycle(CycleField::RFromInitial),
+        SettingField::CYCLE_R_FROM_INITIAL,
         &[("0", "from-initial"), ("1", "absolute")],
         "R of G83 to G89 is the distance from the initial level, or a level",
         Certainty::Trade,
@@ -72,7 +72,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5101#2",
-        SettingField::Cycle(CycleField::FullReturn),
+        SettingField::CYCLE_FULL_RETURN,
         &[("0", "off"), ("1", "on")],
         "pecks of G83 and G87 return to R (1), or by No. 5114 alone (0)",
         Certainty::Trade,
@@ -80,7 +80,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5114",
-        SettingField::Cycle(CycleField::Lifts),
+        SettingField::CYCLE_LIFTS,
         &[],
         "return and clearance of the pecks of G83 and G87",
         Certainty::Trade,
@@ -88,7 +88,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5132",
-        SettingField::Turning(TurningField::RoughDepth),
+        SettingField::TURNING_ROUGH_DEPTH,
         &[],
         "depth of a pass of G71 and G72 before a program gives one",
         Certainty::Trade,
@@ -96,7 +96,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5133",
-        SettingField::Turning(TurningField::RoughRetract),
+        SettingField::TURNING_ROUGH_RETRACT,
         &[],
         "how far a pass of G71 and G72 backs off",
         Certainty::Documented,
@@ -105,7 +105,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     FACE_X,
     setting(
         "first level",
-        SettingField::Turning(TurningField::FirstLevel),
+        SettingField::TURNING_FIRST_LEVEL,
         &[],
         "the levels of G71 and G72 begin at the start with the finishing `allowance`, or at the `start` itself",
         Certainty::Trade,
@@ -113,7 +113,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5139",
-        SettingField::Turning(TurningField::PeckRetract),
+        SettingField::TURNING_PECK_RETRACT,
         &[],
         "how far a peck of G74 and G75 backs off",
         Certainty::Trade,
@@ -121,7 +121,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5130",
-        SettingField::Turning(TurningField::ThreadExit),
+        SettingField::TURNING_THREAD_EXIT,
         &[],
         "length of the exit of G92 and G76, in tenths of the lead",
         Certainty::Documented,
@@ -129,7 +129,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5140",
-        SettingField::Turning(TurningField::ThreadLeast),
+        SettingField::TURNING_THREAD_LEAST,
         &[],
         "least depth of a pass of G76",
         Certainty::Trade,
@@ -137,7 +137,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5141",
-        SettingField::Turning(TurningField::ThreadFinish),
+        SettingField::TURNING_THREAD_FINISH,
         &[],
         "depth of the finishing pass of G76",
         Certainty::Trade,
@@ -145,7 +145,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5142",
-        SettingField::Turning(TurningField::ThreadFinishPasses),
+        SettingField::TURNING_THREAD_FINISH_PASSES,
         &[],
         "finishing passes of G76",
         Certainty::Trade,
@@ -153,7 +153,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "No. 5143",
-        SettingField::Turning(TurningField::ThreadAngle),
+        SettingField::TURNING_THREAD_ANGLE,
         &[],
         "angle of the tool of G76, degrees",
         Certainty::Trade,
@@ -161,7 +161,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "point in G76",
-        SettingField::Turning(TurningField::ThreadPoint),
+        SettingField::TURNING_THREAD_POINT,
         &[],
         "a decimal point in P and Q of G76 is `reported`, or `allowed`: they count least increments",
         Certainty::Trade,

@@ -6,7 +6,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ON_ERROR,
     setting(
         "M6",
-        SettingField::ToolChanger,
+        SettingField::TOOL_CHANGER,
         &[],
         "who changes tools: the `sender`, which keeps M6 from GRBL, or `nobody`: error:20",
         Certainty::Trade,
@@ -25,7 +25,7 @@ pub(super) const SETTINGS: &[Setting] = &[
 /// What a sender does after an error.
 pub(in crate::controls) const ON_ERROR: Setting = setting(
     "on error",
-    SettingField::AfterRefusal,
+    SettingField::AFTER_REFUSAL,
     &[],
     "what the sender does after a block that the firmware refuses: `stop` or `continue`",
     Certainty::Trade,
@@ -35,7 +35,7 @@ pub(in crate::controls) const ON_ERROR: Setting = setting(
 /// `$11`.
 pub(in crate::controls) const DEVIATION: Setting = setting(
     "$11",
-    SettingField::Path(PathField::JunctionDeviation),
+    SettingField::PATH_JUNCTION_DEVIATION,
     &[],
     "junction deviation: how fast corners are passed; 0 stops at each",
     Certainty::Documented,
@@ -45,7 +45,7 @@ pub(in crate::controls) const DEVIATION: Setting = setting(
 /// `$12`.
 pub(in crate::controls) const ARC_TOLERANCE: Setting = setting(
     "$12",
-    SettingField::Path(PathField::ArcTolerance),
+    SettingField::PATH_ARC_TOLERANCE,
     &[],
     "arc tolerance: how far the segments of an arc are from it",
     Certainty::Documented,
@@ -62,7 +62,7 @@ pub(in crate::controls) const STEPS: [Setting; 3] = [
 /// The length of the queue.
 pub(in crate::controls) const BLOCKS: Setting = setting(
     "planner blocks",
-    SettingField::Path(PathField::JunctionBlocks),
+    SettingField::PATH_JUNCTION_BLOCKS,
     &[],
     "segments that are known ahead, with the one under way",
     Certainty::Documented,
@@ -73,7 +73,7 @@ pub(in crate::controls) const BLOCKS: Setting = setting(
 pub(in crate::controls) const fn laser_mode(name: &'static str) -> Setting {
     setting(
         name,
-        SettingField::Path(PathField::LaserMode),
+        SettingField::PATH_LASER_MODE,
         &[],
         "laser mode: another S in a block with a motion does not stop the axes: `on` or `off`",
         Certainty::Documented,
@@ -83,10 +83,10 @@ pub(in crate::controls) const fn laser_mode(name: &'static str) -> Setting {
 
 /// What a build has or not.
 pub(in crate::controls) const fn build(name: &'static str, option: BuildOption, text: &'static str) -> Setting {
-    setting(name, SettingField::Build(option), &[], text, Certainty::Documented, "options of the build")
+    setting(name, SettingField::build(option), &[], text, Certainty::Documented, "options of the build")
 }
 
 const fn steps(name: &'static str, axis: u8, text: &'static str) -> Setting {
-    let field = SettingField::Path(PathField::Steps(axis));
+    let field = SettingField::path_steps(axis);
     setting(name, field, &[], text, Certainty::Documented, "settings")
 }

@@ -18,7 +18,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ARC_TOLERANCE,
     setting(
         "$28",
-        SettingField::ChipBreak,
+        SettingField::CHIP_BREAK,
         &[],
         "retract of a chip-breaking peck (G73)",
         Certainty::Documented,
@@ -30,7 +30,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     BLOCKS,
     setting(
         "jerk",
-        SettingField::Path(PathField::JunctionJerk),
+        SettingField::PATH_JUNCTION_JERK,
         &[],
         "the build limits jerk, by the `max_jerk` of the axes: `on` or `off`",
         Certainty::Documented,

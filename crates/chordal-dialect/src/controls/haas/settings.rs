@@ -6,7 +6,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     INSIDE_FEED,
     setting(
         "Setting 9",
-        SettingField::Units,
+        SettingField::UNITS,
         &[("INCH", "inch"), ("MM", "mm")],
         "units at power-on",
         Certainty::Documented,
@@ -14,7 +14,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 15",
-        SettingField::LengthMustMatchTool,
+        SettingField::LENGTH_MUST_MATCH_TOOL,
         &[],
         "H must be the number of the tool in the spindle (alarm 332)",
         Certainty::Documented,
@@ -22,7 +22,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 22",
-        SettingField::Cycle(CycleField::Lifts),
+        SettingField::CYCLE_LIFTS,
         &[],
         "lift of G73 and clearance of G83 between pecks",
         Certainty::Documented,
@@ -30,7 +30,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 34",
-        SettingField::RotaryFeed(RotaryFeedField::FourthDiameter),
+        SettingField::ROTARY_FEED_FOURTH_DIAMETER,
         &[],
         "diameter on which F counts the 4th axis",
         Certainty::Documented,
@@ -38,7 +38,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 40",
-        SettingField::RadiusOffsets,
+        SettingField::RADIUS_OFFSETS,
         &[],
         "the tool table holds `diameter` or `radius`",
         Certainty::Documented,
@@ -46,7 +46,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 43",
-        SettingField::CompensationEntry,
+        SettingField::COMPENSATION_ENTRY,
         &[],
         "cutter compensation type",
         Certainty::Documented,
@@ -54,7 +54,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 58",
-        SettingField::OutsideCorner,
+        SettingField::OUTSIDE_CORNER,
         &[("fanuc", "linear"), ("yasnac", "arc")],
         "outside corners of cutter compensation",
         Certainty::Documented,
@@ -62,7 +62,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 79",
-        SettingField::RotaryFeed(RotaryFeedField::FifthDiameter),
+        SettingField::ROTARY_FEED_FIFTH_DIAMETER,
         &[],
         "diameter on which F counts the 5th axis",
         Certainty::Documented,
@@ -70,7 +70,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 85",
-        SettingField::Path(PathField::Rounding),
+        SettingField::PATH_ROUNDING,
         &[],
         "how far from a corner the tool may pass: at level rough, if G187 gives no tolerance",
         Certainty::Trade,
@@ -78,7 +78,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 191",
-        SettingField::Path(PathField::Level),
+        SettingField::PATH_LEVEL,
         &[],
         "smoothness if G187 gives none: `rough`, `medium` or `finish`",
         Certainty::Trade,
@@ -93,7 +93,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     part("G187 P3 part", 3, "part of Setting 85 that level finish uses"),
     setting(
         "Setting 162",
-        SettingField::DecimalPoint,
+        SettingField::DECIMAL_POINT,
         &[("on", "calculator"), ("off", "least-increment")],
         "on: a number without a decimal point is in whole units",
         Certainty::Documented,
@@ -101,7 +101,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 335",
-        SettingField::Rapid,
+        SettingField::RAPID,
         &[("none", "dog-leg"), ("linear xyz", "straight"), ("linear xyz + rotary", "straight")],
         "straight rapids",
         Certainty::Documented,
@@ -109,7 +109,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 27",
-        SettingField::Cycle(CycleField::ShiftDirection),
+        SettingField::CYCLE_SHIFT_DIRECTION,
         &[("X+", "x+"), ("X-", "x-"), ("Y+", "y+"), ("Y-", "y-")],
         "where Q shifts the tool in G76 and G77",
         Certainty::Documented,
@@ -117,7 +117,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 28",
-        SettingField::Cycle(CycleField::Definition),
+        SettingField::CYCLE_DEFINITION,
         &[("on", "always"), ("off", "with-place")],
         "on: a cycle drills also where it is defined without X and Y",
         Certainty::Documented,
@@ -125,7 +125,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 52",
-        SettingField::Cycle(CycleField::ReturnAboveR),
+        SettingField::CYCLE_RETURN_ABOVE_R,
         &[],
         "how far above R the chip-clearing return of G83 goes",
         Certainty::Documented,
@@ -133,7 +133,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 52 in G73",
-        SettingField::Cycle(CycleField::ChipBreakAboveR),
+        SettingField::CYCLE_CHIP_BREAK_ABOVE_R,
         &[],
         "G73 also returns to that height above R",
         Certainty::Documented,
@@ -141,7 +141,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 130",
-        SettingField::Cycle(CycleField::TapOutFactor),
+        SettingField::CYCLE_TAP_OUT_FACTOR,
         &[],
         "retract speed of a tap divided by its speed on the way in; 0 or 1: the same speed",
         Certainty::Documented,
@@ -149,7 +149,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "cycle fires on",
-        SettingField::Cycle(CycleField::FiresOn),
+        SettingField::CYCLE_FIRES_ON,
         &[],
         "which words drill a hole with an active cycle: `place`, `any-axis` or `axis-or-level`",
         Certainty::Unknown,
@@ -157,7 +157,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "cycle axis",
-        SettingField::Cycle(CycleField::Axis),
+        SettingField::CYCLE_AXIS,
         &[],
         "cycles drill along `z` or the `plane-normal`",
         Certainty::Unknown,
@@ -165,35 +165,35 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "G77 scheme",
-        SettingField::Cycle(CycleField::BackBore),
+        SettingField::CYCLE_BACK_BORE,
         &[],
         "back boring: `shift-at-initial`, or `shift-at-r` as the text of the manual says",
         Certainty::Unknown,
         "G77",
     ),
-    call("Parameter 81", SettingField::AliasM(0), "M code that calls O9000"),
-    call("Parameter 82", SettingField::AliasM(1), "M code that calls O9001"),
-    call("Parameter 83", SettingField::AliasM(2), "M code that calls O9002"),
-    call("Parameter 84", SettingField::AliasM(3), "M code that calls O9003"),
-    call("Parameter 85", SettingField::AliasM(4), "M code that calls O9004"),
-    call("Parameter 86", SettingField::AliasM(5), "M code that calls O9005"),
-    call("Parameter 87", SettingField::AliasM(6), "M code that calls O9006"),
-    call("Parameter 88", SettingField::AliasM(7), "M code that calls O9007"),
-    call("Parameter 89", SettingField::AliasM(8), "M code that calls O9008"),
-    call("Parameter 90", SettingField::AliasM(9), "M code that calls O9009"),
-    call("Parameter 91", SettingField::AliasG(0), "G code that calls macro O9010"),
-    call("Parameter 92", SettingField::AliasG(1), "G code that calls macro O9011"),
-    call("Parameter 93", SettingField::AliasG(2), "G code that calls macro O9012"),
-    call("Parameter 94", SettingField::AliasG(3), "G code that calls macro O9013"),
-    call("Parameter 95", SettingField::AliasG(4), "G code that calls macro O9014"),
-    call("Parameter 96", SettingField::AliasG(5), "G code that calls macro O9015"),
-    call("Parameter 97", SettingField::AliasG(6), "G code that calls macro O9016"),
-    call("Parameter 98", SettingField::AliasG(7), "G code that calls macro O9017"),
-    call("Parameter 99", SettingField::AliasG(8), "G code that calls macro O9018"),
-    call("Parameter 100", SettingField::AliasG(9), "G code that calls macro O9019"),
+    call("Parameter 81", SettingField::alias_m(0), "M code that calls O9000"),
+    call("Parameter 82", SettingField::alias_m(1), "M code that calls O9001"),
+    call("Parameter 83", SettingField::alias_m(2), "M code that calls O9002"),
+    call("Parameter 84", SettingField::alias_m(3), "M code that calls O9003"),
+    call("Parameter 85", SettingField::alias_m(4), "M code that calls O9004"),
+    call("Parameter 86", SettingField::alias_m(5), "M code that calls O9005"),
+    call("Parameter 87", SettingField::alias_m(6), "M code that calls O9006"),
+    call("Parameter 88", SettingField::alias_m(7), "M code that calls O9007"),
+    call("Parameter 89", SettingField::alias_m(8), "M code that calls O9008"),
+    call("Parameter 90", SettingField::alias_m(9), "M code that calls O9009"),
+    call("Parameter 91", SettingField::alias_g(0), "G code that calls macro O9010"),
+    call("Parameter 92", SettingField::alias_g(1), "G code that calls macro O9011"),
+    call("Parameter 93", SettingField::alias_g(2), "G code that calls macro O9012"),
+    call("Parameter 94", SettingField::alias_g(3), "G code that calls macro O9013"),
+    call("Parameter 95", SettingField::alias_g(4), "G code that calls macro O9014"),
+    call("Parameter 96", SettingField::alias_g(5), "G code that calls macro O9015"),
+    call("Parameter 97", SettingField::alias_g(6), "G code that calls macro O9016"),
+    call("Parameter 98", SettingField::alias_g(7), "G code that calls macro O9017"),
+    call("Parameter 99", SettingField::alias_g(8), "G code that calls macro O9018"),
+    call("Parameter 100", SettingField::alias_g(9), "G code that calls macro O9019"),
     setting(
         "Setting 71",
-        SettingField::Frame(FrameField::OmittedFactor(None)),
+        SettingField::FRAME_OMITTED_FACTOR,
         &[],
         "scale factor of a G51 without P",
         Certainty::Documented,
@@ -201,7 +201,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 188",
-        SettingField::Frame(FrameField::OmittedFactor(Some(0))),
+        SettingField::FRAME_OMITTED_FACTOR_X,
         &[],
         "scale factor of X in a G51 without P",
         Certainty::Documented,
@@ -209,7 +209,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 189",
-        SettingField::Frame(FrameField::OmittedFactor(Some(1))),
+        SettingField::FRAME_OMITTED_FACTOR_Y,
         &[],
         "scale factor of Y in a G51 without P",
         Certainty::Documented,
@@ -217,7 +217,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 190",
-        SettingField::Frame(FrameField::OmittedFactor(Some(2))),
+        SettingField::FRAME_OMITTED_FACTOR_Z,
         &[],
         "scale factor of Z in a G51 without P",
         Certainty::Documented,
@@ -225,7 +225,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 72",
-        SettingField::Frame(FrameField::OmittedAngle),
+        SettingField::FRAME_OMITTED_ANGLE,
         &[],
         "angle of a G68 without R, degrees",
         Certainty::Documented,
@@ -233,7 +233,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 73",
-        SettingField::Frame(FrameField::AngleAdds),
+        SettingField::FRAME_ANGLE_ADDS,
         &[("OFF", "absolute"), ("ON", "adds")],
         "the angle of a G68 in G91 is `absolute`, or `adds` to the one in force",
         Certainty::Documented,
@@ -255,13 +255,13 @@ const fn call(name: &'static str, field: SettingField, text: &'static str) -> Se
 
 /// How much of the largest rounding a level of smoothness uses: no text gives figures.
 const fn part(name: &'static str, level: u8, text: &'static str) -> Setting {
-    setting(name, SettingField::Path(PathField::LevelPart(level)), &[], text, Certainty::Unknown, "G187")
+    setting(name, SettingField::path_level_part(level), &[], text, Certainty::Unknown, "G187")
 }
 
 /// Feed of inside arcs.
 const INSIDE_FEED: Setting = rule(
     "Setting 44",
-    C::InsideFeed,
+    SettingField::COMPENSATION_INSIDE_FEED,
     &[],
     "inside arcs are cut at F(R-r)/R, but not below this percentage of F; 100: F is not reduced",
     Certainty::Trade,
@@ -270,11 +270,11 @@ const INSIDE_FEED: Setting = rule(
 
 const fn rule(
     name: &'static str,
-    field: C,
+    field: SettingField,
     values: &'static [(&'static str, &'static str)],
     text: &'static str,
     certainty: Certainty,
     source: &'static str,
 ) -> Setting {
-    setting(name, SettingField::Compensation(field), values, text, certainty, source)
+    setting(name, field, values, text, certainty, source)
 }

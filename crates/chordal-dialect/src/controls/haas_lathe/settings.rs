@@ -5,7 +5,7 @@ use crate::vocabulary::*;
 pub(super) const SETTINGS: &[Setting] = &[
     setting(
         "Setting 9",
-        SettingField::Units,
+        SettingField::UNITS,
         &[("INCH", "inch"), ("MM", "mm")],
         "units at power-on",
         Certainty::Documented,
@@ -13,7 +13,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 22",
-        SettingField::Turning(TurningField::PeckRetract),
+        SettingField::TURNING_PECK_RETRACT,
         &[],
         "how far a peck of G74 and G75 backs off",
         Certainty::Trade,
@@ -21,7 +21,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 33",
-        SettingField::Turning(TurningField::PocketsByR),
+        SettingField::TURNING_POCKETS_BY_R,
         &[("FANUC", "fanuc"), ("YASNAC", "yasnac")],
         "pockets are cut where the first block of the contour names X and Z (`fanuc`), or with R1 (`yasnac`)",
         Certainty::Documented,
@@ -29,7 +29,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 43",
-        SettingField::CompensationEntry,
+        SettingField::COMPENSATION_ENTRY,
         &[],
         "tool nose compensation type",
         Certainty::Documented,
@@ -37,7 +37,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 72",
-        SettingField::Turning(TurningField::RoughDepth),
+        SettingField::TURNING_ROUGH_DEPTH,
         &[],
         "depth of a pass of G71 and G72 without D",
         Certainty::Trade,
@@ -45,7 +45,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 73",
-        SettingField::Turning(TurningField::RoughRetract),
+        SettingField::TURNING_ROUGH_RETRACT,
         &[],
         "how far a pass of G71 and G72 backs off",
         Certainty::Documented,
@@ -53,7 +53,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 86",
-        SettingField::Turning(TurningField::ThreadFinish),
+        SettingField::TURNING_THREAD_FINISH,
         &[],
         "depth of the last pass of G76",
         Certainty::Documented,
@@ -61,7 +61,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 95",
-        SettingField::Turning(TurningField::ThreadExit),
+        SettingField::TURNING_THREAD_EXIT,
         &[],
         "length of the exit of G92 and G76 with M23, in tenths of the lead",
         Certainty::Documented,
@@ -69,7 +69,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Setting 99",
-        SettingField::Turning(TurningField::ThreadLeast),
+        SettingField::TURNING_THREAD_LEAST,
         &[],
         "least depth of a pass of G76",
         Certainty::Documented,
@@ -77,7 +77,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "X in G112",
-        SettingField::FaceX,
+        SettingField::FACE_X,
         &[],
         "X of polar interpolation is written as `diameters`, as everywhere else, or as `radii`",
         Certainty::Trade,
@@ -85,7 +85,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "first level",
-        SettingField::Turning(TurningField::FirstLevel),
+        SettingField::TURNING_FIRST_LEVEL,
         &[],
         "the levels of G71 and G72 begin at the `start`, or there with the finishing `allowance`",
         Certainty::Trade,
@@ -93,7 +93,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "return of a contour",
-        SettingField::Turning(TurningField::ReturnOfContour),
+        SettingField::TURNING_RETURN_OF_CONTOUR,
         &[],
         "a contour of G71 and G72 whose last block goes back in Z (G72: X) outside the stock: that block is `left out` of roughing, or the cycle is `refused`",
         Certainty::Trade,
@@ -101,7 +101,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "drill clearance",
-        SettingField::Cycle(CycleField::Lifts),
+        SettingField::CYCLE_LIFTS,
         &[],
         "clearance of the pecks of G83",
         Certainty::Trade,

@@ -26,7 +26,7 @@ const SETTINGS: &[Setting] = &[
     ),
     setting(
         "CENTER_ARC_RADIUS_TOLERANCE_MM",
-        SettingField::RadiusErrorTolerance,
+        SettingField::RADIUS_ERROR_TOLERANCE,
         &[],
         "difference of an arc's radii that is accepted without checking the radius",
         Certainty::Documented,
@@ -34,7 +34,7 @@ const SETTINGS: &[Setting] = &[
     ),
     setting(
         "X at power-on",
-        SettingField::StartRadii,
+        SettingField::START_RADII,
         &[("G8", "radii"), ("G7", "diameters")],
         "X words are radii (G8), or diameters where RS274NGC_STARTUP_CODE has G7",
         Certainty::Documented,

@@ -5,7 +5,7 @@ use crate::vocabulary::*;
 pub(super) const SETTINGS: &[Setting] = &[
     setting(
         "IJ Mode",
-        SettingField::ArcCenter,
+        SettingField::ARC_CENTER,
         &[("Inc", "from-start"), ("Absolute", "absolute")],
         "I, J and K at power-on: the way from the start to the centre (`Inc`), or its coordinates (`Absolute`)",
         Certainty::Documented,
@@ -13,7 +13,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "G04 Dwell in ms",
-        SettingField::DwellUnit,
+        SettingField::DWELL_UNIT,
         &[("off", "s"), ("on", "ms")],
         "P of G4 is in milliseconds (`on`) or seconds (`off`)",
         Certainty::Documented,
@@ -21,7 +21,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Motion Mode",
-        SettingField::Path(PathField::Start),
+        SettingField::PATH_START,
         &[("Constant Velocity", "continuous"), ("Exact Stop", "exact-stop")],
         "G64 or G61 at power-on",
         Certainty::Documented,
@@ -29,7 +29,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "G73 Pullback",
-        SettingField::ChipBreak,
+        SettingField::CHIP_BREAK,
         &[],
         "how far G73 goes back after each peck: each machine has its own value, and this one is assumed",
         Certainty::Unknown,
@@ -37,7 +37,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "arc tolerance",
-        SettingField::RadiusErrorTolerance,
+        SettingField::RADIUS_ERROR_TOLERANCE,
         &[],
         "difference of an arc's radii that is accepted: not published, LinuxCNC's is assumed",
         Certainty::Unknown,

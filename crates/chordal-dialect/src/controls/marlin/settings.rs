@@ -5,7 +5,7 @@ use crate::vocabulary::*;
 pub(super) const SETTINGS: &[Setting] = &[
     setting(
         "G0_FEEDRATE",
-        SettingField::RapidFeed,
+        SettingField::RAPID_FEED,
         &[],
         "G0 moves at this feed, mm/min; `programmed`: at the F in force, as G1 does",
         Certainty::Documented,
@@ -23,7 +23,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     build("GCODE_CASE_INSENSITIVE", BuildOption::LowerCase, "lower-case letters count"),
     setting(
         "M3 P",
-        SettingField::PowerLetter,
+        SettingField::POWER_LETTER,
         &[],
         "P of M3 and M4 is the power in percent (Snapmaker): `on` or `off`",
         Certainty::Trade,
@@ -31,30 +31,30 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     path(
         "JUNCTION_DEVIATION_MM",
-        PathField::JunctionDeviation,
+        SettingField::PATH_JUNCTION_DEVIATION,
         "how fast corners are passed, where CLASSIC_JERK is off",
     ),
     path(
         "DEFAULT_XJERK",
-        PathField::SpeedStep(0),
+        SettingField::path_speed_step(0),
         "CLASSIC_JERK: X may change its speed at once by this, mm/s; `none`: the junction deviation counts",
     ),
-    path("DEFAULT_YJERK", PathField::SpeedStep(1), "the same of Y"),
-    path("DEFAULT_ZJERK", PathField::SpeedStep(2), "the same of Z"),
-    path("MIN_ARC_SEGMENT_MM", PathField::ArcSegmentLeast, "the shortest segment of an arc"),
-    path("MAX_ARC_SEGMENT_MM", PathField::ArcSegmentMost, "the longest segment of an arc"),
+    path("DEFAULT_YJERK", SettingField::path_speed_step(1), "the same of Y"),
+    path("DEFAULT_ZJERK", SettingField::path_speed_step(2), "the same of Z"),
+    path("MIN_ARC_SEGMENT_MM", SettingField::PATH_ARC_SEGMENT_LEAST, "the shortest segment of an arc"),
+    path("MAX_ARC_SEGMENT_MM", SettingField::PATH_ARC_SEGMENT_MOST, "the longest segment of an arc"),
     path(
         "MIN_CIRCLE_SEGMENTS",
-        PathField::ArcSegmentsOfCircle,
+        SettingField::PATH_ARC_SEGMENTS_OF_CIRCLE,
         "a full circle has so many segments at least",
     ),
-    path("M92 X", PathField::Steps(0), "steps of X a mm: segments end on whole steps"),
-    path("M92 Y", PathField::Steps(1), "steps of Y a mm"),
-    path("M92 Z", PathField::Steps(2), "steps of Z a mm"),
-    path("BLOCK_BUFFER_SIZE", PathField::JunctionBlocks, "segments that are known ahead: the size of the queue, less one"),
+    path("M92 X", SettingField::path_steps(0), "steps of X a mm: segments end on whole steps"),
+    path("M92 Y", SettingField::path_steps(1), "steps of Y a mm"),
+    path("M92 Z", SettingField::path_steps(2), "steps of Z a mm"),
+    path("BLOCK_BUFFER_SIZE", SettingField::PATH_JUNCTION_BLOCKS, "segments that are known ahead: the size of the queue, less one"),
     setting(
         "arc end",
-        SettingField::RadiusErrorTolerance,
+        SettingField::RADIUS_ERROR_TOLERANCE,
         &[],
         "how far the end may be off its arc before it is reported: Marlin itself does not look, and goes there with the \
          last segment",
@@ -66,9 +66,9 @@ pub(super) const SETTINGS: &[Setting] = &[
 const ADVANCED: &str = "Configuration_adv.h";
 
 const fn build(name: &'static str, option: BuildOption, text: &'static str) -> Setting {
-    setting(name, SettingField::Build(option), &[], text, Certainty::Documented, ADVANCED)
+    setting(name, SettingField::build(option), &[], text, Certainty::Documented, ADVANCED)
 }
 
-const fn path(name: &'static str, field: PathField, text: &'static str) -> Setting {
-    setting(name, SettingField::Path(field), &[], text, Certainty::Documented, "Configuration.h, Configuration_adv.h")
+const fn path(name: &'static str, field: SettingField, text: &'static str) -> Setting {
+    setting(name, field, &[], text, Certainty::Documented, "Configuration.h, Configuration_adv.h")
 }

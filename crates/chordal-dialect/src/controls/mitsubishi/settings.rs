@@ -5,7 +5,7 @@ use crate::vocabulary::*;
 pub(super) const SETTINGS: &[Setting] = &[
     setting(
         "high-accuracy tolerance",
-        SettingField::Path(PathField::LookAhead),
+        SettingField::PATH_LOOK_AHEAD,
         &[],
         "how far from a corner the tool may pass with G61.1, G08 P1, G05.1 Q1 and G05 P10000: the control has a coefficient of corner accuracy instead, so this value is assumed",
         Certainty::Unknown,
@@ -21,7 +21,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     NO_CHECK,
     setting(
         "#1084 RadErr",
-        SettingField::RadiusErrorTolerance,
+        SettingField::RADIUS_ERROR_TOLERANCE,
         &[],
         "largest difference of an arc's radii at start and end; above it P70",
         Certainty::Documented,
@@ -29,7 +29,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#11028",
-        SettingField::SemicircleTolerance,
+        SettingField::SEMICIRCLE_TOLERANCE,
         &[("0", "two-increments")],
         "|2R - chord| up to here makes the middle of the chord the centre; 0 of the manual is `two-increments`",
         Certainty::Documented,
@@ -37,7 +37,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#1272 ex08/bit2",
-        SettingField::Spiral,
+        SettingField::SPIRAL,
         &[("0", "pitches"), ("1", "increment-height-count")],
         "spiral commands: type 1 (G2.1, G3.1 with P) or type 2 (G2, G3 with Q, K, L)",
         Certainty::Documented,
@@ -45,7 +45,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "spiral on the ray",
-        SettingField::SpiralOnRay,
+        SettingField::SPIRAL_ON_RAY,
         &[],
         "type 2: a spiral with L whose start and end are on one ray from the centre: L1 is `no-turn` or a `full-turn`",
         Certainty::Inferred,
@@ -53,7 +53,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "machine_move",
-        SettingField::MachineMove,
+        SettingField::MACHINE_MOVE,
         &[],
         "a move of G53 is a `rapid`, or uses the active motion code (`in-force`)",
         Certainty::Trade,
@@ -61,7 +61,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "excess_decimals",
-        SettingField::ExcessDecimals,
+        SettingField::EXCESS_DECIMALS,
         &[],
         "decimals beyond the least increment: `cut`, `rounded` or `exact`",
         Certainty::Trade,
@@ -69,7 +69,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#1235 set07/bit0",
-        SettingField::HelixFeed,
+        SettingField::HELIX_FEED,
         &[("0", "path"), ("1", "plane")],
         "F of a helix: composite of the three axes, or of the arc plane",
         Certainty::Documented,
@@ -77,17 +77,17 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#1078 Decpt2",
-        SettingField::DecimalPoint,
+        SettingField::DECIMAL_POINT,
         &[("0", "least-increment"), ("1", "calculator")],
         "a number without a decimal point",
         Certainty::Trade,
         "",
     ),
-    setting("#8012", SettingField::ChipBreak, &[], "lift of G73", Certainty::Trade, ""),
-    setting("#8013", SettingField::PeckClearance, &[], "clearance of G83", Certainty::Trade, ""),
+    setting("#8012", SettingField::CHIP_BREAK, &[], "lift of G73", Certainty::Trade, ""),
+    setting("#8013", SettingField::PECK_CLEARANCE, &[], "clearance of G83", Certainty::Trade, ""),
     setting(
         "#1080 Dril_Z",
-        SettingField::Cycle(CycleField::Axis),
+        SettingField::CYCLE_AXIS,
         &[("1", "z"), ("0", "plane-normal")],
         "cycles drill along Z, or along the normal of the plane",
         Certainty::Trade,
@@ -95,7 +95,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "G73 dwell",
-        SettingField::Cycle(CycleField::PeckDwell),
+        SettingField::CYCLE_PECK_DWELL,
         &[],
         "P of pecks: `each-peck` of G73, at the `bottom` of G73 and G83, or `none`",
         Certainty::Trade,
@@ -103,7 +103,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "tapping F",
-        SettingField::Cycle(CycleField::TapFeed),
+        SettingField::CYCLE_TAP_FEED,
         &[("asynchronous", "programmed"), ("synchronous", "lead")],
         "F of a tap without ,R: feed per minute, or the pitch",
         Certainty::Trade,
@@ -111,7 +111,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "cycle fires on",
-        SettingField::Cycle(CycleField::FiresOn),
+        SettingField::CYCLE_FIRES_ON,
         &[],
         "which words drill a hole with an active cycle: `place`, `any-axis` or `axis-or-level`",
         Certainty::Trade,
@@ -119,7 +119,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#8072 SCALING P",
-        SettingField::Frame(FrameField::OmittedFactor(None)),
+        SettingField::FRAME_OMITTED_FACTOR,
         &[],
         "scale factor of a G51 without P",
         Certainty::Documented,
@@ -127,7 +127,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "scaling option",
-        SettingField::Frame(FrameField::HasScaling),
+        SettingField::FRAME_HAS_SCALING,
         &[],
         "the option of scaling (G51) is `present` or `absent` (P350)",
         Certainty::Unknown,
@@ -135,7 +135,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "rotation option",
-        SettingField::Frame(FrameField::HasRotation),
+        SettingField::FRAME_HAS_ROTATION,
         &[],
         "the option of coordinate rotation (G68) is `present` or `absent` (P260)",
         Certainty::Unknown,
@@ -143,7 +143,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "unequal scale arcs",
-        SettingField::Frame(FrameField::UnequalArcs),
+        SettingField::FRAME_UNEQUAL_ARCS,
         &[],
         "an arc while both axes of its plane have different factors: `judged`, or `refused` (P70)",
         Certainty::Unknown,
@@ -151,7 +151,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "cycle without R",
-        SettingField::Cycle(CycleField::MissingR),
+        SettingField::CYCLE_MISSING_R,
         &[],
         "a cycle without R: it feeds from the `initial` level, with a note; or from where the tool stands (`current`), or it is `refused`",
         Certainty::Trade,
@@ -162,7 +162,7 @@ pub(super) const SETTINGS: &[Setting] = &[
 /// Type A or B.
 const TYPE: Setting = setting(
     "#1229 set01/bit2",
-    SettingField::CompensationEntry,
+    SettingField::COMPENSATION_ENTRY,
     &[("0", "A"), ("1", "B")],
     "start-up and cancel of compensation by type A or B",
     Certainty::Documented,
@@ -172,7 +172,7 @@ const TYPE: Setting = setting(
 /// Avoidance.
 const AVOIDANCE: Setting = rule(
     "#8102",
-    C::Remedy,
+    SettingField::COMPENSATION_REMEDY,
     &[("0", "alarm"), ("1", "avoid")],
     "COLL. ALM OFF: where a block interferes, alarm P153 or skip the block",
     Certainty::Documented,
@@ -182,7 +182,7 @@ const AVOIDANCE: Setting = rule(
 /// No check.
 const NO_CHECK: Setting = rule(
     "#8103",
-    C::Check,
+    SettingField::COMPENSATION_CHECK,
     &[("0", "on"), ("1", "off")],
     "COLL. CHK OFF: interference is checked (0) or not (1)",
     Certainty::Documented,
@@ -191,11 +191,11 @@ const NO_CHECK: Setting = rule(
 
 const fn rule(
     name: &'static str,
-    field: C,
+    field: SettingField,
     values: &'static [(&'static str, &'static str)],
     text: &'static str,
     certainty: Certainty,
     source: &'static str,
 ) -> Setting {
-    setting(name, SettingField::Compensation(field), values, text, certainty, source)
+    setting(name, field, values, text, certainty, source)
 }

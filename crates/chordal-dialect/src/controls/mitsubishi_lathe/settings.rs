@@ -8,7 +8,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     CORNER_ROUNDING,
     setting(
         "#1037 cmdtyp",
-        SettingField::CodeSystem,
+        SettingField::CODE_SYSTEM,
         &[("2", "A"), ("3", "B"), ("4", "A"), ("5", "B"), ("6", "A"), ("7", "B")],
         "list of G codes: even ones read as system A of Fanuc, odd ones as system B",
         Certainty::Trade,
@@ -16,7 +16,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#8051",
-        SettingField::Turning(TurningField::RoughDepth),
+        SettingField::TURNING_ROUGH_DEPTH,
         &[],
         "depth of a pass of G71 and G72 before a program gives one",
         Certainty::Trade,
@@ -24,7 +24,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#8052",
-        SettingField::Turning(TurningField::RoughRetract),
+        SettingField::TURNING_ROUGH_RETRACT,
         &[],
         "how far a pass of G71 and G72 backs off",
         Certainty::Trade,
@@ -33,7 +33,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     FACE_X,
     setting(
         "first level",
-        SettingField::Turning(TurningField::FirstLevel),
+        SettingField::TURNING_FIRST_LEVEL,
         &[],
         "the levels of G71 and G72 begin at the start with the finishing `allowance`, or at the `start` itself",
         Certainty::Unknown,
@@ -41,7 +41,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#8056",
-        SettingField::Turning(TurningField::PeckRetract),
+        SettingField::TURNING_PECK_RETRACT,
         &[],
         "how far a peck of G74 and G75 backs off",
         Certainty::Documented,
@@ -49,7 +49,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#8014",
-        SettingField::Turning(TurningField::ThreadExit),
+        SettingField::TURNING_THREAD_EXIT,
         &[],
         "length of the exit of G92 and G76, in tenths of the lead",
         Certainty::Trade,
@@ -57,7 +57,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "#8057",
-        SettingField::Turning(TurningField::ThreadFinish),
+        SettingField::TURNING_THREAD_FINISH,
         &[],
         "depth of the finishing pass of G76",
         Certainty::Trade,
@@ -65,7 +65,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "point in G76",
-        SettingField::Turning(TurningField::ThreadPoint),
+        SettingField::TURNING_THREAD_POINT,
         &[],
         "a decimal point in P and Q of G76 is `allowed`, or `reported`: they count least increments",
         Certainty::Unknown,
