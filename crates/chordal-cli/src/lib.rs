@@ -188,10 +188,10 @@ pub fn command() -> clap::Command {
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
-        Err(told) => {
+        Err(error) => {
             // Nothing can be reported when even that cannot be written.
-            let _ = told.print();
-            return u8::try_from(told.exit_code()).unwrap_or(2);
+            let _ = error.print();
+            return u8::try_from(error.exit_code()).unwrap_or(2);
         }
     };
     chordal_load::ledger::begin();

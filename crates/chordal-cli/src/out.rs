@@ -64,9 +64,12 @@ pub fn format_of<F: FileFormat>(
     let ending = path.extension().map(|ending| ending.to_string_lossy().into_owned());
     let meant = ending.and_then(|ending| F::from_str(&ending, true).ok());
     match (requested, meant) {
-        (Some(said), Some(meant)) if said != meant => Err(CommandFailure::wrong(
-            format!("--format says {}, but the extension of {name} is another format", word(said)),
-            format!("leave --format out, or use the extension .{}", word(said)),
+        (Some(chosen), Some(meant)) if chosen != meant => Err(CommandFailure::wrong(
+            format!(
+                "--format says {}, but the extension of {name} is another format",
+                word(chosen)
+            ),
+            format!("leave --format out, or use the extension .{}", word(chosen)),
         )),
         (Some(format), _) | (None, Some(format)) => Ok(format),
         (None, None) => {

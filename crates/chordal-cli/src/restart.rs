@@ -75,11 +75,13 @@ pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, Co
         course = check_head_approach(&job, done, &files)
             .map_err(|error| failure_of(error, args.setup.as_deref()))?;
     }
-    let is_blocked =
-        |done: RestartProgram| match course.as_ref().and_then(|way| blocked(&job, &done, way)) {
-            Some(refused) => Err(refused),
-            None => Ok(done),
-        };
+    let is_blocked = |done: RestartProgram| match course
+        .as_ref()
+        .and_then(|course| blocked(&job, &done, course))
+    {
+        Some(refused) => Err(refused),
+        None => Ok(done),
+    };
     let done = match done.and_then(is_blocked) {
         Ok(done) => done,
         Err(refused) => {

@@ -232,7 +232,7 @@ impl Programs for ShownProgram {
 
     fn read(&self) -> Result<Vec<u8>, Refusal> {
         match (&self.bytes, &self.input.path) {
-            (Some(held), _) => Ok(held.clone()),
+            (Some(bytes), _) => Ok(bytes.clone()),
             (None, Some(path)) => FileAccess::Disk
                 .bytes(path)
                 .map_err(|error| refusal(&LoadError::read(path.to_string_lossy(), &error))),

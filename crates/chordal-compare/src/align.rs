@@ -70,7 +70,7 @@ pub(crate) fn align(a: &ComparedRun, b: &ComparedRun, grid_mm: f64) -> StepAlign
     input.update_after(b.steps.iter().map(|step| token(b, step, grid_mm)));
     let diff = Diff::compute(Algorithm::Histogram, &input);
     let mut regions = Vec::new();
-    for (is_matched, before, after) in stretches(&diff, [a.steps.len(), b.steps.len()]) {
+    for (is_matched, before, after) in aligned_ranges(&diff, [a.steps.len(), b.steps.len()]) {
         regions.push(if is_matched {
             AlignedRegion::Matched(before, after)
         } else {
@@ -146,7 +146,7 @@ pub(crate) fn in_step(
 }
 
 /// What is the same and what is not, in order.
-fn stretches(diff: &Diff, ends: [usize; 2]) -> Vec<(bool, Range<usize>, Range<usize>)> {
+fn aligned_ranges(diff: &Diff, ends: [usize; 2]) -> Vec<(bool, Range<usize>, Range<usize>)> {
     let mut all = Vec::new();
     let mut at = [0, 0];
     let hunks = diff.hunks().map(|hunk| [hunk.before, hunk.after]);
@@ -186,7 +186,7 @@ fn moved(
     let (before, after) = (tokens(0, &input.before), tokens(1, &input.after));
     let mut diff = Diff::default();
     diff.compute_with(Algorithm::Histogram, &before, &after, input.interner.num_tokens());
-    let same = stretches(&diff, [before.len(), after.len()]).into_iter();
+    let same = aligned_ranges(&diff, [before.len(), after.len()]).into_iter();
     let same = same.filter(|(is_matched, ..)| *is_matched);
     let same = same.map(|(_, a, b)| [left[0][a].to_vec(), left[1][b].to_vec()]);
     // A rapid alone may be the same by chance: to one retract plane, to one tool change.

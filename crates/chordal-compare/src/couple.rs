@@ -188,14 +188,14 @@ fn together(walkers: &[PathWalker<'_>; 2], tolerance_mm: f64, precision_mm: f64)
     if both <= tolerance_mm && whole() <= tolerance_mm {
         return ends;
     }
-    let ways = [[ends[0], of_b], [of_a, ends[1]]];
+    let choices = [[ends[0], of_b], [of_a, ends[1]]];
     let [first, second] = if walkers.iter().all(|walker| matches!(walker.curve(), Curve::Line(_))) {
         [separate_b, separate_a]
     } else {
         // A curve may come by the same place again: a circle ends where it begins.
-        ways.map(|to| bound(a.range_to(to[0]), b.range_to(to[1]), precision_mm))
+        choices.map(|to| bound(a.range_to(to[0]), b.range_to(to[1]), precision_mm))
     };
-    if first <= second { ways[0] } else { ways[1] }
+    if first <= second { choices[0] } else { choices[1] }
 }
 
 #[cfg(test)]

@@ -59,7 +59,7 @@ pub(crate) fn compare_values(
     });
     let messages: BTreeSet<&str> = stated.iter().flat_map(BTreeMap::keys).copied().collect();
     for message in messages {
-        let of = stated.each_ref().map(|said| said.get(message).map_or(&[][..], Vec::as_slice));
+        let of = stated.each_ref().map(|places| places.get(message).map_or(&[][..], Vec::as_slice));
         if of[0].len() == of[1].len() {
             continue;
         }

@@ -21,8 +21,8 @@ impl CheckpointState {
         (0..self.checkpoints.len()).find(|&index| {
             let from = self.start(index).map_or(0, |checkpoint| checkpoint.offset());
             let (end, inspected) = &self.checkpoints[index];
-            let inspected =
-                inspected.is_some_and(|looked| (looked.start..looked.end).contains(&byte));
+            let inspected = inspected
+                .is_some_and(|range_read| (range_read.start..range_read.end).contains(&byte));
             (from..end.offset()).contains(&byte) || inspected
         })
     }

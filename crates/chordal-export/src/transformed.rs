@@ -103,7 +103,8 @@ pub fn restart_json(
     written: Option<&str>,
     approach: Option<&ApproachCheck>,
 ) -> String {
-    let course = approach.map(|way| json!({ "moves": way.moves, "not_proved": way.unknown }));
+    let course =
+        approach.map(|approach| json!({ "moves": approach.moves, "not_proved": approach.unknown }));
     let codes = done.map(|done| done.unrepeated.as_slice()).unwrap_or_default();
     let not_repeated: Vec<Value> =
         codes.iter().map(|code| json!({ "words": code.words, "line": code.line })).collect();

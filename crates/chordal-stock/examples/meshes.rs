@@ -87,9 +87,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     for tolerance in [0.0, 0.05, 0.5] {
-        let mut stretches = SolidIntervals::default();
+        let mut intervals = SolidIntervals::default();
         for cell in 0..COLUMNS * ROWS {
-            stretches.push(layers(cell % COLUMNS, cell / COLUMNS));
+            intervals.push(layers(cell % COLUMNS, cell / COLUMNS));
         }
         let origin = Vec3::new(-12.5, 100.0, 40.0);
         let field = LayerField {
@@ -98,7 +98,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             columns: COLUMNS,
             rows: ROWS,
             size: SIZE,
-            stretches: &stretches,
+            intervals: &intervals,
         };
         let steps = field.mesh(tolerance)?;
         let parted = |_: &Mesh| steps.clone().parted(GAP);

@@ -242,18 +242,18 @@ proptest! {
 type Column = Vec<[f64; 2]>;
 
 fn layered(columns: usize, cells: &[Column], tolerance: f64) -> HeightMesh {
-    let mut stretches = SolidIntervals::default();
-    cells.iter().for_each(|cell| stretches.push(cell.iter().copied()));
+    let mut intervals = SolidIntervals::default();
+    cells.iter().for_each(|cell| intervals.push(cell.iter().copied()));
     let field = LayerField {
         origin: Vec3::new(-3.0, 7.0, 20.0),
         cell: 0.5,
         columns,
         rows: cells.len() / columns,
         size: [0.5 * columns as f64, 0.5 * (cells.len() / columns) as f64],
-        stretches: &stretches,
+        intervals: &intervals,
     };
     let made = field.mesh(tolerance).unwrap();
-    let ends = stretches.length() / 0.5;
+    let ends = intervals.length() / 0.5;
     // Every end is at most so far off, and thin gaps are filled.
     let off = 4.0 * (tolerance + 1.0 / 1024.0);
     let area = cells.iter().map(|cell| 2 * cell.len()).sum::<usize>() as f64 * 0.25;
@@ -299,8 +299,8 @@ fn a_t_slot_is_a_few_faces_with_its_volume() {
 
 #[test]
 fn layers_of_no_grid_and_no_number_are_refused() {
-    let mut stretches = SolidIntervals::default();
-    stretches.push([[0.0, f64::NAN]]);
+    let mut intervals = SolidIntervals::default();
+    intervals.push([[0.0, f64::NAN]]);
     let origin = Vec3::ZERO;
     let field = LayerField {
         origin,
@@ -308,7 +308,7 @@ fn layers_of_no_grid_and_no_number_are_refused() {
         columns: 1,
         rows: 1,
         size: [1.0; 2],
-        stretches: &stretches,
+        intervals: &intervals,
     };
     assert!(matches!(field.mesh(0.0), Err(HeightFieldError::Height { .. })));
     let wrong = LayerField { rows: 2, size: [1.0, 2.0], ..field };

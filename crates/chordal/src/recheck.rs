@@ -30,7 +30,7 @@ use crate::tool_comments::contradicted_tools;
 const SEGMENT_BYTES: usize = 16 << 10;
 
 /// About as many stretches at most: each holds what the control remembers where it begins.
-const MAX_STRETCHES: usize = 256;
+const MAX_SEGMENTS: usize = 256;
 
 /// What a check remembers for the next one, of a changed text.
 #[derive(Debug)]
@@ -41,7 +41,7 @@ pub struct CheckMemory {
 
 impl Default for CheckMemory {
     fn default() -> CheckMemory {
-        CheckMemory::with_stretches(SEGMENT_BYTES)
+        CheckMemory::with_segment_bytes(SEGMENT_BYTES)
     }
 }
 
@@ -53,7 +53,7 @@ struct SegmentedRun {
     numbers: Vec<Option<u32>>,
     main: usize,
     /// At least one.
-    stretches: Vec<CheckedSegment>,
+    segments: Vec<CheckedSegment>,
     outcome: Outcome,
     /// What the checks remember at the end.
     end: ChecksMemory,
@@ -175,7 +175,7 @@ impl CheckedSegment {
     }
 
     /// Whether it names numbers of lines, which may have moved.
-    fn tells_lines(&self) -> bool {
+    fn has_lines(&self) -> bool {
         let waiting = self.waiting.iter().map(|(diagnostic, _)| diagnostic);
         self.findings.kept.iter().chain(waiting).any(|diagnostic| {
             matches!(diagnostic.code, Code::CutterGouges | Code::CutterGougesAtLead)
@@ -201,7 +201,7 @@ impl Job<'_> {
 impl CheckMemory {
     /// A memory that cuts runs into stretches of about so many bytes of text, or as many as make
     /// a few hundred of them.
-    pub fn with_stretches(bytes: usize) -> CheckMemory {
+    pub fn with_segment_bytes(bytes: usize) -> CheckMemory {
         CheckMemory { run: None, segment_bytes: bytes }
     }
 
@@ -222,10 +222,10 @@ impl CheckMemory {
         let numbers: Vec<Option<u32>> = here.map(|program| program.head.number).collect();
         let before = self.run.take();
         let before = before.filter(|run| run.numbers == numbers && run.main == main);
-        let bytes = self.segment_bytes.max(job.text().len() / MAX_STRETCHES) as u32;
+        let bytes = self.segment_bytes.max(job.text().len() / MAX_SEGMENTS) as u32;
         let run = before.and_then(|run| run.again(job, language, bytes));
         let run = run.unwrap_or_else(|| SegmentedRun::whole(job, language, numbers, main, bytes));
-        let waiting = run.stretches.iter().map(|section| section.waiting.len()).sum::<usize>();
+        let waiting = run.segments.iter().map(|section| section.waiting.len()).sum::<usize>();
         if waiting >= MAX_WAITING {
             return job.check();
         }
@@ -248,12 +248,12 @@ impl SegmentedRun {
         let mut walk = IncrementalRun::new(job, bytes, None, &[], None);
         let (outcome, end) = walk.run(job, language, main);
         let outcome = outcome.unwrap_or_else(|| unreachable!("there is nothing to meet"));
-        let (stretches, carried_out) = (walk.done, walk.blocks);
+        let (segments, carried_out) = (walk.done, walk.blocks);
         SegmentedRun {
             text: job.text().to_vec(),
             numbers,
             main,
-            stretches,
+            segments,
             outcome,
             end,
             carried_out,
@@ -269,18 +269,18 @@ impl SegmentedRun {
             let own = TextRange::new(start_of(section), section.end);
             shift.leaves(own)
                 && section.reads_the_same(&shift)
-                && (shift.lines() == 0 || !section.tells_lines())
+                && (shift.lines() == 0 || !section.has_lines())
         };
-        let last = self.stretches.len() - 1;
+        let last = self.segments.len() - 1;
         let before = |section: &&CheckedSegment| {
             shift.offset(section.end) == Some(section.end) && same(section)
         };
-        let kept = self.stretches[..last].iter().take_while(before).count();
-        let tail = self.stretches[kept + 1..].iter().rev().take_while(same).count();
-        let mut tail = self.stretches.split_off(self.stretches.len() - tail);
-        self.stretches.truncate(kept + 1);
-        let mut first = self.stretches.pop()?.start;
-        for section in &mut self.stretches {
+        let kept = self.segments[..last].iter().take_while(before).count();
+        let tail = self.segments[kept + 1..].iter().rev().take_while(same).count();
+        let mut tail = self.segments.split_off(self.segments.len() - tail);
+        self.segments.truncate(kept + 1);
+        let mut first = self.segments.pop()?.start;
+        for section in &mut self.segments {
             section.shift(&shift)?;
         }
         if let Some(first) = &mut first {
@@ -291,7 +291,7 @@ impl SegmentedRun {
         let (outcome, end) = walk.run(job, language, self.main);
         let (met, blocks, done) = (walk.met, walk.blocks, walk.done);
         self.carried_out = blocks - began;
-        self.stretches.extend(done);
+        self.segments.extend(done);
         self.text.clear();
         self.text.extend_from_slice(job.text());
         match outcome {
@@ -307,7 +307,7 @@ impl SegmentedRun {
                 self.outcome.calls.shift(&shift)?;
                 self.outcome.blocks = self.outcome.blocks - was + blocks;
                 self.end.shift(&shift)?;
-                self.stretches.append(&mut tail);
+                self.segments.append(&mut tail);
             }
         }
         Some(self)
@@ -320,12 +320,12 @@ impl SegmentedRun {
         job.before_run(language.library()).for_each(|diagnostic| collector.push(diagnostic));
         let mut sink = CheckSink::new(job, ());
         let mut output = Vec::new();
-        for section in &self.stretches {
+        for section in &self.segments {
             section.findings.add_to(&mut collector);
             sink.checks.add_seen(&section.seen);
             output.extend_from_slice(&section.output);
         }
-        for (diagnostic, call) in self.stretches.iter().flat_map(|section| &section.waiting) {
+        for (diagnostic, call) in self.segments.iter().flat_map(|section| &section.waiting) {
             let mut diagnostic = diagnostic.clone();
             diagnostic.calls = self.outcome.calls.resolve(*call);
             collector.push(diagnostic);

@@ -22,7 +22,7 @@ const ABOVE: f64 = 1.0 + 1e-6;
 #[derive(Default)]
 struct Planned {
     moves: Vec<Move>,
-    stretches: Vec<Stretch>,
+    intervals: Vec<Stretch>,
 }
 
 impl PlanSink for Planned {
@@ -34,7 +34,7 @@ impl PlanSink for Planned {
 
     fn step(&mut self, step: Step<'_>, _sources: &Sources) {
         match step {
-            Step::Stretch(stretch) => self.stretches.push(stretch.clone()),
+            Step::Stretch(stretch) => self.intervals.push(stretch.clone()),
             Step::Wait { seconds, .. } => assert_eq!(seconds, 0.0, "these programs never wait"),
         }
     }
@@ -55,17 +55,17 @@ impl Planned {
     }
 
     fn time_s(&self) -> f64 {
-        self.stretches.iter().map(|stretch| stretch.duration_s() - stretch.overlap_s).sum()
+        self.intervals.iter().map(|stretch| stretch.duration_s() - stretch.overlap_s).sum()
     }
 
     fn largest_use(&self, limits: &Limits) -> Use {
-        self.stretches.iter().map(|s| largest_use(s, limits, 8)).fold(Use::default(), Use::or)
+        self.intervals.iter().map(|s| largest_use(s, limits, 8)).fold(Use::default(), Use::or)
     }
 
     fn samples(&self, period_s: f64) -> Vec<Sample> {
         let mut samples = Vec::new();
         let mut sampler = Sampler::new(period_s);
-        for stretch in &self.stretches {
+        for stretch in &self.intervals {
             sampler.push(Step::Stretch(stretch), |sample| samples.push(*sample));
         }
         sampler.finish(|sample| samples.push(*sample));
@@ -77,8 +77,8 @@ impl Planned {
         let mut gauge = Gauge::new(*limits, effort);
         let feed = |tag| self.moves.iter().find(|motion| motion.tag == tag).unwrap().speed;
         let speeds: std::collections::BTreeMap<u64, f64> =
-            self.stretches.iter().flat_map(|s| &s.pieces).map(|p| (p.tag, feed(p.tag))).collect();
-        for stretch in &self.stretches {
+            self.intervals.iter().flat_map(|s| &s.pieces).map(|p| (p.tag, feed(p.tag))).collect();
+        for stretch in &self.intervals {
             gauge.push(Step::Stretch(stretch), |tag| speeds[&tag], |_| {});
         }
         gauge.finish(|_| {})
@@ -143,7 +143,7 @@ fn held(row: &Row, planned: &Planned, limits: &Limits) -> (f64, f64) {
         "{name}: {deviation} mm off the path, {} allowed",
         planned.allowed()
     );
-    let (first, last) = (&planned.stretches[0], planned.stretches.last().unwrap());
+    let (first, last) = (&planned.intervals[0], planned.intervals.last().unwrap());
     let ends =
         [(first.from(), planned.moves[0].from()), (last.to(), planned.moves.last().unwrap().to())];
     for (is, due) in ends {

@@ -153,7 +153,7 @@ fn changed(
     seed: u64,
 ) -> Work {
     let mut dice = Dice(seed);
-    let mut memory = CheckMemory::with_stretches(dice.one_of(&[1, 60, 200, 1000]));
+    let mut memory = CheckMemory::with_segment_bytes(dice.one_of(&[1, 60, 200, 1000]));
     let mut text = text.as_bytes().to_vec();
     let mut work = Work::default();
     for step in 0..edits {

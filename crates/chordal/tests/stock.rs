@@ -349,7 +349,7 @@ fn an_undercut_is_in_the_target_or_goes_into_it() {
     let both = passes(&[1, 2]);
     let part = |program: &str| {
         let found = run(T_SLOT, program);
-        let mesh = match found.stretches() {
+        let mesh = match found.intervals() {
             Some(_) => surface_of(&found),
             None => box_with_a_slot(),
         };
@@ -448,14 +448,14 @@ fn what_a_tap_leaves_is_between_its_core_and_its_thread() {
 
 /// 100 × 60 × 20 mm with a slot of 10 × 12 along X.
 fn box_with_a_slot() -> Mesh {
-    let mut stretches = SolidIntervals::default();
+    let mut intervals = SolidIntervals::default();
     for row in 0..120 {
         let is_slot = (50..70).contains(&row);
-        (0..200).for_each(|_| stretches.push([[0.0, if is_slot { 8.0 } else { 20.0 }]]));
+        (0..200).for_each(|_| intervals.push([[0.0, if is_slot { 8.0 } else { 20.0 }]]));
     }
     let origin = Vec3::new(0.0, -30.0, -20.0);
-    let (size, stretches) = ([100.0, 60.0], &stretches);
-    let field = LayerField { origin, cell: 0.5, columns: 200, rows: 120, size, stretches };
+    let (size, intervals) = ([100.0, 60.0], &intervals);
+    let field = LayerField { origin, cell: 0.5, columns: 200, rows: 120, size, intervals };
     field.mesh(0.0).expect("a surface").mesh
 }
 
@@ -508,8 +508,8 @@ fn a_part_is_cut_from_several_sides() {
     let volume = surface_of(&found).volume();
     assert!((volume - 105_000.0).abs() < 1_000.0, "{volume}");
     // The slot of A90 goes into one of the sides along Y, from 10 to 20 mm above the bottom.
-    let stretches = found.stretches().expect("cut from other sides");
-    let sides = [0, 79].map(|row| stretches.of(row * 200 + 100));
+    let intervals = found.intervals().expect("cut from other sides");
+    let sides = [0, 79].map(|row| intervals.of(row * 200 + 100));
     let slotted = sides.iter().find(|side| side.len() == 2).expect("a slot");
     // A wall is known to a column, and its place along another one to a 64th of it.
     let near = |a: f64, b: f64| (a - b).abs() <= RESOLUTION * (1.0 + 1.0 / 64.0);

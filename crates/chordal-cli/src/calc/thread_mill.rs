@@ -188,7 +188,7 @@ fn hand(args: &Args, requested: &ThreadRequest) -> Result<ThreadHand, CommandFai
     });
     let named = requested.name.as_ref().and_then(|name| name.hand);
     match (stated, named) {
-        (Some(said), Some(named)) if said != named => Err(CommandFailure::wrong(
+        (Some(chosen), Some(named)) if chosen != named => Err(CommandFailure::wrong(
             "the name of the thread and --hand give different hands",
             "leave out --hand, or LH or RH",
         )),

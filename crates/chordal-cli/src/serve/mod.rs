@@ -100,7 +100,7 @@ impl ServeSession {
     fn take(&mut self, line: lines::InputLine) -> Result<(), CommandFailure> {
         let line = match line {
             Ok(line) => line,
-            Err(told) => return self.send(&json!({ "id": null, "error": told.json() })),
+            Err(rejected) => return self.send(&json!({ "id": null, "error": rejected.json() })),
         };
         match ServeMessage::read(&line) {
             Ok(ServeMessage::Ask(question)) => self.waiting.push_back(*question),

@@ -87,7 +87,7 @@ the repeats are flat circles at that depth. For one turn below the other write t
     G91 I-.5 G3 Z-.1 L3
     G90"#;
 
-    EndsElsewhere = 214, "ends-elsewhere", Note;
+    EndsOutside = 214, "ends-elsewhere", Note;
     "a subprogram with a contour in G91 does not come back to where it began";
     r#"A pocket or a boss in G91 starts at the position where it is called, and its lead-out comes back to it, so
 that the next call starts there, too. Here the sum of the moves is not zero: blocks are missing, or a

@@ -12,7 +12,7 @@ mod rotary_feed;
 mod turning;
 
 use chordal_command::RapidPath;
-use chordal_machine::{Machine, SettingEntry as Given, SettingValue};
+use chordal_machine::{Machine, SettingEntry, SettingValue};
 
 pub use self::field::SettingField;
 use self::field::SettingInput;
@@ -290,7 +290,7 @@ fn apply(
     own: &[Setting],
     parameters: &mut Parameters,
     name: &str,
-    context: &Given,
+    context: &SettingEntry,
 ) -> Result<(), SettingError> {
     let refuse = |message: String, help: Option<String>| SettingError {
         name: name.to_string(),

@@ -156,6 +156,7 @@ impl Interpreter<'_> {
     /// Notes that a part of the first text was read; its main program stands in it.
     pub(super) fn look_at_range(&self, range: TextRange) {
         let inspected = self.text_read_outside.get();
-        self.text_read_outside.set(Some(inspected.map_or(range, |looked| looked.cover(range))));
+        self.text_read_outside
+            .set(Some(inspected.map_or(range, |range_read| range_read.cover(range))));
     }
 }

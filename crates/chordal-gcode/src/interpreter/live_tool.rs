@@ -13,7 +13,7 @@ impl Interpreter<'_> {
         let number = self.control.parameters.live_tool_p;
         let word = block.last(b'P').copied().filter(|_| number > 0);
         let provided = word.and_then(|word| self.literal(&word));
-        provided.is_some_and(|given| given.to_f64() == f64::from(number))
+        provided.is_some_and(|value| value.to_f64() == f64::from(number))
     }
 
     /// M3 and M4.

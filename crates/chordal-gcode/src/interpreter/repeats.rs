@@ -124,7 +124,7 @@ impl Interpreter<'_> {
         let (dx, dy) = (self.kernel.length_text(dx), self.kernel.length_text(dy));
         self.kernel.report(
             Diagnostic::new(
-                Code::EndsElsewhere,
+                Code::EndsOutside,
                 self.kernel.origin.span,
                 format!("this subprogram ends X {dx}, Y {dy} away from its start"),
             )

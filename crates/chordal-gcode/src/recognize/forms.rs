@@ -61,7 +61,7 @@ pub fn shows(form: TextForm, text: &[u8], line: &SampleLine) -> bool {
 pub fn begins(text: &[u8], piece: &str, whole: bool) -> bool {
     let same = |(provided, target): (&u8, u8)| match target {
         b'?' => provided.is_ascii_digit(),
-        wanted => provided.to_ascii_uppercase() == wanted,
+        expected => provided.to_ascii_uppercase() == expected,
     };
     let fits = if whole { text.len() == piece.len() } else { text.len() >= piece.len() };
     fits && text.iter().zip(piece.bytes()).all(same)

@@ -108,8 +108,8 @@ impl PartContour {
                     places.push((block.tag, place));
                     last = Some(to);
                 }
-                Some((before, same_way)) => {
-                    if !same_way {
+                Some((before, same_direction)) => {
+                    if !same_direction {
                         self.ambiguous.push((self.tags[before as usize], block.tag));
                     }
                     places.push((block.tag, before));

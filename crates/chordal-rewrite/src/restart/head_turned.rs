@@ -53,15 +53,15 @@ impl HeadWriter<'_, '_> {
         let words = [rapid, self.place(0, from_x)?, self.place(2, from_z)?];
         lines.push(words.join(self.gap()));
         lines.extend(self.before.words.coolant.iter().cloned());
-        let mut ways = Vec::new();
+        let mut moves = Vec::new();
         if (z - from_z).abs() > COINCIDENT_MM {
-            ways.push(self.place(2, z)?);
+            moves.push(self.place(2, z)?);
         }
         if (x - from_x).abs() > COINCIDENT_MM {
-            ways.push(self.place(0, x)?);
+            moves.push(self.place(0, x)?);
         }
         let feed = feed_word(modal, self.source.style);
-        match (ways.is_empty(), feed) {
+        match (moves.is_empty(), feed) {
             (true, feed) => lines.extend(feed),
             (false, None) => {
                 return Err(HeadError(
@@ -75,10 +75,10 @@ impl HeadWriter<'_, '_> {
                     ));
                 }
                 let cut = self.needed(Action::Motion(MotionCode::Linear), "a straight cut")?;
-                let mut ways = ways.into_iter();
-                let first = ways.next().unwrap_or_default();
+                let mut moves = moves.into_iter();
+                let first = moves.next().unwrap_or_default();
                 lines.push([cut, first, feed].join(self.gap()));
-                lines.extend(ways);
+                lines.extend(moves);
             }
         }
         lines.extend(self.setups());

@@ -26,7 +26,7 @@ use self::watch::{RunToBlock, StateBefore, before};
 use crate::TransformRefusal;
 use crate::convert::{CycleContour, CycleContours};
 use crate::source::SourceBlocks;
-use crate::split::open::stretches;
+use crate::split::open::unsplittable_ranges;
 
 /// Why a program cannot begin at a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -444,8 +444,10 @@ impl RestartRequest<'_, '_> {
     /// No loop, jump or variable spans the block.
     fn check_not_spanned(&self, main: &Range<usize>, at: usize) -> Result<(), RestartRefusal> {
         let start = self.source.start_of(at);
-        let retained = stretches(self.job, self.source, main);
-        let Some(retained) = retained.iter().find(|held| held.holds(start)) else { return Ok(()) };
+        let retained = unsplittable_ranges(self.job, self.source, main);
+        let Some(retained) = retained.iter().find(|range| range.holds(start)) else {
+            return Ok(());
+        };
         let line = self.source.blocks[self.source.first_at(retained.from())].line;
         let what = format!("{} begins before the line and is needed after it", retained.what);
         Err(self.refuse(RefusalReason::Repeated, what, format!("begin at line {line} or before")))

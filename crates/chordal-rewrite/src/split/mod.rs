@@ -74,7 +74,7 @@ pub fn split(job: &Job, by: SplitBy) -> Result<SplitProgram, TransformRefusal> {
     if source.blocks.iter().all(|block| block.words.is_empty()) {
         return Err(refusal(1, "there is no program to split".into(), "name a file that has one"));
     }
-    let open = open::stretches(job, &source, main);
+    let open = open::unsplittable_ranges(job, &source, main);
     let mut stationary_notes: Vec<String> = survey
         .unknown
         .iter()

@@ -34,18 +34,18 @@ impl UnsplittableRange {
 }
 
 /// All that must not be split in the main program.
-pub(crate) fn stretches(
+pub(crate) fn unsplittable_ranges(
     job: &Job,
     source: &SourceBlocks,
     main: &Range<usize>,
 ) -> Vec<UnsplittableRange> {
-    let mut stretches = loops(source, main);
-    let Some(program) = program(job) else { return stretches };
+    let mut unsplittable_ranges = loops(source, main);
+    let Some(program) = program(job) else { return unsplittable_ranges };
     let mut places: HashMap<SymbolName, Vec<NameOccurrence>> = HashMap::new();
     for place in program.occurrences() {
         places.entry(place.name.clone()).or_default().push(place);
     }
-    stretches.extend(places.iter().filter_map(|(name, places)| match name {
+    unsplittable_ranges.extend(places.iter().filter_map(|(name, places)| match name {
         // Every part has the programs that it calls.
         SymbolName::Program(_) => None,
         SymbolName::Variable { name, .. } => variable(name, places),
@@ -64,7 +64,7 @@ pub(crate) fn stretches(
             if is_used && !is_sub { whole(places, what) } else { None }
         }
     }));
-    stretches
+    unsplittable_ranges
 }
 
 fn whole(places: &[NameOccurrence], what: String) -> Option<UnsplittableRange> {
@@ -89,7 +89,7 @@ fn variable(name: &str, places: &[NameOccurrence]) -> Option<UnsplittableRange> 
 /// From `DO` to `END`.
 fn loops(source: &SourceBlocks, main: &Range<usize>) -> Vec<UnsplittableRange> {
     let mut open = Vec::new();
-    let mut stretches = Vec::new();
+    let mut unsplittable_ranges = Vec::new();
     for block in &source.blocks[main.clone()] {
         let BlockKind::Macro(range) = block.kind else { continue };
         let words = range.slice(source.text).to_ascii_uppercase();
@@ -100,8 +100,8 @@ fn loops(source: &SourceBlocks, main: &Range<usize>) -> Vec<UnsplittableRange> {
             && let Some(from) = open.pop()
         {
             let what = "a loop".into();
-            stretches.push(UnsplittableRange { from, to: block.range.start, what });
+            unsplittable_ranges.push(UnsplittableRange { from, to: block.range.start, what });
         }
     }
-    stretches
+    unsplittable_ranges
 }

@@ -247,13 +247,13 @@ impl<'w, 'a> PartWriter<'w, 'a> {
 
     /// The lines that a part begins with, so that all is as it was.
     fn begin(&self, stationary: &StateAt, point: SplitPoint, rounded_mm: &mut f64) -> Vec<String> {
-        let StateAt { modal, words: said } = stationary;
+        let StateAt { modal, words } = stationary;
         let style = self.source.style;
         let gap = if style.spaced { " " } else { "" };
         let name = |action| codes::name(action, self.control, style);
         let mut lines = Vec::new();
         let is_clear = point.kind == SafePointKind::Clear;
-        let mut codes = said.codes.clone();
+        let mut codes = words.codes.clone();
         let is_incremental = is_clear && modal.incremental;
         if is_incremental {
             codes.extend(
@@ -262,9 +262,9 @@ impl<'w, 'a> PartWriter<'w, 'a> {
             );
         }
         lines.push(codes.into_values().collect::<Vec<String>>().join(gap));
-        lines.extend(said.lines.values().cloned());
-        lines.extend(said.data.iter().cloned());
-        let work = codes::work_offset(modal.work, self.control, style).filter(|_| said.work);
+        lines.extend(words.lines.values().cloned());
+        lines.extend(words.data.iter().cloned());
+        let work = codes::work_offset(modal.work, self.control, style).filter(|_| words.work);
         let motion = modal
             .motion
             .map(Action::from)
@@ -272,7 +272,7 @@ impl<'w, 'a> PartWriter<'w, 'a> {
         if is_clear {
             lines.extend(self.tool(stationary));
             lines.extend(self.approach(stationary, work, rounded_mm));
-            lines.extend(said.coolant.iter().cloned());
+            lines.extend(words.coolant.iter().cloned());
             lines.extend(motion.and_then(name));
         } else {
             lines.extend(work);
@@ -289,8 +289,8 @@ impl<'w, 'a> PartWriter<'w, 'a> {
     }
 
     /// The tool change.
-    fn tool(&self, StateAt { modal, words: said }: &StateAt) -> Option<String> {
-        let words = said.tool.as_ref()?;
+    fn tool(&self, StateAt { modal, words }: &StateAt) -> Option<String> {
+        let words = words.tool.as_ref()?;
         let gap = if self.source.style.spaced { " " } else { "" };
         Some(if words.contains('T') {
             words.clone()
@@ -302,7 +302,7 @@ impl<'w, 'a> PartWriter<'w, 'a> {
     /// To where the tool stood: over the place, then down to it.
     fn approach(
         &self,
-        StateAt { modal, words: said }: &StateAt,
+        StateAt { modal, words }: &StateAt,
         work: Option<String>,
         rounded_mm: &mut f64,
     ) -> [String; 2] {
@@ -316,16 +316,16 @@ impl<'w, 'a> PartWriter<'w, 'a> {
         let is_stated =
             |axis: &usize| modal.known.has(*axis) && (*axis < 3 || modal.position[*axis] != 0.0);
         over.extend([0, 1, 3, 4, 5].into_iter().filter(is_stated).map(&mut place));
-        if said.speed && modal.rpm > 0.0 {
+        if words.speed && modal.rpm > 0.0 {
             over.push(format!("S{}", plain(modal.rpm, 3, style).trim_end_matches('.')));
         }
         if modal.spindle != SpindleState::Off {
-            over.extend(said.spindle.clone());
+            over.extend(words.spindle.clone());
         }
         let mut down: Vec<String> = Vec::new();
         if let Some(number) = modal.length_offset {
-            down.extend(said.length.clone());
-            let written = said.h.clone().filter(|word| word[1..].parse() == Ok(number));
+            down.extend(words.length.clone());
+            let written = words.h.clone().filter(|word| word[1..].parse() == Ok(number));
             down.push(written.unwrap_or_else(|| format!("H{number}")));
         }
         down.push(place(2));

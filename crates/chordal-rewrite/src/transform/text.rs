@@ -71,7 +71,7 @@ fn computed_jump(job: &Job) -> bool {
             let words = range.slice(text).to_ascii_uppercase();
             let after =
                 words.windows(4).position(|word| word == b"GOTO").map(|at| &words[at + 4..]);
-            let first = after.and_then(|behind| behind.iter().find(|byte| **byte != b' '));
+            let first = after.and_then(|bytes| bytes.iter().find(|byte| **byte != b' '));
             found |= first.is_some_and(|byte| !byte.is_ascii_digit());
         }
     });
@@ -130,13 +130,13 @@ pub(super) fn shrink(job: &Job, most: usize) -> Result<StepOutcome, TransformRef
     let old = first_text(job);
     let mut text = old.to_vec();
     let (mut done, mut made) = (Vec::new(), Vec::new());
-    let ways: [(&str, ShorteningStep); 4] = [
+    let shortenings: [(&str, ShorteningStep); 4] = [
         ("blanks", blanks),
         ("digits", digits),
         ("block numbers", no_numbers),
         ("comments", strip_comments),
     ];
-    for (name, path) in ways {
+    for (name, path) in shortenings {
         if text.len() <= most {
             break;
         }

@@ -199,7 +199,7 @@ pub(crate) struct SolidColumn<'a> {
 
 impl SolidColumn<'_> {
     /// Its stretches from a bottom on.
-    fn stretches(&self, bottom: f64) -> impl Iterator<Item = [f64; 2]> {
+    fn intervals(&self, bottom: f64) -> impl Iterator<Item = [f64; 2]> {
         let floors = core::iter::once(bottom).chain(self.gaps.iter().map(|gap| f64::from(gap[1])));
         let tops = self.gaps.iter().map(|gap| f64::from(gap[0]));
         let tops = tops.chain(core::iter::once(f64::from(self.height)));
@@ -208,12 +208,12 @@ impl SolidColumn<'_> {
 
     /// How much of it a stretch has, mm.
     pub fn within(&self, bottom: f64, [floor, top]: [f64; 2]) -> f64 {
-        self.stretches(bottom).map(|[from, to]| (to.min(top) - from.max(floor)).max(0.0)).sum()
+        self.intervals(bottom).map(|[from, to]| (to.min(top) - from.max(floor)).max(0.0)).sum()
     }
 
     /// How much of it is not in another one, mm.
     pub fn without(&self, other: &SolidColumn<'_>, bottom: f64) -> f64 {
-        let own = self.stretches(bottom);
+        let own = self.intervals(bottom);
         own.map(|part| (part[1] - part[0]).max(0.0) - other.within(bottom, part)).sum()
     }
 }

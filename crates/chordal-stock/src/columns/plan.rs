@@ -92,7 +92,7 @@ const STRIP_MARGIN_SHARE: f64 = 1e-5;
 impl StockTask<'_> {
     /// Whether bodies are compared on a move.
     fn asks(&self, number: u32) -> bool {
-        let requested = |asked: &[u32]| asked.binary_search(&(self.first + number)).is_ok();
+        let requested = |numbers: &[u32]| numbers.binary_search(&(self.first + number)).is_ok();
         !self.bodies.is_empty() && self.numbers.is_none_or(requested)
     }
 

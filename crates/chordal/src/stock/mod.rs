@@ -20,7 +20,7 @@ mod run;
 mod setup;
 mod sides;
 mod solid;
-mod stretches;
+mod solid_intervals;
 mod target;
 mod teeth;
 mod tools;

@@ -6,7 +6,7 @@ use chordal_geometry::{Aabb, Transform};
 use chordal_stock::{ColumnStock, RemovedSpan};
 
 use super::earlier::InitialStock;
-use super::stretches::{ColumnKnowledge, stretches_of};
+use super::solid_intervals::{ColumnKnowledge, intervals_of};
 
 /// Columns along a side of a block of which one height is kept.
 const BLOCK: u32 = 16;
@@ -55,7 +55,7 @@ impl SideRemoval {
                 }
                 is_cut[index] = pairs[index].inner < begun.of(low, high)[1] - EQUAL_HEIGHT_MM;
                 let left =
-                    stretches_of(stock, [column, row], ColumnKnowledge::Surely, pairs[index].inner);
+                    intervals_of(stock, [column, row], ColumnKnowledge::Surely, pairs[index].inner);
                 let [_, filled] = begun.shape.filled(corners);
                 let lowest = lowest_removed(&filled, &left);
                 if lowest.is_finite() {

@@ -83,7 +83,7 @@ pub struct StockReport {
     /// The columns of the others.
     pub(super) others: Vec<OtherSide>,
     /// Found once they are asked for.
-    pub(super) stretches: OnceLock<SolidIntervals>,
+    pub(super) intervals: OnceLock<SolidIntervals>,
     /// The stock as it is left.
     pub stock: ColumnStock,
     /// The run, with the problems as diagnostics among the others.

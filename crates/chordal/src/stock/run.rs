@@ -462,7 +462,7 @@ fn finish(
         target: None,
         sides: cut.sides,
         others,
-        stretches: OnceLock::new(),
+        intervals: OnceLock::new(),
         stock,
         report,
     }

@@ -9,7 +9,7 @@ use chordal_stock::mesh::{HeightField, HeightFieldError, HeightMesh, LayerField,
 
 use super::removed::OtherSide;
 use super::report::StockReport;
-use super::stretches::{ColumnKnowledge, stretches_of};
+use super::solid_intervals::{ColumnKnowledge, intervals_of};
 use super::turns::boxed;
 
 /// Where a column is cut from another side is found to this share of a column.
@@ -18,8 +18,8 @@ const MAX_HALVINGS: u32 = 6;
 impl StockReport {
     /// What is left as stretches of material in each column of the stock, from its bottom, mm: what is in the middle of
     /// the column. `None` where the heights of the columns say it all.
-    pub fn stretches(&self) -> Option<&SolidIntervals> {
-        self.has_undersides().then(|| self.stretches.get_or_init(|| self.find_stretches()))
+    pub fn intervals(&self) -> Option<&SolidIntervals> {
+        self.has_undersides().then(|| self.intervals.get_or_init(|| self.find_intervals()))
     }
 
     /// What is left as a closed surface of flat tops and undersides, which are no further from their columns than a
@@ -33,9 +33,9 @@ impl StockReport {
         let [columns, rows] = grid.cells().map(|cells| cells as usize);
         let (origin, cell) = (grid.bounds().min, grid.resolution());
         let size = [grid.bounds().size().x, grid.bounds().size().y];
-        match self.stretches() {
-            Some(stretches) => {
-                LayerField { origin, cell, columns, rows, size, stretches }.mesh(tolerance_mm)
+        match self.intervals() {
+            Some(intervals) => {
+                LayerField { origin, cell, columns, rows, size, intervals }.mesh(tolerance_mm)
             }
             None => {
                 let heights: Vec<f32> =
@@ -47,7 +47,7 @@ impl StockReport {
         }
     }
 
-    fn find_stretches(&self) -> SolidIntervals {
+    fn find_intervals(&self) -> SolidIntervals {
         let others: Vec<SideHeights<'_>> = self.others.iter().map(SideHeights::new).collect();
         let grid = self.stock.grid();
         let bounds = grid.bounds();
@@ -59,15 +59,15 @@ impl StockReport {
                 let (at, index) =
                     ([column, row], row as usize * columns as usize + column as usize);
                 let pair = pairs[index];
-                let outer = stretches_of(&self.stock, at, ColumnKnowledge::Maybe, pair.outer);
-                let inner = stretches_of(
+                let outer = intervals_of(&self.stock, at, ColumnKnowledge::Maybe, pair.outer);
+                let inner = intervals_of(
                     &self.stock,
                     at,
                     ColumnKnowledge::Surely,
                     pair.inner.min(pair.outer),
                 );
                 let middle =
-                    stretches_of(&self.stock, at, ColumnKnowledge::InTheMiddle, middles[index]);
+                    intervals_of(&self.stock, at, ColumnKnowledge::InTheMiddle, middles[index]);
                 let mut own = between(&middle, &outer, &inner);
                 let corners = grid.corners(column, row);
                 for other in &others {
@@ -91,11 +91,11 @@ impl StockReport {
     /// The top of each column in its middle, mm, row by row: the bottom where nothing is left.
     pub fn tops(&self) -> Vec<f64> {
         let bottom = self.stock.grid().bounds().min.z;
-        match self.stretches() {
-            Some(stretches) => {
+        match self.intervals() {
+            Some(intervals) => {
                 let top =
-                    |column| stretches.of(column).last().map_or(bottom, |[_, to]| bottom + to);
-                (0..stretches.len()).map(top).collect()
+                    |column| intervals.of(column).last().map_or(bottom, |[_, to]| bottom + to);
+                (0..intervals.len()).map(top).collect()
             }
             None => self.stock.middles().into_iter().map(|top| top.max(bottom)).collect(),
         }
@@ -142,7 +142,7 @@ impl<'a> SideHeights<'a> {
     /// Stretches of a column less what is cut from this side.
     fn cut(
         &self,
-        stretches: Vec<[f64; 2]>,
+        intervals: Vec<[f64; 2]>,
         [low, high]: [[f64; 2]; 2],
         step: f64,
     ) -> Vec<[f64; 2]> {
@@ -156,7 +156,7 @@ impl<'a> SideHeights<'a> {
             !self.is_removed(self.side.there.apply_point(at))
         };
         let mut left = Vec::new();
-        for range in stretches {
+        for range in intervals {
             if self.side.removed.is_above(&boxed(&body(range), &self.side.there)) {
                 left.push(range);
             } else {

@@ -13,7 +13,7 @@ use super::heights::ShapeHeights;
 use super::inside::{InnerCertainty, InnerCutter};
 use super::pass::PassContext;
 use super::problems::StockProblems;
-use super::stretches::{ColumnKnowledge, stretches_of, without};
+use super::solid_intervals::{ColumnKnowledge, intervals_of, without};
 
 /// Contacts that are less deep are rounding, mm.
 const CONTACT_ROUNDING_MM: f64 = 1e-3;
@@ -136,8 +136,8 @@ struct TargetQuestion<'a> {
     moves: Vec<TipMove>,
 }
 
-fn length(stretches: &[[f64; 2]]) -> f64 {
-    stretches.iter().map(|[from, to]| to - from).sum()
+fn length(intervals: &[[f64; 2]]) -> f64 {
+    intervals.iter().map(|[from, to]| to - from).sum()
 }
 
 fn left_over(heights: &ShapeHeights<'_>, stock: &ColumnStock) -> TargetReport {
@@ -155,7 +155,7 @@ fn left_over(heights: &ShapeHeights<'_>, stock: &ColumnStock) -> TargetReport {
             let pair = pairs[row as usize * columns as usize + column as usize];
             let [may_be, is] = heights.filled([low, high]);
             let over = |known: ColumnKnowledge, height: f64, part: &[[f64; 2]]| {
-                let left = stretches_of(stock, [column, row], known, height);
+                let left = intervals_of(stock, [column, row], known, height);
                 part.iter().fold(left, |left, own| without(&left, *own))
             };
             // What is surely left and in no place of the part, and what may be left and not all part.

@@ -138,9 +138,9 @@ pub(crate) fn contradicted_tools(job: &Job) -> Vec<Diagnostic> {
     }
     let stated = scan(job).into_iter();
     stated
-        .filter_map(|(said, span)| {
-            let known = job.machine().tools.get(&said.number);
-            let message = turning::contradiction(&said, known)?;
+        .filter_map(|(tool, span)| {
+            let known = job.machine().tools.get(&tool.number);
+            let message = turning::contradiction(&tool, known)?;
             let help = "correct the one that is wrong: the value of the machine file counts";
             Some(Diagnostic::new(Code::ToolContradicted, span, message).help(help))
         })
@@ -166,7 +166,7 @@ fn fill(tool: &mut Tool, stated: &CommentedTool) -> bool {
 /// What the comments of the first text say, those with a diameter first.
 fn commented_tools(job: &Job) -> Vec<(CommentedTool, Span)> {
     let mut stated = scan(job);
-    stated.sort_by_key(|(said, _)| said.diameter_mm.is_none());
+    stated.sort_by_key(|(tool, _)| tool.diameter_mm.is_none());
     stated
 }
 

@@ -30,7 +30,7 @@ pub(super) fn read_phrase(text: &str, inch: bool, named: Option<u32>) -> Option<
     if let Some(number) = named {
         let described = upper.strip_prefix("DESCRIPTION:").or(Some(upper));
         let stated = described.and_then(|text| read_description(text, inch));
-        return stated.map(|said| CommentedTool { number, ..said });
+        return stated.map(|tool| CommentedTool { number, ..tool });
     }
     if let Some(rest) = DIAMETER_KEYS.iter().find_map(|key| upper.strip_prefix(key)) {
         let diameter = number(rest.trim_start_matches([' ', ':', '-', '=']))?;

@@ -274,8 +274,8 @@ impl CommentReader<'_> {
             if !rad || of_nose {
                 return None;
             }
-            let following = self.number_after(at).filter(|behind| {
-                let number = self.tokens[*behind].number();
+            let following = self.number_after(at).filter(|place| {
+                let number = self.tokens[*place].number();
                 // `DIA 10.0 R 0.5`; elsewhere `R .1` may be a level.
                 let after_diameter = || (0..at).any(|at| self.word(at) == Some("DIA"));
                 let is_near = self.tokens[at + 1].glued || after_diameter();

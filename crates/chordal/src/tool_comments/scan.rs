@@ -92,16 +92,16 @@ impl ToolCommentScan<'_, '_> {
         let named = self.named.take();
         let loose = read_form(words, inch).or_else(|| read_phrase(words, inch, named));
         match loose {
-            Some(said) if said.number > 0 => self.found.push((said, span)),
-            Some(said) => match called {
-                Some(number) => self.without_number.push((CommentedTool { number, ..said }, span)),
-                None => self.keep(said, span),
+            Some(tool) if tool.number > 0 => self.found.push((tool, span)),
+            Some(tool) => match called {
+                Some(number) => self.without_number.push((CommentedTool { number, ..tool }, span)),
+                None => self.keep(tool, span),
             },
             None => {
                 let called = called.filter(|_| changes);
                 let turns = self.job.turns();
                 match read_tool_comment(words, inch, called, turns) {
-                    Some(said) => self.found.push((said, span)),
+                    Some(tool) => self.found.push((tool, span)),
                     // `(OD ROUGH RIGHT - 80 DEG. INSERT - CNMG-432)` is of the tool that is called next.
                     None if turns => {
                         if let Some(stated) = read_insert(words) {

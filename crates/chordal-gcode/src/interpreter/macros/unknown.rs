@@ -243,12 +243,12 @@ impl Interpreter<'_> {
             let mut diagnostic = Diagnostic::new(Code::UnknownVariable, span, message)
                 .label("the first one")
                 .help(self.give(cause, &self.name_of(cause)));
-            let retained = |held: VariableRetention| -> Vec<UnknownCause> {
+            let retained = |retention: VariableRetention| -> Vec<UnknownCause> {
                 let is_retained = |cause: &UnknownCause| match *cause {
                     UnknownCause::Variable(number) => self
                         .rules()
                         .common_range(number)
-                        .is_some_and(|range| range.retention == held),
+                        .is_some_and(|range| range.retention == retention),
                     UnknownCause::Letters(..) | UnknownCause::Name(_) => false,
                 };
                 own.iter().copied().filter(is_retained).collect()

@@ -94,19 +94,19 @@ impl Kernel<'_> {
         if kind.motion().is_none() {
             let command = self.in_work(kind, self.origin);
             match &mut self.corners.queued {
-                Some(held) => held.waiting.push(QueuedItem::Command(command)),
+                Some(queued) => queued.waiting.push(QueuedItem::Command(command)),
                 None => self.hand_over(&command),
             }
             return;
         }
         let kind = match self.corners.queued.take() {
             // Several moves of one block: the corner is at the end of the last.
-            Some(held) if held.is_open && self.corners.request.is_none() => {
-                self.corners.request = Some(held.corner);
-                self.pass_on(*held);
+            Some(queued) if queued.is_open && self.corners.request.is_none() => {
+                self.corners.request = Some(queued.corner);
+                self.pass_on(*queued);
                 Some(kind)
             }
-            Some(held) => self.join(*held, kind),
+            Some(queued) => self.join(*queued, kind),
             None => Some(kind),
         };
         match (self.corners.request.take(), kind) {

@@ -120,7 +120,7 @@ impl<'a> StepBuilder<'a> {
                 // The count was checked against 32 bits before.
                 self.first.push(self.vertices.len() as u32);
                 let node = self.node(at, used);
-                for (height, &path) in node.vertices().zip(node.ways()) {
+                for (height, &path) in node.vertices().zip(node.directions()) {
                     if path != [0, 0] {
                         self.touching.push(TouchingVertex {
                             vertex: self.vertices.len() as u32,

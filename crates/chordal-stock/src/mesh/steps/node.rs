@@ -27,7 +27,7 @@ impl FaceKind {
 }
 
 /// From the corner to each cell.
-const WAYS: [[i8; 2]; 4] = [[1, 1], [-1, 1], [-1, -1], [1, -1]];
+const CELL_DIRECTIONS: [[i8; 2]; 4] = [[1, 1], [-1, 1], [-1, -1], [1, -1]];
 
 /// The solid cell behind a face by its index.
 fn solid_cell(face: usize, above: [bool; 4], below: [bool; 4]) -> usize {
@@ -56,7 +56,7 @@ pub(super) struct CornerNode {
     vertex_levels: [u8; MAX_VERTICES],
     vertices: usize,
     /// For each vertex the way to its body, along X and Y, where another body has one at the same place.
-    ways: [[i8; 2]; MAX_VERTICES],
+    directions: [[i8; 2]; MAX_VERTICES],
 }
 
 impl CornerNode {
@@ -69,7 +69,7 @@ impl CornerNode {
             touching: None,
             vertex_levels: std::array::from_fn(|vertex| vertex as u8),
             vertices: 0,
-            ways: [[0, 0]; MAX_VERTICES],
+            directions: [[0, 0]; MAX_VERTICES],
         };
         if bottom {
             node.add(floor);
@@ -92,8 +92,8 @@ impl CornerNode {
 
     /// For each vertex where to move it along X and Y to part it from another one at the same place; nothing where
     /// it is alone.
-    pub(super) fn ways(&self) -> &[[i8; 2]] {
-        &self.ways[..self.vertices]
+    pub(super) fn directions(&self) -> &[[i8; 2]] {
+        &self.directions[..self.vertices]
     }
 
     /// The height of each vertex, mm.
@@ -132,7 +132,7 @@ impl CornerNode {
             *of = meeting.vertex.map(|vertex| vertex + first as u8);
             let next = first + meeting.count;
             vertex_levels[first..next].fill(level as u8);
-            self.ways[first..next].copy_from_slice(&meeting.ways[..meeting.count]);
+            self.directions[first..next].copy_from_slice(&meeting.directions[..meeting.count]);
             first = next;
         }
         (self.vertices, self.vertex_levels) = (first, vertex_levels);
@@ -148,7 +148,7 @@ pub(super) struct LevelMeeting {
     /// How many vertices there are: two where two bodies touch.
     pub count: usize,
     /// For each the way to its body, along X and Y, where there are two.
-    pub ways: [[i8; 2]; 2],
+    pub directions: [[i8; 2]; 2],
 }
 
 impl LevelMeeting {
@@ -194,7 +194,7 @@ impl LevelMeeting {
             }
         }
         let mut meeting =
-            LevelMeeting { vertex: [0; FaceKind::COUNT], count: 0, ways: [[0; 2]; 2] };
+            LevelMeeting { vertex: [0; FaceKind::COUNT], count: 0, directions: [[0; 2]; 2] };
         let mut numbers = [None; FaceKind::COUNT];
         for face in (0..FaceKind::COUNT).filter(|face| present[*face]) {
             let number = *numbers[class[face]].get_or_insert_with(|| {
@@ -202,13 +202,14 @@ impl LevelMeeting {
                 meeting.count - 1
             });
             meeting.vertex[face] = number as u8;
-            let path = WAYS[solid_cell(face, above, below)];
-            for (sum, part) in meeting.ways[number].iter_mut().zip(path) {
+            let path = CELL_DIRECTIONS[solid_cell(face, above, below)];
+            for (sum, part) in meeting.directions[number].iter_mut().zip(path) {
                 *sum += part;
             }
         }
         let is_one = meeting.count < 2;
-        meeting.ways = meeting.ways.map(|path| if is_one { [0, 0] } else { path.map(i8::signum) });
+        meeting.directions =
+            meeting.directions.map(|path| if is_one { [0, 0] } else { path.map(i8::signum) });
         meeting
     }
 

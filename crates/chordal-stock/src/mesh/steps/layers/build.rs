@@ -70,7 +70,7 @@ impl<'a> LayerBuilder<'a> {
         // The count was checked against 32 bits before.
         let corner = LayerCorner::new(&cells, self.vertices.len() as u32);
         for level in &corner.levels {
-            for &path in &level.meeting.ways[..level.meeting.count] {
+            for &path in &level.meeting.directions[..level.meeting.count] {
                 if path != [0, 0] {
                     self.touching
                         .push(TouchingVertex { vertex: self.vertices.len() as u32, toward: path });
@@ -99,7 +99,7 @@ impl<'a> LayerBuilder<'a> {
                 return LayerCell::default();
             }
             let cell = row * columns + column;
-            LayerCell { stretches: cover.stretches.of(cell), rectangles: cover.rectangles(cell) }
+            LayerCell { intervals: cover.intervals.of(cell), rectangles: cover.rectangles(cell) }
         })
     }
 
@@ -135,7 +135,7 @@ impl<'a> LayerBuilder<'a> {
             if let Some(from) = begin {
                 // From one corner with vertices to the next the cells on both sides are the same.
                 let cells = self.cells(from);
-                let [left, right] = along.cells().map(|cell| cells[cell].stretches);
+                let [left, right] = along.cells().map(|cell| cells[cell].intervals);
                 for (span, is_left) in differences(left, right) {
                     self.wall([from, at], along, span, is_left);
                 }

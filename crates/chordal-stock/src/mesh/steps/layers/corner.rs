@@ -6,22 +6,22 @@ use super::super::node::{FaceKind, LevelMeeting};
 /// The stretches of a cell, and the rectangles of their ends.
 #[derive(Clone, Copy, Default)]
 pub(super) struct LayerCell<'a> {
-    pub stretches: &'a [[f64; 2]],
+    pub intervals: &'a [[f64; 2]],
     pub rectangles: &'a [[u32; 2]],
 }
 
 impl LayerCell<'_> {
     fn is_solid_above(&self, height: f64) -> bool {
-        self.stretches.iter().any(|[from, to]| *from <= height && height < *to)
+        self.intervals.iter().any(|[from, to]| *from <= height && height < *to)
     }
 
     fn is_solid_below(&self, height: f64) -> bool {
-        self.stretches.iter().any(|[from, to]| *from < height && height <= *to)
+        self.intervals.iter().any(|[from, to]| *from < height && height <= *to)
     }
 
     /// The rectangle of the end at a height: its kind and number.
     fn rectangle(&self, height: f64) -> (usize, u32) {
-        let ends = self.stretches.iter().zip(self.rectangles);
+        let ends = self.intervals.iter().zip(self.rectangles);
         let mut ends =
             ends.flat_map(|(heights, of)| [0, 1].map(|end| (heights[end], end, of[end])));
         ends.find(|(at, ..)| *at == height).map_or((0, NONE), |(_, end, number)| (end, number))
@@ -90,7 +90,7 @@ impl LayerCorner {
 /// have vertices of their own, whatever is at its ends.
 fn heights(cells: &[LayerCell<'_>; 4]) -> Vec<f64> {
     let mut heights: Vec<f64> =
-        cells.iter().flat_map(|cell| cell.stretches.iter().flatten().copied()).collect();
+        cells.iter().flat_map(|cell| cell.intervals.iter().flatten().copied()).collect();
     heights.sort_by(f64::total_cmp);
     heights.dedup();
     let between: Vec<f64> = heights

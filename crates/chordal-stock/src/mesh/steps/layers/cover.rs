@@ -12,7 +12,7 @@ pub(super) struct LayerCover {
     pub undersides: Vec<CellRectangle>,
     pub tops: Vec<CellRectangle>,
     /// The stretches of each cell, with the heights of their rectangles, mm.
-    pub stretches: SolidIntervals,
+    pub intervals: SolidIntervals,
     /// For each stretch the numbers of the rectangles of its underside and of its top.
     pub of: Vec<[u32; 2]>,
     /// How far an end is from its rectangle at most, mm.
@@ -21,18 +21,18 @@ pub(super) struct LayerCover {
 
 impl LayerCover {
     /// Rectangles in which no end of a stretch is further from the mean than the tolerance, mm.
-    pub fn new(field: &LayerField<'_>, stretches: &SolidIntervals, tolerance: f64) -> LayerCover {
+    pub fn new(field: &LayerField<'_>, intervals: &SolidIntervals, tolerance: f64) -> LayerCover {
         let mut cover = LayerCover {
             undersides: Vec::new(),
             tops: Vec::new(),
-            stretches: stretches.clone(),
-            of: vec![[NONE; 2]; stretches.all.len()],
+            intervals: intervals.clone(),
+            of: vec![[NONE; 2]; intervals.all.len()],
             deviation: 0.0,
         };
         for end in [UNDERSIDE, TOP] {
-            let mut growing = RectangleGrowth { field, stretches, tolerance, end, row: Vec::new() };
-            for cell in 0..stretches.len() {
-                for section in stretches.range(cell) {
+            let mut growing = RectangleGrowth { field, intervals, tolerance, end, row: Vec::new() };
+            for cell in 0..intervals.len() {
+                for section in intervals.range(cell) {
                     if cover.of[section][end] == NONE {
                         growing.rectangle(cell, section, &mut cover);
                     }
@@ -44,7 +44,7 @@ impl LayerCover {
 
     /// The stretches of a cell with the rectangles of their ends.
     pub fn rectangles(&self, cell: usize) -> &[[u32; 2]] {
-        &self.of[self.stretches.range(cell)]
+        &self.of[self.intervals.range(cell)]
     }
 }
 
@@ -60,7 +60,7 @@ fn height(mean: f64, end: usize) -> f64 {
 /// Rectangles of one kind of end.
 struct RectangleGrowth<'a> {
     field: &'a LayerField<'a>,
-    stretches: &'a SolidIntervals,
+    intervals: &'a SolidIntervals,
     tolerance: f64,
     end: usize,
     /// The stretches of the row that is tried, kept for the next one.
@@ -72,7 +72,7 @@ impl RectangleGrowth<'_> {
     fn rectangle(&mut self, cell: usize, section: usize, cover: &mut LayerCover) {
         let LayerField { columns, rows, .. } = *self.field;
         let (column, row) = (cell % columns, cell / columns);
-        let mut heights = HeightSummary::NO.with(self.stretches.all[section][self.end]);
+        let mut heights = HeightSummary::NO.with(self.intervals.all[section][self.end]);
         let mut all = vec![section];
         let mut right = column + 1;
         while right < columns {
@@ -105,7 +105,7 @@ impl RectangleGrowth<'_> {
         into.push(CellRectangle { columns: [column, right], rows: [row, top], height });
         for section in all {
             cover.of[section][self.end] = number;
-            cover.stretches.all[section][self.end] = height;
+            cover.intervals.all[section][self.end] = height;
         }
     }
 
@@ -117,10 +117,10 @@ impl RectangleGrowth<'_> {
         cover: &LayerCover,
     ) -> Option<(usize, HeightSummary)> {
         let mean = heights.mean();
-        let off = |section: &usize| (self.stretches.all[*section][self.end] - mean).abs();
-        let free = self.stretches.range(cell).filter(|at| cover.of[*at][self.end] == NONE);
+        let off = |section: &usize| (self.intervals.all[*section][self.end] - mean).abs();
+        let free = self.intervals.range(cell).filter(|at| cover.of[*at][self.end] == NONE);
         let nearest = free.min_by(|a, b| off(a).total_cmp(&off(b)))?;
-        let height = self.stretches.all[nearest][self.end];
+        let height = self.intervals.all[nearest][self.end];
         // What stands on the floor stays there.
         let is_on_floor = |height: f64| height <= 0.0;
         if self.end == UNDERSIDE && is_on_floor(height) != is_on_floor(mean) {

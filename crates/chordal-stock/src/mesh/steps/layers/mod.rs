@@ -76,7 +76,7 @@ pub struct LayerField<'a> {
     /// How far the grid reaches along X and along Y, mm: there the last cells end, at their sides at the latest.
     pub size: [f64; 2],
     /// The stretches above the origin: `columns` of the lowest row first.
-    pub stretches: &'a SolidIntervals,
+    pub intervals: &'a SolidIntervals,
 }
 
 impl LayerField<'_> {
@@ -95,7 +95,7 @@ impl LayerField<'_> {
 
     /// The volume of the columns, mm³.
     pub fn volume(&self) -> f64 {
-        let solid = |cell: usize| self.stretches.of(cell).iter().map(|[from, to]| to - from).sum();
+        let solid = |cell: usize| self.intervals.of(cell).iter().map(|[from, to]| to - from).sum();
         self.plan().integral(solid)
     }
 
@@ -105,7 +105,7 @@ impl LayerField<'_> {
     }
 
     fn check(&self, tolerance: f64) -> Result<(), HeightFieldError> {
-        let LayerField { columns, rows, stretches, .. } = *self;
+        let LayerField { columns, rows, intervals, .. } = *self;
         // The grid, without the heights that it would have.
         let flat = HeightField {
             origin: self.origin,
@@ -113,13 +113,13 @@ impl LayerField<'_> {
             columns,
             rows,
             size: self.size,
-            heights: &vec![0.0; stretches.len()],
+            heights: &vec![0.0; intervals.len()],
             floor: 0.0,
         };
         flat.check(tolerance)?;
         let good = |height: f64| height >= 0.0 && self.origin.z + height <= MAX_COORDINATE_MM;
-        for cell in 0..stretches.len() {
-            let bad = stretches.of(cell).iter().flatten().find(|height| !good(**height));
+        for cell in 0..intervals.len() {
+            let bad = intervals.of(cell).iter().flatten().find(|height| !good(**height));
             if let Some(&value) = bad {
                 let (column, row) = (cell % columns, cell / columns);
                 return Err(HeightFieldError::Height { column, row, value: value as f32 });
@@ -132,9 +132,9 @@ impl LayerField<'_> {
     fn without_thin(&self, least: f64) -> SolidIntervals {
         let mut kept = SolidIntervals::default();
         let mut column: Vec<[f64; 2]> = Vec::new();
-        for cell in 0..self.stretches.len() {
+        for cell in 0..self.intervals.len() {
             column.clear();
-            for &[from, to] in self.stretches.of(cell) {
+            for &[from, to] in self.intervals.of(cell) {
                 match column.last_mut() {
                     Some(last) if from - last[1] < least => last[1] = last[1].max(to),
                     _ => column.push([from, to]),

@@ -14,7 +14,7 @@ pub(super) enum ColumnKnowledge {
 }
 
 /// What is left of a column, as stretches below its height, mm.
-pub(super) fn stretches_of(
+pub(super) fn intervals_of(
     stock: &ColumnStock,
     [column, row]: [u32; 2],
     known: ColumnKnowledge,
@@ -35,8 +35,8 @@ pub(super) fn stretches_of(
 }
 
 /// Stretches less another one.
-pub(super) fn without(stretches: &[[f64; 2]], [floor, top]: [f64; 2]) -> Vec<[f64; 2]> {
+pub(super) fn without(intervals: &[[f64; 2]], [floor, top]: [f64; 2]) -> Vec<[f64; 2]> {
     let parts =
-        stretches.iter().flat_map(|[from, to]| [[*from, to.min(floor)], [from.max(top), *to]]);
+        intervals.iter().flat_map(|[from, to]| [[*from, to.min(floor)], [from.max(top), *to]]);
     parts.filter(|[from, to]| from < to).collect()
 }
