@@ -1,7 +1,7 @@
 //! Problems, summary, comparison and conversion of programs.
 
 use chordal::motion::MotionOptions;
-use chordal::time::most_summarized;
+use chordal::time::max_summarized_moves;
 use chordal::{EVERY_PLACE, KEPT_PER_CODE, Watch};
 use chordal_compare::{Category, Options as Comparing, compare};
 use chordal_export::report::{self, Detail, Gitlab, RunOf, Sarif, files_json, summary_json};
@@ -52,7 +52,7 @@ pub fn run(asked: &mut Asked) -> Result<Answer, Failure> {
     }
     let loaded = asked.load()?;
     let job = loaded.job()?;
-    let most = most_summarized(loaded.size());
+    let most = max_summarized_moves(loaded.size());
     let (found, timed) = job.report_timed(&MotionOptions::default(), most, &mut Unwatched);
     // Limits nothing can be planned with are reported by the question about the time.
     let timed = timed.ok().flatten();

@@ -4,7 +4,9 @@ use std::path::PathBuf;
 
 use chordal::control::AxisMask;
 use chordal::machine::Dimension;
-use chordal::motion::{Level, MotionOptions, Sampled, Sampling, SamplingError};
+use chordal::motion::{
+    MotionOptions, PlannerLevel, SamplingError, SamplingReport, SamplingRequest,
+};
 use chordal::{Job, Report, Severity};
 use chordal_export::report::{self, Detail};
 use chordal_export::{SampleFormat, SampleHead, SampleWriter, not_named_texts};
@@ -74,10 +76,10 @@ enum Effort {
 }
 
 impl Effort {
-    fn of(self) -> Level {
+    fn of(self) -> PlannerLevel {
         match self {
-            Effort::Fast => Level::Fast,
-            Effort::Best => Level::Best,
+            Effort::Fast => PlannerLevel::Fast,
+            Effort::Best => PlannerLevel::Best,
         }
     }
 }
@@ -117,7 +119,7 @@ pub fn run(args: &Args, terminal: Terminal) -> Result<Verdict, Failure> {
     let mut writer = SampleWriter::new(out, inside(format), &head).map_err(told)?;
     let mut done = Ok(());
     let sampling =
-        Sampling { period_s: args.period, level: args.level.of(), most: args.max_samples };
+        SamplingRequest { period_s: args.period, level: args.level.of(), most: args.max_samples };
     let sampled = job.setpoints(&sampling, |sample, line| {
         keep(&mut done, || writer.sample(sample, line));
     });
@@ -172,7 +174,7 @@ fn machine_time(job: &Job, level: Effort) -> Option<f64> {
 }
 
 fn summary(
-    sampled: &Sampled,
+    sampled: &SamplingReport,
     machine_s: Option<f64>,
     period_s: f64,
     units: Units,
@@ -180,7 +182,7 @@ fn summary(
     columns: AxisMask,
     colors: bool,
 ) -> String {
-    let Sampled { motion, time_s, count, chord, .. } = sampled;
+    let SamplingReport { motion, time_s, count, chord, .. } = sampled;
     let mut text = String::new();
     let mut row = |name: &str, value: &str| {
         let name = style(colors, BOLD, format!("{name:10}"));

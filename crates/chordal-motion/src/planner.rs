@@ -2,24 +2,27 @@
 
 use chordal_geometry::{AXES, Curve};
 
-use crate::Axes;
-use crate::bound::Run;
-use crate::cell::AxisArrays;
-use crate::dense::{Dense, Laid, Singly};
-use crate::junction::{JunctionLaw, Junctions};
-use crate::law::{Work, law};
-use crate::limits::Limits;
-use crate::piece::Piece;
-use crate::profile::{Cell, Solver};
-use crate::root::cbrt;
-use crate::segment::{Corner, Move, MoveError};
-use crate::smooth::span::{PathPart, Span, sealed::Keep};
-use crate::smooth::{End, Joint, Leg, Overlap, Passing, Row, Smoother, overlap_of};
-use crate::trajectory::{Phase, Step, Stretch};
+use crate::AxisValues;
+use crate::corner_blend::path_span::{PathPart, PathSpan, sealed::PathStorage};
+use crate::corner_blend::{
+    CornerBlender, JointKind, JointPassing, LookAheadQueue, OverlapLimits, PathLeg, RestEnd,
+    overlap_of,
+};
+use crate::cube_root::cbrt;
+use crate::curve_planner::{ChainLink, CornerStrategy, CurvePlanner};
+use crate::junction_planner::{JunctionPlanner, JunctionRule};
+use crate::limits::KinematicLimits;
+use crate::move_request::{CornerMode, MoveError, MoveRequest};
+use crate::path_limits::AxisArrays;
+use crate::piece::PathPiece;
+use crate::profile_solver::{SolverWork, solve_profile};
+use crate::ramp_profile::{LimitInterval, RampSolver};
+use crate::time_bound::PathRun;
+use crate::trajectory::{JerkPhase, PlannedTrajectory, PlannerStep};
 
 /// How hard a planner tries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Level {
+pub enum PlannerLevel {
     /// In one pass, for programs of any length.
     Fast,
     /// By optimization, for measuring how far the fast level is from the limit, and for short
@@ -31,7 +34,7 @@ pub enum Level {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlannerOptions {
     /// How hard it tries.
-    pub level: Level,
+    pub level: PlannerLevel,
     /// Moves are looked at together when they would take so long at their largest speeds, s.
     /// What is certain of them is emitted, so that a servo loop is fed early. Infinite: as
     /// many as memory allows.
@@ -40,12 +43,12 @@ pub struct PlannerOptions {
     /// moves wait for their rest. Otherwise every corner is passed by itself.
     pub joins: bool,
     /// Trapezoids with junction deviation instead of limited jerk, where the control moves like that.
-    pub junctions: Option<JunctionLaw>,
+    pub junctions: Option<JunctionRule>,
 }
 
 impl PlannerOptions {
     /// A planner that takes its time.
-    pub fn new(level: Level) -> PlannerOptions {
+    pub fn new(level: PlannerLevel) -> PlannerOptions {
         PlannerOptions { level, row_s: f64::INFINITY, joins: true, junctions: None }
     }
 }
@@ -62,46 +65,46 @@ const GAP: f64 = 1e-6;
 
 /// Turns moves into steps: holds every limit, keeps the path, loses little time.
 ///
-/// `P` is what its stretches say about the path: all of it ([`Planner::new`]) or only what times need
-/// ([`Planner::of_times`]).
+/// `P` is what its stretches say about the path: all of it ([`MotionPlanner::new`]) or only what times need
+/// ([`MotionPlanner::of_times`]).
 #[derive(Debug)]
-pub struct Planner<P = Piece> {
-    limits: Limits,
+pub struct MotionPlanner<P = PathPiece> {
+    limits: KinematicLimits,
     arrays: AxisArrays,
-    smoother: Smoother,
-    row: Row<P>,
-    solver: Solver,
-    stretch: Stretch<P>,
+    smoother: CornerBlender,
+    row: LookAheadQueue<P>,
+    solver: RampSolver,
+    trajectory: PlannedTrajectory<P>,
     /// Speed at the start of the row.
     speed: f64,
     options: PlannerOptions,
     /// Rows are looked at when they are so many times as long as usual: a power of two.
-    patience: usize,
+    lookahead_factor: usize,
     /// Where the axes will be after all moves.
-    position: Option<Axes>,
+    position: Option<AxisValues>,
     /// The corner at which the run begins, and how the movement before it ends.
-    overlap: Option<Overlap>,
+    overlap: Option<OverlapLimits>,
     /// The same for the corner at which the run ends, where that is known.
-    next_overlap: Option<Overlap>,
-    last: Option<End>,
+    next_overlap: Option<OverlapLimits>,
+    last: Option<RestEnd>,
     /// Moves that wait for their end at rest, where whole rows are planned.
-    group: Option<Box<Group>>,
+    group: Option<Box<MoveGroup>>,
     /// Plans all moves, where the control has that law.
-    junctions: Option<Box<Junctions<P>>>,
+    junctions: Option<Box<JunctionPlanner<P>>>,
 }
 
 /// Moves from rest on.
 #[derive(Debug)]
-struct Group {
-    moves: Vec<Move>,
+struct MoveGroup {
+    moves: Vec<MoveRequest>,
     /// The time that they ask for by their feeds, s.
     feed_s: f64,
     /// Until the next rest moves are planned as they come: one keeps its exact path, or there are
     /// too many or they are too long.
     passes: bool,
-    dense: Dense,
+    dense: CurvePlanner,
     /// Another planner, for the time that corners by themselves take.
-    other: Planner<Span>,
+    other: MotionPlanner<PathSpan>,
 }
 
 /// A group of fewer moves is planned corner by corner.
@@ -120,53 +123,59 @@ const NEAR: f64 = 1.5;
 /// How near the least time a law is, by level.
 const GAPS: [f64; 2] = [2e-4, 5e-5];
 
-impl Planner {
+impl MotionPlanner {
     /// A planner for a machine at rest.
-    pub fn new(limits: Limits, options: PlannerOptions) -> Planner {
-        Planner::whole(limits, options)
+    pub fn new(limits: KinematicLimits, options: PlannerOptions) -> MotionPlanner {
+        MotionPlanner::whole(limits, options)
     }
 }
 
-impl Planner<Span> {
+impl MotionPlanner<PathSpan> {
     /// A planner that works out the times of level fast and keeps no path.
-    pub fn of_times(limits: Limits) -> Planner<Span> {
-        Planner::of_times_by(limits, None)
+    pub fn of_times(limits: KinematicLimits) -> MotionPlanner<PathSpan> {
+        MotionPlanner::of_times_by(limits, None)
     }
 
     /// The same, by trapezoids with junction deviation where there is such a law.
-    pub fn of_times_by(limits: Limits, junctions: Option<JunctionLaw>) -> Planner<Span> {
-        Planner::whole(limits, PlannerOptions { junctions, ..PlannerOptions::new(Level::Fast) })
+    pub fn of_times_by(
+        limits: KinematicLimits,
+        junctions: Option<JunctionRule>,
+    ) -> MotionPlanner<PathSpan> {
+        MotionPlanner::whole(
+            limits,
+            PlannerOptions { junctions, ..PlannerOptions::new(PlannerLevel::Fast) },
+        )
     }
 }
 
-impl<P: PathPart> Planner<P> {
+impl<P: PathPart> MotionPlanner<P> {
     /// A planner that looks at whole groups of moves, where it may.
-    fn whole(limits: Limits, options: PlannerOptions) -> Planner<P> {
+    fn whole(limits: KinematicLimits, options: PlannerOptions) -> MotionPlanner<P> {
         let group = (options.joins && options.junctions.is_none()).then(|| {
-            let other = Planner::at_rest(limits, PlannerOptions::new(Level::Fast));
-            let (moves, dense) = (Vec::new(), Dense::default());
-            Box::new(Group { moves, feed_s: 0.0, passes: false, dense, other })
+            let other = MotionPlanner::at_rest(limits, PlannerOptions::new(PlannerLevel::Fast));
+            let (moves, dense) = (Vec::new(), CurvePlanner::default());
+            Box::new(MoveGroup { moves, feed_s: 0.0, passes: false, dense, other })
         });
-        Planner { group, ..Planner::at_rest(limits, options) }
+        MotionPlanner { group, ..MotionPlanner::at_rest(limits, options) }
     }
 
-    fn at_rest(limits: Limits, options: PlannerOptions) -> Planner<P> {
-        Planner {
+    fn at_rest(limits: KinematicLimits, options: PlannerOptions) -> MotionPlanner<P> {
+        MotionPlanner {
             arrays: AxisArrays::new(&limits),
             limits,
-            smoother: Smoother::default(),
-            row: Row::new(options.level == Level::Best),
-            solver: Solver::default(),
-            stretch: Stretch::default(),
+            smoother: CornerBlender::default(),
+            row: LookAheadQueue::new(options.level == PlannerLevel::Best),
+            solver: RampSolver::default(),
+            trajectory: PlannedTrajectory::default(),
             speed: 0.0,
             options,
-            patience: 1,
+            lookahead_factor: 1,
             position: None,
             overlap: None,
             next_overlap: None,
             last: None,
             group: None,
-            junctions: options.junctions.map(|law| Box::new(Junctions::new(law))),
+            junctions: options.junctions.map(|law| Box::new(JunctionPlanner::new(law))),
         }
     }
 
@@ -176,8 +185,8 @@ impl<P: PathPart> Planner<P> {
     /// When the move cannot be planned; it is left out.
     pub fn push(
         &mut self,
-        motion: &Move,
-        mut take: impl FnMut(Step<'_, P>),
+        motion: &MoveRequest,
+        mut take: impl FnMut(PlannerStep<'_, P>),
     ) -> Result<(), MoveError> {
         motion.check(&self.limits)?;
         let start = self.start_of(motion)?;
@@ -198,10 +207,15 @@ impl<P: PathPart> Planner<P> {
     }
 
     /// Keeps a move for its group, or plans a move that is of none.
-    fn gather(&mut self, motion: &Move, start: &Axes, take: &mut impl FnMut(Step<'_, P>)) {
+    fn gather(
+        &mut self,
+        motion: &MoveRequest,
+        start: &AxisValues,
+        take: &mut impl FnMut(PlannerStep<'_, P>),
+    ) {
         let Some(group) = &mut self.group else { return };
-        let rests = motion.corner == Corner::Stop;
-        let fits = matches!(motion.corner, Corner::Stop | Corner::Within { .. });
+        let rests = motion.corner == CornerMode::Stop;
+        let fits = matches!(motion.corner, CornerMode::Stop | CornerMode::Joined { .. });
         if group.passes || !fits {
             group.passes = !rests;
             self.plan_moves(take);
@@ -220,7 +234,7 @@ impl<P: PathPart> Planner<P> {
 
     /// Plans the kept moves up to their last corner, or to their sharpest joint; where they have too many
     /// chords all of them, and what comes until the next rest, corner by corner.
-    fn plan_to_last_corner(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
+    fn plan_to_last_corner(&mut self, take: &mut impl FnMut(PlannerStep<'_, P>)) {
         let Some(group) = &mut self.group else { return };
         let Some(corner) = group.dense.last_corner(&group.moves) else {
             group.passes = true;
@@ -228,7 +242,7 @@ impl<P: PathPart> Planner<P> {
         };
         let after = group.moves.split_off(corner);
         group.dense.keep(corner);
-        group.feed_s -= after.iter().map(Move::at_speed_s).sum::<f64>();
+        group.feed_s -= after.iter().map(MoveRequest::at_speed_s).sum::<f64>();
         self.plan_group(take);
         if let Some(group) = &mut self.group {
             after.iter().for_each(|motion| group.push(motion));
@@ -236,10 +250,10 @@ impl<P: PathPart> Planner<P> {
     }
 
     /// Plans the kept moves corner by corner.
-    fn plan_moves(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
+    fn plan_moves(&mut self, take: &mut impl FnMut(PlannerStep<'_, P>)) {
         let Some(group) = &mut self.group else { return };
         let moves = std::mem::take(&mut group.moves);
-        let mut at = moves.first().map_or([0.0; AXES], Move::from);
+        let mut at = moves.first().map_or([0.0; AXES], MoveRequest::from);
         for motion in &moves {
             self.corner_by_corner(motion, &at, take);
             at = motion.to();
@@ -252,16 +266,18 @@ impl<P: PathPart> Planner<P> {
 
     /// Plans the kept moves, which end at rest, as smooth curves or corner by corner, whichever is
     /// quicker.
-    fn plan_group(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
+    fn plan_group(&mut self, take: &mut impl FnMut(PlannerStep<'_, P>)) {
         let Some(mut group) = self.group.take() else { return };
         if group.is_dense() {
-            let gap = GAPS[usize::from(self.options.level == Level::Best)];
-            if let Some(stretches) = group.quicker_curves(&self.limits, gap) {
+            let gap = GAPS[usize::from(self.options.level == PlannerLevel::Best)];
+            if let Some(trajectories) = group.quicker_curves(&self.limits, gap) {
                 // What was planned before has ended at rest.
                 self.release(take);
                 self.end_run(take);
                 (self.overlap, self.last) = (None, None);
-                stretches.iter().for_each(|stretch| take(Step::Stretch(stretch)));
+                trajectories
+                    .iter()
+                    .for_each(|trajectory| take(PlannerStep::Trajectory(trajectory)));
                 group.clear();
             }
         }
@@ -272,11 +288,11 @@ impl<P: PathPart> Planner<P> {
     /// Takes a move and hands on the steps that are certain now.
     fn corner_by_corner(
         &mut self,
-        motion: &Move,
-        start: &Axes,
-        take: &mut impl FnMut(Step<'_, P>),
+        motion: &MoveRequest,
+        start: &AxisValues,
+        take: &mut impl FnMut(PlannerStep<'_, P>),
     ) {
-        let leg = Leg::new(motion, start, &self.arrays);
+        let leg = PathLeg::new(motion, start, &self.arrays);
         let joint = self.smoother.joint(&leg, &self.arrays);
         if self.smoother.lengthens(&leg, joint) {
             if self.smoother.lengthen(leg, motion.corner) {
@@ -286,15 +302,15 @@ impl<P: PathPart> Planner<P> {
         }
         self.release(take);
         let passing = match joint {
-            Some(Joint::Slow(slow)) => {
-                if self.smoother.hold(leg, motion.corner, slow) {
+            Some(JointKind::Slow(slow)) => {
+                if self.smoother.defer(leg, motion.corner, slow) {
                     self.release(take);
                 }
                 return;
             }
-            Some(Joint::Ease(step)) => Some(Passing::Ease(step, 0.0)),
-            Some(Joint::Smooth) => Some(Passing::Smooth),
-            Some(Joint::Stop) => {
+            Some(JointKind::Ease(step)) => Some(JointPassing::Ease(step, 0.0)),
+            Some(JointKind::Smooth) => Some(JointPassing::Smooth),
+            Some(JointKind::Stop) => {
                 self.rest(None, take);
                 None
             }
@@ -305,10 +321,10 @@ impl<P: PathPart> Planner<P> {
     }
 
     /// Goes on with a leg whose length has become known.
-    fn release(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
+    fn release(&mut self, take: &mut impl FnMut(PlannerStep<'_, P>)) {
         let Some(released) = self.smoother.release(&self.arrays) else { return };
         let passing = match released.passing {
-            Passing::Rest(overlap) => {
+            JointPassing::Rest(overlap) => {
                 self.rest(overlap, take);
                 None
             }
@@ -322,7 +338,7 @@ impl<P: PathPart> Planner<P> {
     }
 
     /// The axes come to rest where the last leg ends.
-    fn rest(&mut self, overlap: Option<Overlap>, take: &mut impl FnMut(Step<'_, P>)) {
+    fn rest(&mut self, overlap: Option<OverlapLimits>, take: &mut impl FnMut(PlannerStep<'_, P>)) {
         if let Some(overlap) = &overlap {
             self.smoother.end_with(overlap);
         }
@@ -333,29 +349,29 @@ impl<P: PathPart> Planner<P> {
     }
 
     /// Hands on what is certain, if it is much.
-    fn advance(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
+    fn advance(&mut self, take: &mut impl FnMut(PlannerStep<'_, P>)) {
         self.smoother.drain(false, &self.arrays, &mut self.row);
-        let long = self.row.time_s >= self.options.row_s * self.patience as f64;
+        let long = self.row.time_s >= self.options.row_s * self.lookahead_factor as f64;
         // The best law is found from rest to rest.
-        let long = long && self.options.level == Level::Fast;
-        if long || self.row.pieces.len() >= ROW * self.patience {
+        let long = long && self.options.level == PlannerLevel::Fast;
+        if long || self.row.pieces.len() >= ROW * self.lookahead_factor {
             self.hand_on(take);
         }
     }
 
     /// What the laws of dense moves took so far. Where windows have failed, other curves or corners were planned.
-    pub fn work(&self) -> Work {
-        self.group.as_ref().map_or(Work::default(), |group| group.dense.work())
+    pub fn work(&self) -> SolverWork {
+        self.group.as_ref().map_or(SolverWork::default(), |group| group.dense.work())
     }
 
     /// The axes come to rest and stand for a time, s.
-    pub fn wait(&mut self, seconds: f64, tag: u64, mut take: impl FnMut(Step<'_, P>)) {
+    pub fn wait(&mut self, seconds: f64, tag: u64, mut take: impl FnMut(PlannerStep<'_, P>)) {
         self.finish(&mut take);
-        take(Step::Wait { seconds, tag });
+        take(PlannerStep::Wait { seconds, tag });
     }
 
     /// The axes come to rest: emits the rest of the steps. The next move may begin anywhere.
-    pub fn finish(&mut self, mut take: impl FnMut(Step<'_, P>)) {
+    pub fn finish(&mut self, mut take: impl FnMut(PlannerStep<'_, P>)) {
         if let Some(junctions) = &mut self.junctions {
             junctions.rest(&mut take);
         }
@@ -368,20 +384,20 @@ impl<P: PathPart> Planner<P> {
     }
 
     /// The axes come to rest after the kept moves, whatever their last corner says.
-    fn end_group(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
+    fn end_group(&mut self, take: &mut impl FnMut(PlannerStep<'_, P>)) {
         let Some(group) = &mut self.group else { return };
         group.passes = false;
         if let Some(last) = group.moves.last_mut() {
-            last.corner = Corner::Stop;
+            last.corner = CornerMode::Stop;
             self.plan_group(take);
         }
     }
 
     /// Plans moves that were found good when they came, from rest to rest.
-    fn plan_all(&mut self, moves: &[Move], mut each: impl FnMut(&Stretch<P>)) {
-        let mut take = |step: Step<'_, P>| {
-            if let Step::Stretch(stretch) = step {
-                each(stretch);
+    fn plan_all(&mut self, moves: &[MoveRequest], mut each: impl FnMut(&PlannedTrajectory<P>)) {
+        let mut take = |step: PlannerStep<'_, P>| {
+            if let PlannerStep::Trajectory(trajectory) = step {
+                each(trajectory);
             }
         };
         for motion in moves {
@@ -393,13 +409,13 @@ impl<P: PathPart> Planner<P> {
     /// The same between two corners where movements that are planned elsewhere overlap theirs.
     fn plan_between(
         &mut self,
-        moves: &[Move],
-        overlaps: [Option<Overlap>; 2],
-        mut each: impl FnMut(&Stretch<P>),
+        moves: &[MoveRequest],
+        overlaps: [Option<OverlapLimits>; 2],
+        mut each: impl FnMut(&PlannedTrajectory<P>),
     ) {
-        let mut take = |step: Step<'_, P>| {
-            if let Step::Stretch(stretch) = step {
-                each(stretch);
+        let mut take = |step: PlannerStep<'_, P>| {
+            if let PlannerStep::Trajectory(trajectory) = step {
+                each(trajectory);
             }
         };
         let [begins, ends] = overlaps;
@@ -416,7 +432,7 @@ impl<P: PathPart> Planner<P> {
     }
 
     /// Where a move begins: where the one before it ended.
-    fn start_of(&self, motion: &Move) -> Result<Axes, MoveError> {
+    fn start_of(&self, motion: &MoveRequest) -> Result<AxisValues, MoveError> {
         let from = motion.from();
         let Some(position) = self.position else { return Ok(from) };
         let gap = from.iter().zip(&position).fold(0.0_f64, |gap, (a, b)| gap.max((a - b).abs()));
@@ -424,7 +440,7 @@ impl<P: PathPart> Planner<P> {
     }
 
     /// The axes come to rest at the end of what was pushed.
-    fn end_run(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
+    fn end_run(&mut self, take: &mut impl FnMut(PlannerStep<'_, P>)) {
         if self.smoother.is_empty() && self.row.cells.is_empty() {
             return;
         }
@@ -433,26 +449,26 @@ impl<P: PathPart> Planner<P> {
         self.solver.solve(&self.row.cells, self.speed, 0.0);
         self.emit(count, take);
         self.speed = 0.0;
-        self.patience = 1;
+        self.lookahead_factor = 1;
     }
 
     /// Hands on as much of a long row as later moves cannot change.
-    fn hand_on(&mut self, take: &mut impl FnMut(Step<'_, P>)) {
+    fn hand_on(&mut self, take: &mut impl FnMut(PlannerStep<'_, P>)) {
         self.solver.solve(&self.row.cells, self.speed, 0.0);
         match self.solver.last_certain() {
             Some(station) if station.node > 0 => {
                 self.emit(station.node, take);
                 self.speed = station.speed;
-                self.patience = 1;
+                self.lookahead_factor = 1;
             }
             // The stop at the end reaches back to the start: more has to be known.
-            _ => self.patience *= 2,
+            _ => self.lookahead_factor *= 2,
         }
     }
 
     /// Emits the cells before a boundary, which is a station, from rest to rest where the
     /// axes rest before.
-    fn emit(&mut self, node: usize, take: &mut impl FnMut(Step<'_, P>)) {
+    fn emit(&mut self, node: usize, take: &mut impl FnMut(PlannerStep<'_, P>)) {
         let mut begin = 0;
         while begin < node {
             let rest = self.row.cells[begin..node].iter().position(|cell| cell.ends_at_rest);
@@ -465,41 +481,41 @@ impl<P: PathPart> Planner<P> {
     }
 
     /// Emits the cells between two boundaries.
-    fn emit_part(&mut self, begin: usize, end: usize, take: &mut impl FnMut(Step<'_, P>)) {
-        let stretch = &mut self.stretch;
-        stretch.phases.clear();
-        stretch.pieces.clear();
-        let first = self.solver.phases(&self.row.cells, begin, end, &mut stretch.phases);
+    fn emit_part(&mut self, begin: usize, end: usize, take: &mut impl FnMut(PlannerStep<'_, P>)) {
+        let trajectory = &mut self.trajectory;
+        trajectory.phases.clear();
+        trajectory.pieces.clear();
+        let first = self.solver.phases(&self.row.cells, begin, end, &mut trajectory.phases);
         let from = first.map_or(0.0, |station| station.at);
         if from > 0.0 {
-            stretch.phases.iter_mut().for_each(|phase| phase.from -= from);
+            trajectory.phases.iter_mut().for_each(|phase| phase.from -= from);
         }
         let pieces = pieces_of(&self.row.cells[begin..end]);
         if pieces == self.row.pieces.len() {
-            std::mem::swap(&mut stretch.pieces, &mut self.row.pieces);
+            std::mem::swap(&mut trajectory.pieces, &mut self.row.pieces);
         } else {
-            stretch.pieces.extend(self.row.pieces.drain(..pieces));
+            trajectory.pieces.extend(self.row.pieces.drain(..pieces));
         }
         let from_rest = first.is_none_or(|station| station.speed <= 0.0);
-        if self.options.level == Level::Best && from_rest {
+        if self.options.level == PlannerLevel::Best && from_rest {
             let shares = [self.overlap, self.next_overlap].map(|o| o.map_or(1.0, |o| o.jerk_share));
-            improve(stretch, &self.row.speeds[..pieces], &self.limits, shares);
+            improve(trajectory, &self.row.speeds[..pieces], &self.limits, shares);
         }
         if self.row.keeps_speeds {
             self.row.speeds.drain(..pieces);
         }
-        let (phases, pieces) = (&stretch.phases, &stretch.pieces);
-        let (first, last) = (End::first(phases, pieces), End::last(phases, pieces));
-        stretch.overlap_s = match (self.overlap.take(), self.last, first) {
+        let (phases, pieces) = (&trajectory.phases, &trajectory.pieces);
+        let (first, last) = (RestEnd::first(phases, pieces), RestEnd::last(phases, pieces));
+        trajectory.overlap_s = match (self.overlap.take(), self.last, first) {
             (Some(overlap), Some(last), Some(first)) => overlap_of(&overlap, &last, &first),
             _ => 0.0,
         };
         self.last = last;
-        take(Step::Stretch(stretch));
+        take(PlannerStep::Trajectory(trajectory));
     }
 }
 
-impl Group {
+impl MoveGroup {
     /// The time of its moves corner by corner, s.
     fn corners_s(&mut self) -> f64 {
         let mut time_s = 0.0;
@@ -512,7 +528,7 @@ impl Group {
         self.moves.len() >= FEW && self.feed_s < DENSE_S * self.moves.len() as f64
     }
 
-    fn push(&mut self, motion: &Move) {
+    fn push(&mut self, motion: &MoveRequest) {
         self.feed_s += motion.at_speed_s();
         self.moves.push(*motion);
     }
@@ -531,43 +547,48 @@ impl Group {
     /// Its moves as smooth curves from corner to corner, if corners by themselves are not quicker.
     fn quicker_curves<P: PathPart>(
         &mut self,
-        limits: &Limits,
+        limits: &KinematicLimits,
         gap: f64,
-    ) -> Option<Vec<Stretch<P>>> {
-        let planner = Planner::at_rest(*limits, PlannerOptions::new(Level::Fast));
+    ) -> Option<Vec<PlannedTrajectory<P>>> {
+        let planner = MotionPlanner::at_rest(*limits, PlannerOptions::new(PlannerLevel::Fast));
         let mut singly = ByCorners(planner);
-        let (laid, least_s) = self.dense.plan(&self.moves, limits, gap, &mut singly);
-        let time_s = laid.iter().map(Laid::time_s).sum::<f64>();
+        let (links, least_s) = self.dense.plan(&self.moves, limits, gap, &mut singly);
+        let time_s = links.iter().map(ChainLink::time_s).sum::<f64>();
         let is_quick = singly.is_quick(&self.moves, time_s, least_s) || time_s < self.corners_s();
-        is_quick.then(|| laid.into_iter().map(Laid::kept).collect())
+        is_quick.then(|| links.into_iter().map(ChainLink::into_kept_trajectory).collect())
     }
 }
 
 /// Plans the moves of a group that are no curve.
-struct ByCorners(Planner);
+struct ByCorners(MotionPlanner);
 
-impl Singly for ByCorners {
-    fn plan(&mut self, moves: &[Move], overlaps: [Option<Overlap>; 2], out: &mut Vec<Stretch>) {
+impl CornerStrategy for ByCorners {
+    fn plan(
+        &mut self,
+        moves: &[MoveRequest],
+        overlaps: [Option<OverlapLimits>; 2],
+        out: &mut Vec<PlannedTrajectory>,
+    ) {
         self.0.plan_between(moves, overlaps, |one| out.push(one.clone()));
     }
 
-    fn is_quick(&self, moves: &[Move], time_s: f64, least_s: f64) -> bool {
+    fn is_quick(&self, moves: &[MoveRequest], time_s: f64, least_s: f64) -> bool {
         time_s < NEAR * least_s && are_slower_with_stops(moves, time_s, &self.0.limits)
     }
 }
 
 /// Whether moves take longer than a time, s, with a stop at the end of each: by feed, acceleration or jerk
 /// alone.
-fn are_slower_with_stops(moves: &[Move], than_s: f64, limits: &Limits) -> bool {
+fn are_slower_with_stops(moves: &[MoveRequest], than_s: f64, limits: &KinematicLimits) -> bool {
     let (acceleration, jerk) = (limits.acceleration(), limits.jerk());
-    let one = |motion: &Move| {
+    let one = |motion: &MoveRequest| {
         let (from, to) = (motion.from(), motion.to());
         let mut least = motion.at_speed_s();
         for axis in 0..AXES {
-            let way = (to[axis] - from[axis]).abs();
-            if way > 0.0 && matches!(motion.curve, Curve::Line(_)) {
-                let by_acceleration = 2.0 * (way / acceleration[axis]).sqrt();
-                least = least.max(by_acceleration).max(cbrt(32.0 * way / jerk[axis]));
+            let distance = (to[axis] - from[axis]).abs();
+            if distance > 0.0 && matches!(motion.curve, Curve::Line(_)) {
+                let by_acceleration = 2.0 * (distance / acceleration[axis]).sqrt();
+                least = least.max(by_acceleration).max(cbrt(32.0 * distance / jerk[axis]));
             }
         }
         least
@@ -580,24 +601,24 @@ fn are_slower_with_stops(moves: &[Move], than_s: f64, limits: &Limits) -> bool {
     })
 }
 
-fn pieces_of(cells: &[Cell]) -> usize {
+fn pieces_of(cells: &[LimitInterval]) -> usize {
     cells.iter().map(|cell| cell.pieces as usize).sum()
 }
 
 /// A quicker velocity profile for a stretch from rest to rest, where there is one. The speeds are the
 /// largest that are asked for on its pieces; the shares those of the jerk at both its ends.
 fn improve(
-    stretch: &mut Stretch<impl PathPart>,
+    trajectory: &mut PlannedTrajectory<impl PathPart>,
     speeds: &[f64],
-    limits: &Limits,
+    limits: &KinematicLimits,
     shares: [f64; 2],
 ) {
     let limits = limits.with_jerk(shares[0].min(shares[1]));
-    let Some(path) = Keep::path(&stretch.pieces) else { return };
-    let Ok(run) = Run::new(path, speeds, 0.0, &limits) else { return };
-    let Some(phases) = law(&run, GAPS[1]).0 else { return };
-    let time_s = |phases: &[Phase]| phases.iter().map(|phase| phase.duration_s).sum::<f64>();
-    if time_s(&phases) < time_s(&stretch.phases) {
-        stretch.phases = phases;
+    let Some(path) = PathStorage::path(&trajectory.pieces) else { return };
+    let Ok(run) = PathRun::new(path, speeds, 0.0, &limits) else { return };
+    let Some(phases) = solve_profile(&run, GAPS[1]).0 else { return };
+    let time_s = |phases: &[JerkPhase]| phases.iter().map(|phase| phase.duration_s).sum::<f64>();
+    if time_s(&phases) < time_s(&trajectory.phases) {
+        trajectory.phases = phases;
     }
 }

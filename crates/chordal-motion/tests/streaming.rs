@@ -3,19 +3,22 @@
 mod support;
 
 use chordal_geometry::AXES;
-use chordal_motion::{Corner, Move, Piece, Pushed, Setpoint, Step, StreamOptions, Stretch, stream};
+use chordal_motion::{
+    CornerMode, MoveRequest, PathPiece, PlannedTrajectory, PlannerStep, PushOutcome, ServoSetpoint,
+    StreamOptions, stream,
+};
 use support::law::{Law, circle_stretch, cut_line, piece};
 use support::watch::{ROUNDING, Watch};
 use support::{cut, limits, line};
 
 const LIMITS: (f64, f64, f64) = (200.0, 2000.0, 1e5);
 
-fn machine() -> chordal_motion::Limits {
+fn machine() -> chordal_motion::KinematicLimits {
     limits(LIMITS.0, LIMITS.1, LIMITS.2)
 }
 
-fn ramp(pieces: Vec<Piece>, speed: f64, acceleration: f64, jerk: f64) -> Stretch {
-    Law { speed, acceleration, jerk }.stretch(pieces)
+fn ramp(pieces: Vec<PathPiece>, speed: f64, acceleration: f64, jerk: f64) -> PlannedTrajectory {
+    Law { speed, acceleration, jerk }.trajectory(pieces)
 }
 
 #[test]
@@ -23,11 +26,11 @@ fn a_line_is_travelled_as_planned_and_ends_exactly() {
     let planned = ramp(vec![piece(line([0.0; 3], [100.0, 0.0, 0.0]), 7)], 100.0, 1900.0, 9e4);
     let duration_s = planned.duration_s();
     let (mut feeder, mut servo) = stream(machine(), StreamOptions::default(), [0.0; AXES]);
-    assert_eq!(feeder.push_step(Step::Stretch(&planned)), Ok(Pushed::Taken));
+    assert_eq!(feeder.push_step(PlannerStep::Trajectory(&planned)), Ok(PushOutcome::Taken));
     assert!(feeder.finish());
     let mut watch = Watch::default();
-    let mut cursor = chordal_motion::Cursor::default();
-    let mut point = Setpoint::default();
+    let mut cursor = chordal_motion::TrajectoryCursor::default();
+    let mut point = ServoSetpoint::default();
     let mut count = 0;
     while !point.finished {
         point = servo.next();
@@ -46,21 +49,21 @@ fn a_line_is_travelled_as_planned_and_ends_exactly() {
 
 /// Pulls with commands by the count of the setpoint until the end.
 fn run(
-    stretches: &[Stretch],
+    trajectories: &[PlannedTrajectory],
     period_s: f64,
-    mut command: impl FnMut(usize, &mut chordal_motion::Servo),
-) -> Vec<Setpoint> {
+    mut command: impl FnMut(usize, &mut chordal_motion::StreamServo),
+) -> Vec<ServoSetpoint> {
     let options = StreamOptions { period_s, ..StreamOptions::default() };
-    let (mut feeder, mut servo) = stream(machine(), options, stretches[0].from());
-    let mut left = stretches.iter();
+    let (mut feeder, mut servo) = stream(machine(), options, trajectories[0].from());
+    let mut left = trajectories.iter();
     let mut next = left.next();
     let mut points = Vec::new();
     let mut watch = Watch::default();
     loop {
-        while let Some(stretch) = next {
-            match feeder.push_step(Step::Stretch(stretch)).expect("not finished") {
-                Pushed::Taken => next = left.next(),
-                Pushed::Full => break,
+        while let Some(trajectory) = next {
+            match feeder.push_step(PlannerStep::Trajectory(trajectory)).expect("not finished") {
+                PushOutcome::Taken => next = left.next(),
+                PushOutcome::Full => break,
             }
         }
         if next.is_none() {
@@ -142,9 +145,9 @@ fn windows_that_do_not_come_are_a_stop_and_later_ones_go_on_in_it() {
         // Two windows are all there is, so that the pull side runs dry when nothing is pushed.
         let options = StreamOptions { windows: 3, ..StreamOptions::default() };
         let (mut feeder, mut servo) = stream(machine(), options, [0.0; AXES]);
-        assert_eq!(feeder.push_step(Step::Stretch(&planned)), Ok(Pushed::Taken));
+        assert_eq!(feeder.push_step(PlannerStep::Trajectory(&planned)), Ok(PushOutcome::Taken));
         let mut watch = Watch::default();
-        let mut point = Setpoint::default();
+        let mut point = ServoSetpoint::default();
         let mut last = [0.0; AXES];
         for index in 0.. {
             // Every 400 setpoints the push side is away for a while.
@@ -175,9 +178,9 @@ fn pieces_of_a_nanometre_are_travelled_within_the_limits() {
     for pieces in [1000, 16_384] {
         let options = StreamOptions { pieces, ..StreamOptions::default() };
         let (mut feeder, mut servo) = stream(machine(), options, [0.0; AXES]);
-        assert_eq!(feeder.push_step(Step::Stretch(&planned)), Ok(Pushed::Taken));
+        assert_eq!(feeder.push_step(PlannerStep::Trajectory(&planned)), Ok(PushOutcome::Taken));
         let mut watch = Watch::default();
-        let mut point = Setpoint::default();
+        let mut point = ServoSetpoint::default();
         let mut count = 0;
         while !point.finished && count < 100_000 {
             feeder.finish();
@@ -197,14 +200,14 @@ fn pieces_of_a_nanometre_are_travelled_within_the_limits() {
 
 /// A circle of radius 30 as 300 lines, eased within a hundredth: the plan is at its limits of
 /// jerk in every corner.
-fn polygon() -> Vec<Move> {
+fn polygon() -> Vec<MoveRequest> {
     let at = |corner: u32| {
         let angle = f64::from(corner) / 300.0 * std::f64::consts::TAU;
         [30.0 * angle.cos(), 30.0 * angle.sin(), 0.0]
     };
-    let within = Corner::Within { linear_mm: 0.01, rotary_rad: 0.0 };
+    let within = CornerMode::Joined { linear_mm: 0.01, rotary_rad: 0.0 };
     let side = |corner| cut(line(at(corner), at(corner + 1)), 150.0, within);
-    (0..300).map(|corner| Move { tag: u64::from(corner), ..side(corner) }).collect()
+    (0..300).map(|corner| MoveRequest { tag: u64::from(corner), ..side(corner) }).collect()
 }
 
 #[test]
@@ -215,7 +218,7 @@ fn a_hold_in_eased_corners_stops_in_bounded_time_and_sooner_with_headroom() {
         let moves = polygon();
         let (mut feeder, mut servo) = stream(machine(), options, moves[0].from());
         for motion in &moves {
-            assert_eq!(feeder.push(motion), Ok(Pushed::Taken));
+            assert_eq!(feeder.push(motion), Ok(PushOutcome::Taken));
         }
         feeder.finish();
         let mut watch = Watch::default();

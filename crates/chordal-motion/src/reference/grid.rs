@@ -3,20 +3,20 @@
 
 use chordal_geometry::AXES;
 
-use super::Effort;
-use crate::bound::{Bound, Run};
-use crate::root::cbrt;
+use super::ReferenceQuality;
+use crate::cube_root::cbrt;
+use crate::time_bound::{PathRun, TimeBound};
 
 /// Nodes this near to a seam, as a share of a cell, are left out.
-const BESIDE: f64 = 0.3;
+const SEAM_CLEARANCE_SHARE: f64 = 0.3;
 /// Seams are at least this share of a cell apart.
-const APART: f64 = 1e-4;
+const MIN_SEAM_SPACING_SHARE: f64 = 1e-4;
 /// Steps of less than this share of a limit are none.
-const MATTERS: f64 = 1e-3;
+const NEGLIGIBLE_STEP_SHARE: f64 = 1e-3;
 
 /// Places and a first guess of b there.
 #[derive(Clone, Debug)]
-pub(crate) struct Grid {
+pub(crate) struct ReferenceGrid {
     /// σ from the start.
     pub(crate) sigma: Vec<f64>,
     /// The law without jerk, eased at rest: b at the nodes, above zero but at ends at rest.
@@ -28,7 +28,7 @@ pub(crate) struct Grid {
 }
 
 /// The jerk along the path that the axes can do at a place where they are at rest.
-pub(crate) fn jerk_at_rest(run: &Run<'_>, sigma: f64) -> f64 {
+pub(crate) fn jerk_at_rest(run: &PathRun<'_>, sigma: f64) -> f64 {
     let jet = run.jet(run.piece_at(sigma), sigma);
     let limits = run.limits().jerk();
     (0..AXES)
@@ -37,13 +37,17 @@ pub(crate) fn jerk_at_rest(run: &Run<'_>, sigma: f64) -> f64 {
 }
 
 /// b after a way from rest at even jerk: σ = jt³/6 and σ̇ = jt²/2.
-pub(crate) fn square_from_rest(jerk: f64, way: f64) -> f64 {
-    let root = cbrt(4.5 * jerk * way * way);
+pub(crate) fn square_from_rest(jerk: f64, distance: f64) -> f64 {
+    let root = cbrt(4.5 * jerk * distance * distance);
     root * root
 }
 
-impl Grid {
-    pub(crate) fn new(run: &Run<'_>, bound: &Bound, effort: &Effort) -> Grid {
+impl ReferenceGrid {
+    pub(crate) fn new(
+        run: &PathRun<'_>,
+        bound: &TimeBound,
+        effort: &ReferenceQuality,
+    ) -> ReferenceGrid {
         let length = run.length();
         let from_rest = bound.square[0] <= 0.0;
         let jerks = [jerk_at_rest(run, 0.0), jerk_at_rest(run, length)];
@@ -65,20 +69,20 @@ impl Grid {
         let mut sigma = even_in_time(&law, &clock, count as usize, from_rest);
         add_seams(run, &law, &mut sigma, effort.most_nodes);
         let square = along(&law, &sigma, &eased);
-        Grid { sigma, square, from_rest, step_s }
+        ReferenceGrid { sigma, square, from_rest, step_s }
     }
 }
 
 /// The nodes of the bound with more of them near rest, in a geometric series.
-fn refined(bound: &Bound, length: f64, from_rest: bool) -> Vec<(f64, f64)> {
+fn refined(bound: &TimeBound, length: f64, from_rest: bool) -> Vec<(f64, f64)> {
     let mut places = bound.sigma.clone();
-    let mut way = 0.25 * length;
+    let mut distance = 0.25 * length;
     for _ in 0..100 {
         if from_rest {
-            places.push(way);
+            places.push(distance);
         }
-        places.push(length - way);
-        way *= 0.8;
+        places.push(length - distance);
+        distance *= 0.8;
     }
     places.retain(|place| *place >= 0.0 && *place <= length);
     places.sort_by(f64::total_cmp);
@@ -103,11 +107,11 @@ fn clock(law: &[(f64, f64)], from_rest: bool) -> Vec<f64> {
     let mut clock = vec![0.0];
     let mut now = 0.0;
     for (index, ends) in law.windows(2).enumerate() {
-        let way = ends[1].0 - ends[0].0;
+        let distance = ends[1].0 - ends[0].0;
         let speeds = ends[0].1.max(0.0).sqrt() + ends[1].1.max(0.0).sqrt();
         let rest = (index == 0 && from_rest) || index + 2 == law.len();
         let factor = if rest { 3.0 } else { 2.0 };
-        now += if speeds > 0.0 { factor * way / speeds } else { 0.0 };
+        now += if speeds > 0.0 { factor * distance / speeds } else { 0.0 };
         clock.push(now);
     }
     clock
@@ -139,7 +143,7 @@ fn even_in_time(law: &[(f64, f64)], clock: &[f64], count: usize, from_rest: bool
 }
 
 /// Puts a node at each seam where the law may have to change, in place of those close by.
-fn add_seams(run: &Run<'_>, law: &[(f64, f64)], sigma: &mut Vec<f64>, most: usize) {
+fn add_seams(run: &PathRun<'_>, law: &[(f64, f64)], sigma: &mut Vec<f64>, most: usize) {
     let mut seams: Vec<f64> = Vec::new();
     let (mut cell, mut at) = (0, 0);
     for index in 1..run.pieces().len() {
@@ -151,8 +155,9 @@ fn add_seams(run: &Run<'_>, law: &[(f64, f64)], sigma: &mut Vec<f64>, most: usiz
             at += 1;
         }
         let width = sigma[cell + 1] - sigma[cell];
-        let apart = seams.last().is_none_or(|last| seam - last > APART * width);
-        if apart && steps(run, index, law[at].1.max(law[at + 1].1)) {
+        let is_separate =
+            seams.last().is_none_or(|last| seam - last > MIN_SEAM_SPACING_SHARE * width);
+        if is_separate && steps(run, index, law[at].1.max(law[at + 1].1)) {
             seams.push(seam);
         }
     }
@@ -168,7 +173,11 @@ fn add_seams(run: &Run<'_>, law: &[(f64, f64)], sigma: &mut Vec<f64>, most: usiz
             next += 1;
         }
         let inner = index > 0 && index < last;
-        let width = if inner { BESIDE * (sigma[index + 1] - sigma[index - 1]) / 2.0 } else { 0.0 };
+        let width = if inner {
+            SEAM_CLEARANCE_SHARE * (sigma[index + 1] - sigma[index - 1]) / 2.0
+        } else {
+            0.0
+        };
         let close = |seam: Option<&f64>| seam.is_some_and(|seam| (seam - node).abs() < width);
         let before = next.checked_sub(1).and_then(|index| seams.get(index));
         if !(inner && (close(before) || close(seams.get(next)))) {
@@ -181,7 +190,7 @@ fn add_seams(run: &Run<'_>, law: &[(f64, f64)], sigma: &mut Vec<f64>, most: usiz
 
 /// Whether the feed, or curvature or its change by the way, has a step at the start of a piece
 /// that matters at b.
-fn steps(run: &Run<'_>, index: usize, square: f64) -> bool {
+fn steps(run: &PathRun<'_>, index: usize, square: f64) -> bool {
     let sigma = run.from(index);
     let (before, after) = (run.jet(index - 1, sigma), run.jet(index, sigma));
     let (accelerations, jerks) = (run.limits().acceleration(), run.limits().jerk());
@@ -189,7 +198,8 @@ fn steps(run: &Run<'_>, index: usize, square: f64) -> bool {
         || (0..AXES).any(|axis| {
             let bend = (after[2][axis] - before[2][axis]).abs() * square;
             let change = (after[3][axis] - before[3][axis]).abs() * square * square.sqrt();
-            bend > MATTERS * accelerations[axis] || change > MATTERS * jerks[axis]
+            bend > NEGLIGIBLE_STEP_SHARE * accelerations[axis]
+                || change > NEGLIGIBLE_STEP_SHARE * jerks[axis]
         })
 }
 
