@@ -19,17 +19,10 @@ use crate::piece::{AxisJet, PathPiece, SIXTH, ahead};
 use crate::profile_solver::SolverWork;
 use crate::time_bound::{JerkReserve, PathRun};
 use crate::trajectory::PlannedTrajectory;
+use crate::tuning::TUNING;
 use candidates::{CandidateSearch, SolvedCurve};
 pub(crate) use chain::ChainLink;
 
-/// A joint is a corner where the chords turn by more, 75 degrees; short ones are looked at over some tolerances.
-const CORNER_COSINE: f64 = 0.258_819_045_102_521;
-const LOOK_TOLERANCES: f64 = 4.0;
-/// A run is also planned with corners where it turns by more than this, 40 degrees, in case that is quicker.
-const BEND_COSINE: f64 = 0.766_044_443_118_978;
-/// Of these tolerances, mm, all that are lower than the own one count, too: what a lower one allows a larger
-/// one allows as well.
-const TOLERANCE_LADDER_MM: [f64; 9] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5];
 /// Directions that differ by less go on in one line.
 const EQUAL_DIRECTION: f64 = 1e-9;
 /// A piece that bends by less, in tolerances, and turns by less, in rad, is a line. The direction has a step of such
@@ -38,9 +31,6 @@ const MAX_LINE_BEND_TOLERANCES: f64 = 1e-7;
 const MAX_LINE_TURN_RAD: f64 = 1e-11;
 /// A piece is not divided nearer to its ends, as a share of its length.
 const MIN_PART_SHARE: f64 = 0.1;
-/// The part of the tolerance that the chords of an arc may take, and the most chords of a group.
-const CHORD_TOLERANCE_SHARE: f64 = 1.0 / 32.0;
-const MAX_GROUP_CHORDS: usize = 400_000;
 
 /// The joints at which runs end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -133,7 +123,7 @@ impl CurvePlanner {
 
     /// Cuts all moves into chords; false when there are too many.
     fn cut(&mut self, moves: &[MoveRequest]) -> bool {
-        let error = CHORD_TOLERANCE_SHARE * tolerance_of(moves);
+        let error = TUNING.curves.arc_chord_share * tolerance_of(moves);
         self.places.clear();
         self.lengths.clear();
         self.owners.clear();
@@ -146,7 +136,9 @@ impl CurvePlanner {
                 Curve::Line(_) => 1.0,
                 _ => (length * (motion.curve.max_curvature() / (8.0 * error)).sqrt()).ceil(),
             };
-            if count.is_nan() || count >= (MAX_GROUP_CHORDS - self.owners.len()) as f64 {
+            if count.is_nan()
+                || count >= (TUNING.curves.max_group_chords - self.owners.len()) as f64
+            {
                 return false;
             }
             let count = count.max(1.0) as u32;
@@ -184,16 +176,16 @@ impl CurvePlanner {
             let first = self.firsts[index];
             let is_one = match joints {
                 JointFilter::Corners => {
-                    cosine < CORNER_COSINE && self.is_sharp_below(first, tolerance)
+                    cosine < TUNING.curves.corner_cosine && self.is_sharp_below(first, tolerance)
                 }
-                JointFilter::Bends => cosine < BEND_COSINE,
+                JointFilter::Bends => cosine < TUNING.curves.bend_cosine,
             };
             if !is_one || self.goes_on(first) {
                 continue;
             }
             // Of a bend as sharp as the tolerance is wide only the sharpest joint is a corner.
             match last {
-                Some((sharper, near)) if since < LOOK_TOLERANCES * near => {
+                Some((sharper, near)) if since < TUNING.curves.look_tolerances * near => {
                     if cosine < sharper {
                         corners.pop();
                     } else {
@@ -224,8 +216,9 @@ impl CurvePlanner {
 
     /// Whether a joint is as sharp over lower tolerances: a bend that is round within a lower one stays a bend.
     fn is_sharp_below(&self, first: usize, tolerance: f64) -> bool {
-        let mut lower = TOLERANCE_LADDER_MM.iter().rev().filter(|value| **value < tolerance);
-        lower.all(|value| self.cosine_within(first, *value) < CORNER_COSINE)
+        let mut lower =
+            TUNING.curves.tolerance_ladder_mm.iter().rev().filter(|value| **value < tolerance);
+        lower.all(|value| self.cosine_within(first, *value) < TUNING.curves.corner_cosine)
     }
 
     /// The cosine of the turn between two chords, seen over some tolerances.
@@ -263,7 +256,7 @@ impl CurvePlanner {
                 return length;
             }
         }
-        LOOK_TOLERANCES * tolerance
+        TUNING.curves.look_tolerances * tolerance
     }
 
     /// Whether a chord goes on in the line of the one before: a joint within a line is no corner, however
@@ -355,7 +348,7 @@ impl CurvePlanner {
         let own = &moves[of_moves];
         let turns_only = own.iter().all(|motion| motion.curve.length() <= 0.0);
         if own.iter().any(|motion| !matches!(motion.curve, Curve::Line(_))) {
-            tolerance[0] -= CHORD_TOLERANCE_SHARE * tolerance_of(moves);
+            tolerance[0] -= TUNING.curves.arc_chord_share * tolerance_of(moves);
         }
         self.parts.clear();
         self.chords.begin(self.places[run.start]);

@@ -77,6 +77,7 @@ mod sampler;
 mod stream;
 mod time_bound;
 mod trajectory;
+mod tuning;
 
 pub use corner_blend::path_span::{PathPart, PathSpan};
 pub use cursor::TrajectoryCursor;

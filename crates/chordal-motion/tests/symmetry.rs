@@ -176,10 +176,14 @@ fn rows_of_any_length_give_one_time() {
         one_mode(&mut dice, &mut moves);
         let whole = time_of(&plan(&moves, limits, PlannerLevel::Fast));
         let mut first = None;
-        for row_s in [0.01, 0.3, 1e9] {
+        for look_ahead_s in [0.01, 0.3, 1e9] {
             let mut planner = MotionPlanner::new(
                 limits,
-                PlannerOptions { row_s, joins: false, ..PlannerOptions::new(PlannerLevel::Fast) },
+                PlannerOptions {
+                    look_ahead_s,
+                    joins: false,
+                    ..PlannerOptions::new(PlannerLevel::Fast)
+                },
             );
             let mut time = 0.0;
             let mut take = |step: PlannerStep<'_>| {

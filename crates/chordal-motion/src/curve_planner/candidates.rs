@@ -7,32 +7,14 @@
 
 use chordal_geometry::AXES;
 
-use super::TOLERANCE_LADDER_MM;
 use crate::curve_fit::{ChordPath, CurveSmoother, SmoothCurve, SmoothingKind, ToleranceMeasure};
 use crate::limits::KinematicLimits;
 use crate::piece::PathPiece;
-use crate::profile_solver::{PreparedRun, ProfileSolver as LawPlanner, RunEnding, SolverWork};
+use crate::profile_solver::{PreparedRun, ProfileSolver, RunEnding, SolverWork};
 use crate::time_bound::{JerkReserve, PathRun};
 use crate::trajectory::JerkPhase;
+use crate::tuning::TUNING;
 
-/// Curves of one way of smoothing whose first laws take longer than the least by a larger share are not the
-/// quickest, nor are those of a way whose least is above the other's by a larger share.
-const KIND_WINDOW_SHARE: f64 = 0.005;
-const RIVAL_WINDOW_SHARE: f64 = 0.02;
-/// The same of runs that take no longer, s: their laws take little.
-const SHORT_RUN_S: f64 = 0.5;
-const SHORT_KIND_WINDOW_SHARE: f64 = 0.03;
-const SHORT_RIVAL_WINDOW_SHARE: f64 = 0.05;
-/// Where the first laws of all curves of a value of the ladder take so much longer, those of lower values do so, too.
-const LADDER_STOP_SHARE: f64 = 0.02;
-/// Of what a run takes longer than at its feed another curve gains no more than about this share: a tenth where most
-/// was seen to be gained. By no more do the estimates of such a run differ.
-const MAX_GAIN_SHARE: f64 = 0.2;
-/// What cannot be gained by more than this share is not looked for, nor, in runs of many chords, by this one:
-/// there every candidate takes long.
-const NEGLIGIBLE_GAIN_SHARE: f64 = 2e-4;
-const LONG_NEGLIGIBLE_GAIN_SHARE: f64 = 4e-3;
-const LONG_RUN_CHORDS: usize = 2000;
 /// Steps in which the share of the speeds is looked for that a short way is quickest at.
 const SPEED_SEARCH_FACTORS: [f64; 4] = [0.8, 1.05, 0.98, 1.005];
 
@@ -41,7 +23,7 @@ const SPEED_SEARCH_FACTORS: [f64; 4] = [0.8, 1.05, 0.98, 1.005];
 pub(super) struct CandidateSearch {
     smoothing: CurveSmoother,
     divided: ChordPath,
-    law: LawPlanner,
+    solver: ProfileSolver,
     candidates: Vec<CurveCandidate>,
     /// Memory of candidates.
     spare: Vec<CurveCandidate>,
@@ -86,12 +68,17 @@ impl CandidateSearch {
         self.spare.append(&mut self.candidates);
         let own = measure.linear_mm();
         let has_ladder = measure.has_linear();
-        let lower =
-            TOLERANCE_LADDER_MM.iter().rev().copied().filter(|value| has_ladder && *value < own);
-        let little = if chords.count() > LONG_RUN_CHORDS {
-            LONG_NEGLIGIBLE_GAIN_SHARE
+        let lower = TUNING
+            .curves
+            .tolerance_ladder_mm
+            .iter()
+            .rev()
+            .copied()
+            .filter(|value| has_ladder && *value < own);
+        let little = if chords.count() > TUNING.curves.long_run_chords {
+            TUNING.curves.long_negligible_gain
         } else {
-            NEGLIGIBLE_GAIN_SHARE
+            TUNING.curves.negligible_gain
         };
         let (mut leasts, mut at_feed_s) = (LeastFirstTimes::NONE, f64::INFINITY);
         let mut best: Option<SolvedCurve> = None;
@@ -109,7 +96,7 @@ impl CandidateSearch {
                 }
                 let mut prepared = std::mem::take(&mut candidate.prepared);
                 let whole = run(&candidate.pieces, &candidate.speeds).filter(|run| {
-                    self.law.prepare_run(run, [RunEnding::Rest; 2], gap, &mut prepared)
+                    self.solver.prepare_run(run, [RunEnding::Rest; 2], gap, &mut prepared)
                 });
                 let Some(whole) = whole else {
                     self.spare.push(candidate);
@@ -122,7 +109,8 @@ impl CandidateSearch {
                 // A run that is at its feed nearly everywhere needs no other candidate.
                 if is_first
                     && best.is_none()
-                    && MAX_GAIN_SHARE * (prepared.least_s - at_feed_s) <= little * at_feed_s
+                    && TUNING.curves.max_gain_share * (prepared.least_s - at_feed_s)
+                        <= little * at_feed_s
                     && let Some(planned) = self.solve_prepared(&whole, gap, &prepared)
                 {
                     let is_done = planned.is_near(at_feed_s, little);
@@ -137,7 +125,7 @@ impl CandidateSearch {
                     self.keep(candidate);
                 }
             }
-            let far_s = window_s(LADDER_STOP_SHARE, leasts.s(), at_feed_s, &best);
+            let far_s = window_s(TUNING.curves.ladder_stop_share, leasts.s(), at_feed_s, &best);
             if level_s > leasts.s() + far_s || level_s == f64::INFINITY {
                 break;
             }
@@ -205,12 +193,12 @@ impl CandidateSearch {
 
     /// What all laws took.
     pub fn work(&self) -> SolverWork {
-        self.law.work
+        self.solver.work
     }
 
     /// The law of a run, without its pieces.
     pub fn solve(&mut self, run: &PathRun<'_>, gap: f64) -> Option<SolvedCurve> {
-        let phases = self.law.plan(run, [RunEnding::Rest; 2], gap)?;
+        let phases = self.solver.plan(run, [RunEnding::Rest; 2], gap)?;
         Some(self.curved(phases))
     }
 
@@ -221,13 +209,13 @@ impl CandidateSearch {
         gap: f64,
         prepared: &PreparedRun,
     ) -> Option<SolvedCurve> {
-        let phases = self.law.plan_prepared(run, [RunEnding::Rest; 2], gap, prepared)?;
+        let phases = self.solver.plan_prepared(run, [RunEnding::Rest; 2], gap, prepared)?;
         Some(self.curved(phases))
     }
 
     fn curved(&self, phases: Vec<JerkPhase>) -> SolvedCurve {
         let time_s = phases.iter().map(|phase| phase.duration_s).sum();
-        let least_s = self.law.least_s();
+        let least_s = self.solver.least_s();
         SolvedCurve { pieces: Vec::new(), phases, least_s, time_s, at_feed_s: time_s }
     }
 }
@@ -247,10 +235,10 @@ impl LeastFirstTimes {
 
     /// How near the least of its way the first law of a candidate is, and that least the least of all.
     fn shares(&self) -> [f64; 2] {
-        if self.s() > SHORT_RUN_S {
-            [KIND_WINDOW_SHARE, RIVAL_WINDOW_SHARE]
+        if self.s() > TUNING.curves.short_run_s {
+            [TUNING.curves.kind_window, TUNING.curves.rival_window]
         } else {
-            [SHORT_KIND_WINDOW_SHARE, SHORT_RIVAL_WINDOW_SHARE]
+            [TUNING.curves.short_kind_window, TUNING.curves.short_rival_window]
         }
     }
 
@@ -265,14 +253,14 @@ impl LeastFirstTimes {
 impl SolvedCurve {
     /// Whether no curve can gain much of what it takes longer than at its feed.
     fn is_near(&self, at_feed_s: f64, little: f64) -> bool {
-        MAX_GAIN_SHARE * (self.time_s - at_feed_s) <= little * self.time_s
+        TUNING.curves.max_gain_share * (self.time_s - at_feed_s) <= little * self.time_s
     }
 }
 
 /// A share of a time, but no more than of what a run is known to take longer than at its feed, s.
 fn window_s(share: f64, least_s: f64, at_feed_s: f64, known: &Option<SolvedCurve>) -> f64 {
     let open_s = known.as_ref().map_or(f64::INFINITY, |known| known.time_s - at_feed_s);
-    (share * least_s).min(MAX_GAIN_SHARE * open_s)
+    (share * least_s).min(TUNING.curves.max_gain_share * open_s)
 }
 
 impl CurveCandidate {

@@ -6,7 +6,7 @@ use chordal_geometry::{AXES, Curve, ParamCurve};
 
 use super::candidates::SolvedCurve;
 use super::corner_overlap::{CURVATURE_LOOK_TOLERANCES, CornerOverlap, RunCorner, RunEnd};
-use super::{CHORD_TOLERANCE_SHARE, CornerStrategy, CurvePlanner, JointFilter};
+use super::{CornerStrategy, CurvePlanner, JointFilter};
 use crate::AxisValues;
 use crate::corner_blend::path_span::PathPart;
 use crate::corner_blend::{CornerTolerance, EXACT_TOLERANCE};
@@ -16,9 +16,7 @@ use crate::path_limits::AxisArrays;
 use crate::piece::PathPiece;
 use crate::time_bound::{JerkReserve, PathRun};
 use crate::trajectory::PlannedTrajectory;
-
-/// A run that takes no more times as long as at its feeds is not planned with more corners.
-const AT_FEED_FACTOR: f64 = 1.02;
+use crate::tuning::TUNING;
 
 /// How runs are planned.
 pub(super) struct ChainContext<'a, S> {
@@ -26,7 +24,7 @@ pub(super) struct ChainContext<'a, S> {
     pub limits: &'a KinematicLimits,
     pub arrays: AxisArrays,
     pub gap: f64,
-    pub singly: &'a mut S,
+    pub corners: &'a mut S,
 }
 
 /// A stretch from rest to rest.
@@ -88,7 +86,7 @@ fn plan_by_corners(
         after.as_ref().map(|meeting| meeting.overlap(0)),
     ];
     let mut trajectories = Vec::new();
-    context.singly.plan(moves, overlaps, &mut trajectories);
+    context.corners.plan(moves, overlaps, &mut trajectories);
     let side =
         |meeting: &Option<CornerOverlap>, side: usize, trajectory: Option<&PlannedTrajectory>| {
             meeting.as_ref().zip(trajectory).map(|(meeting, one)| meeting.side_of_lines(side, one))
@@ -112,7 +110,7 @@ impl CurvePlanner {
         corner_planner: &mut impl CornerStrategy,
     ) -> (Vec<ChainLink>, f64) {
         let arrays = AxisArrays::new(limits);
-        let mut context = ChainContext { moves, limits, arrays, gap, singly: corner_planner };
+        let mut context = ChainContext { moves, limits, arrays, gap, corners: corner_planner };
         if !std::mem::take(&mut self.is_cut) {
             if !self.cut(moves) {
                 return (plan_by_corners(&mut context, moves, &[None; 2]).trajectories, 0.0);
@@ -172,7 +170,7 @@ impl CurvePlanner {
         // The law of a line is as quick as ramps are, and leaves more room for overlaps.
         let is_line = self.chords.count() < 2;
         let is_quick = best.as_ref().is_some_and(|curve| {
-            is_line || context.singly.is_quick(moves, curve.time_s(), curve.least_s)
+            is_line || context.corners.is_quick(moves, curve.time_s(), curve.least_s)
         });
         // More corners make it no quicker than its feeds.
         let more = more.filter(|_| !best.as_ref().is_some_and(|curve| curve.is_at_feed));
@@ -206,11 +204,11 @@ impl CurvePlanner {
         let is_exact = are_lines(&context.moves[of_moves]);
         let curved = self.run(context.moves, chords, context.limits, context.gap, gentle)?;
         let least_s = curved.least_s;
-        let is_at_feed = curved.time_s <= AT_FEED_FACTOR * curved.at_feed_s;
+        let is_at_feed = curved.time_s <= TUNING.curves.at_feed_factor * curved.at_feed_s;
         let trajectory =
             PlannedTrajectory { pieces: curved.pieces, phases: curved.phases, overlap_s: 0.0 };
         // Chords are as far from the path as chords of arcs may be.
-        let off = if is_exact { 0.0 } else { CHORD_TOLERANCE_SHARE };
+        let off = if is_exact { 0.0 } else { TUNING.curves.arc_chord_share };
         let known = |meeting: &CornerOverlap, side| {
             meeting.side_of_curve(side, &trajectory, &self.chords, off)
         };

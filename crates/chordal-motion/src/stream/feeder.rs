@@ -129,7 +129,10 @@ impl StreamFeeder {
     ) -> StreamFeeder {
         let planner = MotionPlanner::new(
             reduced(&limits, 1.0 - options.headroom),
-            PlannerOptions { row_s: LOOK_AHEAD_S, ..PlannerOptions::new(PlannerLevel::Fast) },
+            PlannerOptions {
+                look_ahead_s: LOOK_AHEAD_S,
+                ..PlannerOptions::new(PlannerLevel::Fast)
+            },
         );
         let line = WindowMaker {
             options,
