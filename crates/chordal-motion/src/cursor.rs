@@ -1,10 +1,10 @@
-//! The axes at an instant of a stretch, one instant after the other.
+//! The axes at an instant of a trajectory, one instant after the other.
 
 use crate::reader::{PieceReader, PieceView};
 use crate::sample::{AxisState, MotionSample};
 use crate::trajectory::{PlannedTrajectory, ProfilePoint};
 
-/// A place on a stretch.
+/// A place on a trajectory.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct TrajectoryPlace {
     /// Number of the piece.
@@ -15,7 +15,7 @@ pub(crate) struct TrajectoryPlace {
     pub along: ProfilePoint,
 }
 
-/// Walks along a stretch in time: finds places.
+/// Follows a trajectory in time: finds positions.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PieceCursor {
     piece: usize,
@@ -50,7 +50,7 @@ impl PieceCursor {
     }
 }
 
-/// Reads the axes at places of a stretch.
+/// Reads the axes at places of a trajectory.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PieceReading {
     /// Of the piece with this number.
@@ -82,7 +82,7 @@ impl PieceReading {
     }
 }
 
-/// Walks along a stretch in time.
+/// Follows a trajectory in time.
 #[derive(Clone, Debug, Default)]
 pub struct TrajectoryCursor {
     pub(crate) walk: PieceCursor,
@@ -90,7 +90,7 @@ pub struct TrajectoryCursor {
 }
 
 impl TrajectoryCursor {
-    /// The axes at `t` s from the start of the stretch. Times must not go back; beyond the end
+    /// The axes at `t` s from the start of the trajectory. Times must not go back; beyond the end
     /// the answer is its end.
     pub fn at(&mut self, trajectory: &PlannedTrajectory, t: f64) -> AxisState {
         let mut sample = MotionSample::default();
@@ -98,7 +98,7 @@ impl TrajectoryCursor {
         sample.into()
     }
 
-    /// Goes over to a copy of the stretch that begins with the phase and the piece under way: the
+    /// Goes over to a copy of the trajectory that begins with the phase and the piece under way: the
     /// numbers of both.
     pub(crate) fn rebase(&mut self) -> (usize, usize) {
         let gone = (self.walk.phase, self.walk.piece);
@@ -110,7 +110,7 @@ impl TrajectoryCursor {
         gone
     }
 
-    /// The same written into a sample, whose time stays. A stretch of nothing changes nothing.
+    /// The same written into a sample, whose time stays. A trajectory of nothing changes nothing.
     #[inline(always)]
     pub(crate) fn fill(&mut self, trajectory: &PlannedTrajectory, t: f64, out: &mut MotionSample) {
         if let Some(place) = self.walk.to(trajectory, t) {

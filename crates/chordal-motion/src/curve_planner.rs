@@ -1,4 +1,4 @@
-//! Moves from rest to rest as smooth curves between corners, each with one law of time. Arcs are cut
+//! Moves from rest to rest as smooth curves between corners, each with one velocity profile. Arcs are cut
 //! into chords far within the tolerance first.
 
 use std::ops::Range;
@@ -51,7 +51,7 @@ struct RunPart {
 
 /// How moves are planned that are no curve: each corner by itself.
 pub(crate) trait CornerStrategy {
-    /// Appends the stretches of some moves from rest to rest, with what their ends overlap.
+    /// Appends the trajectories of some moves from rest to rest, with what their ends overlap.
     fn plan(
         &mut self,
         moves: &[MoveRequest],
@@ -111,7 +111,7 @@ impl CurvePlanner {
         self.is_cut = true;
     }
 
-    /// What the laws of all plans took.
+    /// What the profiles of all plans took.
     pub fn work(&self) -> SolverWork {
         self.quickest.work()
     }
@@ -295,19 +295,19 @@ impl CurvePlanner {
         }
     }
 
-    /// The stretch of a run of chords, in pieces that moves share.
+    /// The trajectory of a run of chords, in pieces that moves share.
     fn run(
         &mut self,
         moves: &[MoveRequest],
         chords: Range<usize>,
         limits: &KinematicLimits,
         gap: f64,
-        gentle: [JerkReserve; 2],
+        reserve: [JerkReserve; 2],
     ) -> Option<SolvedCurve> {
         let arrays = AxisArrays::new(limits);
         let measure = self.enter(moves, chords, &arrays);
         if self.chords.count() < 2 {
-            return self.line(moves, limits, gap, gentle);
+            return self.line(moves, limits, gap, reserve);
         }
         let measure = measure?;
         let parts = &self.parts;
@@ -317,7 +317,7 @@ impl CurvePlanner {
             (limits, gap),
             |smooth, pieces, speeds| make_pieces(moves, parts, smooth, &measure, (pieces, speeds)),
             |pieces, speeds| {
-                Some(PathRun::new(pieces, speeds, 0.0, limits).ok()?.with_ends(gentle))
+                Some(PathRun::new(pieces, speeds, 0.0, limits).ok()?.with_ends(reserve))
             },
         )
     }

@@ -1,4 +1,4 @@
-//! The law of small controls (GRBL): trapezoids of constant acceleration, no jerk, and at each junction of two
+//! The rule of small controls (GRBL): trapezoids of constant acceleration, no jerk, and at each junction of two
 //! straight segments the speed that a detour of a given deviation would allow.
 //!
 //! Arcs are cut into the segments that the control runs, with their ends on the curve. The control knows so many
@@ -15,7 +15,7 @@ use crate::move_request::{CornerMode, MoveRequest};
 use crate::piece::PathPiece;
 use crate::trajectory::{JerkPhase, PlannedTrajectory, PlannerStep};
 
-/// The numbers of such a law.
+/// The numbers of such a rule.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JunctionRule {
     /// How far a detour at a junction would be from it, mm; 0: every segment ends at rest (GRBL `$11`).
@@ -63,7 +63,7 @@ const REVERSAL_COSINE: f64 = -0.999_999;
 const STRAIGHT_COSINE: f64 = 0.999_999;
 /// The least speed, mm/s: 1 mm/min.
 const MIN_SPEED_MM_S: f64 = 1.0 / 60.0;
-/// A stretch that reaches so many pieces ends where the speed is even.
+/// A trajectory that reaches so many pieces ends where the speed is even.
 const MAX_TRAJECTORY_PIECES: usize = 8192;
 /// Most segments of one move.
 const MAX_SEGMENTS_PER_MOVE: f64 = 1e7;
@@ -83,24 +83,24 @@ struct JunctionSegment {
     tag: u64,
 }
 
-/// The planner of the law.
+/// The planner of the rule.
 #[derive(Debug)]
 pub(crate) struct JunctionPlanner<P> {
-    law: JunctionRule,
+    rule: JunctionRule,
     waiting: VecDeque<JunctionSegment>,
     /// The segment before the next one, where the axes do not rest between the two.
     last: Option<JunctionSegment>,
     /// Speed at which the first of those that wait begins.
     speed: f64,
     trajectory: PlannedTrajectory<P>,
-    /// σ of the end of the stretch.
+    /// σ of the end of the trajectory.
     end: f64,
 }
 
 impl<P: PathPart> JunctionPlanner<P> {
-    pub fn new(law: JunctionRule) -> JunctionPlanner<P> {
+    pub fn new(rule: JunctionRule) -> JunctionPlanner<P> {
         JunctionPlanner {
-            law,
+            rule,
             waiting: VecDeque::new(),
             last: None,
             speed: 0.0,
@@ -123,7 +123,7 @@ impl<P: PathPart> JunctionPlanner<P> {
         while number <= count {
             let to = if number < count { motion.at(number / count) } else { motion.to() };
             self.add(from, to, length, motion, limits);
-            while self.waiting.len() >= self.law.blocks.max(1) {
+            while self.waiting.len() >= self.rule.blocks.max(1) {
                 self.run_first(take);
             }
             from = to;
@@ -145,11 +145,11 @@ impl<P: PathPart> JunctionPlanner<P> {
 
     /// How many segments a move is cut into: vertices lie on the curve.
     fn segments_of(&self, motion: &MoveRequest) -> f64 {
-        if let (Some(lengths), Curve::Arc(arc)) = (self.law.arc_segments, &motion.curve) {
+        if let (Some(lengths), Curve::Arc(arc)) = (self.rule.arc_segments, &motion.curve) {
             let angle = arc.sweep.abs();
             return lengths.count(arc.radius * angle, angle).min(MAX_SEGMENTS_PER_MOVE);
         }
-        let chords = motion.curve.chord_count(self.law.arc_tolerance_mm, Placement::RoundedDown);
+        let chords = motion.curve.chord_count(self.rule.arc_tolerance_mm, Placement::RoundedDown);
         chords.map_or(1.0, |count| (count as f64).min(MAX_SEGMENTS_PER_MOVE))
     }
 
@@ -192,7 +192,7 @@ impl<P: PathPart> JunctionPlanner<P> {
     /// reaches it from rest.
     fn acceleration(&self, direction: &AxisValues, speed: f64, limits: &KinematicLimits) -> f64 {
         let most = least(&limits.acceleration(), direction);
-        if !self.law.limited_jerk {
+        if !self.rule.limited_jerk {
             return most;
         }
         let jerk = least(&limits.jerk(), direction);
@@ -209,7 +209,7 @@ impl<P: PathPart> JunctionPlanner<P> {
 
     /// The nearest place that motors can stand at.
     fn on_steps(&self, mut place: AxisValues) -> AxisValues {
-        for (value, steps) in place.iter_mut().zip(self.law.steps_per_mm) {
+        for (value, steps) in place.iter_mut().zip(self.rule.steps_per_mm) {
             if steps > 0.0 {
                 *value = (*value * steps).round() / steps;
             }
@@ -225,7 +225,7 @@ impl<P: PathPart> JunctionPlanner<P> {
         limits: &KinematicLimits,
     ) -> f64 {
         let speed = before.speed.min(after.speed);
-        if let Some(steps) = self.law.speed_steps_mm_s {
+        if let Some(steps) = self.rule.speed_steps_mm_s {
             let change = |axis: usize| (after.direction[axis] - before.direction[axis]).abs();
             let allowed = |axis: usize| match change(axis) {
                 change if change > 0.0 => steps[axis] / change,
@@ -246,7 +246,7 @@ impl<P: PathPart> JunctionPlanner<P> {
         let turn: AxisValues = std::array::from_fn(|k| after.direction[k] - before.direction[k]);
         let size = chord(&turn);
         let acceleration = least(&limits.acceleration(), &turn.map(|turn| turn / size));
-        (acceleration * self.law.deviation_mm * sine / (1.0 - sine)).min(speed * speed)
+        (acceleration * self.rule.deviation_mm * sine / (1.0 - sine)).min(speed * speed)
     }
 
     /// The first segment as it runs with what is known: to the speed from which the last one can be stopped.
@@ -322,7 +322,7 @@ mod tests {
 
     #[test]
     fn segments_of_an_arc_are_those_of_the_firmware() {
-        let law = JunctionRule {
+        let rule = JunctionRule {
             deviation_mm: 0.01,
             blocks: 15,
             arc_tolerance_mm: 0.002,
@@ -331,7 +331,7 @@ mod tests {
             steps_per_mm: [0.0; 3],
             limited_jerk: false,
         };
-        let planner: JunctionPlanner<PathPiece> = JunctionPlanner::new(law);
+        let planner: JunctionPlanner<PathPiece> = JunctionPlanner::new(rule);
         // Radius 1, half and full turn, radius 10 and half of 1,000.
         for (radius, angle, count) in [(1.0, PI, 24.0), (1.0, TAU, 49.0), (1000.0, PI, 785.0)] {
             let arc = MoveRequest {

@@ -55,7 +55,7 @@ impl LimitUse {
 /// Ways below this are rounding, σ.
 const NEGLIGIBLE_SIGMA: f64 = 1e-11;
 
-/// The largest use in a stretch: on every part that is one piece and one phase, at both its ends
+/// The largest use in a trajectory: on every part that is one piece and one phase, at both its ends
 /// and `probes` places between.
 #[must_use]
 pub fn largest_use(

@@ -50,7 +50,7 @@ pub struct LimitError {
     pub axis: usize,
     /// Which of its limits.
     pub quantity: LimitedQuantity,
-    /// What was given, in mm or rad and s.
+    /// The value, in mm or rad and s.
     pub value: f64,
 }
 

@@ -10,7 +10,7 @@ use crate::limits::{KinematicLimits, letter};
 pub enum CornerMode {
     /// At rest.
     Stop,
-    /// Exactly: at rest where the path has a kink or its curvature a step, at speed where it is
+    /// Exactly: at rest where its direction or its curvature has a step, at speed where it is
     /// smooth.
     Exact,
     /// At speed, no farther from the programmed path than this; many short moves may become one curve.
@@ -101,7 +101,7 @@ impl MoveRequest {
         self.length() / self.speed
     }
 
-    /// Way of the rotary axes, rad.
+    /// How far the rotary axes turn, rad.
     fn turn(&self) -> f64 {
         (0..3).map(|i| (self.rotary_to[i] - self.rotary_from[i]).powi(2)).sum::<f64>().sqrt()
     }
@@ -127,7 +127,7 @@ impl MoveRequest {
     /// Whether it can be planned.
     ///
     /// # Errors
-    /// What stands in the way.
+    /// Why not.
     pub fn check(&self, limits: &KinematicLimits) -> Result<(), MoveError> {
         let (from, to) = (self.from(), self.to());
         let length = self.length();

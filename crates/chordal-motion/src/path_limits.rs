@@ -96,7 +96,7 @@ const TURNING_JERK_SHARE: f64 = 0.6;
 /// Share of what is left of the jerk along the path that stays for changing the speed.
 const PATH_JERK_SHARE: f64 = 0.6;
 
-/// The cell of a piece.
+/// The interval of a piece.
 pub fn limit_interval(
     length: f64,
     bounds: &DerivativeBounds,

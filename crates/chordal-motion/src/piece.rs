@@ -10,7 +10,7 @@ pub(crate) const SIXTH: f64 = 1.0 / 6.0;
 /// The axes and their first three derivatives by σ.
 pub type AxisJet = [AxisValues; 4];
 
-/// A piece of path without kinks: a polynomial of the third degree in σ on every axis, and an
+/// A smooth piece of path: a polynomial of the third degree in σ on every axis, and an
 /// arc or a spiral below it where the program has one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathPiece {
@@ -83,7 +83,7 @@ pub(crate) fn is_still(start: &AxisJet) -> bool {
     is_even(start) && all_zero(&start[1])
 }
 
-/// Without branches: it is asked at many a setpoint.
+/// Without branches: it is called for many setpoints.
 #[inline]
 fn all_zero(values: &AxisValues) -> bool {
     let bits = values.iter().fold(0, |bits, value| bits | value.to_bits());

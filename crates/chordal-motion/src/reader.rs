@@ -26,7 +26,7 @@ impl<'a> From<&'a PathPiece> for PieceView<'a> {
     }
 }
 
-/// What is worth knowing of a piece before it is asked at many places.
+/// What is worth knowing of a piece before it is evaluated at many places.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PieceReader {
     form: PolynomialForm,

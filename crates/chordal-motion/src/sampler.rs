@@ -20,10 +20,10 @@ pub struct SetpointSampler {
     most: u64,
     /// When what was pushed so far is over, s.
     now_s: f64,
-    /// What is left of the newest stretch, which the next may overlap; its memory is used again
+    /// What is left of the newest trajectory, which the next may overlap; its memory is used again
     /// and again.
     pending: PlannedTrajectory,
-    /// When that stretch began, and from when on the next may overlap it, s; `None` at rest.
+    /// When that trajectory began, and from when on the next may overlap it, s; `None` at rest.
     pending_s: Option<[f64; 2]>,
     /// Where it ends, and the tag there.
     end: (AxisValues, u64),
@@ -83,7 +83,7 @@ impl SetpointSampler {
         match step {
             PlannerStep::Trajectory(trajectory) if trajectory.phases.is_empty() => {}
             PlannerStep::Trajectory(trajectory) => {
-                // Nothing overlaps a rest, nor what came before the straight end of the stretch before.
+                // Nothing overlaps a rest, nor what came before the straight end of the trajectory before.
                 let begins_s = self.pending_s.map_or(self.now_s, |[_, from_s]| {
                     from_s.max(self.now_s - trajectory.overlap_s)
                 });
@@ -112,7 +112,7 @@ impl SetpointSampler {
         }
     }
 
-    /// Hands on what is left, the end included.
+    /// Emits what is left, the end included.
     pub fn finish(mut self, mut take: impl FnMut(&MotionSample)) {
         let end_s = self.now_s - INSTANT_TOLERANCE_PERIODS * self.period_s;
         self.emit_pending_until(end_s, &mut take);
@@ -141,7 +141,7 @@ impl SetpointSampler {
         self.index += 1;
     }
 
-    /// Setpoints of the held stretch alone, before an instant.
+    /// Setpoints of the pending trajectory alone, before an instant.
     fn emit_pending_until(&mut self, until_s: f64, take: &mut impl FnMut(&MotionSample)) {
         let Some([pending_s, _]) = self.pending_s else { return };
         let (pending, mut cursor) =
@@ -150,7 +150,7 @@ impl SetpointSampler {
         (self.pending, self.cursor) = (pending, cursor);
     }
 
-    /// Setpoints of a stretch alone that began at an instant, before another.
+    /// Setpoints of a trajectory alone that began at an instant, before another.
     fn alone_until(
         &mut self,
         trajectory: &PlannedTrajectory,
@@ -184,7 +184,7 @@ impl SetpointSampler {
         }
     }
 
-    /// Setpoints while the held stretch ends and the next has begun.
+    /// Setpoints while the pending trajectory ends and the next has begun.
     fn both_until_end(
         &mut self,
         next: &PlannedTrajectory,
@@ -208,7 +208,7 @@ impl SetpointSampler {
         }
     }
 
-    /// The held stretch is over: the axes stand at its end.
+    /// The pending trajectory is over: the axes are at its end.
     fn settle(&mut self) {
         if self.pending_s.take().is_some() {
             let (position, tag) = self.end;
@@ -217,13 +217,13 @@ impl SetpointSampler {
     }
 }
 
-/// Until when no movement after it overlaps a stretch, s from its start: in its first half, and before the straight
+/// Until when no movement after it overlaps a trajectory, s from its start: in its first half, and before the straight
 /// line that it ends on. Curves meet in their halves, single moves on straight lines.
 fn free_until_s(trajectory: &PlannedTrajectory) -> f64 {
     straight_end_s(trajectory).min(0.5 * trajectory.duration_s())
 }
 
-/// When the straight line begins that a stretch ends on, s from its start.
+/// When the straight line begins that a trajectory ends on, s from its start.
 fn straight_end_s(trajectory: &PlannedTrajectory) -> f64 {
     let straight = trajectory.pieces.iter().rev().take_while(|piece| piece.is_straight()).count();
     let bent = trajectory.pieces.len() - straight;

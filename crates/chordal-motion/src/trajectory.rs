@@ -10,7 +10,7 @@ use crate::piece::{PathPiece, SIXTH};
 pub struct JerkPhase {
     /// How long, s.
     pub duration_s: f64,
-    /// Where it begins in σ, from the start of the stretch.
+    /// Where it begins in σ, from the start of the trajectory.
     pub from: f64,
     /// σ per s at its start.
     pub speed: f64,
@@ -23,7 +23,7 @@ pub struct JerkPhase {
 /// The velocity profile at an instant: σ and its derivatives by time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ProfilePoint {
-    /// σ from the start of the stretch.
+    /// σ from the start of the trajectory.
     pub sigma: f64,
     /// σ per s.
     pub speed: f64,
@@ -46,8 +46,8 @@ impl JerkPhase {
         }
     }
 
-    /// When the law passes `sigma`, s from its start: not before `from` and not after its end,
-    /// whatever it passes then. It is taken never to go back; where it stands, its first instant.
+    /// When the profile passes `sigma`, s from its start: not before `from` and not after its end,
+    /// whatever it passes then. It is taken never to go back; where it rests, its first instant.
     pub fn time_at(&self, sigma: f64, from: f64) -> f64 {
         let (mut low, mut high) = (from, self.duration_s);
         if self.acceleration == 0.0 && self.jerk == 0.0 && self.speed > 0.0 && low <= high {
@@ -78,7 +78,7 @@ impl JerkPhase {
 const MAX_CROSSING_STEPS: u32 = 80;
 
 /// Path and time between two instants without acceleration: from rest to rest, or to a place
-/// that is passed at even speed, where the next stretch goes on.
+/// that is passed at even speed, where the next trajectory goes on.
 ///
 /// `P` is what is known of the path: [`PathPiece`]s, or only their [`PathSpan`](crate::PathSpan)s.
 #[derive(Debug, PartialEq)]
@@ -87,7 +87,7 @@ pub struct PlannedTrajectory<P = PathPiece> {
     pub pieces: Vec<P>,
     /// The velocity profile, in order.
     pub phases: Vec<JerkPhase>,
-    /// How long before the end of the stretch before it begins, s. In that time the axes make
+    /// How long before the end of the trajectory before it begins, s. In that time the axes make
     /// both movements, each on a straight line, which lets the tool pass the corner between them
     /// within its tolerance.
     pub overlap_s: f64,

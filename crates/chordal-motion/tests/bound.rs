@@ -8,7 +8,7 @@ use support::law::straight_piece as line;
 use support::limits;
 
 #[test]
-fn a_line_takes_two_ramps_and_the_way_between() {
+fn a_line_takes_two_ramps_and_the_distance_between() {
     let pieces = [line([0.0; 3], [100.0, 0.0, 0.0])];
     let limits = limits(500.0, 5000.0, 1e5);
     let run = PathRun::new(&pieces, &[f64::INFINITY], 0.0, &limits).unwrap();

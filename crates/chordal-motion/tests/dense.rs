@@ -80,7 +80,7 @@ fn machines_that_reach_their_acceleration_at_once_have_curves() {
     }
 }
 
-/// Paths on which an axis turned back where the first law of a window fell to nothing: a law that nearly
+/// Paths on which an axis turned back where the first profile of a window fell to nothing: a profile that nearly
 /// stops was all that was found from there.
 #[test]
 fn no_law_nearly_stops_where_an_axis_turns_back() {
@@ -194,7 +194,7 @@ fn figures() -> [(&'static str, Places); 3] {
 
 #[test]
 fn more_of_the_axes_or_of_the_feed_is_never_slower() {
-    // The laws are within 2e-4 of the best on their grid, and the grid changes with the limits. The curve
+    // The profiles are within 2e-4 of the best on their grid, and the grid changes with the limits. The curve
     // does so with acceleration and jerk: it is no smoother than the axes need.
     const MOST: [f64; 3] = [1e-3, 1e-2, 1e-3];
     for (name, places) in figures() {
@@ -213,7 +213,7 @@ fn more_of_the_axes_or_of_the_feed_is_never_slower() {
 }
 
 #[test]
-fn finer_chords_fewer_decimals_and_the_way_back_take_as_long() {
+fn finer_chords_fewer_decimals_and_the_reverse_path_take_as_long() {
     let time = |places: &[[f64; 3]]| time_of(&planned(places, FEED, 0.01, fast()));
     let whole = time(&dense::ellipse(1336, None));
     for (count, decimals) in [(2672, None), (5344, None), (1336, Some(4)), (1336, Some(3))] {

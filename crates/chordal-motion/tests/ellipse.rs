@@ -35,7 +35,7 @@ fn a_lap_is_near_the_least_time_and_holds_every_limit() {
         assert!(time > 0.468, "{time} s is less than the bound");
         for sample in samples(&trajectories, 1e-3) {
             let [x, y, ..] = sample.position;
-            // Distance from the ellipse to first order, the sagitta of a chord beside it.
+            // Distance from the ellipse to first order, the sagitta of a chord next to it.
             let gradient = (x * x / 810_000.0 + y * y / 10_000.0).sqrt() * 2.0;
             let off = ((x / 30.0).powi(2) + (y / 10.0).powi(2) - 1.0).abs() / gradient;
             assert!(off <= tolerance + 0.001, "{off} mm off at {} s", sample.time_s);

@@ -11,7 +11,7 @@ use chordal_motion::{
 
 const LOOK_AHEAD: usize = 15;
 
-fn law(deviation_mm: f64, blocks: usize) -> JunctionRule {
+fn rule(deviation_mm: f64, blocks: usize) -> JunctionRule {
     JunctionRule {
         deviation_mm,
         blocks,
@@ -55,14 +55,14 @@ fn circle(radius: f64, angle: f64) -> Vec<MoveRequest> {
     vec![cut(Arc::new(Plane::Xy.frame(), radius, angle, 0.0).into(), 3000.0)]
 }
 
-/// The stretches from rest to rest.
+/// The trajectories from rest to rest.
 fn planned(
     moves: &[MoveRequest],
     limits: KinematicLimits,
-    law: JunctionRule,
+    rule: JunctionRule,
 ) -> Vec<PlannedTrajectory> {
     let options =
-        PlannerOptions { junctions: Some(law), ..PlannerOptions::new(PlannerLevel::Fast) };
+        PlannerOptions { junctions: Some(rule), ..PlannerOptions::new(PlannerLevel::Fast) };
     let mut planner = MotionPlanner::new(limits, options);
     let mut trajectories = Vec::new();
     let mut take = |step: PlannerStep<'_>| {
@@ -77,13 +77,13 @@ fn planned(
     trajectories
 }
 
-fn time_s(moves: &[MoveRequest], limits: KinematicLimits, law: JunctionRule) -> f64 {
-    planned(moves, limits, law).iter().map(PlannedTrajectory::duration_s).sum()
+fn time_s(moves: &[MoveRequest], limits: KinematicLimits, rule: JunctionRule) -> f64 {
+    planned(moves, limits, rule).iter().map(PlannedTrajectory::duration_s).sum()
 }
 
 #[track_caller]
-fn takes(moves: &[MoveRequest], limits: KinematicLimits, law: JunctionRule, expected_s: f64) {
-    let planned_s = time_s(moves, limits, law);
+fn takes(moves: &[MoveRequest], limits: KinematicLimits, rule: JunctionRule, expected_s: f64) {
+    let planned_s = time_s(moves, limits, rule);
     let off = (planned_s / expected_s - 1.0).abs();
     assert!(off < 1e-3, "{planned_s} s for {expected_s} s: {off:.1e}");
 }
@@ -93,7 +93,7 @@ fn takes(moves: &[MoveRequest], limits: KinematicLimits, law: JunctionRule, expe
 fn times_are_those_of_the_firmware() {
     let router = limits(5000.0, 400.0);
     let steps_per_mm = [40.0; 3];
-    let own = JunctionRule { steps_per_mm, ..law(0.02, LOOK_AHEAD) };
+    let own = JunctionRule { steps_per_mm, ..rule(0.02, LOOK_AHEAD) };
     let far = JunctionRule { blocks: 100, ..own };
     takes(&row(1, 100.0, 3000.0), router, own, 2.125);
     takes(&lines(&[[0.0, 0.0], [300.0, 100.0]], f64::INFINITY), router, own, 3.8083);
@@ -109,7 +109,7 @@ fn times_are_those_of_the_firmware() {
     takes(&row(1000, 0.1, 3000.0), router, far, 2.125);
     // The standard build.
     let small = limits(500.0, 10.0);
-    let own = JunctionRule { steps_per_mm: [250.0; 3], ..law(0.01, LOOK_AHEAD) };
+    let own = JunctionRule { steps_per_mm: [250.0; 3], ..rule(0.01, LOOK_AHEAD) };
     takes(&row(1, 100.0, 3000.0), small, own, 12.8333);
     takes(&lines(&square, 3000.0), small, own, 26.995);
     takes(&circle(20.0, TAU), small, own, 14.4318);
@@ -137,7 +137,7 @@ fn a_corner_is_passed_at_the_speed_of_its_detour() {
             (top + (top - at_corner)) / acceleration
         };
         let expected = leg(400.0) + leg(second);
-        let planned_s = time_s(&lines(&bend, f64::INFINITY), router, law(0.02, LOOK_AHEAD));
+        let planned_s = time_s(&lines(&bend, f64::INFINITY), router, rule(0.02, LOOK_AHEAD));
         assert!((planned_s - expected).abs() < 1e-9, "{degrees}: {planned_s} for {expected}");
     }
 }
@@ -167,7 +167,7 @@ fn limits_hold_and_speeds_meet() {
             moves.push(cut(Curve::Line(Line { start: at, end }), feed));
             at = end;
         }
-        let own = law(0.01, [1, 15, 100][round % 3]);
+        let own = rule(0.01, [1, 15, 100][round % 3]);
         for trajectory in planned(&moves, limits, own) {
             let (mut speed, mut from, mut piece, mut begin) = (0.0, 0.0, 0, 0.0);
             for phase in &trajectory.phases {
@@ -197,8 +197,8 @@ fn limits_hold_and_speeds_meet() {
 #[test]
 fn a_line_cut_in_two_takes_as_long() {
     let router = limits(5000.0, 400.0);
-    let whole = time_s(&row(4, 25.0, 3000.0), router, law(0.02, 100));
-    let halves = time_s(&row(8, 12.5, 3000.0), router, law(0.02, 100));
+    let whole = time_s(&row(4, 25.0, 3000.0), router, rule(0.02, 100));
+    let halves = time_s(&row(8, 12.5, 3000.0), router, rule(0.02, 100));
     assert!((whole - halves).abs() < 1e-9, "{whole} and {halves}");
 }
 
@@ -206,8 +206,8 @@ fn a_line_cut_in_two_takes_as_long() {
 fn without_deviation_every_segment_ends_at_rest() {
     let router = limits(5000.0, 400.0);
     let square = [[0.0, 0.0], [50.0, 0.0], [50.0, 50.0]];
-    let one = time_s(&row(1, 50.0, 3000.0), router, law(0.0, LOOK_AHEAD));
-    let two = time_s(&lines(&square, 3000.0), router, law(0.0, LOOK_AHEAD));
+    let one = time_s(&row(1, 50.0, 3000.0), router, rule(0.0, LOOK_AHEAD));
+    let two = time_s(&lines(&square, 3000.0), router, rule(0.0, LOOK_AHEAD));
     assert!((two - 2.0 * one).abs() < 1e-9);
 }
 
@@ -235,8 +235,8 @@ fn steps(count: usize, length: f64) -> Vec<MoveRequest> {
 #[test]
 fn profiles_by_hand() {
     let alike = limits(12_000.0, 100.0);
-    let usual = law(0.02, LOOK_AHEAD);
-    let blocks = |blocks| law(0.02, blocks);
+    let usual = rule(0.02, LOOK_AHEAD);
+    let blocks = |blocks| rule(0.02, blocks);
     let axis = |velocity, acceleration| Some(AxisLimit { velocity, acceleration, jerk: 1e9 });
     let slow_z = [axis(200.0, 100.0), axis(200.0, 100.0), axis(10.0, 20.0), None, None, None];
     let slow_z = KinematicLimits::new(slow_z).expect("limits");
@@ -268,7 +268,7 @@ fn profiles_by_hand() {
         ("179 degrees", bend(179.0, 100.0), alike, usual, 4.997_273_714),
         // Each leg has its peak at 30.0569 mm/s.
         ("90 degrees, short legs", bend(90.0, 9.0), alike, usual, 1.150_011_469),
-        ("a stop at the corner", bend(90.0, 9.0), alike, law(0.0, LOOK_AHEAD), 1.2),
+        ("a stop at the corner", bend(90.0, 9.0), alike, rule(0.0, LOOK_AHEAD), 1.2),
         // 0.5 + 0.54 + 0.3 s, then 2.4 + 0.2 s.
         ("a slower second feed", path(&[zero, x50, x100], &[50.0, 20.0]), alike, usual, 3.94),
         // Ten times 1 mm: each alone, with the next one known, with two, and with all.
@@ -287,8 +287,8 @@ fn profiles_by_hand() {
         ("less than a step", path(&[zero, [0.012, 0.0, 0.0]], &[50.0]), alike, on_steps, 0.0),
     ];
     assert!(programs.len() >= 20);
-    for (name, moves, limits, law, expected) in programs {
-        let planned_s = time_s(&moves, limits, law);
+    for (name, moves, limits, rule, expected) in programs {
+        let planned_s = time_s(&moves, limits, rule);
         assert!((planned_s - expected).abs() < 1e-8, "{name}: {planned_s} s for {expected} s");
     }
 }
@@ -298,7 +298,7 @@ fn profiles_by_hand() {
 fn limited_jerk_is_an_even_acceleration_that_takes_as_long() {
     let axis = Some(AxisLimit { velocity: 200.0, acceleration: 100.0, jerk: 1000.0 });
     let limits = KinematicLimits::new([axis, axis, axis, None, None, None]).expect("limits");
-    let own = JunctionRule { limited_jerk: true, ..law(0.02, LOOK_AHEAD) };
+    let own = JunctionRule { limited_jerk: true, ..rule(0.02, LOOK_AHEAD) };
     let line = |feed| path(&[[0.0; 3], [100.0, 0.0, 0.0]], &[feed]);
     // Each ramp to 50 mm/s takes 0.6 s and 15 mm.
     assert!((time_s(&line(50.0), limits, own) - 2.6).abs() < 1e-9);
@@ -346,16 +346,16 @@ fn cut_anywhere_a_path_takes_as_long_and_a_longer_look_ahead_never_longer() {
     for _ in 0..100 {
         let moves = random_path(&mut random, 30);
         let halves = cut_in_two(&moves, &mut random);
-        let whole = time_s(&moves, router, law(0.02, 1000));
-        let cut = time_s(&halves, router, law(0.02, 1000));
+        let whole = time_s(&moves, router, rule(0.02, 1000));
+        let cut = time_s(&halves, router, rule(0.02, 1000));
         assert!((whole - cut).abs() < 1e-9 * whole.max(1.0), "{whole} and {cut}");
         let mut last = f64::INFINITY;
         for blocks in [1, 2, 4, 15, 100] {
-            let time = time_s(&moves, router, law(0.02, blocks));
+            let time = time_s(&moves, router, rule(0.02, blocks));
             assert!(time <= last + 1e-9, "{blocks} blocks: {time} after {last}");
             last = time;
         }
-        let wider = time_s(&moves, router, law(0.05, 1000));
+        let wider = time_s(&moves, router, rule(0.05, 1000));
         assert!(wider <= whole + 1e-9, "{wider} with more deviation, {whole} with less");
     }
 }

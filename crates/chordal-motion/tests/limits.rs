@@ -13,8 +13,8 @@ use support::{distance, jump, plan, samples, time_of};
 /// What rounding may add to a limit.
 const ABOVE: f64 = 1.0 + 1e-6;
 
-/// No step between two pieces of a stretch, by the order of the derivative, and none of the place between two
-/// stretches is more than rounding, as shares of one and the size: setpoints at 4 kHz show a step of 1e-13 mm as
+/// No step between two pieces of a trajectory, by the order of the derivative, and none of the place between two
+/// trajectories is more than rounding, as shares of one and the size: setpoints at 4 kHz show a step of 1e-13 mm as
 /// a jerk of 0.006 mm/s³. Directions and bends have more of it within narrow corrections, which are passed slowly.
 const STEPS: [f64; 3] = [STEP, 1e-10, 1e-6];
 const STEP: f64 = 1e-13;
@@ -144,7 +144,7 @@ fn rounds() -> u64 {
 }
 
 #[test]
-fn every_limit_is_held() {
+fn every_limit_holds() {
     let mut count = 0;
     for (name, mix) in mixes() {
         for seed in 0..rounds() {

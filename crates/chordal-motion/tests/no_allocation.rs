@@ -7,7 +7,7 @@ use std::alloc::System;
 
 use chordal_motion::{PlannerStep, PushOutcome, StreamOptions, stream};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
-use support::law::{Law, circle_stretch, cut_line};
+use support::law::{Law, circle_trajectory, cut_line};
 use support::limits;
 
 #[global_allocator]
@@ -21,7 +21,7 @@ fn main() {
     let options = StreamOptions { windows: 4, ..StreamOptions::default() };
     let machine = limits(200.0, 2000.0, 1e5);
     let (mut feeder, mut servo) = stream(machine, options, [5.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
-    let circle = circle_stretch(5.0, 12.0, 1);
+    let circle = circle_trajectory(5.0, 12.0, 1);
     let end = circle.to();
     let law = Law { speed: 150.0, acceleration: 1900.0, jerk: 9e4 };
     let lines =

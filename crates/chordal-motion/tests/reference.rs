@@ -1,4 +1,4 @@
-//! The least time with limits of jerk, and the law of the level best, against worked figures.
+//! The least time with limits of jerk, and the profile of the level best, against worked figures.
 
 mod support;
 
@@ -23,7 +23,7 @@ struct SolvedRun {
     best: Best,
 }
 
-/// All three laws; the best one is compared with the limits.
+/// All three profiles; the best one is compared with the limits.
 #[track_caller]
 fn solve(pieces: &[PathPiece], speeds: &[f64], limits: &KinematicLimits) -> SolvedRun {
     let run = PathRun::new(pieces, speeds, 0.0, limits).unwrap();
@@ -57,7 +57,7 @@ fn a_line_takes_its_seven_phases() {
             solve(&[line([0.0; 3], [distance, 0.0, 0.0])], &[speed], &limits(500.0, 5000.0, 1e5));
         let expected = seven_phases(distance, speed, 5000.0, 1e5);
         near(solved.law.time_s, expected, 1e-3);
-        // The planner has the seven phases of a line themselves; the law is near them.
+        // The planner has the seven phases of a line themselves; the profile is near them.
         near(solved.best.time_s, expected, 6e-3);
     }
     // The figure of the 100 mm line: 0.350 s.
@@ -108,7 +108,7 @@ fn cutting_a_line_changes_nothing() {
 }
 
 #[test]
-fn a_slow_feed_in_the_middle_is_kept() {
+fn a_slow_feed_in_the_middle_stays() {
     let pieces = [
         line([0.0; 3], [20.0, 0.0, 0.0]),
         line([20.0, 0.0, 0.0], [25.0, 0.0, 0.0]),
@@ -178,7 +178,7 @@ fn a_planned_square_is_gauged_side_by_side() {
     assert_eq!(least.unknown_s, 0.0);
 }
 
-/// The times of one stretch from rest to rest that was planned at even jerk, very slowly.
+/// The times of one trajectory from rest to rest that was planned at even jerk, very slowly.
 fn gauged(
     pieces: Vec<PathPiece>,
     feed: f64,

@@ -1,4 +1,4 @@
-//! The bound, the reference and the law of the level best on random runs.
+//! The bound, the reference and the profile of the level best on random runs.
 
 mod support;
 
@@ -45,7 +45,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 4, failure_persistence: None, max_shrink_iters: 0, rng_seed: RngSeed::Fixed(2026), ..ProptestConfig::default() })]
 
     #[test]
-    fn best_holds_every_limit_and_is_near_the_reference(steps in steps(), feed in 5.0..400.0f64) {
+    fn best_holds_every_limit_and_is_close_to_the_reference(steps in steps(), feed in 5.0..400.0f64) {
         let pieces = chain(&steps);
         let speeds = vec![feed; pieces.len()];
         let limits = limits(200.0, 2000.0, 1e5);

@@ -1,4 +1,4 @@
-//! Setpoints of stretches made by hand.
+//! Setpoints of trajectories made by hand.
 
 mod support;
 
@@ -64,7 +64,7 @@ fn the_last_setpoint_is_the_end_at_a_whole_period() {
 }
 
 #[test]
-fn no_setpoint_gets_lost_between_stretches() {
+fn no_setpoint_gets_lost_between_trajectories() {
     let first = line([0.0; AXES], X, 20.0, 1);
     let second = line([20.0, 0.0, 0.0, 0.0, 0.0, 0.0], Y, 20.0, 2);
     let samples =
@@ -81,7 +81,7 @@ fn no_setpoint_gets_lost_between_stretches() {
 }
 
 #[test]
-fn movements_add_up_where_stretches_overlap() {
+fn movements_add_up_where_trajectories_overlap() {
     let first = line([0.0; AXES], X, 20.0, 1);
     let mut second = line([20.0, 0.0, 0.0, 0.0, 0.0, 0.0], Y, 20.0, 2);
     second.overlap_s = 0.02;
@@ -89,7 +89,7 @@ fn movements_add_up_where_stretches_overlap() {
         sampled(0.001, &[PlannerStep::Trajectory(&first), PlannerStep::Trajectory(&second)]);
     assert!((samples.last().unwrap().time_s - 0.52).abs() < 1e-12);
     for sample in &samples {
-        // Each axis by itself is the law of its own stretch.
+        // Each axis by itself is the profile of its own trajectory.
         let (x, y) = (TrajectoryCursor::default(), TrajectoryCursor::default());
         let [mut x, mut y] = [x, y];
         let x = x.at(&first, sample.time_s);
@@ -105,7 +105,7 @@ fn movements_add_up_where_stretches_overlap() {
 }
 
 #[test]
-fn an_overlap_reaches_no_farther_than_the_stretch_before() {
+fn an_overlap_reaches_no_farther_than_the_trajectory_before() {
     let first = line([0.0; AXES], X, 20.0, 1);
     let mut second = line([20.0, 0.0, 0.0, 0.0, 0.0, 0.0], Y, 20.0, 2);
     second.overlap_s = 9.0;
@@ -148,7 +148,7 @@ fn a_wait_for_ever_ends_at_the_budget() {
 }
 
 #[test]
-fn a_budget_that_the_last_setpoint_exceeds_is_told() {
+fn a_budget_that_the_last_setpoint_exceeds_is_reported() {
     // Nothing is emitted before the end, so the number of setpoints shows it.
     let line = line([0.0; AXES], X, 20.0, 1);
     let needed = (line.duration_s() / 0.001).ceil() as u64 + 1;

@@ -162,7 +162,7 @@ impl Part<'_> {
 /// Step of the differences, s: the path turns by less than a fiftieth of a radian in it.
 const H: f64 = 4e-4;
 
-/// Compares every setpoint of a stretch with the slow evaluation. Places may be `off` mm apart;
+/// Compares every setpoint of a trajectory with the slow evaluation. Places may be `off` mm apart;
 /// the derivatives must be those of the slow places, as far as these are exact.
 fn compare(trajectory: &PlannedTrajectory, period_s: f64, off: f64) -> usize {
     let mut samples = Vec::new();
@@ -340,7 +340,7 @@ fn a_curve_in_pieces_is_the_curve() {
 }
 
 #[test]
-fn an_instant_is_the_same_whatever_was_asked_before() {
+fn an_instant_is_the_same_whatever_was_sampled_before() {
     let spiral: Curve = Spiral::new(tilted(), (0.0, 14.0), 20.0, 3.0).into();
     let arc: Curve = Arc::new(tilted(), 25.0, -3.0, 4.0).into();
     for curve in bent().into_iter().chain([spiral, arc]) {

@@ -7,7 +7,7 @@ use chordal_motion::{
     CornerMode, MoveRequest, PathPiece, PlannedTrajectory, PlannerStep, PushOutcome, ServoSetpoint,
     StreamOptions, stream,
 };
-use support::law::{Law, circle_stretch, cut_line, piece};
+use support::law::{Law, circle_trajectory, cut_line, piece};
 use support::watch::{ROUNDING, Watch};
 use support::{cut, limits, line};
 
@@ -117,7 +117,7 @@ fn a_hold_stops_quickly_and_the_motion_goes_on_after_it() {
 #[test]
 fn a_circle_holds_its_axes_under_hold_and_override() {
     for radius in [0.5, 2.0, 20.0] {
-        let planned = circle_stretch(radius, 20.0, 3);
+        let planned = circle_trajectory(radius, 20.0, 3);
         let points = run(std::slice::from_ref(&planned), 0.001, |index, servo| match index % 700 {
             100 => servo.set_override(0.4),
             200 => servo.hold(),

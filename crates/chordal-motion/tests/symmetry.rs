@@ -17,7 +17,7 @@ fn same(name: &str, seed: u64, a: f64, b: f64) {
     near(name, seed, a, b, 1e-9);
 }
 
-/// Laws of smooth curves are within 2e-4 of the best on grids that begin at their start.
+/// Profiles of smooth curves are within 2e-4 of the best on grids that begin at their start.
 const LAW: f64 = 1e-3;
 
 fn near(name: &str, seed: u64, a: f64, b: f64, most: f64) {

@@ -1,4 +1,4 @@
-//! Dense moves for which a law of time is not found everywhere: they have a sound plan all the same.
+//! Dense moves for which a velocity profile is not found everywhere: they have a sound plan all the same.
 //!
 //! About one window in 1,500 of these paths has none. `CHORDAL_ROUNDS=n` takes n paths, else the test ends with the
 //! first that has such a window.
@@ -40,7 +40,7 @@ fn plan(
     (trajectories, work)
 }
 
-/// Every stretch begins where the last ended and goes from rest to rest, over all of its path.
+/// Every trajectory begins where the last ended and goes from rest to rest, over all of its path.
 fn check_chain(name: &str, moves: &[MoveRequest], trajectories: &[PlannedTrajectory]) {
     let mut at = moves[0].from();
     for trajectory in trajectories {

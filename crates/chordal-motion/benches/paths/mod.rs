@@ -78,7 +78,7 @@ fn spline() -> (Vec<PlannedTrajectory>, usize) {
     (vec![LAW.trajectory(pieces)], LAPS)
 }
 
-/// A dense run as the planner makes it: a curve with its law of time, again and again.
+/// A dense run as the planner makes it: a curve with its velocity profile, again and again.
 fn dense_run(places: &dense::Places) -> (Vec<PlannedTrajectory>, usize) {
     let moves = dense::moves(places, 1000.0, 0.01);
     (plan(&moves, limits(500.0, 5000.0, 1e5), PlannerLevel::Fast), LAPS)

@@ -4,30 +4,30 @@
 //! path is exact beyond them. Added to the path, multiplied by the step, they make its second
 //! derivative continuous.
 //!
-//! A **kink** is a step Δ of the first derivative. Its second derivative, an impulse, becomes a
+//! A step of **direction** is a step Δ of the first derivative. Its second derivative, an impulse, becomes a
 //! hat of half width h: `(h − |w|)³/(6h²)`, which leaves the path by |Δ|·h/6 at most.
 //!
-//! A **bend** is a step C of the second derivative, as where a line meets an arc. The step
+//! A step of **curvature** is a step C of the second derivative, as where a line meets an arc. The step
 //! becomes a ramp that overshoots a little, so that the path beyond is met again in place and
 //! direction: slope +1/(2(2p−1)h) within ±p·h and minus that outside, with 2p³ = 1. It leaves the
 //! path by 0.01452·|C|·h² at most.
 
-/// Where the slope of a bend's ramp turns, as a share of its half width: 2^(−1/3).
+/// Where the slope of the ramp of a step of curvature turns, as a share of its half width: 2^(−1/3).
 pub const RAMP_TURN_SHARE: f64 = 0.793_700_525_984_099_7;
 
-/// Slope of a bend's ramp, over its half width.
+/// Slope of the ramp of a step of curvature, over its half width.
 pub const RAMP_SLOPE: f64 = 0.5 / (2.0 * RAMP_TURN_SHARE - 1.0);
 
-/// Largest deviation of a bend with C = 1 and h = 1; see the test.
+/// Largest deviation of a step of curvature with C = 1 and h = 1; see the test.
 pub const CURVATURE_DEVIATION: f64 = 0.014_53;
 
-/// Largest deviation of a kink with Δ = 1 and h = 1.
+/// Largest deviation of a step of direction with Δ = 1 and h = 1.
 pub const DIRECTION_DEVIATION: f64 = 1.0 / 6.0;
 
 /// A value and its first three derivatives.
 pub type BlendJet = [f64; 4];
 
-/// The correction of a kink at `w` from it; `side` is negative before the kink, and decides
+/// The correction of a step of direction at `w` from it; `side` is negative before the step, and decides
 /// which polynomial is meant where both meet.
 #[inline]
 pub fn direction_blend(w: f64, side: f64, h: f64) -> BlendJet {
@@ -36,7 +36,7 @@ pub fn direction_blend(w: f64, side: f64, h: f64) -> BlendJet {
     [r * r * r * k / 6.0, sign * r * r * k / 2.0, r * k, sign * k]
 }
 
-/// The correction of a bend at `w` from it; `middle` is a place inside the stretch between two
+/// The correction of a step of curvature at `w` from it; `middle` is a position inside the part between two
 /// breaks that is meant.
 #[inline]
 pub fn curvature_blend(w: f64, middle: f64, h: f64) -> BlendJet {
@@ -62,7 +62,7 @@ pub fn curvature_blend(w: f64, middle: f64, h: f64) -> BlendJet {
 mod tests {
     use super::*;
 
-    fn bend_at(w: f64) -> BlendJet {
+    fn curvature_blend_at(w: f64) -> BlendJet {
         curvature_blend(w, w, 1.0)
     }
 
@@ -79,7 +79,7 @@ mod tests {
             }
         }
         let farthest = (0..=100_000)
-            .map(|i| bend_at(-1.0 + f64::from(i) / 50_000.0)[0].abs())
+            .map(|i| curvature_blend_at(-1.0 + f64::from(i) / 50_000.0)[0].abs())
             .fold(0.0, f64::max);
         assert!(
             farthest <= CURVATURE_DEVIATION && farthest > 0.999 * CURVATURE_DEVIATION,

@@ -16,7 +16,7 @@ const LEGS_PER_FRESH_SUM: u32 = 16;
 
 /// And where corrections that have ended leave more than so many times the rounding of σ: a narrow one has a large
 /// third derivative, and by the rounding of its breaks it leaves a second one, which grows with the square of
-/// the way.
+/// the distance.
 const MAX_RESIDUE_ROUNDINGS: f64 = 32.0;
 
 /// Where the sum changes its polynomial.
@@ -41,15 +41,15 @@ pub struct BlendSum {
     axes: usize,
     /// Legs since the sum was made anew.
     legs: u32,
-    /// Third derivatives of the corrections that have ended since, and the way since the first of them did.
+    /// Third derivatives of the corrections that have ended since, and the distance since the first of them did.
     ended: f64,
     distance: f64,
 }
 
-/// Where a bend's ramp turns, as shares of its half width, and by how many slopes.
+/// Where the ramp of a step of curvature turns, as shares of its half width, and by how many slopes.
 const CURVATURE_BREAKS: [(f64, f64); 4] =
     [(-1.0, -1.0), (-RAMP_TURN_SHARE, 2.0), (RAMP_TURN_SHARE, -2.0), (1.0, 1.0)];
-/// The same of a kink, next to the kink itself.
+/// The same of a step of direction, next to the step itself.
 const DIRECTION_BREAKS: [(f64, f64); 2] = [(-1.0, 1.0), (1.0, 1.0)];
 
 impl BlendSum {
@@ -84,7 +84,9 @@ impl BlendSum {
 
     /// A node's widths are settled.
     pub fn add(&mut self, node: &BlendNode) {
-        let moves = |axis: &usize| node.step.kink[*axis] != 0.0 || node.step.bend[*axis] != 0.0;
+        let moves = |axis: &usize| {
+            node.step.direction_step[*axis] != 0.0 || node.step.curvature_step[*axis] != 0.0
+        };
         self.axes = (self.axes..AXES).rev().find(moves).map_or(self.axes, |last| last + 1);
         let mut take = |step: &AxisValues, h: f64, slope: f64, turns: &[(f64, f64)]| {
             if h <= 0.0 {
@@ -96,9 +98,19 @@ impl BlendSum {
                 self.insert(BlendBreak { at: node.at + place * h, change, begins });
             }
         };
-        let (kink_half, bend_half) = (node.kink_half, node.bend_half);
-        take(&node.step.kink, kink_half, 1.0 / (kink_half * kink_half), &DIRECTION_BREAKS);
-        take(&node.step.bend, bend_half, RAMP_SLOPE / bend_half, &CURVATURE_BREAKS);
+        let (direction_half, curvature_half) = (node.direction_half, node.curvature_half);
+        take(
+            &node.step.direction_step,
+            direction_half,
+            1.0 / (direction_half * direction_half),
+            &DIRECTION_BREAKS,
+        );
+        take(
+            &node.step.curvature_step,
+            curvature_half,
+            RAMP_SLOPE / curvature_half,
+            &CURVATURE_BREAKS,
+        );
     }
 
     /// A break where nothing changes but the leg.
@@ -139,7 +151,7 @@ impl BlendSum {
         }
     }
 
-    /// Makes the sum anew at a place on a leg, if rounding would grow too large on the way ahead. Breaks up to
+    /// Makes the sum anew at a place on a leg, if rounding would grow too large on the part ahead. Breaks up to
     /// `until` are passed; `nodes` are those that reach into the leg.
     pub fn refresh<'a>(
         &mut self,
@@ -170,15 +182,19 @@ impl BlendSum {
     /// The steps that the corrections take away lie here.
     fn pass_node(&mut self, node: &BlendNode) {
         let [_, first, second, third] = &mut self.jet;
-        let h = node.kink_half;
+        let h = node.direction_half;
         if h > 0.0 {
-            for ((first, third), step) in first.iter_mut().zip(third).zip(&node.step.kink) {
+            for ((first, third), step) in first.iter_mut().zip(third).zip(&node.step.direction_step)
+            {
                 *first -= step;
                 *third -= 2.0 * step / (h * h);
             }
         }
-        if node.bend_half > 0.0 {
-            second.iter_mut().zip(&node.step.bend).for_each(|(second, step)| *second -= step);
+        if node.curvature_half > 0.0 {
+            second
+                .iter_mut()
+                .zip(&node.step.curvature_step)
+                .for_each(|(second, step)| *second -= step);
         }
     }
 
@@ -216,7 +232,9 @@ impl BlendSum {
 
 /// A correction of the node has ended at a place.
 fn is_over(node: &BlendNode, place: f64) -> bool {
-    [node.kink_half, node.bend_half].iter().any(|half| *half > 0.0 && node.at + half <= place)
+    [node.direction_half, node.curvature_half]
+        .iter()
+        .any(|half| *half > 0.0 && node.at + half <= place)
 }
 
 /// The sum at the start of a leg, node by node. Breaks up to `until` are passed.
@@ -241,8 +259,8 @@ fn sum<'a>(from: f64, until: f64, nodes: impl Iterator<Item = &'a BlendNode>) ->
                 row.iter_mut().zip(step).for_each(|(value, step)| *value += step * factor);
             }
         };
-        take(&node.step.kink, node.kink_half, direction_blend);
-        take(&node.step.bend, node.bend_half, curvature_blend);
+        take(&node.step.direction_step, node.direction_half, direction_blend);
+        take(&node.step.curvature_step, node.curvature_half, curvature_blend);
     }
     jet
 }

@@ -1,4 +1,4 @@
-//! One leg with the corrections that reach into it, cut into pieces and cells.
+//! One leg with the corrections that reach into it, cut into pieces and intervals.
 
 use chordal_geometry::{AXES, Curve, ParamCurve};
 
@@ -14,7 +14,7 @@ use crate::ramp_profile::LimitInterval;
 /// Limits that differ by less are the same.
 const EQUAL_LIMIT_SHARE: f64 = 1e-12;
 
-/// No cell goes over more pieces, so that a long row can be emitted in its middle.
+/// No interval goes over more pieces, so that a long window can be emitted in its middle.
 const MAX_INTERVAL_PIECES: u32 = 1024;
 /// And over no more time, s, than this and one piece.
 const MAX_INTERVAL_S: f64 = 0.5;
@@ -22,7 +22,7 @@ const MAX_INTERVAL_S: f64 = 0.5;
 /// Places nearer to each other than this share of a leg are one.
 const POSITION_ROUNDING_SHARE: f64 = 1e-12;
 
-/// A stretch of a leg between two breaks, before it is a cell.
+/// A part of a leg between two breaks, before it is an interval.
 #[derive(Clone, Copy, Debug)]
 struct BlendInterval {
     bounds: DerivativeBounds,
@@ -35,7 +35,7 @@ struct BlendInterval {
 #[derive(Debug, Default)]
 pub struct IntervalScratch(Vec<BlendInterval>);
 
-/// Adds a leg's pieces and cells to a row. The corrections have entered it, and go to its end; `nodes` are those
+/// Adds a leg's pieces and intervals to a look-ahead window. The corrections have entered it, and go to its end; `nodes` are those
 /// that reach into it.
 pub fn make<'a, P: PathPart>(
     leg: &'a PathLeg,
@@ -47,7 +47,7 @@ pub fn make<'a, P: PathPart>(
     row: &mut LookAheadQueue<P>,
 ) {
     if leg.begins_at_rest
-        && let Some(last) = row.cells.last_mut()
+        && let Some(last) = row.intervals.last_mut()
     {
         last.ends_at_rest = true;
     }
@@ -81,14 +81,14 @@ pub fn make<'a, P: PathPart>(
     if let Some(mut whole) = brief(leg, spans, limits) {
         whole.pieces = join(&mut row.pieces, whole.pieces);
         row.time_s += whole.length / whole.speed;
-        return add(whole, &mut row.cells);
+        return add(whole, &mut row.intervals);
     }
     for span in spans {
-        add_cell(leg, span, limits, row);
+        add_interval(leg, span, limits, row);
     }
 }
 
-/// One cell for a whole leg where that loses little time.
+/// One interval for a whole leg where that loses little time.
 fn brief(leg: &PathLeg, spans: &[BlendInterval], limits: &AxisArrays) -> Option<LimitInterval> {
     if spans.len() < 2 || !leg.may_be_brief() {
         return None;
@@ -98,8 +98,8 @@ fn brief(leg: &PathLeg, spans: &[BlendInterval], limits: &AxisArrays) -> Option<
         bounds.widen(&span.bounds);
         pieces += span.pieces;
     }
-    let cell = limit_interval(leg.length, &bounds, leg.feed, limits);
-    leg.is_brief_at(cell.speed).then_some(LimitInterval { pieces, ..cell })
+    let interval = limit_interval(leg.length, &bounds, leg.feed, limits);
+    leg.is_brief_at(interval.speed).then_some(LimitInterval { pieces, ..interval })
 }
 
 /// Places of a leg that are nearer to each other are one: it is what rounding leaves between them.
@@ -107,7 +107,7 @@ pub fn rounding(leg: &PathLeg) -> f64 {
     POSITION_ROUNDING_SHARE * leg.length + 4.0 * f64::EPSILON * leg.end()
 }
 
-/// Joins the last so many pieces where one may tell as much as two. Says how many are left.
+/// Joins the last so many pieces where one says as much as two. Says how many are left.
 fn join<P: PathPart>(pieces: &mut Vec<P>, count: u32) -> u32 {
     let begin = pieces.len() - count as usize;
     let mut last = begin;
@@ -149,22 +149,22 @@ fn add_pieces<'a, P: PathPart>(
     count
 }
 
-fn add_cell(
+fn add_interval(
     leg: &PathLeg,
     span: &BlendInterval,
     limits: &AxisArrays,
     row: &mut LookAheadQueue<impl PathPart>,
 ) {
     let BlendInterval { bounds, from, to, pieces } = *span;
-    let mut cell = limit_interval(to - from, &bounds, leg.feed, limits);
+    let mut interval = limit_interval(to - from, &bounds, leg.feed, limits);
     if leg.jerk_share != [1.0; 2] {
         let middle = 0.5 * (from + to);
         let share = leg.jerk_share[usize::from(middle > leg.from + leg.length / 2.0)];
-        cell.ability.efforts.iter_mut().for_each(|effort| effort.jerk *= share);
+        interval.ability.efforts.iter_mut().for_each(|effort| effort.jerk *= share);
     }
-    cell.pieces = pieces;
-    row.time_s += cell.length / cell.speed;
-    add(cell, &mut row.cells);
+    interval.pieces = pieces;
+    row.time_s += interval.length / interval.speed;
+    add(interval, &mut row.intervals);
 }
 
 /// A part that ends here ends with its leg.
@@ -355,26 +355,26 @@ fn turns_back(values: &ProbeValues, noise: f64) -> bool {
         .any(|pair| pair[0] * pair[1] < 0.0 && pair[0].abs() > noise && pair[1].abs() > noise)
 }
 
-/// Adds a cell to a row, or its length to the last one where the limits are the same.
-fn add(cell: LimitInterval, cells: &mut Vec<LimitInterval>) {
-    if let Some(last) = cells.last_mut()
+/// Adds an interval to a look-ahead window, or its length to the last one where the limits are the same.
+fn add(interval: LimitInterval, intervals: &mut Vec<LimitInterval>) {
+    if let Some(last) = intervals.last_mut()
         && !last.ends_at_rest
         && last.pieces < MAX_INTERVAL_PIECES
         && last.length < MAX_INTERVAL_S * last.speed
-        && near(last.speed, cell.speed)
-        && last.ability.knees.iter().zip(&cell.ability.knees).all(|(a, b)| near(*a, *b))
+        && near(last.speed, interval.speed)
+        && last.ability.knees.iter().zip(&interval.ability.knees).all(|(a, b)| near(*a, *b))
         && last
             .ability
             .efforts
             .iter()
-            .zip(&cell.ability.efforts)
+            .zip(&interval.ability.efforts)
             .all(|(a, b)| near(a.acceleration, b.acceleration) && near(a.jerk, b.jerk))
     {
-        last.length += cell.length;
-        last.pieces += cell.pieces;
+        last.length += interval.length;
+        last.pieces += interval.pieces;
         return;
     }
-    cells.push(cell);
+    intervals.push(interval);
 }
 
 fn near(a: f64, b: f64) -> bool {

@@ -38,8 +38,8 @@ pub struct JointSide {
     /// First derivative by σ.
     pub direction: AxisValues,
     /// Second derivative by σ.
-    pub bend: AxisValues,
-    /// Speed asked for, which the axes can hold, σ per s.
+    pub curvature: AxisValues,
+    /// Programmed speed, or the largest that the axes can hold, σ per s.
     pub speed: f64,
     /// It is a straight line.
     pub straight: bool,
@@ -65,7 +65,7 @@ pub enum JointKind {
 pub struct SlowJoint {
     /// What easing would take away.
     pub step: JointStep,
-    /// Half widths of the corrections of the kink and of the bend, were there no others near.
+    /// Half widths of the corrections of direction and of curvature, were there no others near.
     pub halves: (f64, f64),
     /// How the two movements may overlap if the axes rest.
     pub overlap: Option<OverlapLimits>,
@@ -87,36 +87,38 @@ pub enum JointPassing {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointStep {
     /// Step of the first derivative.
-    pub kink: AxisValues,
+    pub direction_step: AxisValues,
     /// Step of the second derivative.
-    pub bend: AxisValues,
-    /// The kink over the tolerance, 1/σ.
-    pub kink_share: f64,
-    /// The bend over the tolerance, 1/σ².
-    pub bend_share: f64,
+    pub curvature_step: AxisValues,
+    /// The step of direction over the tolerance, 1/σ.
+    pub direction_share: f64,
+    /// The step of curvature over the tolerance, 1/σ².
+    pub curvature_share: f64,
     /// Half widths beyond which nothing is gained, σ.
-    pub kink_need: f64,
-    /// The same for the bend.
-    pub bend_need: f64,
-    /// The kink over the accelerations and over the jerks of the axes, the largest of each.
-    kink_effort: [f64; 2],
-    /// The bend over the jerks.
-    bend_effort: f64,
+    pub direction_need: f64,
+    /// The same for the step of curvature.
+    pub curvature_need: f64,
+    /// The step of direction over the accelerations and over the jerks of the axes, the largest of each.
+    direction_effort: [f64; 2],
+    /// The step of curvature over the jerks.
+    curvature_effort: f64,
     /// Speeds before and after it, σ per s, and how they can change.
     sides: [(f64, AccelJerk); 2],
 }
 
 impl JointStep {
     /// The largest speed through corrections of these half widths, σ per s.
-    pub fn speed_within(&self, kink_half: f64, bend_half: f64) -> f64 {
-        let [a, j] = self.kink_effort;
+    pub fn speed_within(&self, direction_half: f64, curvature_half: f64) -> f64 {
+        let [a, j] = self.direction_effort;
         let mut speed = f64::INFINITY;
         if j > 0.0 {
-            let by_square = (CURVE_ACCELERATION_SHARE * kink_half / a).sqrt();
-            speed = by_square.min(cbrt(CURVE_JERK_SHARE * kink_half * kink_half / j));
+            let by_square = (CURVE_ACCELERATION_SHARE * direction_half / a).sqrt();
+            speed = by_square.min(cbrt(CURVE_JERK_SHARE * direction_half * direction_half / j));
         }
-        if self.bend_effort > 0.0 {
-            speed = speed.min(cbrt(CURVE_JERK_SHARE * bend_half / (RAMP_SLOPE * self.bend_effort)));
+        if self.curvature_effort > 0.0 {
+            speed = speed.min(cbrt(
+                CURVE_JERK_SHARE * curvature_half / (RAMP_SLOPE * self.curvature_effort),
+            ));
         }
         speed
     }
@@ -153,17 +155,17 @@ impl JointStep {
 
     /// Whether passing at rest would be quicker than within corrections of these half widths,
     /// between legs on which the full speed is reached.
-    pub fn is_quicker_at_rest(&self, kink_half: f64, bend_half: f64) -> bool {
-        let speed = self.speed_within(kink_half, bend_half);
-        self.loss(speed, 2.0 * kink_half.max(bend_half)) > self.loss(0.0, 0.0)
+    pub fn is_quicker_at_rest(&self, direction_half: f64, curvature_half: f64) -> bool {
+        let speed = self.speed_within(direction_half, curvature_half);
+        self.loss(speed, 2.0 * direction_half.max(curvature_half)) > self.loss(0.0, 0.0)
     }
 
     /// Ways beyond which the lengths of the legs change nothing: from rest to full speed and
     /// back with half the jerk, σ.
     pub fn full_speed_distances(&self) -> [f64; 2] {
         self.sides.map(|(speed, effort)| {
-            let gentle = AccelJerk { jerk: effort.jerk / 2.0, ..effort };
-            2.0 * gentle.distance(0.0, speed)
+            let reduced = AccelJerk { jerk: effort.jerk / 2.0, ..effort };
+            2.0 * reduced.distance(0.0, speed)
         })
     }
 }
@@ -181,15 +183,15 @@ impl SlowJoint {
         let ease = step.loss(step.speed_within(halves.0, halves.1), width);
         let rest = step.loss(0.0, 0.0);
         let overlapped = overlap.map_or(f64::INFINITY, |overlap| {
-            let mut gentle = *step;
-            gentle.sides.iter_mut().for_each(|(_, effort)| effort.jerk *= overlap.jerk_share);
-            let [(_, one), (_, two)] = gentle.sides;
-            gentle.loss(0.0, 0.0) - overlap_time(overlap.reach, one.jerk, two.jerk)
+            let mut reduced = *step;
+            reduced.sides.iter_mut().for_each(|(_, effort)| effort.jerk *= overlap.jerk_share);
+            let [(_, one), (_, two)] = reduced.sides;
+            reduced.loss(0.0, 0.0) - overlap_time(overlap.reach, one.jerk, two.jerk)
         });
         self.quickest(ease, rest, overlapped)
     }
 
-    /// The quickest, given what each takes, s.
+    /// The quickest, by what each takes, s.
     pub fn quickest(&self, ease: f64, rest: f64, overlapped: f64) -> JointPassing {
         if ease <= rest.min(overlapped) {
             JointPassing::Ease(self.step, self.half())
@@ -222,13 +224,13 @@ impl OverlapLimits {
     }
 }
 
-/// The half width that a kink may have by its tolerance alone.
-fn kink_half(step: &JointStep) -> f64 {
-    1.0 / (DIRECTION_DEVIATION * step.kink_share)
+/// The half width that a step of direction may have by its tolerance alone.
+fn direction_half(step: &JointStep) -> f64 {
+    1.0 / (DIRECTION_DEVIATION * step.direction_share)
 }
 
-fn bend_half(step: &JointStep) -> f64 {
-    (1.0 / (CURVATURE_DEVIATION * step.bend_share)).sqrt()
+fn curvature_half(step: &JointStep) -> f64 {
+    (1.0 / (CURVATURE_DEVIATION * step.curvature_share)).sqrt()
 }
 
 /// What two legs make where they meet; axes from `axes` on move on neither.
@@ -239,15 +241,18 @@ pub fn joint(
     noise: f64,
     limits: &AxisArrays,
 ) -> JointKind {
-    let kink = difference(&after.direction, &before.direction, axes);
+    let direction_step = difference(&after.direction, &before.direction, axes);
     let size = |of: &AxisValues| of[..axes].iter().fold(0.0_f64, |all, value| all.max(value.abs()));
     let straight = before.straight && after.straight;
-    let bend = if straight { [0.0; AXES] } else { difference(&after.bend, &before.bend, axes) };
-    let bent = !straight && size(&bend) > 1e-9 * size(&before.bend).max(size(&after.bend)) + 1e-12;
-    let kinked = size(&kink) > noise;
+    let curvature_step =
+        if straight { [0.0; AXES] } else { difference(&after.curvature, &before.curvature, axes) };
+    let has_curvature_step = !straight
+        && size(&curvature_step)
+            > 1e-9 * size(&before.curvature).max(size(&after.curvature)) + 1e-12;
+    let has_direction_step = size(&direction_step) > noise;
     let (tolerance, overlaps) = match corner {
         CornerMode::Stop => return JointKind::Stop,
-        _ if !bent && !kinked => return JointKind::Smooth,
+        _ if !has_curvature_step && !has_direction_step => return JointKind::Smooth,
         CornerMode::Exact => (EXACT_TOLERANCE, false),
         CornerMode::Joined { linear_mm, rotary_rad }
         | CornerMode::Blended { linear_mm, rotary_rad } => (
@@ -261,37 +266,43 @@ pub fn joint(
     let speed = before.speed.max(after.speed);
     let (one, two) = (before.effort, after.effort);
     let nothing = [0.0; AXES];
-    let (kink, bend) = (if kinked { kink } else { nothing }, if bent { bend } else { nothing });
+    let (direction_step, curvature_step) = (
+        if has_direction_step { direction_step } else { nothing },
+        if has_curvature_step { curvature_step } else { nothing },
+    );
     let over = |is_there: bool, step: &AxisValues, most: &AxisValues| {
         let axes = if is_there { axes } else { 0 };
         (0..axes).fold(0.0_f64, |all, axis| all.max(step[axis].abs() / most[axis]))
     };
-    let by_acceleration = over(kinked, &kink, &limits.acceleration);
-    let by_jerk = [over(kinked, &kink, &limits.jerk), over(bent, &bend, &limits.jerk)];
+    let by_acceleration = over(has_direction_step, &direction_step, &limits.acceleration);
+    let by_jerk = [
+        over(has_direction_step, &direction_step, &limits.jerk),
+        over(has_curvature_step, &curvature_step, &limits.jerk),
+    ];
     let (square, cube) = (speed * speed, speed * speed * speed);
     let step = JointStep {
-        kink,
-        bend,
-        kink_share: if kinked { tolerance.of(&kink) } else { 0.0 },
-        bend_share: if bent { tolerance.of(&bend) } else { 0.0 },
-        kink_need: (6.0 * cube * by_jerk[0]).sqrt().max(2.0 * square * by_acceleration),
-        bend_need: 3.0 * RAMP_SLOPE * cube * by_jerk[1],
-        kink_effort: [by_acceleration, by_jerk[0]],
-        bend_effort: by_jerk[1],
+        direction_step,
+        curvature_step,
+        direction_share: if has_direction_step { tolerance.of(&direction_step) } else { 0.0 },
+        curvature_share: if has_curvature_step { tolerance.of(&curvature_step) } else { 0.0 },
+        direction_need: (6.0 * cube * by_jerk[0]).sqrt().max(2.0 * square * by_acceleration),
+        curvature_need: 3.0 * RAMP_SLOPE * cube * by_jerk[1],
+        direction_effort: [by_acceleration, by_jerk[0]],
+        curvature_effort: by_jerk[1],
         sides: [(before.speed, one), (after.speed, two)],
     };
     // Both corrections at once share the tolerance.
-    let half = if kinked && bent { 0.5 } else { 1.0 };
-    let kink_half = (half * kink_half(&step)).min(step.kink_need);
-    let bend_half = (half.sqrt() * bend_half(&step)).min(step.bend_need);
-    let kink_half = if kinked { kink_half } else { 0.0 };
-    let bend_half = if bent { bend_half } else { 0.0 };
-    if step.speed_within(kink_half, bend_half) >= speed {
+    let half = if has_direction_step && has_curvature_step { 0.5 } else { 1.0 };
+    let direction_half = (half * direction_half(&step)).min(step.direction_need);
+    let curvature_half = (half.sqrt() * curvature_half(&step)).min(step.curvature_need);
+    let direction_half = if has_direction_step { direction_half } else { 0.0 };
+    let curvature_half = if has_curvature_step { curvature_half } else { 0.0 };
+    if step.speed_within(direction_half, curvature_half) >= speed {
         return JointKind::Ease(step);
     }
     let overlap = (overlaps && before.straight && after.straight)
-        .then(|| overlap(before, after, &tolerance, &kink, limits, one, two));
-    JointKind::Slow(SlowJoint { step, halves: (kink_half, bend_half), overlap })
+        .then(|| overlap(before, after, &tolerance, &direction_step, limits, one, two));
+    JointKind::Slow(SlowJoint { step, halves: (direction_half, curvature_half), overlap })
 }
 
 /// How long two ends with these jerks overlap, so that both are `reach` from the corner at once.
@@ -303,7 +314,7 @@ fn overlap(
     before: &JointSide,
     after: &JointSide,
     tolerance: &CornerTolerance,
-    kink: &AxisValues,
+    direction_step: &AxisValues,
     limits: &AxisArrays,
     one: AccelJerk,
     two: AccelJerk,
@@ -315,8 +326,10 @@ fn overlap(
             share = share.min(limits.jerk[axis] / sum);
         }
     }
-    let most =
-        tolerance.of(kink).max(tolerance.of(&before.direction)).max(tolerance.of(&after.direction));
+    let most = tolerance
+        .of(direction_step)
+        .max(tolerance.of(&before.direction))
+        .max(tolerance.of(&after.direction));
     OverlapLimits { reach: 1.0 / most, jerk_share: share }
 }
 

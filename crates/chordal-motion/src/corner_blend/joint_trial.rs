@@ -70,11 +70,12 @@ impl JointTrial {
     pub fn eased(
         &mut self,
         step: JointStep,
-        (kink_half, bend_half): (f64, f64),
+        (direction_half, curvature_half): (f64, f64),
         legs: [&PathLeg; 2],
         limits: &AxisArrays,
     ) -> f64 {
-        let node = BlendNode { kink_half, bend_half, ..BlendNode::new(step, legs[1].from, 0) };
+        let node =
+            BlendNode { direction_half, curvature_half, ..BlendNode::new(step, legs[1].from, 0) };
         self.time(&legs, &[node], limits)
     }
 
@@ -94,9 +95,9 @@ impl JointTrial {
             corrections.enter_anew(leg.from, until, nodes.iter());
             intervals::make(leg, [].iter(), nodes.iter(), limits, corrections, scratch, row);
         }
-        solver.solve(&row.cells, 0.0, 0.0);
+        solver.solve(&row.intervals, 0.0, 0.0);
         law.clear();
-        solver.phases(&row.cells, 0, row.cells.len(), law);
+        solver.phases(&row.intervals, 0, row.intervals.len(), law);
         law.iter().map(|phase| phase.duration_s).sum()
     }
 }

@@ -35,7 +35,7 @@ pub struct PathLeg {
     pub curve: Option<Box<Curve>>,
     /// Axes up to the last that moves.
     pub axes: usize,
-    /// Speed asked for, σ per s.
+    /// Programmed speed, σ per s.
     pub feed: f64,
     /// Its first part.
     pub part: LegPart,
@@ -76,7 +76,7 @@ impl PathLeg {
         let side = |sigma: f64| {
             let mut side = JointSide {
                 direction,
-                bend: [0.0; AXES],
+                curvature: [0.0; AXES],
                 speed: motion.speed,
                 straight: true,
                 effort: AccelJerk::FREE,
@@ -85,7 +85,7 @@ impl PathLeg {
                 side.straight = false;
                 let (tangent, curvature) = turn_at(curve, sigma);
                 side.direction[..3].copy_from_slice(&tangent.to_array());
-                side.bend[..3].copy_from_slice(&curvature.to_array());
+                side.curvature[..3].copy_from_slice(&curvature.to_array());
                 side.speed = holdable_bent(&side, limits).min(side.speed);
             }
             side.speed = holdable(&side.direction[..axes], limits).min(side.speed);
@@ -184,10 +184,10 @@ fn holdable(direction: &[f64], limits: &AxisArrays) -> f64 {
 
 /// The speed that the axes can hold around a bend.
 fn holdable_bent(side: &JointSide, limits: &AxisArrays) -> f64 {
-    let k = side.bend.iter().map(|bend| bend * bend).sum::<f64>().sqrt();
+    let k = side.curvature.iter().map(|curvature| curvature * curvature).sum::<f64>().sqrt();
     (0..AXES).fold(f64::INFINITY, |speed, axis| {
-        let (direction, bend) = (side.direction[axis].abs(), side.bend[axis].abs());
-        let by_square = CURVE_ACCELERATION_SHARE * limits.acceleration[axis] / bend;
+        let (direction, curvature) = (side.direction[axis].abs(), side.curvature[axis].abs());
+        let by_square = CURVE_ACCELERATION_SHARE * limits.acceleration[axis] / curvature;
         let by_cube = CURVE_JERK_SHARE * limits.jerk[axis] / (k * k * direction);
         speed.min(by_square.sqrt()).min(cbrt(by_cube))
     })

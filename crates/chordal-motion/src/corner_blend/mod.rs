@@ -1,5 +1,5 @@
-//! The path without steps: corrections within the tolerance take kinks and bends away, and what
-//! comes out is a row of pieces with the limits that hold on each.
+//! The path without steps: corrections within the tolerance take the steps of direction and curvature away, and what
+//! comes out is a look-ahead window of pieces with the limits that hold on each.
 
 mod blend;
 mod blend_sum;
@@ -46,8 +46,8 @@ struct BlendNode {
     step: JointStep,
     /// Number of the leg that begins here.
     leg: usize,
-    kink_half: f64,
-    bend_half: f64,
+    direction_half: f64,
+    curvature_half: f64,
     /// The half width with which it is known to be quicker than a rest, or zero.
     tried: f64,
     /// The axes rest here, and no correction reaches over it.
@@ -62,8 +62,8 @@ impl BlendNode {
             at,
             step,
             leg,
-            kink_half: 0.0,
-            bend_half: 0.0,
+            direction_half: 0.0,
+            curvature_half: 0.0,
             tried: 0.0,
             rests: false,
             weighed: false,
@@ -71,28 +71,28 @@ impl BlendNode {
     }
 
     fn half(&self) -> f64 {
-        self.kink_half.max(self.bend_half)
+        self.direction_half.max(self.curvature_half)
     }
 
     /// With no correction.
     fn narrowed(self) -> BlendNode {
-        BlendNode { kink_half: 0.0, bend_half: 0.0, ..self }
+        BlendNode { direction_half: 0.0, curvature_half: 0.0, ..self }
     }
 
     /// The axes have to slow down for it.
     fn is_slow(&self) -> bool {
-        self.step.speed_within(self.kink_half, self.bend_half) < self.step.fastest()
+        self.step.speed_within(self.direction_half, self.curvature_half) < self.step.fastest()
     }
 
     /// Beyond this half width nothing is gained.
     fn need(&self) -> f64 {
-        self.step.kink_need.max(self.step.bend_need).min(MAX_HALF_WIDTH)
+        self.step.direction_need.max(self.step.curvature_need).min(MAX_HALF_WIDTH)
     }
 }
 
 /// The half width at which corrections with these sums of shares meet the tolerance.
-fn half_within(kinks: f64, bends: f64) -> f64 {
-    let (b, c) = (DIRECTION_DEVIATION * kinks, CURVATURE_DEVIATION * bends);
+fn half_within(direction_shares: f64, curvature_shares: f64) -> f64 {
+    let (b, c) = (DIRECTION_DEVIATION * direction_shares, CURVATURE_DEVIATION * curvature_shares);
     if b + c <= 0.0 { f64::INFINITY } else { 2.0 / (b + (b * b + 4.0 * c).sqrt()) }
 }
 
@@ -104,7 +104,7 @@ pub struct CornerBlender {
     legs_gone: usize,
     /// Parts of those legs beyond their first, in order.
     parts: VecDeque<LegPart>,
-    /// Nodes that later legs or nodes may ask for; the first has the number `nodes_gone`.
+    /// Nodes that later legs or nodes may need; the first has the number `nodes_gone`.
     nodes: VecDeque<BlendNode>,
     nodes_gone: usize,
     /// Number of the first node that has not been judged by itself.
@@ -145,13 +145,13 @@ struct PendingLeg {
 pub struct LookAheadQueue<P> {
     /// The path.
     pub pieces: Vec<P>,
-    /// The largest speed that is asked for on each, σ per s, if anybody wants to know.
+    /// The largest programmed speed on each, σ per s; empty where the level needs none.
     pub speeds: Vec<f64>,
-    /// Somebody does.
+    /// They are kept: only the best level needs them.
     pub keeps_speeds: bool,
     /// The limits, each over one or more pieces.
-    pub cells: Vec<LimitInterval>,
-    /// What the cells take at their largest speeds, s.
+    pub intervals: Vec<LimitInterval>,
+    /// What the intervals take at their largest speeds, s.
     pub time_s: f64,
 }
 
@@ -177,14 +177,14 @@ impl PendingLeg {
 impl<P> LookAheadQueue<P> {
     /// Nothing is in it.
     pub fn new(keeps_speeds: bool) -> LookAheadQueue<P> {
-        let (pieces, speeds, cells) = (Vec::new(), Vec::new(), Vec::new());
-        LookAheadQueue { pieces, speeds, keeps_speeds, cells, time_s: 0.0 }
+        let (pieces, speeds, intervals) = (Vec::new(), Vec::new(), Vec::new());
+        LookAheadQueue { pieces, speeds, keeps_speeds, intervals, time_s: 0.0 }
     }
 
     fn clear(&mut self) {
         self.pieces.clear();
         self.speeds.clear();
-        self.cells.clear();
+        self.intervals.clear();
         self.time_s = 0.0;
     }
 }
@@ -306,7 +306,7 @@ impl CornerBlender {
         }
     }
 
-    /// Hands on what later moves cannot change; all of it when the run ends here.
+    /// Emits what later moves cannot change; all of it when the run ends here.
     pub fn drain(
         &mut self,
         ends: bool,
@@ -379,7 +379,7 @@ impl CornerBlender {
     /// place is chosen so, their sum keeps it there.
     fn half_among(&self, index: usize, most: f64, among_rests: bool) -> f64 {
         let within = |half: f64| {
-            let (mut kinks, mut bends) = (0.0, 0.0);
+            let (mut direction_shares, mut curvature_shares) = (0.0, 0.0);
             let at = self.nodes[index].at;
             let near = |node: &BlendNode| {
                 (node.at - at).abs() < 2.0 * half && !(among_rests && node.rests)
@@ -388,20 +388,20 @@ impl CornerBlender {
                 if !near(node) {
                     break;
                 }
-                kinks += node.step.kink_share;
-                bends += node.step.bend_share;
+                direction_shares += node.step.direction_share;
+                curvature_shares += node.step.curvature_share;
             }
             for node in self.nodes.range(index + 1..) {
                 if !near(node) {
                     break;
                 }
-                kinks += node.step.kink_share;
-                bends += node.step.bend_share;
+                direction_shares += node.step.direction_share;
+                curvature_shares += node.step.curvature_share;
             }
-            half_within(kinks, bends)
+            half_within(direction_shares, curvature_shares)
         };
         let own = &self.nodes[index].step;
-        let mut above = most.min(half_within(own.kink_share, own.bend_share));
+        let mut above = most.min(half_within(own.direction_share, own.curvature_share));
         let mut below = within(above);
         if below >= above {
             below = above;
@@ -421,7 +421,7 @@ impl CornerBlender {
     }
 
     /// A little less than a half width, so that the correction ends at another node where one is
-    /// near: in a row of even lines the changes of all corrections then cancel.
+    /// near: in a series of even lines the changes of all corrections then cancel.
     fn snapped(&self, index: usize, half: f64) -> f64 {
         const MIN_SNAP_SHARE: f64 = 0.75;
         const SNAP_ROUNDING_SHARE: f64 = 1e-9;
@@ -447,7 +447,7 @@ impl CornerBlender {
         }
     }
 
-    /// Hands the first leg on.
+    /// Emits the first leg.
     fn hand_on(&mut self, limits: &AxisArrays, row: &mut LookAheadQueue<impl PathPart>) {
         let Some(leg) = self.legs.pop_front() else { return };
         let own = self.nodes.get(self.ahead - self.nodes_gone);

@@ -5,22 +5,22 @@ use crate::corner_blend::path_span::PathPart;
 use crate::cube_root::cbrt;
 use crate::trajectory::JerkPhase;
 
-/// The end of a stretch that is at rest, with the corner.
+/// The end of a trajectory that is at rest, with the corner.
 #[derive(Clone, Copy, Debug)]
 pub struct RestEnd {
     jerk: f64,
     duration_s: f64,
-    /// Way from the corner in which the path is a straight line.
+    /// Distance from the corner over which the path is a straight line.
     straight: f64,
 }
 
 impl RestEnd {
-    /// The end at the start of a stretch.
+    /// The end at the start of a trajectory.
     pub fn first(phases: &[JerkPhase], pieces: &[impl PathPart]) -> Option<RestEnd> {
         RestEnd::new(phases.iter(), pieces.iter())
     }
 
-    /// The end at the end of a stretch.
+    /// The end at the end of a trajectory.
     pub fn last(phases: &[JerkPhase], pieces: &[impl PathPart]) -> Option<RestEnd> {
         RestEnd::new(phases.iter().rev(), pieces.iter().rev())
     }

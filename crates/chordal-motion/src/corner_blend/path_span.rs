@@ -76,7 +76,7 @@ pub(crate) mod sealed {
         /// What is kept of a piece.
         fn of(piece: &PathPiece) -> Self;
 
-        /// Makes it longer by another where one of them tells as much as both.
+        /// Makes it longer by another where one of them says as much as both.
         fn take_in(&mut self, next: &Self) -> bool;
 
         /// The path, where it is known.

@@ -83,18 +83,18 @@ impl CornerBlender {
     }
 
     /// Easing may take time here: the axes slow down, or get up to speed on the correction, where
-    /// less of their jerk is free for that, or turn on a curve and in a kink at once.
+    /// less of their jerk is free for that, or turn on a curve and at a step of direction at once.
     fn may_lose(&self, node: &BlendNode) -> bool {
         let leg = node.leg - self.legs_gone;
         let (before, after) = (&self.legs[leg - 1], &self.legs[leg]);
         let [distance_before, distance_after] =
             node.step.full_speed_distances().map(|distance| distance / 2.0 + node.half());
-        let kinked = node.step.kink_share > 0.0;
+        let has_direction_step = node.step.direction_share > 0.0;
         node.is_slow()
             || !node.step.is_even()
             || before.length < distance_before
             || after.length < distance_after
-            || kinked && (before.curve.is_some() || after.curve.is_some())
+            || has_direction_step && (before.curve.is_some() || after.curve.is_some())
     }
 
     /// The leg after a node is so long that full speed is reached on it whatever happens at its
@@ -165,7 +165,7 @@ impl CornerBlender {
         stops < self.trial.together(&legs, &eased, limits)
     }
 
-    /// No correction reaches over the ends of the run, where the axes stand still.
+    /// No correction reaches over the ends of the run, where the axes rest.
     fn room(&self, node: &BlendNode) -> f64 {
         let room = |distance: f64, clear: f64| (distance - clear).max(distance / 2.0);
         let ends = room(node.at, self.clear[0]).min(room(self.length - node.at, self.clear[1]));
@@ -187,8 +187,9 @@ impl CornerBlender {
 
     fn with_half(&self, index: usize, half: f64) -> BlendNode {
         let node = self.nodes[index];
-        let (kink_half, bend_half) = (half.min(node.step.kink_need), half.min(node.step.bend_need));
-        BlendNode { kink_half, bend_half, ..node }
+        let (direction_half, curvature_half) =
+            (half.min(node.step.direction_need), half.min(node.step.curvature_need));
+        BlendNode { direction_half, curvature_half, ..node }
     }
 
     /// The legs that a node's correction goes over are known, or long enough.
@@ -211,7 +212,7 @@ impl CornerBlender {
     /// The axes pass an eased node faster than they get to be on any leg in its reach, between
     /// rests.
     pub(super) fn is_clearly_quicker_eased(&self, node: &BlendNode) -> bool {
-        let speed = node.step.speed_within(node.kink_half, node.bend_half);
+        let speed = node.step.speed_within(node.direction_half, node.curvature_half);
         let slower = |leg: &PathLeg| {
             leg.feed <= speed || leg.head.effort.rise(0.0, leg.length / 2.0) <= speed
         };
@@ -223,7 +224,8 @@ impl CornerBlender {
     /// Whether the axes had better rest at a node, given its widths: between its legs alone, from
     /// rest to rest.
     pub(super) fn is_quicker_at_rest(&mut self, node: &BlendNode, limits: &AxisArrays) -> bool {
-        let (kink_half, bend_half, half) = (node.kink_half, node.bend_half, node.half());
+        let (direction_half, curvature_half, half) =
+            (node.direction_half, node.curvature_half, node.half());
         if !node.is_slow() || half == node.tried {
             return false;
         }
@@ -233,7 +235,7 @@ impl CornerBlender {
         let [before, after] = self.covering_sides(first, half);
         let long = before.distance >= distance_before && after.distance >= distance_after;
         if long && node.step.is_even() {
-            return node.step.is_quicker_at_rest(kink_half, bend_half);
+            return node.step.is_quicker_at_rest(direction_half, curvature_half);
         }
         let trial = &mut self.trial;
         let mut rest = 0.0;
@@ -245,7 +247,8 @@ impl CornerBlender {
         }
         let before = self.legs[first - 1].ending(before.distance.min(distance_before));
         let after = self.legs[first].beginning(after.distance.min(distance_after));
-        let eased = trial.eased(node.step, (kink_half, bend_half), [&before, &after], limits);
+        let eased =
+            trial.eased(node.step, (direction_half, curvature_half), [&before, &after], limits);
         rest < eased
     }
 }

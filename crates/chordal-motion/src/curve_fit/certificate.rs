@@ -4,7 +4,7 @@
 //! knots and places of the chords it is a cubic whose second derivative is the curve's: with δ the
 //! length of such a part, |e| ≤ max(|e₀|, |e₁|) + max|q''|·δ²/8.
 //!
-//! Where some pieces were moved, only the chords beside them are measured again.
+//! Where some pieces were moved, only the chords next to them are measured again.
 
 use std::ops::Range;
 
@@ -19,11 +19,11 @@ use crate::piece::{AxisJet, SIXTH};
 
 /// Where it is too far, widths around fall to at least and at most these shares, by the root of the excess.
 const WIDTH_FALL_SHARES: [f64; 2] = [0.6, 0.97];
-/// A pull takes so much of the way to this share of the tolerance: pulls reach over their neighbours.
+/// A pull takes so much of the distance to this share of the tolerance: pulls reach over their neighbours.
 const PULL_TARGET_SHARE: f64 = 0.95;
 const PULL_DAMPING_SHARE: f64 = 0.8;
 
-/// How far the curve is from each chord, and what a curve that is too far asks for.
+/// How far the curve is from each chord, and what a curve that is too far needs.
 #[derive(Debug, Default)]
 pub(super) struct ToleranceCertificate {
     /// The largest distance from each chord, in tolerances.
@@ -68,7 +68,7 @@ impl ToleranceCertificate {
         std::mem::swap(&mut self.pulls, &mut self.before);
         let (mut known, mut checked_to) = (0, 0);
         for pieces in &spline.dirty {
-            // The chords beside them, too: what is known of a joint is known from the piece before it.
+            // The chords next to them, too: what is known of a joint is known from the piece before it.
             let [begin, end] = [spline.at[pieces.start], spline.at[pieces.end]];
             let first = chords.at.partition_point(|at| *at < begin).saturating_sub(2);
             let last = (chords.at.partition_point(|at| *at <= end) + 1).min(chords.count());
@@ -175,7 +175,7 @@ impl ToleranceCertificate {
     }
 }
 
-/// How the curve stands where a chord begins, as it is known from the chord before.
+/// Where the curve is when a chord begins, as it is known from the chord before.
 fn check_cursor(
     chord: usize,
     chords: &ChordPath,

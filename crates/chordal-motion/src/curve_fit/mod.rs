@@ -44,7 +44,7 @@ const MAX_FOURTH_DIFFERENCE: f64 = 16.0;
 const DENOISE_FOURTH_DIFFERENCE: f64 = 8.0;
 /// Of the tolerance, what the first of two smoothings may take.
 const DENOISE_TOLERANCE_SHARE: f64 = 0.2;
-/// Largest widths, in those that time asks for: of the plain kernel, of the sharp one, and of the sharp one
+/// Largest widths, in those that time needs: of the plain kernel, of the sharp one, and of the sharp one
 /// before the plain one.
 const PLAIN_WIDTH_FACTOR: f64 = 1.5;
 const SHARP_WIDTH_FACTOR: f64 = 1.5;
@@ -242,7 +242,7 @@ mod tests {
         ToleranceMeasure::new(tolerance, 1e-4, false, &AxisArrays::new(&limits))
     }
 
-    /// A wave with noise, with a kink and chords of any length, by a simple generator.
+    /// A wave with noise, with a sharp corner and chords of any length, by a simple generator.
     fn wave(seed: u64) -> ChordPath {
         let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
         let mut random = || {
@@ -269,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn long_chords_beside_one_of_a_nanometre_are_cut_into_few_pieces() {
+    fn long_chords_next_to_one_of_a_nanometre_are_cut_into_few_pieces() {
         let mut chords = ChordPath::default();
         let mut at = [0.0; AXES];
         chords.begin(at);
@@ -293,7 +293,7 @@ mod tests {
         let rounds = option_env!("CHORDAL_ROUNDS").and_then(|rounds| rounds.parse().ok());
         let rounds = rounds.unwrap_or(60);
         let mut smoothing = CurveSmoother::default();
-        // A path with as many kinks as these has no curve now and then, and is planned corner by corner.
+        // A path with as many corners as these has no curve now and then, and is planned corner by corner.
         let mut without = 0;
         for seed in 1..rounds {
             let measure = measure([0.001, 0.01, 0.1][seed as usize % 3]);

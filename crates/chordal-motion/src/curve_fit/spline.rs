@@ -25,7 +25,7 @@ pub(super) struct CurvePull {
 const SECOND_ORDER_BIAS: f64 = 5.0 / 24.0;
 /// No box is averaged over more control points to a side.
 const MAX_BOX_POINTS: usize = 60;
-/// No more pieces than so many, and so many for each chord, and no more in all: a long chord beside one of a
+/// No more pieces than so many, and so many for each chord, and no more in all: a long chord next to one of a
 /// nanometre would be cut into nanometres. Smooth runs have two for each chord.
 const BASE_PIECES: f64 = 10_000.0;
 const MAX_PIECES_PER_CHORD: f64 = 8.0;
@@ -132,7 +132,7 @@ impl FittedSpline {
         0.5 * (self.knots[index + 3] - self.knots[index + 1])
     }
 
-    /// Means over boxes, whose widths change evenly: a kink of the width is one of the path.
+    /// Means over boxes, whose widths change evenly: a corner of the width is one of the path.
     fn plain(&mut self, chords: &ChordPath, widths: &SmoothingWidths) {
         let count = self.knots.len() - 4;
         let length = chords.length();

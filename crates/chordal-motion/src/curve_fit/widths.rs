@@ -30,9 +30,9 @@ const KERNEL_VARIANCE: f64 = 0.416_67;
 pub(super) struct SmoothingWidths {
     /// As the tolerance allows.
     pub reach: Vec<f64>,
-    /// As time asks for: the distance of knots.
+    /// As time needs them: the distance of knots.
     pub by_time: Vec<f64>,
-    /// Shares that the certificate asked for.
+    /// Shares that the certificate requested.
     pub shares: Vec<f64>,
     /// Distance of knots.
     pub knots: Vec<f64>,
@@ -118,7 +118,7 @@ impl SmoothingWidths {
     }
 
     /// The distances of knots and the boxes, with the shares as they are. No width is larger than so many of
-    /// those that time asks for.
+    /// those that time needs.
     pub fn settle(
         &mut self,
         chords: &ChordPath,

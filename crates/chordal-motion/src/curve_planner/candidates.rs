@@ -2,8 +2,8 @@
 //!
 //! A curve within a tolerance is also within a larger one. So the lower values of a fixed ladder of tolerances
 //! are candidates as well, and more tolerance is not slower. About how long a curve takes is known from the
-//! first law that the steps to the quickest one begin with: only of those that are near the least of these
-//! times, of each way of smoothing, the quickest laws are made.
+//! first profile that the steps to the quickest one begin with: only of those that are near the least of these
+//! times, of each kind of smoothing, the quickest profiles are solved.
 
 use chordal_geometry::AXES;
 
@@ -15,7 +15,7 @@ use crate::time_bound::{JerkReserve, PathRun};
 use crate::trajectory::JerkPhase;
 use crate::tuning::TUNING;
 
-/// Steps in which the share of the speeds is looked for that a short way is quickest at.
+/// Steps in which the share of the speeds is looked for at which a short run is quickest.
 const SPEED_SEARCH_FACTORS: [f64; 4] = [0.8, 1.05, 0.98, 1.005];
 
 /// Finds the quickest curves, one after the other; keeps its memory.
@@ -29,7 +29,7 @@ pub(super) struct CandidateSearch {
     spare: Vec<CurveCandidate>,
 }
 
-/// A curve and its law from rest to rest.
+/// A curve and its profile from rest to rest.
 #[derive(Debug)]
 pub(super) struct SolvedCurve {
     pub pieces: Vec<PathPiece>,
@@ -50,19 +50,19 @@ struct CurveCandidate {
     kind: Option<SmoothingKind>,
 }
 
-/// The least times of first laws, of each way.
+/// The least times of first profiles, of each kind.
 #[derive(Clone, Copy, Debug)]
 struct LeastFirstTimes([f64; SmoothingKind::ALL.len()]);
 
 impl CandidateSearch {
-    /// The quickest curve through some chords, if there is one. `lay` makes pieces with their largest speeds,
+    /// The quickest curve through some chords, if there is one. `make` makes pieces with their largest speeds,
     /// `run` takes them as a run.
     pub fn plan(
         &mut self,
         chords: &ChordPath,
         measure: &ToleranceMeasure,
         (limits, gap): (&KinematicLimits, f64),
-        mut lay: impl FnMut(&SmoothCurve<'_>, &mut Vec<PathPiece>, &mut Vec<f64>),
+        mut make: impl FnMut(&SmoothCurve<'_>, &mut Vec<PathPiece>, &mut Vec<f64>),
         run: impl for<'a> Fn(&'a [PathPiece], &'a [f64]) -> Option<PathRun<'a>>,
     ) -> Option<SolvedCurve> {
         self.spare.append(&mut self.candidates);
@@ -92,7 +92,7 @@ impl CandidateSearch {
                 let mut candidate = self.spare.pop().unwrap_or_default();
                 candidate.clear();
                 if let Some(smooth) = self.smoothing.smooth(&self.divided, &measure, kind) {
-                    lay(&smooth, &mut candidate.pieces, &mut candidate.speeds);
+                    make(&smooth, &mut candidate.pieces, &mut candidate.speeds);
                 }
                 let mut prepared = std::mem::take(&mut candidate.prepared);
                 let whole = run(&candidate.pieces, &candidate.speeds).filter(|run| {
@@ -134,7 +134,7 @@ impl CandidateSearch {
         let [near_s, other_s] =
             leasts.shares().map(|share| window_s(share, leasts.s(), at_feed_s, &best));
         let is_near = |candidate: &CurveCandidate| leasts.has_near(candidate, near_s, other_s);
-        let best = self.quickest_of_found(gap, is_near, best, run);
+        let best = self.quickest_candidate(gap, is_near, best, run);
         best.map(|best| SolvedCurve { at_feed_s, ..best })
     }
 
@@ -151,7 +151,7 @@ impl CandidateSearch {
         }
     }
 
-    /// Drops the candidates that others of their way are far ahead of.
+    /// Drops the candidates that others of their kind are far ahead of.
     fn drop_far(&mut self, leasts: &LeastFirstTimes) {
         let near_s = leasts.shares()[0] * leasts.s();
         let mut index = 0;
@@ -164,9 +164,9 @@ impl CandidateSearch {
         }
     }
 
-    /// The quickest with its law of the candidates that are near the least, and of the best that is known; where
-    /// none of these has a law, the first that has one.
-    fn quickest_of_found(
+    /// The quickest with its profile of the candidates that are near the least, and of the best that is known; where
+    /// none of these has a profile, the first that has one.
+    fn quickest_candidate(
         &mut self,
         gap: f64,
         is_near: impl Fn(&CurveCandidate) -> bool,
@@ -191,18 +191,18 @@ impl CandidateSearch {
         best
     }
 
-    /// What all laws took.
+    /// What all profiles took.
     pub fn work(&self) -> SolverWork {
         self.solver.work
     }
 
-    /// The law of a run, without its pieces.
+    /// The profile of a run, without its pieces.
     pub fn solve(&mut self, run: &PathRun<'_>, gap: f64) -> Option<SolvedCurve> {
         let phases = self.solver.plan(run, [RunEnding::Rest; 2], gap)?;
         Some(self.curved(phases))
     }
 
-    /// The same of a run that was laid.
+    /// The same of a run that was prepared.
     fn solve_prepared(
         &mut self,
         run: &PathRun<'_>,
@@ -233,7 +233,7 @@ impl LeastFirstTimes {
         self.0.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    /// How near the least of its way the first law of a candidate is, and that least the least of all.
+    /// How near the least of its kind the first profile of a candidate is, and that least the least of all.
     fn shares(&self) -> [f64; 2] {
         if self.s() > TUNING.curves.short_run_s {
             [TUNING.curves.kind_window, TUNING.curves.rival_window]
@@ -242,7 +242,7 @@ impl LeastFirstTimes {
         }
     }
 
-    /// Whether a candidate is near the least of its way, and that is near the least of all.
+    /// Whether a candidate is near the least of its kind, and that is near the least of all.
     fn has_near(&self, candidate: &CurveCandidate, near_s: f64, other_s: f64) -> bool {
         let Some(kind) = candidate.kind else { return false };
         let own_s = self.0[kind as usize];
@@ -269,17 +269,17 @@ impl CurveCandidate {
         self.speeds.clear();
     }
 
-    /// The time at its speeds, with a start and a stop, s: little is quicker. Where the way is too short for them, at the
-    /// share of them at which it is the least. Ends with a share of the jerk have no more of it on all of the way.
-    fn at_feed_s(&self, limits: &KinematicLimits, gentle: &[JerkReserve; 2]) -> f64 {
+    /// The time at its speeds, with a start and a stop, s: little is quicker. Where the run is too short for them, at the
+    /// share of them at which it is the least. Ends with a share of the jerk have no more of it on all of it.
+    fn at_feed_s(&self, limits: &KinematicLimits, reserve: &[JerkReserve; 2]) -> f64 {
         let at_speed = self.pieces.iter().zip(&self.speeds);
         let at_speed_s: f64 = at_speed.map(|(piece, speed)| piece.length / speed).sum();
         let ends =
             [(self.pieces.first(), self.speeds.first()), (self.pieces.last(), self.speeds.last())];
         let time_s = |share: f64| {
-            let lost = ends.into_iter().zip(gentle).map(|(end, gentle)| match end {
+            let lost = ends.into_iter().zip(reserve).map(|(end, reserve)| match end {
                 (Some(piece), Some(speed)) => {
-                    0.5 * ramp_s(piece, share * speed, limits, gentle.share)
+                    0.5 * ramp_s(piece, share * speed, limits, reserve.share)
                 }
                 _ => 0.0,
             });
@@ -296,7 +296,7 @@ impl CurveCandidate {
     }
 }
 
-/// The time of a straight way from rest to a speed in the direction of a piece, s.
+/// The time of a straight line from rest to a speed in the direction of a piece, s.
 fn ramp_s(piece: &PathPiece, speed: f64, limits: &KinematicLimits, share: f64) -> f64 {
     let least = |limits: &[f64; AXES]| {
         let of = |axis: usize| limits[axis] / piece.start[1][axis].abs();

@@ -27,7 +27,7 @@ pub(super) struct ChainContext<'a, S> {
     pub corners: &'a mut S,
 }
 
-/// A stretch from rest to rest.
+/// A trajectory from rest to rest.
 #[derive(Debug)]
 pub(crate) struct ChainLink {
     pub trajectory: PlannedTrajectory,
@@ -42,7 +42,7 @@ impl ChainLink {
     }
 
     /// What a planner keeps of it.
-    pub fn into_kept_trajectory<P: PathPart>(self) -> PlannedTrajectory<P> {
+    pub fn into_trajectory<P: PathPart>(self) -> PlannedTrajectory<P> {
         let PlannedTrajectory { pieces, phases, overlap_s } = self.trajectory;
         let pieces = match self.of_moves {
             Some(of_moves) => P::of_moves(&pieces, of_moves.into_iter()),
@@ -52,7 +52,7 @@ impl ChainLink {
     }
 }
 
-/// Stretches from rest to rest.
+/// Trajectories from rest to rest.
 #[derive(Default)]
 struct PlannedChain {
     trajectories: Vec<ChainLink>,
@@ -82,15 +82,19 @@ fn plan_by_corners(
 ) -> PlannedChain {
     let mut planned = PlannedChain::default();
     let overlaps = [
-        before.as_ref().map(|meeting| meeting.overlap(1)),
-        after.as_ref().map(|meeting| meeting.overlap(0)),
+        before.as_ref().map(|corner_overlap| corner_overlap.overlap(1)),
+        after.as_ref().map(|corner_overlap| corner_overlap.overlap(0)),
     ];
     let mut trajectories = Vec::new();
     context.corners.plan(moves, overlaps, &mut trajectories);
-    let side =
-        |meeting: &Option<CornerOverlap>, side: usize, trajectory: Option<&PlannedTrajectory>| {
-            meeting.as_ref().zip(trajectory).map(|(meeting, one)| meeting.side_of_lines(side, one))
-        };
+    let side = |corner_overlap: &Option<CornerOverlap>,
+                side: usize,
+                trajectory: Option<&PlannedTrajectory>| {
+        corner_overlap
+            .as_ref()
+            .zip(trajectory)
+            .map(|(corner_overlap, one)| corner_overlap.side_of_lines(side, one))
+    };
     planned.sides = [side(before, 1, trajectories.first()), side(after, 0, trajectories.last())];
     planned.trajectories = trajectories
         .into_iter()
@@ -100,7 +104,7 @@ fn plan_by_corners(
 }
 
 impl CurvePlanner {
-    /// The stretches of some moves from rest to rest, each again from rest to rest and with how long it overlaps
+    /// The trajectories of some moves from rest to rest, each again from rest to rest and with how long it overlaps
     /// the one before, and about the least time of the curves without jerk, s.
     pub fn plan(
         &mut self,
@@ -122,7 +126,7 @@ impl CurvePlanner {
         (planned.trajectories, planned.least_s)
     }
 
-    /// Plans the runs between corners, where those at the ends are given; some again with more corners.
+    /// Plans the runs between corners, where those at the ends are known; some again with more corners.
     fn chain(
         &mut self,
         context: &mut ChainContext<'_, impl CornerStrategy>,
@@ -134,7 +138,7 @@ impl CurvePlanner {
         let mut last = before;
         for (index, pair) in corners.windows(2).enumerate() {
             let next = match corners.get(index + 2) {
-                Some(end) => self.meeting(context, [pair[0], pair[1], *end]),
+                Some(end) => self.corner_overlap(context, [pair[0], pair[1], *end]),
                 None => after,
             };
             let run = self.quickest(context, pair[0]..pair[1], [last, next], more);
@@ -144,11 +148,13 @@ impl CurvePlanner {
             let [begins, ends] = run.sides;
             if index == 0 {
                 all.sides[0] = begins;
-            } else if let (Some(meeting), Some(one), Some(two)) = (last, all.sides[1], begins)
+            } else if let (Some(corner_overlap), Some(one), Some(two)) =
+                (last, all.sides[1], begins)
                 && let Some([.., before, after]) = all.trajectories.get_mut(..=first)
             {
                 let both = [&before.trajectory, &after.trajectory];
-                after.trajectory.overlap_s = meeting.overlap_s(both, [one, two], context.limits);
+                after.trajectory.overlap_s =
+                    corner_overlap.overlap_s(both, [one, two], context.limits);
             }
             all.sides[1] = ends;
             last = next;
@@ -161,13 +167,13 @@ impl CurvePlanner {
         &mut self,
         context: &mut ChainContext<'_, impl CornerStrategy>,
         chords: Range<usize>,
-        meetings: [Option<CornerOverlap>; 2],
+        corner_overlaps: [Option<CornerOverlap>; 2],
         more: Option<JointFilter>,
     ) -> PlannedChain {
         let of_moves = self.owners[chords.start] as usize..self.owners[chords.end - 1] as usize + 1;
         let moves = &context.moves[of_moves.clone()];
-        let mut best = self.curve(context, chords, &meetings);
-        // The law of a line is as quick as ramps are, and leaves more room for overlaps.
+        let mut best = self.curve(context, chords, &corner_overlaps);
+        // The profile of a line is as quick as ramps are, and leaves more room for overlaps.
         let is_line = self.chords.count() < 2;
         let is_quick = best.as_ref().is_some_and(|curve| {
             is_line || context.corners.is_quick(moves, curve.time_s(), curve.least_s)
@@ -179,42 +185,42 @@ impl CurvePlanner {
             _ => best = Some(other),
         };
         if !is_quick {
-            try_other(plan_by_corners(context, moves, &meetings));
+            try_other(plan_by_corners(context, moves, &corner_overlaps));
         }
         let corners = more.map(|joints| self.corners_of(context.moves, of_moves, joints));
         if let Some(corners) = corners.filter(|corners| corners.len() > 2) {
-            try_other(self.chain(context, &corners, meetings, None));
+            try_other(self.chain(context, &corners, corner_overlaps, None));
         }
         best.unwrap_or_default()
     }
 
-    /// A run as a curve; a line only beside ends of which not all of the jerk may be used, since others are
-    /// planned more quickly without a law.
+    /// A run as a curve; a line only next to ends of which not all of the jerk may be used, since others are
+    /// planned more quickly without a profile.
     fn curve(
         &mut self,
         context: &ChainContext<'_, impl CornerStrategy>,
         chords: Range<usize>,
         [before, after]: &[Option<CornerOverlap>; 2],
     ) -> Option<PlannedChain> {
-        let gentle = [
-            before.as_ref().map_or(JerkReserve::NONE, |meeting| meeting.end(1)),
-            after.as_ref().map_or(JerkReserve::NONE, |meeting| meeting.end(0)),
+        let reserve = [
+            before.as_ref().map_or(JerkReserve::NONE, |corner_overlap| corner_overlap.end(1)),
+            after.as_ref().map_or(JerkReserve::NONE, |corner_overlap| corner_overlap.end(0)),
         ];
         let of_moves = self.owners[chords.start] as usize..self.owners[chords.end - 1] as usize + 1;
         let is_exact = are_lines(&context.moves[of_moves]);
-        let curved = self.run(context.moves, chords, context.limits, context.gap, gentle)?;
+        let curved = self.run(context.moves, chords, context.limits, context.gap, reserve)?;
         let least_s = curved.least_s;
         let is_at_feed = curved.time_s <= TUNING.curves.at_feed_factor * curved.at_feed_s;
         let trajectory =
             PlannedTrajectory { pieces: curved.pieces, phases: curved.phases, overlap_s: 0.0 };
         // Chords are as far from the path as chords of arcs may be.
         let off = if is_exact { 0.0 } else { TUNING.curves.arc_chord_share };
-        let known = |meeting: &CornerOverlap, side| {
-            meeting.side_of_curve(side, &trajectory, &self.chords, off)
+        let known = |corner_overlap: &CornerOverlap, side| {
+            corner_overlap.side_of_curve(side, &trajectory, &self.chords, off)
         };
         let sides = [
-            before.as_ref().map(|meeting| known(meeting, 1)),
-            after.as_ref().map(|meeting| known(meeting, 0)),
+            before.as_ref().map(|corner_overlap| known(corner_overlap, 1)),
+            after.as_ref().map(|corner_overlap| known(corner_overlap, 0)),
         ];
         let of_moves = Some(self.moves_of_run(context.moves));
         Some(PlannedChain {
@@ -225,18 +231,18 @@ impl CurvePlanner {
         })
     }
 
-    /// The stretch of a straight run beside an end of which not all of the jerk may be used: the law uses all
+    /// The trajectory of a straight run next to an end of which not all of the jerk may be used: the profile uses all
     /// of it elsewhere.
     pub(super) fn line(
         &mut self,
         moves: &[MoveRequest],
         limits: &KinematicLimits,
         gap: f64,
-        gentle: [JerkReserve; 2],
+        reserve: [JerkReserve; 2],
     ) -> Option<SolvedCurve> {
         let (first, last) = (self.parts.first()?.index, self.parts.last()?.index);
-        let is_gentle = gentle.iter().any(|end| *end != JerkReserve::NONE);
-        if !is_gentle || !are_lines(&moves[first..=last]) {
+        let has_reserve = reserve.iter().any(|end| *end != JerkReserve::NONE);
+        if !has_reserve || !are_lines(&moves[first..=last]) {
             return None;
         }
         let motion = &moves[first];
@@ -247,13 +253,13 @@ impl CurvePlanner {
         start[1] = std::array::from_fn(|axis| (to[axis] - from[axis]) / length);
         let pieces = vec![PathPiece { length, base: None, start, tag: motion.tag }];
         let speeds = [motion.speed];
-        let run = PathRun::new(&pieces, &speeds, 0.0, limits).ok()?.with_ends(gentle);
+        let run = PathRun::new(&pieces, &speeds, 0.0, limits).ok()?.with_ends(reserve);
         let curved = self.quickest.solve(&run, gap)?;
         Some(SolvedCurve { pieces, ..curved })
     }
 
-    /// How the runs before and after a chord at a corner may meet, given where they begin and end.
-    fn meeting(
+    /// How the runs before and after a chord at a corner may overlap, by where they begin and end.
+    fn corner_overlap(
         &self,
         context: &ChainContext<'_, impl CornerStrategy>,
         [begin, chord, end]: [usize; 3],

@@ -3,8 +3,8 @@
 //!
 //! Let c be the corner, e₁ and e₂ how far the two movements are from it (e₁ ends, e₂ begins at nothing), so
 //! that the tool is at c + e₁ + e₂. All sizes are in tolerances of the corner. Each run is a curve q
-//! within `off` of the programmed path p at the same σ, over a way beside the corner on which |q'| ≤ `rate`.
-//! For a reach r let t₁ and t₂ be the times from rest in which the runs go the way r, and let the overlap be
+//! within `off` of the programmed path p at the same σ, over a distance next to the corner on which |q'| ≤ `rate`.
+//! For a reach r let t₁ and t₂ be the times from rest in which the runs go the distance r, and let the overlap be
 //! no longer than t₁ + t₂. Then at each instant one of the two is no farther than r from the corner:
 //!
 //! - *The tool is near the path.* If it is the first, |e₁| ≤ rate₁·r, and c + e₂ is within off₂ of the
@@ -16,10 +16,10 @@
 //!   max(rate₂·r, k) + |δ|, since a norm is convex; likewise for the other run.
 //!
 //! r is chosen so that all of these are at most one. From rest no run gets farther than jerk allows, J·t³/6, so
-//! t₁ + t₂ is about (6r/J₁)^⅓ + (6r/J₂)^⅓, and each is about 8r from the corner when the other stands.
-//! Over that way the ends use only a share of the jerk, so that the sum of both keeps the limits
-//! of axes that take part in both. What remains to be seen, as curves turn beside their ends, is measured: where
-//! a limit is not held by the sum the overlap is made shorter.
+//! t₁ + t₂ is about (6r/J₁)^⅓ + (6r/J₂)^⅓, and each is about 8r from the corner when the other rests.
+//! Over that distance the ends use only a share of the jerk, so that the sum of both keeps the limits
+//! of axes that take part in both. What remains to be seen, as curves turn next to their ends, is measured: where
+//! the sum is above a limit the overlap is made shorter.
 
 use chordal_geometry::AXES;
 
@@ -36,9 +36,9 @@ use crate::sample::AxisState;
 use crate::time_bound::JerkReserve;
 use crate::trajectory::PlannedTrajectory;
 
-/// The ways are known to be free for so many times what is expected, as runs turn.
+/// The distances are known to be free for so many times what is expected, as runs turn.
 const FREE_DISTANCE_FACTOR: f64 = 1.1;
-/// A bend turns the axes by κd over a way d. From rest with jerk J, 3q''va is at most 9·κd·J there.
+/// A bend turns the axes by κd over a distance d. From rest with jerk J, 3q''va is at most 9·κd·J there.
 const TURNING_JERK_FACTOR: f64 = 9.0;
 /// Bends are looked at over so many tolerances: over less it might be rounding of coordinates.
 pub const CURVATURE_LOOK_TOLERANCES: f64 = 32.0;
@@ -72,7 +72,7 @@ pub struct RunCorner {
     pub directions: [AxisValues; 2],
     /// The change of direction by σ before and after it, from the corner on.
     pub bends: [AxisValues; 2],
-    /// The speeds asked for before and after it, mm/s, or rad/s where rotary axes alone move.
+    /// The programmed speeds before and after it, mm/s, or rad/s where rotary axes alone move.
     pub speeds: [f64; 2],
     /// Rotary axes alone move.
     pub turns_only: bool,
@@ -86,10 +86,10 @@ pub struct CornerOverlap {
     ends: [JerkReserve; 2],
 }
 
-/// An end of a run beside a corner.
+/// An end of a run next to a corner.
 #[derive(Clone, Copy, Debug)]
 pub struct RunEnd {
-    /// Over this way it is known what follows, σ.
+    /// Over this distance it is known what follows, σ.
     distance: f64,
     /// How far the curve is from the programmed path, and the largest |q'| and |q''|, in tolerances.
     off: f64,
@@ -101,8 +101,8 @@ impl CornerOverlap {
     /// How two runs may meet, seen from the path.
     pub fn new(corner: RunCorner, limits: &AxisArrays) -> CornerOverlap {
         let RunCorner { tolerance, directions: [before, after], .. } = &corner;
-        let kink: AxisValues = std::array::from_fn(|axis| after[axis] - before[axis]);
-        let most = tolerance.of(&kink).max(tolerance.of(before)).max(tolerance.of(after));
+        let direction_step: AxisValues = std::array::from_fn(|axis| after[axis] - before[axis]);
+        let most = tolerance.of(&direction_step).max(tolerance.of(before)).max(tolerance.of(after));
         let reach = 1.0 / most;
         let jerks = corner.directions.map(|direction| jerk_along(&direction, limits));
         let [one, two] = jerks;
@@ -120,7 +120,7 @@ impl CornerOverlap {
         CornerOverlap { corner, ends }
     }
 
-    /// How the run before (0) or after the corner is to move beside it.
+    /// How the run before (0) or after the corner is to move next to it.
     pub fn end(&self, side: usize) -> JerkReserve {
         let end = self.ends[side];
         if end.share < WHOLE_SHARE { end } else { JerkReserve::NONE }
@@ -151,7 +151,7 @@ impl CornerOverlap {
         self.side(side, trajectory, PathPiece::is_straight)
     }
 
-    /// The pieces beside the corner, from there on, as long as they are known.
+    /// The pieces next to the corner, from there on, as long as they are known.
     fn side(
         &self,
         side: usize,
@@ -181,7 +181,7 @@ impl CornerOverlap {
         RunEnd { distance: distance.min(self.ends[side].distance), off: 0.0, rate, bend }
     }
 
-    /// How far a curve is from its chords within a way of the corner: at the ends of pieces and chords, and
+    /// How far a curve is from its chords within a distance of the corner: at the ends of pieces and chords, and
     /// between them by |e| ≤ max(|e₀|, |e₁|) + max|q''|·δ²/8.
     fn off(
         &self,
@@ -314,7 +314,7 @@ fn from_corner_to(side: usize, trajectory: &PlannedTrajectory, distance: f64) ->
     [f64::NAN; AXES]
 }
 
-/// The time in which a run goes a way from rest, or the same way to its rest, s.
+/// The time in which a run goes a distance from rest, or the same distance to its rest, s.
 fn time_to(side: usize, trajectory: &PlannedTrajectory, distance: f64) -> f64 {
     if side == 1 {
         let mut begin_s = 0.0;
@@ -365,7 +365,7 @@ fn shares(
         *rows = [[a + one, b], [a, b + two], [c + one, d], [c, d + two]];
     }
     // Each row times the shares is at most one.
-    let largest_beside = |side: usize, share: f64| {
+    let largest_next_to = |side: usize, share: f64| {
         let of = |row: &[f64; 2]| {
             let [own, other] = [row[side], row[1 - side]];
             if other > 0.0 { (1.0 - own * share) / other } else { 1.0 }
@@ -383,7 +383,7 @@ fn shares(
         for step in 0..=SHARE_STEPS {
             let share =
                 MIN_JERK_SHARE + (1.0 - MIN_JERK_SHARE) * f64::from(step) / f64::from(SHARE_STEPS);
-            let other = largest_beside(side, share);
+            let other = largest_next_to(side, share);
             let pair = if side == 0 { [share, other] } else { [other, share] };
             if other >= MIN_JERK_SHARE
                 && share + other >= 1.0 + MIN_SAVED_SHARE
@@ -403,7 +403,7 @@ fn is_after([before, after]: &[AxisValues; 2]) -> bool {
     parts.into_iter().find(differs).is_some_and(|(a, b)| b > a)
 }
 
-/// The ends of two runs beside their corner.
+/// The ends of two runs next to their corner.
 struct OverlappedRuns {
     runs: [PlannedTrajectory; 2],
     /// The duration of the first.
@@ -454,8 +454,8 @@ impl OverlappedRuns {
         OverlappedRuns { runs: [before, after], ends_s, changes }
     }
 
-    /// Whether the sum of both keeps every limit and the speeds asked for with an overlap of so many seconds.
-    fn hold(&self, seconds: f64, meeting: &CornerOverlap, limits: &KinematicLimits) -> bool {
+    /// Whether the sum of both keeps every limit and the programmed speeds with an overlap of so many seconds.
+    fn hold(&self, seconds: f64, corner_overlap: &CornerOverlap, limits: &KinematicLimits) -> bool {
         let part_at = |part| seconds * (f64::from(part) / f64::from(MIN_OVERLAP_PARTS));
         let mut cuts: Vec<f64> = (0..=MIN_OVERLAP_PARTS).map(part_at).collect();
         let [ends, begins] = &self.changes;
@@ -476,7 +476,7 @@ impl OverlappedRuns {
                 let sum = sum(&one, &two);
                 let used = LimitUse::of(&sum, limits);
                 let most = used.velocity.max(used.acceleration).max(used.jerk);
-                if most > LIMIT_ROUNDING_FACTOR || !meeting.is_slow_enough(&sum) {
+                if most > LIMIT_ROUNDING_FACTOR || !corner_overlap.is_slow_enough(&sum) {
                     return false;
                 }
             }

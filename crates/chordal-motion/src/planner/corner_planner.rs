@@ -196,12 +196,12 @@ impl<P: PathPart> CornerPlanner<P> {
 
     /// The axes come to rest at the end of what was pushed.
     fn end_run(&mut self, take: &mut impl FnMut(PlannerStep<'_, P>)) {
-        if self.blender.is_empty() && self.queue.cells.is_empty() {
+        if self.blender.is_empty() && self.queue.intervals.is_empty() {
             return;
         }
         self.blender.drain(true, &self.arrays, &mut self.queue);
-        let count = self.queue.cells.len();
-        self.solver.solve(&self.queue.cells, self.speed, 0.0);
+        let count = self.queue.intervals.len();
+        self.solver.solve(&self.queue.intervals, self.speed, 0.0);
         self.emit(count, take);
         self.speed = 0.0;
         self.lookahead_factor = 1;
@@ -209,11 +209,11 @@ impl<P: PathPart> CornerPlanner<P> {
 
     /// Emits as much of a long window as later moves cannot change.
     fn emit_certain(&mut self, take: &mut impl FnMut(PlannerStep<'_, P>)) {
-        self.solver.solve(&self.queue.cells, self.speed, 0.0);
+        self.solver.solve(&self.queue.intervals, self.speed, 0.0);
         match self.solver.last_certain() {
-            Some(station) if station.node > 0 => {
-                self.emit(station.node, take);
-                self.speed = station.speed;
+            Some(speed_node) if speed_node.node > 0 => {
+                self.emit(speed_node.node, take);
+                self.speed = speed_node.speed;
                 self.lookahead_factor = 1;
             }
             // The stop at the end reaches back to the start: more has to be known.
@@ -226,13 +226,15 @@ impl<P: PathPart> CornerPlanner<P> {
     fn emit(&mut self, node: usize, take: &mut impl FnMut(PlannerStep<'_, P>)) {
         let mut begin = 0;
         while begin < node {
-            let rest = self.queue.cells[begin..node].iter().position(|cell| cell.ends_at_rest);
+            let rest =
+                self.queue.intervals[begin..node].iter().position(|interval| interval.ends_at_rest);
             let end = rest.map_or(node, |index| begin + index + 1);
             self.emit_between(begin, end, take);
             begin = end;
         }
-        self.queue.cells.drain(..node);
-        self.queue.time_s = self.queue.cells.iter().map(|cell| cell.length / cell.speed).sum();
+        self.queue.intervals.drain(..node);
+        self.queue.time_s =
+            self.queue.intervals.iter().map(|interval| interval.length / interval.speed).sum();
     }
 
     /// Emits the intervals between two boundaries.
@@ -245,18 +247,18 @@ impl<P: PathPart> CornerPlanner<P> {
         let trajectory = &mut self.trajectory;
         trajectory.phases.clear();
         trajectory.pieces.clear();
-        let first = self.solver.phases(&self.queue.cells, begin, end, &mut trajectory.phases);
-        let from = first.map_or(0.0, |station| station.at);
+        let first = self.solver.phases(&self.queue.intervals, begin, end, &mut trajectory.phases);
+        let from = first.map_or(0.0, |speed_node| speed_node.at);
         if from > 0.0 {
             trajectory.phases.iter_mut().for_each(|phase| phase.from -= from);
         }
-        let pieces = pieces_of(&self.queue.cells[begin..end]);
+        let pieces = pieces_of(&self.queue.intervals[begin..end]);
         if pieces == self.queue.pieces.len() {
             std::mem::swap(&mut trajectory.pieces, &mut self.queue.pieces);
         } else {
             trajectory.pieces.extend(self.queue.pieces.drain(..pieces));
         }
-        let from_rest = first.is_none_or(|station| station.speed <= 0.0);
+        let from_rest = first.is_none_or(|speed_node| speed_node.speed <= 0.0);
         if self.level == PlannerLevel::Best && from_rest {
             let shares = [self.overlap, self.next_overlap].map(|o| o.map_or(1.0, |o| o.jerk_share));
             improve(trajectory, &self.queue.speeds[..pieces], &self.limits, shares);
@@ -275,8 +277,8 @@ impl<P: PathPart> CornerPlanner<P> {
     }
 }
 
-fn pieces_of(cells: &[LimitInterval]) -> usize {
-    cells.iter().map(|cell| cell.pieces as usize).sum()
+fn pieces_of(intervals: &[LimitInterval]) -> usize {
+    intervals.iter().map(|interval| interval.pieces as usize).sum()
 }
 
 /// Replaces the profile of a trajectory from rest to rest by a quicker one, where there is one. The speeds are the

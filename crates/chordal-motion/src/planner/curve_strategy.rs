@@ -150,7 +150,7 @@ impl<P: PathPart> CurveStrategy<P> {
             comparison.plan_run(moves, |one| corners_s += one.duration_s() - one.overlap_s);
             time_s < corners_s
         };
-        is_quick.then(|| links.into_iter().map(ChainLink::into_kept_trajectory).collect())
+        is_quick.then(|| links.into_iter().map(ChainLink::into_trajectory).collect())
     }
 }
 

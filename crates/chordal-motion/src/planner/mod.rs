@@ -156,7 +156,7 @@ impl<P: PathPart> MotionPlanner<P> {
         }
     }
 
-    /// The axes come to rest and stand for a time, s.
+    /// The axes come to rest and wait for a time, s.
     pub fn wait(&mut self, seconds: f64, tag: u64, mut take: impl FnMut(PlannerStep<'_, P>)) {
         self.finish(&mut take);
         take(PlannerStep::Wait { seconds, tag });

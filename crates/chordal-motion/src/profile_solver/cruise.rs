@@ -1,7 +1,7 @@
 //! Where a run goes at one speed, with nothing to solve.
 //!
 //! Where the largest speed is the same for so long that both its ends are reached from any speed, and this
-//! speed asks little of the axes, the law is even in the middle. Only what lies around such cruises has cells.
+//! speed asks little of the axes, the profile is even in the middle. Only what lies around such cruises has intervals.
 
 use std::ops::Range;
 
@@ -16,11 +16,11 @@ const EQUAL_SQUARE_SHARE: f64 = 1e-3;
 /// few places, and left for ramps elsewhere: with half of it 329 paths took as long to 1e-6 in all, one of
 /// them by 1.3e-4 less, and bends of a feed near its limit were solved where nothing is to be found.
 const MAX_CRUISE_USE: f64 = 0.9;
-/// A cruise is reached and left within so many times the way on which the axes stop from it, if they have
+/// A cruise is reached and left within so many times the distance on which the axes stop from it, if they have
 /// nothing else to do. On a surface with
-/// corners 3 times makes the law quicker by 1e-5, and 1.2 times slower by 1.4e-4.
+/// corners 3 times makes the profile quicker by 1e-5, and 1.2 times slower by 1.4e-4.
 const REACH_STOP_DISTANCES: f64 = 2.0;
-/// A cruise is at least as long as this share of the way to it: a shorter one saves too little.
+/// A cruise is at least as long as this share of the distance to it: a shorter one saves too little.
 const MIN_CRUISE_SHARE: f64 = 0.5;
 /// Pieces with a curve below are looked at where it has turned by so much, rad, and at most so often.
 const PROBE_TURN_RAD: f64 = 0.04;
@@ -81,7 +81,7 @@ impl CruiseConditions {
         self.square <= self.by_bend && self.square * self.square.sqrt() <= self.by_third
     }
 
-    /// The way on which the axes stop from the largest speed, if they have nothing else to do.
+    /// The distance on which the axes stop from the largest speed, if they have nothing else to do.
     fn stop_distance(&self) -> f64 {
         let (v, a, j) = (self.square.sqrt(), self.acceleration, self.jerk);
         let stop_s = if v * j > a * a { v / a + a / j } else { 2.0 * (v / j).sqrt() };
@@ -245,18 +245,18 @@ mod tests {
     }
 
     #[test]
-    fn a_long_way_at_one_speed_has_few_cells() {
+    fn a_long_cruise_has_few_intervals() {
         let (pieces, limits) = (wave(4000), limits());
         let speeds = vec![FEED_MM_S; pieces.len()];
         let run = PathRun::new(&pieces, &speeds, 0.0, &limits).expect("a run");
         let mut planner = ProfileSolver::default();
         let phases = planner.plan(&run, [RunEnding::Rest; 2], 2e-4).expect("a law");
         assert_eq!(planner.cruises.len(), 1);
-        assert!(planner.work.cells < 100, "{:?}", planner.work);
+        assert!(planner.work.intervals < 100, "{:?}", planner.work);
         goes_on(&phases, run.length());
         // The same with nothing left out.
         let whole = planner.plan_part(&run, [RunEnding::Rest; 2], 2e-4).expect("a law");
-        assert!(planner.work.cells > 8000, "{:?}", planner.work);
+        assert!(planner.work.intervals > 8000, "{:?}", planner.work);
         let (with, without) = (time_s(&phases), time_s(&whole.phases));
         assert!(with < without * (1.0 + 1e-9), "{with} {without}");
         assert!(with > without * (1.0 - 1e-3), "{with} {without}");

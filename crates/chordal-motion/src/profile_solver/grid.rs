@@ -1,4 +1,4 @@
-//! The cells of a run: how the axes move with σ at both ends of each, and what that allows.
+//! The intervals of a run: how the axes move with σ at both ends of each, and what that allows.
 
 use chordal_geometry::AXES;
 
@@ -7,43 +7,43 @@ use crate::cube_root::cbrt;
 use crate::piece::AxisJet;
 use crate::time_bound::PathRun;
 
-/// A cell takes no longer than this at the largest speed without jerk, s.
+/// An interval takes no longer than this at the largest speed without jerk, s.
 const MAX_INTERVAL_S: f64 = 0.004;
 /// Nor longer than this share of the time in which jerk alone makes the speed.
 const RAMP_INTERVAL_SHARE: f64 = 0.35;
-/// But no shorter cells are made for that: a ramp takes less where acceleration is the limit.
+/// But no shorter intervals are made for that: a ramp takes less where acceleration is the limit.
 const MIN_RAMP_INTERVAL_S: f64 = 0.0005;
-/// H·√|q'''| on a cell: with it the limits between its ends are met within a thousandth.
+/// H·√|q'''| on an interval: with it the limits between its ends are met within a thousandth.
 const MAX_THIRD_ROOT: f64 = 0.08;
-/// An arc turns by no more on a cell, rad.
+/// An arc turns by no more on an interval, rad.
 const MAX_INTERVAL_TURN_RAD: f64 = 0.04;
-/// Rounds of cutting cells that turn out to take too long.
+/// Rounds of cutting intervals that turn out to take too long.
 const MAX_CUTTING_PASSES: usize = 12;
 /// Into no more parts at once.
 const MAX_PARTS_PER_CUT: f64 = 8.0;
-/// The first cell from rest takes so long at full jerk at most, s, and this share of the time in which jerk
+/// The first interval from rest takes so long at full jerk at most, s, and this share of the time in which jerk
 /// alone makes the speed; each of the next ends later by a share.
 const MAX_FIRST_INTERVAL_S: f64 = 0.02;
 const FIRST_RAMP_SHARE: f64 = 0.3;
 const INTERVAL_GROWTH: f64 = 0.15;
 const GROWING_INTERVALS: u32 = 16;
-/// No such cell ends nearer to the end of a piece, as a share of its length: on a very short cell beside long
+/// No such interval ends nearer to the end of a piece, as a share of its length: on a very short interval next to long
 /// ones a change of acceleration is a jerk without measure.
 const MIN_CUT_SPACING_SHARE: f64 = 0.2;
-/// No more cells. A run that takes minutes in one window gets longer ones: it loses as much as they are coarse at
-/// each change of speed, and no limit. One that has too many even so keeps the law that it has.
+/// No more intervals. A run that takes minutes in one window gets longer ones: it loses as much as they are coarse at
+/// each change of speed, and no limit. One that has too many even so keeps the profile that it has.
 const MAX_GRID_INTERVALS: usize = 20_000;
-/// How many times as long its cells may become.
+/// How many times as long its intervals may become.
 const MAX_COARSENING: f64 = 1024.0;
 
-/// Shares of the limits with which the first law is looked for.
+/// Shares of the limits with which the first profile is looked for.
 const BOUND_ACCELERATION_SHARE: f64 = 0.96;
 const BOUND_JERK_SHARE: f64 = 0.87;
 const BOUND_TURNING_JERK_SHARE: f64 = 0.9;
 /// What rounding makes of a product, at most.
 const PRODUCT_ROUNDING_SHARE: f64 = 1e-12;
 
-/// A node between two cells.
+/// A node between two intervals.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct GridNode {
     /// σ from the start of the run.
@@ -73,21 +73,21 @@ pub(super) struct GridInterval {
     pub most: f64,
 }
 
-/// The grid of a run, with one cell of nothing before an end that is passed at speed.
+/// The grid of a run, with one interval of nothing before an end that is passed at speed.
 #[derive(Debug, Default)]
 pub(super) struct ProfileGrid {
     pub nodes: Vec<GridNode>,
-    pub cells: Vec<GridInterval>,
+    pub intervals: Vec<GridInterval>,
     /// The axes that move.
     pub axes: Vec<usize>,
     /// Of each axis, jerk by velocity and by acceleration.
     pub of_velocity: [f64; AXES],
     pub of_acceleration: [f64; AXES],
-    /// For each cell the largest coefficient without jerk.
+    /// For each interval the largest coefficient without jerk.
     pub bound: Vec<f64>,
-    /// Cells are so many times as long as usual.
+    /// Intervals are so many times as long as usual.
     scale: f64,
-    /// Where cells begin, σ, and their pieces.
+    /// Where intervals begin, σ, and their pieces.
     cuts: Vec<GridCut>,
     /// Whether an axis moves at one of the nodes.
     moves: [bool; AXES],
@@ -95,17 +95,17 @@ pub(super) struct ProfileGrid {
     spare: GridScratch,
 }
 
-/// Where a cell begins, σ, and the number of its piece.
+/// Where an interval begins, σ, and the number of its piece.
 pub(super) type GridCut = (f64, u32);
 
 #[derive(Debug, Default)]
 struct GridScratch {
     cuts: Vec<GridCut>,
     nodes: Vec<GridNode>,
-    cells: Vec<GridInterval>,
+    intervals: Vec<GridInterval>,
 }
 
-/// The limits of a run by which nodes and cells are made.
+/// The limits of a run by which nodes and intervals are made.
 struct LimitShares<'a> {
     run: &'a PathRun<'a>,
     acceleration: [f64; AXES],
@@ -136,7 +136,7 @@ impl LimitShares<'_> {
         GridNode { at, by_acceleration, by_jerk, cap: cap * cap, share: 1.0 }
     }
 
-    fn cell(&self, at: f64, end: f64, piece: u32, third: [[f64; AXES]; 2]) -> GridInterval {
+    fn interval(&self, at: f64, end: f64, piece: u32, third: [[f64; AXES]; 2]) -> GridInterval {
         let share = self.run.jerk_share(at, end);
         GridInterval { length: end - at, piece, third, share, most: share }
     }
@@ -147,7 +147,7 @@ impl LimitShares<'_> {
 }
 
 impl ProfileGrid {
-    /// Lays the grid of a run; false when it would be too large.
+    /// Builds the grid of a run; false when it would be too large.
     pub fn build(&mut self, run: &PathRun<'_>, ends: [RunEnding; 2], scale: f64) -> bool {
         self.scale = scale;
         let mut coarse = 1.0;
@@ -157,21 +157,21 @@ impl ProfileGrid {
                 return false;
             }
         }
-        self.cells.len() >= 6
+        self.intervals.len() >= 6
     }
 
-    /// Lays a grid whose cells take so many times as long as usual; false when it has too many.
+    /// Builds a grid whose intervals take so many times as long as usual; false when it has too many.
     fn build_coarse(&mut self, run: &PathRun<'_>, ends: [RunEnding; 2], coarse: f64) -> bool {
         self.first_cuts(run, ends);
         self.fill(run, ends);
-        // A run so short that it has one cell has no law here, and is not laid further.
-        if self.cells.len() < 2 {
+        // A run so short that it has one interval has no profile here, and is not built further.
+        if self.intervals.len() < 2 {
             return true;
         }
         for _ in 0..MAX_CUTTING_PASSES {
             self.find_bound(ends);
             if !self.cut_long(run, ends, coarse) {
-                return self.cells.len() <= MAX_GRID_INTERVALS;
+                return self.intervals.len() <= MAX_GRID_INTERVALS;
             }
             if self.cuts.len() > MAX_GRID_INTERVALS {
                 return false;
@@ -179,15 +179,15 @@ impl ProfileGrid {
         }
         // What was cut last has its bound, too.
         self.find_bound(ends);
-        self.cells.len() <= MAX_GRID_INTERVALS
+        self.intervals.len() <= MAX_GRID_INTERVALS
     }
 
-    /// Where the cells of the grid that was laid last begin.
+    /// Where the intervals of the grid that was built last begin.
     pub fn cuts(&self) -> &[GridCut] {
         &self.cuts
     }
 
-    /// Lays a grid again that had these cells.
+    /// Builds a grid again that had these intervals.
     pub fn rebuild(&mut self, run: &PathRun<'_>, ends: [RunEnding; 2], cuts: &[GridCut]) {
         self.cuts.clear();
         self.cuts.extend_from_slice(cuts);
@@ -218,15 +218,15 @@ impl ProfileGrid {
             if !jerk.is_finite() {
                 continue;
             }
-            let gentle = &run.ends()[side];
-            let jerk = jerk * gentle.share;
+            let reserve = &run.ends()[side];
+            let jerk = jerk * reserve.share;
             let by_speed = FIRST_RAMP_SHARE * (2.0 * run.speed_cap(index, &jet) / jerk).sqrt();
             let mut before = 0.0;
             let mut t = MAX_FIRST_INTERVAL_S.min(by_speed).min(0.3 * cbrt(length / jerk));
             let growth = 1.0 + INTERVAL_GROWTH * self.scale;
-            if gentle.distance > 0.0 {
-                // One of the cells ends where more may be used.
-                let until = cbrt(6.0 * gentle.distance / jerk);
+            if reserve.distance > 0.0 {
+                // One of the intervals ends where more may be used.
+                let until = cbrt(6.0 * reserve.distance / jerk);
                 let mut last = until;
                 while last > t {
                     last /= growth;
@@ -266,7 +266,7 @@ impl ProfileGrid {
         self.cuts.retain(|(at, _)| *at < length - near);
     }
 
-    /// The nodes and cells between the cuts.
+    /// The nodes and intervals between the cuts.
     fn fill(&mut self, run: &PathRun<'_>, ends: [RunEnding; 2]) {
         let shares = LimitShares::new(run);
         let velocity = run.limits().velocity();
@@ -274,10 +274,10 @@ impl ProfileGrid {
         self.of_acceleration =
             std::array::from_fn(|axis| shares.jerk[axis] / shares.acceleration[axis]);
         self.nodes.clear();
-        self.cells.clear();
+        self.intervals.clear();
         self.moves = [false; AXES];
         let length = run.length();
-        // The end of the cell before: its piece, how the axes move there, and the largest speed.
+        // The end of the interval before: its piece, how the axes move there, and the largest speed.
         let mut last: Option<(u32, AxisJet, f64)> = None;
         for (index, &(at, piece)) in self.cuts.iter().enumerate() {
             let end = self.cuts.get(index + 1).map_or(length, |next| next.0);
@@ -292,7 +292,7 @@ impl ProfileGrid {
             let second = run.jet(piece as usize, end);
             let third = [&first, &second].map(|jet| shares.third(jet));
             self.nodes.push(shares.node(&first, at, cap.min(before)));
-            self.cells.push(shares.cell(at, end, piece, third));
+            self.intervals.push(shares.interval(at, end, piece, third));
             last = Some((piece, second, run.speed_cap(piece as usize, &second)));
         }
         if let Some((_, jet, cap)) = last {
@@ -308,21 +308,21 @@ impl ProfileGrid {
         self.axes.extend((0..AXES).filter(|axis| self.moves[*axis]));
     }
 
-    /// A cell of nothing before an end that is passed at speed, so that the law is even there.
+    /// An interval of nothing before an end that is passed at speed, so that the profile is even there.
     fn add_nothing(&mut self, ends: [RunEnding; 2]) {
-        if let (RunEnding::Even(_), Some(first)) = (ends[0], self.cells.first().copied()) {
+        if let (RunEnding::Even(_), Some(first)) = (ends[0], self.intervals.first().copied()) {
             let node = GridNode { at: -first.length, ..self.nodes[0] };
             self.nodes.insert(0, node);
-            self.cells.insert(0, GridInterval { third: [[0.0; AXES]; 2], ..first });
+            self.intervals.insert(0, GridInterval { third: [[0.0; AXES]; 2], ..first });
         }
-        if let (RunEnding::Even(_), Some(last)) = (ends[1], self.cells.last().copied()) {
+        if let (RunEnding::Even(_), Some(last)) = (ends[1], self.intervals.last().copied()) {
             let end = self.nodes[self.nodes.len() - 1];
             self.nodes.push(GridNode { at: end.at + last.length, ..end });
-            self.cells.push(GridInterval { third: [[0.0; AXES]; 2], ..last });
+            self.intervals.push(GridInterval { third: [[0.0; AXES]; 2], ..last });
         }
     }
 
-    /// Cuts the cells that take too long; false when there are none.
+    /// Cuts the intervals that take too long; false when there are none.
     fn cut_long(&mut self, run: &PathRun<'_>, ends: [RunEnding; 2], coarse: f64) -> bool {
         let begin = usize::from(ends[0] != RunEnding::Rest);
         let least_jerk = run.limits().jerk().into_iter().fold(f64::INFINITY, f64::min);
@@ -332,49 +332,49 @@ impl ProfileGrid {
         };
         let count = self.cuts.len();
         let shares = LimitShares::new(run);
-        let GridScratch { cuts, nodes, cells } = &mut self.spare;
+        let GridScratch { cuts, nodes, intervals } = &mut self.spare;
         cuts.clear();
         nodes.clear();
-        cells.clear();
+        intervals.clear();
         for index in 0..count {
             let node = self.nodes[begin + index];
-            let cell = self.cells[begin + index];
+            let interval = self.intervals[begin + index];
             let (at, piece) = self.cuts[index];
-            // Next to a rest the cells are as first cut.
+            // Next to a rest the intervals are as first cut.
             let at_rest = (index == 0 && ends[0] == RunEnding::Rest)
                 || (index + 1 == count && ends[1] == RunEnding::Rest);
             let speed = self.bound[begin + index].sqrt();
             let of_ramp = RAMP_INTERVAL_SHARE * (speed / least_jerk).sqrt();
             let long_s = coarse * self.scale * of_ramp.clamp(MIN_RAMP_INTERVAL_S, MAX_INTERVAL_S);
             let mut parts =
-                if at_rest || speed <= 0.0 { 1.0 } else { cell.length / (speed * long_s) };
-            let third = cell.third.iter().map(of).fold(0.0, f64::max);
-            parts = parts.max(cell.length * third.sqrt() / MAX_THIRD_ROOT);
+                if at_rest || speed <= 0.0 { 1.0 } else { interval.length / (speed * long_s) };
+            let third = interval.third.iter().map(of).fold(0.0, f64::max);
+            parts = parts.max(interval.length * third.sqrt() / MAX_THIRD_ROOT);
             if run.pieces()[piece as usize].base.is_some() {
                 let bend = of(&node.by_jerk[1]);
-                parts = parts.max(cell.length * bend / MAX_INTERVAL_TURN_RAD);
+                parts = parts.max(interval.length * bend / MAX_INTERVAL_TURN_RAD);
             }
             let parts = (parts - 1e-9).ceil().clamp(1.0, MAX_PARTS_PER_CUT) as u32;
             cuts.push((at, piece));
             nodes.push(node);
             if parts == 1 {
-                cells.push(cell);
+                intervals.push(interval);
                 continue;
             }
             let end = self.cuts.get(index + 1).map_or(run.length(), |next| next.0);
-            let (mut from, mut third) = (at, cell.third[0]);
+            let (mut from, mut third) = (at, interval.third[0]);
             for part in 1..parts {
                 let share = f64::from(part) / f64::from(parts);
-                let until = at + cell.length * share;
+                let until = at + interval.length * share;
                 let jet = run.jet(piece as usize, until);
                 let next = shares.third(&jet);
-                cells.push(shares.cell(from, until, piece, [third, next]));
+                intervals.push(shares.interval(from, until, piece, [third, next]));
                 cuts.push((until, piece));
                 nodes.push(shares.node(&jet, until, run.speed_cap(piece as usize, &jet)));
                 see_moves(&mut self.moves, &nodes[nodes.len() - 1]);
                 (from, third) = (until, next);
             }
-            cells.push(shares.cell(from, end, piece, [third, cell.third[1]]));
+            intervals.push(shares.interval(from, end, piece, [third, interval.third[1]]));
         }
         if cuts.len() == count {
             return false;
@@ -382,7 +382,7 @@ impl ProfileGrid {
         nodes.push(self.nodes[begin + count]);
         std::mem::swap(&mut self.cuts, cuts);
         std::mem::swap(&mut self.nodes, nodes);
-        std::mem::swap(&mut self.cells, cells);
+        std::mem::swap(&mut self.intervals, intervals);
         self.add_nothing(ends);
         self.list_axes();
         true
@@ -390,7 +390,7 @@ impl ProfileGrid {
 
     /// The largest coefficients without jerk along the path: two passes.
     fn find_bound(&mut self, ends: [RunEnding; 2]) {
-        let count = self.cells.len();
+        let count = self.intervals.len();
         self.bound.clear();
         let mut before = self.cap(0);
         for index in 0..count {
@@ -403,8 +403,8 @@ impl ProfileGrid {
             match ends[side] {
                 RunEnding::Even(speed) => self.bound[at] = speed * speed,
                 RunEnding::Rest => {
-                    let factor = rest_factor(&self.cells[at], &self.cells[next]);
-                    let (own, other) = (self.cells[at].length, self.cells[next].length);
+                    let factor = rest_factor(&self.intervals[at], &self.intervals[next]);
+                    let (own, other) = (self.intervals[at].length, self.intervals[next].length);
                     let most = self.rest_cap(at, side) * (own + other);
                     self.bound[next] = self.bound[next].min(most / (factor * other + own));
                     self.bound[at] = factor * self.bound[next];
@@ -419,17 +419,18 @@ impl ProfileGrid {
         }
     }
 
-    /// The largest σ̇² where a cell next to a rest ends, by the jerk on it.
-    pub fn rest_cap(&self, cell: usize, side: usize) -> f64 {
-        let h = self.cells[cell].length;
+    /// The largest σ̇² where an interval next to a rest ends, by the jerk on it.
+    pub fn rest_cap(&self, interval: usize, side: usize) -> f64 {
+        let h = self.intervals[interval].length;
         let (end, sign) = if side == 0 { (1, 1.0) } else { (0, -1.0) };
-        let [first, second] = &self.nodes[cell + end].by_jerk;
+        let [first, second] = &self.nodes[interval + end].by_jerk;
         let most = self.axes.iter().fold(0.0_f64, |most, &axis| {
             let along = first[axis] * 2.0 / 9.0 / (h * h);
-            let with = along + sign * second[axis] * 2.0 / h + self.cells[cell].third[end][axis];
-            most.max(with.abs()).max((along + self.cells[cell].third[end][axis]).abs())
+            let with =
+                along + sign * second[axis] * 2.0 / h + self.intervals[interval].third[end][axis];
+            most.max(with.abs()).max((along + self.intervals[interval].third[end][axis]).abs())
         });
-        let speed = cbrt(self.cells[cell].share / most);
+        let speed = cbrt(self.intervals[interval].share / most);
         speed * speed
     }
 
@@ -452,9 +453,11 @@ impl ProfileGrid {
                 cap = cap.min(BOUND_ACCELERATION_SHARE / second[one].abs());
             }
         }
-        let before = index.checked_sub(1).and_then(|cell| self.cells.get(cell));
-        let thirds =
-            [before.map(|cell| &cell.third[1]), self.cells.get(index).map(|c| &c.third[0])];
+        let before = index.checked_sub(1).and_then(|interval| self.intervals.get(interval));
+        let thirds = [
+            before.map(|interval| &interval.third[1]),
+            self.intervals.get(index).map(|c| &c.third[0]),
+        ];
         for third in thirds.into_iter().flatten() {
             let third = self.axes.iter().fold(0.0_f64, |most, axis| most.max(third[*axis].abs()));
             // A root of the third degree takes long, and most are not needed.
@@ -468,7 +471,7 @@ impl ProfileGrid {
 
     /// The largest coefficient before or after a node with the one that is known on its other side.
     fn most_next_to(&self, node: usize, before: bool) -> f64 {
-        let (left, right) = (&self.cells[node - 1], &self.cells[node]);
+        let (left, right) = (&self.intervals[node - 1], &self.intervals[node]);
         let sum = left.length + right.length;
         // Of b at the node, the share of the unknown and of the known one.
         let (own, other) = if before { (right, left) } else { (left, right) };
@@ -519,7 +522,7 @@ fn see_moves(moves: &mut [bool; AXES], node: &GridNode) {
     }
 }
 
-/// The coefficient of a cell next to a rest as a share of the next one: the jerk is even on it.
+/// The coefficient of an interval next to a rest as a share of the next one: the jerk is even on it.
 pub(super) fn rest_factor(at_rest: &GridInterval, next: &GridInterval) -> f64 {
     1.0 / (3.0 + 2.0 * next.length / at_rest.length)
 }

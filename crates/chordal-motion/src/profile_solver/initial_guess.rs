@@ -1,7 +1,7 @@
-//! A first law with jerk along the path: not feasible everywhere, but near.
+//! A first profile with jerk along the path: not feasible everywhere, but near.
 //!
 //! A pass forward and a pass back let σ̈ grow no faster than the jerk of the axes allows, from no
-//! acceleration where the law without jerk is touched. That rounds the troughs. The tops are rounded by
+//! acceleration where the profile without jerk is touched. That rounds the troughs. The tops are rounded by
 //! the lower convex envelope of b + N, where N'' is twice the largest fall of σ̈ by σ.
 
 use super::WindowSide;
@@ -10,7 +10,7 @@ use super::grid::{ProfileGrid, rest_factor};
 /// Shares of the limits.
 const GUESS_ACCELERATION_SHARE: f64 = 0.97;
 const GUESS_JERK_SHARE: f64 = 0.85;
-/// The law is not below these shares of the one with round troughs and of the one without jerk: a law
+/// The profile is not below these shares of the one with round troughs and of the one without jerk: a profile
 /// that nearly stops somewhere is an optimum of its own.
 const FLOOR_SHARES: [f64; 2] = [0.5, 0.1];
 const TOP_PASSES: usize = 3;
@@ -32,7 +32,7 @@ enum PassDirection {
     Back,
 }
 
-/// The cells of a window in a direction.
+/// The intervals of a window in a direction.
 struct DirectedWindow<'a> {
     grid: &'a ProfileGrid,
     from: usize,
@@ -41,31 +41,35 @@ struct DirectedWindow<'a> {
 }
 
 impl DirectedWindow<'_> {
-    fn cell(&self, index: usize) -> usize {
+    fn interval(&self, index: usize) -> usize {
         if self.direction == PassDirection::Forward { index } else { self.count - 1 - index }
     }
 
-    fn length(&self, cell: usize) -> f64 {
-        self.grid.cells[self.from + cell].length
+    fn length(&self, interval: usize) -> f64 {
+        self.grid.intervals[self.from + interval].length
     }
 
     fn sign(&self) -> f64 {
         if self.direction == PassDirection::Forward { 1.0 } else { -1.0 }
     }
 
-    /// The nodes at which a cell is entered and left.
-    fn nodes(&self, cell: usize) -> [usize; 2] {
-        if self.direction == PassDirection::Forward { [cell, cell + 1] } else { [cell + 1, cell] }
+    /// The nodes at which an interval is entered and left.
+    fn nodes(&self, interval: usize) -> [usize; 2] {
+        if self.direction == PassDirection::Forward {
+            [interval, interval + 1]
+        } else {
+            [interval + 1, interval]
+        }
     }
 
-    /// The largest growth of σ̈ by σ (or the largest fall) at both ends of a cell.
-    fn growth(&self, cell: usize, b: f64, acceleration: f64, falls: bool) -> f64 {
+    /// The largest growth of σ̈ by σ (or the largest fall) at both ends of an interval.
+    fn growth(&self, interval: usize, b: f64, acceleration: f64, falls: bool) -> f64 {
         let sign = self.sign();
-        let limit = GUESS_JERK_SHARE * self.grid.cells[self.from + cell].share / b.sqrt();
+        let limit = GUESS_JERK_SHARE * self.grid.intervals[self.from + interval].share / b.sqrt();
         let mut most = f64::INFINITY;
         for side in 0..2 {
-            let [first, second] = &self.grid.nodes[self.from + cell + side].by_jerk;
-            let third = &self.grid.cells[self.from + cell].third[side];
+            let [first, second] = &self.grid.nodes[self.from + interval + side].by_jerk;
+            let third = &self.grid.intervals[self.from + interval].third[side];
             for &axis in &self.grid.axes {
                 let rate = sign * first[axis];
                 if rate.abs() < 1e-15 {
@@ -80,8 +84,8 @@ impl DirectedWindow<'_> {
     }
 
     /// The largest coefficient after this one by the acceleration at the node between.
-    fn most_after(&self, cell: usize, next: usize, node: usize, known: f64) -> f64 {
-        let (own, other) = (self.length(cell), self.length(next));
+    fn most_after(&self, interval: usize, next: usize, node: usize, known: f64) -> f64 {
+        let (own, other) = (self.length(interval), self.length(next));
         let sum = own + other;
         let sign = self.sign();
         let point = &self.grid.nodes[self.from + node];
@@ -99,7 +103,7 @@ impl DirectedWindow<'_> {
         most
     }
 
-    /// The largest coefficient of the cell after one at rest by the acceleration at the node between.
+    /// The largest coefficient of the interval after one at rest by the acceleration at the node between.
     fn most_next_to_rest(&self, [one, two]: [usize; 2], factor: f64) -> f64 {
         let (own, other) = (self.length(one), self.length(two));
         let sum = own + other;
@@ -112,39 +116,44 @@ impl DirectedWindow<'_> {
         GUESS_ACCELERATION_SHARE / most
     }
 
-    /// A law that is not above `most`, with growing acceleration as jerk allows it.
+    /// A profile that is not above `most`, with growing acceleration as jerk allows it.
     fn pass(&self, most: &[f64], rest: Option<usize>, out: &mut [f64]) {
-        let (one, two) = (self.cell(0), self.cell(1));
+        let (one, two) = (self.interval(0), self.interval(1));
         let (own, other) = (self.length(one), self.length(two));
         (out[one], out[two]) = (most[one], most[two]);
         if let Some(side) = rest {
-            let cells = &self.grid.cells[self.from..];
-            let factor = rest_factor(&cells[one], &cells[two]);
+            let intervals = &self.grid.intervals[self.from..];
+            let factor = rest_factor(&intervals[one], &intervals[two]);
             let cap = GUESS_JERK_SHARE * self.grid.rest_cap(self.from + one, side) * (own + other);
             out[two] = out[two].min(cap / (factor * other + own));
             out[two] = out[two].min(self.most_next_to_rest([one, two], factor));
             out[one] = factor * out[two];
         }
         let mut acceleration = (out[two] - out[one]) / (own + other);
-        // A law that is given may fall at first: that ends no sooner than jerk allows.
+        // A known profile may fall at first: that ends no sooner than jerk allows.
         let mut falls = rest.is_none() && acceleration < 0.0;
         for index in 1..self.count - 1 {
-            let (cell, next) = (self.cell(index), self.cell(index + 1));
-            let b = out[cell].max(1e-12);
-            let length = self.length(cell);
+            let (interval, next) = (self.interval(index), self.interval(index + 1));
+            let b = out[interval].max(1e-12);
+            let length = self.length(interval);
             let (mut end, mut middle) = (acceleration, acceleration);
             for _ in 0..2 {
                 // Where an axis turns back no change of σ̈ takes its jerk away: that would ask for a fall
-                // without measure, to a law that nearly stops.
+                // without measure, to a profile that nearly stops.
                 let least = if falls { acceleration } else { 0.0 };
-                end = (acceleration + self.growth(cell, b, middle, false) * length).max(least);
+                end = (acceleration + self.growth(interval, b, middle, false) * length).max(least);
                 middle = 0.5 * (acceleration + end);
             }
             let sum = length + self.length(next);
-            let node = self.nodes(cell)[1];
-            let value = (out[cell] + sum * end).min(self.most_after(cell, next, node, out[cell]));
+            let node = self.nodes(interval)[1];
+            let value = (out[interval] + sum * end).min(self.most_after(
+                interval,
+                next,
+                node,
+                out[interval],
+            ));
             out[next] = value.max(0.0).min(most[next]);
-            let change = (out[next] - out[cell]) / sum;
+            let change = (out[next] - out[interval]) / sum;
             falls = falls && change < 0.0 && change >= acceleration;
             acceleration = if falls { change } else { change.max(0.0) };
         }
@@ -152,7 +161,7 @@ impl DirectedWindow<'_> {
 }
 
 impl InitialGuess {
-    /// The coefficients of a first law on the cells `from..to`; those given at fixed sides stay.
+    /// The coefficients of a first profile on the intervals `from..to`; those that are known at fixed sides stay.
     pub fn find(
         &mut self,
         grid: &ProfileGrid,
@@ -217,7 +226,7 @@ impl InitialGuess {
         }
     }
 
-    /// The lower convex envelope of the law with round troughs and its rounding, less the rounding.
+    /// The lower convex envelope of the profile with round troughs and its rounding, less the rounding.
     fn envelope(&mut self, middle: impl Fn(usize) -> f64) {
         let height = |k: usize| self.both[k] + self.rounding[k];
         self.hull.clear();

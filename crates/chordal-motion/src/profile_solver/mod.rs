@@ -1,12 +1,12 @@
-//! The law of time along a run: as quick as velocity, acceleration and jerk of every axis allow
+//! The velocity profile along a run: as quick as velocity, acceleration and jerk of every axis allow
 //! together.
 //!
 //! | pass | file |
 //! |---|---|
 //! | where it goes at one speed, with nothing to solve | `cruise.rs` |
-//! | what lies between in cells, and a first law without jerk along the path | `grid.rs` |
-//! | a first law of a window, with jerk along the path | `initial_guess.rs` |
-//! | the quickest law on a window of cells | `newton/` |
+//! | what lies between in intervals, and a first profile without jerk along the path | `grid.rs` |
+//! | a first profile of a window, with jerk along the path | `initial_guess.rs` |
+//! | the quickest profile on a window of intervals | `newton/` |
 //! | phases of even jerk, and what they use | `phases.rs` |
 //!
 //! What is long is solved in windows. Each ends at rest; what lies so far before its end that the
@@ -44,7 +44,7 @@ pub(crate) enum RunEnding {
 enum WindowSide {
     /// At rest.
     Rest,
-    /// With two coefficients that are given.
+    /// With two coefficients that are known.
     Fixed,
 }
 
@@ -56,7 +56,7 @@ struct WindowStart {
     before: Option<(usize, WindowSide)>,
 }
 
-/// A law nearer the least time than this needs smaller cells, down to this share of the usual length.
+/// A profile nearer the least time than this needs smaller intervals, down to this share of the usual length.
 const USUAL_GAP_SHARE: f64 = 2e-4;
 const MIN_INTERVAL_SCALE: f64 = 0.25;
 /// A window takes so long at least without jerk, s.
@@ -71,25 +71,25 @@ const MAX_TIGHTENINGS: usize = 10;
 const LIMIT_ROUNDING_SHARE: f64 = 1e-9;
 /// So much is kept for what lies between the places of a phase that are looked at.
 const PROBE_RESERVE_SHARE: f64 = 1e-5;
-/// Of a run no more cells are solved in vain for the sake of cruises: it then has no law.
+/// Of a run no more intervals are solved in vain for the sake of cruises: it then has no profile.
 const MAX_WASTED_INTERVALS: usize = 40_000;
-/// No window has fewer cells.
+/// No window has fewer intervals.
 const MIN_WINDOW_INTERVALS: usize = 8;
 
-/// What laws took.
+/// What profiles took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SolverWork {
-    /// Cells of all runs.
-    pub cells: u64,
+    /// Intervals of all runs.
+    pub intervals: u64,
     /// Windows, each as often as it was solved.
     pub windows: u64,
     /// Windows without an answer.
     pub failed: u64,
-    /// Iterations times cells.
+    /// Iterations times intervals.
     pub steps: u64,
 }
 
-/// Finds laws, one after the other; keeps its memory.
+/// Finds profiles, one after the other; keeps its memory.
 #[derive(Debug, Default)]
 pub(crate) struct ProfileSolver {
     grid: ProfileGrid,
@@ -111,19 +111,19 @@ pub(crate) struct ProfileSolver {
     pub work: SolverWork,
 }
 
-/// What is known of a run whose law is not solved yet.
+/// What is known of a run whose profile is not solved yet.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PreparedRun {
     /// About the least time without jerk along the path, s.
     pub least_s: f64,
-    /// The time of the first law, s.
+    /// The time of the first profile, s.
     pub first_s: f64,
     cruises: Vec<CruisePart>,
-    /// Where its cells begin, if there are no cruises.
+    /// Where its intervals begin, if there are no cruises.
     cuts: Vec<GridCut>,
 }
 
-/// A part of a run that has its law.
+/// A part of a run that has its profile.
 #[derive(Debug)]
 struct SolvedPart {
     phases: Vec<JerkPhase>,
@@ -132,7 +132,7 @@ struct SolvedPart {
 }
 
 impl ProfileSolver {
-    /// The law of a run as phases; `None` where none was found within all limits.
+    /// The profile of a run as phases; `None` where none was found within all limits.
     pub fn plan(
         &mut self,
         run: &PathRun<'_>,
@@ -143,7 +143,7 @@ impl ProfileSolver {
         self.plan_around_cruises(run, ends, gap, None)
     }
 
-    /// The same of a run that was laid.
+    /// The same of a run that was prepared.
     pub fn plan_prepared(
         &mut self,
         run: &PathRun<'_>,
@@ -176,7 +176,7 @@ impl ProfileSolver {
         phases
     }
 
-    /// Lays a run, without its law: what is known of it, then; false where it has too many cells.
+    /// Prepares a run, without its profile: what is known of it, then; false where it has too many intervals.
     pub fn prepare_run(
         &mut self,
         run: &PathRun<'_>,
@@ -210,17 +210,17 @@ impl ProfileSolver {
         true
     }
 
-    /// Lays a run, or a part of it, in cells: about its least time without jerk along the path, s.
+    /// Prepares a run, or a part of it, in intervals: about its least time without jerk along the path, s.
     fn prepare(&mut self, run: &PathRun<'_>, ends: [RunEnding; 2], gap: f64) -> Option<f64> {
         self.failed_at = f64::NAN;
-        let is_laid =
+        let is_built =
             self.grid.build(run, ends, (gap / USUAL_GAP_SHARE).clamp(MIN_INTERVAL_SCALE, 1.0));
-        is_laid.then(|| self.own_cells(ends).map(|cell| self.cell_s(cell)).sum())
+        is_built.then(|| self.own_intervals(ends).map(|interval| self.interval_s(interval)).sum())
     }
 
-    /// The time of the first law of what was laid last, as one window, s.
+    /// The time of the first profile of what was prepared last, as one window, s.
     fn first_s(&mut self, ends: [RunEnding; 2]) -> f64 {
-        let count = self.grid.cells.len();
+        let count = self.grid.intervals.len();
         self.window.clear();
         self.window.resize(count, 0.0);
         for (end, fixed) in ends.iter().zip([0..2, count - 2..count]) {
@@ -231,13 +231,14 @@ impl ProfileSolver {
         let sides = ends
             .map(|end| if end == RunEnding::Rest { WindowSide::Rest } else { WindowSide::Fixed });
         self.start.find(&self.grid, (0, count), sides, &mut self.window);
-        let length = |cell: usize| self.grid.cells[cell].length;
+        let length = |interval: usize| self.grid.intervals[interval].length;
         let speed = |node: usize| {
             let (before, after) = (length(node - 1), length(node));
             let [one, two] = [self.window[node - 1], self.window[node]];
             ((one * after + two * before) / (before + after)).sqrt()
         };
-        let inner = (1..count - 1).map(|cell| 2.0 * length(cell) / (speed(cell) + speed(cell + 1)));
+        let inner = (1..count - 1)
+            .map(|interval| 2.0 * length(interval) / (speed(interval) + speed(interval + 1)));
         let mut time_s: f64 = inner.sum();
         if ends[0] == RunEnding::Rest {
             time_s += 3.0 * length(0) / speed(1);
@@ -248,13 +249,13 @@ impl ProfileSolver {
         time_s
     }
 
-    /// The cells of what was laid last that are its own, and not before or after it.
-    fn own_cells(&self, ends: [RunEnding; 2]) -> Range<usize> {
+    /// The intervals of what was prepared last that are its own, and not before or after it.
+    fn own_intervals(&self, ends: [RunEnding; 2]) -> Range<usize> {
         let begin = usize::from(ends[0] != RunEnding::Rest);
-        begin..self.grid.cells.len() - usize::from(ends[1] != RunEnding::Rest)
+        begin..self.grid.intervals.len() - usize::from(ends[1] != RunEnding::Rest)
     }
 
-    /// The laws of what lies around the cruises.
+    /// The profiles of what lies around the cruises.
     fn plan_parts(
         &mut self,
         run: &PathRun<'_>,
@@ -273,14 +274,14 @@ impl ProfileSolver {
             match part {
                 Some(part) => parts.push(part),
                 None if self.cruises.is_empty() || in_vain > MAX_WASTED_INTERVALS => return None,
-                // A cruise that is not reached in time is no ground to have no law.
+                // A cruise that is not reached in time is no ground to have no profile.
                 None => {
                     // What was joined at its end is not why it fails where it did before.
                     if index == 0 && self.failed_at == failed_at {
                         return None;
                     }
                     failed_at = if index == 0 { self.failed_at } else { f64::NAN };
-                    in_vain += self.grid.cells.len();
+                    in_vain += self.grid.intervals.len();
                     self.cruises
                         .drain(index.saturating_sub(1)..(index + 1).min(self.cruises.len()));
                     parts.truncate(index.saturating_sub(1));
@@ -290,7 +291,7 @@ impl ProfileSolver {
         Some(())
     }
 
-    /// The law of what lies between two cruises, or between one and an end of the run.
+    /// The profile of what lies between two cruises, or between one and an end of the run.
     fn plan_between(
         &mut self,
         run: &PathRun<'_>,
@@ -331,7 +332,7 @@ impl ProfileSolver {
         solved
     }
 
-    /// The laws of all parts with the cruises between them.
+    /// The profiles of all parts with the cruises between them.
     fn join(&mut self, parts: &mut Vec<SolvedPart>) -> Vec<JerkPhase> {
         self.least_s = parts.iter().map(|part| part.least_s).sum();
         let count: usize = parts.iter().map(|part| part.phases.len() + 1).sum();
@@ -348,7 +349,7 @@ impl ProfileSolver {
         phases
     }
 
-    /// The law of a run, or of a part of it, that has no cruise.
+    /// The profile of a run, or of a part of it, that has no cruise.
     fn plan_part(
         &mut self,
         run: &PathRun<'_>,
@@ -359,7 +360,7 @@ impl ProfileSolver {
         self.solve_part(run, ends, gap, least_s)
     }
 
-    /// The law of a part that was laid.
+    /// The profile of a part that was prepared.
     fn solve_part(
         &mut self,
         run: &PathRun<'_>,
@@ -367,10 +368,10 @@ impl ProfileSolver {
         gap: f64,
         least_s: f64,
     ) -> Option<SolvedPart> {
-        self.work.cells += self.grid.cells.len() as u64;
+        self.work.intervals += self.grid.intervals.len() as u64;
         let look_s = self.look_s();
         self.solve(run, ends, look_s, gap)?;
-        Some(SolvedPart { phases: self.phases(self.own_cells(ends)), least_s })
+        Some(SolvedPart { phases: self.phases(self.own_intervals(ends)), least_s })
     }
 
     /// Solves for all coefficients, window by window.
@@ -381,7 +382,7 @@ impl ProfileSolver {
         look_s: f64,
         gap: f64,
     ) -> Option<()> {
-        let count = self.grid.cells.len();
+        let count = self.grid.intervals.len();
         self.coefficients.clear();
         self.coefficients.resize(count, 0.0);
         if let RunEnding::Even(speed) = ends[0] {
@@ -463,26 +464,26 @@ impl ProfileSolver {
         self.least_s
     }
 
-    fn cell_s(&self, cell: usize) -> f64 {
-        self.grid.cells[cell].length / self.grid.bound[cell].sqrt().max(1e-9)
+    fn interval_s(&self, interval: usize) -> f64 {
+        self.grid.intervals[interval].length / self.grid.bound[interval].sqrt().max(1e-9)
     }
 
-    /// The first cell that begins a time after the start of another, or as many cells after it as a window
+    /// The first interval that begins a time after the start of another, or as many intervals after it as a window
     /// has at least.
     fn after(&self, from: usize, seconds: f64) -> usize {
         let (mut to, mut t) = (from, 0.0);
-        while to < self.grid.cells.len() && t < seconds {
-            t += self.cell_s(to);
+        while to < self.grid.intervals.len() && t < seconds {
+            t += self.interval_s(to);
             to += 1;
         }
-        to.max(from + 2 * MIN_WINDOW_INTERVALS).min(self.grid.cells.len())
+        to.max(from + 2 * MIN_WINDOW_INTERVALS).min(self.grid.intervals.len())
     }
 
     fn before(&self, to: usize, seconds: f64) -> usize {
         let (mut from, mut t) = (to, 0.0);
         while from > 0 && t < seconds {
             from -= 1;
-            t += self.cell_s(from);
+            t += self.interval_s(from);
         }
         from.min(to.saturating_sub(3))
     }
@@ -495,7 +496,7 @@ impl ProfileSolver {
         sides: [WindowSide; 2],
         gap: f64,
     ) -> Option<()> {
-        let count = self.grid.cells.len();
+        let count = self.grid.intervals.len();
         self.begin_window((from, to), sides);
         for round in 0..=MAX_TIGHTENINGS {
             let n = to - from;
@@ -510,7 +511,7 @@ impl ProfileSolver {
                 self.work.failed += 1;
                 return None;
             }
-            // The cells after the kept ones count, too: so the next window has a law to its rest.
+            // The intervals after the kept ones count, too: so the next window has a profile to its rest.
             let first = from + usize::from(sides[0] == WindowSide::Fixed);
             // The stop of a window that others follow is not the last word.
             let is_stop = to < count || sides[1] == WindowSide::Fixed;
@@ -528,7 +529,7 @@ impl ProfileSolver {
         None
     }
 
-    /// The law with which a window is begun.
+    /// The profile with which a window is begun.
     fn begin_window(&mut self, (from, to): (usize, usize), sides: [WindowSide; 2]) {
         let n = to - from;
         self.window.clear();
@@ -540,7 +541,7 @@ impl ProfileSolver {
             }
         }
         self.start.find(&self.grid, (from, to), sides, &mut self.window);
-        // What the window before had beyond its kept part is a law already.
+        // What the window before had beyond its kept part is a profile already.
         if sides[0] == WindowSide::Fixed && from + 2 < self.solved {
             let known = &self.coefficients[from + 2..self.solved];
             for (value, known) in self.window[2..].iter_mut().zip(known) {
@@ -563,26 +564,26 @@ impl ProfileSolver {
         let more = |used: f64| (used * TIGHTENING_FACTOR).powi(1 + round as i32 / 2);
         let mut over = false;
         let (mut speed, mut nodes) = (1.0 + LIMIT_ROUNDING_SHARE, last..first);
-        for cell in first..last {
-            let used = self.grid.use_of(cell, &self.window, from, run);
+        for interval in first..last {
+            let used = self.grid.use_of(interval, &self.window, from, run);
             if used.velocity > 1.0 + LIMIT_ROUNDING_SHARE {
                 speed = speed.max(used.velocity);
-                nodes = nodes.start.min(cell)..nodes.end.max(cell + 2);
+                nodes = nodes.start.min(interval)..nodes.end.max(interval + 2);
             }
-            let most = self.grid.cells[cell].most;
+            let most = self.grid.intervals[interval].most;
             if used.jerk > most * (1.0 - PROBE_RESERVE_SHARE) {
-                self.grid.cells[cell].share /= more(used.jerk / most);
+                self.grid.intervals[interval].share /= more(used.jerk / most);
                 over = true;
             }
             if used.acceleration > 1.0 - PROBE_RESERVE_SHARE {
-                for node in [cell, cell + 1] {
+                for node in [interval, interval + 1] {
                     self.grid.nodes[node].share /= more(used.acceleration);
                 }
                 over = true;
             }
         }
         if speed > 1.0 + LIMIT_ROUNDING_SHARE {
-            // Where a speed is held, what bulges out between two nodes moves on to the next ones.
+            // Where a speed stays even, what bulges out between two nodes moves on to the next ones.
             let inner = nodes.start.max(first + 2)..nodes.end.min(last - 1);
             let inner = self.grid.nodes.get_mut(inner).unwrap_or_default();
             inner.iter_mut().for_each(|node| node.cap /= (speed * SPEED_TIGHTENING_FACTOR).powi(2));
@@ -591,10 +592,10 @@ impl ProfileSolver {
         over
     }
 
-    fn phases(&self, cells: Range<usize>) -> Vec<JerkPhase> {
-        let mut phases: Vec<JerkPhase> = Vec::with_capacity(2 * cells.len());
-        for cell in cells {
-            self.grid.phases(cell, &self.coefficients, 0, |phase| add(&mut phases, phase));
+    fn phases(&self, intervals: Range<usize>) -> Vec<JerkPhase> {
+        let mut phases: Vec<JerkPhase> = Vec::with_capacity(2 * intervals.len());
+        for interval in intervals {
+            self.grid.phases(interval, &self.coefficients, 0, |phase| add(&mut phases, phase));
         }
         phases
     }
@@ -611,7 +612,7 @@ fn add(phases: &mut Vec<JerkPhase>, phase: JerkPhase) {
     }
 }
 
-/// The law of a run to rest as phases, within `gap` of the least time, and what it took; without
+/// The profile of a run to rest as phases, within `gap` of the least time, and what it took; without
 /// phases where none was found within all limits.
 pub fn solve_profile(run: &PathRun<'_>, gap: f64) -> (Option<Vec<JerkPhase>>, SolverWork) {
     let begin =

@@ -1,11 +1,11 @@
-//! The law as phases of even jerk, and what they use of the limits.
+//! The profile as phases of even jerk, and what they use of the limits.
 
 use super::grid::ProfileGrid;
 use crate::limit_use::LimitUse;
 use crate::time_bound::PathRun;
 use crate::trajectory::{JerkPhase, ProfilePoint};
 
-/// On a part of a cell the speed changes by no larger share.
+/// On a part of an interval the speed changes by no larger share.
 const MAX_SPEED_CHANGE_SHARE: f64 = 0.04;
 const MAX_INTERVAL_PARTS: f64 = 16.0;
 /// Places of a phase that are looked at, and where one of them uses nearly all of a limit.
@@ -50,31 +50,31 @@ fn pair(at: f64, length: f64, from: NodeMotion, to: NodeMotion, take: &mut impl 
 
 impl ProfileGrid {
     fn passing(&self, node: usize, c: &[f64], from: usize) -> NodeMotion {
-        let (g, h) = (self.cells[node - 1].length, self.cells[node].length);
+        let (g, h) = (self.intervals[node - 1].length, self.intervals[node].length);
         let (before, after) = (c[node - 1 - from], c[node - from]);
         // Even speeds are even to the last bit.
         let square = if before == after { before } else { (before * h + after * g) / (g + h) };
         NodeMotion { speed: square.max(0.0).sqrt(), acceleration: (after - before) / (g + h) }
     }
 
-    /// The phases of a cell, with the coefficients from cell `from` on. The first and the last cell of
+    /// The phases of an interval, with the coefficients from interval `from` on. The first and the last interval of
     /// the grid begin and end at rest.
-    pub fn phases(&self, cell: usize, c: &[f64], from: usize, mut take: impl FnMut(JerkPhase)) {
-        let (at, length) = (self.nodes[cell].at, self.cells[cell].length);
-        if cell == 0 {
+    pub fn phases(&self, interval: usize, c: &[f64], from: usize, mut take: impl FnMut(JerkPhase)) {
+        let (at, length) = (self.nodes[interval].at, self.intervals[interval].length);
+        if interval == 0 {
             let to = self.passing(1, c, from);
             let duration_s = 3.0 * length / to.speed;
             let jerk = 2.0 * to.speed / (duration_s * duration_s);
             return take(JerkPhase { duration_s, from: at, speed: 0.0, acceleration: 0.0, jerk });
         }
-        let begins = self.passing(cell, c, from);
-        if cell + 1 == self.cells.len() {
+        let begins = self.passing(interval, c, from);
+        if interval + 1 == self.intervals.len() {
             let duration_s = 3.0 * length / begins.speed;
             let jerk = 2.0 * begins.speed / (duration_s * duration_s);
             let (speed, acceleration) = (begins.speed, -jerk * duration_s);
             return take(JerkPhase { duration_s, from: at, speed, acceleration, jerk });
         }
-        let to = self.passing(cell + 1, c, from);
+        let to = self.passing(interval + 1, c, from);
         let change = (to.speed - begins.speed).abs() / begins.speed.min(to.speed);
         let parts = (change / MAX_SPEED_CHANGE_SHARE).ceil().clamp(1.0, MAX_INTERVAL_PARTS) as u32;
         let slope = (to.acceleration - begins.acceleration) / length;
@@ -98,14 +98,14 @@ impl ProfileGrid {
         }
     }
 
-    /// What a cell's phases use of the limits, at most; of the velocity also what the feed leaves.
-    pub fn use_of(&self, cell: usize, c: &[f64], from: usize, run: &PathRun<'_>) -> LimitUse {
+    /// What an interval's phases use of the limits, at most; of the velocity also what the feed leaves.
+    pub fn use_of(&self, interval: usize, c: &[f64], from: usize, run: &PathRun<'_>) -> LimitUse {
         let mut used = LimitUse::default();
-        self.phases(cell, c, from, |phase| {
+        self.phases(interval, c, from, |phase| {
             for count in PHASE_PROBES {
                 for probe in 0..=count {
                     let along = phase.at(phase.duration_s * f64::from(probe) / f64::from(count));
-                    used = used.or(self.use_at(run, cell, &along));
+                    used = used.or(self.use_at(run, interval, &along));
                 }
                 if used.acceleration.max(used.jerk) < NEARLY_USED_SHARE {
                     break;
@@ -115,8 +115,8 @@ impl ProfileGrid {
         used
     }
 
-    fn use_at(&self, run: &PathRun<'_>, cell: usize, along: &ProfilePoint) -> LimitUse {
-        let piece = self.cells[cell].piece as usize;
+    fn use_at(&self, run: &PathRun<'_>, interval: usize, along: &ProfilePoint) -> LimitUse {
+        let piece = self.intervals[interval].piece as usize;
         let ProfilePoint { speed: v, acceleration: a, jerk: j, .. } = *along;
         let square = v * v;
         let mut most = [v / run.feed(piece), 0.0, 0.0];
@@ -131,9 +131,9 @@ impl ProfileGrid {
             }
         };
         if run.pieces()[piece].base.is_none() {
-            let [first, second] = &self.nodes[cell].by_jerk;
-            let third = &self.cells[cell].third[0];
-            let offset = along.sigma - self.nodes[cell].at;
+            let [first, second] = &self.nodes[interval].by_jerk;
+            let third = &self.intervals[interval].third[0];
+            let offset = along.sigma - self.nodes[interval].at;
             for &axis in &self.axes {
                 let (q, r) = (second[axis], third[axis]);
                 add(axis, first[axis] + offset * (q + 0.5 * offset * r), q + offset * r, r);

@@ -1,11 +1,11 @@
 //! The velocity profile along a path: jerk-limited changes of speed between places that are passed at
 //! even speed.
 //!
-//! A path is a row of cells, each with its own limits of speed and ability. Where the fastest law
+//! A path is a sequence of intervals, each with its own limits of speed, acceleration and jerk. Where the fastest profile
 //! touches a limit of speed it has no acceleration, so it is made of ramps from touch to touch.
-//! Two passes find the touches: the highest speed at each boundary of cells that can be reached
+//! Two passes find the touches: the highest speed at each boundary of intervals that can be reached
 //! from the touch before it, and backwards from the touch after it. The ramps go over any number
-//! of cells: a boundary as such costs nothing, and cutting a line changes no time.
+//! of intervals: a boundary as such costs nothing, and cutting a line changes no time.
 
 mod ramp;
 
@@ -32,13 +32,13 @@ pub struct LimitInterval {
 /// A place passed at even speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpeedNode {
-    /// The boundary: before the cell of this number.
+    /// The boundary: before the interval of this number.
     pub node: usize,
-    /// σ from the start of the cells.
+    /// σ from the start of the intervals.
     pub at: f64,
     /// σ per s.
     pub speed: f64,
-    /// The ramps from here to the next station have not been looked at.
+    /// The ramps from here to the next speed node have not been looked at.
     fresh: bool,
     /// Number of those ramps, where they have been found.
     ramps: usize,
@@ -50,10 +50,10 @@ impl SpeedNode {
     }
 }
 
-/// Solves for the stations of a row of cells. Keeps its memory from one row to the next.
+/// Solves for the speed nodes of a look-ahead window. Keeps its memory from one window to the next.
 #[derive(Debug, Default)]
 pub struct RampSolver {
-    /// σ at each boundary, one more than cells.
+    /// σ at each boundary, one more than intervals.
     at: Vec<f64>,
     /// Largest speed at each boundary.
     most: Vec<f64>,
@@ -61,9 +61,9 @@ pub struct RampSolver {
     backward: Vec<f64>,
     /// Boundaries from which a ramp begins in one of the passes.
     starts: Vec<u8>,
-    stations: Vec<SpeedNode>,
+    speed_nodes: Vec<SpeedNode>,
     spare: Vec<SpeedNode>,
-    /// Ramps between stations, as far as they were looked at.
+    /// Ramps between speed nodes, as far as they were looked at.
     ramps: Vec<SpeedRamps>,
 }
 
@@ -73,69 +73,69 @@ const BACKWARD_BIT: u8 = 2;
 /// Speeds that differ by less, as a share, are alike but for rounding.
 const EQUAL_SPEED_SHARE: f64 = 1e-9;
 
-/// Rounds of adding stations before every boundary becomes one.
+/// Rounds of adding speed nodes before every boundary becomes one.
 const MAX_SPLIT_PASSES: usize = 24;
 
 impl RampSolver {
-    /// Finds the stations of the fastest law from the speed `from` to the speed `to`, both even.
-    pub fn solve(&mut self, cells: &[LimitInterval], from: f64, to: f64) {
-        self.boundaries(cells, from, to);
-        self.pass_forward(cells);
-        self.pass_backward(cells);
+    /// Finds the speed nodes of the fastest profile from the speed `from` to the speed `to`, both even.
+    pub fn solve(&mut self, intervals: &[LimitInterval], from: f64, to: f64) {
+        self.boundaries(intervals, from, to);
+        self.pass_forward(intervals);
+        self.pass_backward(intervals);
         self.choose();
         self.ramps.clear();
         for round in 0..MAX_SPLIT_PASSES {
-            self.level(cells);
-            if !self.split(cells, round + 1 == MAX_SPLIT_PASSES) {
+            self.level(intervals);
+            if !self.split(intervals, round + 1 == MAX_SPLIT_PASSES) {
                 break;
             }
         }
-        self.level(cells);
+        self.level(intervals);
     }
 
-    /// Adds the phases between two boundaries, which are stations, with σ counted from the start of
-    /// the cells. Says which station is the first.
+    /// Adds the phases between two boundaries, which are speed nodes, with σ counted from the start of
+    /// the intervals. Says which speed node is the first.
     pub fn phases(
         &self,
-        cells: &[LimitInterval],
+        intervals: &[LimitInterval],
         begin: usize,
         end: usize,
         out: &mut Vec<JerkPhase>,
     ) -> Option<SpeedNode> {
-        let first = self.stations.partition_point(|station| station.node < begin);
-        for pair in self.stations[first..].windows(2).take_while(|pair| pair[1].node <= end) {
+        let first = self.speed_nodes.partition_point(|speed_node| speed_node.node < begin);
+        for pair in self.speed_nodes[first..].windows(2).take_while(|pair| pair[1].node <= end) {
             let known = if pair[0].fresh { None } else { self.ramps.get(pair[0].ramps) };
-            phases(cells, known, &pair[0], &pair[1], out);
+            phases(intervals, known, &pair[0], &pair[1], out);
         }
-        self.stations.get(first).copied()
+        self.speed_nodes.get(first).copied()
     }
 
-    /// The last station that cells to come, in place of the end of the row, cannot change: one
-    /// where the law touches a limit of speed whatever comes after.
+    /// The last speed node that intervals to come, in place of the end of the window, cannot change: one
+    /// where the profile touches a limit of speed whatever comes after.
     pub fn last_certain(&self) -> Option<SpeedNode> {
         let last = self.most.len() - 1;
         let touches = |node: usize| {
             self.backward[node] >= self.most[node] && self.forward[node] >= self.most[node]
         };
         let free = (0..last).rev().find(|node| self.backward[*node] >= self.most[*node])?;
-        let certain = |station: &&SpeedNode| {
-            let node = station.node;
-            node <= free && touches(node) && station.speed >= self.most[node]
+        let certain = |speed_node: &&SpeedNode| {
+            let node = speed_node.node;
+            node <= free && touches(node) && speed_node.speed >= self.most[node]
         };
-        self.stations.iter().rev().find(certain).copied()
+        self.speed_nodes.iter().rev().find(certain).copied()
     }
 
-    fn boundaries(&mut self, cells: &[LimitInterval], from: f64, to: f64) {
-        let count = cells.len() + 1;
+    fn boundaries(&mut self, intervals: &[LimitInterval], from: f64, to: f64) {
+        let count = intervals.len() + 1;
         self.at.clear();
         self.most.clear();
         let mut at = 0.0;
         let mut before = f64::INFINITY;
-        for cell in cells {
+        for interval in intervals {
             self.at.push(at);
-            self.most.push(cell.speed.min(before));
-            at += cell.length;
-            before = if cell.ends_at_rest { 0.0 } else { cell.speed };
+            self.most.push(interval.speed.min(before));
+            at += interval.length;
+            before = if interval.ends_at_rest { 0.0 } else { interval.speed };
         }
         self.at.push(at);
         self.most.push(before);
@@ -145,7 +145,7 @@ impl RampSolver {
         self.starts.resize(count, 0);
     }
 
-    fn pass_forward(&mut self, cells: &[LimitInterval]) {
+    fn pass_forward(&mut self, intervals: &[LimitInterval]) {
         let count = self.most.len();
         self.forward.clear();
         self.forward.resize(count, 0.0);
@@ -153,8 +153,8 @@ impl RampSolver {
         self.starts[0] |= FORWARD_BIT;
         let (mut source, mut ability) = (0, SpeedDependentLimits::FREE);
         for node in 1..count {
-            let cell = &cells[node - 1];
-            ability = ability.and(cell.ability);
+            let interval = &intervals[node - 1];
+            ability = ability.and(interval.ability);
             let (before, most) = (self.forward[node - 1], self.most[node]);
             let long = source + 1 < node;
             let mut reached = most;
@@ -162,11 +162,11 @@ impl RampSolver {
                 reached = ability.climb(self.forward[source], self.at[node] - self.at[source]);
             }
             if long {
-                // Also where the law has to be slower at this boundary: it may rise and fall
-                // within the cell, and then has more of its ability for itself.
-                let fresh = cell.ability.climb(before, cell.length);
+                // Also where the profile has to be slower at this boundary: it may rise and fall
+                // within the interval, and then has more of its ability for itself.
+                let fresh = interval.ability.climb(before, interval.length);
                 if fresh > reached * (1.0 + 1e-12) {
-                    (source, ability, reached) = (node - 1, cell.ability, fresh);
+                    (source, ability, reached) = (node - 1, interval.ability, fresh);
                     self.starts[source] |= FORWARD_BIT;
                 }
             }
@@ -178,7 +178,7 @@ impl RampSolver {
         }
     }
 
-    fn pass_backward(&mut self, cells: &[LimitInterval]) {
+    fn pass_backward(&mut self, intervals: &[LimitInterval]) {
         let count = self.most.len();
         self.backward.clear();
         self.backward.resize(count, 0.0);
@@ -186,8 +186,8 @@ impl RampSolver {
         self.starts[count - 1] |= BACKWARD_BIT;
         let (mut source, mut ability) = (count - 1, SpeedDependentLimits::FREE);
         for node in (0..count - 1).rev() {
-            let cell = &cells[node];
-            ability = ability.and(cell.ability);
+            let interval = &intervals[node];
+            ability = ability.and(interval.ability);
             let (after, most) = (self.backward[node + 1], self.most[node]);
             let long = source > node + 1;
             let mut reached = most;
@@ -195,9 +195,9 @@ impl RampSolver {
                 reached = ability.climb(self.backward[source], self.at[source] - self.at[node]);
             }
             if long {
-                let fresh = cell.ability.climb(after, cell.length);
+                let fresh = interval.ability.climb(after, interval.length);
                 if fresh > reached * (1.0 + 1e-12) {
-                    (source, ability, reached) = (node + 1, cell.ability, fresh);
+                    (source, ability, reached) = (node + 1, interval.ability, fresh);
                     self.starts[source] |= BACKWARD_BIT;
                 }
             }
@@ -211,7 +211,7 @@ impl RampSolver {
 
     /// The boundaries from which a ramp really begins or at which one really ends.
     fn choose(&mut self) {
-        self.stations.clear();
+        self.speed_nodes.clear();
         let last = self.most.len() - 1;
         for node in 0..=last {
             let (forward, backward) = (self.forward[node], self.backward[node]);
@@ -219,98 +219,99 @@ impl RampSolver {
             let ends = self.starts[node] & BACKWARD_BIT != 0 && backward <= forward;
             if node == 0 || node == last || begins || ends {
                 let speed = forward.min(backward);
-                self.stations.push(SpeedNode::new(node, self.at[node], speed));
+                self.speed_nodes.push(SpeedNode::new(node, self.at[node], speed));
             }
         }
     }
 
-    /// Lowers stations that cannot be reached from their neighbours.
-    fn level(&mut self, cells: &[LimitInterval]) {
-        for index in 1..self.stations.len() {
-            let (a, b) = (self.stations[index - 1], self.stations[index]);
+    /// Lowers speed nodes that cannot be reached from their neighbours.
+    fn level(&mut self, intervals: &[LimitInterval]) {
+        for index in 1..self.speed_nodes.len() {
+            let (a, b) = (self.speed_nodes[index - 1], self.speed_nodes[index]);
             if b.speed > a.speed && (a.fresh || b.fresh) {
-                let ability = ability_of(&cells[a.node..b.node]);
+                let ability = ability_of(&intervals[a.node..b.node]);
                 let reached = ability.climb(a.speed, b.at - a.at);
                 if reached < b.speed {
-                    self.stations[index].speed = reached;
-                    self.stations[index].fresh = true;
-                    self.stations[index - 1].fresh = true;
+                    self.speed_nodes[index].speed = reached;
+                    self.speed_nodes[index].fresh = true;
+                    self.speed_nodes[index - 1].fresh = true;
                 }
             }
         }
-        for index in (1..self.stations.len()).rev() {
-            let (a, b) = (self.stations[index - 1], self.stations[index]);
+        for index in (1..self.speed_nodes.len()).rev() {
+            let (a, b) = (self.speed_nodes[index - 1], self.speed_nodes[index]);
             if a.speed > b.speed && (a.fresh || b.fresh) {
-                let ability = ability_of(&cells[a.node..b.node]);
+                let ability = ability_of(&intervals[a.node..b.node]);
                 let reached = ability.climb(b.speed, b.at - a.at);
                 if reached < a.speed {
-                    self.stations[index - 1].speed = reached;
-                    self.stations[index - 1].fresh = true;
+                    self.speed_nodes[index - 1].speed = reached;
+                    self.speed_nodes[index - 1].fresh = true;
                     if index >= 2 {
-                        self.stations[index - 2].fresh = true;
+                        self.speed_nodes[index - 2].fresh = true;
                     }
                 }
             }
         }
     }
 
-    /// Finds the ramps from a station to the next, and where they would be too fast.
+    /// Finds the ramps from a speed node to the next, and where they would be too fast.
     fn look(
         &mut self,
-        cells: &[LimitInterval],
-        station: &mut SpeedNode,
+        intervals: &[LimitInterval],
+        speed_node: &mut SpeedNode,
         next: &SpeedNode,
     ) -> Option<usize> {
-        station.ramps = usize::MAX;
-        let cells = &cells[station.node..next.node];
-        if cells.len() < 2 {
+        speed_node.ramps = usize::MAX;
+        let intervals = &intervals[speed_node.node..next.node];
+        if intervals.len() < 2 {
             return None;
         }
-        let ramps = SpeedRamps::over(cells, station, next)?;
-        station.ramps = self.ramps.len();
+        let ramps = SpeedRamps::over(intervals, speed_node, next)?;
+        speed_node.ramps = self.ramps.len();
         self.ramps.push(ramps);
-        too_fast(cells, &ramps, station, next)
+        too_fast(intervals, &ramps, speed_node, next)
     }
 
-    /// Puts stations where a ramp would be too fast for a cell that it goes over. Says whether
+    /// Puts speed nodes where a ramp would be too fast for an interval that it goes over. Says whether
     /// there were any.
-    fn split(&mut self, cells: &[LimitInterval], everywhere: bool) -> bool {
-        std::mem::swap(&mut self.stations, &mut self.spare);
-        self.stations.clear();
+    fn split(&mut self, intervals: &[LimitInterval], everywhere: bool) -> bool {
+        std::mem::swap(&mut self.speed_nodes, &mut self.spare);
+        self.speed_nodes.clear();
         let mut any = false;
         for index in 0..self.spare.len() {
-            let mut station = self.spare[index];
+            let mut speed_node = self.spare[index];
             let Some(next) = self.spare.get(index + 1).copied() else {
-                self.stations.push(station);
+                self.speed_nodes.push(speed_node);
                 break;
             };
-            let is_known = !station.fresh;
-            station.fresh = false;
-            let too_fast = if is_known { None } else { self.look(cells, &mut station, &next) };
+            let is_known = !speed_node.fresh;
+            speed_node.fresh = false;
+            let too_fast =
+                if is_known { None } else { self.look(intervals, &mut speed_node, &next) };
             let Some(cut) = too_fast else {
-                self.stations.push(station);
+                self.speed_nodes.push(speed_node);
                 continue;
             };
             any = true;
-            station.fresh = true;
-            self.stations.push(station);
-            let node = station.node + cut;
-            let cuts = if everywhere { station.node + 1..next.node } else { node..node + 1 };
+            speed_node.fresh = true;
+            self.speed_nodes.push(speed_node);
+            let node = speed_node.node + cut;
+            let cuts = if everywhere { speed_node.node + 1..next.node } else { node..node + 1 };
             for node in cuts {
                 let speed = self.forward[node].min(self.backward[node]);
-                self.stations.push(SpeedNode::new(node, self.at[node], speed));
+                self.speed_nodes.push(SpeedNode::new(node, self.at[node], speed));
             }
         }
         any
     }
 }
 
-/// What holds over all the cells.
-fn ability_of(cells: &[LimitInterval]) -> SpeedDependentLimits {
-    cells.iter().fold(SpeedDependentLimits::FREE, |all, cell| all.and(cell.ability))
+/// What holds over all the intervals.
+fn ability_of(intervals: &[LimitInterval]) -> SpeedDependentLimits {
+    intervals.iter().fold(SpeedDependentLimits::FREE, |all, interval| all.and(interval.ability))
 }
 
-/// The ramps between two stations: up, along at even speed, down.
+/// The ramps between two speed nodes: up, along at even speed, down.
 #[derive(Clone, Copy, Debug)]
 struct SpeedRamps {
     top: f64,
@@ -340,33 +341,33 @@ impl SpeedRamps {
         Some(SpeedRamps { top, up, down, aim, up_distance, down_distance, time_s })
     }
 
-    /// The ramps over some cells. Each obeys the cells that it goes over, and no others.
-    fn over(cells: &[LimitInterval], from: &SpeedNode, to: &SpeedNode) -> Option<SpeedRamps> {
-        let fastest = cells.iter().map(|cell| cell.speed).fold(0.0, f64::max);
+    /// The ramps over some intervals. Each obeys the intervals that it goes over, and no others.
+    fn over(intervals: &[LimitInterval], from: &SpeedNode, to: &SpeedNode) -> Option<SpeedRamps> {
+        let fastest = intervals.iter().map(|interval| interval.speed).fold(0.0, f64::max);
         let (speeds, length) = ((from.speed, to.speed), to.at - from.at);
-        let all = ability_of(cells);
+        let all = ability_of(intervals);
         let careful = SpeedRamps::new(speeds, length, fastest, all, all)?;
-        if cells.len() < 2 {
+        if intervals.len() < 2 {
             return Some(careful);
         }
         let slack = 1e-12 * length;
         let (mut end, mut first) = (0.0, 0);
-        for (index, cell) in cells.iter().enumerate() {
-            end += cell.length;
+        for (index, interval) in intervals.iter().enumerate() {
+            end += interval.length;
             first = index;
             if end >= careful.up_distance - slack {
                 break;
             }
         }
-        let (mut begin, mut last) = (length, cells.len() - 1);
-        for (index, cell) in cells.iter().enumerate().rev() {
-            begin -= cell.length;
+        let (mut begin, mut last) = (length, intervals.len() - 1);
+        for (index, interval) in intervals.iter().enumerate().rev() {
+            begin -= interval.length;
             last = index;
             if begin <= length - careful.down_distance + slack {
                 break;
             }
         }
-        let (up, down) = (ability_of(&cells[..=first]), ability_of(&cells[last..]));
+        let (up, down) = (ability_of(&intervals[..=first]), ability_of(&intervals[last..]));
         let fits = |ramps: &SpeedRamps| {
             (ramps.up == all || ramps.up_distance <= end + slack)
                 && (ramps.down == all || ramps.down_distance <= length - begin + slack)
@@ -385,10 +386,10 @@ impl SpeedRamps {
     }
 }
 
-/// The boundary, counted from the first of the cells, at which the ramps between two stations
-/// must have a station of their own, because they are faster than a cell allows.
+/// The boundary, counted from the first of the intervals, at which the ramps between two speed nodes
+/// must have a speed node of their own, because they are faster than an interval allows.
 fn too_fast(
-    cells: &[LimitInterval],
+    intervals: &[LimitInterval],
     ramps: &SpeedRamps,
     from: &SpeedNode,
     to: &SpeedNode,
@@ -397,15 +398,15 @@ fn too_fast(
     let SpeedRamps { top, aim, .. } = *ramps;
     let mut worst: Option<(f64, f64, usize)> = None;
     let mut begin = 0.0;
-    for (index, cell) in cells.iter().enumerate() {
-        let end = begin + cell.length;
-        if cell.speed < top * (1.0 - 1e-12) {
-            // The law is below the cell's speed in a part at its start and a part at its end.
+    for (index, interval) in intervals.iter().enumerate() {
+        let end = begin + interval.length;
+        if interval.speed < top * (1.0 - 1e-12) {
+            // The profile is below the interval's speed in a part at its start and a part at its end.
             let until = |ability: &SpeedDependentLimits, rest: f64| {
-                if rest >= cell.speed {
+                if rest >= interval.speed {
                     0.0
                 } else {
-                    ability.distance_until(rest, top, cell.speed, aim)
+                    ability.distance_until(rest, top, interval.speed, aim)
                 }
             };
             let rises = until(&ramps.up, from.speed);
@@ -414,16 +415,19 @@ fn too_fast(
             // Of like ones the outermost, so that the way back is planned alike.
             let out = (begin + end - length).abs();
             let lower = worst.is_none_or(|(speed, far, _)| {
-                cell.speed < speed * (1.0 - EQUAL_SPEED_SHARE)
-                    || (cell.speed <= speed * (1.0 + EQUAL_SPEED_SHARE) && out > far)
+                interval.speed < speed * (1.0 - EQUAL_SPEED_SHARE)
+                    || (interval.speed <= speed * (1.0 + EQUAL_SPEED_SHARE) && out > far)
             });
             let inside = end > rises + slack && begin < falls - slack;
             if inside && lower {
-                // On the way up the limit ends with the cell, on the way down it begins with it.
+                // On the way up the limit ends with the interval, on the way down it begins with it.
                 let up = begin + end < rises + falls;
-                let cut =
-                    if (up && index + 1 < cells.len()) || index == 0 { index + 1 } else { index };
-                worst = Some((cell.speed, out, cut));
+                let cut = if (up && index + 1 < intervals.len()) || index == 0 {
+                    index + 1
+                } else {
+                    index
+                };
+                worst = Some((interval.speed, out, cut));
             }
         }
         begin = end;
@@ -431,25 +435,25 @@ fn too_fast(
     worst.map(|(_, _, cut)| cut)
 }
 
-/// The phases from one station to the next, with σ counted from the start of the cells; `known`
+/// The phases from one speed node to the next, with σ counted from the start of the intervals; `known`
 /// are the ramps between them, where they have been found.
 fn phases(
-    cells: &[LimitInterval],
+    intervals: &[LimitInterval],
     known: Option<&SpeedRamps>,
     from: &SpeedNode,
     to: &SpeedNode,
     out: &mut Vec<JerkPhase>,
 ) {
-    let cells = &cells[from.node..to.node];
+    let intervals = &intervals[from.node..to.node];
     let length = to.at - from.at;
-    let slowest = || cells.iter().map(|cell| cell.speed).fold(f64::INFINITY, f64::min);
+    let slowest = || intervals.iter().map(|interval| interval.speed).fold(f64::INFINITY, f64::min);
     if from.speed == to.speed && from.speed >= slowest() {
         return even(from.at, from.speed, length, out);
     }
-    let ramps_between = known.copied().or_else(|| SpeedRamps::over(cells, from, to));
+    let ramps_between = known.copied().or_else(|| SpeedRamps::over(intervals, from, to));
     let ramps = ramps_between.unwrap_or_else(|| {
-        // The stations are as far apart as the change of speed, but for rounding.
-        let (up, top) = (ability_of(cells), from.speed.max(to.speed));
+        // The speed nodes are as far apart as the change of speed, but for rounding.
+        let (up, top) = (ability_of(intervals), from.speed.max(to.speed));
         let aim = RampAim::Short;
         let (up_distance, down_distance) =
             (up.distance(from.speed, top, aim), up.distance(top, to.speed, aim));

@@ -57,7 +57,7 @@ impl AccelJerk {
         from * t + gained
     }
 
-    /// In the first half of a rise from rest: the time to a speed and the way to there.
+    /// In the first half of a rise from rest: the time to a speed and the distance to there.
     fn first_half(self, rise: f64, done: f64) -> (f64, f64) {
         let AccelJerk { acceleration: a, jerk: j } = self;
         let edge = if rise * j <= a * a { (rise / j).sqrt() } else { a / j };
@@ -161,7 +161,7 @@ pub struct SpeedDependentLimits {
 /// What a ramp over several ranges of speed is made for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RampAim {
-    /// Little way.
+    /// Little distance.
     Short,
     /// Little time lost.
     Quick,
@@ -353,7 +353,7 @@ pub fn peak(
     } else {
         (RampAim::Short, distances(low, RampAim::Short))
     };
-    // A way that is no number is longer than every length.
+    // A distance that is NaN is longer than every length.
     if shortest > slack || shortest.is_nan() {
         return None;
     }
@@ -369,7 +369,7 @@ pub fn peak(
     Some((speed, aim))
 }
 
-/// The largest speed between two at which a rising function is not above zero, given its values at
+/// The largest speed between two at which a rising function is not above zero, with its values at
 /// both. Where it is nearer to zero than `close`, that is near enough.
 fn highest(
     (mut below, mut value_below): (f64, f64),
@@ -439,7 +439,7 @@ mod tests {
     }
 
     #[test]
-    fn rise_is_the_inverse_of_way() {
+    fn rise_is_the_inverse_of_distance() {
         for from in [0.0, 1e-6, 0.3, 40.0, 499.0] {
             for length in [1e-9, 1e-3, 0.5, 7.0, 300.0] {
                 let rise = RAMP_LIMITS.rise(from, length);

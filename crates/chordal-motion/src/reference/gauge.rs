@@ -16,10 +16,10 @@ pub struct RunTimes {
     pub tags: (u64, u64),
     /// As planned, s.
     pub time_s: f64,
-    /// The time that nothing beats while velocities and accelerations are held, s.
+    /// The time that nothing beats within the limits of velocity and acceleration, s.
     pub bound_s: f64,
     /// The least time with jerk, s, and no more than `time_s`; `None` where the work that is
-    /// allowed was spent or no law was found.
+    /// allowed was spent or no profile was found.
     pub reference_s: Option<f64>,
     /// How much of it is made together with the run before, s.
     pub overlap_s: f64,
@@ -57,7 +57,7 @@ impl LeastTimes {
     }
 }
 
-/// Holds the steps of a planner against the least time.
+/// Compares the steps of a planner with the least time.
 ///
 /// The path is taken as the planner has made it, eased corners included, and so are the places
 /// where it rests and by how much the runs before and after a corner overlap there: the bound and
@@ -74,7 +74,7 @@ pub struct LeastTimeGauge {
     left: usize,
 }
 
-/// Share of its largest speed below which a stretch ends at rest.
+/// Share of its largest speed below which a trajectory ends at rest.
 const REST_SPEED_SHARE: f64 = 1e-6;
 
 impl LeastTimeGauge {
@@ -148,9 +148,12 @@ impl LeastTimeGauge {
         if effort.most_nodes < effort.least_nodes {
             return (bound_s, None);
         }
-        let law = reference(&run, &bound, &effort).ok();
-        self.left -= law.as_ref().map_or(effort.least_nodes, |law| law.sigma.len()).min(self.left);
-        (bound_s, law.map(|law| law.time_s.clamp(bound_s, time_s)))
+        let profile = reference(&run, &bound, &effort).ok();
+        self.left -= profile
+            .as_ref()
+            .map_or(effort.least_nodes, |profile| profile.sigma.len())
+            .min(self.left);
+        (bound_s, profile.map(|profile| profile.time_s.clamp(bound_s, time_s)))
     }
 
     /// A straight line at one feed has closed forms for both: most runs of a program that drills
@@ -175,7 +178,7 @@ impl LeastTimeGauge {
     }
 }
 
-/// From rest to rest over a way, σ.
+/// From rest to rest over a distance, σ.
 fn without_jerk(distance: f64, v: f64, a: f64) -> f64 {
     let top = v.min((distance * a).sqrt());
     distance / top + top / a
@@ -184,7 +187,7 @@ fn without_jerk(distance: f64, v: f64, a: f64) -> f64 {
 /// The same with a limit of jerk: seven phases or fewer. A ramp to the speed `top` takes
 /// 2√(top/j), or top/a + a/j where it touches the acceleration.
 fn with_jerk(distance: f64, v: f64, a: f64, j: f64) -> f64 {
-    // The top at which two ramps make up the way.
+    // The top at which two ramps make up the distance.
     let sharp = cbrt(0.25 * distance * distance * j);
     let touched = 0.5 * ((a * a * a * a / (j * j) + 4.0 * distance * a).sqrt() - a * a / j);
     let top = v.min(if sharp * j <= a * a { sharp } else { touched });

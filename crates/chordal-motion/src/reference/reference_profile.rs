@@ -1,6 +1,6 @@
-//! A law of b = σ̇² over the path.
+//! A profile of b = σ̇² over the path.
 
-/// Cells may take this much more than what was aimed at, in parts of it.
+/// Intervals may take this much more than what was aimed at, in parts of it.
 const INTERVAL_TIME_SLACK: f64 = 0.5;
 
 /// How fast a run is travelled, as b = σ̇² by place.
@@ -25,8 +25,8 @@ pub struct ReferenceProfile {
 }
 
 impl ReferenceProfile {
-    /// Time over cell `index`, s.
-    pub(crate) fn cell_time(&self, index: usize) -> f64 {
+    /// Time over interval `index`, s.
+    pub(crate) fn interval_time(&self, index: usize) -> f64 {
         let distance = self.sigma[index + 1] - self.sigma[index];
         let (b0, b1) = (self.square[index], self.square[index + 1]);
         if b0 <= 0.0 || b1 <= 0.0 {
@@ -58,19 +58,20 @@ impl ReferenceProfile {
         let mut now = 0.0;
         let mut clock = vec![0.0];
         for index in 0..self.sigma.len().saturating_sub(1) {
-            now += self.cell_time(index);
+            now += self.interval_time(index);
             clock.push(now);
         }
         clock
     }
 
-    /// Cuts cells that turned out to take much longer than was aimed at; whether there were any.
+    /// Cuts intervals that turned out to take much longer than was aimed at; whether there were any.
     pub(crate) fn refine(&mut self, most: usize) -> bool {
         let last = self.sigma.len() - 1;
         let parts: Vec<usize> = (0..last)
-            .map(|cell| {
-                (self.cell_time(cell) / self.step_s - INTERVAL_TIME_SLACK).ceil().clamp(1.0, 64.0)
-                    as usize
+            .map(|interval| {
+                (self.interval_time(interval) / self.step_s - INTERVAL_TIME_SLACK)
+                    .ceil()
+                    .clamp(1.0, 64.0) as usize
             })
             .collect();
         let nodes: usize = parts.iter().sum::<usize>() + 1;
@@ -82,9 +83,10 @@ impl ReferenceProfile {
             time_s: self.time_s,
             ..ReferenceProfile::default()
         };
-        for (cell, count) in parts.into_iter().enumerate() {
+        for (interval, count) in parts.into_iter().enumerate() {
             for part in 0..count {
-                let (sigma, square, acceleration) = self.within(cell, part as f64 / count as f64);
+                let (sigma, square, acceleration) =
+                    self.within(interval, part as f64 / count as f64);
                 finer.sigma.push(sigma);
                 finer.square.push(square);
                 finer.acceleration.push(acceleration);
@@ -97,11 +99,11 @@ impl ReferenceProfile {
         true
     }
 
-    /// σ, b and σ̈ at a share of the time of a cell, roughly.
-    fn within(&self, cell: usize, share: f64) -> (f64, f64, f64) {
-        let (s0, s1) = (self.sigma[cell], self.sigma[cell + 1]);
-        let (b0, b1) = (self.square[cell], self.square[cell + 1]);
-        let (a0, a1) = (self.acceleration[cell], self.acceleration[cell + 1]);
+    /// σ, b and σ̈ at a share of the time of an interval, roughly.
+    fn within(&self, interval: usize, share: f64) -> (f64, f64, f64) {
+        let (s0, s1) = (self.sigma[interval], self.sigma[interval + 1]);
+        let (b0, b1) = (self.square[interval], self.square[interval + 1]);
+        let (a0, a1) = (self.acceleration[interval], self.acceleration[interval + 1]);
         let left = 1.0 - share;
         if share > 0.0 && b0 <= 0.0 {
             return (s0 + (s1 - s0) * share.powi(3), b1 * share.powi(4), a1 * share);

@@ -14,7 +14,7 @@ const MAX_BLOCK_S: f64 = 0.002;
 /// Longest step between two looks at the motion, s.
 const MAX_PROBE_STEP_S: f64 = 0.000_25;
 
-/// Fills the blocks of a window whose legs, phases and pieces stand.
+/// Fills the blocks of a window whose legs, phases and pieces are known.
 pub(super) fn fill(window: &mut StreamWindow) {
     let mut blocks = std::mem::take(&mut window.blocks);
     divide(window, &mut blocks);

@@ -112,7 +112,7 @@ struct WindowMaker {
     leave: Consumer<Box<StreamWindow>>,
     /// The window that is being made: alone in here so that stops are checked as the servo does.
     making: WindowQueue,
-    /// How far ahead the next window is to end when a shorter one held no stop, s.
+    /// How far ahead the next window is to end when a shorter one had no stop, s.
     reach_s: f64,
     /// Everything known is to go out.
     flushing: bool,
@@ -172,7 +172,7 @@ impl StreamFeeder {
         Ok(PushOutcome::Taken)
     }
 
-    /// The axes come to rest and stand for a time, s.
+    /// The axes come to rest and wait for a time, s.
     ///
     /// # Errors
     /// When the stream is finished.
@@ -187,7 +187,7 @@ impl StreamFeeder {
     }
 
     /// Takes a step that was planned elsewhere, at the best level for example. It must go on
-    /// where the step before ended, and its limits should leave the headroom wanted.
+    /// where the step before ended, and its limits should leave the headroom that is set.
     ///
     /// # Errors
     /// When the stream is finished.
@@ -247,7 +247,7 @@ impl WindowMaker {
         if self.timeline.items.is_empty() {
             self.flushing = false;
         }
-        // What was flushed goes out before anything is laid after it.
+        // What was flushed goes out before anything comes after it.
         Ok(!self.flushing && self.next_end_s().is_none())
     }
 
@@ -335,7 +335,7 @@ impl WindowMaker {
         true
     }
 
-    /// The stretches before a wait, or all of them, are in the window that is being made.
+    /// The trajectories before a wait, or all of them, are in the window that is being made.
     fn end_part(&mut self) {
         let Some(window) = self.making.front_mut() else { return };
         if let Some(TimelineItem::Wait(seconds, tag)) = self.timeline.items.front() {

@@ -206,7 +206,7 @@ impl RateCursor<'_> {
         }
     }
 
-    /// Holds the rates against every block that is met while planned time passes.
+    /// Compares the rates with every block that is met while planned time passes.
     fn go(&mut self, passed: f64, rates: &RateRange, room: &StreamLimits) -> CheckOutcome {
         let mut until_s = self.at_s + passed;
         loop {
@@ -265,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stop_is_the_same_way_at_any_rate() {
+    fn a_stop_passes_the_same_time_at_any_rate() {
         let whole = RateCourse::tail(1.0, 8.0, 200.0).passed(TimeRate::even(1.0));
         // It falls as evenly after its middle as before: on average the rate is a half.
         assert!((whole - RateCourse::tail(1.0, 8.0, 200.0).seconds() / 2.0).abs() < 1e-12);

@@ -29,11 +29,11 @@ pub struct ServoSetpoint {
     pub acceleration: AxisValues,
     /// The tag of the move or of the wait that is under way.
     pub tag: u64,
-    /// Planned time that passes in a second: 0 stands, 1 moves as planned.
+    /// Planned time that passes in a second: 0 rests, 1 moves as planned.
     pub rate: f64,
-    /// A feed hold is asked for; the axes stand when the rate is 0.
+    /// A feed hold is active; the axes rest when the rate is 0.
     pub holding: bool,
-    /// No further window has come in time: the axes come to a stop, or stand.
+    /// No further window has come in time: the axes come to a stop, or rest.
     pub underrun: bool,
     /// The end of the program is reached.
     pub finished: bool,
@@ -83,7 +83,7 @@ pub struct StreamServo {
     try_next: usize,
     underrun: bool,
     underruns: u64,
-    /// Where the axes stand before the first window and at planned rest.
+    /// Where the axes are before the first window and at planned rest.
     resting: Option<AxisState>,
     tag: u64,
 }
@@ -183,7 +183,7 @@ impl StreamServo {
         self.underruns
     }
 
-    /// The setpoint one period after the last; for ever, as axes want one when they stand, too.
+    /// The setpoint one period after the last; for ever, as axes need one at rest, too.
     #[allow(clippy::should_implement_trait, reason = "there is always a next one, no option")]
     #[inline]
     pub fn next(&mut self) -> ServoSetpoint {
@@ -359,7 +359,7 @@ impl StreamServo {
         match stop {
             WindowStop::Unknown | WindowStop::Rest => {
                 *left_s -= (wall_s - self.at_s) / rate;
-                // Exactly the end, whatever rounding made of the way to it.
+                // Exactly the end, whatever rounding made of the time to it.
                 self.at_s = if self.wall_window == 1 { window_end(&self.windows) } else { wall_s };
             }
             WindowStop::Tail { rate: steep, bend, .. } => {

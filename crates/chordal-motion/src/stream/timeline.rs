@@ -1,14 +1,14 @@
-//! Planned stretches and waits on one line of time, before they are cut into windows.
+//! Planned trajectories and waits on one line of time, before they are cut into windows.
 
 use std::collections::VecDeque;
 
 use crate::trajectory::{PlannedTrajectory, PlannerStep};
 
-/// A stretch with its sums, so that an instant and a place are found by halves.
+/// A trajectory with its sums, so that an instant and a place are found by halves.
 #[derive(Debug, Default)]
 pub(super) struct TimelineEntry {
     pub trajectory: PlannedTrajectory,
-    /// When each phase begins, s from the start of the stretch; one more at the end.
+    /// When each phase begins, s from the start of the trajectory; one more at the end.
     pub times: Vec<f64>,
     /// Where each piece begins in σ; one more at the end.
     pub places: Vec<f64>,
@@ -54,25 +54,25 @@ fn sums(into: &mut Vec<f64>, parts: impl Iterator<Item = f64>) {
 /// What comes on the line.
 #[derive(Debug)]
 pub(super) enum TimelineItem {
-    /// A stretch and when it begins, s from the start of the next window.
+    /// A trajectory and when it begins, s from the start of the next window.
     Trajectory(TimelineEntry, f64),
-    /// A wait, begun where the stretches before it end.
+    /// A wait, begun where the trajectories before it end.
     Wait(f64, u64),
 }
 
-/// Stretches and waits that are not yet wholly in windows.
+/// Trajectories and waits that are not yet wholly in windows.
 #[derive(Debug, Default)]
 pub(super) struct StreamTimeline {
     pub items: VecDeque<TimelineItem>,
     /// Used ones, for their memory.
     spare: Vec<TimelineEntry>,
-    /// When the stretches up to the first wait end, and until when they cannot change any more,
+    /// When the trajectories up to the first wait end, and until when they cannot change any more,
     /// s from the start of the next window.
     pub ends_s: f64,
     pub certain_s: f64,
 }
 
-/// How many used stretches are kept for their memory.
+/// How many used trajectories are kept for their memory.
 const MAX_SPARE_ENTRIES: usize = 8;
 
 impl StreamTimeline {
@@ -98,7 +98,7 @@ impl StreamTimeline {
         self.measure();
     }
 
-    /// Whether a wait stands after the stretches of this part of the line.
+    /// Whether a wait comes after the trajectories of this part of the line.
     pub fn wait_index(&self) -> Option<usize> {
         self.items.iter().position(|item| matches!(item, TimelineItem::Wait(..)))
     }
@@ -130,7 +130,7 @@ impl StreamTimeline {
             }
         }
         self.ends_s = ends_s;
-        // The newest stretch may still get another one over its end.
+        // The newest trajectory may still get another one over its end.
         self.certain_s = if wait.is_some() { ends_s } else { begins_s.max(0.0) };
     }
 

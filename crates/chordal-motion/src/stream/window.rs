@@ -18,7 +18,7 @@ pub(super) struct TimedPhase {
     pub phase: JerkPhase,
 }
 
-/// A piece and where it begins, σ from the start of its stretch. Its curve is kept apart, among those of the
+/// A piece and where it begins, σ from the start of its trajectory. Its curve is kept apart, among those of the
 /// window: most pieces have none, and what is walked over is small.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PlacedPiece {
@@ -39,18 +39,18 @@ impl PlacedPiece {
     }
 }
 
-/// The part of a stretch that lies in a window.
+/// The part of a trajectory that lies in a window.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WindowLeg {
-    /// When the stretch begins and ends, s from the start of the window.
+    /// When the trajectory begins and ends, s from the start of the window.
     pub from_s: f64,
     pub to_s: f64,
     /// Its phases and pieces among those of the window.
     pub phases: (usize, usize),
     pub pieces: (usize, usize),
-    /// Where the stretch begins; taken off while it is added to the stretch before.
+    /// Where the trajectory begins; taken off while it is added to the trajectory before.
     pub corner: AxisValues,
-    /// Whether it begins while the stretch before still ends.
+    /// Whether it begins while the trajectory before still ends.
     pub overlaps: bool,
 }
 
@@ -81,7 +81,7 @@ pub(super) struct StreamWindow {
     /// Largest speed of each axis.
     pub fastest: AxisValues,
     pub stop: WindowStop,
-    /// The axes stand for this time at the end of the window, s, with a tag.
+    /// The axes wait for this time at the end of the window, s, with a tag.
     pub wait: Option<(f64, u64)>,
     /// Nothing follows.
     pub last: bool,
@@ -148,7 +148,7 @@ impl StreamWindow {
         &self.pieces[*hint]
     }
 
-    /// Where the axes stand when the window ends at rest.
+    /// Where the axes are when the window ends at rest.
     pub fn end(&self) -> Option<AxisState> {
         let placed = self.pieces.last()?;
         let mut jet = ahead(&placed.start, placed.length, AXES);

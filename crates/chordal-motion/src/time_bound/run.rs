@@ -8,7 +8,7 @@ use crate::piece::{AxisJet, PathPiece};
 /// Speeds above this, in σ per s, are no limit.
 const NO_SPEED_LIMIT: f64 = 1e9;
 
-/// Places nearer to each other than this share of their way are one.
+/// Places nearer to each other than this share of their distance are one.
 const EQUAL_PLACE_SHARE: f64 = 1e-9;
 
 /// Smooth pieces of path, travelled to rest.
@@ -20,10 +20,10 @@ pub struct PathRun<'a> {
     from: Vec<f64>,
     start_speed: f64,
     limits: KinematicLimits,
-    gentle: [JerkReserve; 2],
+    reserve: [JerkReserve; 2],
 }
 
-/// An end of a run beside which not all of the jerk may be used: another movement uses the rest.
+/// An end of a run next to which not all of the jerk may be used: another movement uses the rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct JerkReserve {
     /// How far from the end, σ.
@@ -33,7 +33,7 @@ pub(crate) struct JerkReserve {
 }
 
 impl JerkReserve {
-    /// An end beside which all of it may be used.
+    /// An end next to which all of it may be used.
     pub const NONE: JerkReserve = JerkReserve { distance: 0.0, share: 1.0 };
 }
 
@@ -51,7 +51,7 @@ pub enum PathRunError {
     /// A length or a speed that is not a positive number, by the number of its piece.
     #[error("piece {0} has a length, a speed or a derivative that is not a positive number")]
     NotPositive(usize),
-    /// No way at all.
+    /// No length.
     #[error("the run has no length")]
     Empty,
     /// The speed at the start is below zero or not a number.
@@ -64,7 +64,7 @@ impl<'a> PathRun<'a> {
     /// that begins at `start_speed` without acceleration.
     ///
     /// # Errors
-    /// What stands in the way.
+    /// Why not.
     pub fn new(
         pieces: &'a [PathPiece],
         speeds: &'a [f64],
@@ -94,23 +94,23 @@ impl<'a> PathRun<'a> {
         if at <= 0.0 {
             return Err(PathRunError::Empty);
         }
-        let gentle = [JerkReserve::NONE; 2];
-        Ok(PathRun { pieces, speeds, from, start_speed, limits: *limits, gentle })
+        let reserve = [JerkReserve::NONE; 2];
+        Ok(PathRun { pieces, speeds, from, start_speed, limits: *limits, reserve })
     }
 
-    /// The same with ends beside which not all of the jerk may be used.
-    pub(crate) fn with_ends(self, gentle: [JerkReserve; 2]) -> PathRun<'a> {
-        PathRun { gentle, ..self }
+    /// The same with ends next to which not all of the jerk may be used.
+    pub(crate) fn with_ends(self, reserve: [JerkReserve; 2]) -> PathRun<'a> {
+        PathRun { reserve, ..self }
     }
 
     /// Its ends.
     pub(crate) fn ends(&self) -> &[JerkReserve; 2] {
-        &self.gentle
+        &self.reserve
     }
 
     /// The share of the jerk that may be used between two places.
     pub(crate) fn jerk_share(&self, from: f64, to: f64) -> f64 {
-        let [first, last] = &self.gentle;
+        let [first, last] = &self.reserve;
         // What begins where an end is no longer near does so to the last bits.
         let near =
             |distance: f64, end: &JerkReserve| distance < end.distance * (1.0 - EQUAL_PLACE_SHARE);
@@ -164,7 +164,7 @@ impl<'a> PathRun<'a> {
         index
     }
 
-    /// The axes and their derivatives on a piece, at a place given from the start of the run.
+    /// The axes and their derivatives on a piece, at a position counted from the start of the run.
     pub(crate) fn jet(&self, index: usize, sigma: f64) -> AxisJet {
         let piece = &self.pieces[index];
         piece.at((sigma - self.from[index]).clamp(0.0, piece.length))

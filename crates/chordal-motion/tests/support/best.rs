@@ -1,4 +1,4 @@
-//! The law of the level best.
+//! The profile of the level best.
 
 use chordal_motion::{JerkPhase, PathRun, solve_profile};
 
@@ -13,7 +13,7 @@ pub struct Best {
     pub phases: Vec<JerkPhase>,
 }
 
-/// The law of a run, where there is one.
+/// The profile of a run, where there is one.
 pub fn best(run: &PathRun<'_>) -> Option<Best> {
     let phases = solve_profile(run, GAP).0?;
     Some(Best { time_s: phases.iter().map(|phase| phase.duration_s).sum(), phases })

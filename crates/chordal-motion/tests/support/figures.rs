@@ -34,8 +34,8 @@ pub fn ellipse(a: f64, b: f64, count: usize) -> Vec<PathPiece> {
             for axis in 0..2 {
                 let (p0, p1, p2) = (point(before), point(index), point(index + 1));
                 let turn = (p2[axis] - p1[axis]) / h1 - (p1[axis] - p0[axis]) / h0;
-                let beside = h0 * second[before][axis] + h1 * second[(index + 1) % count][axis];
-                second[index][axis] = (6.0 * turn - beside) / (2.0 * (h0 + h1));
+                let next_to = h0 * second[before][axis] + h1 * second[(index + 1) % count][axis];
+                second[index][axis] = (6.0 * turn - next_to) / (2.0 * (h0 + h1));
             }
         }
     }

@@ -1,4 +1,4 @@
-//! Stretches made by hand: pieces of path, and the seven phases of a law from rest to rest.
+//! Trajectories made by hand: pieces of path, and the seven phases of a profile from rest to rest.
 
 use super::line;
 use chordal_geometry::{AXES, Arc, Curve, ParamCurve, Plane};
@@ -126,7 +126,7 @@ pub fn cut_line(from: [f64; 3], to: [f64; 3], count: usize) -> Vec<PathPiece> {
 
 /// Along an arc about the origin, at a speed at which a circle holds 2000 mm/s² and 1e5 mm/s³ of
 /// its axes with some room.
-pub fn circle_stretch(radius: f64, sweep: f64, tag: u64) -> PlannedTrajectory {
+pub fn circle_trajectory(radius: f64, sweep: f64, tag: u64) -> PlannedTrajectory {
     // With v²/R at 1000 and the path's own at 500, an axis stays below 1500 of 2000, and its
     // jerk κ²v³ + 3κva + j below 1e5.
     let speed = (1000.0 * radius).sqrt().min(150.0).min((2e4 * radius * radius).cbrt());

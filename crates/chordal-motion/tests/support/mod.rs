@@ -1,4 +1,4 @@
-//! What tests and benchmarks of this crate share: limits and moves by hand, the law of the level best (`best`), dense paths (`dense`), stretches by hand
+//! What tests and benchmarks of this crate share: limits and moves by hand, the profile of the level best (`best`), dense paths (`dense`), trajectories by hand
 //! (`law`), figures with worked times (`figures`), random paths (`random`), and what can be
 //! measured on a plan or on setpoints (`watch`).
 #![allow(dead_code, reason = "each test uses its part")]

@@ -187,7 +187,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         let difference = (target - self.spindle_rpm).abs();
         self.spindle_rpm = target;
         if self.rules.laser_mode {
-            // A laser has no speed that takes time, but switching it waits until the axes stand.
+            // A laser has no speed that takes time, but switching it waits until the axes rest.
             let is_switched = std::mem::replace(&mut self.laser_state, state) != state;
             if is_switched {
                 self.laser_change = None;
@@ -360,7 +360,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     /// Speed along a cut with the override; never more than the machine's largest feed. `None`
     /// without a feed.
     fn cut_speed(&self, segment: &Segment, length: f64) -> Option<f64> {
-        // Without a feed there is no time: the largest feed of the machine is none that anybody has asked for.
+        // Without a feed there is no time: the largest feed of the machine is none that the program has set.
         if segment.duration_s.is_nan() || segment.duration_s <= 0.0 {
             return None;
         }
@@ -409,7 +409,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         }
     }
 
-    /// Emits the held move with the corner at its end.
+    /// Emits the pending move with the corner at its end.
     fn hand_on(&mut self, corner: impl FnOnce(&MoveRequest, CornerRequest) -> CornerMode) {
         let Some(pending) = &mut self.pending else { return };
         let PendingMove { step, ending, source } = pending;
@@ -554,7 +554,7 @@ impl<S: MotionSink> PathSink for MotionBuilder<'_, S> {
     }
 }
 
-/// The mode that the caller asks for, if any. Whether short blocks are joined stays with the program.
+/// The mode that the caller sets, if any. Whether short blocks are joined stays with the program.
 fn forced(requested: Option<PathMode>, own: PathMode) -> PathMode {
     match (requested, own) {
         (Some(PathMode::Continuous { tolerance_mm, joined: requested }), own) => {

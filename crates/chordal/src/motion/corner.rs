@@ -16,7 +16,7 @@ use chordal_motion::{CornerMode, MoveKind, MoveRequest};
 
 use super::options::MotionSettings;
 
-/// How a move that waits for the next one was asked for.
+/// How the end of a pending move was programmed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CornerRequest {
     /// The path mode of its block.

@@ -73,7 +73,7 @@ impl MachineLimits {
             });
         }
         // The length across on a face or a cylinder has no axis of its own on a lathe: it is planned as X is, and the rotary
-        // axis that makes it is not asked for more than its speed.
+        // axis that makes it has no limit but its speed.
         let (x, y) = (Axis::X as usize, Axis::Y as usize);
         if machine.turns() && cut[y].is_none() && machine.axis(Axis::C).is_some() {
             (cut[y], rapid[y]) = (cut[x], rapid[x]);

@@ -12,7 +12,7 @@ pub enum OperationStart {
     /// Every tool change.
     #[default]
     ToolChange,
-    /// Every tool change, and every comment that stands on a line of its own in the main program,
+    /// Every tool change, and every comment on a line of its own in the main program,
     /// with an N number or without, after a move. Of lines of comments below each other the first
     /// counts.
     Comment,
@@ -23,7 +23,7 @@ pub enum OperationStart {
 pub enum OperationMark {
     /// Its first step; the comment before it, its marks included.
     Begins(Option<Span>),
-    /// Nothing has moved in it yet, and a comment stands before this step.
+    /// Nothing has moved in it yet, and a comment comes before this step.
     Names(Span),
 }
 
@@ -32,7 +32,7 @@ pub enum OperationMark {
 pub(super) struct OperationFinder {
     /// Comments on lines of their own, in order.
     comments: Vec<Span>,
-    /// How many of them stand before the newest step.
+    /// How many of them come before the newest step.
     passed: usize,
     /// The operation has a step, and a move.
     begun: bool,

@@ -1,4 +1,4 @@
-//! The planned motion of a run, given to a sink with the block of each step.
+//! The planned motion of a run, passed to a sink with the block of each step.
 
 use chordal_command::Command;
 use std::collections::VecDeque;
@@ -42,12 +42,12 @@ impl StepSources {
         self.sources.get(StepSource::number_of(tag).wrapping_sub(first) as usize)
     }
 
-    /// How many are held.
+    /// How many there are.
     pub fn len(&self) -> usize {
         self.sources.len()
     }
 
-    /// None is held.
+    /// There is none.
     pub fn is_empty(&self) -> bool {
         self.sources.is_empty()
     }
@@ -114,7 +114,7 @@ impl<S: PlanSink> PlanObserver<PathPiece> for SourcedSink<'_, S> {
             PlannerStep::Wait { tag, .. } => Some(tag),
         };
         if let Some(tag) = last {
-            // A move may end in one stretch and go on in the next.
+            // A move may end in one trajectory and go on in the next.
             self.sources.forget_before(tag);
         }
     }
@@ -142,7 +142,7 @@ impl<'s, S: PlanSink> PlanningSink<SourcedSink<'s, S>> {
 }
 
 impl<T: PlanObserver<P>, P: PathPart> PlanningSink<T, P> {
-    /// With the planner that is wanted.
+    /// With the planner that `make` makes.
     pub fn with(
         limits: MachineLimits,
         options: &MotionOptions,
@@ -161,13 +161,13 @@ impl<T: PlanObserver<P>, P: PathPart> PlanningSink<T, P> {
         }
     }
 
-    /// Hands on what the planner holds, and gives back who took it.
+    /// Emits what is left in the planner, and returns the observer.
     pub fn finish(mut self) -> T {
         self.rest();
         self.taker
     }
 
-    /// Hands on what the planner holds.
+    /// Emits what is left in the planner.
     fn rest(&mut self) {
         let PlanningSink { planner, taker, .. } = self;
         planner.finish(|step| taker.step(step));

@@ -10,7 +10,7 @@ use super::{
 };
 use crate::job::Job;
 
-/// What setpoints are asked for.
+/// Which setpoints are requested.
 #[derive(Clone, Copy, Debug)]
 pub struct SamplingRequest {
     /// Time from one setpoint to the next, s.
@@ -42,7 +42,7 @@ pub struct SamplingReport {
 pub enum SamplingError {
     /// A limit of an axis that is not a positive number.
     Limit(LimitError),
-    /// There are more than asked for: the run takes at least so many seconds.
+    /// There are more than requested: the run takes at least so many seconds.
     TooMany(f64),
 }
 
@@ -58,7 +58,7 @@ impl Job<'_> {
     /// are velocity and acceleration where it moves.
     ///
     /// # Errors
-    /// A limit of an axis that is not a positive number, or more setpoints than asked for.
+    /// A limit of an axis that is not a positive number, or more setpoints than requested.
     pub fn setpoints(
         &self,
         sampling: &SamplingRequest,

@@ -14,11 +14,11 @@ use super::{MachineLimits, OperationMark};
 pub enum MotionStep {
     /// It moves.
     Move(MoveRequest),
-    /// Its axes come to rest and stand.
+    /// Its axes come to rest and wait.
     Wait(MotionWait),
 }
 
-/// The axes come to rest and stand for a time.
+/// The axes come to rest and wait for a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionWait {
     /// How long, s; 0 where the machine file gives no time: the axes come to rest all the same.
@@ -29,7 +29,7 @@ pub struct MotionWait {
     pub tag: u64,
 }
 
-/// Why the axes stand.
+/// Why the axes wait.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
 pub enum WaitKind {
     /// G4, or the dwell of a cycle.
@@ -40,7 +40,7 @@ pub enum WaitKind {
     ToolChange,
     /// The spindle starts, stops, turns round or changes its speed.
     SpindleSpeed,
-    /// The spindle comes to stand at its mark (M19).
+    /// The spindle comes to rest at its mark (M19).
     SpindleOrient,
     /// Coolant is switched.
     Coolant,

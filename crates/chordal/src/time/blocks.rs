@@ -6,7 +6,7 @@ use std::hash::{BuildHasherDefault, Hasher};
 
 use super::report::{BlockTime, TimeReason};
 
-/// How many blocks are held while a program goes by. When there are more, those in the lower
+/// How many blocks are kept while a program goes by. When there are more, those in the lower
 /// three quarters of both rankings are forgotten: a block is lost to the lists only when it costs so
 /// little in each of its runs that thousands cost more in between.
 const MAX_TRACKED_BLOCKS: usize = 1 << 15;
@@ -238,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn memory_is_bounded_and_the_top_is_kept() {
+    fn memory_is_bounded_and_the_top_stays() {
         let mut blocks = BlockRanking::default();
         for line in 0..200_000u32 {
             blocks.push(run(

@@ -19,13 +19,13 @@ pub(super) const MAX_OPERATIONS: usize = 1000;
 /// Blocks in each ranking.
 const RANKED_BLOCKS: usize = 10;
 
-/// A speed this close to the asked one is the asked one.
+/// A speed this close to the programmed one is the programmed one.
 const EQUAL_SPEED_SHARE: f64 = 1e-6;
 
 /// Directions whose sine is below this go on in each other.
 const TANGENT_SINE: f64 = 1e-4;
 
-/// What was asked for, until its time is known.
+/// A move or a wait, until its time is known.
 #[derive(Clone, Copy, Debug)]
 enum PendingKind {
     Move { query: ReasonQuery, speed: f64, exact: bool, tangent_next: bool },
@@ -144,7 +144,7 @@ impl TimeBuilder {
         }
     }
 
-    /// While a stretch overlaps the one before it, time counts for the earlier move.
+    /// While a trajectory overlaps the one before it, time counts for the earlier move.
     fn trajectory<P: PathPart>(&mut self, trajectory: &PlannedTrajectory<P>) {
         let overlap_s = trajectory.overlap_s;
         let starts_at_rest = trajectory.phases.first().is_some_and(|phase| phase.speed == 0.0);

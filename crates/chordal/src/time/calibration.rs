@@ -431,7 +431,7 @@ mod tests {
     }
 
     #[test]
-    fn what_programs_do_not_tell_stays() {
+    fn what_programs_do_not_determine_stays() {
         let truth = LimitFactors { acceleration: 0.6, jerk: 2.5, tool_change_s: 8.5 };
         let fit_of = |programs: &[Program]| {
             let measured = measure(programs, &truth);

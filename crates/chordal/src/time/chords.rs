@@ -24,7 +24,7 @@ const MAX_STUDIED_LINES: u64 = 300_000;
 /// A change that saves a smaller share of a tool's rows is not worth a word, nor one that saves less, s.
 const MIN_SAVED_SHARE: f64 = 0.01;
 const MIN_SAVED_S: f64 = 0.05;
-/// Tolerances that are asked for in practice, mm.
+/// Tolerances that are usual in practice, mm.
 const COMMON_TOLERANCES_MM: [f64; 9] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5];
 /// Coordinates have at most so many decimals.
 const MAX_DECIMALS: u32 = 6;

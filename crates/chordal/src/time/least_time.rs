@@ -21,7 +21,7 @@ pub struct LeastReport {
 }
 
 impl Job<'_> {
-    /// Plans once more and holds every run from rest to rest against its bound without jerk and
+    /// Plans once more and compares every run from rest to rest with its bound without jerk and
     /// its reference with jerk. The reference is convex programming: about half a millisecond
     /// per 2 ms of movement that is not a straight line, up to the limits of `effort`. A whole
     /// run is held in memory.
@@ -45,7 +45,7 @@ impl Job<'_> {
     }
 }
 
-/// What was asked for by the moves that the planner still holds.
+/// The programmed speeds of the moves that are still in the planner.
 #[derive(Clone, Copy, Debug)]
 struct RequestedSpeed {
     tag: u64,

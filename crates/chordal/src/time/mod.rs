@@ -9,7 +9,7 @@
 //! | a job that is timed | `timed_run.rs` |
 //! | the least time it could take | `least_time.rs` |
 //! | the same with other overrides and path modes | `what_if.rs` |
-//! | all that is asked about the time at once | `time_study.rs` |
+//! | all questions about the time at once | `time_study.rs` |
 //! | what short lines cost, and what would change that | `chords.rs` |
 //! | limits from measured times | `calibration.rs` |
 

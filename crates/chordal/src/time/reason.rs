@@ -7,7 +7,7 @@ use super::report::TimeReason;
 pub(super) struct MoveProgress {
     /// All of it, s.
     pub time_s: f64,
-    /// At an even speed that is the asked one, s.
+    /// At an even speed that is the programmed one, s.
     pub at_feed_s: f64,
     /// At an even speed below it, s.
     pub even_s: f64,

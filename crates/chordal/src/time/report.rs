@@ -28,7 +28,7 @@ pub enum TimeReason {
     AxisSpeed,
     /// A rapid.
     Rapid,
-    /// The axes stand.
+    /// The axes wait.
     Wait(WaitKind),
 }
 
@@ -88,7 +88,7 @@ pub struct ToolTime {
 }
 
 /// The time of one operation: what a tool does from one tool change to the next, or to the
-/// end of the program; also from comment to comment, where that was asked for
+/// end of the program; also from comment to comment, where that was requested
 /// ([`OperationStart`](crate::motion::OperationStart)). A tool that comes again is another
 /// operation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -131,7 +131,7 @@ pub struct BlockTime {
 pub struct CutEnds {
     /// At rest: exact stop, next to a rapid, before a wait.
     pub at_rest: u64,
-    /// Exactly: at rest where the path has a kink.
+    /// Exactly: at rest where its direction has a step.
     pub exact: u64,
     /// Within a tolerance.
     pub within: u64,
@@ -142,7 +142,7 @@ pub struct CutEnds {
     pub tolerance_mm: Option<(f64, f64)>,
 }
 
-/// The time that a program takes on a machine, acceleration and jerk held.
+/// The time that a program takes on a machine, within the limits of acceleration and jerk.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TimeReport {
     /// All of it.

@@ -1,4 +1,4 @@
-//! The time of a program with everything that is asked along with it.
+//! The time of a program with everything that is computed along with it.
 
 use chordal_diagnostics::Code;
 
@@ -30,7 +30,7 @@ pub enum RepeatPlanning {
     Always,
 }
 
-/// What is asked about the time of a program.
+/// What to compute about the time of a program.
 #[derive(Clone, Debug)]
 pub struct TimeQuestion {
     /// How it is planned.
@@ -41,7 +41,7 @@ pub struct TimeQuestion {
     pub bound: bool,
 }
 
-/// The time of a program and what was asked along with it.
+/// The time of a program and what was computed along with it.
 #[derive(Clone, Debug)]
 pub struct TimeStudy {
     /// The time.
@@ -50,11 +50,11 @@ pub struct TimeStudy {
     pub range_s: Option<[f64; 2]>,
     /// How hard the planner tried.
     pub level: PlannerLevel,
-    /// The same program with changes, where it was asked.
+    /// The same program with changes, where that was requested.
     pub what_if: Vec<TimeAlternative>,
-    /// The least times, where they were asked.
+    /// The least times, where they were requested.
     pub least: Option<LeastReport>,
-    /// What the short lines of each tool cost, where it was asked.
+    /// What the short lines of each tool cost, where that was requested.
     pub chords: Vec<ChordCost>,
 }
 
@@ -70,7 +70,7 @@ fn effort() -> ReferenceQuality {
 }
 
 impl Job<'_> {
-    /// Runs with all checks, plans, and answers the question. The report stands whether or not
+    /// Runs with all checks, plans, and answers the question. There is a report whether or not
     /// the limits let anything be planned. There is no time of a program with more moves than can
     /// be counted.
     pub fn time_study(

@@ -25,7 +25,7 @@ pub struct TimedRun {
     pub motion: MotionReport,
 }
 
-/// Sees nothing of a run.
+/// Ignores the events of a run.
 pub(super) struct NullWatch;
 
 impl Watch for NullWatch {}
@@ -44,7 +44,7 @@ impl Job<'_> {
         }
     }
 
-    /// Runs and plans once, adds up the time, and hands every step on.
+    /// Runs and plans once, adds up the time, and passes every step on.
     ///
     /// # Errors
     /// A limit of an axis that is not a positive number.
@@ -103,7 +103,7 @@ impl Job<'_> {
         Ok(TimedRun { time: planning.finish().finish(), motion })
     }
 
-    /// Runs once with all checks, sums up and adds up the time. The report stands whether or
+    /// Runs once with all checks, sums up and adds up the time. There is a report whether or
     /// not the limits let anything be planned. There is no time where the program has more
     /// than `most_moves` moves: planning takes several times as long as all the rest.
     pub fn report_timed(
@@ -149,7 +149,7 @@ impl Job<'_> {
     }
 }
 
-/// Makes a planner that gives as much of the path as is wanted.
+/// Makes a planner that gives as much of the path as the caller needs.
 type MakePlanner<P> = fn(KinematicLimits, PlannerOptions) -> MotionPlanner<P>;
 
 impl<P: PathPart> PlanObserver<P> for TimeBuilder {

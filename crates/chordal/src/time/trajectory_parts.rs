@@ -1,4 +1,4 @@
-//! Which move of a stretch is under way at which time.
+//! Which move of a trajectory is under way at which time.
 
 use chordal_motion::{PathPart, PlannedTrajectory};
 
@@ -7,9 +7,9 @@ use chordal_motion::{PathPart, PlannedTrajectory};
 pub(super) struct TrajectoryPart {
     /// The tag of the piece's move.
     pub tag: u64,
-    /// When it begins, s from the start of the stretch.
+    /// When it begins, s from the start of the trajectory.
     pub from_s: f64,
-    /// When it ends, s from the start of the stretch.
+    /// When it ends, s from the start of the trajectory.
     pub to_s: f64,
     /// Speeds along the path at both.
     pub speeds: (f64, f64),
@@ -19,7 +19,7 @@ pub(super) struct TrajectoryPart {
     pub jerks: bool,
 }
 
-/// Emits the parts of a stretch in order. Together they last as long as the stretch: what
+/// Emits the parts of a trajectory in order. Together they last as long as the trajectory: what
 /// rounding leaves beyond the last piece counts for the last piece.
 pub(super) fn trajectory_parts<P: PathPart>(
     trajectory: &PlannedTrajectory<P>,
@@ -103,7 +103,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn parts_join_and_keep_the_way(
+        fn parts_join_and_keep_the_length(
             jerk in 1.0..1e5f64, ramp in 1e-3..1.0f64, hold in 0.0..1.0f64,
             cruise in 0.0..1.0f64, cuts in prop::collection::vec(0.0..1.0f64, 0..20),
         ) {

@@ -1,4 +1,4 @@
-//! What a dense run hands on of its path: all of it, or only what times need.
+//! What a run of curves keeps of its path: all of it, or only what times need.
 
 use chordal_geometry::AXES;
 

@@ -6,7 +6,7 @@ use super::rows::SlackTally;
 use super::start_kind::NewtonStart;
 use super::step::BandRow;
 
-/// So many coefficients beside two that are given the share comes gradually: a step would ask for much jerk.
+/// So many coefficients next to two that are known the share comes gradually: a step would ask for much jerk.
 const TAPER_COEFFICIENTS: f64 = 12.0;
 /// The elastic share that everything begins with there, beyond what is used.
 const WARM_ELASTIC_SHARE: f64 = 1e-5;
@@ -48,9 +48,9 @@ impl NewtonSolver {
             let k = 1 + 2 * index;
             let c = NewtonSolver::around(&self.c, k);
             let caps = block.caps;
-            let [node, cell] = &mut block.cap_rows;
+            let [node, interval] = &mut block.cap_rows;
             node.begin(one - LanePair::at(&self.b, k) * caps[0], mu, how, &mut tally);
-            cell.begin(one - c[1] * caps[1], mu, how, &mut tally);
+            interval.begin(one - c[1] * caps[1], mu, how, &mut tally);
             let own = index * axes..(index + 1) * axes;
             let room = block.share * (one + block.elastic);
             for pull in &mut self.pulls[own.clone()] {
@@ -83,13 +83,13 @@ impl NewtonSolver {
             let b = self.before[node] * c[node - 1] + self.after[node] * c[node];
             share = share.min(most * self.cap[node] / b);
         }
-        for (c, cap) in c[first..=last].iter().zip(&self.cell_cap[first..=last]) {
+        for (c, cap) in c[first..=last].iter().zip(&self.interval_cap[first..=last]) {
             share = share.min(most * cap / c);
         }
         let [begins, ends] = self.rests.map(|rest| rest.is_none());
-        let gradual = |is_given: bool, far: usize| {
+        let gradual = |is_known_end: bool, far: usize| {
             let part =
-                if is_given { ((far + 1) as f64 / TAPER_COEFFICIENTS).min(1.0) } else { 1.0 };
+                if is_known_end { ((far + 1) as f64 / TAPER_COEFFICIENTS).min(1.0) } else { 1.0 };
             part * part * (3.0 - 2.0 * part)
         };
         let count = last - first;
@@ -101,7 +101,7 @@ impl NewtonSolver {
         self.c = c;
     }
 
-    /// The largest use of the limits around two cells.
+    /// The largest use of the limits around two intervals.
     fn largest_use(&self, index: usize) -> LanePair {
         let k = 1 + 2 * index;
         let c = NewtonSolver::around(&self.c, k);

@@ -1,11 +1,11 @@
-//! LanePair numbers that are worked on as one: those of two cells that follow each other.
+//! Two numbers that are worked on as one: those of two intervals that follow each other.
 //!
-//! LanePair neighbours in memory that see the same operations become one instruction of the baseline of x86-64
+//! Two neighbours in memory that see the same operations become one instruction of the baseline of x86-64
 //! each; the results are those of each number by itself, so they are the same to the bit everywhere.
 
 use std::ops::{Add, AddAssign, Div, Mul, Sub, SubAssign};
 
-/// LanePair numbers.
+/// Two numbers.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(16))]
 pub(super) struct LanePair([f64; 2]);

@@ -1,12 +1,12 @@
-//! The quickest law on a window of cells, by Newton steps on the time itself.
+//! The quickest profile on a window of intervals, by Newton steps on the time itself.
 //!
 //! The unknowns are the coefficients c of b = σ̇² as a quadratic B-spline whose knots are the
-//! nodes: at the node between two cells of lengths g and h with coefficients c and d,
+//! nodes: at the node between two intervals of lengths g and h with coefficients c and d,
 //! b = (c·h + d·g)/(g + h) and σ̈ = (d − c)/(g + h), and between nodes σ̈ is linear in σ. So velocity,
 //! acceleration and jerk of an axis at a node are linear in three coefficients, but for the root
 //! in J/√b, whose curvature is left out: what is left is positive definite.
 //!
-//! Each cell may exceed its limits by an elastic share t ≥ 0, at a price: so there is always a
+//! Each interval may exceed its limits by an elastic share t ≥ 0, at a price: so there is always a
 //! start, and at the end t is nothing.
 
 mod initial_point;
@@ -25,7 +25,7 @@ use step::{BandRow, IntervalPair, NewtonIterate};
 /// What of the limits is used; the rest is for what lies between the nodes.
 const NODE_ACCELERATION_SHARE: f64 = 0.998;
 const INTERVAL_JERK_SHARE: f64 = 0.9985;
-/// Prices of an elastic share, as shares of the time, and of the first law what is begun with: the next
+/// Prices of an elastic share, as shares of the time, and of the first profile what is begun with: the next
 /// where elastic shares stay.
 const START_TRIES: [[f64; 2]; 4] = [[0.1, 1.0], [0.1, 0.4], [1.0, 0.15], [10.0, 1.0]];
 /// Where the elastic share falls to no less than this share of it in a step after the first ones, it becomes dearer so
@@ -38,15 +38,15 @@ const WALL_STEP_SHARE: f64 = 0.99;
 const MAX_NEWTON_STEPS: usize = 60;
 /// Where an elastic share above this one is left after so many another start is better.
 const SLOW_START: (u32, f64) = (30, 0.1);
-/// A law within all limits is taken at the end of the steps up to this gap, as a share of the time.
+/// A profile within all limits is taken at the end of the steps up to this gap, as a share of the time.
 const ROUGH_GAP_SHARE: f64 = 0.02;
-/// Where the gap is closed to this share of what is asked, what is left of the elastic shares stays.
+/// Where the gap is closed to this share of the requested one, what is left of the elastic shares stays.
 const STUCK_GAP_SHARE: f64 = 0.01;
 /// A step that ends beyond a limit is halved so often.
 const MAX_STEP_HALVINGS: u32 = 30;
 /// The least b that has a root.
 const MIN_SQUARE: f64 = 1e-300;
-/// The largest elastic share that is left, and that a law is taken with at the end of the steps: no more than
+/// The largest elastic share that is left, and that a profile is taken with at the end of the steps: no more than
 /// what is kept of the limits.
 const MAX_ELASTIC_SHARE: f64 = 3e-4;
 const MAX_FINAL_ELASTIC_SHARE: f64 = 1.4e-3;
@@ -61,23 +61,23 @@ pub(super) struct WindowSolution {
 /// The memory of the solver, for one window after the other.
 #[derive(Debug, Default)]
 pub(super) struct NewtonSolver {
-    /// Number of axes, and of the window's cells.
+    /// Number of axes, and of the window's intervals.
     axes: usize,
     count: usize,
-    /// Of each node: shares of the cells before and after it in b, and the inverse of their sum.
+    /// Of each node: shares of the intervals before and after it in b, and the inverse of their sum.
     before: Vec<f64>,
     after: Vec<f64>,
     sum: Vec<f64>,
-    /// Largest b at each node, and on each cell: what bulges out between two nodes is below the cell's
+    /// Largest b at each node, and on each interval: what bulges out between two nodes is below the interval's
     /// coefficient.
     cap: Vec<f64>,
-    cell_cap: Vec<f64>,
+    interval_cap: Vec<f64>,
     lengths: Vec<f64>,
-    /// The cells from the second one on, in twos, and for each the limits of every axis.
+    /// The intervals from the second one on, in twos, and for each the limits of every axis.
     blocks: Vec<IntervalPair>,
     pulls: Vec<AccelerationRows>,
     bends: Vec<JerkRows>,
-    /// The coefficients, and b and 1/√b at the nodes; beyond the last some that stand for nothing.
+    /// The coefficients, and b and 1/√b at the nodes; beyond the last some without a meaning.
     c: Vec<f64>,
     b: Vec<f64>,
     root: Vec<f64>,
@@ -89,7 +89,7 @@ pub(super) struct NewtonSolver {
 }
 
 impl NewtonSolver {
-    /// Solves for the coefficients of the cells `from..to`; those given at sides that are
+    /// Solves for the coefficients of the intervals `from..to`; those known at sides that are
     /// [`WindowSide::Fixed`] (two of them) stay.
     pub fn solve(
         &mut self,
@@ -139,7 +139,7 @@ impl NewtonSolver {
         WindowSolution { iterations: warm.iterations + cold.iterations, ..cold }
     }
 
-    /// So many coefficients are there, with those that stand for nothing.
+    /// So many coefficients are there, with those without a meaning.
     fn padded(&self) -> usize {
         2 * self.blocks.len() + 2
     }
@@ -147,10 +147,10 @@ impl NewtonSolver {
     fn set_up(&mut self, grid: &ProfileGrid, from: usize, to: usize, sides: [WindowSide; 2]) {
         let (n, axes) = (to - from, grid.axes.len());
         (self.count, self.axes) = (n, axes);
-        let cells = &grid.cells[from..to];
+        let intervals = &grid.intervals[from..to];
         let nodes = &grid.nodes[from..=to];
         self.lengths.clear();
-        self.lengths.extend(cells.iter().map(|cell| cell.length));
+        self.lengths.extend(intervals.iter().map(|interval| interval.length));
         // Prices stay: the same window may be solved again.
         self.blocks.resize(n / 2, IntervalPair::default());
         self.pulls.resize(n / 2 * axes, AccelerationRows::default());
@@ -160,10 +160,10 @@ impl NewtonSolver {
             list.clear();
             list.resize(padded, 0.0);
         }
-        self.cell_cap.clear();
-        self.cell_cap.extend(nodes.windows(2).map(|ends| ends[0].cap.min(ends[1].cap)));
+        self.interval_cap.clear();
+        self.interval_cap.extend(nodes.windows(2).map(|ends| ends[0].cap.min(ends[1].cap)));
         for node in 1..n {
-            let (g, h) = (cells[node - 1].length, cells[node].length);
+            let (g, h) = (intervals[node - 1].length, intervals[node].length);
             let sum = 1.0 / (g + h);
             (self.before[node], self.after[node], self.sum[node]) = (h * sum, g * sum, sum);
             self.cap[node] = nodes[node].cap;
@@ -172,45 +172,45 @@ impl NewtonSolver {
         for (side, (at, next, node)) in ends.into_iter().enumerate() {
             self.rests[side] = None;
             if sides[side] == WindowSide::Rest {
-                self.rests[side] = Some(rest_factor(&cells[at], &cells[next]));
+                self.rests[side] = Some(rest_factor(&intervals[at], &intervals[next]));
                 let most = grid.rest_cap(from + at, side) * INTERVAL_JERK_SHARE.powi(2);
                 self.cap[node] = self.cap[node].min(most);
             }
         }
         self.first = if sides[0] == WindowSide::Rest { 1 } else { 2 };
         self.last = if sides[1] == WindowSide::Rest { n - 2 } else { n - 3 };
-        self.set_up_blocks(cells, nodes);
+        self.set_up_blocks(intervals, nodes);
         for index in 0..self.blocks.len() {
             for (place, &axis) in grid.axes.iter().enumerate() {
-                let (node, cell) = self.slopes(1 + 2 * index, axis, cells, nodes);
+                let (node, interval) = self.slopes(1 + 2 * index, axis, intervals, nodes);
                 self.pulls[index * axes + place].slope = node;
-                self.bends[index * axes + place].slope = cell;
+                self.bends[index * axes + place].slope = interval;
             }
         }
     }
 
-    /// Nodes between two coefficients that are given have no limits.
+    /// Nodes between two coefficients that are known have no limits.
     fn has_limits(&self, node: usize) -> bool {
         node >= self.first && node <= self.last + 1
     }
 
-    fn set_up_blocks(&mut self, cells: &[GridInterval], nodes: &[GridNode]) {
+    fn set_up_blocks(&mut self, intervals: &[GridInterval], nodes: &[GridNode]) {
         let mut blocks = std::mem::take(&mut self.blocks);
         let n = self.count;
-        let is_cell = |k: usize| k < n - 1;
+        let is_interval = |k: usize| k < n - 1;
         for (index, block) in blocks.iter_mut().enumerate() {
             let k = 1 + 2 * index;
-            let of_cell = |value: &dyn Fn(usize) -> f64, other: f64| {
-                LanePair::of(k, |k| if is_cell(k) { value(k) } else { other })
+            let of_interval = |value: &dyn Fn(usize) -> f64, other: f64| {
+                LanePair::of(k, |k| if is_interval(k) { value(k) } else { other })
             };
             block.node = [LanePair::at(&self.before, k), LanePair::at(&self.after, k)];
             block.ends = [0, 1].map(|end| {
-                [&self.before, &self.after].map(|list| of_cell(&|k| list[k + end], 0.0))
+                [&self.before, &self.after].map(|list| of_interval(&|k| list[k + end], 0.0))
             });
-            block.length = of_cell(&|k| cells[k].length, 0.0);
+            block.length = of_interval(&|k| intervals[k].length, 0.0);
             let rest = |k: usize| match self.rests {
-                [Some(_), _] if k == 1 => cells[0].length,
-                [_, Some(_)] if k == n - 1 => cells[n - 1].length,
+                [Some(_), _] if k == 1 => intervals[0].length,
+                [_, Some(_)] if k == n - 1 => intervals[n - 1].length,
                 _ => 0.0,
             };
             block.rest = LanePair::of(k, rest);
@@ -219,27 +219,27 @@ impl NewtonSolver {
                 if has_limits(k) { NODE_ACCELERATION_SHARE * nodes[k].share } else { 1.0 }
             };
             block.share = LanePair::of(k, share);
-            block.limit = of_cell(&|k| INTERVAL_JERK_SHARE * cells[k].share, 1.0);
+            block.limit = of_interval(&|k| INTERVAL_JERK_SHARE * intervals[k].share, 1.0);
             block.caps = [
                 LanePair::of(k, |k| if has_limits(k) { 1.0 / self.cap[k] } else { 0.0 }),
                 LanePair::of(k, |k| {
                     let is_free = (self.first..=self.last).contains(&k);
-                    if is_free { 1.0 / self.cell_cap[k] } else { 0.0 }
+                    if is_free { 1.0 / self.interval_cap[k] } else { 0.0 }
                 }),
             ];
         }
         self.blocks = blocks;
     }
 
-    /// How acceleration at the node and jerk at both ends of two cells go by the coefficients around them.
+    /// How acceleration at the node and jerk at both ends of two intervals go by the coefficients around them.
     fn slopes(
         &self,
         k: usize,
         axis: usize,
-        cells: &[GridInterval],
+        intervals: &[GridInterval],
         nodes: &[GridNode],
     ) -> ([LanePair; 2], [[LanePair; 3]; 2]) {
-        let (mut of_node, mut of_cell) = ([[0.0; 2]; 2], [[[0.0; 2]; 3]; 2]);
+        let (mut of_node, mut of_interval) = ([[0.0; 2]; 2], [[[0.0; 2]; 3]; 2]);
         for lane in 0..2 {
             let k = k + lane;
             if self.has_limits(k) {
@@ -250,16 +250,16 @@ impl NewtonSolver {
             if k + 1 >= self.count {
                 continue;
             }
-            let inverse = 1.0 / cells[k].length;
-            // The change of σ̈ over the cell by its length.
+            let inverse = 1.0 / intervals[k].length;
+            // The change of σ̈ over the interval by its length.
             let (a0, a2) = (self.sum[k] * inverse, self.sum[k + 1] * inverse);
             let changes = [a0, -(a0 + a2), a2];
             for end in 0..2 {
                 let node = k + end;
                 let [p, q] = nodes[node].by_jerk.map(|row| row[axis]);
-                let third = cells[k].third[end][axis];
+                let third = intervals[k].third[end][axis];
                 let turn = 3.0 * q * self.sum[node];
-                let slope = &mut of_cell[end];
+                let slope = &mut of_interval[end];
                 for (slope, change) in slope.iter_mut().zip(changes) {
                     slope[lane] = p * change;
                 }
@@ -268,7 +268,7 @@ impl NewtonSolver {
             }
         }
         let two = |[first, second]: [f64; 2]| LanePair::new(first, second);
-        (of_node.map(two), of_cell.map(|end| end.map(two)))
+        (of_node.map(two), of_interval.map(|end| end.map(two)))
     }
 
     /// The coefficients next to a rest follow the next ones.
@@ -289,7 +289,7 @@ impl NewtonSolver {
         let nodes = self.b[1..n].iter_mut().zip(&mut self.root[1..n]);
         for ((b, root), (c, (before, after))) in nodes.zip(c) {
             *b = before * c[0] + after * c[1];
-            // Less than nothing is left to the limits, which tell.
+            // A b below zero is left to the limits, which refuse it.
             *root = 1.0 / if *b > MIN_SQUARE { *b } else { MIN_SQUARE }.sqrt();
         }
     }
@@ -333,7 +333,7 @@ impl NewtonSolver {
             if now.open < gap * now.time && elastic < MAX_ELASTIC_SHARE {
                 return WindowSolution { iterations, converged: true };
             }
-            // Where limits contradict what is given, the elastic shares stay.
+            // Where limits contradict what is known, the elastic shares stay.
             let is_stuck = now.open.is_nan() || now.open <= STUCK_GAP_SHARE * gap * now.time;
             let is_slow = iterations >= SLOW_START.0 && elastic > SLOW_START.1;
             if is_stuck || is_slow {
@@ -353,7 +353,7 @@ impl NewtonSolver {
             let done = primal.min(dual);
             mu = ((1.0 - done) * (1.0 - done) * (1.0 - done)).max(0.02);
         }
-        // A law within all limits is one, if not the best; one far from the best may nearly stop somewhere.
+        // A profile within all limits is one, if not the best; one far from the best may nearly stop somewhere.
         let converged = self.largest_elastic() < MAX_FINAL_ELASTIC_SHARE
             && now.open < ROUGH_GAP_SHARE * now.time;
         WindowSolution { iterations: MAX_NEWTON_STEPS as u32, converged }

@@ -1,7 +1,7 @@
 //! The rows of limits: their slacks, their prices, and what they add to a step.
 //!
-//! A row says that a sum of the three coefficients around a cell, and of its elastic share, stays below a
-//! limit. The rows of two cells are worked on at once. There are two passes for each step. The first takes
+//! A row says that a sum of the three coefficients around an interval, and of its elastic share, stays below a
+//! limit. The rows of two intervals are worked on at once. There are two passes for each step. The first takes
 //! the prices that the step before has found, works out the slacks, and sums up matrix and side; the second
 //! finds how far the step may be gone. One division serves both: w = 1/(slack · price), so 1/slack = w · price.
 
@@ -15,7 +15,7 @@ use chordal_geometry::AXES;
 use super::lanes::LanePair;
 use super::start_kind::NewtonStart;
 
-/// A row of each of two cells. Between the passes of a step `change` is w, after them how the price changes,
+/// A row of each of two intervals. Between the passes of a step `change` is w, after them how the price changes,
 /// as a share of it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct ConstraintRow {
@@ -32,10 +32,10 @@ pub(super) struct AccelerationRows {
     pub rows: [ConstraintRow; 2],
 }
 
-/// The jerk of an axis at both ends of a cell.
+/// The jerk of an axis at both ends of an interval.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct JerkRows {
-    /// For each end by the three coefficients around the cell.
+    /// For each end by the three coefficients around the interval.
     pub slope: [[LanePair; 3]; 2],
     /// For each end above and below.
     pub rows: [[ConstraintRow; 2]; 2],
@@ -59,7 +59,7 @@ pub(super) struct NodeSums {
     pub pushes: LanePair,
 }
 
-/// What the jerks on a cell add: a matrix (00, 11, 22, 01, 12, 02) and a push for the coefficients around it,
+/// What the jerks on an interval add: a matrix (00, 11, 22, 01, 12, 02) and a push for the coefficients around it,
 /// and for each end what goes with the room for jerk.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct IntervalSums {

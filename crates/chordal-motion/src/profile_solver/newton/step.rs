@@ -10,21 +10,21 @@ use super::{NewtonSolver, WALL_STEP_SHARE};
 /// No step takes away more of a coefficient.
 const MAX_COEFFICIENT_FALL: f64 = 0.8;
 
-/// Two cells that follow each other, and the nodes at which they begin. Where there is no cell, or a node has no
+/// Two intervals that follow each other, and the nodes at which they begin. Where there is no interval, or a node has no
 /// limits, all slopes are nothing.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct IntervalPair {
     /// b at the node by the coefficients before and after it.
     pub node: [LanePair; 2],
-    /// b at both ends of the cell, by the first two and by the last two of the coefficients around it.
+    /// b at both ends of the interval, by the first two and by the last two of the coefficients around it.
     pub ends: [[LanePair; 2]; 2],
     pub length: LanePair,
-    /// The length of a cell next to a rest that ends or begins at the node.
+    /// The length of an interval next to a rest that ends or begins at the node.
     pub rest: LanePair,
-    /// What may be used of the acceleration at the node, and of the jerk on the cell.
+    /// What may be used of the acceleration at the node, and of the jerk on the interval.
     pub share: LanePair,
     pub limit: LanePair,
-    /// The inverses of the largest b at the node and coefficient of the cell, and their rows.
+    /// The inverses of the largest b at the node and coefficient of the interval, and their rows.
     pub caps: [LanePair; 2],
     pub cap_rows: [ConstraintRow; 2],
     pub elastic: LanePair,
@@ -41,14 +41,14 @@ pub(super) struct BandRow {
     sides: [f64; 2],
 }
 
-/// What eliminates the elastic share of a cell: its step is `own` less these shares of the steps around it.
+/// What eliminates the elastic share of an interval: its step is `own` less these shares of the steps around it.
 #[derive(Clone, Copy, Debug, Default)]
 struct EliminatedShare {
     shares: [LanePair; 3],
     own: [LanePair; 2],
 }
 
-/// Where the steps stand.
+/// The state of the steps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NewtonIterate {
     pub time: f64,
@@ -58,7 +58,7 @@ pub(super) struct NewtonIterate {
     pub least: f64,
 }
 
-/// What a cell and its node add to the step: a matrix (00, 11, 22, 01, 12, 02) and both sides of three
+/// What an interval and its node add to the step: a matrix (00, 11, 22, 01, 12, 02) and both sides of three
 /// coefficients.
 #[derive(Clone, Copy, Debug, Default)]
 struct StepSums {
@@ -82,10 +82,10 @@ impl IntervalPair {
     #[inline(always)]
     fn reach(&mut self, step: [LanePair; 3], mu: LanePair, reach: &mut StepReach) {
         let by = self.node[0] * step[0] + self.node[1] * step[1];
-        let [node, cell] = &mut self.cap_rows;
+        let [node, interval] = &mut self.cap_rows;
         let none = LanePair::default();
         node.reach(none - by * self.caps[0], mu, reach);
-        cell.reach(none - step[1] * self.caps[1], mu, reach);
+        interval.reach(none - step[1] * self.caps[1], mu, reach);
         self.elastic_row.reach(self.elastic_step, mu, reach);
     }
 }
@@ -107,9 +107,9 @@ impl StepSums {
         }
     }
 
-    /// The rows of the cell, with all that goes by b at its ends: curvature, and both sides.
+    /// The rows of the interval, with all that goes by b at its ends: curvature, and both sides.
     #[inline(always)]
-    fn add_cell(
+    fn add_interval(
         &mut self,
         block: &IntervalPair,
         rows: &IntervalSums,
@@ -143,7 +143,7 @@ impl StepSums {
         }
     }
 
-    /// What the elastic share of the cell has to do with its jerk.
+    /// What the elastic share of the interval has to do with its jerk.
     #[inline(always)]
     fn add_elastic(
         &mut self,
@@ -189,7 +189,7 @@ impl StepSums {
 }
 
 impl NewtonSolver {
-    /// The three coefficients around each of two cells, or their steps.
+    /// The three coefficients around each of two intervals, or their steps.
     #[inline(always)]
     pub(super) fn around(list: &[f64], k: usize) -> [LanePair; 3] {
         [LanePair::at(list, k - 1), LanePair::at(list, k), LanePair::at(list, k + 1)]
@@ -216,14 +216,15 @@ impl NewtonSolver {
             let rows = IntervalSums::of(&mut self.bends[own], c, room, dual, &mut tally);
             // All that goes by b at the node.
             let mut of_node = [LanePair::default(); 3];
-            let [node_cap, cell_cap] = block.caps;
+            let [node_cap, interval_cap] = block.caps;
             let [weight, push] =
                 block.cap_rows[0].take(one - squares[0] * node_cap, dual, &mut tally);
             of_node[0] += weight * node_cap * node_cap;
             of_node[2] -= push * node_cap;
-            let [weight, push] = block.cap_rows[1].take(one - c[1] * cell_cap, dual, &mut tally);
-            sums.matrix[1] += weight * cell_cap * cell_cap;
-            sums.sides[1][1] -= push * cell_cap;
+            let [weight, push] =
+                block.cap_rows[1].take(one - c[1] * interval_cap, dual, &mut tally);
+            sums.matrix[1] += weight * interval_cap * interval_cap;
+            sums.sides[1][1] -= push * interval_cap;
             let rest = block.rest * roots[0];
             let rest_squared = roots[0] * roots[0];
             time += LanePair::both(3.0) * rest;
@@ -237,7 +238,7 @@ impl NewtonSolver {
                 side[0] += x * by;
                 side[1] += y * by;
             }
-            // All that goes by b at the ends of the cell.
+            // All that goes by b at the ends of the interval.
             let speeds = squares[0] * roots[0] + squares[1] * roots[1];
             let s = one / speeds;
             let square = block.length * s * s;
@@ -256,7 +257,7 @@ impl NewtonSolver {
                 ];
                 falls[end] = fall;
             }
-            sums.add_cell(block, &rows, of_ends, falls);
+            sums.add_interval(block, &rows, of_ends, falls);
             sums.add_elastic(block, &rows, roots, falls);
             let cross = square * s * roots[0] * roots[1];
             let [[w0, w1], [x0, x1]] = block.ends;
@@ -382,8 +383,8 @@ impl NewtonSolver {
                 bend.reach(step, more, centre, &mut reach);
             }
         }
-        let cells = self.first..=self.last;
-        let falls = self.step[cells.clone()].iter().zip(&self.c[cells]);
+        let intervals = self.first..=self.last;
+        let falls = self.step[intervals.clone()].iter().zip(&self.c[intervals]);
         let fall = falls.fold(0.0_f64, |least, (step, c)| least.min(step / c));
         let share = |least: f64, near: f64| if -least > near { near / -least } else { 1.0 };
         let [slacks, prices] = reach.least();

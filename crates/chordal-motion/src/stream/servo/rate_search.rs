@@ -14,7 +14,7 @@ use crate::stream::window::WindowStop;
 const STEEPNESS_SHARES: [f64; 9] = [0.96, 0.5, 0.96, 0.6, 0.35, 0.2, 0.1, 0.06, 0.03];
 /// How many belong to the next blocks, and how many blocks those are.
 const NEAR_TRIES_AND_BLOCKS: (usize, usize) = (2, 12);
-/// Shares of the way to the wanted rate that are tried, all of it first.
+/// Shares of the difference to the target rate that are tried, all of it first.
 const DISTANCE_SHARES: PerAxis<f64> = [1.0, 0.5, 0.2, 0.05, 0.01, 0.001];
 /// Courses that are drawn up, and that are checked, in one period at most.
 const MAX_DRAFTS: usize = 9;
@@ -22,7 +22,7 @@ const MAX_CHECKS: usize = 2;
 /// How long a rate above 1 is to last when it is checked, s by the clock.
 const RAISED_RATE_S: [f64; 3] = [0.1, 0.04, 0.01];
 impl StreamServo {
-    /// Looks for a safe course towards the wanted rate.
+    /// Looks for a safe course towards the target rate.
     #[cold]
     pub(super) fn steer(&mut self) {
         if self.resting.is_some() {
@@ -39,7 +39,7 @@ impl StreamServo {
         }
         let Some((near, far)) = self.fastest() else { return };
         let (near, far) = (self.room.steepest(&near), self.room.steepest(&far));
-        // Where the wanted rate is under way, only a quicker way to it is looked for.
+        // Where the target rate is under way, only a quicker course to it is looked for.
         let shares = if off > 1e-9 { DISTANCE_SHARES.len() } else { 1 };
         let mut checks = 0;
         for _ in 0..MAX_DRAFTS {

@@ -1,4 +1,4 @@
-//! One cell of the grid: the speeds at its two ends that the accelerations of the axes allow.
+//! One interval of the grid: the speeds at its two ends that the accelerations of the axes allow.
 //!
 //! With x and y for b = σ̇² at its ends and b linear between them, the acceleration of an axis at
 //! the start is q′(y − x)/2Δ + q″x, at the end q′(y − x)/2Δ + q″y: each limit is a strip in the
@@ -16,7 +16,7 @@ struct AccelerationStrip {
     limit: f64,
 }
 
-/// What may happen on a cell.
+/// What may happen on an interval.
 pub(crate) struct SpeedRegion {
     /// Largest b at its start by speed alone.
     pub(crate) cap_from: f64,
@@ -33,7 +33,7 @@ struct SpeedPolygon {
 }
 
 impl SpeedRegion {
-    /// The room of the cell from `from` to `to` of a piece.
+    /// The room of the interval from `from` to `to` of a piece.
     pub(crate) fn new(run: &PathRun<'_>, piece: usize, from: f64, to: f64) -> SpeedRegion {
         let (first, last) = (run.jet(piece, from), run.jet(piece, to));
         let rate = 0.5 / (to - from);
