@@ -218,7 +218,7 @@ impl Report {
         self.cost.print("cost of a setpoint");
         let [v, a, j] = self.used;
         println!(
-            "underruns {}, standing in {} setpoints; most of the limits used: velocity {v:.6}, \
+            "underruns {}, at rest in {} setpoints; most of the limits used: velocity {v:.6}, \
              acceleration {a:.6}, jerk {j:.6}\n",
             self.underruns, self.resting
         );

@@ -196,7 +196,7 @@ fn figures() -> [(&'static str, Places); 3] {
 fn more_of_the_axes_or_of_the_feed_is_never_slower() {
     // The profiles are within 2e-4 of the best on their grid, and the grid changes with the limits. The curve
     // does so with acceleration and jerk: it is no smoother than the axes need.
-    const MOST: [f64; 3] = [1e-3, 1e-2, 1e-3];
+    const MAX_SLOWER_SHARES: [f64; 3] = [1e-3, 1e-2, 1e-3];
     for (name, places) in figures() {
         let row = |time: &dyn Fn(f64) -> f64| {
             let times: Vec<f64> = (0..7).map(|step| time(1.4_f64.powi(step))).collect();
@@ -208,7 +208,10 @@ fn more_of_the_axes_or_of_the_feed_is_never_slower() {
         let by_jerk = row(&|factor| time(FEED, limits(500.0, 5000.0, 2e4 * factor)));
         println!("{name}: feed {by_feed:e}, acceleration {by_acceleration:e}, jerk {by_jerk:e}");
         let worst = [by_feed, by_acceleration, by_jerk];
-        assert!(worst.iter().zip(MOST).all(|(worst, most)| *worst <= most), "{name}: {worst:?}");
+        assert!(
+            worst.iter().zip(MAX_SLOWER_SHARES).all(|(worst, most)| *worst <= most),
+            "{name}: {worst:?}"
+        );
     }
 }
 

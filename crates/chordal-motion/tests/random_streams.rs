@@ -10,7 +10,7 @@ use chordal_motion::{
 };
 use proptest::prelude::*;
 use support::cut;
-use support::watch::{ROUNDING, Watch};
+use support::watch::{AXIS_ROUNDING, Watch};
 
 fn machine() -> KinematicLimits {
     let axis = |velocity, acceleration, jerk| Some(AxisLimit { velocity, acceleration, jerk });
@@ -301,13 +301,13 @@ fn run(
 fn rounding(moves: &[MoveRequest]) -> AxisValues {
     let lengths: Vec<f64> = moves.iter().map(|motion| motion.curve.length()).collect();
     let path_length: f64 = lengths.iter().sum();
-    let mut rounding = ROUNDING;
+    let mut rounding = AXIS_ROUNDING;
     for (motion, length) in moves.iter().zip(&lengths) {
         for (axis, rounding) in rounding[3..].iter_mut().enumerate() {
             let turn = (motion.rotary_to[axis] - motion.rotary_from[axis]).abs();
             // The start of the phase, the start of the piece and the step from the one to the other.
             *rounding =
-                rounding.max(ROUNDING[0] + 3.0 * f64::EPSILON * path_length * turn / length);
+                rounding.max(AXIS_ROUNDING[0] + 3.0 * f64::EPSILON * path_length * turn / length);
         }
     }
     rounding

@@ -8,7 +8,7 @@ use chordal_motion::{
     StreamOptions, stream,
 };
 use support::law::{Law, circle_trajectory, cut_line, piece};
-use support::watch::{ROUNDING, Watch};
+use support::watch::{AXIS_ROUNDING, Watch};
 use support::{cut, limits, line};
 
 const LIMITS: (f64, f64, f64) = (200.0, 2000.0, 1e5);
@@ -44,7 +44,7 @@ fn a_line_is_travelled_as_planned_and_ends_exactly() {
     assert_eq!(point.position, [100.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
     assert!((f64::from(count) * 0.001 - duration_s).abs() <= 0.001 + 1e-9);
     assert_eq!(servo.underruns(), 0);
-    watch.check(0.001, &machine(), &ROUNDING);
+    watch.check(0.001, &machine(), &AXIS_ROUNDING);
 }
 
 /// Pulls with commands by the count of the setpoint until the end.
@@ -78,7 +78,7 @@ fn run(
         }
         assert!(points.len() < 400_000, "the end is not reached: {point:?}");
     }
-    watch.check(period_s, &machine(), &ROUNDING);
+    watch.check(period_s, &machine(), &AXIS_ROUNDING);
     assert_eq!(servo.underruns(), 0);
     points
 }
@@ -167,7 +167,7 @@ fn windows_that_do_not_come_are_a_stop_and_later_ones_go_on_in_it() {
         assert!(point.finished);
         assert_eq!(servo.underruns() > 0, late == 300, "{}", servo.underruns());
         assert_eq!(point.position, planned.to());
-        watch.check(0.001, &machine(), &ROUNDING);
+        watch.check(0.001, &machine(), &AXIS_ROUNDING);
     }
 }
 
@@ -190,7 +190,7 @@ fn pieces_of_a_nanometre_are_travelled_within_the_limits() {
         }
         assert!(point.finished, "{pieces} pieces: {point:?}");
         assert!((point.position[0] - 0.05).abs() < 1e-9);
-        watch.check(0.001, &machine(), &ROUNDING);
+        watch.check(0.001, &machine(), &AXIS_ROUNDING);
         if pieces > 16_000 {
             // Where a window holds enough path, nothing is lost.
             assert!(f64::from(count) * 0.001 < 3.0 * duration_s, "{count} for {duration_s} s");
@@ -236,7 +236,7 @@ fn a_hold_in_eased_corners_stops_in_bounded_time_and_sooner_with_headroom() {
             count += 1;
             assert!(count < 3000, "no stop: {point:?}");
         }
-        watch.check(0.001, &machine(), &ROUNDING);
+        watch.check(0.001, &machine(), &AXIS_ROUNDING);
         took.push(f64::from(count - 500) * 0.001);
     }
     assert!(took[1] < 0.5 && took[3] < 0.25, "{took:?}");

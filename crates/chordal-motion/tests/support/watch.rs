@@ -4,7 +4,7 @@ use chordal_geometry::AXES;
 use chordal_motion::{AxisValues, KinematicLimits, ServoSetpoint};
 
 /// What rounding does to coordinates of some hundred mm or rad.
-pub const ROUNDING: AxisValues = [1e-13; AXES];
+pub const AXIS_ROUNDING: AxisValues = [1e-13; AXES];
 
 /// Largest differences of setpoints by time, over limits.
 #[derive(Debug, Default)]

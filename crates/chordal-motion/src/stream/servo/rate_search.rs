@@ -13,7 +13,7 @@ use crate::stream::window::WindowStop;
 /// what the speeds of the next blocks allow, the others of what those of whole windows allow.
 const STEEPNESS_SHARES: [f64; 9] = [0.96, 0.5, 0.96, 0.6, 0.35, 0.2, 0.1, 0.06, 0.03];
 /// How many belong to the next blocks, and how many blocks those are.
-const NEAR_TRIES_AND_BLOCKS: (usize, usize) = (2, 12);
+const NEXT_TRIES_AND_BLOCKS: (usize, usize) = (2, 12);
 /// Shares of the difference to the target rate that are tried, all of it first.
 const DISTANCE_SHARES: PerAxis<f64> = [1.0, 0.5, 0.2, 0.05, 0.01, 0.001];
 /// Courses that are drawn up, and that are checked, in one period at most.
@@ -47,7 +47,7 @@ impl StreamServo {
             self.try_next = index + 1;
             let kind = index % STEEPNESS_SHARES.len();
             let part = STEEPNESS_SHARES[kind];
-            let (steep, bend) = if kind < NEAR_TRIES_AND_BLOCKS.0 { near } else { far };
+            let (steep, bend) = if kind < NEXT_TRIES_AND_BLOCKS.0 { near } else { far };
             let share = DISTANCE_SHARES[index / STEEPNESS_SHARES.len()];
             let from = if target > 1.0 { 1.0 } else { self.rate.value };
             let aim = if share < 1.0 { from + share * (target - from) } else { target };
@@ -79,7 +79,7 @@ impl StreamServo {
             }
         }
         let first = window.blocks.partition_point(|block| block.end_s <= self.at_s);
-        let end = (first + NEAR_TRIES_AND_BLOCKS.1).min(window.blocks.len());
+        let end = (first + NEXT_TRIES_AND_BLOCKS.1).min(window.blocks.len());
         Some((bounds::fastest(&window.blocks[first.min(end)..end]), far))
     }
 
