@@ -15,7 +15,7 @@ use crate::move_request::{CornerMode, MoveRequest};
 use crate::piece::PathPiece;
 use crate::trajectory::{JerkPhase, PlannedTrajectory, PlannerStep};
 
-/// The numbers of such a rule.
+/// The numbers of the rule, as the control's settings have them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JunctionRule {
     /// How far a detour at a junction would be from it, mm; 0: every segment ends at rest (GRBL `$11`).

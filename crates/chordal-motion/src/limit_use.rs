@@ -1,4 +1,4 @@
-//! Measures what a movement asks of the axes against what they can do.
+//! Measures how much of the limits of the axes a movement uses.
 
 use chordal_geometry::AXES;
 
@@ -11,11 +11,11 @@ use crate::trajectory::PlannedTrajectory;
 /// Largest use of the limits, as shares of them: 1 is a limit met.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LimitUse {
-    /// Of an axis' velocity.
+    /// Largest velocity of an axis over its limit.
     pub velocity: f64,
-    /// Of an axis' acceleration.
+    /// Largest acceleration of an axis over its limit.
     pub acceleration: f64,
-    /// Of an axis' jerk.
+    /// Largest jerk of an axis over its limit.
     pub jerk: f64,
 }
 
@@ -44,15 +44,15 @@ impl LimitUse {
         used
     }
 
-    /// By how much the movement must be stretched in time to hold every limit; at most 1 when
-    /// it holds them.
+    /// The factor by which the movement must take longer to stay within every limit; at most 1 when
+    /// it does already.
     #[must_use]
     pub fn time_scale(&self) -> f64 {
         self.velocity.max(self.acceleration.sqrt()).max(cbrt(self.jerk))
     }
 }
 
-/// Ways below this are rounding, σ.
+/// Distances below this are rounding, σ.
 const NEGLIGIBLE_SIGMA: f64 = 1e-11;
 
 /// The largest use in a trajectory: on every part that is one piece and one phase, at both its ends

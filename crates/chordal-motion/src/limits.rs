@@ -4,7 +4,7 @@ use chordal_geometry::{AXIS_LETTERS, PerAxis};
 
 use crate::AxisValues;
 
-/// What one axis can do.
+/// The limits of one axis, each a positive finite number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisLimit {
     /// mm/s or rad/s.
@@ -24,11 +24,11 @@ pub struct KinematicLimits {
 /// Which limit of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LimitedQuantity {
-    /// Its speed.
+    /// mm/s or rad/s.
     Velocity,
-    /// Its acceleration.
+    /// mm/s² or rad/s².
     Acceleration,
-    /// Its jerk.
+    /// mm/s³ or rad/s³.
     Jerk,
 }
 
@@ -42,13 +42,13 @@ impl std::fmt::Display for LimitedQuantity {
     }
 }
 
-/// A limit nothing can be planned with.
+/// A limit that is not a positive finite number.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("the {quantity} limit of axis {} is {value}: it must be a positive number", letter(*.axis))]
 pub struct LimitError {
-    /// Index of the axis.
+    /// The index of the axis, from X = 0 to C = 5.
     pub axis: usize,
-    /// Which of its limits.
+    /// The limit that is not.
     pub quantity: LimitedQuantity,
     /// The value, in mm or rad and s.
     pub value: f64,

@@ -8,29 +8,30 @@ use crate::limits::{KinematicLimits, letter};
 /// How the end of a move is passed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CornerMode {
-    /// At rest.
+    /// The axes come to rest at the end.
     Stop,
     /// Exactly: at rest where its direction or its curvature has a step, at speed where it is
     /// smooth.
     Exact,
-    /// At speed, no farther from the programmed path than this; many short moves may become one curve.
+    /// At speed, no farther from the programmed path than the tolerance; many short moves may become one curve.
     Joined {
-        /// Of X, Y and Z, mm.
+        /// The tolerance of X, Y and Z, mm.
         linear_mm: f64,
-        /// Of each rotary axis, rad.
+        /// The tolerance of each rotary axis, rad.
         rotary_rad: f64,
     },
     /// The same, but each corner by itself.
     Blended {
-        /// Of X, Y and Z, mm.
+        /// The tolerance of X, Y and Z, mm.
         linear_mm: f64,
-        /// Of each rotary axis, rad.
+        /// The tolerance of each rotary axis, rad.
         rotary_rad: f64,
     },
 }
 
 impl CornerMode {
-    /// How far from it the axes may pass, where they may: mm, and rad of each rotary axis.
+    /// How far from the corner the axes may pass: mm, and rad of each rotary axis. `None` where they pass it
+    /// exactly or rest there.
     pub fn tolerance(&self) -> Option<(f64, f64)> {
         match *self {
             CornerMode::Stop | CornerMode::Exact => None,
@@ -43,9 +44,9 @@ impl CornerMode {
 /// What a move is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MoveKind {
-    /// A rapid.
+    /// Positioning: nothing is cut, and rapids may have limits of their own.
     Rapid,
-    /// A cut.
+    /// A move at a feed.
     Cut,
 }
 
@@ -61,11 +62,11 @@ pub struct MoveRequest {
     /// Largest speed along the path, mm/s (rad/s where rotary axes alone move); infinite for as
     /// fast as the axes can.
     pub speed: f64,
-    /// How its end is passed.
+    /// How its end is passed. After the last move the axes rest in any case.
     pub corner: CornerMode,
-    /// What it is for.
+    /// The planner treats both kinds alike: where rapids have limits of their own, they have a planner of their own.
     pub kind: MoveKind,
-    /// Whatever the caller wants to find again: the line, a number of the block.
+    /// A number of the caller, such as the line of the block. Pieces and setpoints bear it.
     pub tag: u64,
 }
 
@@ -106,17 +107,17 @@ impl MoveRequest {
         (0..3).map(|i| (self.rotary_to[i] - self.rotary_from[i]).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// Where it begins.
+    /// The axes at its start, mm and rad.
     pub fn from(&self) -> AxisValues {
         join(self.curve.start().to_array(), self.rotary_from)
     }
 
-    /// Where it ends.
+    /// The axes at its end, mm and rad.
     pub fn to(&self) -> AxisValues {
         join(self.curve.end().to_array(), self.rotary_to)
     }
 
-    /// Where the axes are after a share of its length.
+    /// The axes after a share of its length, 0 to 1, mm and rad.
     pub fn at(&self, share: f64) -> AxisValues {
         let place = self.curve.point_at(share * self.curve.length()).to_array();
         let turned =
@@ -124,10 +125,10 @@ impl MoveRequest {
         join(place, std::array::from_fn(turned))
     }
 
-    /// Whether it can be planned.
+    /// Checks that it can be planned.
     ///
     /// # Errors
-    /// Why not.
+    /// The first reason why it cannot.
     pub fn check(&self, limits: &KinematicLimits) -> Result<(), MoveError> {
         let (from, to) = (self.from(), self.to());
         let length = self.length();

@@ -85,18 +85,20 @@ impl DerivativeBounds {
     }
 }
 
-/// Share of the acceleration that holding the speed may take; the rest is for changing it.
+/// The share of an acceleration that a curve may use at an even speed; the rest is for changing the speed.
 pub const CURVE_ACCELERATION_SHARE: f64 = 0.96;
-/// The same of the jerk.
+/// The same of a jerk. It is less, since a change of speed on a curve uses jerk twice: along the path, and for turning faster.
 pub const CURVE_JERK_SHARE: f64 = 0.7;
-/// Below these shares of the largest speed of a curve more is left for changing the speed.
+/// Shares of the largest speed of a curve below which more of the limits is left for changing the speed: ramps from and to rest have
+/// limits of their own there.
 const KNEE_SPEED_SHARES: [f64; 2] = [0.4, 0.8];
-/// Share of what is left of the jerk that may go into turning while the speed changes.
+/// The share of the jerk that is left which may go into turning while the speed changes.
 const TURNING_JERK_SHARE: f64 = 0.6;
-/// Share of what is left of the jerk along the path that stays for changing the speed.
+/// The share of the jerk that is left along the path which stays for changing the speed.
 const PATH_JERK_SHARE: f64 = 0.6;
 
-/// The interval of a piece.
+/// The limits along the path that hold anywhere on a piece: its largest speed, and the acceleration and jerk that are left for
+/// changing it.
 pub fn limit_interval(
     length: f64,
     bounds: &DerivativeBounds,

@@ -5,10 +5,10 @@ use chordal_geometry::AXES;
 use crate::AxisValues;
 use crate::piece::{PathPiece, SIXTH};
 
-/// A time of constant jerk along the path.
+/// A part of a velocity profile with constant jerk along the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JerkPhase {
-    /// How long, s.
+    /// s.
     pub duration_s: f64,
     /// Where it begins in σ, from the start of the trajectory.
     pub from: f64,
@@ -85,7 +85,7 @@ const MAX_CROSSING_STEPS: u32 = 80;
 pub struct PlannedTrajectory<P = PathPiece> {
     /// The path, in order.
     pub pieces: Vec<P>,
-    /// The velocity profile, in order.
+    /// The velocity profile along it, in order.
     pub phases: Vec<JerkPhase>,
     /// How long before the end of the trajectory before it begins, s. In that time the axes make
     /// both movements, each on a straight line, which lets the tool pass the corner between them
@@ -124,32 +124,32 @@ impl<P> PlannedTrajectory<P> {
 }
 
 impl PlannedTrajectory {
-    /// Its length in σ.
+    /// The length of its path, σ.
     pub fn length(&self) -> f64 {
         self.pieces.iter().map(|piece| piece.length).sum()
     }
 
-    /// Where it begins.
+    /// The axes at its start, mm and rad.
     pub fn from(&self) -> AxisValues {
         self.pieces.first().map_or([0.0; AXES], |piece| piece.at(0.0)[0])
     }
 
-    /// Where it ends.
+    /// The axes at its end, mm and rad.
     pub fn to(&self) -> AxisValues {
         self.pieces.last().map_or([0.0; AXES], |piece| piece.at(piece.length)[0])
     }
 }
 
-/// What happens next on a machine.
+/// What a planner emits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlannerStep<'a, P = PathPiece> {
-    /// A movement.
+    /// The axes move.
     Trajectory(&'a PlannedTrajectory<P>),
-    /// Nothing moves for a time, s; with the tag that the caller gave.
+    /// The axes rest for a time.
     Wait {
-        /// How long, s.
+        /// s, not below zero.
         seconds: f64,
-        /// The caller's.
+        /// The number that the caller has passed with the wait.
         tag: u64,
     },
 }

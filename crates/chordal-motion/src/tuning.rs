@@ -1,6 +1,7 @@
 //! The numbers by which the planner chooses: each with its unit, and why it has this value.
 //!
-//! What only rounding or an algorithm asks for is next to the code that uses it.
+//! What only rounding or an algorithm needs is next to the code that uses it. Whoever changes a number here runs
+//! `cargo test -p chordal --test motion_table -- --nocapture` and the example `dense`, whose tables are in `docs/motion.md`.
 
 /// How far the planner looks ahead, and when it plans curves.
 #[derive(Debug)]
@@ -11,11 +12,11 @@ pub(crate) struct PlannerTuning {
     /// to a micrometre or so, and ends of arcs are computed.
     pub closed_gap: f64,
     /// Pieces of a look-ahead window, planned corner by corner. It ends earlier where the axes rest; a longer one is
-    /// emitted as far as later moves cannot change it. It bounds the memory, at about a quarter of a kilobyte a piece, and is
-    /// far longer than any braking distance.
+    /// emitted as far as later moves cannot change it. It bounds the memory, and is far longer than a braking
+    /// distance.
     pub window_pieces: usize,
-    /// Moves of a group at least that is planned as curves: fewer have corners, but no bend that several chords
-    /// share.
+    /// Moves of a group at least that is planned as curves. Fewer are planned corner by corner. The value is chosen, not
+    /// measured: so few moves hardly ever approximate a curve.
     pub min_group_moves: usize,
     /// Moves of a group that are looked at to see whether it is dense. The rest of a group whose first moves are long is not
     /// dense either, and need not wait in memory.
@@ -23,14 +24,14 @@ pub(crate) struct PlannerTuning {
     /// Moves of a group at most: those before its last corner are planned then. A surface without a corner is
     /// bounded in memory, and the one rest that this may cost is hundredths of a second in minutes.
     pub max_group_moves: usize,
-    /// The mean time of a dense move at its feed, s. Moves that take longer reach their feed between their corners,
-    /// which are best passed each by itself: there is nothing that a curve through several of them could gain.
+    /// Moves of a group are dense where they take less than this on average at their feeds, s. The corners of longer ones are best
+    /// passed each by itself.
     pub dense_move_s: f64,
     /// Curves that take no more times as long as without jerk, and less than with stops, are taken without a plan of
     /// corners to compare with. Corners were quicker than such curves by half a percent at most.
     pub curve_always_faster_below: f64,
     /// How far above the least time a profile of a curve may be, as a share of it: at the fast level and at the best. The first
-    /// is what the lengths of the grid intervals cost anyway, the second a quarter of that.
+    /// is about what grid intervals of the usual length cost; the second needs intervals of a quarter of it.
     pub profile_gaps: [f64; 2],
     /// The curves among which the quickest is looked for.
     pub curves: CurveTuning,
@@ -40,7 +41,7 @@ pub(crate) struct PlannerTuning {
 #[derive(Debug)]
 pub(crate) struct CurveTuning {
     /// The cosine of 75 degrees: a joint at which the chords turn by more is a corner, where the axes rest and
-    /// the movements may overlap. A curve around it would be slower than that within usual tolerances.
+    /// the movements may overlap. That is quicker than a curve around a sharp corner.
     pub corner_cosine: f64,
     /// The cosine of 40 degrees: a run that turns by more is also planned with corners there, and the quicker
     /// is taken. Between the two angles either may be.

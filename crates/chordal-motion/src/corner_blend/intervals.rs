@@ -44,10 +44,10 @@ pub fn make<'a, P: PathPart>(
     limits: &AxisArrays,
     corrections: &mut BlendSum,
     IntervalScratch(spans): &mut IntervalScratch,
-    row: &mut LookAheadQueue<P>,
+    queue: &mut LookAheadQueue<P>,
 ) {
     if leg.begins_at_rest
-        && let Some(last) = row.intervals.last_mut()
+        && let Some(last) = queue.intervals.last_mut()
     {
         last.ends_at_rest = true;
     }
@@ -64,10 +64,10 @@ pub fn make<'a, P: PathPart>(
             corrections.refresh([from, from + rounding], to - from, nodes.clone());
             let bounds = bounds(leg, corrections, from, to - from);
             let jet = corrections.jet();
-            let pieces = add_pieces(leg, &mut parts, jet, from, to, &mut row.pieces);
-            if row.keeps_speeds {
+            let pieces = add_pieces(leg, &mut parts, jet, from, to, &mut queue.pieces);
+            if queue.keeps_speeds {
                 let speed = leg.feed / bounds.rate.max(1.0);
-                row.speeds.extend(std::iter::repeat_n(speed, pieces as usize));
+                queue.speeds.extend(std::iter::repeat_n(speed, pieces as usize));
             }
             spans.push(BlendInterval { bounds, from, to, pieces });
             corrections.advance(to - from);
@@ -79,12 +79,12 @@ pub fn make<'a, P: PathPart>(
         corrections.pass();
     }
     if let Some(mut whole) = brief(leg, spans, limits) {
-        whole.pieces = join(&mut row.pieces, whole.pieces);
-        row.time_s += whole.length / whole.speed;
-        return add(whole, &mut row.intervals);
+        whole.pieces = join(&mut queue.pieces, whole.pieces);
+        queue.time_s += whole.length / whole.speed;
+        return add(whole, &mut queue.intervals);
     }
     for span in spans {
-        add_interval(leg, span, limits, row);
+        add_interval(leg, span, limits, queue);
     }
 }
 
@@ -153,7 +153,7 @@ fn add_interval(
     leg: &PathLeg,
     span: &BlendInterval,
     limits: &AxisArrays,
-    row: &mut LookAheadQueue<impl PathPart>,
+    queue: &mut LookAheadQueue<impl PathPart>,
 ) {
     let BlendInterval { bounds, from, to, pieces } = *span;
     let mut interval = limit_interval(to - from, &bounds, leg.feed, limits);
@@ -163,8 +163,8 @@ fn add_interval(
         interval.ability.efforts.iter_mut().for_each(|effort| effort.jerk *= share);
     }
     interval.pieces = pieces;
-    row.time_s += interval.length / interval.speed;
-    add(interval, &mut row.intervals);
+    queue.time_s += interval.length / interval.speed;
+    add(interval, &mut queue.intervals);
 }
 
 /// A part that ends here ends with its leg.

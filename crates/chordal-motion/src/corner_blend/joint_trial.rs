@@ -15,7 +15,7 @@ use crate::trajectory::JerkPhase;
 /// Plans joints. Keeps its memory from one to the next.
 #[derive(Debug)]
 pub struct JointTrial {
-    row: LookAheadQueue<PathSpan>,
+    queue: LookAheadQueue<PathSpan>,
     solver: RampSolver,
     phases: Vec<JerkPhase>,
     corrections: BlendSum,
@@ -25,7 +25,7 @@ pub struct JointTrial {
 impl Default for JointTrial {
     fn default() -> JointTrial {
         JointTrial {
-            row: LookAheadQueue::new(false),
+            queue: LookAheadQueue::new(false),
             solver: RampSolver::default(),
             phases: Vec::new(),
             corrections: BlendSum::default(),
@@ -50,9 +50,9 @@ impl JointTrial {
             last.jerk_share[1] = overlap.jerk_share;
             first.jerk_share[0] = overlap.jerk_share;
             let one = self.alone(&last, limits);
-            let end = RestEnd::last(&self.phases, &self.row.pieces);
+            let end = RestEnd::last(&self.phases, &self.queue.pieces);
             let two = self.alone(&first, limits);
-            let start = RestEnd::first(&self.phases, &self.row.pieces);
+            let start = RestEnd::first(&self.phases, &self.queue.pieces);
             let (Some(end), Some(start)) = (end, start) else { return f64::INFINITY };
             // What the lower jerk costs may be more where the axes do not come from rest.
             let (cost, gain) = (one + two - rest, overlap_of(&overlap, &end, &start));
@@ -86,18 +86,18 @@ impl JointTrial {
     }
 
     fn time(&mut self, legs: &[&PathLeg], nodes: &[BlendNode], limits: &AxisArrays) -> f64 {
-        let JointTrial { row, solver, phases: law, corrections, scratch } = self;
-        row.clear();
+        let JointTrial { queue, solver, phases: profile, corrections, scratch } = self;
+        queue.clear();
         corrections.clear();
         nodes.iter().for_each(|node| corrections.add(node));
         for leg in legs {
             let until = leg.from + intervals::rounding(leg);
             corrections.enter_anew(leg.from, until, nodes.iter());
-            intervals::make(leg, [].iter(), nodes.iter(), limits, corrections, scratch, row);
+            intervals::make(leg, [].iter(), nodes.iter(), limits, corrections, scratch, queue);
         }
-        solver.solve(&row.intervals, 0.0, 0.0);
-        law.clear();
-        solver.phases(&row.intervals, 0, row.intervals.len(), law);
-        law.iter().map(|phase| phase.duration_s).sum()
+        solver.solve(&queue.intervals, 0.0, 0.0);
+        profile.clear();
+        solver.phases(&queue.intervals, 0, queue.intervals.len(), profile);
+        profile.iter().map(|phase| phase.duration_s).sum()
     }
 }

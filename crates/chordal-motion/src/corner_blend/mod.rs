@@ -52,8 +52,8 @@ struct BlendNode {
     tried: f64,
     /// The axes rest here, and no correction reaches over it.
     rests: bool,
-    /// It was weighed together with its neighbours.
-    weighed: bool,
+    /// It was decided together with its neighbours.
+    decided_part: bool,
 }
 
 impl BlendNode {
@@ -66,7 +66,7 @@ impl BlendNode {
             curvature_half: 0.0,
             tried: 0.0,
             rests: false,
-            weighed: false,
+            decided_part: false,
         }
     }
 
@@ -107,12 +107,12 @@ pub struct CornerBlender {
     /// Nodes that later legs or nodes may need; the first has the number `nodes_gone`.
     nodes: VecDeque<BlendNode>,
     nodes_gone: usize,
-    /// Number of the first node that has not been judged by itself.
-    judged: usize,
+    /// Number of the first node that has not been decided by itself.
+    decided_each: usize,
     /// At how many of the nodes the axes rest.
     resting: usize,
-    /// Number of the first node that has not been weighed with its neighbours.
-    weighed: usize,
+    /// Number of the first node that has not been decided with its neighbours.
+    decided_part: usize,
     /// Number of the first node whose widths are not settled.
     unsettled: usize,
     length: f64,
@@ -122,7 +122,7 @@ pub struct CornerBlender {
     corner: Option<CornerMode>,
     pending: Option<PendingLeg>,
     trial: JointTrial,
-    /// Up to this number nodes were looked at for the end of the part to be weighed.
+    /// Up to this number nodes were looked at for the end of the part to be decided.
     part_to: usize,
     corrections: BlendSum,
     /// Number of the first node that no leg has begun at.
@@ -147,7 +147,7 @@ pub struct LookAheadQueue<P> {
     pub pieces: Vec<P>,
     /// The largest programmed speed on each, σ per s; empty where the level needs none.
     pub speeds: Vec<f64>,
-    /// They are kept: only the best level needs them.
+    /// The speeds are kept: only the best level needs them.
     pub keeps_speeds: bool,
     /// The limits, each over one or more pieces.
     pub intervals: Vec<LimitInterval>,
@@ -175,7 +175,7 @@ impl PendingLeg {
 }
 
 impl<P> LookAheadQueue<P> {
-    /// Nothing is in it.
+    /// An empty one.
     pub fn new(keeps_speeds: bool) -> LookAheadQueue<P> {
         let (pieces, speeds, intervals) = (Vec::new(), Vec::new(), Vec::new());
         LookAheadQueue { pieces, speeds, keeps_speeds, intervals, time_s: 0.0 }
@@ -190,7 +190,7 @@ impl<P> LookAheadQueue<P> {
 }
 
 impl CornerBlender {
-    /// No move is in it.
+    /// Whether no move is in it.
     pub fn is_empty(&self) -> bool {
         self.corner.is_none()
     }
@@ -311,7 +311,7 @@ impl CornerBlender {
         &mut self,
         ends: bool,
         limits: &AxisArrays,
-        row: &mut LookAheadQueue<impl PathPart>,
+        queue: &mut LookAheadQueue<impl PathPart>,
     ) {
         self.settle(ends, limits);
         while let Some(leg) = self.legs.front() {
@@ -320,14 +320,14 @@ impl CornerBlender {
             if !(ends || certain) {
                 break;
             }
-            self.hand_on(limits, row);
+            self.emit_first(limits, queue);
         }
         if ends {
             // Keeps the memory for the next run.
             self.nodes.clear();
             self.parts.clear();
             (self.legs_gone, self.nodes_gone) = (0, 0);
-            (self.judged, self.weighed, self.unsettled, self.ahead) = (0, 0, 0, 0);
+            (self.decided_each, self.decided_part, self.unsettled, self.ahead) = (0, 0, 0, 0);
             self.resting = 0;
             self.part_to = 0;
             self.corrections.clear();
@@ -343,13 +343,13 @@ impl CornerBlender {
 
     /// Gives the nodes their widths, as far as later moves cannot change them.
     fn settle(&mut self, ends: bool, limits: &AxisArrays) {
-        self.judge(ends, limits);
-        while self.unsettled < self.judged {
-            if self.unsettled >= self.weighed && !self.weigh(ends, limits) {
+        self.decide_each(ends, limits);
+        while self.unsettled < self.decided_each {
+            if self.unsettled >= self.decided_part && !self.decide_part(ends, limits) {
                 break;
             }
             let index = self.unsettled - self.nodes_gone;
-            if self.resting > 0 && !self.nodes[index].weighed {
+            if self.resting > 0 && !self.nodes[index].decided_part {
                 self.settle_among_rests(index, limits);
             }
             let node = self.nodes[index];
@@ -363,7 +363,7 @@ impl CornerBlender {
         }
     }
 
-    /// Gives a node that was judged by itself its widths between the rests around it.
+    /// Gives a node that was decided by itself its widths between the rests around it.
     fn settle_among_rests(&mut self, index: usize, limits: &AxisArrays) {
         if self.nodes[index].rests {
             self.nodes[index] = self.nodes[index].narrowed();
@@ -448,7 +448,7 @@ impl CornerBlender {
     }
 
     /// Emits the first leg.
-    fn hand_on(&mut self, limits: &AxisArrays, row: &mut LookAheadQueue<impl PathPart>) {
+    fn emit_first(&mut self, limits: &AxisArrays, queue: &mut LookAheadQueue<impl PathPart>) {
         let Some(leg) = self.legs.pop_front() else { return };
         let own = self.nodes.get(self.ahead - self.nodes_gone);
         let own = own.filter(|node| node.leg == self.legs_gone);
@@ -461,7 +461,15 @@ impl CornerBlender {
         self.corrections.enter(leg.from, until, own, nodes.clone());
         let more = leg.more as usize;
         let parts = self.parts.range(..more);
-        intervals::make(&leg, parts, nodes, limits, &mut self.corrections, &mut self.scratch, row);
+        intervals::make(
+            &leg,
+            parts,
+            nodes,
+            limits,
+            &mut self.corrections,
+            &mut self.scratch,
+            queue,
+        );
         self.parts.drain(..more);
         while self.nodes.front().is_some_and(|node| {
             node.at + 2.0 * MAX_HALF_WIDTH < leg.end() && self.nodes_gone < self.unsettled

@@ -1,7 +1,7 @@
-//! Where the axes had better rest than pass an eased corner slowly.
+//! Decides at which corners the axes rest, because passing them blended would be slower.
 //!
-//! A node is judged by itself first, as if all others were eased. Then a part of the path, from
-//! rest to rest or from one long leg to the next, is weighed as a whole: what rests bounds the
+//! A node is decided by itself first, as if all others were eased. Then a part of the path, from
+//! rest to rest or from one long leg to the next, is decided as a whole: what rests bounds the
 //! corrections of its neighbours, which makes more of them slow, until nothing changes. If it
 //! is quicker to rest at all its joints, the axes do. No answer depends on the direction of the
 //! path or on how its lines are cut.
@@ -12,17 +12,17 @@ use crate::corner_blend::leg::PathLeg;
 use crate::corner_blend::{BlendNode, CornerBlender, MAX_CLEAR_END};
 use crate::path_limits::AxisArrays;
 
-/// Parts of more legs are not weighed: their nodes are judged one by one.
-const MAX_WEIGHED_LEGS: usize = 64;
+/// Parts of more legs are not decided as a whole: their nodes are decided one by one.
+const MAX_PART_LEGS: usize = 64;
 
 impl CornerBlender {
-    /// Judges nodes as if all of them were eased, as far as enough is known of the legs to come.
-    pub(super) fn judge(&mut self, ends: bool, limits: &AxisArrays) {
-        while let Some(node) = self.nodes.get(self.judged - self.nodes_gone) {
+    /// Decides nodes as if all of them were eased, as far as enough is known of the legs to come.
+    pub(super) fn decide_each(&mut self, ends: bool, limits: &AxisArrays) {
+        while let Some(node) = self.nodes.get(self.decided_each - self.nodes_gone) {
             if !ends && self.length - node.at <= 2.0 * node.need() + MAX_CLEAR_END {
                 break;
             }
-            let index = self.judged - self.nodes_gone;
+            let index = self.decided_each - self.nodes_gone;
             let node = self.with_half(index, self.half_among(index, self.room(node), false));
             if !ends && node.is_slow() && !self.is_known_around(&node) {
                 break;
@@ -32,33 +32,33 @@ impl CornerBlender {
             let tried = if clear { 0.0 } else { node.half() };
             self.nodes[index] = BlendNode { rests, tried, ..node };
             self.resting += usize::from(rests);
-            self.judged += 1;
+            self.decided_each += 1;
         }
     }
 
-    /// Weighs the part that begins with the first node not weighed. False when more has to be
+    /// Decides the part that begins with the first node that is not decided with its neighbours. False when more has to be
     /// known of the moves to come.
-    pub(super) fn weigh(&mut self, ends: bool, limits: &AxisArrays) -> bool {
-        let from = self.weighed - self.nodes_gone;
+    pub(super) fn decide_part(&mut self, ends: bool, limits: &AxisArrays) -> bool {
+        let from = self.decided_part - self.nodes_gone;
         let Some(to) = self.part_from(from, ends) else { return false };
-        let known = match self.nodes.get(self.judged - self.nodes_gone) {
+        let known = match self.nodes.get(self.decided_each - self.nodes_gone) {
             Some(next) => next.at > self.nodes[to - 1].at + self.nodes[to - 1].need(),
             None => true,
         };
-        if self.judged - self.nodes_gone < to || !(known || ends) {
+        if self.decided_each - self.nodes_gone < to || !(known || ends) {
             return false;
         }
         let legs = self.nodes[to - 1].leg - self.nodes[from].leg;
-        if legs < MAX_WEIGHED_LEGS && self.nodes.range(from..to).any(|node| self.may_lose(node)) {
+        if legs < MAX_PART_LEGS && self.nodes.range(from..to).any(|node| self.may_lose(node)) {
             let rests = |nodes: &VecDeque<BlendNode>| {
                 nodes.range(from..to).filter(|node| node.rests).count()
             };
             let before = rests(&self.nodes);
             self.rest_where_quicker(from, to, limits);
-            self.nodes.range_mut(from..to).for_each(|node| node.weighed = true);
+            self.nodes.range_mut(from..to).for_each(|node| node.decided_part = true);
             self.resting += rests(&self.nodes) - before;
         }
-        self.weighed = to + self.nodes_gone;
+        self.decided_part = to + self.nodes_gone;
         true
     }
 
@@ -70,12 +70,14 @@ impl CornerBlender {
             self.part_to = to + self.nodes_gone;
             let node = &self.nodes[to - 1];
             let legs = node.leg - self.nodes[from].leg;
-            if node.rests || legs >= MAX_WEIGHED_LEGS || self.is_followed_by_long(node) {
+            if node.rests || legs >= MAX_PART_LEGS || self.is_followed_by_long(node) {
                 return Some(to);
             }
             match self.nodes.get(to) {
-                Some(next) if next.rests && to + self.nodes_gone < self.judged => return Some(to),
-                Some(_) if to + self.nodes_gone < self.judged || ends => to += 1,
+                Some(next) if next.rests && to + self.nodes_gone < self.decided_each => {
+                    return Some(to);
+                }
+                Some(_) if to + self.nodes_gone < self.decided_each || ends => to += 1,
                 None if ends => return Some(to),
                 _ => return None,
             }

@@ -26,26 +26,28 @@ pub(crate) use chords::ChordPath;
 use spline::FittedSpline;
 use widths::SmoothingWidths;
 
-/// Rounds of narrower widths.
+/// Rounds in which the widths are made narrower, until the curve is within the tolerance.
 const MAX_NARROWINGS: usize = 60;
 
-/// Where the curve is beyond the tolerance by no larger factor it is pulled back, so many times, before widths
-/// fall: narrower ones move all knots that follow, and there is another place that is too far. So every round pulls.
+/// A curve that is beyond the tolerance by no larger factor is pulled back, so many times, before the widths are made
+/// narrower: narrower ones move all knots that follow, and there is another place that is too far. So every round pulls.
 const MAX_PULLED_EXCESS: f64 = 4.0;
 const MAX_PULLS: usize = 12;
 
-/// Widths are looked for so far from the ends of a chord, in tolerances.
+/// On a long chord widths are looked for at this distance from its ends, too, in tolerances, and then at twice that each time:
+/// in the middle of it the curve may be much wider than at its ends.
 const WIDTH_SPACING_TOLERANCES: f64 = 16.0;
 
-/// Largest second difference over a width of the plain kernel, in tolerances, and largest fourth difference over
-/// one of the sharp kernel, also before the plain one. The curve of the sharp kernel alone is pulled back.
+/// The differences of the path over a width, in tolerances, up to which it is allowed: the second one for the plain kernel,
+/// the fourth one for the sharp kernel, alone and before the plain one. They are what each kernel is off the path by, with a
+/// factor; a curve of the sharp kernel alone may be a little beyond, since it is pulled back.
 const MAX_SECOND_DIFFERENCE: f64 = 3.0;
 const MAX_FOURTH_DIFFERENCE: f64 = 16.0;
 const DENOISE_FOURTH_DIFFERENCE: f64 = 8.0;
-/// Of the tolerance, what the first of two smoothings may take.
+/// The share of the tolerance that the first of two smoothings, which takes the rounding off, may use.
 const DENOISE_TOLERANCE_SHARE: f64 = 0.2;
-/// Largest widths, in those that time needs: of the plain kernel, of the sharp one, and of the sharp one
-/// before the plain one.
+/// The largest widths, as factors of the width that the axes need at their limits: of the plain kernel, of the sharp one, and
+/// of the sharp one before the plain one. Wider curves would be inward parallels of the path, and slower.
 const PLAIN_WIDTH_FACTOR: f64 = 1.5;
 const SHARP_WIDTH_FACTOR: f64 = 1.5;
 const DENOISE_WIDTH_FACTOR: f64 = 1.0;

@@ -9,18 +9,18 @@ use chordal_geometry::AXES;
 use super::chords::{ChordHint, ChordPath};
 use super::{SmoothingKernel, ToleranceMeasure};
 
-/// A width grows and falls with σ by no more than this.
+/// The largest change of a width by σ: knots at distances that change faster would make a curve with waves.
 const MAX_WIDTH_SLOPE: f64 = 0.2;
 /// Largest width, in tolerances: that of the last level.
 const MAX_WIDTH_TOLERANCES: f64 = 1024.0;
 /// Levels of widths: from the least to the widest, and three above, over which fourth differences reach.
 const LEVEL_COUNT: usize = 24;
 const LAST_LEVEL: usize = 20;
-/// So many levels are twice the width.
+/// Levels from a width to twice that.
 const LEVELS_PER_DOUBLING: usize = 2;
 /// Time between two knots where the axes are at their limits, s.
 const KNOT_INTERVAL_S: f64 = 0.004;
-/// No share makes a width smaller than this part of the least.
+/// Widths are narrowed to no less than this share of the tolerance.
 const MIN_WIDTH_SHARE: f64 = 0.2;
 /// Variance of the plain kernel: that of a box of this half width and of the spline.
 const KERNEL_VARIANCE: f64 = 0.416_67;

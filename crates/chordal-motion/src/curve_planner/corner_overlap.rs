@@ -36,31 +36,31 @@ use crate::sample::AxisState;
 use crate::time_bound::JerkReserve;
 use crate::trajectory::PlannedTrajectory;
 
-/// The distances are known to be free for so many times what is expected, as runs turn.
+/// The share of the jerk holds on this many times the expected distance from the corner, as runs turn there.
 const FREE_DISTANCE_FACTOR: f64 = 1.1;
 /// A bend turns the axes by κd over a distance d. From rest with jerk J, 3q''va is at most 9·κd·J there.
 const TURNING_JERK_FACTOR: f64 = 9.0;
-/// Bends are looked at over so many tolerances: over less it might be rounding of coordinates.
+/// The distance over which the curvature next to a corner is measured, in tolerances: over less it might be rounding of coordinates.
 pub const CURVATURE_LOOK_TOLERANCES: f64 = 32.0;
-/// The least share of the jerk for one end, and what both have to leave: t seconds of overlap save
+/// The least share of the jerk for one end, and the least saving, as a share of the overlap: t seconds of overlap save
 /// (share₁ + share₂ − 1)·t, as each run is later by (1 − share)·t.
 const MIN_JERK_SHARE: f64 = 0.4;
 const MIN_SAVED_SHARE: f64 = 0.2;
-/// Steps of the shares that are tried for each end. What saves no more than so many times as much saves the same.
+/// Steps between the least share and one that are tried for each end, and the factor up to which two savings are equal.
 const SHARE_STEPS: u32 = 8;
 const EQUAL_SAVING_FACTOR: f64 = 1.0 + 1e-9;
 /// Shares above this are one.
 const WHOLE_SHARE: f64 = 1.0 - 1e-6;
-/// Looks at each part of an overlap without a change of jerk, and parts of the whole at least.
+/// Instants at which each part of an overlap without a change of jerk is measured, and parts of an overlap at least.
 const PROBES_PER_PART: u32 = 3;
 const MIN_OVERLAP_PARTS: u32 = 24;
-/// Of a part its ends are looked at so far inside, as a share of it.
+/// The first and the last of these instants are so far inside of the part, as a share of it: at its end the jerk changes.
 const PROBE_INSET_SHARE: f64 = 1e-6;
 /// What rounding may add to a limit.
 const LIMIT_ROUNDING_FACTOR: f64 = 1.0 + 1e-9;
-/// Halvings of what is not known of the longest overlap.
+/// Halvings in the search for the longest overlap that keeps the limits.
 const OVERLAP_HALVINGS: u32 = 6;
-/// Rounds of making the reach smaller.
+/// Steps in which the reach is made smaller until the tool stays within the tolerance.
 const MAX_REACH_STEPS: u32 = 12;
 
 /// A corner between two runs, as the path has it.

@@ -34,7 +34,7 @@ pub enum PlannerLevel {
 /// The options of a planner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlannerOptions {
-    /// How hard it tries.
+    /// [`PlannerLevel::Fast`] for programs of any length.
     pub level: PlannerLevel,
     /// The length of a look-ahead window, s: moves are planned together when they would take so long at their largest
     /// speeds. What is certain of them is emitted, so that a servo loop is fed early. Infinite: as

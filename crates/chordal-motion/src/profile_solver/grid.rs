@@ -9,17 +9,18 @@ use crate::time_bound::PathRun;
 
 /// An interval takes no longer than this at the largest speed without jerk, s.
 const MAX_INTERVAL_S: f64 = 0.004;
-/// Nor longer than this share of the time in which jerk alone makes the speed.
+/// Nor does it take longer than this share of the time in which jerk alone would make the speed: a ramp needs several
+/// intervals.
 const RAMP_INTERVAL_SHARE: f64 = 0.35;
-/// But no shorter intervals are made for that: a ramp takes less where acceleration is the limit.
+/// The shortest interval that is made for that, s: where acceleration is the limit a ramp takes longer.
 const MIN_RAMP_INTERVAL_S: f64 = 0.0005;
 /// H·√|q'''| on an interval: with it the limits between its ends are met within a thousandth.
 const MAX_THIRD_ROOT: f64 = 0.08;
 /// An arc turns by no more on an interval, rad.
 const MAX_INTERVAL_TURN_RAD: f64 = 0.04;
-/// Rounds of cutting intervals that turn out to take too long.
+/// Passes in which intervals that turn out to take too long are cut. The speed is known better after each.
 const MAX_CUTTING_PASSES: usize = 12;
-/// Into no more parts at once.
+/// Parts into which an interval is cut at once, at most.
 const MAX_PARTS_PER_CUT: f64 = 8.0;
 /// The first interval from rest takes so long at full jerk at most, s, and this share of the time in which jerk
 /// alone makes the speed; each of the next ends later by a share.
@@ -27,16 +28,16 @@ const MAX_FIRST_INTERVAL_S: f64 = 0.02;
 const FIRST_RAMP_SHARE: f64 = 0.3;
 const INTERVAL_GROWTH: f64 = 0.15;
 const GROWING_INTERVALS: u32 = 16;
-/// No such interval ends nearer to the end of a piece, as a share of its length: on a very short interval next to long
-/// ones a change of acceleration is a jerk without measure.
+/// The least distance between such a cut and the end of a piece, as a share of the interval: on a very short interval next to
+/// long ones a change of acceleration would be a jerk far above any limit.
 const MIN_CUT_SPACING_SHARE: f64 = 0.2;
-/// No more intervals. A run that takes minutes in one window gets longer ones: it loses as much as they are coarse at
+/// The largest number of intervals. A run that takes minutes in one window gets longer ones: it loses as much as they are coarse at
 /// each change of speed, and no limit. One that has too many even so keeps the profile that it has.
 const MAX_GRID_INTERVALS: usize = 20_000;
 /// How many times as long its intervals may become.
 const MAX_COARSENING: f64 = 1024.0;
 
-/// Shares of the limits with which the first profile is looked for.
+/// Shares of the limits that the first profile, without jerk along the path, may use: the solver needs a start inside of all limits.
 const BOUND_ACCELERATION_SHARE: f64 = 0.96;
 const BOUND_JERK_SHARE: f64 = 0.87;
 const BOUND_TURNING_JERK_SHARE: f64 = 0.9;

@@ -59,31 +59,32 @@ struct WindowStart {
 /// A profile nearer the least time than this needs smaller intervals, down to this share of the usual length.
 const USUAL_GAP_SHARE: f64 = 2e-4;
 const MIN_INTERVAL_SCALE: f64 = 0.25;
-/// A window takes so long at least without jerk, s.
+/// The length of a window at least, by its time without jerk, s: several times the longest braking, of which the next
+/// window repeats one.
 const MIN_WINDOW_S: f64 = 0.5;
-/// So much of its end is solved again by the next, s.
+/// The end of a window that is solved again by the next one, s, at least: it ends at rest, which the path does not.
 const MIN_RESOLVED_S: f64 = 0.15;
 /// Before the last braking of a window, this share of the time that a rest takes to reach is solved again, too.
 const RAMP_RESOLVED_SHARE: f64 = 0.4;
-/// Rounds of taking limits back where the phases use more than there is.
+/// Rounds in which limits are tightened where the phases, measured on every axis, use more than there is.
 const MAX_TIGHTENINGS: usize = 10;
-/// Use of a limit above one by no more is rounding.
+/// A use of a limit that is above one by no more is rounding.
 const LIMIT_ROUNDING_SHARE: f64 = 1e-9;
-/// So much is kept for what lies between the places of a phase that are looked at.
+/// The share of a limit that is kept for what lies between the probed instants of a phase.
 const PROBE_RESERVE_SHARE: f64 = 1e-5;
-/// Of a run no more intervals are solved in vain for the sake of cruises: it then has no profile.
+/// Intervals of a run that may be solved in vain, for cruises that are not reached. Then the run has no profile.
 const MAX_WASTED_INTERVALS: usize = 40_000;
-/// No window has fewer intervals.
+/// Intervals of a window at least.
 const MIN_WINDOW_INTERVALS: usize = 8;
 
-/// What profiles took.
+/// The work of a solver so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SolverWork {
     /// Intervals of all runs.
     pub intervals: u64,
-    /// Windows, each as often as it was solved.
+    /// Solutions of windows; a window may be solved several times.
     pub windows: u64,
-    /// Windows without an answer.
+    /// Windows without a solution.
     pub failed: u64,
     /// Iterations times intervals.
     pub steps: u64,

@@ -113,17 +113,19 @@ impl Job<'_> {
         watch: &mut dyn Watch,
     ) -> (Report, Result<Option<TimedRun>, LimitError>) {
         match options.level {
-            PlannerLevel::Fast => self.judged(
+            PlannerLevel::Fast => self.report_and_time(
                 options,
                 |limits, options| MotionPlanner::of_times_by(limits, options.junctions),
                 most_moves,
                 watch,
             ),
-            PlannerLevel::Best => self.judged(options, MotionPlanner::new, most_moves, watch),
+            PlannerLevel::Best => {
+                self.report_and_time(options, MotionPlanner::new, most_moves, watch)
+            }
         }
     }
 
-    fn judged<P: PathPart>(
+    fn report_and_time<P: PathPart>(
         &self,
         options: &MotionOptions,
         make: MakePlanner<P>,
@@ -188,7 +190,7 @@ impl<S: PlanSink> PlanObserver<PathPiece> for TimedSteps<'_, S> {
     }
 }
 
-/// A run that is judged and planned at once.
+/// A run that is checked and planned at once.
 struct ReportAndTime<'m, 'w, P> {
     report: ReportSink<'m, 'w>,
     /// Gone when there are too many moves.

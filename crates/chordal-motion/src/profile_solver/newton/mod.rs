@@ -22,32 +22,37 @@ use rows::{AccelerationRows, JerkRows};
 use start_kind::NewtonStart;
 use step::{BandRow, IntervalPair, NewtonIterate};
 
-/// What of the limits is used; the rest is for what lies between the nodes.
+/// Shares of the limits of acceleration and jerk that are used at the nodes. Between the nodes the true values are a little
+/// above those at them; the rest of the limits is for that.
 const NODE_ACCELERATION_SHARE: f64 = 0.998;
 const INTERVAL_JERK_SHARE: f64 = 0.9985;
-/// Prices of an elastic share, as shares of the time, and of the first profile what is begun with: the next
-/// where elastic shares stay.
+/// What is tried, one after the other, while elastic shares are left: the price of an elastic share, as a share of the time, and
+/// the factor on the first profile with which the steps begin. A slower beginning is farther inside of the limits.
 const START_TRIES: [[f64; 2]; 4] = [[0.1, 1.0], [0.1, 0.4], [1.0, 0.15], [10.0, 1.0]];
-/// Where the elastic share falls to no less than this share of it in a step after the first ones, it becomes dearer so
-/// many times.
+/// From this step on the price rises by this factor wherever a step leaves more than this share of the largest elastic share: a
+/// price that is too low never brings it to nothing.
 const PRICE_RISE_FROM_STEP: u32 = 6;
 const MIN_ELASTIC_FALL: f64 = 0.9;
 const PRICE_RISE_FACTOR: f64 = 2.0;
-/// So far towards a wall in one step.
+/// A step goes no farther than this share of the distance at which a slack or a price would be zero, as in all methods that stay
+/// inside of the limits.
 const WALL_STEP_SHARE: f64 = 0.99;
+/// A solution takes 8 to 22 steps, and 3 to 9 from the solution before.
 const MAX_NEWTON_STEPS: usize = 60;
-/// Where an elastic share above this one is left after so many another start is better.
+/// A try ends when after so many steps an elastic share above the second number is left: the next beginning is quicker.
 const SLOW_START: (u32, f64) = (30, 0.1);
-/// A profile within all limits is taken at the end of the steps up to this gap, as a share of the time.
+/// A profile within all limits is taken after the last step up to this gap, as a share of the time: farther from the
+/// best it may nearly stop somewhere.
 const ROUGH_GAP_SHARE: f64 = 0.02;
-/// Where the gap is closed to this share of the requested one, what is left of the elastic shares stays.
+/// Where the gap is closed to this share of the requested one, elastic shares that are left stay: the limits contradict
+/// what is known at the ends.
 const STUCK_GAP_SHARE: f64 = 0.01;
-/// A step that ends beyond a limit is halved so often.
+/// Halvings of a step that ends beyond a limit, which the root in the limit of jerk allows.
 const MAX_STEP_HALVINGS: u32 = 30;
-/// The least b that has a root.
+/// The least b of which a root is taken.
 const MIN_SQUARE: f64 = 1e-300;
-/// The largest elastic share that is left, and that a profile is taken with at the end of the steps: no more than
-/// what is kept of the limits.
+/// The largest elastic share of a solution, and of a profile that is taken after the last step. Both are no more
+/// than the rest of the limits above, so the limits themselves hold.
 const MAX_ELASTIC_SHARE: f64 = 3e-4;
 const MAX_FINAL_ELASTIC_SHARE: f64 = 1.4e-3;
 
