@@ -5,8 +5,8 @@
 
 use chordal_geometry::{AXES, Arc, Curve, Frame, Line, ParamCurve, PerAxis, Spiral, Vec3};
 use chordal_motion::{
-    AxisLimit, Corner, Level, Limits, Move, MoveKind, Planner, PlannerOptions, Step, Stretch,
-    largest_use,
+    AxisLimit, CornerMode, KinematicLimits, MotionPlanner, MoveKind, MoveRequest,
+    PlannedTrajectory, PlannerLevel, PlannerOptions, PlannerStep, largest_use,
 };
 use libfuzzer_sys::fuzz_target;
 
@@ -31,7 +31,7 @@ impl Bytes<'_> {
     }
 }
 
-fn limits(bytes: &mut Bytes<'_>) -> Limits {
+fn limits(bytes: &mut Bytes<'_>) -> KinematicLimits {
     let mut axes = [None; AXES];
     for axis in &mut axes {
         *axis = Some(AxisLimit {
@@ -40,15 +40,15 @@ fn limits(bytes: &mut Bytes<'_>) -> Limits {
             jerk: bytes.decades(100.0, 1e6),
         });
     }
-    Limits::new(axes).expect("positive numbers")
+    KinematicLimits::new(axes).expect("positive numbers")
 }
 
-fn corner(bytes: &mut Bytes<'_>) -> Corner {
+fn corner(bytes: &mut Bytes<'_>) -> CornerMode {
     match bytes.byte() % 8 {
-        0 => Corner::Stop,
-        1 => Corner::Exact,
-        2 => Corner::Within { linear_mm: 0.0, rotary_rad: 0.0 },
-        _ => Corner::Within {
+        0 => CornerMode::Stop,
+        1 => CornerMode::Exact,
+        2 => CornerMode::Joined { linear_mm: 0.0, rotary_rad: 0.0 },
+        _ => CornerMode::Joined {
             linear_mm: bytes.decades(1e-6, 10.0),
             rotary_rad: bytes.decades(1e-6, 1.0),
         },
@@ -81,27 +81,34 @@ fn curve(bytes: &mut Bytes<'_>, at: Vec3, heading: Vec3) -> Curve {
 }
 
 /// Every limit is held, and it begins where the one before ended.
-fn check(stretch: &Stretch, limits: &Limits, at: &mut Option<PerAxis<f64>>, slack: f64) {
-    let used = largest_use(stretch, limits, 2);
+fn check(
+    trajectory: &PlannedTrajectory,
+    limits: &KinematicLimits,
+    at: &mut Option<PerAxis<f64>>,
+    slack: f64,
+) {
+    let used = largest_use(trajectory, limits, 2);
     let worst = used.velocity.max(used.acceleration).max(used.jerk);
-    assert!(worst <= 1.0 + 1e-6 + rounded(stretch, limits), "{used:?} of {limits:?}");
-    for phase in &stretch.phases {
+    assert!(worst <= 1.0 + 1e-6 + rounded(trajectory, limits), "{used:?} of {limits:?}");
+    for phase in &trajectory.phases {
         assert!(phase.duration_s >= 0.0 && phase.speed >= 0.0, "{phase:?}");
     }
-    assert!(stretch.overlap_s >= 0.0 && stretch.duration_s().is_finite());
-    let far: f64 = stretch.from().iter().map(|value| value.abs()).fold(1.0, f64::max) + slack;
-    if let Some(before) = at.replace(stretch.to()) {
-        same(before, stretch.from(), far);
+    assert!(trajectory.overlap_s >= 0.0 && trajectory.duration_s().is_finite());
+    let far: f64 = trajectory.from().iter().map(|value| value.abs()).fold(1.0, f64::max) + slack;
+    if let Some(before) = at.replace(trajectory.to()) {
+        same(before, trajectory.from(), far);
     }
 }
 
 /// The direction of a line of a nanometre far from zero is known to so much only: the planner takes moves
 /// for straight that turn by less, and an axis then gets this share of what the path has.
-fn rounded(stretch: &Stretch, limits: &Limits) -> f64 {
-    let far = stretch.from().iter().chain(&stretch.to()).fold(0.0_f64, |far, at| far.max(at.abs()));
-    let shortest = stretch.pieces.iter().fold(f64::INFINITY, |least, piece| least.min(piece.length));
+fn rounded(trajectory: &PlannedTrajectory, limits: &KinematicLimits) -> f64 {
+    let far =
+        trajectory.from().iter().chain(&trajectory.to()).fold(0.0_f64, |far, at| far.max(at.abs()));
+    let shortest =
+        trajectory.pieces.iter().fold(f64::INFINITY, |least, piece| least.min(piece.length));
     let least = |of: PerAxis<f64>| of.into_iter().fold(f64::INFINITY, f64::min);
-    let jerk = stretch.phases.iter().fold(0.0_f64, |most, phase| most.max(phase.jerk.abs()));
+    let jerk = trajectory.phases.iter().fold(0.0_f64, |most, phase| most.max(phase.jerk.abs()));
     4e-15 * far / shortest * jerk / least(limits.jerk())
 }
 
@@ -114,14 +121,14 @@ fn same(a: PerAxis<f64>, b: PerAxis<f64>, far: f64) {
 fuzz_target!(|bytes: &[u8]| {
     let mut bytes = Bytes(bytes);
     let limits = limits(&mut bytes);
-    let mut options = PlannerOptions::new(Level::Fast);
+    let mut options = PlannerOptions::new(PlannerLevel::Fast);
     if bytes.byte() % 2 == 0 {
-        options.row_s = bytes.decades(0.01, 10.0);
+        options.look_ahead_s = bytes.decades(0.01, 10.0);
     }
-    let mut planner = Planner::new(limits, options);
+    let mut planner = MotionPlanner::new(limits, options);
     let (mut position, mut heading) = (Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0));
     let (mut rotary, mut tag) = ([0.0; 3], 0);
-    let mut passing = Corner::Stop;
+    let mut passing = CornerMode::Stop;
     let (mut at, mut time_s) = (None, 0.0);
     let (mut way, mut steepest) = (0.0_f64, 0.0_f64);
     while !bytes.0.is_empty() && tag < 200 {
@@ -140,7 +147,7 @@ fuzz_target!(|bytes: &[u8]| {
         if kind & 32 == 0 {
             passing = corner(&mut bytes);
         }
-        let motion = Move {
+        let motion = MoveRequest {
             curve,
             rotary_from,
             rotary_to: rotary,
@@ -157,10 +164,10 @@ fuzz_target!(|bytes: &[u8]| {
         }
         // An axis that turns by radians on a nanometre turns by as much as the place along the path is rounded.
         let slack = 1e-4 * way * steepest;
-        let take = |step: Step<'_>| {
-            if let Step::Stretch(stretch) = step {
-                check(stretch, &limits, &mut at, slack);
-                time_s += stretch.duration_s() - stretch.overlap_s;
+        let take = |step: PlannerStep<'_>| {
+            if let PlannerStep::Trajectory(trajectory) = step {
+                check(trajectory, &limits, &mut at, slack);
+                time_s += trajectory.duration_s() - trajectory.overlap_s;
             }
         };
         planner.push(&motion, take).expect("a good move");
@@ -171,9 +178,9 @@ fuzz_target!(|bytes: &[u8]| {
         tag += 1;
     }
     planner.finish(|step| {
-        if let Step::Stretch(stretch) = step {
-            check(stretch, &limits, &mut at, 1e-4 * way * steepest);
-            time_s += stretch.duration_s() - stretch.overlap_s;
+        if let PlannerStep::Trajectory(trajectory) = step {
+            check(trajectory, &limits, &mut at, 1e-4 * way * steepest);
+            time_s += trajectory.duration_s() - trajectory.overlap_s;
         }
     });
     assert!(time_s >= 0.0);

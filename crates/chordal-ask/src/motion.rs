@@ -2,8 +2,8 @@
 
 use std::io;
 
-use chordal::motion::{MotionOptions, Sampling, SamplingError};
-use chordal::time::{Again, TimeQuestion};
+use chordal::motion::{MotionOptions, SamplingError, SamplingRequest};
+use chordal::time::{RepeatPlanning, TimeQuestion};
 use chordal::{Job, Report};
 use chordal_export::columns::{CommandColumns, PathColumns, SampleColumns};
 use chordal_export::{
@@ -103,7 +103,7 @@ pub fn time(asked: &mut Asked) -> Result<Answer, Failure> {
             operations: options.operations.start(),
             ..MotionOptions::default()
         },
-        again: if options.what_if { Again::Always } else { Again::IfShort },
+        again: if options.what_if { RepeatPlanning::Always } else { RepeatPlanning::IfShort },
         bound: options.bound,
     };
     let (found, study) = job.time_study(&question);
@@ -124,7 +124,8 @@ pub fn sample(asked: &mut Asked) -> Result<Answer, Failure> {
     let job = loaded.job()?;
     let found = job.report();
     let head = SampleHead::of(&job, &found, period_s);
-    let sampling = Sampling { period_s, level: options.level.level(), most: options.max_samples };
+    let sampling =
+        SamplingRequest { period_s, level: options.level.level(), most: options.max_samples };
     let text_format = match options.format {
         Format::Object => None,
         Format::Csv => Some(SampleFormat::Csv),
@@ -150,7 +151,7 @@ pub fn sample(asked: &mut Asked) -> Result<Answer, Failure> {
     table(&mut rows, about)
 }
 
-fn sampling_failure(error: SamplingError, sampling: &Sampling) -> Failure {
+fn sampling_failure(error: SamplingError, sampling: &SamplingRequest) -> Failure {
     match error {
         SamplingError::Limit(error) => error.into(),
         SamplingError::TooMany(seconds) => Failure::wrong(

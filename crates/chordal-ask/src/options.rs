@@ -1,6 +1,6 @@
 //! What the questions take in addition to a program.
 
-use chordal::motion::{Level, OperationStart};
+use chordal::motion::{OperationStart, PlannerLevel};
 use serde::Deserialize;
 
 /// In which form an answer is wanted.
@@ -49,10 +49,10 @@ pub enum Effort {
 }
 
 impl Effort {
-    pub fn level(self) -> Level {
+    pub fn level(self) -> PlannerLevel {
         match self {
-            Effort::Fast => Level::Fast,
-            Effort::Best => Level::Best,
+            Effort::Fast => PlannerLevel::Fast,
+            Effort::Best => PlannerLevel::Best,
         }
     }
 }

@@ -1,12 +1,10 @@
 //! Problems, summary, comparison and conversion of programs.
 
 use chordal::motion::MotionOptions;
-use chordal::time::most_summarized;
-use chordal::{EVERY_PLACE, KEPT_PER_CODE, RunWatch};
-use chordal_compare::{Category, ComparisonOptions as Comparing, compare};
-use chordal_export::report::{
-    self, GitlabReport, ReportDetail, RunOf, SarifReport, files_json, summary_json,
-};
+use chordal::time::max_summarized_moves;
+use chordal::{EVERY_PLACE, KEPT_PER_CODE, Watch};
+use chordal_compare::{Category, Options as Comparing, compare};
+use chordal_export::report::{self, Detail, Gitlab, RunOf, Sarif, files_json, summary_json};
 use chordal_export::{comparison_json, comparison_names, comparison_text, conversion_json};
 use chordal_rewrite::convert::{ConversionOptions as Converting, convert};
 
@@ -54,7 +52,7 @@ pub fn run(asked: &mut Asked) -> Result<Answer, Failure> {
     }
     let loaded = asked.load()?;
     let job = loaded.job()?;
-    let most = most_summarized(loaded.size());
+    let most = max_summarized_moves(loaded.size());
     let (found, timed) = job.report_timed(&MotionOptions::default(), most, &mut Unwatched);
     // Limits nothing can be planned with are reported by the question about the time.
     let timed = timed.ok().flatten();

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use chordal::Machine;
 use chordal::machine::{Axis, builtin};
 use chordal::motion::{LimitError, MotionOptions, WaitKind};
-use chordal::time::{Factors, Fit, Parameter, Prediction, Untold, fit};
-use chordal_load::{FileAccess, Loaded};
+use chordal::time::{FitParameter, LimitFactors, LimitFit, TimePrediction, UnfitReason, fit};
+use chordal_load::{Files, Loaded};
 
 use crate::failure::{CommandFailure, ExitVerdict};
 use crate::numbers::{counted, duration, fixed, short};
@@ -64,7 +64,7 @@ pub fn run(args: &Args) -> Result<ExitVerdict, CommandFailure> {
     }
     let measurements = read(args)?;
     let machine = measurements[0].loaded.machine().clone();
-    let start = Factors {
+    let start = LimitFactors {
         acceleration: 1.0,
         jerk: 1.0,
         tool_change_s: machine.times.tool_change_s.unwrap_or(0.0),
@@ -154,19 +154,19 @@ fn seconds(text: &str) -> Option<f64> {
 
 /// Fits; what a program takes with some factors is planned once.
 fn fit_to(
-    measurements: &[CycleTimeMeasurement],
+    measurements: &[Measurement],
     machine: &Machine,
-    start: Factors,
-) -> Result<Fit, CommandFailure> {
+    start: LimitFactors,
+) -> Result<LimitFit, Failure> {
     let measured: Vec<f64> = measurements.iter().map(|program| program.seconds).collect();
-    let mut known: BTreeMap<(usize, u64, u64), Prediction> = BTreeMap::new();
+    let mut known: BTreeMap<(usize, u64, u64), TimePrediction> = BTreeMap::new();
     let mut failed = None;
     let fitted = fit(&measured, start, |index, factors| {
         let key = (index, factors.acceleration.to_bits(), factors.jerk.to_bits());
         *known.entry(key).or_insert_with(|| {
             predict(&measurements[index].loaded, machine, factors).unwrap_or_else(|failure| {
                 failed.get_or_insert(failure);
-                Prediction { without_changes_s: 0.0, tool_changes: 0 }
+                TimePrediction { without_changes_s: 0.0, tool_changes: 0 }
             })
         })
     });
@@ -176,40 +176,40 @@ fn fit_to(
 fn predict(
     loaded: &Loaded,
     machine: &Machine,
-    factors: &Factors,
-) -> Result<Prediction, CommandFailure> {
+    factors: &LimitFactors,
+) -> Result<TimePrediction, Failure> {
     let changed = factors.on(machine).map_err(|error| wrong_limit(&error))?;
     let timed = loaded.job_on(changed)?.time(&MotionOptions::default());
     let time = timed.map_err(|error| wrong_limit(&error))?.time;
     let changes = time.waits.iter().find(|(kind, _)| *kind == WaitKind::ToolChange);
     let changes_s = changes.map_or(0.0, |(_, seconds)| *seconds);
-    Ok(Prediction {
+    Ok(TimePrediction {
         without_changes_s: time.total_s() - changes_s,
         tool_changes: time.tool_changes,
     })
 }
 
 fn text(
-    measurements: &[CycleTimeMeasurement],
+    measurements: &[Measurement],
     machine: &Machine,
-    start: Factors,
-    fitted: &Fit,
+    start: LimitFactors,
+    fitted: &LimitFit,
 ) -> String {
     let programs = counted(measurements.len() as u64, "program", "programs");
     let mut text = format!("{programs} measured on {} ({})\n\n", machine.title, machine.name);
     let mut numbers = plain_table(&["", "machine file", "fitted"], 1);
     let to = &fitted.factors;
     for (parameter, before, after) in [
-        (Parameter::Acceleration, "1".to_string(), format!("x {}", fixed(to.acceleration, 3))),
-        (Parameter::Jerk, "1".to_string(), format!("x {}", fixed(to.jerk, 3))),
+        (FitParameter::Acceleration, "1".to_string(), format!("x {}", fixed(to.acceleration, 3))),
+        (FitParameter::Jerk, "1".to_string(), format!("x {}", fixed(to.jerk, 3))),
         (
-            Parameter::ToolChange,
+            FitParameter::ToolChange,
             format!("{} s", fixed(start.tool_change_s, 2)),
             format!("{} s", fixed(to.tool_change_s, 2)),
         ),
     ] {
-        let reported = fitted.untold.iter().all(|(untold, _)| *untold != parameter);
-        let after = if reported { after } else { "kept".to_string() };
+        let told = fitted.undetermined.iter().all(|(untold, _)| *untold != parameter);
+        let after = if told { after } else { "kept".to_string() };
         numbers.add_row([parameter.word().to_string(), before, after]);
     }
     push_lines(&mut text, &numbers);
@@ -238,7 +238,7 @@ fn text(
         );
     }
     text.push('\n');
-    for (parameter, why) in &fitted.untold {
+    for (parameter, why) in &fitted.undetermined {
         text.push_str(&format!("  {}\n", untold_text(*parameter, *why)));
     }
     for (program, times) in measurements.iter().zip(&fitted.programs) {
@@ -262,21 +262,21 @@ fn push_lines(text: &mut String, table: &comfy_table::Table) {
     }
 }
 
-fn untold_text(parameter: Parameter, why: Untold) -> String {
+fn untold_text(parameter: FitParameter, why: UnfitReason) -> String {
     let word = parameter.word();
     match why {
-        Untold::NoEffect => {
+        UnfitReason::NoEffect => {
             let more = match parameter {
-                Parameter::ToolChange => "programs with tool changes",
+                FitParameter::ToolChange => "programs with tool changes",
                 _ => "programs of many short moves",
             };
             format!("{word}: these programs hardly depend on it; measure {more}")
         }
-        Untold::SameAs(other) => format!(
+        UnfitReason::SameAs(other) => format!(
             "{word}: cannot be separated from {} with these programs; measure others",
             other.word()
         ),
-        Untold::TooFew => {
+        UnfitReason::TooFew => {
             format!("{word}: cannot be separated with so few programs; measure more")
         }
     }
@@ -287,9 +287,9 @@ fn machine_file(
     name: &str,
     output: &Path,
     machine: &Machine,
-    fitted: &Fit,
+    fitted: &LimitFit,
 ) -> Result<String, LimitError> {
-    let reported = |parameter| fitted.untold.iter().all(|(untold, _)| *untold != parameter);
+    let told = |parameter| fitted.undetermined.iter().all(|(untold, _)| *untold != parameter);
     let factors = &fitted.factors;
     let changed = factors.on(machine)?;
     let mut text = format!(
@@ -302,10 +302,10 @@ fn machine_file(
         let Some(limits) = changed.axis(axis) else { continue };
         let (unit, part) = if axis.is_rotary() { ("deg", 1f64.to_degrees()) } else { ("mm", 1.0) };
         let rows = [
-            ("max_acceleration", limits.max_acceleration, Parameter::Acceleration, 2),
-            ("rapid_acceleration", limits.rapid_acceleration, Parameter::Acceleration, 2),
-            ("max_jerk", limits.max_jerk, Parameter::Jerk, 3),
-            ("rapid_jerk", limits.rapid_jerk, Parameter::Jerk, 3),
+            ("max_acceleration", limits.max_acceleration, FitParameter::Acceleration, 2),
+            ("rapid_acceleration", limits.rapid_acceleration, FitParameter::Acceleration, 2),
+            ("max_jerk", limits.max_jerk, FitParameter::Jerk, 3),
+            ("rapid_jerk", limits.rapid_jerk, FitParameter::Jerk, 3),
         ];
         let rows = rows.iter().filter(|(_, _, parameter, _)| reported(*parameter));
         let rows: String = rows
@@ -318,7 +318,7 @@ fn machine_file(
             text.push_str(&format!("\n[axes.{axis}]\n{rows}"));
         }
     }
-    if reported(Parameter::ToolChange) {
+    if told(FitParameter::ToolChange) {
         let seconds = short(factors.tool_change_s, 2);
         text.push_str(&format!("\n[times]\ntool_change = \"{seconds} s\"\n"));
     }

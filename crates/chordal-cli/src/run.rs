@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use chordal::motion::MotionOptions;
 use chordal::stock::{StockLeft, StockOptions};
-use chordal::time::{Timed, most_summarized};
+use chordal::time::{TimedRun, max_summarized_moves};
 use chordal::{Job, Report, Severity};
 use chordal_export::{PlotOptions, report, stock_left_text};
 use chordal_load::Loaded;
@@ -112,7 +112,7 @@ pub fn run(mut args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Com
 struct FinishedRun {
     /// With the problems of the stock.
     report: Report,
-    timed: Option<Timed>,
+    timed: Option<TimedRun>,
     stock: Option<StockLeft>,
     written: Vec<PathBuf>,
 }
@@ -121,10 +121,10 @@ fn carry_out(
     loaded: &Loaded,
     job: &Job,
     setup: Option<&Path>,
-    targets: &[output::OutputTarget],
-) -> Result<FinishedRun, CommandFailure> {
-    let mut outputs = RunOutputs::open(targets, job)?;
-    let most = most_summarized(loaded.size());
+    targets: &[output::Target],
+) -> Result<Done, Failure> {
+    let mut outputs = Outputs::open(targets, job)?;
+    let most = max_summarized_moves(loaded.size());
     let (report, timed) = job.report_timed(&MotionOptions::default(), most, &mut outputs);
     // Limits nothing can be planned with are reported by `chordal time`.
     let timed = timed.ok().flatten();

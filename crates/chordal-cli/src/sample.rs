@@ -3,8 +3,10 @@
 use std::path::PathBuf;
 
 use chordal::control::AxisMask;
-use chordal::machine::QuantityDimension;
-use chordal::motion::{Level, MotionOptions, Sampled, Sampling, SamplingError};
+use chordal::machine::Dimension;
+use chordal::motion::{
+    MotionOptions, PlannerLevel, SamplingError, SamplingReport, SamplingRequest,
+};
 use chordal::{Job, Report, Severity};
 use chordal_export::report::{self, ReportDetail};
 use chordal_export::{SampleFormat, SampleHead, SampleWriter, not_named_texts};
@@ -73,11 +75,11 @@ enum PlanningQuality {
     Best,
 }
 
-impl PlanningQuality {
-    fn of(self) -> Level {
+impl Effort {
+    fn of(self) -> PlannerLevel {
         match self {
-            PlanningQuality::Fast => Level::Fast,
-            PlanningQuality::Best => Level::Best,
+            Effort::Fast => PlannerLevel::Fast,
+            Effort::Best => PlannerLevel::Best,
         }
     }
 }
@@ -117,7 +119,7 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
     let mut writer = SampleWriter::new(out, inside(format), &head).map_err(reported)?;
     let mut done = Ok(());
     let sampling =
-        Sampling { period_s: args.period, level: args.level.of(), most: args.max_samples };
+        SamplingRequest { period_s: args.period, level: args.level.of(), most: args.max_samples };
     let sampled = job.setpoints(&sampling, |sample, line| {
         keep(&mut done, || writer.sample(sample, line));
     });
@@ -177,7 +179,7 @@ fn machine_time(job: &Job, level: PlanningQuality) -> Option<f64> {
 }
 
 fn summary(
-    sampled: &Sampled,
+    sampled: &SamplingReport,
     machine_s: Option<f64>,
     period_s: f64,
     units: SummaryUnits,
@@ -185,7 +187,7 @@ fn summary(
     columns: AxisMask,
     colors: bool,
 ) -> String {
-    let Sampled { motion, time_s, count, chord, .. } = sampled;
+    let SamplingReport { motion, time_s, count, chord, .. } = sampled;
     let mut text = String::new();
     let mut row = |name: &str, value: &str| {
         let name = style(colors, BOLD, format!("{name:10}"));

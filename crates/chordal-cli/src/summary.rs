@@ -6,7 +6,7 @@ use chordal::control::{EndReason, EvidenceStrength, Library, Recognition};
 use chordal::diagnostics::FileId;
 use chordal::machine::ToolShape;
 use chordal::motion::MotionReport;
-use chordal::time::Timed;
+use chordal::time::TimedRun;
 use chordal::tool_comments::{KnownTool, known_tools};
 use chordal::{AxisTravel, Diagnostic, Job, Report, Severity, Summary, ToolUse};
 use chordal_export::{GIVE_OFFSETS, left_out_texts};
@@ -34,7 +34,7 @@ pub fn text(
     loaded: &Loaded,
     job: &Job,
     report: &Report,
-    timed: Option<&Timed>,
+    timed: Option<&TimedRun>,
     color: bool,
 ) -> String {
     let units = SummaryUnits::of(report.summary.inch);
@@ -83,7 +83,7 @@ pub fn text(
 }
 
 /// The second line under a picture: machine, units, time.
-pub fn subtitle(job: &Job, report: &Report, timed: Option<&Timed>) -> String {
+pub fn subtitle(job: &Job, report: &Report, timed: Option<&TimedRun>) -> String {
     let units = if report.summary.inch { "inch" } else { "mm" };
     let time = match timed {
         Some(timed) => duration(timed.time.total_s()),
@@ -405,7 +405,7 @@ pub fn motion_law(motion: &MotionReport) -> &'static str {
 }
 
 /// The time as the machine's axes can do it.
-fn planned_time(timed: &Timed) -> String {
+fn planned_time(timed: &TimedRun) -> String {
     let (time, times) = (&timed.time, &timed.time.times);
     let mut shares = vec![("cuts", times.cutting_s), ("rapids", times.rapid_s)];
     shares.extend(time.waits.iter().map(|(kind, seconds)| (kind.name(), *seconds)));

@@ -7,7 +7,7 @@
 
 use chordal::control::AxisMask;
 use chordal::machine::{AXES, Axis};
-use chordal::motion::Sample;
+use chordal::motion::MotionSample;
 use chordal::{Job, Report};
 
 use crate::digest::sha256_hex;
@@ -132,7 +132,7 @@ impl SetpointColumn {
 
     /// Its value, in its unit.
     #[inline]
-    pub(crate) fn of(&self, sample: &Sample) -> f64 {
+    pub(crate) fn of(&self, sample: &MotionSample) -> f64 {
         match self.value {
             SetpointValue::Time => sample.time_s,
             SetpointValue::Speed => {

@@ -2,9 +2,10 @@
 
 use chordal::control::{Certainty, Origin, PathMode, Setting, SettingField, ShortBlocks};
 use chordal::diagnostics::{FileId, Span};
-use chordal::motion::{Level, MotionReport};
+use chordal::motion::{MotionReport, PlannerLevel};
 use chordal::time::{
-    Alternative, BlockTime, Change, ChordCost, CutEnds, Least, Remedy, TimeStudy, Times,
+    BlockTime, ChordCost, ChordRemedy, CutEnds, LeastTimes, PlanningChange, TimeAlternative,
+    TimeShares, TimeStudy,
 };
 use chordal::{Job, Report};
 use serde_json::{Map, Value, json};
@@ -80,14 +81,14 @@ pub fn comment_text(span: Span, job: &Job) -> Option<String> {
 }
 
 /// `fast` or `best`.
-pub fn level_word(level: Level) -> &'static str {
+pub fn level_word(level: PlannerLevel) -> &'static str {
     match level {
-        Level::Fast => "fast",
-        Level::Best => "best",
+        PlannerLevel::Fast => "fast",
+        PlannerLevel::Best => "best",
     }
 }
 
-fn with_times(mut head: Value, times: &Times) -> Value {
+fn with_times(mut head: Value, times: &TimeShares) -> Value {
     for (name, seconds) in [
         ("total_s", times.total_s()),
         ("cutting_s", times.cutting_s),
@@ -117,7 +118,7 @@ fn cut_ends(ends: &CutEnds) -> Value {
 
 /// Where a part was too much work for the reference, there is none, and the share of the time
 /// that the part takes is reported.
-fn least_values(least: &Least) -> [(&'static str, Value); 3] {
+fn least_values(least: &LeastTimes) -> [(&'static str, Value); 3] {
     let reference = (least.unknown_s <= 0.0).then_some(least.reference_s);
     [
         ("bound_s", json!(least.bound_s)),
@@ -154,11 +155,11 @@ fn blocks(blocks: &[BlockTime], job: &Job) -> Value {
 fn short_lines(cost: &ChordCost) -> Value {
     let savings = cost.savings.iter().map(|(remedy, saved)| {
         let mut row = match *remedy {
-            Remedy::Joined => json!({"with": "joined"}),
-            Remedy::Tolerance(mm) => json!({"with": "tolerance", "tolerance_mm": mm}),
-            Remedy::Decimals(decimals) => json!({"with": "decimals", "decimals": decimals}),
-            Remedy::Finer(mm) => json!({"with": "shorter_lines", "within_mm": mm}),
-            Remedy::Arcs { within_mm, pieces } => {
+            ChordRemedy::Joined => json!({"with": "joined"}),
+            ChordRemedy::Tolerance(mm) => json!({"with": "tolerance", "tolerance_mm": mm}),
+            ChordRemedy::Decimals(decimals) => json!({"with": "decimals", "decimals": decimals}),
+            ChordRemedy::Finer(mm) => json!({"with": "shorter_lines", "within_mm": mm}),
+            ChordRemedy::Arcs { within_mm, pieces } => {
                 json!({"with": "arcs", "within_mm": within_mm, "pieces": pieces})
             }
         };
@@ -176,16 +177,16 @@ fn short_lines(cost: &ChordCost) -> Value {
     })
 }
 
-fn alternative(alternative: &Alternative) -> Value {
+fn alternative(alternative: &TimeAlternative) -> Value {
     let mut row = match alternative.change {
-        Change::Feed(part) => json!({"feed_override": part}),
-        Change::Rapid(part) => json!({"rapid_override": part}),
-        Change::Corners(PathMode::ExactStop) => json!({"path_mode": "exact stop"}),
-        Change::Corners(PathMode::ExactPath) => json!({"path_mode": "exact path"}),
-        Change::Corners(PathMode::Continuous { tolerance_mm, .. }) => {
+        PlanningChange::Feed(part) => json!({"feed_override": part}),
+        PlanningChange::Rapid(part) => json!({"rapid_override": part}),
+        PlanningChange::Corners(PathMode::ExactStop) => json!({"path_mode": "exact stop"}),
+        PlanningChange::Corners(PathMode::ExactPath) => json!({"path_mode": "exact path"}),
+        PlanningChange::Corners(PathMode::Continuous { tolerance_mm, .. }) => {
             json!({"path_mode": "continuous", "tolerance_mm": tolerance_mm})
         }
-        Change::Smoothness { level, tolerance_mm } => {
+        PlanningChange::Smoothness { level, tolerance_mm } => {
             json!({"smoothness": level, "tolerance_mm": tolerance_mm})
         }
     };

@@ -2,14 +2,14 @@
 
 use chordal::machine::AXES;
 use chordal::motion::{
-    AxisLimit, Limits, MachineLimits, MotionOptions, Phase, Piece, PlanSink, Sampler, Sources,
-    Step, StepSource, Stretch,
+    AxisLimit, JerkPhase, KinematicLimits, MachineLimits, MotionOptions, PathPiece, PlanSink,
+    PlannedTrajectory, PlannerStep, SetpointSampler, StepSource, StepSources,
 };
 use chordal::{Job, Machine, Source, SourceMap};
 use chordal_export::{MotionPlot, PlotOptions};
 
 /// From rest to rest over a length, with 100 mm/s, 2000 mm/s² and 1e5 mm/s³ along the path.
-fn phases(length: f64) -> Vec<Phase> {
+fn phases(length: f64) -> Vec<JerkPhase> {
     let cruise = (length - 7.0) / 100.0;
     let mut at = (0.0, 0.0, 0.0);
     let durations = [0.02, 0.03, 0.02, cruise, 0.02, 0.03, 0.02];
@@ -18,7 +18,7 @@ fn phases(length: f64) -> Vec<Phase> {
         .into_iter()
         .zip(jerks)
         .map(|(duration_s, jerk)| {
-            let phase = Phase { duration_s, from: at.0, speed: at.1, acceleration: at.2, jerk };
+            let phase = JerkPhase { duration_s, from: at.0, speed: at.1, acceleration: at.2, jerk };
             let along = phase.at(duration_s);
             at = (along.sigma, along.speed, along.acceleration);
             phase
@@ -27,22 +27,22 @@ fn phases(length: f64) -> Vec<Phase> {
 }
 
 /// One side of a square, with a tag.
-fn side(from: [f64; 2], direction: [f64; 2], length: f64, tag: u64) -> Stretch {
+fn side(from: [f64; 2], direction: [f64; 2], length: f64, tag: u64) -> PlannedTrajectory {
     let mut start = [[0.0; AXES]; 4];
     start[0][..2].copy_from_slice(&from);
     start[1][..2].copy_from_slice(&direction);
-    let pieces = vec![Piece { length, base: None, start, tag }];
-    Stretch { pieces, phases: phases(length), overlap_s: 0.0 }
+    let pieces = vec![PathPiece { length, base: None, start, tag }];
+    PlannedTrajectory { pieces, phases: phases(length), overlap_s: 0.0 }
 }
 
-fn limits() -> Limits {
+fn limits() -> KinematicLimits {
     let limit = |jerk| Some(AxisLimit { velocity: 200.0, acceleration: 2500.0, jerk });
-    Limits::new([limit(1.2e5), limit(1.2e5), limit(9e4), None, None, None]).unwrap()
+    KinematicLimits::new([limit(1.2e5), limit(1.2e5), limit(9e4), None, None, None]).unwrap()
 }
 
 fn square() -> MotionPlot {
     let mut plot = MotionPlot::new(&limits(), false);
-    let sources = Sources::default();
+    let sources = StepSources::default();
     plot.tool(0.0, 3);
     for (line, (from, direction)) in [
         ([0.0, 0.0], [1.0, 0.0]),
@@ -54,9 +54,9 @@ fn square() -> MotionPlot {
     .enumerate()
     {
         let tag = StepSource::tag_of(line as u32, 10 + line as u32);
-        plot.step(Step::Stretch(&side(from, direction, 50.0, tag)), &sources);
+        plot.step(PlannerStep::Trajectory(&side(from, direction, 50.0, tag)), &sources);
         if line == 1 {
-            plot.step(Step::Wait { seconds: 0.4, tag }, &sources);
+            plot.step(PlannerStep::Wait { seconds: 0.4, tag }, &sources);
             plot.tool(1.54, 12);
         }
     }
@@ -108,8 +108,8 @@ fn a_sheet_in_inches() {
 fn an_hour_takes_no_more_room_than_a_second() {
     let side = side([0.0, 0.0], [1.0, 0.0], 360_000.0, 7);
     let mut plot = MotionPlot::new(&limits(), false);
-    let mut sampler = Sampler::new(0.01);
-    sampler.push(Step::Stretch(&side), |sample| plot.sample(sample, 7));
+    let mut sampler = SetpointSampler::new(0.01);
+    sampler.push(PlannerStep::Trajectory(&side), |sample| plot.sample(sample, 7));
     sampler.finish(|sample| plot.sample(sample, 7));
     let svg = plot.svg(&options());
     assert!(svg.len() < 500_000, "{} bytes", svg.len());
@@ -135,7 +135,7 @@ fn nothing_and_any_size_can_be_drawn() {
 struct Drawn(MotionPlot);
 
 impl PlanSink for Drawn {
-    fn step(&mut self, step: Step<'_>, sources: &Sources) {
+    fn step(&mut self, step: PlannerStep<'_>, sources: &StepSources) {
         self.0.step(step, sources);
     }
 }
@@ -173,10 +173,10 @@ fn a_program_of_days_has_no_more_setpoints_than_one_of_hours() {
     }
     // The whole of it is drawn all the same.
     let mut plot = MotionPlot::new(&limits(), false).lasting(5.0 * 86_400.0);
-    let sources = Sources::default();
+    let sources = StepSources::default();
     let tag = StepSource::tag_of(0, 1);
-    plot.step(Step::Stretch(&side([0.0, 0.0], [1.0, 0.0], 50.0, tag)), &sources);
-    plot.step(Step::Wait { seconds: 5.0 * 86_400.0, tag }, &sources);
+    plot.step(PlannerStep::Trajectory(&side([0.0, 0.0], [1.0, 0.0], 50.0, tag)), &sources);
+    plot.step(PlannerStep::Wait { seconds: 5.0 * 86_400.0, tag }, &sources);
     plot.finish();
     let svg = plot.svg(&options());
     assert!(

@@ -5,7 +5,7 @@ use std::io::{self, Cursor, Write};
 use arrow_array::{Array, Float64Array, RecordBatch, UInt32Array};
 use bytes::Bytes;
 use chordal::machine::AXES;
-use chordal::motion::Sample;
+use chordal::motion::MotionSample;
 use chordal::{Job, Machine, Source, SourceMap};
 use chordal_export::{SampleFormat, SampleHead, SampleWriter};
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
@@ -24,9 +24,9 @@ fn head(rotary: [bool; 3]) -> SampleHead {
     }
 }
 
-fn sample(index: usize) -> Sample {
+fn sample(index: usize) -> MotionSample {
     let t = index as f64 * PERIOD_S;
-    Sample {
+    MotionSample {
         time_s: t,
         position: [50.0 * t * t, -1.5, 0.1 + 0.2, std::f64::consts::PI * t, 0.0, 0.0],
         velocity: [100.0 * t, 0.0, -3.0, std::f64::consts::PI, 0.0, 0.0],

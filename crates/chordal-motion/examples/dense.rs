@@ -17,13 +17,13 @@ mod support;
 use std::time::Instant;
 
 use chordal_motion::{
-    Corner, Level, Limits, Move, Planner, PlannerOptions, Run, Step, Stretch, Use, Work, bound,
-    largest_use,
+    CornerMode, KinematicLimits, LimitUse, MotionPlanner, MoveRequest, PathRun, PlannedTrajectory,
+    PlannerLevel, PlannerOptions, PlannerStep, SolverWork, largest_use, time_bound,
 };
 use support::dense::{self, Places};
 
 fn main() {
-    let wanted = std::env::args().nth(1).unwrap_or_default();
+    let filter = std::env::args().nth(1).unwrap_or_default();
     let tolerance: f64 = std::env::args().nth(2).and_then(|word| word.parse().ok()).unwrap_or(0.01);
     let paths: Vec<(&str, Places)> = vec![
         ("ellipse 334", dense::ellipse(334, None)),
@@ -43,7 +43,7 @@ fn main() {
         ("harmonics 3 decimals", dense::harmonics(0.05, 3, 1)),
     ];
     let limits = support::limits(500.0, 5000.0, 1e5);
-    if let Some(count) = wanted.strip_prefix("random=").and_then(|word| word.parse().ok()) {
+    if let Some(count) = filter.strip_prefix("random=").and_then(|word| word.parse().ok()) {
         return random(count, limits);
     }
     if let Some(count) = number("properties") {
@@ -52,16 +52,17 @@ fn main() {
     println!(
         "path                      moves  corners       ms |  curves       ms  no jerk  acceleration    jerk  pieces  runs"
     );
-    for (name, places) in paths.iter().filter(|(name, _)| name.contains(wanted.as_str())) {
+    for (name, places) in paths.iter().filter(|(name, _)| name.contains(filter.as_str())) {
         let moves = dense::moves(places, 1000.0, tolerance);
         let (before, before_ms, _) = timed(&moves, limits, false);
         let (now, now_ms, _) = timed(&moves, limits, true);
-        let used = now.iter().map(|s| largest_use(s, &limits, 5)).fold(Use::default(), Use::or);
+        let used =
+            now.iter().map(|s| largest_use(s, &limits, 5)).fold(LimitUse::default(), LimitUse::or);
         let mut least = 0.0;
-        for stretch in &now {
-            let speeds = vec![1000.0; stretch.pieces.len()];
-            if let Ok(run) = Run::new(&stretch.pieces, &speeds, 0.0, &limits) {
-                least += bound(&run).time_s;
+        for trajectory in &now {
+            let speeds = vec![1000.0; trajectory.pieces.len()];
+            if let Ok(run) = PathRun::new(&trajectory.pieces, &speeds, 0.0, &limits) {
+                least += time_bound(&run).time_s;
             }
         }
         println!(
@@ -85,8 +86,8 @@ fn number(name: &str) -> Option<u64> {
 
 /// Random sums of harmonics: how many are planned as curves, and how far from the least time without
 /// jerk on the same path.
-fn random(count: u64, limits: Limits) {
-    let (mut curves, mut ratio, mut worst) = (0, 0.0, Use::default());
+fn random(count: u64, limits: KinematicLimits) {
+    let (mut curves, mut ratio, mut worst) = (0, 0.0, LimitUse::default());
     for seed in 1..=count {
         let chord = [0.05, 0.1, 0.3, 1.0][seed as usize % 4];
         let places = dense::harmonics(chord, 3 + seed as i32 % 2, seed);
@@ -104,7 +105,7 @@ fn random(count: u64, limits: Limits) {
             );
         }
         ratio += time / before;
-        worst = now.iter().map(|s| largest_use(s, &limits, 5)).fold(worst, Use::or);
+        worst = now.iter().map(|s| largest_use(s, &limits, 5)).fold(worst, LimitUse::or);
     }
     println!(
         "{curves} of {count} as curves, mean time {:.3} of corners, {worst:?}",
@@ -128,7 +129,7 @@ fn properties(count: u64, from: u64, most: u64) {
     let mut worst = [(0.0_f64, 0); 9];
     let mut above = [[0_u64; 2]; 9];
     let (mut windows, mut failed) = (0, 0);
-    let mut used = Use::default();
+    let mut used = LimitUse::default();
     for seed in from..from + count {
         let chord = [0.05, 0.1, 0.2, 0.4][seed as usize % 4];
         let tolerance = [0.002, 0.005, 0.01, 0.02, 0.05][seed as usize % 5];
@@ -136,14 +137,18 @@ fn properties(count: u64, from: u64, most: u64) {
         let limits = |a: f64, j: f64| support::limits(500.0, 5000.0 * a, 1e5 * j);
         let short = |places: &[[f64; 3]]| places[..places.len().min(most as usize)].to_vec();
         let places = short(&dense::harmonics(chord, 4, seed));
-        let time_with = |places: &[[f64; 3]], feed: f64, tolerance: f64, limits: Limits| {
-            support::time_of(&timed(&dense::moves(places, feed, tolerance), limits, true).0)
-        };
+        let time_with =
+            |places: &[[f64; 3]], feed: f64, tolerance: f64, limits: KinematicLimits| {
+                support::time_of(&timed(&dense::moves(places, feed, tolerance), limits, true).0)
+            };
         let moves = dense::moves(&places, feed, tolerance);
-        let (stretches, _, work) = timed(&moves, limits(1.0, 1.0), true);
+        let (trajectories, _, work) = timed(&moves, limits(1.0, 1.0), true);
         (windows, failed) = (windows + work.windows, failed + work.failed);
-        used = stretches.iter().map(|s| largest_use(s, &limits(1.0, 1.0), 5)).fold(used, Use::or);
-        let time = support::time_of(&stretches);
+        used = trajectories
+            .iter()
+            .map(|s| largest_use(s, &limits(1.0, 1.0), 5))
+            .fold(used, LimitUse::or);
+        let time = support::time_of(&trajectories);
         let halved: Places = places
             .windows(2)
             .flat_map(|ends| {
@@ -158,12 +163,14 @@ fn properties(count: u64, from: u64, most: u64) {
             .collect();
         let mut back = places.clone();
         back.reverse();
-        let stops: Vec<Move> =
-            moves.iter().map(|motion| Move { corner: Corner::Stop, ..*motion }).collect();
+        let stops: Vec<MoveRequest> = moves
+            .iter()
+            .map(|motion| MoveRequest { corner: CornerMode::Stop, ..*motion })
+            .collect();
         let stops = support::time_of(&timed(&stops, limits(1.0, 1.0), true).0);
         let rounded_s = time_with(&rounded, feed, tolerance, limits(1.0, 1.0));
         let length = |places: &[[f64; 3]]| {
-            dense::moves(places, feed, tolerance).iter().map(Move::length).sum::<f64>()
+            dense::moves(places, feed, tolerance).iter().map(MoveRequest::length).sum::<f64>()
         };
         let ratios = [
             time_with(&places, 1.26 * feed, tolerance, limits(1.0, 1.0)) / time,
@@ -193,13 +200,17 @@ fn properties(count: u64, from: u64, most: u64) {
     }
 }
 
-fn timed(moves: &[Move], limits: Limits, joins: bool) -> (Vec<Stretch>, f64, Work) {
-    let options = PlannerOptions { joins, ..PlannerOptions::new(Level::Fast) };
-    let mut planner = Planner::new(limits, options);
-    let mut stretches: Vec<Stretch> = Vec::new();
-    let mut take = |step: Step<'_>| {
-        if let Step::Stretch(stretch) = step {
-            stretches.push(stretch.clone());
+fn timed(
+    moves: &[MoveRequest],
+    limits: KinematicLimits,
+    joins: bool,
+) -> (Vec<PlannedTrajectory>, f64, SolverWork) {
+    let options = PlannerOptions { joins, ..PlannerOptions::new(PlannerLevel::Fast) };
+    let mut planner = MotionPlanner::new(limits, options);
+    let mut trajectories: Vec<PlannedTrajectory> = Vec::new();
+    let mut take = |step: PlannerStep<'_>| {
+        if let PlannerStep::Trajectory(trajectory) = step {
+            trajectories.push(trajectory.clone());
         }
     };
     let begin = Instant::now();
@@ -208,5 +219,5 @@ fn timed(moves: &[Move], limits: Limits, joins: bool) -> (Vec<Stretch>, f64, Wor
     }
     planner.finish(&mut take);
     let ms = begin.elapsed().as_secs_f64() * 1e3;
-    (stretches, ms, planner.work())
+    (trajectories, ms, planner.work())
 }

@@ -25,10 +25,10 @@ const COUNT: u64 = 1000;
 
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).collect();
-    let wanted = words.first().map_or("all", String::as_str);
+    let filter = words.first().map_or("all", String::as_str);
     let rounds: u32 = words.get(1).and_then(|word| word.parse().ok()).unwrap_or(20);
     for (name, program) in PROGRAMS {
-        if wanted != "all" && wanted != name {
+        if filter != "all" && filter != name {
             continue;
         }
         let mut source = Source::new(program);

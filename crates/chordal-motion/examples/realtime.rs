@@ -17,13 +17,14 @@ use std::time::{Duration, Instant};
 
 use chordal_geometry::{AXES, Arc, Curve, Line, Plane, Vec3};
 use chordal_motion::{
-    AxisLimit, Corner, Feeder, Limits, Move, MoveKind, Pushed, Servo, StreamOptions, stream,
+    AxisLimit, CornerMode, KinematicLimits, MoveKind, MoveRequest, PushOutcome, StreamFeeder,
+    StreamOptions, StreamServo, stream,
 };
 
 fn main() {
     let seconds = std::env::args().nth(1).and_then(|text| text.parse().ok()).unwrap_or(4.0);
     let axis = AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 };
-    let limits = Limits::new([Some(axis), Some(axis), Some(axis), None, None, None])
+    let limits = KinematicLimits::new([Some(axis), Some(axis), Some(axis), None, None, None])
         .expect("positive limits");
     for period_s in [0.001, 0.000_25] {
         let options = StreamOptions { period_s, ..StreamOptions::default() };
@@ -43,24 +44,24 @@ fn main() {
 }
 
 /// A slot with round ends, a polygon eased within a hundredth, a traverse: again and again.
-fn program(index: u64) -> Move {
+fn program(index: u64) -> MoveRequest {
     let polygon = |corner: u64| {
         let angle = corner as f64 / 300.0 * std::f64::consts::TAU;
         Vec3::new(30.0 * angle.cos() - 30.0, 30.0 * angle.sin(), 0.0)
     };
     let line = |from: Vec3, to: Vec3| Curve::from(Line::new(from, to));
-    let (curve, corner): (Curve, Corner) = match index % 305 {
+    let (curve, corner): (Curve, CornerMode) = match index % 305 {
         step @ 0..300 => (
             line(polygon(step), polygon(step + 1)),
-            Corner::Within { linear_mm: 0.01, rotary_rad: 0.0 },
+            CornerMode::Joined { linear_mm: 0.01, rotary_rad: 0.0 },
         ),
-        300 => (line(Vec3::ZERO, Vec3::new(80.0, 0.0, 0.0)), Corner::Exact),
-        301 => (half(Vec3::new(80.0, 10.0, 0.0), -10.0), Corner::Exact),
-        302 => (line(Vec3::new(80.0, 20.0, 0.0), Vec3::new(0.0, 20.0, 0.0)), Corner::Exact),
-        303 => (half(Vec3::new(0.0, 10.0, 0.0), 10.0), Corner::Exact),
-        _ => (line(Vec3::ZERO, polygon(0)), Corner::Stop),
+        300 => (line(Vec3::ZERO, Vec3::new(80.0, 0.0, 0.0)), CornerMode::Exact),
+        301 => (half(Vec3::new(80.0, 10.0, 0.0), -10.0), CornerMode::Exact),
+        302 => (line(Vec3::new(80.0, 20.0, 0.0), Vec3::new(0.0, 20.0, 0.0)), CornerMode::Exact),
+        303 => (half(Vec3::new(0.0, 10.0, 0.0), 10.0), CornerMode::Exact),
+        _ => (line(Vec3::ZERO, polygon(0)), CornerMode::Stop),
     };
-    Move {
+    MoveRequest {
         curve,
         rotary_from: [0.0; 3],
         rotary_to: [0.0; 3],
@@ -79,12 +80,12 @@ fn half(center: Vec3, out: f64) -> Curve {
     Arc::new(frame, out.abs(), std::f64::consts::PI, 0.0).into()
 }
 
-fn push(mut feeder: Feeder, stop: &AtomicBool) {
+fn push(mut feeder: StreamFeeder, stop: &AtomicBool) {
     let mut next = 0;
     while !stop.load(Ordering::Relaxed) {
         match feeder.push(&program(next)) {
-            Ok(Pushed::Taken) => next += 1,
-            Ok(Pushed::Full) => std::thread::sleep(Duration::from_millis(20)),
+            Ok(PushOutcome::Taken) => next += 1,
+            Ok(PushOutcome::Full) => std::thread::sleep(Duration::from_millis(20)),
             Err(error) => {
                 println!("move {next}: {error}");
                 return;
@@ -98,13 +99,13 @@ struct Report {
     cost: Histogram,
     underruns: u64,
     setpoints: u64,
-    standing: u64,
+    resting: u64,
     /// Largest velocity, acceleration and jerk of an axis, by differences of positions, over
     /// its limits.
     used: [f64; 3],
 }
 
-fn pull(mut servo: Servo, limits: &Limits, period_s: f64, seconds: f64) -> Report {
+fn pull(mut servo: StreamServo, limits: &KinematicLimits, period_s: f64, seconds: f64) -> Report {
     let count = (seconds / period_s) as u64;
     let period = Duration::from_secs_f64(period_s);
     let mut report = Report {
@@ -112,7 +113,7 @@ fn pull(mut servo: Servo, limits: &Limits, period_s: f64, seconds: f64) -> Repor
         cost: Histogram::default(),
         underruns: 0,
         setpoints: count,
-        standing: 0,
+        resting: 0,
         used: [0.0; 3],
     };
     let mut places = [[0.0; AXES]; 4];
@@ -136,7 +137,7 @@ fn pull(mut servo: Servo, limits: &Limits, period_s: f64, seconds: f64) -> Repor
         let begin = Instant::now();
         let point = servo.next();
         report.cost.add(begin.elapsed());
-        report.standing += u64::from(point.rate == 0.0);
+        report.resting += u64::from(point.rate == 0.0);
         places.rotate_left(1);
         places[3] = point.position;
         for axis in 0..3 {
@@ -217,9 +218,9 @@ impl Report {
         self.cost.print("cost of a setpoint");
         let [v, a, j] = self.used;
         println!(
-            "underruns {}, standing in {} setpoints; most of the limits used: velocity {v:.6}, \
+            "underruns {}, at rest in {} setpoints; most of the limits used: velocity {v:.6}, \
              acceleration {a:.6}, jerk {j:.6}\n",
-            self.underruns, self.standing
+            self.underruns, self.resting
         );
     }
 }

@@ -19,7 +19,7 @@ mod support;
 use std::hint::black_box;
 use std::time::Instant;
 
-use chordal_motion::{Sampler, Step, Stretch};
+use chordal_motion::{PlannedTrajectory, PlannerStep, SetpointSampler};
 
 const PERIOD_S: f64 = 0.001;
 
@@ -35,28 +35,28 @@ fn main() {
     }
     let rounds: usize = words.get(1).and_then(|word| word.parse().ok()).unwrap_or(1);
     for kind in kinds {
-        let Some((stretches, laps)) = paths::stretches(kind) else {
+        let Some((trajectories, laps)) = paths::trajectories(kind) else {
             println!("{kind} is none of {}", paths::KINDS.join(", "));
             continue;
         };
         let (mut quickest_s, mut count) = (f64::INFINITY, 0);
         for _ in 0..rounds {
             let start = Instant::now();
-            count = take(&stretches, laps);
+            count = take(&trajectories, laps);
             quickest_s = quickest_s.min(start.elapsed().as_secs_f64());
         }
         let millions = count as f64 / quickest_s / 1e6;
-        let pieces: usize = stretches.iter().map(|stretch| stretch.pieces.len()).sum();
+        let pieces: usize = trajectories.iter().map(|trajectory| trajectory.pieces.len()).sum();
         println!("{kind}: {count} setpoints on {pieces} pieces, {millions:.1} M/s");
     }
 }
 
 /// Takes all setpoints; how many.
-fn take(stretches: &[Stretch], laps: usize) -> u64 {
+fn take(trajectories: &[PlannedTrajectory], laps: usize) -> u64 {
     let (mut count, mut sum) = (0, 0.0);
-    let mut sampler = Sampler::new(PERIOD_S);
-    for stretch in (0..laps).flat_map(|_| stretches) {
-        sampler.push(Step::Stretch(stretch), |sample| {
+    let mut sampler = SetpointSampler::new(PERIOD_S);
+    for trajectory in (0..laps).flat_map(|_| trajectories) {
+        sampler.push(PlannerStep::Trajectory(trajectory), |sample| {
             count += 1;
             sum += sample.position[0];
         });

@@ -1,45 +1,48 @@
 //! From the exact path to timed setpoints.
 //!
-//! A [`Move`] is an exact curve with the speed asked for and a [`Corner`] that says how its end
-//! is passed. Moves go into a planner, which emits [`Stretch`]es: smooth pieces of path and
-//! the phases of constant jerk in which they are travelled. Whoever wants setpoints evaluates a
-//! stretch at a time, or lets a [`Sampler`] do it at a period.
+//! A [`MoveRequest`] is an exact curve with its programmed speed and a [`CornerMode`] that says how its end
+//! is passed. Moves go into a planner, which emits [`PlannedTrajectory`]s: smooth pieces of path and
+//! the phases of constant jerk in which they are travelled. Whoever needs setpoints evaluates a
+//! trajectory at a time, or lets a [`SetpointSampler`] do it at a period.
 //!
 //! Lengths are in mm, angles in rad, time in s. Arrays over axes are X Y Z A B C. The path of a
 //! move is measured in mm along X, Y and Z, and in rad where rotary axes alone move; both are
 //! called σ below.
 //!
-//! | pass | gives | file |
+//! | stage | gives | where |
 //! |---|---|---|
-//! | input | [`Move`] | `segment.rs` |
-//! | corners eased within their tolerance | [`Piece`] | `smooth/` |
-//! | their velocity profile | [`Phase`], [`Stretch`] | `profile/` |
-//! | dense lines as one curve | [`Piece`] | `curve/` |
-//! | the law of time on it | [`law()`] | `law/` |
-//! | both together, from corner to corner | [`Stretch`] | `dense.rs` |
-//! | trapezoids with junction deviation, for controls that have no jerk | [`JunctionLaw`] | `junction.rs` |
-//! | the least time | [`bound()`] | `bound/` |
+//! | input | [`MoveRequest`] | `move_request.rs` |
+//! | look-ahead, and the choice between the strategies below | [`PlannerStep`] | `planner/` |
+//! | **corners:** corner blending, within the tolerance of each | [`PathPiece`] | `corner_blend/` |
+//! | axis limits turned into limits along the path | intervals | `path_limits.rs` |
+//! | feedrate profile of seven-phase ramps | [`JerkPhase`] | `ramp_profile/` |
+//! | **curves:** runs of dense moves between corners | [`PlannedTrajectory`] | `curve_planner/` |
+//! | curve fitting, with proof of its tolerance | [`PathPiece`] | `curve_fit/` |
+//! | feedrate profile by Newton steps on the time itself | [`solve_profile()`] | `profile_solver/` |
+//! | **junctions:** trapezoids with junction deviation, for controls that have no jerk | [`JunctionRule`] | `junction_planner.rs` |
+//! | the least time without jerk | [`time_bound()`] | `time_bound/` |
 //! | the least time with jerk | [`reference()`] | `reference/` |
-//! | setpoints | [`Sample`] | `cursor.rs`, `sampler.rs` |
-//! | setpoints for a servo loop | [`Feeder`], [`Servo`] | `stream/` |
+//! | setpoints | [`MotionSample`] | `cursor.rs`, `reader.rs`, `sampler.rs` |
+//! | setpoints for a servo loop | [`StreamFeeder`], [`StreamServo`] | `stream/` |
+//! | how much of the axis limits is used | [`LimitUse`] | `limit_use.rs` |
 //!
 //! ```
 //! use chordal_geometry::{Curve, Line, Vec3};
 //! use chordal_motion::{
-//!     AxisLimit, Corner, Level, Limits, Move, MoveKind, Planner, PlannerOptions, Sampler,
+//!     AxisLimit, CornerMode, PlannerLevel, KinematicLimits, MoveRequest, MoveKind, MotionPlanner, PlannerOptions, SetpointSampler,
 //! };
 //!
 //! let axis = Some(AxisLimit { velocity: 400.0, acceleration: 3000.0, jerk: 100_000.0 });
-//! let limits = Limits::new([axis, axis, axis, None, None, None]).unwrap();
-//! let mut planner = Planner::new(limits, PlannerOptions::new(Level::Fast));
-//! let mut sampler = Sampler::new(0.001);
+//! let limits = KinematicLimits::new([axis, axis, axis, None, None, None]).unwrap();
+//! let mut planner = MotionPlanner::new(limits, PlannerOptions::new(PlannerLevel::Fast));
+//! let mut sampler = SetpointSampler::new(0.001);
 //! let mut last = None;
-//! let line = Move {
+//! let line = MoveRequest {
 //!     curve: Curve::Line(Line { start: Vec3::new(0.0, 0.0, 0.0), end: Vec3::new(50.0, 0.0, 0.0) }),
 //!     rotary_from: [0.0; 3],
 //!     rotary_to: [0.0; 3],
 //!     speed: 100.0,
-//!     corner: Corner::Stop,
+//!     corner: CornerMode::Stop,
 //!     kind: MoveKind::Cut,
 //!     tag: 1,
 //! };
@@ -53,45 +56,49 @@
 
 #![forbid(unsafe_code)]
 
-mod bound;
-mod cell;
+mod corner_blend;
+mod cube_root;
 mod cursor;
-mod curve;
-mod dense;
-mod junction;
-#[cfg(test)]
-mod junction_times;
-mod law;
+mod curve_fit;
+mod curve_planner;
+mod junction_planner;
+mod limit_use;
 mod limits;
+mod move_request;
+mod path_limits;
 mod piece;
 mod planner;
-mod profile;
+mod profile_solver;
+mod ramp_profile;
 mod reader;
 mod reference;
-mod root;
 mod sample;
 mod sampler;
-mod segment;
-mod smooth;
 mod stream;
+mod time_bound;
 mod trajectory;
-mod verify;
+mod tuning;
 
-pub use bound::{Bound, Run, RunError, bound};
-pub use cursor::Cursor;
-pub use junction::{JunctionLaw, SegmentLengths};
-pub use law::{Work, law};
-pub use limits::{AxisLimit, LimitError, Limits, Quantity};
-pub use piece::{Jet, Piece};
-pub use planner::{Level, Planner, PlannerOptions};
-pub use reference::{Effort, Gauge, Law, Least, ReferenceError, RunTimes, reference};
-pub use sample::{Sample, State};
-pub use sampler::Sampler;
-pub use segment::{Corner, Move, MoveError, MoveKind};
-pub use smooth::span::{PathPart, Span};
-pub use stream::{FeedError, Feeder, Pushed, Servo, Setpoint, StreamOptions, stream};
-pub use trajectory::{Along, Phase, Step, Stretch};
-pub use verify::{Use, largest_use};
+pub use corner_blend::path_span::{PathPart, PathSpan};
+pub use cursor::TrajectoryCursor;
+pub use junction_planner::{ArcSegmentLengths, JunctionRule};
+pub use limit_use::{LimitUse, largest_use};
+pub use limits::{AxisLimit, KinematicLimits, LimitError, LimitedQuantity};
+pub use move_request::{CornerMode, MoveError, MoveKind, MoveRequest};
+pub use piece::{AxisJet, PathPiece};
+pub use planner::{MotionPlanner, PlannerLevel, PlannerOptions};
+pub use profile_solver::{SolverWork, solve_profile};
+pub use reference::{
+    LeastTimeGauge, LeastTimes, ReferenceError, ReferenceProfile, ReferenceQuality, RunTimes,
+    reference,
+};
+pub use sample::{AxisState, MotionSample};
+pub use sampler::SetpointSampler;
+pub use stream::{
+    FeederError, PushOutcome, ServoSetpoint, StreamFeeder, StreamOptions, StreamServo, stream,
+};
+pub use time_bound::{PathRun, PathRunError, TimeBound, time_bound};
+pub use trajectory::{JerkPhase, PlannedTrajectory, PlannerStep, ProfilePoint};
 
 /// A value for each axis X Y Z A B C, in mm and rad or their derivatives.
-pub type Axes = chordal_geometry::PerAxis<f64>;
+pub type AxisValues = chordal_geometry::PerAxis<f64>;

@@ -2,9 +2,9 @@
 
 use chordal_geometry::{AXIS_LETTERS, PerAxis};
 
-use crate::Axes;
+use crate::AxisValues;
 
-/// What one axis can do.
+/// The limits of one axis, each a positive finite number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisLimit {
     /// mm/s or rad/s.
@@ -17,40 +17,40 @@ pub struct AxisLimit {
 
 /// What the axes of a machine can do, by X Y Z A B C; `None`: there is no such axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limits {
+pub struct KinematicLimits {
     axes: PerAxis<Option<AxisLimit>>,
 }
 
 /// Which limit of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// Its speed.
+pub enum LimitedQuantity {
+    /// mm/s or rad/s.
     Velocity,
-    /// Its acceleration.
+    /// mm/s² or rad/s².
     Acceleration,
-    /// Its jerk.
+    /// mm/s³ or rad/s³.
     Jerk,
 }
 
-impl std::fmt::Display for Quantity {
+impl std::fmt::Display for LimitedQuantity {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
-            Quantity::Velocity => "velocity",
-            Quantity::Acceleration => "acceleration",
-            Quantity::Jerk => "jerk",
+            LimitedQuantity::Velocity => "velocity",
+            LimitedQuantity::Acceleration => "acceleration",
+            LimitedQuantity::Jerk => "jerk",
         })
     }
 }
 
-/// A limit nothing can be planned with.
+/// A limit that is not a positive finite number.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("the {quantity} limit of axis {} is {value}: it must be a positive number", letter(*.axis))]
 pub struct LimitError {
-    /// Index of the axis.
+    /// The index of the axis, from X = 0 to C = 5.
     pub axis: usize,
-    /// Which of its limits.
-    pub quantity: Quantity,
-    /// What was given, in mm or rad and s.
+    /// The limit that is not.
+    pub quantity: LimitedQuantity,
+    /// The value, in mm or rad and s.
     pub value: f64,
 }
 
@@ -59,25 +59,25 @@ pub(crate) fn letter(axis: usize) -> char {
     AXIS_LETTERS.chars().nth(axis).unwrap_or('?')
 }
 
-impl Limits {
+impl KinematicLimits {
     /// Limits of the axes a machine has.
     ///
     /// # Errors
     /// The first limit that is not a positive finite number.
-    pub fn new(axes: PerAxis<Option<AxisLimit>>) -> Result<Limits, LimitError> {
+    pub fn new(axes: PerAxis<Option<AxisLimit>>) -> Result<KinematicLimits, LimitError> {
         for (axis, limit) in axes.iter().enumerate() {
             let Some(limit) = limit else { continue };
             for (quantity, value) in [
-                (Quantity::Velocity, limit.velocity),
-                (Quantity::Acceleration, limit.acceleration),
-                (Quantity::Jerk, limit.jerk),
+                (LimitedQuantity::Velocity, limit.velocity),
+                (LimitedQuantity::Acceleration, limit.acceleration),
+                (LimitedQuantity::Jerk, limit.jerk),
             ] {
                 if !(value > 0.0 && value.is_finite()) {
                     return Err(LimitError { axis, quantity, value });
                 }
             }
         }
-        Ok(Limits { axes })
+        Ok(KinematicLimits { axes })
     }
 
     /// The limits of an axis; `None`: there is no such axis.
@@ -86,23 +86,23 @@ impl Limits {
     }
 
     /// Speeds by axis; infinite where there is no axis, which then must not move.
-    pub fn velocity(&self) -> Axes {
+    pub fn velocity(&self) -> AxisValues {
         self.axes.map(|axis| axis.map_or(f64::INFINITY, |limit| limit.velocity))
     }
 
     /// Accelerations by axis, likewise.
-    pub fn acceleration(&self) -> Axes {
+    pub fn acceleration(&self) -> AxisValues {
         self.axes.map(|axis| axis.map_or(f64::INFINITY, |limit| limit.acceleration))
     }
 
     /// Jerks by axis, likewise.
-    pub fn jerk(&self) -> Axes {
+    pub fn jerk(&self) -> AxisValues {
         self.axes.map(|axis| axis.map_or(f64::INFINITY, |limit| limit.jerk))
     }
 
     /// The same with a share of the jerks, which must be above zero.
-    pub(crate) fn with_jerk(&self, share: f64) -> Limits {
+    pub(crate) fn with_jerk(&self, share: f64) -> KinematicLimits {
         let axes = self.axes.map(|axis| axis.map(|l| AxisLimit { jerk: l.jerk * share, ..l }));
-        Limits { axes }
+        KinematicLimits { axes }
     }
 }

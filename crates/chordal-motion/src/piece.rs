@@ -2,29 +2,29 @@
 
 use chordal_geometry::{AXES, Curve, ParamCurve, Vec3};
 
-use crate::Axes;
+use crate::AxisValues;
 
 /// Multiplying takes a fraction of the time of dividing.
 pub(crate) const SIXTH: f64 = 1.0 / 6.0;
 
 /// The axes and their first three derivatives by σ.
-pub type Jet = [Axes; 4];
+pub type AxisJet = [AxisValues; 4];
 
-/// A piece of path without kinks: a polynomial of the third degree in σ on every axis, and an
+/// A smooth piece of path: a polynomial of the third degree in σ on every axis, and an
 /// arc or a spiral below it where the program has one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Piece {
+pub struct PathPiece {
     /// Its extent in σ.
     pub length: f64,
     /// What lies below X, Y and Z, and how far from its start the piece begins.
     pub base: Option<(Curve, f64)>,
     /// By axis: the values of the polynomial and its first three derivatives at the start.
-    pub start: Jet,
+    pub start: AxisJet,
     /// The tag of its move.
     pub tag: u64,
 }
 
-impl Piece {
+impl PathPiece {
     /// Whether it is a straight line, evenly travelled.
     pub fn is_straight(&self) -> bool {
         self.base.is_none() && is_even(&self.start)
@@ -32,7 +32,7 @@ impl Piece {
 
     /// The axes and their derivatives at `sigma` from the piece's start.
     #[inline]
-    pub fn at(&self, sigma: f64) -> Jet {
+    pub fn at(&self, sigma: f64) -> AxisJet {
         let mut jet = ahead(&self.start, sigma, 6);
         if let Some((curve, from)) = &self.base {
             add_curve(&mut jet, curve.jet_at(from + sigma));
@@ -43,7 +43,7 @@ impl Piece {
 
 /// Adds what a curve below does to X, Y and Z.
 #[inline]
-pub(crate) fn add_curve(jet: &mut Jet, curve: [Vec3; 4]) {
+pub(crate) fn add_curve(jet: &mut AxisJet, curve: [Vec3; 4]) {
     for (row, vector) in jet.iter_mut().zip(curve) {
         for (value, part) in row.iter_mut().zip(vector.to_array()) {
             *value += part;
@@ -53,39 +53,39 @@ pub(crate) fn add_curve(jet: &mut Jet, curve: [Vec3; 4]) {
 
 /// A jet of polynomials of the third degree, further on; axes from `count` on stay as they are.
 #[inline]
-pub(crate) fn ahead(jet: &Jet, way: f64, count: usize) -> Jet {
+pub(crate) fn ahead(jet: &AxisJet, distance: f64, count: usize) -> AxisJet {
     let mut next = *jet;
-    go_ahead(&mut next, way, count);
+    go_ahead(&mut next, distance, count);
     next
 }
 
 /// Takes a jet of polynomials of the third degree further on, but for axes from `count` on.
 #[inline]
-pub(crate) fn go_ahead(jet: &mut Jet, way: f64, count: usize) {
+pub(crate) fn go_ahead(jet: &mut AxisJet, distance: f64, count: usize) {
     let [x, d1, d2, d3] = jet;
     for axis in 0..count.min(AXES) {
         let [first, second, third] = [d1[axis], d2[axis], d3[axis]];
-        x[axis] += way * (first + way * (second / 2.0 + way * (third * SIXTH)));
-        d1[axis] = first + way * (second + way * (third / 2.0));
-        d2[axis] = second + way * third;
+        x[axis] += distance * (first + distance * (second / 2.0 + distance * (third * SIXTH)));
+        d1[axis] = first + distance * (second + distance * (third / 2.0));
+        d2[axis] = second + distance * third;
     }
 }
 
 /// Whether polynomials are of the first degree.
 #[inline]
-pub(crate) fn is_even(start: &Jet) -> bool {
+pub(crate) fn is_even(start: &AxisJet) -> bool {
     all_zero(&start[2]) && all_zero(&start[3])
 }
 
 /// Whether polynomials are constant.
 #[inline]
-pub(crate) fn is_still(start: &Jet) -> bool {
+pub(crate) fn is_still(start: &AxisJet) -> bool {
     is_even(start) && all_zero(&start[1])
 }
 
-/// Without branches: it is asked at many a setpoint.
+/// Without branches: it is called for many setpoints.
 #[inline]
-fn all_zero(values: &Axes) -> bool {
+fn all_zero(values: &AxisValues) -> bool {
     let bits = values.iter().fold(0, |bits, value| bits | value.to_bits());
     // But for the sign of zero.
     bits << 1 == 0

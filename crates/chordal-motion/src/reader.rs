@@ -2,41 +2,41 @@
 
 use chordal_geometry::{AXES, Curve, Tracer, Vec3};
 
-use crate::Axes;
-use crate::piece::{Jet, Piece, SIXTH, is_even, is_still};
-use crate::sample::{Sample, State};
-use crate::trajectory::Along;
+use crate::AxisValues;
+use crate::piece::{AxisJet, PathPiece, SIXTH, is_even, is_still};
+use crate::sample::{AxisState, MotionSample};
+use crate::trajectory::ProfilePoint;
 
 /// A piece where its curve is kept apart.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Part<'a> {
+pub(crate) struct PieceView<'a> {
     /// The curve below, where there is one, and how far from its start the piece begins.
     pub base: Option<(&'a Curve, f64)>,
     /// As in the piece.
-    pub start: &'a Jet,
+    pub start: &'a AxisJet,
     /// As in the piece.
     pub tag: u64,
 }
 
-impl<'a> From<&'a Piece> for Part<'a> {
+impl<'a> From<&'a PathPiece> for PieceView<'a> {
     #[inline(always)]
-    fn from(piece: &'a Piece) -> Part<'a> {
+    fn from(piece: &'a PathPiece) -> PieceView<'a> {
         let base = piece.base.as_ref().map(|(curve, from)| (curve, *from));
-        Part { base, start: &piece.start, tag: piece.tag }
+        PieceView { base, start: &piece.start, tag: piece.tag }
     }
 }
 
-/// What is worth knowing of a piece before it is asked at many places.
+/// What is worth knowing of a piece before it is evaluated at many places.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Reader {
-    form: Form,
+pub(crate) struct PieceReader {
+    form: PolynomialForm,
     /// The curve below, made ready.
     tracer: Option<Tracer>,
 }
 
 /// What the polynomials of a piece are like.
 #[derive(Clone, Copy, Debug)]
-enum Form {
+enum PolynomialForm {
     /// Constant: the curve alone moves.
     Still,
     /// Of the first degree.
@@ -45,36 +45,36 @@ enum Form {
     Cubic,
 }
 
-impl Form {
+impl PolynomialForm {
     #[inline]
-    fn of(part: &Part<'_>) -> Form {
+    fn of(part: &PieceView<'_>) -> PolynomialForm {
         if !is_even(part.start) {
-            Form::Cubic
+            PolynomialForm::Cubic
         } else if part.base.is_some() && is_still(part.start) {
-            Form::Still
+            PolynomialForm::Still
         } else {
-            Form::Even
+            PolynomialForm::Even
         }
     }
 }
 
-impl Reader {
+impl PieceReader {
     /// Of a piece.
-    pub fn new(part: Part<'_>) -> Reader {
+    pub fn new(part: PieceView<'_>) -> PieceReader {
         let tracer = part.base.map(|(curve, _)| Tracer::new(curve));
-        Reader { form: Form::of(&part), tracer }
+        PieceReader { form: PolynomialForm::of(&part), tracer }
     }
 
     /// Goes over to another piece; where that lies over the same curve, the curve stays ready.
     #[inline]
-    pub fn go_on(&mut self, before: Part<'_>, next: Part<'_>) {
-        self.form = Form::of(&next);
+    pub fn go_on(&mut self, before: PieceView<'_>, next: PieceView<'_>) {
+        self.form = PolynomialForm::of(&next);
         if self.tracer.is_some() || next.base.is_some() {
             self.change_curve(before, next);
         }
     }
 
-    fn change_curve(&mut self, before: Part<'_>, next: Part<'_>) {
+    fn change_curve(&mut self, before: PieceView<'_>, next: PieceView<'_>) {
         let same = match (&before.base, &next.base) {
             (Some((before, _)), Some((next, _))) => before == next,
             _ => false,
@@ -87,18 +87,24 @@ impl Reader {
     /// Writes what the axes do at `sigma` from the start of the piece into a sample, whose time
     /// stays.
     #[inline(always)]
-    pub fn fill(&mut self, part: Part<'_>, sigma: f64, along: &Along, out: &mut Sample) {
+    pub fn fill(
+        &mut self,
+        part: PieceView<'_>,
+        sigma: f64,
+        along: &ProfilePoint,
+        out: &mut MotionSample,
+    ) {
         out.tag = part.tag;
         match self.form {
             // Written below.
-            Form::Still => {}
-            Form::Even => fill_even(part.start, sigma, along, out),
-            Form::Cubic => fill_cubic(part.start, sigma, along, out),
+            PolynomialForm::Still => {}
+            PolynomialForm::Even => fill_even(part.start, sigma, along, out),
+            PolynomialForm::Cubic => fill_cubic(part.start, sigma, along, out),
         }
         if let (Some(tracer), Some((_, from))) = (&mut self.tracer, part.base) {
-            let Along { speed, acceleration, jerk, .. } = *along;
+            let ProfilePoint { speed, acceleration, jerk, .. } = *along;
             let by_time = [speed, acceleration, jerk];
-            if matches!(self.form, Form::Still) {
+            if matches!(self.form, PolynomialForm::Still) {
                 let shift = &part.start[0];
                 tracer
                     .with_motion_at(from + sigma, by_time, |motion| set_curve(shift, motion, out));
@@ -110,16 +116,16 @@ impl Reader {
 }
 
 /// The axes at one place of a piece.
-pub(crate) fn state_of(piece: &Piece, sigma: f64, along: &Along) -> State {
-    let mut sample = Sample::default();
-    Reader::new(piece.into()).fill(piece.into(), sigma, along, &mut sample);
+pub(crate) fn state_of(piece: &PathPiece, sigma: f64, along: &ProfilePoint) -> AxisState {
+    let mut sample = MotionSample::default();
+    PieceReader::new(piece.into()).fill(piece.into(), sigma, along, &mut sample);
     sample.into()
 }
 
 /// Polynomials of the first degree.
 #[inline(always)]
-fn fill_even([x, d1, ..]: &Jet, sigma: f64, along: &Along, out: &mut Sample) {
-    let Along { speed: v, acceleration: a, jerk: j, .. } = *along;
+fn fill_even([x, d1, ..]: &AxisJet, sigma: f64, along: &ProfilePoint, out: &mut MotionSample) {
+    let ProfilePoint { speed: v, acceleration: a, jerk: j, .. } = *along;
     for axis in 0..AXES {
         out.position[axis] = x[axis] + sigma * d1[axis];
         out.velocity[axis] = d1[axis] * v;
@@ -130,8 +136,8 @@ fn fill_even([x, d1, ..]: &Jet, sigma: f64, along: &Along, out: &mut Sample) {
 
 /// Polynomials of the third degree.
 #[inline(always)]
-fn fill_cubic([x, d1, d2, d3]: &Jet, sigma: f64, along: &Along, out: &mut Sample) {
-    let Along { speed: v, acceleration: a, jerk: j, .. } = *along;
+fn fill_cubic([x, d1, d2, d3]: &AxisJet, sigma: f64, along: &ProfilePoint, out: &mut MotionSample) {
+    let ProfilePoint { speed: v, acceleration: a, jerk: j, .. } = *along;
     let (half, sixth) = (sigma * 0.5, sigma * SIXTH);
     let (square, cube, mixed) = (v * v, v * v * v, 3.0 * v * a);
     for axis in 0..AXES {
@@ -148,7 +154,7 @@ fn fill_cubic([x, d1, d2, d3]: &Jet, sigma: f64, along: &Along, out: &mut Sample
 
 /// The curve below alone, with nothing but a shift on top.
 #[inline(always)]
-fn set_curve([x, y, z, a, b, c]: &Axes, motion: [Vec3; 4], out: &mut Sample) {
+fn set_curve([x, y, z, a, b, c]: &AxisValues, motion: [Vec3; 4], out: &mut MotionSample) {
     let [point, first, second, third] = motion;
     let axes = |of: Vec3| [of.x, of.y, of.z, 0.0, 0.0, 0.0];
     out.position = [x + point.x, y + point.y, z + point.z, *a, *b, *c];
@@ -159,7 +165,7 @@ fn set_curve([x, y, z, a, b, c]: &Axes, motion: [Vec3; 4], out: &mut Sample) {
 
 /// What the curve below adds.
 #[inline(always)]
-fn add_curve(motion: [Vec3; 4], out: &mut Sample) {
+fn add_curve(motion: [Vec3; 4], out: &mut MotionSample) {
     let [point, first, second, third] = motion.map(Vec3::to_array);
     for axis in 0..3 {
         out.position[axis] += point[axis];

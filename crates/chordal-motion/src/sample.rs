@@ -1,25 +1,25 @@
 //! What the axes do at an instant.
 
-use crate::Axes;
+use crate::AxisValues;
 
 /// A setpoint.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Sample {
+pub struct MotionSample {
     /// From the start, s.
     pub time_s: f64,
     /// mm and rad.
-    pub position: Axes,
+    pub position: AxisValues,
     /// mm/s and rad/s.
-    pub velocity: Axes,
+    pub velocity: AxisValues,
     /// mm/s² and rad/s².
-    pub acceleration: Axes,
+    pub acceleration: AxisValues,
     /// mm/s³ and rad/s³.
-    pub jerk: Axes,
+    pub jerk: AxisValues,
     /// The tag of the move or of the wait that is under way.
     pub tag: u64,
 }
 
-impl Sample {
+impl MotionSample {
     /// Speed of the tool: along X, Y and Z in mm/s, or of the rotary axes in rad/s where they
     /// alone move.
     pub fn speed(&self) -> f64 {
@@ -31,23 +31,23 @@ impl Sample {
 
 /// Where the axes are and how they move.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct State {
+pub struct AxisState {
     /// mm and rad.
-    pub position: Axes,
+    pub position: AxisValues,
     /// mm/s and rad/s.
-    pub velocity: Axes,
+    pub velocity: AxisValues,
     /// mm/s² and rad/s².
-    pub acceleration: Axes,
+    pub acceleration: AxisValues,
     /// mm/s³ and rad/s³.
-    pub jerk: Axes,
+    pub jerk: AxisValues,
     /// The tag of the move that is under way.
     pub tag: u64,
 }
 
-impl From<Sample> for State {
+impl From<MotionSample> for AxisState {
     #[inline]
-    fn from(sample: Sample) -> State {
-        let Sample { position, velocity, acceleration, jerk, tag, .. } = sample;
-        State { position, velocity, acceleration, jerk, tag }
+    fn from(sample: MotionSample) -> AxisState {
+        let MotionSample { position, velocity, acceleration, jerk, tag, .. } = sample;
+        AxisState { position, velocity, acceleration, jerk, tag }
     }
 }

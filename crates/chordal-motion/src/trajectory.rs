@@ -2,15 +2,15 @@
 
 use chordal_geometry::AXES;
 
-use crate::Axes;
-use crate::piece::{Piece, SIXTH};
+use crate::AxisValues;
+use crate::piece::{PathPiece, SIXTH};
 
-/// A time of constant jerk along the path.
+/// A part of a velocity profile with constant jerk along the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Phase {
-    /// How long, s.
+pub struct JerkPhase {
+    /// s.
     pub duration_s: f64,
-    /// Where it begins in σ, from the start of the stretch.
+    /// Where it begins in σ, from the start of the trajectory.
     pub from: f64,
     /// σ per s at its start.
     pub speed: f64,
@@ -22,8 +22,8 @@ pub struct Phase {
 
 /// The velocity profile at an instant: σ and its derivatives by time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Along {
-    /// σ from the start of the stretch.
+pub struct ProfilePoint {
+    /// σ from the start of the trajectory.
     pub sigma: f64,
     /// σ per s.
     pub speed: f64,
@@ -33,12 +33,12 @@ pub struct Along {
     pub jerk: f64,
 }
 
-impl Phase {
+impl JerkPhase {
     /// The velocity profile `t` s after its start.
     #[inline]
-    pub fn at(&self, t: f64) -> Along {
-        let Phase { from, speed, acceleration, jerk, .. } = *self;
-        Along {
+    pub fn at(&self, t: f64) -> ProfilePoint {
+        let JerkPhase { from, speed, acceleration, jerk, .. } = *self;
+        ProfilePoint {
             sigma: from + t * (speed + t * (acceleration / 2.0 + t * (jerk * SIXTH))),
             speed: speed + t * (acceleration + t * (jerk / 2.0)),
             acceleration: acceleration + t * jerk,
@@ -46,8 +46,8 @@ impl Phase {
         }
     }
 
-    /// When the law passes `sigma`, s from its start: not before `from` and not after its end,
-    /// whatever it passes then. It is taken never to go back; where it stands, its first instant.
+    /// When the profile passes `sigma`, s from its start: not before `from` and not after its end,
+    /// whatever it passes then. It is taken never to go back; where it rests, its first instant.
     pub fn time_at(&self, sigma: f64, from: f64) -> f64 {
         let (mut low, mut high) = (from, self.duration_s);
         if self.acceleration == 0.0 && self.jerk == 0.0 && self.speed > 0.0 && low <= high {
@@ -55,7 +55,7 @@ impl Phase {
         }
         let near = 4.0 * f64::EPSILON * sigma.abs().max(self.from.abs());
         let mut t = low;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_CROSSING_STEPS {
             let along = self.at(t);
             let beyond = along.sigma - sigma;
             if beyond.abs() <= near || high - low <= f64::EPSILON * high {
@@ -75,33 +75,33 @@ impl Phase {
 }
 
 /// Most steps of the search for a crossing: halving alone reaches the last bit in fewer.
-const MOST_STEPS: u32 = 80;
+const MAX_CROSSING_STEPS: u32 = 80;
 
 /// Path and time between two instants without acceleration: from rest to rest, or to a place
-/// that is passed at even speed, where the next stretch goes on.
+/// that is passed at even speed, where the next trajectory goes on.
 ///
-/// `P` is what is known of the path: [`Piece`]s, or only their [`Span`](crate::Span)s.
+/// `P` is what is known of the path: [`PathPiece`]s, or only their [`PathSpan`](crate::PathSpan)s.
 #[derive(Debug, PartialEq)]
-pub struct Stretch<P = Piece> {
+pub struct PlannedTrajectory<P = PathPiece> {
     /// The path, in order.
     pub pieces: Vec<P>,
-    /// The velocity profile, in order.
-    pub phases: Vec<Phase>,
-    /// How long before the end of the stretch before it begins, s. In that time the axes make
+    /// The velocity profile along it, in order.
+    pub phases: Vec<JerkPhase>,
+    /// How long before the end of the trajectory before it begins, s. In that time the axes make
     /// both movements, each on a straight line, which lets the tool pass the corner between them
     /// within its tolerance.
     pub overlap_s: f64,
 }
 
-impl<P> Default for Stretch<P> {
-    fn default() -> Stretch<P> {
-        Stretch { pieces: Vec::new(), phases: Vec::new(), overlap_s: 0.0 }
+impl<P> Default for PlannedTrajectory<P> {
+    fn default() -> PlannedTrajectory<P> {
+        PlannedTrajectory { pieces: Vec::new(), phases: Vec::new(), overlap_s: 0.0 }
     }
 }
 
-impl<P: Clone> Clone for Stretch<P> {
-    fn clone(&self) -> Stretch<P> {
-        Stretch {
+impl<P: Clone> Clone for PlannedTrajectory<P> {
+    fn clone(&self) -> PlannedTrajectory<P> {
+        PlannedTrajectory {
             pieces: self.pieces.clone(),
             phases: self.phases.clone(),
             overlap_s: self.overlap_s,
@@ -109,47 +109,47 @@ impl<P: Clone> Clone for Stretch<P> {
     }
 
     /// Into the memory that is there already.
-    fn clone_from(&mut self, source: &Stretch<P>) {
+    fn clone_from(&mut self, source: &PlannedTrajectory<P>) {
         self.pieces.clone_from(&source.pieces);
         self.phases.clone_from(&source.phases);
         self.overlap_s = source.overlap_s;
     }
 }
 
-impl<P> Stretch<P> {
+impl<P> PlannedTrajectory<P> {
     /// How long it takes, s.
     pub fn duration_s(&self) -> f64 {
         self.phases.iter().map(|phase| phase.duration_s).sum()
     }
 }
 
-impl Stretch {
-    /// Its length in σ.
+impl PlannedTrajectory {
+    /// The length of its path, σ.
     pub fn length(&self) -> f64 {
         self.pieces.iter().map(|piece| piece.length).sum()
     }
 
-    /// Where it begins.
-    pub fn from(&self) -> Axes {
+    /// The axes at its start, mm and rad.
+    pub fn from(&self) -> AxisValues {
         self.pieces.first().map_or([0.0; AXES], |piece| piece.at(0.0)[0])
     }
 
-    /// Where it ends.
-    pub fn to(&self) -> Axes {
+    /// The axes at its end, mm and rad.
+    pub fn to(&self) -> AxisValues {
         self.pieces.last().map_or([0.0; AXES], |piece| piece.at(piece.length)[0])
     }
 }
 
-/// What happens next on a machine.
+/// What a planner emits.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Step<'a, P = Piece> {
-    /// A movement.
-    Stretch(&'a Stretch<P>),
-    /// Nothing moves for a time, s; with the tag that the caller gave.
+pub enum PlannerStep<'a, P = PathPiece> {
+    /// The axes move.
+    Trajectory(&'a PlannedTrajectory<P>),
+    /// The axes rest for a time.
     Wait {
-        /// How long, s.
+        /// s, not below zero.
         seconds: f64,
-        /// The caller's.
+        /// The number that the caller has passed with the wait.
         tag: u64,
     },
 }
@@ -168,14 +168,14 @@ mod tests {
             (20.0, 300.0, -1e4, 1e6),
             (1e-9, 0.0, 3.0, 0.0),
         ] {
-            let phase = Phase { duration_s: 0.05, from, speed, acceleration, jerk };
+            let phase = JerkPhase { duration_s: 0.05, from, speed, acceleration, jerk };
             for share in [0.0, 1e-6, 0.1, 0.5, 0.9, 1.0] {
                 let t = phase.duration_s * share;
                 let sigma = phase.at(t).sigma;
-                let found = phase.time_at(sigma, 0.0);
+                let crossing_s = phase.time_at(sigma, 0.0);
                 // As near as the place is exact.
-                let off = (phase.at(found).sigma - sigma).abs();
-                assert!(off <= 1e-15 * sigma.abs().max(from), "{phase:?} {t} {found} {off:e}");
+                let off = (phase.at(crossing_s).sigma - sigma).abs();
+                assert!(off <= 1e-15 * sigma.abs().max(from), "{phase:?} {t} {crossing_s} {off:e}");
             }
         }
     }
@@ -183,13 +183,15 @@ mod tests {
     #[test]
     fn a_place_beyond_a_phase_is_passed_at_its_ends() {
         for jerk in [0.0, 100.0] {
-            let phase = Phase { duration_s: 2.0, from: 5.0, speed: 1.0, acceleration: 0.0, jerk };
+            let phase =
+                JerkPhase { duration_s: 2.0, from: 5.0, speed: 1.0, acceleration: 0.0, jerk };
             assert_eq!(phase.time_at(4.0, 0.0), 0.0);
             assert_eq!(phase.time_at(5.1, 0.5), 0.5);
             assert!((phase.time_at(1e9, 0.0) - 2.0).abs() < 1e-14);
             assert!(phase.time_at(f64::NAN, 0.0).is_nan() || jerk > 0.0);
         }
-        let still = Phase { duration_s: 2.0, from: 5.0, speed: 0.0, acceleration: 0.0, jerk: 0.0 };
+        let still =
+            JerkPhase { duration_s: 2.0, from: 5.0, speed: 0.0, acceleration: 0.0, jerk: 0.0 };
         assert_eq!(still.time_at(5.0, 0.0), 0.0);
     }
 }

@@ -7,18 +7,26 @@
 
 mod support;
 
-use chordal_motion::{Corner, Level, Limits, Move, Stretch, Use, largest_use};
+use chordal_motion::{
+    CornerMode, KinematicLimits, LimitUse, MoveRequest, PlannedTrajectory, PlannerLevel,
+    largest_use,
+};
 use support::dense::{self, Places};
 use support::{cut, limits, line, plan, samples, time_of};
 
 const FEED: f64 = 1000.0;
 
-fn fast() -> Limits {
+fn fast() -> KinematicLimits {
     limits(500.0, 5000.0, 1e5)
 }
 
-fn planned(places: &[[f64; 3]], feed: f64, tolerance: f64, limits: Limits) -> Vec<Stretch> {
-    plan(&dense::moves(places, feed, tolerance), limits, Level::Fast)
+fn planned(
+    places: &[[f64; 3]],
+    feed: f64,
+    tolerance: f64,
+    limits: KinematicLimits,
+) -> Vec<PlannedTrajectory> {
+    plan(&dense::moves(places, feed, tolerance), limits, PlannerLevel::Fast)
 }
 
 fn rounds(few: u64) -> u64 {
@@ -46,10 +54,12 @@ fn table() -> Vec<(&'static str, Places, f64)> {
 #[test]
 fn dense_chords_take_little_more_than_the_least_time() {
     for (name, places, most_s) in table() {
-        let stretches = planned(&places, FEED, 0.01, fast());
-        let time = time_of(&stretches);
-        let used =
-            stretches.iter().map(|s| largest_use(s, &fast(), 7)).fold(Use::default(), Use::or);
+        let trajectories = planned(&places, FEED, 0.01, fast());
+        let time = time_of(&trajectories);
+        let used = trajectories
+            .iter()
+            .map(|s| largest_use(s, &fast(), 7))
+            .fold(LimitUse::default(), LimitUse::or);
         println!("{name}: {time:.4} s, {used:?}");
         assert!(time <= most_s, "{name}: {time} s");
         assert!(used.velocity <= 1.0 + 1e-9, "{name}: {used:?}");
@@ -70,7 +80,7 @@ fn machines_that_reach_their_acceleration_at_once_have_curves() {
     }
 }
 
-/// Paths on which an axis turned back where the first law of a window fell to nothing: a law that nearly
+/// Paths on which an axis turned back where the first profile of a window fell to nothing: a profile that nearly
 /// stops was all that was found from there.
 #[test]
 fn no_law_nearly_stops_where_an_axis_turns_back() {
@@ -104,10 +114,10 @@ fn distance(place: [f64; 3], places: &[[f64; 3]], from: usize, reach: usize) -> 
         let (a, b) = (places[index], places[index + 1]);
         let dot = |x: [f64; 3], y: [f64; 3]| x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
         let less = |x: [f64; 3], y: [f64; 3]| [x[0] - y[0], x[1] - y[1], x[2] - y[2]];
-        let (along, way) = (less(b, a), less(place, a));
+        let (along, offset) = (less(b, a), less(place, a));
         let square = dot(along, along);
-        let share = if square > 0.0 { (dot(way, along) / square).clamp(0.0, 1.0) } else { 0.0 };
-        let off = less(way, along.map(|part| part * share));
+        let share = if square > 0.0 { (dot(offset, along) / square).clamp(0.0, 1.0) } else { 0.0 };
+        let off = less(offset, along.map(|part| part * share));
         let off = dot(off, off).sqrt();
         if off < best.0 {
             best = (off, index);
@@ -116,13 +126,13 @@ fn distance(place: [f64; 3], places: &[[f64; 3]], from: usize, reach: usize) -> 
     best
 }
 
-fn largest_distance(stretches: &[Stretch], places: &[[f64; 3]]) -> f64 {
+fn largest_distance(trajectories: &[PlannedTrajectory], places: &[[f64; 3]]) -> f64 {
     let (mut most, mut near) = (0.0_f64, 0);
     // No axis moves more than a tenth of a millimetre from sample to sample.
     let least = |pair: &[[f64; 3]]| (0..3).map(|k| (pair[0][k] - pair[1][k]).powi(2)).sum::<f64>();
     let chord = places.windows(2).map(least).fold(f64::INFINITY, f64::min).sqrt();
     let reach = 5 + (0.2 / chord) as usize;
-    for sample in samples(stretches, 0.2e-3) {
+    for sample in samples(trajectories, 0.2e-3) {
         let [x, y, z, ..] = sample.position;
         let (off, index) = distance([x, y, z], places, near, reach);
         (most, near) = (most.max(off), index);
@@ -136,10 +146,10 @@ fn the_curve_stays_within_the_tolerance() {
         let chord = [0.02, 0.05, 0.1, 0.4][seed as usize % 4];
         let tolerance = [0.002, 0.01, 0.05][seed as usize % 3];
         let places = dense::harmonics(chord, 3 + seed as i32 % 2, seed + 1);
-        let stretches = planned(&places, FEED, tolerance, fast());
-        let off = largest_distance(&stretches, &places);
+        let trajectories = planned(&places, FEED, tolerance, fast());
+        let off = largest_distance(&trajectories, &places);
         assert!(off <= tolerance * (1.0 + 1e-6), "seed {seed}: {off} mm of {tolerance}");
-        let end = stretches[stretches.len() - 1].to();
+        let end = trajectories[trajectories.len() - 1].to();
         let last = places[places.len() - 1];
         assert!((0..3).all(|axis| (end[axis] - last[axis]).abs() < 1e-9), "{end:?} {last:?}");
     }
@@ -159,8 +169,8 @@ fn corners_sharper_than_the_tolerance_stay() {
     }
     places.push([0.0; 3]);
     for tolerance in [0.001, 0.01] {
-        let stretches = planned(&places, FEED, tolerance, fast());
-        assert!(largest_distance(&stretches, &places) <= tolerance * (1.0 + 1e-6));
+        let trajectories = planned(&places, FEED, tolerance, fast());
+        assert!(largest_distance(&trajectories, &places) <= tolerance * (1.0 + 1e-6));
     }
 }
 
@@ -184,9 +194,9 @@ fn figures() -> [(&'static str, Places); 3] {
 
 #[test]
 fn more_of_the_axes_or_of_the_feed_is_never_slower() {
-    // The laws are within 2e-4 of the best on their grid, and the grid changes with the limits. The curve
+    // The profiles are within 2e-4 of the best on their grid, and the grid changes with the limits. The curve
     // does so with acceleration and jerk: it is no smoother than the axes need.
-    const MOST: [f64; 3] = [1e-3, 1e-2, 1e-3];
+    const MAX_SLOWER_SHARES: [f64; 3] = [1e-3, 1e-2, 1e-3];
     for (name, places) in figures() {
         let row = |time: &dyn Fn(f64) -> f64| {
             let times: Vec<f64> = (0..7).map(|step| time(1.4_f64.powi(step))).collect();
@@ -198,12 +208,15 @@ fn more_of_the_axes_or_of_the_feed_is_never_slower() {
         let by_jerk = row(&|factor| time(FEED, limits(500.0, 5000.0, 2e4 * factor)));
         println!("{name}: feed {by_feed:e}, acceleration {by_acceleration:e}, jerk {by_jerk:e}");
         let worst = [by_feed, by_acceleration, by_jerk];
-        assert!(worst.iter().zip(MOST).all(|(worst, most)| *worst <= most), "{name}: {worst:?}");
+        assert!(
+            worst.iter().zip(MAX_SLOWER_SHARES).all(|(worst, most)| *worst <= most),
+            "{name}: {worst:?}"
+        );
     }
 }
 
 #[test]
-fn finer_chords_fewer_decimals_and_the_way_back_take_as_long() {
+fn finer_chords_fewer_decimals_and_the_reverse_path_take_as_long() {
     let time = |places: &[[f64; 3]]| time_of(&planned(places, FEED, 0.01, fast()));
     let whole = time(&dense::ellipse(1336, None));
     for (count, decimals) in [(2672, None), (5344, None), (1336, Some(4)), (1336, Some(3))] {
@@ -223,11 +236,11 @@ fn no_path_is_slower_than_with_a_stop_at_every_corner() {
     for seed in 0..rounds(12) {
         let places = dense::harmonics([0.3, 1.0, 3.0][seed as usize % 3], 3, seed + 7);
         let eased = time_of(&planned(&places, 200.0, 0.005, fast()));
-        let stops: Vec<Move> = places
+        let stops: Vec<MoveRequest> = places
             .windows(2)
-            .map(|pair| cut(line(pair[0], pair[1]), 200.0, Corner::Stop))
+            .map(|pair| cut(line(pair[0], pair[1]), 200.0, CornerMode::Stop))
             .collect();
-        let stopped = time_of(&plan(&stops, fast(), Level::Fast));
+        let stopped = time_of(&plan(&stops, fast(), PlannerLevel::Fast));
         assert!(eased <= stopped * (1.0 + 1e-9), "seed {seed}: {eased} s for {stopped} s");
     }
 }
@@ -236,14 +249,16 @@ fn no_path_is_slower_than_with_a_stop_at_every_corner() {
 fn every_move_has_its_time() {
     let places = dense::star(0.1);
     let moves = dense::moves(&places, FEED, 0.01);
-    let stretches = plan(&moves, fast(), Level::Fast);
-    let tags: Vec<u64> =
-        stretches.iter().flat_map(|stretch| stretch.pieces.iter().map(|piece| piece.tag)).collect();
+    let trajectories = plan(&moves, fast(), PlannerLevel::Fast);
+    let tags: Vec<u64> = trajectories
+        .iter()
+        .flat_map(|trajectory| trajectory.pieces.iter().map(|piece| piece.tag))
+        .collect();
     assert!(tags.is_sorted());
-    let mut seen = tags;
-    seen.dedup();
-    assert_eq!(seen, (0..moves.len() as u64).collect::<Vec<_>>());
-    let length: f64 = stretches.iter().map(Stretch::length).sum();
-    let whole: f64 = moves.iter().map(Move::length).sum();
+    let mut tag_order = tags;
+    tag_order.dedup();
+    assert_eq!(tag_order, (0..moves.len() as u64).collect::<Vec<_>>());
+    let length: f64 = trajectories.iter().map(PlannedTrajectory::length).sum();
+    let whole: f64 = moves.iter().map(MoveRequest::length).sum();
     assert!((length - whole).abs() < 1e-9 * whole);
 }

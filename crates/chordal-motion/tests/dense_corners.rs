@@ -8,7 +8,9 @@
 mod support;
 
 use chordal_geometry::{AXES, Arc, Curve, Frame, Line, ParamCurve, Plane, Vec3};
-use chordal_motion::{Corner, Level, Limits, Move, Sample, Stretch};
+use chordal_motion::{
+    CornerMode, KinematicLimits, MotionSample, MoveRequest, PlannedTrajectory, PlannerLevel,
+};
 use support::dense::{self, Places};
 use support::{cut, limits, plan, samples, time_of};
 
@@ -25,7 +27,7 @@ struct Case {
     corners: Vec<usize>,
     feed: f64,
     tolerance: f64,
-    limits: Limits,
+    limits: KinematicLimits,
     /// A rotary axis moves as well.
     turns: bool,
 }
@@ -44,7 +46,7 @@ impl Case {
         }
     }
 
-    fn moves(&self) -> Vec<Move> {
+    fn moves(&self) -> Vec<MoveRequest> {
         let mut moves = dense::moves(&self.places, self.feed, self.tolerance);
         if self.turns {
             // An axis that sways while the tool moves.
@@ -57,10 +59,10 @@ impl Case {
     }
 
     /// The same with a stop at each corner.
-    fn stopping(&self) -> Vec<Move> {
+    fn stopping(&self) -> Vec<MoveRequest> {
         let mut moves = self.moves();
         assert_eq!(moves.len() + 1, self.places.len());
-        self.corners.iter().for_each(|place| moves[place - 1].corner = Corner::Stop);
+        self.corners.iter().for_each(|place| moves[place - 1].corner = CornerMode::Stop);
         moves
     }
 }
@@ -81,7 +83,7 @@ fn nearest(place: [f64; 3], path: &[[f64; 3]]) -> f64 {
     path.windows(2).map(|ends| distance(place, [ends[0], ends[1]])).fold(f64::INFINITY, f64::min)
 }
 
-fn places_of(samples: &[Sample]) -> Places {
+fn places_of(samples: &[MotionSample]) -> Places {
     samples
         .iter()
         .map(|sample| [sample.position[0], sample.position[1], sample.position[2]])
@@ -89,12 +91,12 @@ fn places_of(samples: &[Sample]) -> Places {
 }
 
 /// The differences of positions hold every limit.
-fn check_limits(case: &Case, stretches: &[Stretch], name: &str) {
+fn check_limits(case: &Case, trajectories: &[PlannedTrajectory], name: &str) {
     for period in [1e-3, 2.5e-4] {
-        let samples = samples(stretches, period);
+        let samples = samples(trajectories, period);
         // They make the overlaps that the plan counts, also where runs end in bends.
         let end = samples.last().map_or(0.0, |sample| sample.time_s);
-        let late = end - time_of(stretches);
+        let late = end - time_of(trajectories);
         assert!((-1e-9..period).contains(&late), "{name}: setpoints end {late} s after the plan");
         let rate = |values: &[f64]| -> Vec<f64> {
             values.windows(2).map(|pair| (pair[1] - pair[0]) / period).collect()
@@ -113,7 +115,7 @@ fn check_limits(case: &Case, stretches: &[Stretch], name: &str) {
             assert!(a <= limit(case.limits.acceleration(), axis), "{name}, axis {axis}: {a}");
             assert!(j <= limit(case.limits.jerk(), axis) + rounding, "{name}, axis {axis}: {j}");
         }
-        let speed = samples.iter().map(Sample::speed).fold(0.0, f64::max);
+        let speed = samples.iter().map(MotionSample::speed).fold(0.0, f64::max);
         assert!(speed <= case.feed * ABOVE, "{name}: {speed} mm/s");
     }
 }
@@ -124,10 +126,10 @@ fn overlaps_keep_every_limit_and_the_tolerance_both_ways() {
     for seed in 0..rounds(60) {
         let case = Case::new(seed);
         let name = format!("seed {seed}");
-        let stretches = plan(&case.moves(), case.limits, Level::Fast);
-        check_limits(&case, &stretches, &name);
+        let trajectories = plan(&case.moves(), case.limits, PlannerLevel::Fast);
+        check_limits(&case, &trajectories, &name);
         let most = case.tolerance * ABOVE;
-        let path = places_of(&samples(&stretches, 5e-5));
+        let path = places_of(&samples(&trajectories, 5e-5));
         let step =
             2.0 * path.windows(2).map(|pair| square(pair[0], pair[1]).sqrt()).fold(0.0, f64::max);
         for place in path.iter().step_by(1 + path.len() / 2000) {
@@ -139,11 +141,11 @@ fn overlaps_keep_every_limit_and_the_tolerance_both_ways() {
             assert!(off <= most + step * step, "{name}: the tool passes a corner {off} mm from it");
         }
         // Never three at once.
-        for pair in stretches.windows(2) {
+        for pair in trajectories.windows(2) {
             let both = pair[0].overlap_s + pair[1].overlap_s;
             assert!(both <= pair[0].duration_s() * (1.0 + 1e-9), "{name}: {both} s");
         }
-        overlapped += stretches.iter().filter(|stretch| stretch.overlap_s > 0.0).count();
+        overlapped += trajectories.iter().filter(|trajectory| trajectory.overlap_s > 0.0).count();
         corners += case.corners.len();
     }
     println!("{overlapped} overlaps at {corners} corners");
@@ -154,15 +156,15 @@ fn overlaps_keep_every_limit_and_the_tolerance_both_ways() {
 fn no_path_is_slower_than_with_a_rest_at_its_corners() {
     for seed in 0..rounds(60) {
         let case = Case::new(seed);
-        let ours = time_of(&plan(&case.moves(), case.limits, Level::Fast));
-        let rests = time_of(&plan(&case.stopping(), case.limits, Level::Fast));
+        let ours = time_of(&plan(&case.moves(), case.limits, PlannerLevel::Fast));
+        let rests = time_of(&plan(&case.stopping(), case.limits, PlannerLevel::Fast));
         assert!(ours <= rests * 1.001, "seed {seed}: {ours} s, with rests {rests} s");
     }
 }
 
 /// Dense chords along a wave, a tangent arc of many times their length, and the wave again.
-fn wave_and_arc(radius: f64) -> Vec<Move> {
-    let within = Corner::Within { linear_mm: 0.01, rotary_rad: 1e-4 };
+fn wave_and_arc(radius: f64) -> Vec<MoveRequest> {
+    let within = CornerMode::Joined { linear_mm: 0.01, rotary_rad: 1e-4 };
     let wave = |x: f64| [x, 0.05 * x * (0.8 * x).sin() * (10.0 - x) / 10.0, 0.0];
     let places: Places = (0..=100).map(|index| wave(0.1 * f64::from(index))).collect();
     let mut moves = dense::moves(&places, 1000.0, 0.01);
@@ -192,13 +194,13 @@ fn wave_and_arc(radius: f64) -> Vec<Move> {
 fn a_step_of_the_curvature_between_chords_and_an_arc_is_no_rest() {
     for radius in [2.0, 10.0, 50.0] {
         let moves = wave_and_arc(radius);
-        let stretches = plan(&moves, limits(500.0, 5000.0, 1e5), Level::Fast);
-        assert_eq!(stretches.len(), 1, "R{radius}: rests between chords and arc");
+        let trajectories = plan(&moves, limits(500.0, 5000.0, 1e5), PlannerLevel::Fast);
+        assert_eq!(trajectories.len(), 1, "R{radius}: rests between chords and arc");
         let mut most = 0.0_f64;
-        for sample in samples(&stretches, 1e-4) {
+        for sample in samples(&trajectories, 1e-4) {
             most = most.max(support::distance(&moves, sample.tag as usize, 30, &sample.position));
         }
-        println!("R{radius}: {:.4} s, {most:.5} mm off", time_of(&stretches));
+        println!("R{radius}: {:.4} s, {most:.5} mm off", time_of(&trajectories));
         assert!(most <= 0.01 * ABOVE, "R{radius}: {most} mm");
     }
 }
@@ -209,7 +211,7 @@ fn rows_overlap_at_their_ends_however_they_lie() {
     for (degrees, most_s) in [(0.0, 10.1), (15.0, 10.1), (30.0, 10.1), (45.0, 10.1)] {
         let places = dense::turned(dense::raster(20, 60.0, 0.5, 0.2), degrees);
         let moves = dense::moves(&places, 1000.0, 0.01);
-        let time = time_of(&plan(&moves, limits(500.0, 5000.0, 1e5), Level::Fast));
+        let time = time_of(&plan(&moves, limits(500.0, 5000.0, 1e5), PlannerLevel::Fast));
         println!("{degrees} degrees: {time:.4} s");
         assert!(time <= most_s, "{degrees} degrees: {time} s");
     }
@@ -224,7 +226,7 @@ fn harmonics(chord: f64, seed: u64) -> Places {
 
 fn time_s(places: &[[f64; 3]], feed: f64, tolerance: f64) -> f64 {
     let moves = dense::moves(places, feed, tolerance);
-    time_of(&plan(&moves, limits(500.0, 5000.0, 1e5), Level::Fast))
+    time_of(&plan(&moves, limits(500.0, 5000.0, 1e5), PlannerLevel::Fast))
 }
 
 #[test]

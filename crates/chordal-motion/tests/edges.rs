@@ -5,8 +5,8 @@ mod support;
 
 use chordal_geometry::{AXES, Arc, Curve, Frame, ParamCurve, Spiral, Vec3};
 use chordal_motion::{
-    AxisLimit, Corner, Level, Limits, Move, MoveError, Planner, PlannerOptions, Quantity, Step,
-    Stretch, Use, largest_use,
+    AxisLimit, CornerMode, KinematicLimits, LimitUse, LimitedQuantity, MotionPlanner, MoveError,
+    MoveRequest, PlannedTrajectory, PlannerLevel, PlannerOptions, PlannerStep, largest_use,
 };
 use support::random::Dice;
 use support::{cut, distance, plan, samples, time_of};
@@ -14,17 +14,17 @@ use support::{cut, distance, plan, samples, time_of};
 /// What rounding may add to a limit.
 const ABOVE: f64 = 1.0 + 1e-6;
 
-const WITHIN: Corner = Corner::Within { linear_mm: 0.01, rotary_rad: 1e-4 };
+const WITHIN: CornerMode = CornerMode::Joined { linear_mm: 0.01, rotary_rad: 1e-4 };
 
-fn machine() -> Limits {
+fn machine() -> KinematicLimits {
     let linear = Some(AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 });
     let rotary = Some(AxisLimit { velocity: 2.0, acceleration: 20.0, jerk: 500.0 });
-    Limits::new([linear, linear, linear, rotary, rotary, rotary]).unwrap()
+    KinematicLimits::new([linear, linear, linear, rotary, rotary, rotary]).unwrap()
 }
 
 /// Velocity, acceleration and jerk of each axis.
-fn limits_of(axes: [(f64, f64, f64); AXES]) -> Limits {
-    Limits::new(
+fn limits_of(axes: [(f64, f64, f64); AXES]) -> KinematicLimits {
+    KinematicLimits::new(
         axes.map(|(velocity, acceleration, jerk)| Some(AxisLimit { velocity, acceleration, jerk })),
     )
     .unwrap()
@@ -34,22 +34,23 @@ fn vec(p: [f64; 3]) -> Vec3 {
     Vec3::new(p[0], p[1], p[2])
 }
 
-fn motion(curve: impl Into<Curve>, corner: Corner) -> Move {
+fn motion(curve: impl Into<Curve>, corner: CornerMode) -> MoveRequest {
     cut(curve.into(), 50.0, corner)
 }
 
-fn line(from: [f64; 3], to: [f64; 3], corner: Corner) -> Move {
+fn line(from: [f64; 3], to: [f64; 3], corner: CornerMode) -> MoveRequest {
     motion(support::line(from, to), corner)
 }
 
 /// Lines from place to place, tagged in order.
-fn lines(places: &[[f64; 3]], corner: Corner) -> Vec<Move> {
+fn lines(places: &[[f64; 3]], corner: CornerMode) -> Vec<MoveRequest> {
     let legs = places.windows(2).enumerate();
-    legs.map(|(tag, ends)| Move { tag: tag as u64, ..line(ends[0], ends[1], corner) }).collect()
+    legs.map(|(tag, ends)| MoveRequest { tag: tag as u64, ..line(ends[0], ends[1], corner) })
+        .collect()
 }
 
 /// From the origin, tangent to X, in the plane XY.
-fn arc(radius: f64, sweep: f64, corner: Corner) -> Move {
+fn arc(radius: f64, sweep: f64, corner: CornerMode) -> MoveRequest {
     let out = vec([0.0, -1.0, 0.0]);
     let centre = vec([0.0, radius, 0.0]);
     let frame = Frame::from_normal(centre, vec([0.0, 0.0, 1.0]), out).unwrap();
@@ -58,9 +59,11 @@ fn arc(radius: f64, sweep: f64, corner: Corner) -> Move {
 
 /// Holds every limit, looked at so many places between the ends of each part.
 #[track_caller]
-fn holds_limits(stretches: &[Stretch], limits: Limits, probes: u32) {
-    let used =
-        stretches.iter().map(|s| largest_use(s, &limits, probes)).fold(Use::default(), Use::or);
+fn holds_limits(trajectories: &[PlannedTrajectory], limits: KinematicLimits, probes: u32) {
+    let used = trajectories
+        .iter()
+        .map(|s| largest_use(s, &limits, probes))
+        .fold(LimitUse::default(), LimitUse::or);
     let worst = used.velocity.max(used.acceleration).max(used.jerk);
     assert!(worst <= ABOVE, "{used:?}");
 }
@@ -68,21 +71,21 @@ fn holds_limits(stretches: &[Stretch], limits: Limits, probes: u32) {
 /// Plans and checks limits, path and ends; hands back the time. Positions may be wrong by
 /// `rounding_mm`, which far from the origin is more than near it.
 #[track_caller]
-fn held(moves: &[Move], limits: Limits, rounding_mm: f64) -> f64 {
-    let stretches = plan(moves, limits, Level::Fast);
-    holds_limits(&stretches, limits, 6);
-    ends(moves, &stretches, rounding_mm);
-    let time_s = time_of(&stretches);
+fn checked_time_s(moves: &[MoveRequest], limits: KinematicLimits, rounding_mm: f64) -> f64 {
+    let trajectories = plan(moves, limits, PlannerLevel::Fast);
+    holds_limits(&trajectories, limits, 6);
+    ends(moves, &trajectories, rounding_mm);
+    let time_s = time_of(&trajectories);
     assert!(time_s.is_finite() && time_s >= 0.0, "{time_s} s");
-    if stretches.is_empty() {
+    if trajectories.is_empty() {
         return time_s;
     }
     let tolerance = moves.iter().fold(1e-6_f64, |most, motion| match motion.corner {
-        Corner::Within { linear_mm, .. } => most.max(linear_mm),
+        CornerMode::Joined { linear_mm, .. } => most.max(linear_mm),
         _ => most,
     });
     // A few thousand places of the path, however long it takes.
-    for sample in samples(&stretches, (time_s / 3000.0).max(1e-4)) {
+    for sample in samples(&trajectories, (time_s / 3000.0).max(1e-4)) {
         let off = distance(moves, sample.tag as usize, 40, &sample.position);
         assert!(off <= tolerance * ABOVE + rounding_mm, "{off} mm off at {} s", sample.time_s);
     }
@@ -90,11 +93,11 @@ fn held(moves: &[Move], limits: Limits, rounding_mm: f64) -> f64 {
 }
 
 #[track_caller]
-fn ends(moves: &[Move], stretches: &[Stretch], rounding_mm: f64) {
-    let (Some(first), Some(last)) = (stretches.first(), stretches.last()) else {
+fn ends(moves: &[MoveRequest], trajectories: &[PlannedTrajectory], rounding_mm: f64) {
+    let (Some(first), Some(last)) = (trajectories.first(), trajectories.last()) else {
         let (from, to) = (moves[0].from(), moves[moves.len() - 1].to());
-        let way = from.iter().zip(to).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
-        assert!(way <= 1e-6, "nothing was planned for {way} mm");
+        let offset = from.iter().zip(to).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        assert!(offset <= 1e-6, "nothing was planned for {offset} mm");
         return;
     };
     for (is, due) in [(first.from(), moves[0].from()), (last.to(), moves[moves.len() - 1].to())] {
@@ -104,8 +107,8 @@ fn ends(moves: &[Move], stretches: &[Stretch], rounding_mm: f64) {
 }
 
 /// What a planner says to moves of which the last is wrong.
-fn refusal(moves: &[Move], limits: Limits) -> MoveError {
-    let mut planner = Planner::new(limits, PlannerOptions::new(Level::Fast));
+fn refusal(moves: &[MoveRequest], limits: KinematicLimits) -> MoveError {
+    let mut planner = MotionPlanner::new(limits, PlannerOptions::new(PlannerLevel::Fast));
     let (last, good) = moves.split_last().unwrap();
     for motion in good {
         planner.push(motion, |_| {}).unwrap();
@@ -116,11 +119,11 @@ fn refusal(moves: &[Move], limits: Limits) -> MoveError {
 #[test]
 fn moves_of_no_length_take_no_time() {
     let here = [3.0, 4.0, 5.0];
-    for corner in [Corner::Stop, Corner::Exact, WITHIN] {
-        assert_eq!(held(&[line(here, here, corner)], machine(), 0.0), 0.0);
+    for corner in [CornerMode::Stop, CornerMode::Exact, WITHIN] {
+        assert_eq!(checked_time_s(&[line(here, here, corner)], machine(), 0.0), 0.0);
         let (a, b, c) = ([0.0; 3], [10.0, 0.0, 0.0], [20.0, 0.0, 0.0]);
-        let without = held(&lines(&[a, b, c], corner), machine(), 0.0);
-        let with = held(&lines(&[a, a, b, b, b, c, c], corner), machine(), 0.0);
+        let without = checked_time_s(&lines(&[a, b, c], corner), machine(), 0.0);
+        let with = checked_time_s(&lines(&[a, a, b, b, b, c, c], corner), machine(), 0.0);
         assert!((with - without).abs() < 1e-9, "{corner:?}: {with} s, {without} s");
     }
 }
@@ -128,32 +131,32 @@ fn moves_of_no_length_take_no_time() {
 #[test]
 fn steps_below_rounding_end_where_they_should() {
     let tiny = 1e-12;
-    for corner in [Corner::Stop, Corner::Exact, WITHIN] {
+    for corner in [CornerMode::Stop, CornerMode::Exact, WITHIN] {
         let chain: Vec<_> = (0..=10_000).map(|k| [tiny * f64::from(k), 0.0, 0.0]).collect();
-        held(&lines(&chain, corner), machine(), 1e-8);
+        checked_time_s(&lines(&chain, corner), machine(), 1e-8);
         // Between ordinary moves, in all directions.
         let mut dice = Dice(3);
         let mut places = vec![[0.0; 3]];
         for k in 0..300 {
             let [x, y, z] = *places.last().unwrap();
             let step = if k % 10 == 0 { dice.even(0.1, 5.0) } else { dice.decades(1e-13, 1e-7) };
-            let way = dice.direction() * step;
-            places.push([x + way.x, y + way.y, z + way.z]);
+            let offset = dice.direction() * step;
+            places.push([x + offset.x, y + offset.y, z + offset.z]);
         }
-        held(&lines(&places, corner), machine(), 1e-7);
+        checked_time_s(&lines(&places, corner), machine(), 1e-7);
     }
 }
 
 #[test]
 fn arcs_as_wide_and_as_long_as_a_country() {
-    for corner in [Corner::Stop, Corner::Exact, WITHIN] {
+    for corner in [CornerMode::Stop, CornerMode::Exact, WITHIN] {
         // A sweep that is hardly a bend, and a whole kilometre of 5 mm turns.
-        held(&[arc(1e6, 1e-4, corner)], machine(), 1e-8);
+        checked_time_s(&[arc(1e6, 1e-4, corner)], machine(), 1e-8);
         let turns = arc(5.0, 1e6 / 5.0, corner);
-        let time_s = held(&[turns], machine(), 1e-8);
+        let time_s = checked_time_s(&[turns], machine(), 1e-8);
         assert!(time_s >= 1e6 / 50.0, "{time_s}");
-        let fast = Move { speed: 1e9, ..arc(1e6, 1.0, corner) };
-        let time_s = held(&[fast], machine(), 1e-6);
+        let fast = MoveRequest { speed: 1e9, ..arc(1e6, 1.0, corner) };
+        let time_s = checked_time_s(&[fast], machine(), 1e-6);
         // 479 m to the side and 841 m ahead: X alone takes this long.
         assert!(time_s >= 841_470.0 / 200.0, "{time_s}");
     }
@@ -161,9 +164,10 @@ fn arcs_as_wide_and_as_long_as_a_country() {
 
 #[test]
 fn a_line_joins_the_widest_arc() {
-    for corner in [Corner::Stop, Corner::Exact, WITHIN] {
-        let bend = Move { tag: 1, ..arc(1e6, 1e-5, corner) };
-        let time_s = held(&[line([-10.0, 0.0, 0.0], [0.0; 3], corner), bend], machine(), 1e-8);
+    for corner in [CornerMode::Stop, CornerMode::Exact, WITHIN] {
+        let bend = MoveRequest { tag: 1, ..arc(1e6, 1e-5, corner) };
+        let time_s =
+            checked_time_s(&[line([-10.0, 0.0, 0.0], [0.0; 3], corner), bend], machine(), 1e-8);
         assert!(time_s < 0.4 + 2.0 * 0.2, "{time_s}");
     }
 }
@@ -175,8 +179,8 @@ fn a_spiral_from_its_very_centre() {
         let sweep = turns * std::f64::consts::TAU;
         for rise in [0.0, 2.0] {
             let spiral = Spiral::new(frame.unwrap(), radii, sweep, rise);
-            for corner in [Corner::Stop, Corner::Exact, WITHIN] {
-                let time_s = held(&[motion(spiral, corner)], machine(), 1e-9);
+            for corner in [CornerMode::Stop, CornerMode::Exact, WITHIN] {
+                let time_s = checked_time_s(&[motion(spiral, corner)], machine(), 1e-9);
                 assert!(time_s >= spiral.length() / 50.0, "{time_s}");
             }
         }
@@ -188,10 +192,10 @@ fn feeds_from_a_nanometre_a_second_to_beyond_light() {
     let corner = WITHIN;
     let places = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 1.0]];
     for speed in [1e-6, 1e9, f64::INFINITY] {
-        let moves: Vec<Move> =
-            lines(&places, corner).into_iter().map(|m| Move { speed, ..m }).collect();
-        let time_s = held(&moves, machine(), 1e-9);
-        let length: f64 = moves.iter().map(Move::length).sum();
+        let moves: Vec<MoveRequest> =
+            lines(&places, corner).into_iter().map(|m| MoveRequest { speed, ..m }).collect();
+        let time_s = checked_time_s(&moves, machine(), 1e-9);
+        let length: f64 = moves.iter().map(MoveRequest::length).sum();
         assert!(time_s >= (length - 0.1) / speed, "{time_s}");
     }
     // From one to the other and back.
@@ -199,7 +203,7 @@ fn feeds_from_a_nanometre_a_second_to_beyond_light() {
     for (motion, speed) in moves.iter_mut().zip([1e9, 1e-6, 1e9]) {
         motion.speed = speed;
     }
-    let time_s = held(&moves, machine(), 1e-9);
+    let time_s = checked_time_s(&moves, machine(), 1e-9);
     assert!((time_s / 1e6 - 1.0).abs() < 1e-3, "{time_s}");
 }
 
@@ -207,14 +211,14 @@ fn feeds_from_a_nanometre_a_second_to_beyond_light() {
 fn both_levels_plan_crawls() {
     let turn = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 1.0]];
     for speed in [1e-3, 1e-6, 1e-9, 1e-15, 1e-100] {
-        for corner in [WITHIN, Corner::Exact] {
-            let at_speed = |motion: Move| Move { speed, ..motion };
-            let row: Vec<Move> = lines(&turn, corner).into_iter().map(at_speed).collect();
+        for corner in [WITHIN, CornerMode::Exact] {
+            let at_speed = |motion: MoveRequest| MoveRequest { speed, ..motion };
+            let row: Vec<MoveRequest> = lines(&turn, corner).into_iter().map(at_speed).collect();
             let circle = [at_speed(arc(1.0, 3.0, corner))];
             for moves in [&row[..], &row[..1], &circle] {
-                for level in [Level::Fast, Level::Best] {
+                for level in [PlannerLevel::Fast, PlannerLevel::Best] {
                     let time_s = time_of(&plan(moves, machine(), level));
-                    let length: f64 = moves.iter().map(Move::length).sum();
+                    let length: f64 = moves.iter().map(MoveRequest::length).sum();
                     let due = length / speed;
                     assert!((time_s / due - 1.0).abs() < 0.05, "{level:?}: {time_s} s for {due}");
                 }
@@ -231,7 +235,7 @@ fn limits_without_measure_have_a_plan() {
         for x in [(size, usual.1, usual.2), (usual.0, size, usual.2), (usual.0, usual.1, size)] {
             let mut axes = [usual; AXES];
             axes[0] = x;
-            for level in [Level::Fast, Level::Best] {
+            for level in [PlannerLevel::Fast, PlannerLevel::Best] {
                 let time_s = time_of(&plan(&row, limits_of(axes), level));
                 assert!(time_s > 0.0, "{x:?}, {level:?}: {time_s}");
             }
@@ -240,32 +244,33 @@ fn limits_without_measure_have_a_plan() {
 }
 
 /// A move on the spot in which rotary axes turn.
-fn turn(at: [f64; 3], from: [f64; 3], to: [f64; 3], corner: Corner) -> Move {
-    Move { rotary_from: from, rotary_to: to, speed: 1.0, ..line(at, at, corner) }
+fn turn(at: [f64; 3], from: [f64; 3], to: [f64; 3], corner: CornerMode) -> MoveRequest {
+    MoveRequest { rotary_from: from, rotary_to: to, speed: 1.0, ..line(at, at, corner) }
 }
 
 #[test]
 fn rotary_axes_alone() {
-    for corner in [Corner::Stop, Corner::Exact, WITHIN] {
+    for corner in [CornerMode::Stop, CornerMode::Exact, WITHIN] {
         // One radian at 1 rad/s, with ramps of 20 rad/s² and 500 rad/s³.
-        let time_s = held(&[turn([0.0; 3], [0.0; 3], [1.0, 0.0, 0.0], corner)], machine(), 0.0);
+        let time_s =
+            checked_time_s(&[turn([0.0; 3], [0.0; 3], [1.0, 0.0, 0.0], corner)], machine(), 0.0);
         assert!((time_s - 1.09).abs() < 1e-9, "{time_s}");
         let places = [[0.0; 3], [0.5, 0.2, 0.0], [0.5, 0.2, -1.0], [0.0, 0.2, -1.0], [0.0; 3]];
-        let moves: Vec<Move> = places
+        let moves: Vec<MoveRequest> = places
             .windows(2)
             .enumerate()
-            .map(|(tag, ends)| Move {
+            .map(|(tag, ends)| MoveRequest {
                 tag: tag as u64,
                 ..turn([1.0, 2.0, 3.0], ends[0], ends[1], corner)
             })
             .collect();
-        held(&moves, machine(), 1e-9);
+        checked_time_s(&moves, machine(), 1e-9);
     }
 }
 
 #[test]
 fn rotary_and_linear_axes_in_turns() {
-    for corner in [Corner::Stop, Corner::Exact, WITHIN] {
+    for corner in [CornerMode::Stop, CornerMode::Exact, WITHIN] {
         let mut moves = Vec::new();
         for k in 0..20_u64 {
             let (at, angle) = (5.0 * (k / 2) as f64, 0.1 * k.div_ceil(2) as f64);
@@ -273,48 +278,48 @@ fn rotary_and_linear_axes_in_turns() {
                 let to = [at + 5.0, 0.0, 0.0];
                 let rotary = [angle, 0.0, 0.0];
                 let motion = line([at, 0.0, 0.0], to, corner);
-                Move { rotary_from: rotary, rotary_to: rotary, ..motion }
+                MoveRequest { rotary_from: rotary, rotary_to: rotary, ..motion }
             } else {
                 let from = [angle - 0.1, 0.0, 0.0];
                 turn([at + 5.0, 0.0, 0.0], from, [angle, 0.0, 0.0], corner)
             };
-            moves.push(Move { tag: k, ..motion });
+            moves.push(MoveRequest { tag: k, ..motion });
         }
-        held(&moves, machine(), 1e-9);
+        checked_time_s(&moves, machine(), 1e-9);
     }
 }
 
 #[test]
 fn no_tolerance_is_the_exact_path() {
-    let none = Corner::Within { linear_mm: 0.0, rotary_rad: 0.0 };
+    let none = CornerMode::Joined { linear_mm: 0.0, rotary_rad: 0.0 };
     let places = [[0.0; 3], [10.0, 0.0, 0.0], [10.0, 10.0, 0.0], [15.0, 15.0, 1.0]];
-    let time_s = held(&lines(&places, none), machine(), 0.0);
+    let time_s = checked_time_s(&lines(&places, none), machine(), 0.0);
     // A millionth of a millimetre is exact: it leaves room for half a thousandth of a second.
-    let stops = held(&lines(&places, Corner::Stop), machine(), 0.0);
+    let stops = checked_time_s(&lines(&places, CornerMode::Stop), machine(), 0.0);
     assert!(time_s <= stops && time_s > stops - 2.0 * 5e-4, "{time_s} s, {stops} s");
 }
 
 #[test]
 fn a_tolerance_wider_than_the_legs() {
-    let wide = Corner::Within { linear_mm: 10.0, rotary_rad: 1.0 };
+    let wide = CornerMode::Joined { linear_mm: 10.0, rotary_rad: 1.0 };
     let mut dice = Dice(5);
     for step in [0.01, 0.1, 1.0] {
         let mut places = vec![[0.0; 3]];
         for _ in 0..100 {
             let [x, y, z] = *places.last().unwrap();
-            let way = dice.direction() * step;
-            places.push([x + way.x, y + way.y, z + way.z]);
+            let offset = dice.direction() * step;
+            places.push([x + offset.x, y + offset.y, z + offset.z]);
         }
-        held(&lines(&places, wide), machine(), 1e-9);
+        checked_time_s(&lines(&places, wide), machine(), 1e-9);
     }
 }
 
 #[test]
 fn there_and_back_on_one_line() {
     let (a, b) = ([0.0; 3], [10.0, 0.0, 0.0]);
-    let once = held(&lines(&[a, b], Corner::Stop), machine(), 0.0);
-    for corner in [Corner::Stop, Corner::Exact, WITHIN] {
-        let time_s = held(&lines(&[a, b, a, b, a], corner), machine(), 1e-9);
+    let once = checked_time_s(&lines(&[a, b], CornerMode::Stop), machine(), 0.0);
+    for corner in [CornerMode::Stop, CornerMode::Exact, WITHIN] {
+        let time_s = checked_time_s(&lines(&[a, b, a, b, a], corner), machine(), 1e-9);
         assert!(time_s <= 4.0 * once * (1.0 + 1e-9), "{corner:?}: {time_s} s");
         // A reversal within the tolerance need not go all the way, but nearly.
         assert!(time_s > 4.0 * once * 0.8, "{corner:?}: {time_s} s");
@@ -339,14 +344,14 @@ fn what_is_no_move_is_refused() {
     let bad = line([-1e308, 0.0, 0.0], [1e308, 1e308, 0.0], WITHIN);
     assert_eq!(refusal(&[bad], machine()), MoveError::NotFinite);
     for speed in [0.0, -1.0, f64::NAN] {
-        let error = refusal(&[Move { speed, ..good }], machine());
+        let error = refusal(&[MoveRequest { speed, ..good }], machine());
         assert!(matches!(error, MoveError::Speed(_)), "{error}");
     }
     for tolerance in [-1e-9, f64::NAN] {
-        let linear = Corner::Within { linear_mm: tolerance, rotary_rad: 0.0 };
-        let rotary = Corner::Within { linear_mm: 0.0, rotary_rad: tolerance };
+        let linear = CornerMode::Joined { linear_mm: tolerance, rotary_rad: 0.0 };
+        let rotary = CornerMode::Joined { linear_mm: 0.0, rotary_rad: tolerance };
         for corner in [linear, rotary] {
-            let error = refusal(&[Move { corner, ..good }], machine());
+            let error = refusal(&[MoveRequest { corner, ..good }], machine());
             assert!(matches!(error, MoveError::Tolerance(_)), "{error}");
         }
     }
@@ -357,12 +362,13 @@ fn what_is_no_move_is_refused() {
 #[test]
 fn an_axis_that_is_not_there_must_not_move() {
     let limit = AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 };
-    let two = Limits::new([Some(limit), Some(limit), None, None, None, None]).unwrap();
-    held(&[line([0.0; 3], [10.0, 5.0, 0.0], WITHIN)], two, 0.0);
-    held(&[arc(5.0, 6.0, WITHIN)], two, 1e-9);
+    let two = KinematicLimits::new([Some(limit), Some(limit), None, None, None, None]).unwrap();
+    checked_time_s(&[line([0.0; 3], [10.0, 5.0, 0.0], WITHIN)], two, 0.0);
+    checked_time_s(&[arc(5.0, 6.0, WITHIN)], two, 1e-9);
     let down = line([0.0; 3], [10.0, 5.0, -1e-9], WITHIN);
     assert_eq!(refusal(&[down], two), MoveError::NoAxis(2));
-    let turned = Move { rotary_to: [0.0, 0.1, 0.0], ..line([0.0; 3], [1.0, 0.0, 0.0], WITHIN) };
+    let turned =
+        MoveRequest { rotary_to: [0.0, 0.1, 0.0], ..line([0.0; 3], [1.0, 0.0, 0.0], WITHIN) };
     assert_eq!(refusal(&[turned], two), MoveError::NoAxis(4));
 }
 
@@ -371,11 +377,12 @@ fn limits_are_positive_numbers() {
     let good = AxisLimit { velocity: 1.0, acceleration: 1.0, jerk: 1.0 };
     for value in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         for (quantity, wrong) in [
-            (Quantity::Velocity, AxisLimit { velocity: value, ..good }),
-            (Quantity::Acceleration, AxisLimit { acceleration: value, ..good }),
-            (Quantity::Jerk, AxisLimit { jerk: value, ..good }),
+            (LimitedQuantity::Velocity, AxisLimit { velocity: value, ..good }),
+            (LimitedQuantity::Acceleration, AxisLimit { acceleration: value, ..good }),
+            (LimitedQuantity::Jerk, AxisLimit { jerk: value, ..good }),
         ] {
-            let error = Limits::new([Some(good), Some(wrong), None, None, None, None]).unwrap_err();
+            let error = KinematicLimits::new([Some(good), Some(wrong), None, None, None, None])
+                .unwrap_err();
             assert_eq!((error.axis, error.quantity), (1, quantity));
         }
     }
@@ -384,12 +391,12 @@ fn limits_are_positive_numbers() {
 #[test]
 fn a_refused_move_leaves_the_planner_as_it_was() {
     let moves = lines(&[[0.0; 3], [10.0, 0.0, 0.0], [20.0, 1.0, 0.0]], WITHIN);
-    let without = time_of(&plan(&moves, machine(), Level::Fast));
-    let mut planner = Planner::new(machine(), PlannerOptions::new(Level::Fast));
+    let without = time_of(&plan(&moves, machine(), PlannerLevel::Fast));
+    let mut planner = MotionPlanner::new(machine(), PlannerOptions::new(PlannerLevel::Fast));
     let mut time_s = 0.0;
-    let mut take = |step: Step<'_>| {
-        if let Step::Stretch(stretch) = step {
-            time_s += stretch.duration_s() - stretch.overlap_s;
+    let mut take = |step: PlannerStep<'_>| {
+        if let PlannerStep::Trajectory(trajectory) = step {
+            time_s += trajectory.duration_s() - trajectory.overlap_s;
         }
     };
     planner.push(&moves[0], &mut take).unwrap();
@@ -404,15 +411,15 @@ fn a_refused_move_leaves_the_planner_as_it_was() {
 #[test]
 fn circle_after_circle_in_bounded_memory() {
     // Whole circles tangent to each other, without a tolerance and with one.
-    for corner in [Corner::Exact, WITHIN] {
+    for corner in [CornerMode::Exact, WITHIN] {
         let circle = arc(3.0, std::f64::consts::TAU, corner);
-        let mut planner = Planner::new(machine(), PlannerOptions::new(Level::Fast));
+        let mut planner = MotionPlanner::new(machine(), PlannerOptions::new(PlannerLevel::Fast));
         let (mut pushed, mut planned, mut waiting) = (0.0, 0.0, 0.0_f64);
         for _ in 0..200_000 {
             pushed += circle.length();
-            let take = |step: Step<'_>| {
-                if let Step::Stretch(stretch) = step {
-                    planned += stretch.length();
+            let take = |step: PlannerStep<'_>| {
+                if let PlannerStep::Trajectory(trajectory) = step {
+                    planned += trajectory.length();
                 }
             };
             planner.push(&circle, take).unwrap();
@@ -437,7 +444,7 @@ fn an_axis_that_turns_back_on_a_long_eased_piece_holds_its_velocity() {
         (700.0, 7000.0, 2.8e5),
         (700.0, 7000.0, 2.8e5),
     ]);
-    let (radius, wide) = (797.922_633_6, Corner::Within { linear_mm: 0.8, rotary_rad: 0.008 });
+    let (radius, wide) = (797.922_633_6, CornerMode::Joined { linear_mm: 0.8, rotary_rad: 0.008 });
     let out = vec([0.0, 0.314_119_53, 0.949_383_44]);
     let axis = vec([-0.050_329_193, 0.948_180_272, -0.313_721_444]);
     let start = vec([14.040_311_5, 0.0, 0.0]);
@@ -446,9 +453,9 @@ fn an_axis_that_turns_back_on_a_long_eased_piece_holds_its_velocity() {
     let fast = |curve: Curve, corner| cut(curve, f64::INFINITY, corner);
     let moves = [
         fast(support::line([0.0; 3], helix.start().to_array()), wide),
-        fast(helix.into(), Corner::Stop),
+        fast(helix.into(), CornerMode::Stop),
     ];
-    holds_limits(&plan(&moves, limits, Level::Fast), limits, 40);
+    holds_limits(&plan(&moves, limits, PlannerLevel::Fast), limits, 40);
 }
 
 /// So slow that what eases the end of a spiral is narrower than rounding: it must leave nothing on the lines.
@@ -465,16 +472,16 @@ fn a_spiral_into_a_line_at_a_crawl_ends_where_the_line_does() {
         0.034_042_638_7,
         0.009_155_27,
     );
-    let (from, way) = (spiral.end(), spiral.tangent_at(spiral.length()));
-    let (middle, end) = (from + way * 0.0525, from + way * 300.0);
+    let (from, offset) = (spiral.end(), spiral.tangent_at(spiral.length()));
+    let (middle, end) = (from + offset * 0.0525, from + offset * 300.0);
     let slow = |curve: Curve, corner| cut(curve, 0.001, corner);
-    let tight = Corner::Within { linear_mm: 8e-6, rotary_rad: 1.0 };
+    let tight = CornerMode::Joined { linear_mm: 8e-6, rotary_rad: 1.0 };
     let moves = [
-        slow(spiral.into(), Corner::Within { linear_mm: 10.0, rotary_rad: 0.08 }),
+        slow(spiral.into(), CornerMode::Joined { linear_mm: 10.0, rotary_rad: 0.08 }),
         slow(support::line(from.to_array(), middle.to_array()), tight),
-        cut(support::line(middle.to_array(), end.to_array()), f64::INFINITY, Corner::Stop),
+        cut(support::line(middle.to_array(), end.to_array()), f64::INFINITY, CornerMode::Stop),
     ];
-    ends(&moves, &plan(&moves, machine(), Level::Fast), 1e-8);
+    ends(&moves, &plan(&moves, machine(), PlannerLevel::Fast), 1e-8);
 }
 
 /// A spiral that rises steeply turns faster than its curvature says, and must hold the velocity of X between the
@@ -489,7 +496,7 @@ fn a_steep_spiral_eased_into_a_wide_arc_holds_the_velocity_of_every_axis() {
         (1279.0, 15_757.0, 749_048.0),
         (1576.0, 15_757.0, 41_649.0),
     ]);
-    let wide = Corner::Within { linear_mm: 0.75, rotary_rad: 7e-4 };
+    let wide = CornerMode::Joined { linear_mm: 0.75, rotary_rad: 7e-4 };
     let radius = 749.048_267_6;
     let out = vec([-0.001_311_711_7, 0.707_761_724_6, -0.706_450_012_8]);
     let around = vec([0.306_150_830_6, -0.672_244_710_3, -0.674_061_361]);
@@ -503,6 +510,6 @@ fn a_steep_spiral_eased_into_a_wide_arc_holds_the_velocity_of_every_axis() {
     let frame = Frame { origin: frame.origin + (arc.end() - spiral.start()), ..frame };
     let spiral = Spiral::new(frame, (0.020_780_07, 0.014_002_2), 100.0, 24.957_275_4);
     let moves =
-        [cut(arc.into(), f64::INFINITY, wide), cut(spiral.into(), f64::INFINITY, Corner::Stop)];
-    holds_limits(&plan(&moves, limits, Level::Fast), limits, 12);
+        [cut(arc.into(), f64::INFINITY, wide), cut(spiral.into(), f64::INFINITY, CornerMode::Stop)];
+    holds_limits(&plan(&moves, limits, PlannerLevel::Fast), limits, 12);
 }

@@ -3,15 +3,18 @@
 mod support;
 
 use chordal_geometry::AXES;
-use chordal_motion::{Corner, Level, Limits, Move, Stretch, Use, largest_use};
+use chordal_motion::{
+    CornerMode, KinematicLimits, LimitUse, MoveRequest, PlannedTrajectory, PlannerLevel,
+    largest_use,
+};
 use support::random::{Dice, Mix, random_limits, random_path};
 use support::{distance, jump, plan, samples, time_of};
 
 /// What rounding may add to a limit.
 const ABOVE: f64 = 1.0 + 1e-6;
 
-/// No step between two pieces of a stretch, by the order of the derivative, and none of the place between two
-/// stretches is more than rounding, as shares of one and the size: setpoints at 4 kHz show a step of 1e-13 mm as
+/// No step between two pieces of a trajectory, by the order of the derivative, and none of the place between two
+/// trajectories is more than rounding, as shares of one and the size: setpoints at 4 kHz show a step of 1e-13 mm as
 /// a jerk of 0.006 mm/s³. Directions and bends have more of it within narrow corrections, which are passed slowly.
 const STEPS: [f64; 3] = [STEP, 1e-10, 1e-6];
 const STEP: f64 = 1e-13;
@@ -37,18 +40,27 @@ fn mixes() -> Vec<(&'static str, Mix)> {
     ]
 }
 
-fn check(name: &str, seed: u64, moves: &[Move], limits: &Limits, stretches: &[Stretch]) {
+fn check(
+    name: &str,
+    seed: u64,
+    moves: &[MoveRequest],
+    limits: &KinematicLimits,
+    trajectories: &[PlannedTrajectory],
+) {
     let place = format!("{name}, seed {seed}");
-    let used = stretches.iter().map(|s| largest_use(s, limits, 3)).fold(Use::default(), Use::or);
+    let used = trajectories
+        .iter()
+        .map(|s| largest_use(s, limits, 3))
+        .fold(LimitUse::default(), LimitUse::or);
     let worst = used.velocity.max(used.acceleration).max(used.jerk);
     assert!(worst <= ABOVE, "{place}: {used:?}");
-    for stretch in stretches {
-        for phase in &stretch.phases {
+    for trajectory in trajectories {
+        for phase in &trajectory.phases {
             let end = phase.at(phase.duration_s);
             assert!(phase.duration_s >= 0.0 && phase.speed >= 0.0, "{place}: {phase:?}");
             assert!(end.speed >= -1e-9, "{place}: {phase:?}");
         }
-        for pair in stretch.pieces.windows(2) {
+        for pair in trajectory.pieces.windows(2) {
             let (end, start) = (pair[0].at(pair[0].length), pair[1].at(0.0));
             for (order, most) in STEPS.into_iter().enumerate() {
                 let scale = 1.0 + start[order].iter().fold(0.0_f64, |all, v| all.max(v.abs()));
@@ -61,13 +73,13 @@ fn check(name: &str, seed: u64, moves: &[Move], limits: &Limits, stretches: &[St
             }
         }
     }
-    for pair in stretches.windows(2) {
+    for pair in trajectories.windows(2) {
         for (end, start) in pair[0].to().iter().zip(pair[1].from()) {
             let most = STEP * (1.0 + start.abs());
             assert!((end - start).abs() <= most, "{place}: from {end} to {start}");
         }
     }
-    let (first, last) = (stretches.first().unwrap(), stretches.last().unwrap());
+    let (first, last) = (trajectories.first().unwrap(), trajectories.last().unwrap());
     let ends = [(first.from(), moves[0].from()), (last.to(), moves.last().unwrap().to())];
     for (planned, programmed) in ends {
         for axis in 0..AXES {
@@ -76,14 +88,20 @@ fn check(name: &str, seed: u64, moves: &[Move], limits: &Limits, stretches: &[St
     }
 }
 
-fn check_samples(name: &str, seed: u64, moves: &[Move], limits: &Limits, stretches: &[Stretch]) {
+fn check_samples(
+    name: &str,
+    seed: u64,
+    moves: &[MoveRequest],
+    limits: &KinematicLimits,
+    trajectories: &[PlannedTrajectory],
+) {
     let tolerance = moves.iter().fold(1e-6_f64, |most, motion| match motion.corner {
-        Corner::Within { linear_mm, .. } => most.max(linear_mm),
+        CornerMode::Joined { linear_mm, .. } => most.max(linear_mm),
         _ => most,
     });
     for period in [1e-3, 2.5e-4] {
         let place = format!("{name}, seed {seed}, period {period}");
-        let samples = samples(stretches, period);
+        let samples = samples(trajectories, period);
         // A thousand places of a path are enough to find it in the wrong one.
         for sample in samples.iter().step_by(1 + samples.len() / 1000) {
             let d = distance(moves, sample.tag as usize, 40, &sample.position);
@@ -126,16 +144,16 @@ fn rounds() -> u64 {
 }
 
 #[test]
-fn every_limit_is_held() {
+fn every_limit_holds() {
     let mut count = 0;
     for (name, mix) in mixes() {
         for seed in 0..rounds() {
             let mut dice = Dice(seed * 1000 + mix.moves as u64);
             let limits = random_limits(&mut dice);
             let moves = random_path(&mut dice, &mix);
-            let stretches = plan(&moves, limits, Level::Fast);
-            check(name, seed, &moves, &limits, &stretches);
-            check_samples(name, seed, &moves, &limits, &stretches);
+            let trajectories = plan(&moves, limits, PlannerLevel::Fast);
+            check(name, seed, &moves, &limits, &trajectories);
+            check_samples(name, seed, &moves, &limits, &trajectories);
             count += moves.len();
         }
     }
@@ -149,10 +167,14 @@ fn stops_are_not_slower_than_stopping_everywhere() {
             let mut dice = Dice(seed + 77);
             let limits = random_limits(&mut dice);
             let moves = random_path(&mut dice, &mix);
-            let stopping: Vec<Move> =
-                moves.iter().map(|motion| Move { corner: Corner::Stop, ..*motion }).collect();
-            let (ours, stops) =
-                (plan(&moves, limits, Level::Fast), plan(&stopping, limits, Level::Fast));
+            let stopping: Vec<MoveRequest> = moves
+                .iter()
+                .map(|motion| MoveRequest { corner: CornerMode::Stop, ..*motion })
+                .collect();
+            let (ours, stops) = (
+                plan(&moves, limits, PlannerLevel::Fast),
+                plan(&stopping, limits, PlannerLevel::Fast),
+            );
             let (ours, stops) = (time_of(&ours), time_of(&stops));
             assert!(
                 ours <= stops * (1.0 + 1e-9),

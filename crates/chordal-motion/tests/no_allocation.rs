@@ -5,9 +5,9 @@ mod support;
 
 use std::alloc::System;
 
-use chordal_motion::{Pushed, Step, StreamOptions, stream};
+use chordal_motion::{PlannerStep, PushOutcome, StreamOptions, stream};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
-use support::law::{Law, circle_stretch, cut_line};
+use support::law::{Law, circle_trajectory, cut_line};
 use support::limits;
 
 #[global_allocator]
@@ -21,13 +21,17 @@ fn main() {
     let options = StreamOptions { windows: 4, ..StreamOptions::default() };
     let machine = limits(200.0, 2000.0, 1e5);
     let (mut feeder, mut servo) = stream(machine, options, [5.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
-    let circle = circle_stretch(5.0, 12.0, 1);
+    let circle = circle_trajectory(5.0, 12.0, 1);
     let end = circle.to();
     let law = Law { speed: 150.0, acceleration: 1900.0, jerk: 9e4 };
-    let lines = law.stretch(cut_line([end[0], end[1], 0.0], [end[0] + 60.0, end[1], 0.0], 60_000));
-    let mut steps =
-        vec![Step::Stretch(&circle), Step::Wait { seconds: 0.05, tag: 9 }, Step::Stretch(&lines)]
-            .into_iter();
+    let lines =
+        law.trajectory(cut_line([end[0], end[1], 0.0], [end[0] + 60.0, end[1], 0.0], 60_000));
+    let mut steps = vec![
+        PlannerStep::Trajectory(&circle),
+        PlannerStep::Wait { seconds: 0.05, tag: 9 },
+        PlannerStep::Trajectory(&lines),
+    ]
+    .into_iter();
     let mut next = steps.next();
     let mut counts = (0, 0, 0);
     let mut total = 0;
@@ -37,7 +41,7 @@ fn main() {
         if total % 1200 < 500 {
             while let Some(step) = next {
                 match feeder.push_step(step) {
-                    Ok(Pushed::Taken) => next = steps.next(),
+                    Ok(PushOutcome::Taken) => next = steps.next(),
                     _ => break,
                 }
             }

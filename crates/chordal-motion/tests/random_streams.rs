@@ -5,18 +5,25 @@ mod support;
 
 use chordal_geometry::{AXES, Arc, Curve, Frame, Line, ParamCurve, Plane, Vec3};
 use chordal_motion::{
-    Axes, AxisLimit, Corner, Level, Limits, Move, Piece, Planner, PlannerOptions, Pushed, Setpoint,
-    Step, StreamOptions, stream,
+    AxisLimit, AxisValues, CornerMode, KinematicLimits, MotionPlanner, MoveRequest, PathPiece,
+    PlannerLevel, PlannerOptions, PlannerStep, PushOutcome, ServoSetpoint, StreamOptions, stream,
 };
 use proptest::prelude::*;
 use support::cut;
-use support::watch::{ROUNDING, Watch};
+use support::watch::{AXIS_ROUNDING, Watch};
 
-fn machine() -> Limits {
+fn machine() -> KinematicLimits {
     let axis = |velocity, acceleration, jerk| Some(AxisLimit { velocity, acceleration, jerk });
     let linear = axis(200.0, 2000.0, 1e5);
-    Limits::new([linear, linear, axis(100.0, 1000.0, 5e4), axis(3.0, 40.0, 2000.0), None, None])
-        .expect("positive limits")
+    KinematicLimits::new([
+        linear,
+        linear,
+        axis(100.0, 1000.0, 5e4),
+        axis(3.0, 40.0, 2000.0),
+        None,
+        None,
+    ])
+    .expect("positive limits")
 }
 
 #[derive(Clone, Debug)]
@@ -53,7 +60,7 @@ fn drafts() -> impl Strategy<Value = Vec<Draft>> {
 }
 
 /// Lines and arcs that join on, some of them tangent.
-fn moves(drafts: &[Draft]) -> Vec<Move> {
+fn moves(drafts: &[Draft]) -> Vec<MoveRequest> {
     let mut at = Vec3::new(10.0, -20.0, 5.0);
     let mut heading = 0.3_f64;
     let mut rotary = [0.0; 3];
@@ -82,13 +89,13 @@ fn moves(drafts: &[Draft]) -> Vec<Move> {
             rotary[0] += draft.turn;
         }
         let corner = match draft.corner {
-            0 => Corner::Stop,
-            1 => Corner::Exact,
-            2 => Corner::Within { linear_mm: 0.01, rotary_rad: 1e-4 },
-            _ => Corner::Within { linear_mm: 0.2, rotary_rad: 2e-3 },
+            0 => CornerMode::Stop,
+            1 => CornerMode::Exact,
+            2 => CornerMode::Joined { linear_mm: 0.01, rotary_rad: 1e-4 },
+            _ => CornerMode::Joined { linear_mm: 0.2, rotary_rad: 2e-3 },
         };
         let motion = cut(curve, draft.speed, corner);
-        moves.push(Move { rotary_from, rotary_to: rotary, tag: index as u64, ..motion });
+        moves.push(MoveRequest { rotary_from, rotary_to: rotary, tag: index as u64, ..motion });
     }
     moves
 }
@@ -139,10 +146,10 @@ fn dense() -> impl Strategy<Value = Dense> {
 }
 
 impl Dense {
-    fn moves(&self) -> Vec<Move> {
+    fn moves(&self) -> Vec<MoveRequest> {
         let unit = 10f64.powi(self.decimals);
         let round = |value: f64| (value * unit).round() / unit;
-        let within = Corner::Within { linear_mm: self.tolerance, rotary_rad: 1e-3 };
+        let within = CornerMode::Joined { linear_mm: self.tolerance, rotary_rad: 1e-3 };
         let mut heading = 0.0_f64;
         let mut exact = Vec3::ZERO;
         let mut at = Vec3::ZERO;
@@ -164,7 +171,7 @@ impl Dense {
             let rotary_to = [turn, 0.0, 0.0];
             let tag = moves.len() as u64;
             let motion = cut(Line::new(at, end).into(), self.speed, within);
-            moves.push(Move { rotary_from, rotary_to, tag, ..motion });
+            moves.push(MoveRequest { rotary_from, rotary_to, tag, ..motion });
             (at, rotary_from) = (end, rotary_to);
             if index % self.arc_every == self.arc_every - 1 {
                 // Between chords that are as short, on a wide circle in the plane of X and Y.
@@ -178,7 +185,7 @@ impl Dense {
                 exact = at;
                 let tag = moves.len() as u64;
                 let motion = cut(arc, self.speed, within);
-                moves.push(Move { rotary_from, rotary_to: rotary_from, tag, ..motion });
+                moves.push(MoveRequest { rotary_from, rotary_to: rotary_from, tag, ..motion });
             }
         }
         moves
@@ -203,7 +210,7 @@ fn events() -> impl Strategy<Value = Vec<Event>> {
 }
 
 /// Distance of a place from the programmed curves near its tag.
-fn off_path(moves: &[Move], point: &Setpoint) -> f64 {
+fn off_path(moves: &[MoveRequest], point: &ServoSetpoint) -> f64 {
     let [x, y, z, ..] = point.position;
     let tag = point.tag as usize;
     moves[tag.saturating_sub(30)..(tag + 31).min(moves.len())]
@@ -213,17 +220,17 @@ fn off_path(moves: &[Move], point: &Setpoint) -> f64 {
 }
 
 /// Every fourth move begins after a wait, where there are waits.
-fn waits_before(motion: &Move, waits: bool) -> bool {
+fn waits_before(motion: &MoveRequest, waits: bool) -> bool {
     waits && motion.tag % 4 == 3
 }
 
 /// Pushes and pulls until the end; what the setpoints ask of the axes is in the watch.
 fn run(
-    moves: &[Move],
+    moves: &[MoveRequest],
     waits: bool,
     events: &[Event],
     options: StreamOptions,
-) -> (Watch, Vec<Setpoint>) {
+) -> (Watch, Vec<ServoSetpoint>) {
     let machine = machine();
     let (mut feeder, mut servo) = stream(machine, options, moves[0].from());
     let mut watch = Watch::default();
@@ -245,12 +252,12 @@ fn run(
                     feeder.push(&moves[next])
                 };
                 match pushed.expect("a move that can be planned") {
-                    Pushed::Taken if wait_due => wait_due = false,
-                    Pushed::Taken => {
+                    PushOutcome::Taken if wait_due => wait_due = false,
+                    PushOutcome::Taken => {
                         next += 1;
                         wait_due = next < moves.len() && waits_before(&moves[next], waits);
                     }
-                    Pushed::Full => break,
+                    PushOutcome::Full => break,
                 }
             }
             if next == moves.len() {
@@ -291,15 +298,16 @@ fn run(
 
 /// What rounding does to each coordinate: in addition to its own, that of the way along the path, whose
 /// last bits a rotary axis turns into a larger angle the more it turns by the mm.
-fn rounding(moves: &[Move]) -> Axes {
+fn rounding(moves: &[MoveRequest]) -> AxisValues {
     let lengths: Vec<f64> = moves.iter().map(|motion| motion.curve.length()).collect();
-    let way: f64 = lengths.iter().sum();
-    let mut rounding = ROUNDING;
+    let path_length: f64 = lengths.iter().sum();
+    let mut rounding = AXIS_ROUNDING;
     for (motion, length) in moves.iter().zip(&lengths) {
         for (axis, rounding) in rounding[3..].iter_mut().enumerate() {
             let turn = (motion.rotary_to[axis] - motion.rotary_from[axis]).abs();
             // The start of the phase, the start of the piece and the step from the one to the other.
-            *rounding = rounding.max(ROUNDING[0] + 3.0 * f64::EPSILON * way * turn / length);
+            *rounding =
+                rounding.max(AXIS_ROUNDING[0] + 3.0 * f64::EPSILON * path_length * turn / length);
         }
     }
     rounding
@@ -333,7 +341,7 @@ fn check(drafts: &[Draft], events: &[Event], options: StreamOptions) -> Result<(
 }
 
 /// The pieces that the feeder's planner makes.
-fn planned(moves: &[Move], headroom: f64) -> Vec<Piece> {
+fn planned(moves: &[MoveRequest], headroom: f64) -> Vec<PathPiece> {
     let machine = machine();
     let axes = [0, 1, 2, 3, 4, 5].map(|axis| {
         machine.axis(axis).map(|limit| AxisLimit {
@@ -342,12 +350,12 @@ fn planned(moves: &[Move], headroom: f64) -> Vec<Piece> {
             ..*limit
         })
     });
-    let limits = Limits::new(axes).expect("positive limits");
-    let mut planner = Planner::new(limits, PlannerOptions::new(Level::Fast));
+    let limits = KinematicLimits::new(axes).expect("positive limits");
+    let mut planner = MotionPlanner::new(limits, PlannerOptions::new(PlannerLevel::Fast));
     let mut pieces = Vec::new();
-    let mut take = |step: Step<'_>| {
-        if let Step::Stretch(stretch) = step {
-            pieces.extend_from_slice(&stretch.pieces);
+    let mut take = |step: PlannerStep<'_>| {
+        if let PlannerStep::Trajectory(trajectory) = step {
+            pieces.extend_from_slice(&trajectory.pieces);
         }
     };
     for motion in moves {
@@ -362,14 +370,14 @@ fn planned(moves: &[Move], headroom: f64) -> Vec<Piece> {
 
 /// Goes along the planned path and never back.
 struct Walk {
-    pieces: Vec<Piece>,
+    pieces: Vec<PathPiece>,
     piece: usize,
     sigma: f64,
 }
 
 impl Walk {
     /// Distance of a place from the path at or after the last one.
-    fn off(&mut self, place: &Axes) -> f64 {
+    fn off(&mut self, place: &AxisValues) -> f64 {
         let mut least = f64::INFINITY;
         for index in self.piece..self.pieces.len() {
             let piece = &self.pieces[index];

@@ -1,8 +1,11 @@
-//! The bound, the reference and the law of the level best on random runs.
+//! The bound, the reference and the profile of the level best on random runs.
 
 mod support;
 
-use chordal_motion::{Effort, Limits, Piece, Run, Stretch, bound, largest_use, reference};
+use chordal_motion::{
+    KinematicLimits, PathPiece, PathRun, PlannedTrajectory, ReferenceQuality, largest_use,
+    reference, time_bound,
+};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use support::best::{Best, best};
@@ -16,8 +19,13 @@ fn steps() -> impl Strategy<Value = Vec<(f64, [f64; 4])>> {
     prop::collection::vec(((-3.0..1.0f64).prop_map(|power| 10f64.powf(power)), turns), 1..8)
 }
 
-const EFFORT: Effort =
-    Effort { step_s: 0.003, least_nodes: 100, most_nodes: 800, total_nodes: 800, programs: 8 };
+const EFFORT: ReferenceQuality = ReferenceQuality {
+    step_s: 0.003,
+    least_nodes: 100,
+    most_nodes: 800,
+    total_nodes: 800,
+    programs: 8,
+};
 
 struct Times {
     bound: f64,
@@ -25,9 +33,9 @@ struct Times {
     best: Best,
 }
 
-fn times(pieces: &[Piece], speeds: &[f64], limits: &Limits) -> Times {
-    let run = Run::new(pieces, speeds, 0.0, limits).unwrap();
-    let bound = bound(&run);
+fn times(pieces: &[PathPiece], speeds: &[f64], limits: &KinematicLimits) -> Times {
+    let run = PathRun::new(pieces, speeds, 0.0, limits).unwrap();
+    let bound = time_bound(&run);
     let law = reference(&run, &bound, &EFFORT).unwrap();
     let best = best(&run).expect("a law from rest to rest");
     Times { bound: bound.time_s, reference: law.time_s, best }
@@ -37,7 +45,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 4, failure_persistence: None, max_shrink_iters: 0, rng_seed: RngSeed::Fixed(2026), ..ProptestConfig::default() })]
 
     #[test]
-    fn best_holds_every_limit_and_is_near_the_reference(steps in steps(), feed in 5.0..400.0f64) {
+    fn best_holds_every_limit_and_is_close_to_the_reference(steps in steps(), feed in 5.0..400.0f64) {
         let pieces = chain(&steps);
         let speeds = vec![feed; pieces.len()];
         let limits = limits(200.0, 2000.0, 1e5);
@@ -45,8 +53,8 @@ proptest! {
         prop_assert!(times.bound <= times.reference);
         prop_assert!(times.best.time_s <= 1.03 * times.reference, "{} {}", times.best.time_s, times.reference);
         let phases = times.best.phases.clone();
-        let stretch = Stretch { pieces: pieces.clone(), phases, overlap_s: 0.0 };
-        let used = largest_use(&stretch, &limits, 30);
+        let trajectory = PlannedTrajectory { pieces: pieces.clone(), phases, overlap_s: 0.0 };
+        let used = largest_use(&trajectory, &limits, 30);
         for share in [used.velocity, used.acceleration, used.jerk] {
             prop_assert!(share <= 1.0 + 1e-6, "{used:?}");
         }

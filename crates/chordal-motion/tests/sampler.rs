@@ -1,17 +1,19 @@
-//! Setpoints of stretches made by hand.
+//! Setpoints of trajectories made by hand.
 
 mod support;
 
 use chordal_geometry::{AXES, Arc, Curve, Frame, Plane, Spiral, Vec3};
-use chordal_motion::{Axes, Cursor, Sample, Sampler, Step, Stretch};
+use chordal_motion::{
+    AxisValues, MotionSample, PlannedTrajectory, PlannerStep, SetpointSampler, TrajectoryCursor,
+};
 use support::law::{LAW, Law, piece, straight};
 
-const X: Axes = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-const Y: Axes = [0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
+const X: AxisValues = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+const Y: AxisValues = [0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
 
-fn sampled(period_s: f64, steps: &[Step<'_>]) -> Vec<Sample> {
+fn sampled(period_s: f64, steps: &[PlannerStep<'_>]) -> Vec<MotionSample> {
     let mut samples = Vec::new();
-    let mut sampler = Sampler::new(period_s);
+    let mut sampler = SetpointSampler::new(period_s);
     for step in steps {
         sampler.push(*step, |sample| samples.push(*sample));
     }
@@ -19,8 +21,8 @@ fn sampled(period_s: f64, steps: &[Step<'_>]) -> Vec<Sample> {
     samples
 }
 
-fn line(from: Axes, direction: Axes, length: f64, tag: u64) -> Stretch {
-    LAW.stretch(vec![straight(from, direction, length, tag)])
+fn line(from: AxisValues, direction: AxisValues, length: f64, tag: u64) -> PlannedTrajectory {
+    LAW.trajectory(vec![straight(from, direction, length, tag)])
 }
 
 #[test]
@@ -28,7 +30,7 @@ fn a_line_of_a_second_has_a_thousand_and_one_setpoints() {
     // 100 mm at 100 mm/s, and a ramp of 0.07 s at either end that costs half of itself: 1.07 s.
     let line = line([0.0; AXES], X, 100.0, 7);
     assert!((line.duration_s() - 1.07).abs() < 1e-12);
-    let samples = sampled(0.001, &[Step::Stretch(&line)]);
+    let samples = sampled(0.001, &[PlannerStep::Trajectory(&line)]);
     assert_eq!(samples.len(), 1071);
     for (index, sample) in samples.iter().enumerate() {
         assert_eq!(sample.time_s, index as f64 * 0.001);
@@ -49,7 +51,7 @@ fn the_last_setpoint_is_the_end_at_a_whole_period() {
     let line = line([1.0, 2.0, 3.0, 0.4, 0.0, 0.0], Y, 30.0, 1);
     let duration_s = line.duration_s();
     for period_s in [0.001, 0.00025, 0.0037, 0.1, 5.0] {
-        let samples = sampled(period_s, &[Step::Stretch(&line)]);
+        let samples = sampled(period_s, &[PlannerStep::Trajectory(&line)]);
         let last = samples.last().unwrap();
         assert_eq!(last.position, [1.0, 32.0, 3.0, 0.4, 0.0, 0.0]);
         assert_eq!(
@@ -62,10 +64,11 @@ fn the_last_setpoint_is_the_end_at_a_whole_period() {
 }
 
 #[test]
-fn no_setpoint_gets_lost_between_stretches() {
+fn no_setpoint_gets_lost_between_trajectories() {
     let first = line([0.0; AXES], X, 20.0, 1);
     let second = line([20.0, 0.0, 0.0, 0.0, 0.0, 0.0], Y, 20.0, 2);
-    let samples = sampled(0.001, &[Step::Stretch(&first), Step::Stretch(&second)]);
+    let samples =
+        sampled(0.001, &[PlannerStep::Trajectory(&first), PlannerStep::Trajectory(&second)]);
     for pair in samples.windows(2) {
         assert!((pair[1].time_s - pair[0].time_s - 0.001).abs() < 1e-12);
     }
@@ -78,15 +81,16 @@ fn no_setpoint_gets_lost_between_stretches() {
 }
 
 #[test]
-fn movements_add_up_where_stretches_overlap() {
+fn movements_add_up_where_trajectories_overlap() {
     let first = line([0.0; AXES], X, 20.0, 1);
     let mut second = line([20.0, 0.0, 0.0, 0.0, 0.0, 0.0], Y, 20.0, 2);
     second.overlap_s = 0.02;
-    let samples = sampled(0.001, &[Step::Stretch(&first), Step::Stretch(&second)]);
+    let samples =
+        sampled(0.001, &[PlannerStep::Trajectory(&first), PlannerStep::Trajectory(&second)]);
     assert!((samples.last().unwrap().time_s - 0.52).abs() < 1e-12);
     for sample in &samples {
-        // Each axis by itself is the law of its own stretch.
-        let (x, y) = (Cursor::default(), Cursor::default());
+        // Each axis by itself is the profile of its own trajectory.
+        let (x, y) = (TrajectoryCursor::default(), TrajectoryCursor::default());
         let [mut x, mut y] = [x, y];
         let x = x.at(&first, sample.time_s);
         let y = y.at(&second, sample.time_s - 0.25);
@@ -101,12 +105,12 @@ fn movements_add_up_where_stretches_overlap() {
 }
 
 #[test]
-fn an_overlap_reaches_no_farther_than_the_stretch_before() {
+fn an_overlap_reaches_no_farther_than_the_trajectory_before() {
     let first = line([0.0; AXES], X, 20.0, 1);
     let mut second = line([20.0, 0.0, 0.0, 0.0, 0.0, 0.0], Y, 20.0, 2);
     second.overlap_s = 9.0;
-    let steps = [Step::Wait { seconds: 0.1, tag: 0 }, Step::Stretch(&first)];
-    let samples = sampled(0.001, &[&steps[..], &[Step::Stretch(&second)]].concat());
+    let steps = [PlannerStep::Wait { seconds: 0.1, tag: 0 }, PlannerStep::Trajectory(&first)];
+    let samples = sampled(0.001, &[&steps[..], &[PlannerStep::Trajectory(&second)]].concat());
     assert!((samples.last().unwrap().time_s - 0.37).abs() < 1e-12);
     assert!(samples[..100].iter().all(|sample| sample.position == [0.0; AXES]));
 }
@@ -117,9 +121,10 @@ fn nothing_moves_while_it_waits() {
     let mut second = line([20.0, 0.0, 0.0, 0.0, 0.0, 0.0], Y, 20.0, 3);
     // Nothing overlaps a rest.
     second.overlap_s = 0.02;
-    let wait = Step::Wait { seconds: 0.5, tag: 2 };
-    let samples = sampled(0.001, &[Step::Stretch(&first), wait, Step::Stretch(&second)]);
-    let waiting: Vec<&Sample> = samples.iter().filter(|sample| sample.tag == 2).collect();
+    let wait = PlannerStep::Wait { seconds: 0.5, tag: 2 };
+    let samples =
+        sampled(0.001, &[PlannerStep::Trajectory(&first), wait, PlannerStep::Trajectory(&second)]);
+    let waiting: Vec<&MotionSample> = samples.iter().filter(|sample| sample.tag == 2).collect();
     assert_eq!(waiting.len(), 500);
     for sample in waiting {
         assert_eq!(sample.position, [20.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
@@ -132,26 +137,26 @@ fn nothing_moves_while_it_waits() {
 #[test]
 fn a_wait_for_ever_ends_at_the_budget() {
     let mut count = 0;
-    let mut sampler = Sampler::new(0.001).at_most(500);
+    let mut sampler = SetpointSampler::new(0.001).at_most(500);
     let line = line([0.0; AXES], X, 20.0, 1);
-    sampler.push(Step::Stretch(&line), |_| count += 1);
+    sampler.push(PlannerStep::Trajectory(&line), |_| count += 1);
     assert!(!sampler.is_exhausted());
-    sampler.push(Step::Wait { seconds: f64::INFINITY, tag: 2 }, |_| count += 1);
+    sampler.push(PlannerStep::Wait { seconds: f64::INFINITY, tag: 2 }, |_| count += 1);
     assert!(sampler.is_exhausted());
     sampler.finish(|_| count += 1);
     assert_eq!(count, 500);
 }
 
 #[test]
-fn a_budget_that_the_last_setpoint_exceeds_is_told() {
+fn a_budget_that_the_last_setpoint_exceeds_is_reported() {
     // Nothing is emitted before the end, so the number of setpoints shows it.
     let line = line([0.0; AXES], X, 20.0, 1);
     let needed = (line.duration_s() / 0.001).ceil() as u64 + 1;
     for (most, exhausted) in [(needed, false), (needed - 1, true), (10, true)] {
-        let mut sampler = Sampler::new(0.001).at_most(most);
-        sampler.push(Step::Stretch(&line), |_| {});
+        let mut sampler = SetpointSampler::new(0.001).at_most(most);
+        sampler.push(PlannerStep::Trajectory(&line), |_| {});
         assert_eq!(sampler.is_exhausted(), exhausted, "{most} of {needed}");
-        let mut last = Sample::default();
+        let mut last = MotionSample::default();
         let mut count = 0;
         sampler.finish(|sample| {
             last = *sample;
@@ -163,7 +168,7 @@ fn a_budget_that_the_last_setpoint_exceeds_is_told() {
 }
 
 /// Differences of positions are velocities, and so on, to the order of the period squared.
-fn derivatives_agree(samples: &[Sample], period_s: f64, jerk: f64) {
+fn derivatives_agree(samples: &[MotionSample], period_s: f64, jerk: f64) {
     for triple in samples.windows(3) {
         let [before, now, after] = triple else { unreachable!() };
         for axis in 0..AXES {
@@ -190,8 +195,8 @@ fn differences_of_positions_are_the_velocity() {
     turned.start[2][3] = 1e-4;
     let turning = straight([5.0; AXES], rotary, 40.0, 1);
     for path in [turning, bent, piece(helix, 1), piece(spiral, 1), turned] {
-        let stretch = LAW.stretch(vec![path]);
-        let samples = sampled(0.0005, &[Step::Stretch(&stretch)]);
+        let trajectory = LAW.trajectory(vec![path]);
+        let samples = sampled(0.0005, &[PlannerStep::Trajectory(&trajectory)]);
         // On the curves their own jerk comes on top: v³/r² with r ≥ 4, and v·a/r.
         derivatives_agree(&samples, 0.0005, LAW.jerk + 1e6 / 16.0 + 3.0 * 100.0 * 2000.0 / 4.0);
     }
@@ -207,14 +212,14 @@ fn a_walk_answers_what_the_piece_answers() {
         Spiral::new(frame, (4.0, 12.0), 6.0, 1.0).into(),
     ];
     for curve in curves {
-        let stretch = Law { speed: 80.0, ..LAW }.stretch(vec![piece(curve, 1)]);
-        let mut cursor = Cursor::default();
+        let trajectory = Law { speed: 80.0, ..LAW }.trajectory(vec![piece(curve, 1)]);
+        let mut cursor = TrajectoryCursor::default();
         let mut phase_from = 0.0;
-        for phase in &stretch.phases {
+        for phase in &trajectory.phases {
             for share in [0.0, 0.2, 0.9] {
                 let along = phase.at(share * phase.duration_s);
-                let walked = cursor.at(&stretch, phase_from + share * phase.duration_s);
-                let jet = stretch.pieces[0].at(along.sigma.min(stretch.pieces[0].length));
+                let walked = cursor.at(&trajectory, phase_from + share * phase.duration_s);
+                let jet = trajectory.pieces[0].at(along.sigma.min(trajectory.pieces[0].length));
                 let [places, slopes, ..] = jet;
                 for (walked, place) in walked.position.iter().zip(places) {
                     assert!((walked - place).abs() < 1e-12);
@@ -232,8 +237,8 @@ fn a_walk_answers_what_the_piece_answers() {
 fn cuts_in_a_line_change_no_setpoint() {
     let whole = line([0.0; AXES], X, 100.0, 1);
     let pieces = |n: usize| straight([n as f64 * 0.5, 0.0, 0.0, 0.0, 0.0, 0.0], X, 0.5, 1);
-    let cut = LAW.stretch((0..200).map(pieces).collect());
-    let (whole, cut) = (Step::Stretch(&whole), Step::Stretch(&cut));
+    let cut = LAW.trajectory((0..200).map(pieces).collect());
+    let (whole, cut) = (PlannerStep::Trajectory(&whole), PlannerStep::Trajectory(&cut));
     for (a, b) in sampled(0.001, &[whole]).iter().zip(sampled(0.001, &[cut])) {
         assert!((a.position[0] - b.position[0]).abs() < 1e-12);
         assert_eq!(a.velocity, b.velocity);
@@ -242,6 +247,6 @@ fn cuts_in_a_line_change_no_setpoint() {
 
 #[test]
 fn nothing_at_all_is_one_setpoint() {
-    let samples = sampled(0.001, &[Step::Stretch(&Stretch::default())]);
-    assert_eq!(samples, [Sample::default()]);
+    let samples = sampled(0.001, &[PlannerStep::Trajectory(&PlannedTrajectory::default())]);
+    assert_eq!(samples, [MotionSample::default()]);
 }

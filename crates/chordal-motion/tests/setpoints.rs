@@ -7,8 +7,9 @@ use chordal_geometry::{
     AXES, Arc, Curve, EvenPart, Frame, Line, ParamCurve, Spiral, Spline, SplinePiece, Vec3,
 };
 use chordal_motion::{
-    Axes, AxisLimit, Corner, Cursor, Level, Limits, Move, MoveKind, Phase, Piece, Planner,
-    PlannerOptions, Sample, Sampler, Step, Stretch,
+    AxisLimit, AxisValues, CornerMode, JerkPhase, KinematicLimits, MotionPlanner, MotionSample,
+    MoveKind, MoveRequest, PathPiece, PlannedTrajectory, PlannerLevel, PlannerOptions, PlannerStep,
+    SetpointSampler, TrajectoryCursor,
 };
 use support::law::{LAW, Law, piece as over, straight};
 
@@ -35,7 +36,7 @@ fn point(curve: &Curve, s: f64) -> Vec3 {
 /// The parameter after `s` mm: by Newton's steps, on extrapolated sums of chords.
 fn spline_parameter(piece: &SplinePiece, s: f64) -> f64 {
     let at = |t: f64| piece.jet_at_parameter(t)[0];
-    let way = |to: f64| {
+    let length_to = |to: f64| {
         // Sums of 8, 16, … chords are off by even powers of their number.
         let sums: [f64; 5] = std::array::from_fn(|k| {
             let count = 8 << k;
@@ -52,7 +53,7 @@ fn spline_parameter(piece: &SplinePiece, s: f64) -> f64 {
     };
     let mut t = s / piece.length();
     for _ in 0..6 {
-        t -= (way(t) - s) / piece.jet_at_parameter(t)[1].length();
+        t -= (length_to(t) - s) / piece.jet_at_parameter(t)[1].length();
     }
     t
 }
@@ -84,7 +85,7 @@ fn bent() -> Vec<Curve> {
 fn spiral_share(c: &Spiral, s: f64) -> f64 {
     let growth = c.radius_end - c.radius_start;
     let m = libm::hypot(growth, c.rise);
-    let way = |share: f64| {
+    let length_to = |share: f64| {
         let primitive = |x: f64| {
             let g = libm::hypot(x, m);
             0.5 * (x * g + m * m * libm::asinh(x / m))
@@ -96,18 +97,18 @@ fn spiral_share(c: &Spiral, s: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..100 {
         let middle = 0.5 * (low + high);
-        if way(middle) < s { low = middle } else { high = middle }
+        if length_to(middle) < s { low = middle } else { high = middle }
     }
     0.5 * (low + high)
 }
 
-fn sigma_in(phase: &Phase, t: f64) -> f64 {
+fn sigma_in(phase: &JerkPhase, t: f64) -> f64 {
     phase.from + phase.speed * t + phase.acceleration * t * t / 2.0 + phase.jerk * t * t * t / 6.0
 }
 
-fn place_on(piece: &Piece, sigma: f64) -> Axes {
+fn place_on(piece: &PathPiece, sigma: f64) -> AxisValues {
     let [x, d1, d2, d3] = &piece.start;
-    let mut place: Axes = std::array::from_fn(|axis| {
+    let mut place: AxisValues = std::array::from_fn(|axis| {
         x[axis]
             + d1[axis] * sigma
             + d2[axis] * sigma * sigma / 2.0
@@ -123,22 +124,22 @@ fn place_on(piece: &Piece, sigma: f64) -> Axes {
 
 /// One phase on one piece, with the time and the place at which they begin.
 struct Part<'a> {
-    phase: &'a Phase,
+    phase: &'a JerkPhase,
     phase_from: f64,
-    piece: &'a Piece,
+    piece: &'a PathPiece,
     piece_from: f64,
 }
 
 impl Part<'_> {
-    fn at(stretch: &Stretch, time_s: f64) -> Option<Part<'_>> {
+    fn at(trajectory: &PlannedTrajectory, time_s: f64) -> Option<Part<'_>> {
         let mut phase_from = 0.0;
-        let phase = stretch.phases.iter().find(|phase| {
+        let phase = trajectory.phases.iter().find(|phase| {
             let within = time_s - phase_from < phase.duration_s;
             phase_from += if within { 0.0 } else { phase.duration_s };
             within
         })?;
         let (sigma, mut piece_from) = (sigma_in(phase, time_s - phase_from), 0.0);
-        let piece = stretch.pieces.iter().find(|piece| {
+        let piece = trajectory.pieces.iter().find(|piece| {
             let within = sigma - piece_from < piece.length;
             piece_from += if within { 0.0 } else { piece.length };
             within
@@ -146,7 +147,7 @@ impl Part<'_> {
         Some(Part { phase, phase_from, piece, piece_from })
     }
 
-    fn place(&self, time_s: f64) -> Axes {
+    fn place(&self, time_s: f64) -> AxisValues {
         let sigma = sigma_in(self.phase, time_s - self.phase_from);
         place_on(self.piece, sigma - self.piece_from)
     }
@@ -161,20 +162,20 @@ impl Part<'_> {
 /// Step of the differences, s: the path turns by less than a fiftieth of a radian in it.
 const H: f64 = 4e-4;
 
-/// Compares every setpoint of a stretch with the slow evaluation. Places may be `off` mm apart;
+/// Compares every setpoint of a trajectory with the slow evaluation. Places may be `off` mm apart;
 /// the derivatives must be those of the slow places, as far as these are exact.
-fn compare(stretch: &Stretch, period_s: f64, off: f64) -> usize {
+fn compare(trajectory: &PlannedTrajectory, period_s: f64, off: f64) -> usize {
     let mut samples = Vec::new();
-    let mut sampler = Sampler::new(period_s);
-    sampler.push(Step::Stretch(stretch), |sample| samples.push(*sample));
+    let mut sampler = SetpointSampler::new(period_s);
+    sampler.push(PlannerStep::Trajectory(trajectory), |sample| samples.push(*sample));
     sampler.finish(|sample| samples.push(*sample));
     let mut compared = 0;
     for sample in &samples {
-        let Some(part) = Part::at(stretch, sample.time_s) else { continue };
+        let Some(part) = Part::at(trajectory, sample.time_s) else { continue };
         let slow = part.place(sample.time_s);
         for (fast, slow) in sample.position.iter().zip(&slow) {
-            let apart = (fast - slow).abs();
-            assert!(apart <= off, "{slow} at {} s: {apart:e} apart", sample.time_s);
+            let difference = (fast - slow).abs();
+            assert!(difference <= off, "{slow} at {} s: {difference:e} apart", sample.time_s);
         }
         compared += 1;
         if part.holds(sample.time_s - 3.0 * H) && part.holds(sample.time_s + 3.0 * H) {
@@ -186,8 +187,9 @@ fn compare(stretch: &Stretch, period_s: f64, off: f64) -> usize {
 }
 
 /// The derivatives against differences of the fourth order.
-fn compare_derivatives(sample: &Sample, part: &Part<'_>, noise: f64) {
-    let near: [Axes; 7] = std::array::from_fn(|n| part.place(sample.time_s + (n as f64 - 3.0) * H));
+fn compare_derivatives(sample: &MotionSample, part: &Part<'_>, noise: f64) {
+    let near: [AxisValues; 7] =
+        std::array::from_fn(|n| part.place(sample.time_s + (n as f64 - 3.0) * H));
     // Weights of the seven places, and what these are off, by the same division.
     let kinds = [
         (&sample.velocity, [0.0, 1.0, -8.0, 0.0, 8.0, -1.0, 0.0], 12.0 * H, 2.0),
@@ -220,8 +222,8 @@ fn arcs_and_helices() {
         [(25.0, -4.0, 0.0), (10.0, 40.0, 0.0), (12.0, 30.0, 55.0), (5.0, -60.0, -1e-3)]
     {
         let curve: Curve = Arc::new(tilted(), radius, sweep, rise).into();
-        let stretch = LAW.stretch(vec![over(curve, 1)]);
-        assert!(compare(&stretch, 0.001, 1e-12) > 500);
+        let trajectory = LAW.trajectory(vec![over(curve, 1)]);
+        assert!(compare(&trajectory, 0.001, 1e-12) > 500);
     }
 }
 
@@ -232,8 +234,8 @@ fn a_long_arc_of_a_large_radius() {
     let frame = Frame { origin: Vec3::new(-radius, 0.0, 0.0), ..tilted() };
     for sweep in [4e-4, -1e-1, 0.3] {
         let curve: Curve = Arc::new(frame, radius, sweep, 0.0).into();
-        let stretch = Law { speed: 800.0, ..LAW }.stretch(vec![over(curve, 1)]);
-        assert!(compare(&stretch, 0.0037, 1e-9) > 100);
+        let trajectory = Law { speed: 800.0, ..LAW }.trajectory(vec![over(curve, 1)]);
+        assert!(compare(&trajectory, 0.0037, 1e-9) > 100);
     }
 }
 
@@ -243,8 +245,8 @@ fn a_tiny_arc() {
     let law = Law { speed: 0.05, acceleration: 1.0, jerk: 100.0 };
     for rise in [0.0, 1e-3] {
         let curve: Curve = Arc::new(tilted(), 1e-3, 190.0, rise).into();
-        let stretch = law.stretch(vec![over(curve, 1)]);
-        assert!(compare(&stretch, 0.001, 1e-14) > 1000);
+        let trajectory = law.trajectory(vec![over(curve, 1)]);
+        assert!(compare(&trajectory, 0.001, 1e-14) > 1000);
     }
 }
 
@@ -259,8 +261,8 @@ fn spirals() {
     ] {
         let curve: Curve = Spiral::new(tilted(), radii, sweep, rise).into();
         let law = Law { speed: 30.0, acceleration: 600.0, jerk: 2e4 };
-        let stretch = law.stretch(vec![over(curve, 1)]);
-        assert!(compare(&stretch, 0.001, 1e-11) > 500, "{radii:?}");
+        let trajectory = law.trajectory(vec![over(curve, 1)]);
+        assert!(compare(&trajectory, 0.001, 1e-11) > 500, "{radii:?}");
     }
 }
 
@@ -268,9 +270,9 @@ fn spirals() {
 fn splines() {
     let law = Law { speed: 60.0, acceleration: 900.0, jerk: 4e4 };
     for curve in bent() {
-        let stretch = law.stretch(vec![over(curve, 1)]);
+        let trajectory = law.trajectory(vec![over(curve, 1)]);
         // Within 1e-9 mm of the curve, and what the sums of chords are off.
-        assert!(compare(&stretch, 0.009, 1.2e-9) > 5, "{curve:?}");
+        assert!(compare(&trajectory, 0.009, 1.2e-9) > 5, "{curve:?}");
     }
 }
 
@@ -278,8 +280,8 @@ fn splines() {
 fn a_spiral_that_hardly_grows() {
     let curve: Curve = Spiral::new(tilted(), (20.0, 20.0 + 1e-9), 12.0, 0.0).into();
     let arc: Curve = Arc::new(tilted(), 20.0, 12.0, 0.0).into();
-    let [one, two] = [curve, arc].map(|curve| LAW.stretch(vec![over(curve, 1)]));
-    let (mut a, mut b) = (Cursor::default(), Cursor::default());
+    let [one, two] = [curve, arc].map(|curve| LAW.trajectory(vec![over(curve, 1)]));
+    let (mut a, mut b) = (TrajectoryCursor::default(), TrajectoryCursor::default());
     let mut t = 0.0;
     while t < one.duration_s() {
         let (a, b) = (a.at(&one, t), b.at(&two, t));
@@ -294,7 +296,7 @@ fn a_spiral_that_hardly_grows() {
 
 #[test]
 fn corrections_over_curves_and_turning_axes() {
-    let bent = |mut piece: Piece| {
+    let bent = |mut piece: PathPiece| {
         piece.start[0] = [0.1, -0.2, 0.3, 1.0, 2.0, -3.0];
         piece.start[1][4] = 0.02;
         piece.start[2] = [1e-3, -2e-3, 1e-3, 1e-4, 0.0, 0.0];
@@ -305,8 +307,8 @@ fn corrections_over_curves_and_turning_axes() {
     let spiral: Curve = Spiral::new(tilted(), (8.0, 14.0), 6.0, 0.0).into();
     let line = straight([0.0; AXES], [0.6, 0.0, 0.8, 0.0, 0.0, 0.01], 70.0, 1);
     for piece in [bent(over(arc, 1)), bent(over(spiral, 1)), bent(line)] {
-        let stretch = Law { speed: 60.0, ..LAW }.stretch(vec![piece]);
-        assert!(compare(&stretch, 0.001, 1e-11) > 500);
+        let trajectory = Law { speed: 60.0, ..LAW }.trajectory(vec![piece]);
+        assert!(compare(&trajectory, 0.001, 1e-11) > 500);
     }
 }
 
@@ -315,16 +317,16 @@ fn a_curve_in_pieces_is_the_curve() {
     let arc: Curve = Arc::new(tilted(), 25.0, -3.0, 4.0).into();
     let spiral: Curve = Spiral::new(tilted(), (8.0, 14.0), 6.0, 0.0).into();
     for curve in bent().into_iter().chain([arc, spiral]) {
-        let whole = LAW.stretch(vec![over(curve, 1)]);
+        let whole = LAW.trajectory(vec![over(curve, 1)]);
         let (mut pieces, mut from) = (Vec::new(), 0.0);
         for share in [0.1, 0.25, 0.05, 0.3, 0.3] {
             let length = curve.length() * share;
             let piece = over(curve, 1);
-            pieces.push(Piece { length, base: Some((curve, from)), ..piece });
+            pieces.push(PathPiece { length, base: Some((curve, from)), ..piece });
             from += length;
         }
-        let cut = Stretch { pieces, ..whole.clone() };
-        let (mut a, mut b) = (Cursor::default(), Cursor::default());
+        let cut = PlannedTrajectory { pieces, ..whole.clone() };
+        let (mut a, mut b) = (TrajectoryCursor::default(), TrajectoryCursor::default());
         let mut t = 0.0;
         while t < whole.duration_s() {
             let (a, b) = (a.at(&whole, t), b.at(&cut, t));
@@ -338,15 +340,16 @@ fn a_curve_in_pieces_is_the_curve() {
 }
 
 #[test]
-fn an_instant_is_the_same_whatever_was_asked_before() {
+fn an_instant_is_the_same_whatever_was_sampled_before() {
     let spiral: Curve = Spiral::new(tilted(), (0.0, 14.0), 20.0, 3.0).into();
     let arc: Curve = Arc::new(tilted(), 25.0, -3.0, 4.0).into();
     for curve in bent().into_iter().chain([spiral, arc]) {
-        let stretch = LAW.stretch(vec![over(curve, 1)]);
-        let mut walking = Cursor::default();
+        let trajectory = LAW.trajectory(vec![over(curve, 1)]);
+        let mut walking = TrajectoryCursor::default();
         let mut t = 0.0;
-        while t < stretch.duration_s() {
-            let (walked, fresh) = (walking.at(&stretch, t), Cursor::default().at(&stretch, t));
+        while t < trajectory.duration_s() {
+            let (walked, fresh) =
+                (walking.at(&trajectory, t), TrajectoryCursor::default().at(&trajectory, t));
             assert_eq!(walked, fresh, "to the bit, at {t} s");
             t += 0.0013;
         }
@@ -354,9 +357,9 @@ fn an_instant_is_the_same_whatever_was_asked_before() {
 }
 
 /// A line, a tangent arc, a line at a corner and a spiral, passed within a tolerance.
-fn eased() -> Vec<Stretch> {
+fn eased() -> Vec<PlannedTrajectory> {
     let axis = Some(AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 });
-    let limits = Limits::new([axis, axis, axis, None, None, None]).unwrap();
+    let limits = KinematicLimits::new([axis, axis, axis, None, None, None]).unwrap();
     let at = |x: f64, y: f64| Vec3::new(x, y, 0.0);
     let flat = |x: f64, y: f64| Frame { origin: at(x, y), u: -Vec3::Y, v: Vec3::X, w: Vec3::Z };
     let arc = Arc::new(flat(60.0, 20.0), 20.0, 1.5, 0.0);
@@ -369,34 +372,35 @@ fn eased() -> Vec<Stretch> {
     );
     let curves: [Curve; 4] =
         [Line::new(at(0.0, 0.0), at(60.0, 0.0)).into(), arc.into(), line.into(), spiral.into()];
-    let mut planner = Planner::new(limits, PlannerOptions::new(Level::Fast));
-    let mut stretches = Vec::new();
-    let mut take = |step: Step<'_>| {
-        if let Step::Stretch(stretch) = step {
-            stretches.push(stretch.clone());
+    let mut planner = MotionPlanner::new(limits, PlannerOptions::new(PlannerLevel::Fast));
+    let mut trajectories = Vec::new();
+    let mut take = |step: PlannerStep<'_>| {
+        if let PlannerStep::Trajectory(trajectory) = step {
+            trajectories.push(trajectory.clone());
         }
     };
     for (tag, curve) in curves.into_iter().enumerate() {
-        let motion = Move {
+        let motion = MoveRequest {
             curve,
             rotary_from: [0.0; 3],
             rotary_to: [0.0; 3],
             speed: 80.0,
-            corner: Corner::Within { linear_mm: 0.05, rotary_rad: 0.0 },
+            corner: CornerMode::Joined { linear_mm: 0.05, rotary_rad: 0.0 },
             kind: MoveKind::Cut,
             tag: tag as u64,
         };
         planner.push(&motion, &mut take).unwrap();
     }
     planner.finish(&mut take);
-    stretches
+    trajectories
 }
 
 #[test]
 fn eased_corners_between_lines_arcs_and_spirals() {
-    let stretches = eased();
-    let compared: usize = stretches.iter().map(|stretch| compare(stretch, 0.000_25, 1e-11)).sum();
-    let bent = stretches.iter().flat_map(|stretch| &stretch.pieces);
+    let trajectories = eased();
+    let compared: usize =
+        trajectories.iter().map(|trajectory| compare(trajectory, 0.000_25, 1e-11)).sum();
+    let bent = trajectories.iter().flat_map(|trajectory| &trajectory.pieces);
     let bent = bent.filter(|piece| piece.start[3] != [0.0; AXES]);
     assert!(bent.filter(|piece| piece.base.is_some()).count() >= 2, "eased over a curve");
     assert!(compared > 4000, "{compared}");

@@ -2,7 +2,7 @@
 
 mod support;
 
-use chordal_motion::{Corner, Level, Move};
+use chordal_motion::{CornerMode, MoveRequest, PlannerLevel};
 use support::random::{Dice, Mix, random_limits, random_path};
 use support::{plan, time_of};
 
@@ -11,11 +11,14 @@ fn rounds() -> u64 {
     option_env!("CHORDAL_ROUNDS").and_then(|rounds| rounds.parse().ok()).unwrap_or(1000)
 }
 
-fn all_with(moves: &[Move], corner: Corner) -> Vec<Move> {
-    moves.iter().map(|motion| Move { corner, ..*motion }).collect()
+fn all_with(moves: &[MoveRequest], corner: CornerMode) -> Vec<MoveRequest> {
+    moves.iter().map(|motion| MoveRequest { corner, ..*motion }).collect()
 }
 
-fn random_case(seed: u64, curves: bool) -> (chordal_motion::Limits, Vec<Move>, f64) {
+fn random_case(
+    seed: u64,
+    curves: bool,
+) -> (chordal_motion::KinematicLimits, Vec<MoveRequest>, f64) {
     let mut dice = Dice(seed * 7919 + 13);
     let limits = random_limits(&mut dice);
     let mix = Mix {
@@ -36,9 +39,10 @@ fn easing_is_not_slower_than_stopping() {
     for seed in 0..rounds() {
         for curves in [false, true] {
             let (limits, moves, linear_mm) = random_case(seed, curves);
-            let time = |corner| time_of(&plan(&all_with(&moves, corner), limits, Level::Fast));
-            let eased = time(Corner::Within { linear_mm, rotary_rad: linear_mm / 100.0 });
-            let stops = time(Corner::Stop);
+            let time =
+                |corner| time_of(&plan(&all_with(&moves, corner), limits, PlannerLevel::Fast));
+            let eased = time(CornerMode::Joined { linear_mm, rotary_rad: linear_mm / 100.0 });
+            let stops = time(CornerMode::Stop);
             assert!(
                 eased <= stops * (1.0 + 1e-9),
                 "seed {seed}, curves {curves}: {eased} s, stopping {stops} s"

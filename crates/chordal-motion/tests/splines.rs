@@ -3,7 +3,9 @@
 mod support;
 
 use chordal_geometry::{Curve, EvenPart, ParamCurve, Spline, Vec3};
-use chordal_motion::{Corner, Level, Limits, Move, Use, largest_use};
+use chordal_motion::{
+    CornerMode, KinematicLimits, LimitUse, MoveRequest, PlannerLevel, largest_use,
+};
 use support::random::{Dice, random_limits};
 use support::{cut, line, plan, samples, time_of};
 
@@ -11,7 +13,7 @@ const ABOVE: f64 = 1.0 + 1e-6;
 /// Parts that are not even are lines within this, mm.
 const TOLERANCE: f64 = 1e-6;
 
-fn moves_of(spline: &Spline, speed: f64, corner: Corner) -> Vec<Move> {
+fn moves_of(spline: &Spline, speed: f64, corner: CornerMode) -> Vec<MoveRequest> {
     let mut moves = Vec::new();
     for piece in spline.pieces().unwrap() {
         piece.even_parts(TOLERANCE, &mut |part| {
@@ -63,12 +65,12 @@ fn weights_and_places_far_from_each_other_have_a_plan() {
 }
 
 /// It takes no less than its length at its speed.
-fn planned(spline: &Spline, limits: Limits) {
+fn planned(spline: &Spline, limits: KinematicLimits) {
     const SPEED: f64 = 16.0;
-    for corner in [Corner::Exact, Corner::Within { linear_mm: 0.01, rotary_rad: 0.0 }] {
+    for corner in [CornerMode::Exact, CornerMode::Joined { linear_mm: 0.01, rotary_rad: 0.0 }] {
         let moves = moves_of(spline, SPEED, corner);
-        let length: f64 = moves.iter().map(Move::length).sum();
-        for level in [Level::Fast, Level::Best] {
+        let length: f64 = moves.iter().map(MoveRequest::length).sum();
+        for level in [PlannerLevel::Fast, PlannerLevel::Best] {
             let time_s = time_of(&plan(&moves, limits, level));
             assert!(
                 time_s.is_finite() && time_s >= 0.9 * length / SPEED,
@@ -86,18 +88,20 @@ fn plans_keep_every_limit_and_the_curve() {
         let spline = random_spline(&mut dice);
         let within = dice.decades(0.001, 0.1);
         let corner = match seed % 2 {
-            0 => Corner::Exact,
-            _ => Corner::Within { linear_mm: within, rotary_rad: 0.0 },
+            0 => CornerMode::Exact,
+            _ => CornerMode::Joined { linear_mm: within, rotary_rad: 0.0 },
         };
-        let off = if corner == Corner::Exact { 1e-4 } else { within };
+        let off = if corner == CornerMode::Exact { 1e-4 } else { within };
         let moves = moves_of(&spline, dice.decades(5.0, 400.0), corner);
-        let stretches = plan(&moves, limits, Level::Fast);
-        let used =
-            stretches.iter().map(|s| largest_use(s, &limits, 3)).fold(Use::default(), Use::or);
+        let trajectories = plan(&moves, limits, PlannerLevel::Fast);
+        let used = trajectories
+            .iter()
+            .map(|s| largest_use(s, &limits, 3))
+            .fold(LimitUse::default(), LimitUse::or);
         let worst = used.velocity.max(used.acceleration).max(used.jerk);
         assert!(worst <= ABOVE, "{seed}: {used:?}");
         let pieces = spline.pieces().unwrap();
-        let samples = samples(&stretches, 1e-3);
+        let samples = samples(&trajectories, 1e-3);
         for sample in samples.iter().step_by(1 + samples.len() / 300) {
             let [x, y, z, ..] = sample.position;
             let at = Vec3::new(x, y, z);
@@ -128,9 +132,10 @@ fn a_straight_spline_takes_as_long_as_its_line() {
     let points = [0.0, 0.0, 30.0, 100.0, 100.0].map(|x| Vec3::new(x, 0.0, 0.0));
     let spline = Spline::uniform(4, points.to_vec(), vec![1.0; 5]).unwrap();
     let limits = support::limits(500.0, 5000.0, 1e5);
-    let straight = [cut(line([0.0; 3], [100.0, 0.0, 0.0]), 200.0, Corner::Exact)];
-    let by_line = time_of(&plan(&straight, limits, Level::Fast));
-    let by_spline = time_of(&plan(&moves_of(&spline, 200.0, Corner::Exact), limits, Level::Fast));
+    let straight = [cut(line([0.0; 3], [100.0, 0.0, 0.0]), 200.0, CornerMode::Exact)];
+    let by_line = time_of(&plan(&straight, limits, PlannerLevel::Fast));
+    let by_spline =
+        time_of(&plan(&moves_of(&spline, 200.0, CornerMode::Exact), limits, PlannerLevel::Fast));
     assert!((by_spline - by_line).abs() < 1e-6, "{by_spline} {by_line}");
 }
 
@@ -142,7 +147,9 @@ fn a_quarter_circle_takes_about_as_long_as_the_arc() {
     let limits = support::limits(200.0, 2000.0, 1e5);
     let frame = chordal_geometry::Plane::Xy.frame();
     let arc = chordal_geometry::Arc::new(frame, 20.0, std::f64::consts::FRAC_PI_2, 0.0);
-    let by_arc = time_of(&plan(&[cut(arc.into(), 100.0, Corner::Exact)], limits, Level::Fast));
-    let by_spline = time_of(&plan(&moves_of(&spline, 100.0, Corner::Exact), limits, Level::Fast));
+    let by_arc =
+        time_of(&plan(&[cut(arc.into(), 100.0, CornerMode::Exact)], limits, PlannerLevel::Fast));
+    let by_spline =
+        time_of(&plan(&moves_of(&spline, 100.0, CornerMode::Exact), limits, PlannerLevel::Fast));
     assert!((by_spline / by_arc - 1.0).abs() < 0.15, "{by_spline} {by_arc}");
 }

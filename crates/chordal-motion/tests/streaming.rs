@@ -3,19 +3,22 @@
 mod support;
 
 use chordal_geometry::AXES;
-use chordal_motion::{Corner, Move, Piece, Pushed, Setpoint, Step, StreamOptions, Stretch, stream};
-use support::law::{Law, circle_stretch, cut_line, piece};
-use support::watch::{ROUNDING, Watch};
+use chordal_motion::{
+    CornerMode, MoveRequest, PathPiece, PlannedTrajectory, PlannerStep, PushOutcome, ServoSetpoint,
+    StreamOptions, stream,
+};
+use support::law::{Law, circle_trajectory, cut_line, piece};
+use support::watch::{AXIS_ROUNDING, Watch};
 use support::{cut, limits, line};
 
 const LIMITS: (f64, f64, f64) = (200.0, 2000.0, 1e5);
 
-fn machine() -> chordal_motion::Limits {
+fn machine() -> chordal_motion::KinematicLimits {
     limits(LIMITS.0, LIMITS.1, LIMITS.2)
 }
 
-fn ramp(pieces: Vec<Piece>, speed: f64, acceleration: f64, jerk: f64) -> Stretch {
-    Law { speed, acceleration, jerk }.stretch(pieces)
+fn ramp(pieces: Vec<PathPiece>, speed: f64, acceleration: f64, jerk: f64) -> PlannedTrajectory {
+    Law { speed, acceleration, jerk }.trajectory(pieces)
 }
 
 #[test]
@@ -23,11 +26,11 @@ fn a_line_is_travelled_as_planned_and_ends_exactly() {
     let planned = ramp(vec![piece(line([0.0; 3], [100.0, 0.0, 0.0]), 7)], 100.0, 1900.0, 9e4);
     let duration_s = planned.duration_s();
     let (mut feeder, mut servo) = stream(machine(), StreamOptions::default(), [0.0; AXES]);
-    assert_eq!(feeder.push_step(Step::Stretch(&planned)), Ok(Pushed::Taken));
+    assert_eq!(feeder.push_step(PlannerStep::Trajectory(&planned)), Ok(PushOutcome::Taken));
     assert!(feeder.finish());
     let mut watch = Watch::default();
-    let mut cursor = chordal_motion::Cursor::default();
-    let mut point = Setpoint::default();
+    let mut cursor = chordal_motion::TrajectoryCursor::default();
+    let mut point = ServoSetpoint::default();
     let mut count = 0;
     while !point.finished {
         point = servo.next();
@@ -41,26 +44,26 @@ fn a_line_is_travelled_as_planned_and_ends_exactly() {
     assert_eq!(point.position, [100.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
     assert!((f64::from(count) * 0.001 - duration_s).abs() <= 0.001 + 1e-9);
     assert_eq!(servo.underruns(), 0);
-    watch.check(0.001, &machine(), &ROUNDING);
+    watch.check(0.001, &machine(), &AXIS_ROUNDING);
 }
 
 /// Pulls with commands by the count of the setpoint until the end.
 fn run(
-    stretches: &[Stretch],
+    trajectories: &[PlannedTrajectory],
     period_s: f64,
-    mut command: impl FnMut(usize, &mut chordal_motion::Servo),
-) -> Vec<Setpoint> {
+    mut command: impl FnMut(usize, &mut chordal_motion::StreamServo),
+) -> Vec<ServoSetpoint> {
     let options = StreamOptions { period_s, ..StreamOptions::default() };
-    let (mut feeder, mut servo) = stream(machine(), options, stretches[0].from());
-    let mut left = stretches.iter();
+    let (mut feeder, mut servo) = stream(machine(), options, trajectories[0].from());
+    let mut left = trajectories.iter();
     let mut next = left.next();
     let mut points = Vec::new();
     let mut watch = Watch::default();
     loop {
-        while let Some(stretch) = next {
-            match feeder.push_step(Step::Stretch(stretch)).expect("not finished") {
-                Pushed::Taken => next = left.next(),
-                Pushed::Full => break,
+        while let Some(trajectory) = next {
+            match feeder.push_step(PlannerStep::Trajectory(trajectory)).expect("not finished") {
+                PushOutcome::Taken => next = left.next(),
+                PushOutcome::Full => break,
             }
         }
         if next.is_none() {
@@ -75,7 +78,7 @@ fn run(
         }
         assert!(points.len() < 400_000, "the end is not reached: {point:?}");
     }
-    watch.check(period_s, &machine(), &ROUNDING);
+    watch.check(period_s, &machine(), &AXIS_ROUNDING);
     assert_eq!(servo.underruns(), 0);
     points
 }
@@ -114,7 +117,7 @@ fn a_hold_stops_quickly_and_the_motion_goes_on_after_it() {
 #[test]
 fn a_circle_holds_its_axes_under_hold_and_override() {
     for radius in [0.5, 2.0, 20.0] {
-        let planned = circle_stretch(radius, 20.0, 3);
+        let planned = circle_trajectory(radius, 20.0, 3);
         let points = run(std::slice::from_ref(&planned), 0.001, |index, servo| match index % 700 {
             100 => servo.set_override(0.4),
             200 => servo.hold(),
@@ -142,9 +145,9 @@ fn windows_that_do_not_come_are_a_stop_and_later_ones_go_on_in_it() {
         // Two windows are all there is, so that the pull side runs dry when nothing is pushed.
         let options = StreamOptions { windows: 3, ..StreamOptions::default() };
         let (mut feeder, mut servo) = stream(machine(), options, [0.0; AXES]);
-        assert_eq!(feeder.push_step(Step::Stretch(&planned)), Ok(Pushed::Taken));
+        assert_eq!(feeder.push_step(PlannerStep::Trajectory(&planned)), Ok(PushOutcome::Taken));
         let mut watch = Watch::default();
-        let mut point = Setpoint::default();
+        let mut point = ServoSetpoint::default();
         let mut last = [0.0; AXES];
         for index in 0.. {
             // Every 400 setpoints the push side is away for a while.
@@ -164,7 +167,7 @@ fn windows_that_do_not_come_are_a_stop_and_later_ones_go_on_in_it() {
         assert!(point.finished);
         assert_eq!(servo.underruns() > 0, late == 300, "{}", servo.underruns());
         assert_eq!(point.position, planned.to());
-        watch.check(0.001, &machine(), &ROUNDING);
+        watch.check(0.001, &machine(), &AXIS_ROUNDING);
     }
 }
 
@@ -175,9 +178,9 @@ fn pieces_of_a_nanometre_are_travelled_within_the_limits() {
     for pieces in [1000, 16_384] {
         let options = StreamOptions { pieces, ..StreamOptions::default() };
         let (mut feeder, mut servo) = stream(machine(), options, [0.0; AXES]);
-        assert_eq!(feeder.push_step(Step::Stretch(&planned)), Ok(Pushed::Taken));
+        assert_eq!(feeder.push_step(PlannerStep::Trajectory(&planned)), Ok(PushOutcome::Taken));
         let mut watch = Watch::default();
-        let mut point = Setpoint::default();
+        let mut point = ServoSetpoint::default();
         let mut count = 0;
         while !point.finished && count < 100_000 {
             feeder.finish();
@@ -187,7 +190,7 @@ fn pieces_of_a_nanometre_are_travelled_within_the_limits() {
         }
         assert!(point.finished, "{pieces} pieces: {point:?}");
         assert!((point.position[0] - 0.05).abs() < 1e-9);
-        watch.check(0.001, &machine(), &ROUNDING);
+        watch.check(0.001, &machine(), &AXIS_ROUNDING);
         if pieces > 16_000 {
             // Where a window holds enough path, nothing is lost.
             assert!(f64::from(count) * 0.001 < 3.0 * duration_s, "{count} for {duration_s} s");
@@ -197,14 +200,14 @@ fn pieces_of_a_nanometre_are_travelled_within_the_limits() {
 
 /// A circle of radius 30 as 300 lines, eased within a hundredth: the plan is at its limits of
 /// jerk in every corner.
-fn polygon() -> Vec<Move> {
+fn polygon() -> Vec<MoveRequest> {
     let at = |corner: u32| {
         let angle = f64::from(corner) / 300.0 * std::f64::consts::TAU;
         [30.0 * angle.cos(), 30.0 * angle.sin(), 0.0]
     };
-    let within = Corner::Within { linear_mm: 0.01, rotary_rad: 0.0 };
+    let within = CornerMode::Joined { linear_mm: 0.01, rotary_rad: 0.0 };
     let side = |corner| cut(line(at(corner), at(corner + 1)), 150.0, within);
-    (0..300).map(|corner| Move { tag: u64::from(corner), ..side(corner) }).collect()
+    (0..300).map(|corner| MoveRequest { tag: u64::from(corner), ..side(corner) }).collect()
 }
 
 #[test]
@@ -215,7 +218,7 @@ fn a_hold_in_eased_corners_stops_in_bounded_time_and_sooner_with_headroom() {
         let moves = polygon();
         let (mut feeder, mut servo) = stream(machine(), options, moves[0].from());
         for motion in &moves {
-            assert_eq!(feeder.push(motion), Ok(Pushed::Taken));
+            assert_eq!(feeder.push(motion), Ok(PushOutcome::Taken));
         }
         feeder.finish();
         let mut watch = Watch::default();
@@ -233,7 +236,7 @@ fn a_hold_in_eased_corners_stops_in_bounded_time_and_sooner_with_headroom() {
             count += 1;
             assert!(count < 3000, "no stop: {point:?}");
         }
-        watch.check(0.001, &machine(), &ROUNDING);
+        watch.check(0.001, &machine(), &AXIS_ROUNDING);
         took.push(f64::from(count - 500) * 0.001);
     }
     assert!(took[1] < 0.5 && took[3] < 0.25, "{took:?}");

@@ -3,7 +3,10 @@
 mod support;
 
 use chordal_geometry::{Curve, Line, ParamCurve, Transform};
-use chordal_motion::{AxisLimit, Corner, Level, Limits, Move, Planner, PlannerOptions, Step};
+use chordal_motion::{
+    AxisLimit, CornerMode, KinematicLimits, MotionPlanner, MoveRequest, PlannerLevel,
+    PlannerOptions, PlannerStep,
+};
 use support::random::{Dice, Mix, random_limits, random_path};
 use support::{limits, line, plan, time_of};
 
@@ -14,7 +17,7 @@ fn same(name: &str, seed: u64, a: f64, b: f64) {
     near(name, seed, a, b, 1e-9);
 }
 
-/// Laws of smooth curves are within 2e-4 of the best on grids that begin at their start.
+/// Profiles of smooth curves are within 2e-4 of the best on grids that begin at their start.
 const LAW: f64 = 1e-3;
 
 fn near(name: &str, seed: u64, a: f64, b: f64, most: f64) {
@@ -25,17 +28,17 @@ fn near(name: &str, seed: u64, a: f64, b: f64, most: f64) {
     );
 }
 
-fn one_mode(dice: &mut Dice, moves: &mut [Move]) {
+fn one_mode(dice: &mut Dice, moves: &mut [MoveRequest]) {
     let mode = match dice.below(3) {
-        0 => Corner::Exact,
-        1 => Corner::Stop,
-        _ => Corner::Within { linear_mm: dice.decades(1e-3, 0.1), rotary_rad: 1e-3 },
+        0 => CornerMode::Exact,
+        1 => CornerMode::Stop,
+        _ => CornerMode::Joined { linear_mm: dice.decades(1e-3, 0.1), rotary_rad: 1e-3 },
     };
     moves.iter_mut().for_each(|motion| motion.corner = mode);
 }
 
 /// Each line in `parts` equal parts, none shorter than 0.02 mm.
-fn cut(moves: &[Move], dice: &mut Dice) -> Vec<Move> {
+fn cut(moves: &[MoveRequest], dice: &mut Dice) -> Vec<MoveRequest> {
     let mut all = Vec::new();
     for motion in moves {
         let Curve::Line(line) = motion.curve else {
@@ -54,8 +57,9 @@ fn cut(moves: &[Move], dice: &mut Dice) -> Vec<Move> {
                 let (a, b) = (motion.rotary_from[i], motion.rotary_to[i]);
                 if part == parts { b } else { a + (b - a) * share }
             });
-            let corner = if part == parts { motion.corner } else { Corner::Exact };
-            let piece = Move { curve: Line { start, end }.into(), rotary_to: turn, corner, ..from };
+            let corner = if part == parts { motion.corner } else { CornerMode::Exact };
+            let piece =
+                MoveRequest { curve: Line { start, end }.into(), rotary_to: turn, corner, ..from };
             all.push(piece);
             from.curve = Line { start: end, end }.into();
             from.rotary_from = turn;
@@ -71,10 +75,10 @@ fn cutting_lines_changes_no_time() {
         let limits = random_limits(&mut dice);
         let mut moves = random_path(&mut dice, &Mix { rotary: seed % 2 == 1, ..MIX });
         one_mode(&mut dice, &mut moves);
-        let whole = time_of(&plan(&moves, limits, Level::Fast));
+        let whole = time_of(&plan(&moves, limits, PlannerLevel::Fast));
         let pieces = cut(&moves, &mut dice);
         assert!(pieces.len() > 3 * moves.len());
-        same("cut", seed, whole, time_of(&plan(&pieces, limits, Level::Fast)));
+        same("cut", seed, whole, time_of(&plan(&pieces, limits, PlannerLevel::Fast)));
     }
 }
 
@@ -83,9 +87,9 @@ fn the_published_line_takes_its_time_however_it_is_cut() {
     let limits = limits(500.0, 5000.0, 1e5);
     for parts in [1, 10, 100, 1000, 5000, 100_000] {
         let at = |i: i32| [100.0 * f64::from(i) / f64::from(parts), 0.0, 0.0];
-        let part = |i| support::cut(line(at(i), at(i + 1)), 1e9, Corner::Exact);
-        let moves: Vec<Move> = (0..parts).map(part).collect();
-        let time = time_of(&plan(&moves, limits, Level::Fast));
+        let part = |i| support::cut(line(at(i), at(i + 1)), 1e9, CornerMode::Exact);
+        let moves: Vec<MoveRequest> = (0..parts).map(part).collect();
+        let time = time_of(&plan(&moves, limits, PlannerLevel::Fast));
         assert!((time - 0.35).abs() < 1e-9, "{parts} parts: {time} s");
     }
 }
@@ -97,10 +101,10 @@ fn backwards_takes_as_long() {
         let limits = random_limits(&mut dice);
         let mut moves = random_path(&mut dice, &Mix { curves: seed % 2 == 1, ..MIX });
         one_mode(&mut dice, &mut moves);
-        let back: Vec<Move> = moves
+        let back: Vec<MoveRequest> = moves
             .iter()
             .rev()
-            .map(|motion| Move {
+            .map(|motion| MoveRequest {
                 curve: motion.curve.reversed(),
                 rotary_from: motion.rotary_to,
                 rotary_to: motion.rotary_from,
@@ -110,8 +114,8 @@ fn backwards_takes_as_long() {
         near(
             "backwards",
             seed,
-            time_of(&plan(&moves, limits, Level::Fast)),
-            time_of(&plan(&back, limits, Level::Fast)),
+            time_of(&plan(&moves, limits, PlannerLevel::Fast)),
+            time_of(&plan(&back, limits, PlannerLevel::Fast)),
             LAW,
         );
     }
@@ -125,20 +129,20 @@ fn units_change_no_time() {
         let mut moves = random_path(&mut dice, &Mix { curves: seed % 2 == 1, ..MIX });
         one_mode(&mut dice, &mut moves);
         moves.iter_mut().for_each(|motion| {
-            if motion.corner == Corner::Exact {
-                motion.corner = Corner::Within { linear_mm: 1e-3, rotary_rad: 1e-3 };
+            if motion.corner == CornerMode::Exact {
+                motion.corner = CornerMode::Joined { linear_mm: 1e-3, rotary_rad: 1e-3 };
             }
         });
         let scale = 1.0 / 25.4;
         let transform = Transform::scale(scale).unwrap();
-        let scaled: Vec<Move> = moves
+        let scaled: Vec<MoveRequest> = moves
             .iter()
-            .map(|motion| Move {
+            .map(|motion| MoveRequest {
                 curve: motion.curve.transformed(&transform),
                 speed: motion.speed * scale,
                 corner: match motion.corner {
-                    Corner::Within { linear_mm, rotary_rad } => {
-                        Corner::Within { linear_mm: linear_mm * scale, rotary_rad }
+                    CornerMode::Joined { linear_mm, rotary_rad } => {
+                        CornerMode::Joined { linear_mm: linear_mm * scale, rotary_rad }
                     }
                     other => other,
                 },
@@ -152,12 +156,12 @@ fn units_change_no_time() {
                 jerk: limit.jerk * scale,
             })
         });
-        let small = Limits::new(axes).unwrap();
+        let small = KinematicLimits::new(axes).unwrap();
         near(
             "units",
             seed,
-            time_of(&plan(&moves, limits, Level::Fast)),
-            time_of(&plan(&scaled, small, Level::Fast)),
+            time_of(&plan(&moves, limits, PlannerLevel::Fast)),
+            time_of(&plan(&scaled, small, PlannerLevel::Fast)),
             LAW,
         );
     }
@@ -170,17 +174,21 @@ fn rows_of_any_length_give_one_time() {
         let limits = random_limits(&mut dice);
         let mut moves = random_path(&mut dice, &Mix { turn: 0.1, ..MIX });
         one_mode(&mut dice, &mut moves);
-        let whole = time_of(&plan(&moves, limits, Level::Fast));
+        let whole = time_of(&plan(&moves, limits, PlannerLevel::Fast));
         let mut first = None;
-        for row_s in [0.01, 0.3, 1e9] {
-            let mut planner = Planner::new(
+        for look_ahead_s in [0.01, 0.3, 1e9] {
+            let mut planner = MotionPlanner::new(
                 limits,
-                PlannerOptions { row_s, joins: false, ..PlannerOptions::new(Level::Fast) },
+                PlannerOptions {
+                    look_ahead_s,
+                    joins: false,
+                    ..PlannerOptions::new(PlannerLevel::Fast)
+                },
             );
             let mut time = 0.0;
-            let mut take = |step: Step<'_>| {
-                if let Step::Stretch(stretch) = step {
-                    time += stretch.duration_s() - stretch.overlap_s;
+            let mut take = |step: PlannerStep<'_>| {
+                if let PlannerStep::Trajectory(trajectory) = step {
+                    time += trajectory.duration_s() - trajectory.overlap_s;
                 }
             };
             moves.iter().for_each(|motion| planner.push(motion, &mut take).unwrap());
@@ -197,13 +205,13 @@ fn a_short_corner_is_no_slower_with_more_room() {
     // Two legs of 1 mm that turn by 30 degrees.
     let corner = [1.0, 0.0, 0.0];
     let end = [1.0 + 0.75_f64.sqrt(), 0.5, 0.0];
-    let time = |mode: Corner| {
+    let time = |mode: CornerMode| {
         let leg = |from, to| support::cut(line(from, to), 50.0, mode);
         let moves = [leg([0.0; 3], corner), leg(corner, end)];
-        time_of(&plan(&moves, limits, Level::Fast))
+        time_of(&plan(&moves, limits, PlannerLevel::Fast))
     };
-    let within = |linear_mm: f64| time(Corner::Within { linear_mm, rotary_rad: 1e-3 });
-    let times = [time(Corner::Stop), within(0.01), within(0.1)];
+    let within = |linear_mm: f64| time(CornerMode::Joined { linear_mm, rotary_rad: 1e-3 });
+    let times = [time(CornerMode::Stop), within(0.01), within(0.1)];
     assert!(times.windows(2).all(|pair| pair[1] < pair[0]), "{times:?}");
 }
 
@@ -214,15 +222,15 @@ fn times_without_a_path_are_those_with_one() {
         let limits = random_limits(&mut dice);
         let mix = Mix { curves: seed % 2 == 1, rotary: seed % 3 == 2, turn: 1.0, ..MIX };
         let moves = random_path(&mut dice, &mix);
-        let mut planner = Planner::of_times(limits);
+        let mut planner = MotionPlanner::of_times(limits);
         let mut time = 0.0;
-        let mut take = |step: Step<'_, _>| {
-            if let Step::Stretch(stretch) = step {
-                time += stretch.duration_s() - stretch.overlap_s;
+        let mut take = |step: PlannerStep<'_, _>| {
+            if let PlannerStep::Trajectory(trajectory) = step {
+                time += trajectory.duration_s() - trajectory.overlap_s;
             }
         };
         moves.iter().for_each(|motion| planner.push(motion, &mut take).unwrap());
         planner.finish(&mut take);
-        same("without a path", seed, time_of(&plan(&moves, limits, Level::Fast)), time);
+        same("without a path", seed, time_of(&plan(&moves, limits, PlannerLevel::Fast)), time);
     }
 }

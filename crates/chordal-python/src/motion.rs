@@ -6,8 +6,8 @@ use arrow_array::{ArrayRef, Float64Array, RecordBatch, UInt32Array};
 use arrow_schema::{DataType, Field, Schema};
 use chordal::machine::{AXES, PerAxis};
 use chordal::motion::{
-    AxisLimit, Corner, Level, Limits, Move, MoveError, MoveKind, Planner, PlannerOptions, Sample,
-    Sampler, Step, Stretch,
+    AxisLimit, CornerMode, KinematicLimits, MotionPlanner, MotionSample, MoveError, MoveKind,
+    MoveRequest, PlannedTrajectory, PlannerLevel, PlannerOptions, PlannerStep, SetpointSampler,
 };
 use pyo3::prelude::*;
 
@@ -23,16 +23,16 @@ pub struct Motion {
     duration_s: f64,
 }
 
-enum PlannedStep {
-    Planned(Stretch),
+enum Kept {
+    Stretch(PlannedTrajectory),
     Wait { seconds: f64, tag: u64 },
 }
 
-impl PlannedStep {
-    fn step(&self) -> Step<'_> {
+impl Kept {
+    fn step(&self) -> PlannerStep<'_> {
         match self {
-            PlannedStep::Planned(stretch) => Step::Stretch(stretch),
-            PlannedStep::Wait { seconds, tag } => Step::Wait { seconds: *seconds, tag: *tag },
+            Kept::Stretch(stretch) => PlannerStep::Trajectory(stretch),
+            Kept::Wait { seconds, tag } => PlannerStep::Wait { seconds: *seconds, tag: *tag },
         }
     }
 }
@@ -64,7 +64,8 @@ pub fn plan(
         *axis =
             limit.map(|(velocity, acceleration, jerk)| AxisLimit { velocity, acceleration, jerk });
     }
-    let limits = Limits::new(axes).map_err(|error| error::usage(py, &error.to_string(), None))?;
+    let limits =
+        KinematicLimits::new(axes).map_err(|error| error::usage(py, &error.to_string(), None))?;
     let planned = py.detach(|| planned(&moves, limits, level));
     planned.map_err(|(index, error)| {
         error::usage(py, &format!("move {index} cannot be planned: {error}"), None)
@@ -72,16 +73,16 @@ pub fn plan(
 }
 
 fn planned(
-    moves: &[MoveInput],
-    limits: Limits,
-    level: Level,
+    moves: &[Given],
+    limits: KinematicLimits,
+    level: PlannerLevel,
 ) -> Result<Motion, (usize, MoveError)> {
-    let mut planner = Planner::new(limits, PlannerOptions::new(level));
-    let mut steps: Vec<PlannedStep> = Vec::new();
-    let mut keep = |step: Step<'_>| {
+    let mut planner = MotionPlanner::new(limits, PlannerOptions::new(level));
+    let mut steps: Vec<Kept> = Vec::new();
+    let mut keep = |step: PlannerStep<'_>| {
         steps.push(match step {
-            Step::Stretch(stretch) => PlannedStep::Planned(stretch.clone()),
-            Step::Wait { seconds, tag } => PlannedStep::Wait { seconds, tag },
+            PlannerStep::Trajectory(stretch) => Kept::Stretch(stretch.clone()),
+            PlannerStep::Wait { seconds, tag } => Kept::Wait { seconds, tag },
         });
     };
     let mut at: Option<PerAxis<f64>> = None;
@@ -97,11 +98,11 @@ fn planned(
             continue;
         };
         let corner = match tolerance {
-            None => Corner::Stop,
-            Some(0.0) => Corner::Exact,
-            Some(linear_mm) => Corner::Within { linear_mm, rotary_rad },
+            None => CornerMode::Stop,
+            Some(0.0) => CornerMode::Exact,
+            Some(linear_mm) => CornerMode::Joined { linear_mm, rotary_rad },
         };
-        let motion = Move {
+        let motion = MoveRequest {
             curve,
             rotary_from,
             rotary_to,
@@ -119,7 +120,7 @@ fn planned(
         at = Some(motion.to());
     }
     planner.finish(&mut keep);
-    let mut clock = Sampler::new(1.0).at_most(0);
+    let mut clock = SetpointSampler::new(1.0).at_most(0);
     steps.iter().for_each(|step| clock.push(step.step(), |_| {}));
     Ok(Motion { duration_s: clock.time_s(), steps })
 }
@@ -138,7 +139,7 @@ impl PyColumns {
         PyColumns { time: Vec::new(), axes: vec![Vec::new(); 24], tags: Vec::new() }
     }
 
-    fn push(&mut self, sample: &Sample) {
+    fn push(&mut self, sample: &MotionSample) {
         self.time.push(sample.time_s);
         let orders = [sample.position, sample.velocity, sample.acceleration, sample.jerk];
         for (column, value) in self.axes.iter_mut().zip(orders.into_iter().flatten()) {
@@ -176,8 +177,8 @@ impl Motion {
     fn sample(&self, py: Python<'_>, period_s: f64, max_samples: u64) -> PyResult<Table> {
         let period_s = period(py, period_s)?;
         let table = py.detach(|| {
-            let mut columns = PyColumns::new();
-            let mut sampler = Sampler::new(period_s).at_most(max_samples);
+            let mut columns = Columns::new();
+            let mut sampler = SetpointSampler::new(period_s).at_most(max_samples);
             for kept in &self.steps {
                 sampler.push(kept.step(), |sample| columns.push(sample));
             }

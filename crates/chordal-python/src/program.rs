@@ -5,14 +5,12 @@ use std::sync::{Arc, OnceLock};
 
 use chordal::control::EndReason;
 use chordal::geometry::Placement;
-use chordal::motion::{Level, LimitError, MotionOptions, Sampling, SamplingError};
+use chordal::motion::{LimitError, MotionOptions, PlannerLevel, SamplingError, SamplingRequest};
 use chordal::stock::{StockOptions, StockReport, TurnedOptions, TurnedReport};
-use chordal::time::{Again, TimeQuestion};
-use chordal::{Command, Job, PathCommand, Report, RunWatch, Segment, Summary};
-use chordal_compare::{Category, ComparisonOptions as Comparing, compare};
-use chordal_export::columns::{
-    ChordColumns, CommandColumns, PathColumns, RowBatcher, SampleColumns,
-};
+use chordal::time::{RepeatPlanning, TimeQuestion};
+use chordal::{Command, Job, PathCommand, Report, Segment, Summary, Watch};
+use chordal_compare::{Category, Options as Comparing, compare};
+use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns, Rows, SampleColumns};
 use chordal_export::{
     Plot, PlotOptions, SampleHead, comparison_json, conversion_json, refusal_json, report,
     restart_json, sha256_hex, split_json, time_json, transformed_json,
@@ -123,10 +121,10 @@ fn loaded(
 }
 
 /// How hard the planner tries, by its word.
-pub fn level(py: Python<'_>, word: &str) -> PyResult<Level> {
+pub fn level(py: Python<'_>, word: &str) -> PyResult<PlannerLevel> {
     match word {
-        "fast" => Ok(Level::Fast),
-        "best" => Ok(Level::Best),
+        "fast" => Ok(PlannerLevel::Fast),
+        "best" => Ok(PlannerLevel::Best),
         other => {
             let message = format!("there is no level `{other}`");
             Err(error::usage(py, &message, Some("the levels are `fast` and `best`")))
@@ -325,7 +323,7 @@ impl Program {
         max_samples: u64,
     ) -> PyResult<(Table, PlanSummary)> {
         let (period_s, level) = (period(py, period_s)?, level(py, level_word)?);
-        let sampling = Sampling { period_s, level, most: max_samples };
+        let sampling = SamplingRequest { period_s, level, most: max_samples };
         let planned = self.ask(py, |job| {
             let mut columns = SampleColumns::new(&SampleHead::of(job, &job.report(), period_s));
             let sampled = job.setpoints(&sampling, |sample, line| columns.sample(sample, line));
@@ -363,7 +361,7 @@ impl Program {
         let level = level(py, level_word)?;
         let options =
             MotionOptions { level, feed_override, rapid_override, ..MotionOptions::default() };
-        let again = if what_if { Again::Always } else { Again::Never };
+        let again = if what_if { RepeatPlanning::Always } else { RepeatPlanning::Never };
         let question = TimeQuestion { options, again, bound };
         let timed = self.ask(py, |job| Ok(time_of(job, self.cached_report(job)?, &question)))?;
         timed.map_err(|error| wrong_limit(py, &error))

@@ -5,7 +5,7 @@ use chordal::diagnostics::{Applicability, FileId, Fix, Span};
 use chordal::geometry::Vec3;
 use chordal::machine::{Axis, HolderSegment, RotaryTarget, ToolShape};
 use chordal::stock::StockRunError;
-use chordal::time::{TimeReport, Times};
+use chordal::time::{TimeReport, TimeShares};
 use chordal::tool_comments::known_tools;
 use chordal::{Diagnostic, Job, Report, SourceMap};
 use chordal_editor::LineColumnIndex;
@@ -207,7 +207,7 @@ fn solid(solid: &HolderSegment) -> [f64; 3] {
 
 /// Where the time goes.
 pub fn times(time: &TimeReport) -> Value {
-    let of = |times: &Times| {
+    let of = |times: &TimeShares| {
         json!({
             "cutting_s": times.cutting_s,
             "rapid_s": times.rapid_s,

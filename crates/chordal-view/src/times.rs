@@ -5,7 +5,8 @@ use std::collections::VecDeque;
 use chordal::Job;
 use chordal::machine::{AXES, PerAxis};
 use chordal::motion::{
-    LimitError, MotionOptions, PlanSink, Sample, Sampler, Sources, Step, StepSource,
+    LimitError, MotionOptions, MotionSample, PlanSink, PlannerStep, SetpointSampler, StepSource,
+    StepSources,
 };
 use chordal_export::short_blocks_text;
 use serde_json::{Value, json};
@@ -38,7 +39,7 @@ pub fn times(
     let period_s = if period_s.is_finite() { period_s } else { 1.0 };
     let mut sink = Setpoints {
         steps: VecDeque::new(),
-        sampler: Sampler::new(period_s).at_most(MOST_LOOKED_AT),
+        sampler: SetpointSampler::new(period_s).at_most(MOST_LOOKED_AT),
         kept: Kept::default(),
     };
     // Places count here, so that a rapid goes where its axes take it.
@@ -95,7 +96,7 @@ struct Kept {
 }
 
 impl Kept {
-    fn take(&mut self, sample: &Sample, steps: &VecDeque<Held>) {
+    fn take(&mut self, sample: &MotionSample, steps: &VecDeque<Held>) {
         self.stride = self.stride.max(1);
         let is_kept = self.looked_at.is_multiple_of(self.stride);
         self.looked_at += 1;
@@ -135,7 +136,7 @@ impl Kept {
 
 struct Setpoints {
     steps: VecDeque<Held>,
-    sampler: Sampler,
+    sampler: SetpointSampler,
     kept: Kept,
 }
 
@@ -147,7 +148,7 @@ impl PlanSink for Setpoints {
         self.steps.push_back(Held { number, row, shift: source.shift });
     }
 
-    fn step(&mut self, step: Step<'_>, sources: &Sources) {
+    fn step(&mut self, step: PlannerStep<'_>, sources: &StepSources) {
         if self.sampler.is_exhausted() {
             return;
         }

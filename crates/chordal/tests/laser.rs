@@ -1,6 +1,8 @@
 //! Lasers on GRBL, grblHAL and FluidNC: where another power stops the axes.
 
-use chordal::motion::{MotionOptions, PlanSink, Sources, Step, StepKind, StepSource, WaitKind};
+use chordal::motion::{
+    MotionOptions, PlanSink, PlannerStep, StepKind, StepSource, StepSources, WaitKind,
+};
 use chordal::{Job, Machine, Source, SourceMap};
 
 /// How often the axes stand for the spindle output, and the time of the program.
@@ -11,10 +13,12 @@ struct Stops {
 }
 
 impl PlanSink for Stops {
-    fn step(&mut self, step: Step<'_>, sources: &Sources) {
+    fn step(&mut self, step: PlannerStep<'_>, sources: &StepSources) {
         match step {
-            Step::Stretch(stretch) => self.seconds += stretch.duration_s() - stretch.overlap_s,
-            Step::Wait { seconds, tag } => {
+            PlannerStep::Trajectory(stretch) => {
+                self.seconds += stretch.duration_s() - stretch.overlap_s
+            }
+            PlannerStep::Wait { seconds, tag } => {
                 self.seconds += seconds;
                 if let Some(StepSource { kind: StepKind::Wait(WaitKind::SpindleSpeed), .. }) =
                     sources.get(tag)

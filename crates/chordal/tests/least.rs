@@ -2,8 +2,8 @@
 
 mod mill;
 
-use chordal::motion::{Level, MotionOptions};
-use chordal::time::{Effort, LeastReport};
+use chordal::motion::{MotionOptions, PlannerLevel};
+use chordal::time::{LeastReport, ReferenceQuality};
 use chordal::{Job, Machine, Source, SourceMap};
 
 const MACHINE: &str = "
@@ -19,7 +19,7 @@ fn job(program: &[u8], machine: Machine) -> Job<'_> {
     Job::new(sources, machine).expect("a job")
 }
 
-fn least(program: &str, effort: Effort) -> LeastReport {
+fn least(program: &str, effort: ReferenceQuality) -> LeastReport {
     let machine = mill::machine(MACHINE);
     job(program.as_bytes(), machine).least(&MotionOptions::default(), effort).expect("limits")
 }
@@ -44,7 +44,7 @@ M30
 
 #[test]
 fn two_operations_by_hand() {
-    let report = least(TWO_TOOLS, Effort::default());
+    let report = least(TWO_TOOLS, ReferenceQuality::default());
     let [first, second] = report.operations[..] else { panic!("{report:?}") };
     near(first.time_s, 6.0 + 1.07);
     near(first.bound_s, 6.0 + 1.05);
@@ -63,7 +63,7 @@ fn the_time_that_is_held_against_the_limit_is_the_time_of_the_program() {
     let machine = mill::machine(MACHINE);
     let job = job(program.as_bytes(), machine);
     let options = MotionOptions::default();
-    let least = job.least(&options, Effort::default()).expect("limits").whole;
+    let least = job.least(&options, ReferenceQuality::default()).expect("limits").whole;
     near(least.time_s, job.time(&options).expect("limits").time.total_s());
     assert!(least.bound_s < least.reference_s && least.reference_s <= least.time_s, "{least:?}");
     assert!(least.time_s < 1.1 * least.reference_s, "{least:?}");
@@ -72,11 +72,11 @@ fn the_time_that_is_held_against_the_limit_is_the_time_of_the_program() {
 #[test]
 fn what_is_too_much_work_is_told() {
     let arcs = "G21 G90 G17 G0 X0 Y0 Z0\nG1 X40. F6000.\nG3 X60. Y20. I0 J20.\nM30\n";
-    let none = Effort { most_nodes: 0, ..Effort::default() };
+    let none = ReferenceQuality { most_nodes: 0, ..ReferenceQuality::default() };
     let report = least(arcs, none).whole;
     assert!(report.unknown_s > 0.5 * report.time_s, "{report:?}");
     assert!(report.bound_s > 0.0 && report.bound_s < report.time_s, "{report:?}");
-    assert_eq!(least(arcs, Effort::default()).whole.unknown_s, 0.0);
+    assert_eq!(least(arcs, ReferenceQuality::default()).whole.unknown_s, 0.0);
 }
 
 #[test]
@@ -91,7 +91,7 @@ fn best_is_never_slower_than_fast() {
             let options = MotionOptions { level, ..MotionOptions::default() };
             job.time(&options).expect("limits").time.total_s()
         };
-        let (fast, best) = (time(Level::Fast), time(Level::Best));
+        let (fast, best) = (time(PlannerLevel::Fast), time(PlannerLevel::Best));
         assert!(best > 0.0 && best <= fast * (1.0 + 1e-9), "best {best} s, fast {fast} s");
     }
 }

@@ -5,8 +5,8 @@ mod mill;
 
 use chordal::machine::AXES;
 use chordal::motion::{
-    Corner, MotionOptions, MotionReport, MotionStep, Move, MoveError, MoveKind, StepSource, Wait,
-    WaitKind,
+    CornerMode, MotionOptions, MotionReport, MotionStep, MotionWait, MoveError, MoveKind,
+    MoveRequest, StepSource, WaitKind,
 };
 use chordal::{Job, Machine, Source, SourceMap};
 
@@ -62,7 +62,7 @@ fn run(program: &str) -> (Vec<(MotionStep, StepSource)>, MotionReport) {
     run_with(program, &[], MotionOptions::default())
 }
 
-fn moves(steps: &[(MotionStep, StepSource)]) -> Vec<Move> {
+fn moves(steps: &[(MotionStep, StepSource)]) -> Vec<MoveRequest> {
     let of = |step: &MotionStep| match step {
         MotionStep::Move(motion) => Some(*motion),
         MotionStep::Wait(_) => None,
@@ -73,12 +73,12 @@ fn moves(steps: &[(MotionStep, StepSource)]) -> Vec<Move> {
 fn waits(steps: &[(MotionStep, StepSource)]) -> Vec<(WaitKind, f64)> {
     let of = |step: &MotionStep| match step {
         MotionStep::Move(_) => None,
-        MotionStep::Wait(Wait { seconds, kind, .. }) => Some((*kind, *seconds)),
+        MotionStep::Wait(MotionWait { seconds, kind, .. }) => Some((*kind, *seconds)),
     };
     steps.iter().filter_map(|(step, _)| of(step)).collect()
 }
 
-fn cuts(steps: &[(MotionStep, StepSource)]) -> Vec<Move> {
+fn cuts(steps: &[(MotionStep, StepSource)]) -> Vec<MoveRequest> {
     moves(steps).into_iter().filter(|motion| motion.kind == MoveKind::Cut).collect()
 }
 
@@ -250,11 +250,16 @@ fn a_limit_that_is_none_is_an_error() {
 fn the_default_mode_rounds_corners_between_cuts_within_the_tolerance_of_the_machine() {
     let program = "G90 G54 S600 M3\nG0 X100.\nG1 X10. F600.\nY10.\nG0 X0\nM30\n";
     let (steps, _) = run_with(program, &["motion.corner_tolerance = 0.02 mm"], Default::default());
-    let corners: Vec<Corner> = moves(&steps).iter().map(|motion| motion.corner).collect();
+    let corners: Vec<CornerMode> = moves(&steps).iter().map(|motion| motion.corner).collect();
     let rotary_rad = 0.01_f64.to_radians();
     assert_eq!(
         corners,
-        [Corner::Stop, Corner::Apart { linear_mm: 0.02, rotary_rad }, Corner::Stop, Corner::Stop]
+        [
+            CornerMode::Stop,
+            CornerMode::Blended { linear_mm: 0.02, rotary_rad },
+            CornerMode::Stop,
+            CornerMode::Stop
+        ]
     );
 }
 
@@ -264,7 +269,7 @@ fn a_one_shot_stop_and_the_modes_end_where_they_should() {
                    O2\nG90 G54 S600 M3\nG1 X50. F600.\nX60.\nX70.\nM30\n%\n";
     let (steps, _) = run(program);
     let stops: Vec<bool> =
-        cuts(&steps).iter().map(|motion| motion.corner == Corner::Stop).collect();
+        cuts(&steps).iter().map(|motion| motion.corner == CornerMode::Stop).collect();
     // The last one stands before M30.
     assert_eq!(stops, [true, false, true, true, false, false, true]);
 }
@@ -278,8 +283,8 @@ fn bends_of_dog_leg_rapids_are_not_stops() {
     );
     let moves = moves(&steps);
     assert_eq!(moves.len(), 3);
-    assert_eq!(moves[0].corner, Corner::Apart { linear_mm: 4.0, rotary_rad: 0.04 });
-    assert_eq!(moves[1].corner, Corner::Stop);
+    assert_eq!(moves[0].corner, CornerMode::Blended { linear_mm: 4.0, rotary_rad: 0.04 });
+    assert_eq!(moves[1].corner, CornerMode::Stop);
     assert!((moves[0].to()[0] - 50.0).abs() < 1e-9, "Y has arrived when X is half way");
 }
 
@@ -289,7 +294,7 @@ fn the_bottom_of_a_drilled_hole_is_a_stop() {
     let (steps, _) = run(program);
     let down = cuts(&steps)[0];
     assert!((down.to()[2] + 5.0).abs() < 1e-9);
-    assert_eq!(down.corner, Corner::Stop);
+    assert_eq!(down.corner, CornerMode::Stop);
 }
 
 #[test]
@@ -314,12 +319,16 @@ fn linuxcnc_blends_rapids_and_eases_tangent_arcs_where_the_machine_allows_it() {
         let _ = job.motion(&MotionOptions::default(), sink).expect("limits");
         corners
     };
-    let within = |linear_mm: f64| Corner::Apart { linear_mm, rotary_rad: 0.01_f64.to_radians() };
-    assert_eq!(run_on(&[]), [within(0.1), within(0.1), Corner::Exact, Corner::Exact, Corner::Stop]);
+    let within =
+        |linear_mm: f64| CornerMode::Blended { linear_mm, rotary_rad: 0.01_f64.to_radians() };
+    assert_eq!(
+        run_on(&[]),
+        [within(0.1), within(0.1), CornerMode::Exact, CornerMode::Exact, CornerMode::Stop]
+    );
     // The line meets the arc smoothly, and leaves it at a right angle.
     assert_eq!(
         run_on(&["motion.exact_path_tolerance = 0.002 mm"]),
-        [within(0.1), within(0.1), within(0.002), Corner::Exact, Corner::Stop]
+        [within(0.1), within(0.1), within(0.002), CornerMode::Exact, CornerMode::Stop]
     );
 }
 

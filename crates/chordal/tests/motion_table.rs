@@ -8,11 +8,11 @@ mod motion_rows;
 
 use chordal::geometry::{ParamCurve, Vec3};
 use chordal::motion::{
-    Level, Limits, MachineLimits, MotionOptions, MotionStep, Move, PlanSink, Sample, Sampler,
-    Sources, Step, StepSource, Stretch,
+    KinematicLimits, MachineLimits, MotionOptions, MotionSample, MotionStep, MoveRequest, PlanSink,
+    PlannedTrajectory, PlannerLevel, PlannerStep, SetpointSampler, StepSource, StepSources,
 };
 use chordal::{Job, Machine, Source, SourceMap};
-use chordal_motion::{Effort, Gauge, Least, Use, largest_use};
+use chordal_motion::{LeastTimeGauge, LeastTimes, LimitUse, ReferenceQuality, largest_use};
 use motion_rows::{ROWS, Row, folder};
 
 /// What rounding may add to a limit.
@@ -21,27 +21,29 @@ const ABOVE: f64 = 1.0 + 1e-6;
 /// A program with all its moves and its plan.
 #[derive(Default)]
 struct Planned {
-    moves: Vec<Move>,
-    intervals: Vec<Stretch>,
+    moves: Vec<MoveRequest>,
+    stretches: Vec<PlannedTrajectory>,
 }
 
 impl PlanSink for Planned {
-    fn asked(&mut self, step: &MotionStep, _source: &StepSource) {
+    fn request(&mut self, step: &MotionStep, _source: &StepSource) {
         if let MotionStep::Move(motion) = step {
             self.moves.push(*motion);
         }
     }
 
-    fn step(&mut self, step: Step<'_>, _sources: &Sources) {
+    fn step(&mut self, step: PlannerStep<'_>, _sources: &StepSources) {
         match step {
-            Step::Stretch(stretch) => self.intervals.push(stretch.clone()),
-            Step::Wait { seconds, .. } => assert_eq!(seconds, 0.0, "these programs never wait"),
+            PlannerStep::Trajectory(stretch) => self.stretches.push(stretch.clone()),
+            PlannerStep::Wait { seconds, .. } => {
+                assert_eq!(seconds, 0.0, "these programs never wait")
+            }
         }
     }
 }
 
 impl Planned {
-    fn new(row: &Row, machine: &Machine, level: Level) -> Planned {
+    fn new(row: &Row, machine: &Machine, level: PlannerLevel) -> Planned {
         let text = row.text();
         let mut sources = SourceMap::new();
         sources.add(Source::new(row.name, text.as_bytes()));
@@ -58,34 +60,37 @@ impl Planned {
         self.intervals.iter().map(|stretch| stretch.duration_s() - stretch.overlap_s).sum()
     }
 
-    fn largest_use(&self, limits: &Limits) -> Use {
-        self.intervals.iter().map(|s| largest_use(s, limits, 8)).fold(Use::default(), Use::or)
+    fn largest_use(&self, limits: &KinematicLimits) -> LimitUse {
+        self.stretches
+            .iter()
+            .map(|s| largest_use(s, limits, 8))
+            .fold(LimitUse::default(), LimitUse::or)
     }
 
-    fn samples(&self, period_s: f64) -> Vec<Sample> {
+    fn samples(&self, period_s: f64) -> Vec<MotionSample> {
         let mut samples = Vec::new();
-        let mut sampler = Sampler::new(period_s);
-        for stretch in &self.intervals {
-            sampler.push(Step::Stretch(stretch), |sample| samples.push(*sample));
+        let mut sampler = SetpointSampler::new(period_s);
+        for stretch in &self.stretches {
+            sampler.push(PlannerStep::Trajectory(stretch), |sample| samples.push(*sample));
         }
         sampler.finish(|sample| samples.push(*sample));
         samples
     }
 
     /// Bound and reference of this path.
-    fn least(&self, limits: &Limits, effort: Effort) -> Least {
-        let mut gauge = Gauge::new(*limits, effort);
+    fn least(&self, limits: &KinematicLimits, effort: ReferenceQuality) -> LeastTimes {
+        let mut gauge = LeastTimeGauge::new(*limits, effort);
         let feed = |tag| self.moves.iter().find(|motion| motion.tag == tag).unwrap().speed;
         let speeds: std::collections::BTreeMap<u64, f64> =
-            self.intervals.iter().flat_map(|s| &s.pieces).map(|p| (p.tag, feed(p.tag))).collect();
-        for stretch in &self.intervals {
-            gauge.push(Step::Stretch(stretch), |tag| speeds[&tag], |_| {});
+            self.stretches.iter().flat_map(|s| &s.pieces).map(|p| (p.tag, feed(p.tag))).collect();
+        for stretch in &self.stretches {
+            gauge.push(PlannerStep::Trajectory(stretch), |tag| speeds[&tag], |_| {});
         }
         gauge.finish(|_| {})
     }
 
     /// The largest distance of a sample from the programmed path, mm.
-    fn deviation(&self, samples: &[Sample]) -> f64 {
+    fn deviation(&self, samples: &[MotionSample]) -> f64 {
         let index = |tag| self.moves.partition_point(|motion| motion.tag < tag);
         let mut most = 0.0_f64;
         for sample in samples {
@@ -101,13 +106,13 @@ impl Planned {
 
     /// The distance that the program allows, mm.
     fn allowed(&self) -> f64 {
-        let of = |motion: &Move| motion.corner.tolerance().map_or(0.0, |(mm, _)| mm);
+        let of = |motion: &MoveRequest| motion.corner.tolerance().map_or(0.0, |(mm, _)| mm);
         self.moves.iter().map(of).fold(1e-6, f64::max)
     }
 }
 
 /// The largest differences of samples over all axes: velocity, acceleration, jerk.
-fn differences(samples: &[Sample], period_s: f64) -> [f64; 3] {
+fn differences(samples: &[MotionSample], period_s: f64) -> [f64; 3] {
     let mut most = [0.0_f64; 3];
     for axis in 0..3 {
         let mut values: Vec<f64> = samples.iter().map(|sample| sample.position[axis]).collect();
@@ -120,7 +125,7 @@ fn differences(samples: &[Sample], period_s: f64) -> [f64; 3] {
 }
 
 /// Everything that must hold of a plan; hands back its largest jerk and its deviation.
-fn held(row: &Row, planned: &Planned, limits: &Limits) -> (f64, f64) {
+fn held(row: &Row, planned: &Planned, limits: &KinematicLimits) -> (f64, f64) {
     let name = row.name;
     let used = planned.largest_use(limits);
     let worst = used.velocity.max(used.acceleration).max(used.jerk);
@@ -155,7 +160,7 @@ fn held(row: &Row, planned: &Planned, limits: &Limits) -> (f64, f64) {
     (jerk.max(used.jerk * most.jerk), deviation)
 }
 
-fn machine() -> (Machine, Limits) {
+fn machine() -> (Machine, KinematicLimits) {
     let text = std::fs::read_to_string(folder().join("mill.toml")).expect("mill.toml");
     let machine = Machine::from_toml("mill.toml", &text, &|_| Err(String::new())).expect("a mill");
     let limits = MachineLimits::of(&machine).expect("limits");
@@ -166,17 +171,17 @@ fn machine() -> (Machine, Limits) {
 /// Everything of a row.
 fn check(row: &Row) {
     let (machine, limits) = machine();
-    let fast = Planned::new(row, &machine, Level::Fast);
+    let fast = Planned::new(row, &machine, PlannerLevel::Fast);
     let (jerk, deviation) = held(row, &fast, &limits);
     // The reference of the long rows takes a minute: they are compared with the bound, which is
     // below it.
-    let no_work = Effort { total_nodes: 0, ..Effort::default() };
-    let effort = if row.reference { Effort::default() } else { no_work };
+    let no_work = ReferenceQuality { total_nodes: 0, ..ReferenceQuality::default() };
+    let effort = if row.reference { ReferenceQuality::default() } else { no_work };
     let (least, time_s) = (fast.least(&limits, effort), fast.time_s());
     assert!(!row.reference || least.unknown_s == 0.0, "{}: no reference was found", row.name);
     let least_s = if row.reference { least.reference_s } else { least.bound_s };
     assert!((least.time_s - time_s).abs() < 1e-9, "{}: {} {time_s}", row.name, least.time_s);
-    let best = Planned::new(row, &machine, Level::Best);
+    let best = Planned::new(row, &machine, PlannerLevel::Best);
     held(row, &best, &limits);
     let best_s = best.time_s();
     let [trapezoid, trapezoid_new, s_curve] = row.linuxcnc_s;

@@ -10,7 +10,7 @@ mod mill;
 
 use chordal::machine::PerAxis;
 use chordal::motion::{
-    MotionOptions, MotionReport, PlanSink, Sources, Step, StepKind, StepSource, WaitKind,
+    MotionOptions, MotionReport, PlanSink, PlannerStep, StepKind, StepSource, StepSources, WaitKind,
 };
 use chordal::{Job, Machine, SegmentKind, Source, SourceMap};
 
@@ -27,10 +27,10 @@ struct Planned {
 }
 
 impl PlanSink for Planned {
-    fn step(&mut self, step: Step<'_>, sources: &Sources) {
+    fn step(&mut self, step: PlannerStep<'_>, sources: &StepSources) {
         self.most_sources = self.most_sources.max(sources.len());
         match step {
-            Step::Stretch(stretch) => {
+            PlannerStep::Trajectory(stretch) => {
                 self.seconds += stretch.duration_s() - stretch.overlap_s;
                 let from = stretch.from();
                 if let Some(end) = self.end {
@@ -51,7 +51,7 @@ impl PlanSink for Planned {
                     }
                 }
             }
-            Step::Wait { seconds, tag } => {
+            PlannerStep::Wait { seconds, tag } => {
                 self.seconds += seconds;
                 match sources.get(tag).map(|source| source.kind) {
                     Some(StepKind::Wait(kind)) => self.waits.push((kind, seconds)),
@@ -186,7 +186,7 @@ impl PlanSink for Compared {
         }
     }
 
-    fn step(&mut self, step: Step<'_>, sources: &Sources) {
+    fn step(&mut self, step: PlannerStep<'_>, sources: &StepSources) {
         self.planned.step(step, sources);
     }
 }

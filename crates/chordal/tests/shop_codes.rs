@@ -5,7 +5,9 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex};
 
 use chordal::control::EndReason;
-use chordal::motion::{MotionOptions, PlanSink, Sources, Step, StepKind, StepSource, WaitKind};
+use chordal::motion::{
+    MotionOptions, PlanSink, PlannerStep, StepKind, StepSource, StepSources, WaitKind,
+};
 use chordal::{
     Code, CommandKind, CustomCode, Job, Machine, Report, RunOptions, ShopAnswer, ShopCall,
     ShopCodes, ShopRecord, Source, SourceMap,
@@ -74,8 +76,8 @@ fn a_time_is_a_wait_after_the_move_of_its_block() {
 fn the_planner_waits_as_long() {
     struct Waits(Vec<(WaitKind, f64)>);
     impl PlanSink for Waits {
-        fn step(&mut self, step: Step<'_>, sources: &Sources) {
-            if let Step::Wait { seconds, tag } = step
+        fn step(&mut self, step: PlannerStep<'_>, sources: &StepSources) {
+            if let PlannerStep::Wait { seconds, tag } = step
                 && seconds > 0.0
                 && let Some(StepSource { kind: StepKind::Wait(kind), .. }) = sources.get(tag)
             {

@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use chordal::control::PathMode;
-use chordal::motion::{Corner, MotionOptions, MotionStep, PlanSink, Sources, Step, StepSource};
-use chordal::time::{ChordCost, Remedy};
+use chordal::motion::{
+    CornerMode, MotionOptions, MotionStep, PlanSink, PlannerStep, StepSource, StepSources,
+};
+use chordal::time::{ChordCost, ChordRemedy};
 use chordal::{Job, Machine, Source, SourceMap};
 
 fn job<'a>(program: &str, machine: &str, changes: &[&str]) -> Job<'a> {
@@ -30,8 +32,8 @@ fn first_corner(machine: &str, code: &str, options: &MotionOptions) -> (bool, f6
     };
     let _ = job(&program, machine, &[]).motion(options, sink).expect("limits");
     match corners[0] {
-        Corner::Within { linear_mm, .. } => (true, linear_mm),
-        Corner::Apart { linear_mm, .. } => (false, linear_mm),
+        CornerMode::Joined { linear_mm, .. } => (true, linear_mm),
+        CornerMode::Blended { linear_mm, .. } => (false, linear_mm),
         corner => panic!("{machine} {code}: {corner:?}"),
     }
 }
@@ -85,7 +87,7 @@ fn cost(program: &str, changes: &[&str]) -> ChordCost {
     costs.remove(0)
 }
 
-fn saved(cost: &ChordCost, wanted: impl Fn(&Remedy) -> bool) -> f64 {
+fn saved(cost: &ChordCost, wanted: impl Fn(&ChordRemedy) -> bool) -> f64 {
     cost.savings.iter().find(|(remedy, _)| wanted(remedy)).map_or(0.0, |(_, saved)| *saved)
 }
 
@@ -96,14 +98,14 @@ fn rounded_coordinates_cost_what_one_more_decimal_saves() {
     assert_eq!(rough.lines, 1257);
     assert!((rough.length_mm - TAU * 20.0).abs() < 0.1);
     assert!((rough.feed_s - TAU * 20.0 / 100.0).abs() < 0.002);
-    let by_decimal = saved(&rough, |remedy| *remedy == Remedy::Decimals(4));
+    let by_decimal = saved(&rough, |remedy| *remedy == ChordRemedy::Decimals(4));
     let difference = rough.time_s - fine.time_s;
     assert!(difference > 0.1, "{} s, {} s", rough.time_s, fine.time_s);
     assert!((by_decimal - difference).abs() < 0.2 * difference, "{by_decimal} s of {difference} s");
     // Whatever noise there is, a curve does not follow it, nor do arcs.
-    let joined = saved(&rough, |remedy| *remedy == Remedy::Joined);
+    let joined = saved(&rough, |remedy| *remedy == ChordRemedy::Joined);
     assert!(joined > by_decimal, "{joined} s");
-    assert!(saved(&rough, |remedy| matches!(remedy, Remedy::Arcs { .. })) > by_decimal);
+    assert!(saved(&rough, |remedy| matches!(remedy, ChordRemedy::Arcs { .. })) > by_decimal);
     // The largest first.
     assert!(rough.savings.is_sorted_by(|a, b| a.1 >= b.1));
 }
@@ -113,9 +115,9 @@ fn coarse_chords_and_tight_tolerances_are_named_with_what_they_cost() {
     // 1.0 mm lines leave a circle of 20 mm by 0.0065 mm at their middles: more than the tolerance.
     let joined = ["settings.\"short blocks\" = joined"];
     let coarse = cost(&circle(120, 5).replace("P0.01", "P0.002"), &joined);
-    let finer = saved(&coarse, |remedy| matches!(remedy, Remedy::Finer(_)));
+    let finer = saved(&coarse, |remedy| matches!(remedy, ChordRemedy::Finer(_)));
     assert!(finer > 0.2 * coarse.time_s, "{coarse:?}");
-    let wider = saved(&coarse, |remedy| *remedy == Remedy::Tolerance(0.005));
+    let wider = saved(&coarse, |remedy| *remedy == ChordRemedy::Tolerance(0.005));
     assert!(wider > 0.05 * coarse.time_s, "{coarse:?}");
     // Dense lines on the same circle have little to gain.
     let dense = cost(&circle(1257, 5), &joined);
@@ -130,12 +132,12 @@ fn coarse_chords_and_tight_tolerances_are_named_with_what_they_cost() {
 struct LineTimes(BTreeMap<u32, f64>);
 
 impl PlanSink for LineTimes {
-    fn step(&mut self, step: Step<'_>, _: &Sources) {
+    fn step(&mut self, step: PlannerStep<'_>, _: &StepSources) {
         match step {
-            Step::Wait { seconds, tag } => {
+            PlannerStep::Wait { seconds, tag } => {
                 *self.0.entry(StepSource::line_of(tag)).or_default() += seconds;
             }
-            Step::Stretch(stretch) => {
+            PlannerStep::Trajectory(stretch) => {
                 assert_eq!(stretch.overlap_s, 0.0, "no line has a corner by itself");
                 let whole = stretch.duration_s();
                 let sigma_at = |mut t: f64| {

@@ -3,9 +3,9 @@
 mod mill;
 
 use chordal::geometry::{ParamCurve, Placement, Spline, Vec3};
-use chordal::motion::{MotionOptions, PlanSink, Sources, Step};
+use chordal::motion::{MotionOptions, PlanSink, PlannerStep, StepSources};
 use chordal::{Job, Segment, SegmentKind, Source, SourceMap};
-use chordal_motion::{Use, largest_use};
+use chordal_motion::{LimitUse, largest_use};
 
 /// An S of order 4 from (0, 0) to (7, 1), ten times as large.
 const S_CURVE: &str = "G21 G90 G61 S600 M3 F6000\nG0 X0 Y0 Z0\nG5.2 X10 Y20 P1 L4\nX30 Y30 P2\n\
@@ -33,14 +33,14 @@ fn path(text: &str) -> Vec<Segment> {
 #[derive(Default)]
 struct Planned {
     seconds: f64,
-    used: Use,
+    used: LimitUse,
     end: [f64; 6],
     farthest: f64,
 }
 
 impl PlanSink for Planned {
-    fn step(&mut self, step: Step<'_>, _: &Sources) {
-        let Step::Stretch(stretch) = step else { return };
+    fn step(&mut self, step: PlannerStep<'_>, _: &StepSources) {
+        let PlannerStep::Trajectory(stretch) = step else { return };
         let limits = chordal::motion::MachineLimits::of(&mill::machine("inherits = 'mill.toml'"));
         self.seconds += stretch.duration_s() - stretch.overlap_s;
         self.used = self.used.or(largest_use(stretch, &limits.unwrap().cut, 3));

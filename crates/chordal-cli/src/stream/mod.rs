@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use chordal::machine::{AXES, AXIS_LETTERS};
-use chordal::motion::{Level, Sample, Sampling};
+use chordal::motion::{MotionSample, PlannerLevel, SamplingRequest};
 use chordal::{Job, Report};
 use chordal_export::report::{self, ReportDetail};
 
@@ -130,7 +130,7 @@ impl<'a, 'b> StreamPlayback<'a, 'b> {
 
     fn play(mut self, args: &Args, job: &Job<'_>) -> Result<(), CommandFailure> {
         let period_s = args.period * args.rate;
-        let sampling = Sampling { period_s, level: Level::Fast, most: u64::MAX };
+        let sampling = SamplingRequest { period_s, level: PlannerLevel::Fast, most: u64::MAX };
         let sampled = job.setpoints(&sampling, |sample, line| self.show(sample, line));
         sampled.map_err(|error| failure(&error, u64::MAX, period_s))?;
         self.observations.set("execution", "PROGRAM_COMPLETED");
@@ -139,7 +139,7 @@ impl<'a, 'b> StreamPlayback<'a, 'b> {
         Ok(())
     }
 
-    fn show(&mut self, sample: &Sample, line: u32) {
+    fn show(&mut self, sample: &MotionSample, line: u32) {
         for axis in &self.axes {
             let value = sample.position[*axis];
             let value = if *axis < 3 { value } else { value.to_degrees() };

@@ -2,7 +2,7 @@
 
 use chordal::Job;
 use chordal::control::{ShortBlocks, Units as ProgramUnits};
-use chordal::time::{ChordCost, Remedy};
+use chordal::time::{ChordCost, ChordRemedy};
 use comfy_table::Table;
 
 use super::cells::fine;
@@ -44,26 +44,26 @@ pub fn remedies(costs: &[ChordCost], job: &Job, units: ProgramUnits) -> Table {
     table
 }
 
-fn remedy_text(remedy: &Remedy, cost: &ChordCost, job: &Job, units: ProgramUnits) -> String {
+fn remedy_text(remedy: &ChordRemedy, cost: &ChordCost, job: &Job, units: ProgramUnits) -> String {
     match *remedy {
-        Remedy::Joined => match job.control().parameters.rules.path.short_blocks {
+        ChordRemedy::Joined => match job.control().parameters.rules.path.short_blocks {
             ShortBlocks::LookAhead => "look-ahead on: this control then joins short blocks".into(),
             _ => "a control that joins short blocks".into(),
         },
-        Remedy::Tolerance(mm) => format!(
+        ChordRemedy::Tolerance(mm) => format!(
             "a tolerance of {} (it is {})",
             units.length_text(mm),
             units.length_text(rounded(cost.tolerance_mm))
         ),
-        Remedy::Decimals(decimals) => format!(
+        ChordRemedy::Decimals(decimals) => format!(
             "{decimals} decimals: the corners that rounding to {} makes are gone",
             decimals - 1
         ),
-        Remedy::Finer(mm) => format!(
+        ChordRemedy::Finer(mm) => format!(
             "shorter lines: within {} of the curve through their ends",
             units.length_text(rounded(mm))
         ),
-        Remedy::Arcs { within_mm, pieces } => format!(
+        ChordRemedy::Arcs { within_mm, pieces } => format!(
             "{pieces} arcs and lines within {} (chordal transform --fit)",
             units.length_text(rounded(within_mm))
         ),

@@ -1,7 +1,7 @@
 //! How far above the physical limit a program runs.
 
 use chordal::Job;
-use chordal::time::{Least, LeastReport, TimeReport};
+use chordal::time::{LeastReport, LeastTimes, TimeReport};
 use comfy_table::Table;
 
 use super::cells::{MAX_OPERATIONS, fine, lines};
@@ -26,7 +26,7 @@ pub fn table(least: &LeastReport, time: &TimeReport, job: &Job) -> Table {
     table
 }
 
-fn row(head: [String; 2], least: &Least) -> Vec<String> {
+fn row(head: [String; 2], least: &LeastTimes) -> Vec<String> {
     let known = least.unknown_s <= 0.0;
     let reference = if known { fine(least.reference_s) } else { "unknown".to_string() };
     let times = [fine(least.time_s), fine(least.bound_s), reference, above(least)];
@@ -35,7 +35,7 @@ fn row(head: [String; 2], least: &Least) -> Vec<String> {
 
 /// Per cent above the reference; where that is unknown, above the bound, which is no more than
 /// an upper limit.
-fn above(least: &Least) -> String {
+fn above(least: &LeastTimes) -> String {
     let (sign, base) =
         if least.unknown_s > 0.0 { ("< ", least.bound_s) } else { ("", least.reference_s) };
     if base <= 0.0 {
@@ -51,7 +51,7 @@ pub fn notes(least: &LeastReport) -> Vec<String> {
          jerk: its limit of jerk, too; on the same path, with the same stops"
             .to_string(),
     ];
-    let Least { unknown_s, time_s, .. } = least.whole;
+    let LeastTimes { unknown_s, time_s, .. } = least.whole;
     if unknown_s > 0.0 {
         notes.push(format!(
             "{} of the time ({}) is in runs too long for the limit with jerk: there the part above is \

@@ -9,8 +9,8 @@ mod text;
 
 use std::path::PathBuf;
 
-use chordal::motion::{Level, LimitError, MotionOptions, OperationStart};
-use chordal::time::{Again, TimeQuestion};
+use chordal::motion::{LimitError, MotionOptions, OperationStart, PlannerLevel};
+use chordal::time::{RepeatPlanning, TimeQuestion};
 use chordal_export::{PlotOptions, time_json};
 use clap::ValueEnum;
 
@@ -104,11 +104,11 @@ pub enum LevelName {
     Best,
 }
 
-impl From<LevelName> for Level {
-    fn from(name: LevelName) -> Level {
+impl From<LevelName> for PlannerLevel {
+    fn from(name: LevelName) -> PlannerLevel {
         match name {
-            LevelName::Fast => Level::Fast,
-            LevelName::Best => Level::Best,
+            LevelName::Fast => PlannerLevel::Fast,
+            LevelName::Best => PlannerLevel::Best,
         }
     }
 }
@@ -123,7 +123,7 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
         operations: args.operations.into(),
         ..MotionOptions::default()
     };
-    let again = if args.what_if { Again::Always } else { Again::IfShort };
+    let again = if args.what_if { RepeatPlanning::Always } else { RepeatPlanning::IfShort };
     let question = TimeQuestion { options, again, bound: args.bound };
     let (report, study) = job.time_study(&question);
     let Some(study) = study.map_err(|error| wrong_limit(&error))? else {

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use chordal::Job;
-use chordal::motion::{MotionOptions, PlanSink, Sources, Step};
-use chordal::time::Timed;
+use chordal::motion::{MotionOptions, PlanSink, PlannerStep, StepSources};
+use chordal::time::TimedRun;
 use chordal_export::numbers::short;
 use chordal_export::{MotionPlot, PlotOptions};
 
@@ -46,7 +46,7 @@ impl TimePicture {
         &self,
         job: &Job,
         options: &MotionOptions,
-        timed: &Timed,
+        timed: &TimedRun,
         inch: bool,
         plot: &PlotOptions,
     ) -> Result<(), CommandFailure> {
@@ -74,8 +74,8 @@ impl TimePicture {
 
 struct PictureSink(MotionPlot);
 
-impl PlanSink for PictureSink {
-    fn step(&mut self, step: Step<'_>, sources: &Sources) {
+impl PlanSink for Drawing {
+    fn step(&mut self, step: PlannerStep<'_>, sources: &StepSources) {
         self.0.step(step, sources);
     }
 }

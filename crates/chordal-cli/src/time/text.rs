@@ -2,8 +2,10 @@
 
 use chordal::control::{PathMode, Units as ProgramUnits};
 use chordal::diagnostics::FileId;
-use chordal::motion::{Level, MotionReport, Quantity, WaitKind};
-use chordal::time::{Alternative, BlockTime, Change, Reason, TimeReport, TimeStudy, ToolTime};
+use chordal::motion::{LimitedQuantity, MotionReport, PlannerLevel, WaitKind};
+use chordal::time::{
+    BlockTime, PlanningChange, TimeAlternative, TimeReason, TimeReport, TimeStudy, ToolTime,
+};
 use chordal::{Job, OtherSides, Report};
 use chordal_export::comment_text;
 use comfy_table::Table;
@@ -86,14 +88,14 @@ fn sides_text(sides: &OtherSides) -> String {
     }
 }
 
-fn totals(time: &TimeReport, motion: &MotionReport, level: Level) -> Vec<String> {
+fn totals(time: &TimeReport, motion: &MotionReport, level: PlannerLevel) -> Vec<String> {
     let total = time.total_s();
     if total == 0.0 {
         return vec!["nothing moves".to_string()];
     }
     let tried = match level {
-        Level::Fast => "",
-        Level::Best => " (level best)",
+        PlannerLevel::Fast => "",
+        PlannerLevel::Best => " (level best)",
     };
     let times = &time.times;
     let mut shares = vec![("cutting", times.cutting_s), ("rapids", times.rapid_s)];
@@ -160,7 +162,7 @@ fn operations(time: &TimeReport, job: &Job, named: bool) -> Table {
     table
 }
 
-fn blocks(blocks: &[BlockTime], why: fn(&BlockTime) -> Reason, job: &Job) -> Table {
+fn blocks(blocks: &[BlockTime], why: fn(&BlockTime) -> TimeReason, job: &Job) -> Table {
     let mut table = plain_table(&["line", "runs", "time", "lost", "why", "block"], 0);
     for index in 4..6 {
         if let Some(column) = table.column_mut(index) {
@@ -202,27 +204,31 @@ fn block_text(block: &BlockTime, job: &Job) -> String {
 }
 
 /// Other overrides where they change anything, and other path modes in any case.
-fn alternatives(alternatives: &[Alternative], time: &TimeReport, inch: bool) -> Table {
+fn alternatives(alternatives: &[TimeAlternative], time: &TimeReport, inch: bool) -> Table {
     let mut table = plain_table(&["", "time", "difference"], 1);
     let units = if inch { ProgramUnits::Inch } else { ProgramUnits::Millimetre };
-    for Alternative { change, total_s } in alternatives {
+    for TimeAlternative { change, total_s } in alternatives {
         let difference = total_s - time.total_s();
-        let same = difference.abs() < EQUAL_TIME_S;
-        if same && matches!(change, Change::Feed(_) | Change::Rapid(_)) {
+        let same = difference.abs() < SAME_S;
+        if same && matches!(change, PlanningChange::Feed(_) | PlanningChange::Rapid(_)) {
             continue;
         }
         let what = match change {
-            Change::Feed(part) => format!("feed override {} %", short(part * 100.0, 0)),
-            Change::Rapid(part) => format!("rapid override {} %", short(part * 100.0, 0)),
-            Change::Corners(PathMode::ExactStop) => "exact stop at every corner".to_string(),
-            Change::Corners(PathMode::ExactPath) => "exact path".to_string(),
-            Change::Corners(PathMode::Continuous { tolerance_mm: None, .. }) => {
+            PlanningChange::Feed(part) => format!("feed override {} %", short(part * 100.0, 0)),
+            PlanningChange::Rapid(part) => format!("rapid override {} %", short(part * 100.0, 0)),
+            PlanningChange::Corners(PathMode::ExactStop) => {
+                "exact stop at every corner".to_string()
+            }
+            PlanningChange::Corners(PathMode::ExactPath) => "exact path".to_string(),
+            PlanningChange::Corners(PathMode::Continuous { tolerance_mm: None, .. }) => {
                 "corners as the machine file allows them".to_string()
             }
-            Change::Corners(PathMode::Continuous { tolerance_mm: Some(tolerance), .. }) => {
+            PlanningChange::Corners(PathMode::Continuous {
+                tolerance_mm: Some(tolerance), ..
+            }) => {
                 format!("corners within {}", units.length_text(*tolerance))
             }
-            Change::Smoothness { level, tolerance_mm } => {
+            PlanningChange::Smoothness { level, tolerance_mm } => {
                 let word = ["rough", "medium", "finish"][usize::from(*level).clamp(1, 3) - 1];
                 format!("smoothness P{level} ({word}), {}", units.length_text(*tolerance_mm))
             }
@@ -236,11 +242,11 @@ fn alternatives(alternatives: &[Alternative], time: &TimeReport, inch: bool) -> 
 }
 
 /// `the machine file gives no max_jerk of X Y Z: 100000 mm/s³ is taken`.
-fn assumed(quantity: Quantity, motion: &MotionReport) -> Option<String> {
+fn assumed(quantity: LimitedQuantity, motion: &MotionReport) -> Option<String> {
     let (key, unit) = match quantity {
-        Quantity::Velocity => ("max_velocity", "s"),
-        Quantity::Acceleration => ("max_acceleration", "s²"),
-        Quantity::Jerk => ("max_jerk", "s³"),
+        LimitedQuantity::Velocity => ("max_velocity", "s"),
+        LimitedQuantity::Acceleration => ("max_acceleration", "s²"),
+        LimitedQuantity::Jerk => ("max_jerk", "s³"),
     };
     let of_kind = |rotary: bool| {
         let limits = motion.limits.assumed.iter();
@@ -271,7 +277,9 @@ fn assumed(quantity: Quantity, motion: &MotionReport) -> Option<String> {
 fn notes(time: &TimeReport, motion: &MotionReport, job: &Job) -> Vec<String> {
     let machine = job.machine();
     let mut notes: Vec<String> = machine.notes.clone();
-    for quantity in [Quantity::Velocity, Quantity::Acceleration, Quantity::Jerk] {
+    for quantity in
+        [LimitedQuantity::Velocity, LimitedQuantity::Acceleration, LimitedQuantity::Jerk]
+    {
         notes.extend(assumed(quantity, motion));
     }
     for (what, part) in

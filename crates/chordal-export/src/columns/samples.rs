@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use arrow_array::{ArrayRef, Float64Array, RecordBatch, UInt32Array};
 use arrow_schema::{ArrowError, SchemaRef};
-use chordal::motion::Sample;
+use chordal::motion::MotionSample;
 
 use super::field::{CellType, Column, schema_of};
 use super::rows::{BATCH, RowBatcher};
@@ -43,7 +43,7 @@ impl SampleColumns {
     }
 
     /// Takes a setpoint of a block on this line.
-    pub fn sample(&mut self, sample: &Sample, line: u32) {
+    pub fn sample(&mut self, sample: &MotionSample, line: u32) {
         for (values, column) in self.values.iter_mut().zip(&self.columns) {
             values.push(column.of(sample));
         }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use chordal::control::EndReason;
 use chordal::machine::ToolShape;
 use chordal::stock::StockLeft;
-use chordal::time::Timed;
+use chordal::time::TimedRun;
 use chordal::tool_comments::{KnownTool, known_tools};
 use chordal::{AxisTravel, Job, ProgramReading, Report, ToolUse};
 use serde_json::{Value, json};
@@ -19,7 +19,7 @@ pub struct RunOf<'a> {
     /// Its summary and its problems.
     pub report: &'a Report,
     /// Its times, where it was planned.
-    pub timed: Option<&'a Timed>,
+    pub timed: Option<&'a TimedRun>,
     /// What it leaves of a stock, where one is given.
     pub stock: Option<&'a StockLeft>,
 }
@@ -42,7 +42,7 @@ pub fn summary_json(
     crate::pretty_json(Value::Object(object))
 }
 
-fn summary(report: &Report, job: &Job, timed: Option<&Timed>) -> Value {
+fn summary(report: &Report, job: &Job, timed: Option<&TimedRun>) -> Value {
     let summary = &report.summary;
     let known = known_tools(job);
     let blocks: u64 = report.outcomes.iter().map(|run| run.blocks).sum();

@@ -11,7 +11,7 @@ mod text;
 
 use std::io::{self, Write};
 
-use chordal::motion::Sample;
+use chordal::motion::MotionSample;
 
 #[cfg(feature = "files")]
 use crate::columns::{ColumnFile, ColumnFormat, SampleColumns};
@@ -72,7 +72,7 @@ impl<W: Write + Send + 'static> SampleWriter<W> {
     ///
     /// # Errors
     /// Those of the output.
-    pub fn sample(&mut self, sample: &Sample, line: u32) -> io::Result<()> {
+    pub fn sample(&mut self, sample: &MotionSample, line: u32) -> io::Result<()> {
         match &mut self.0 {
             SampleFileFormat::Text(out) => out.sample(sample, line),
             #[cfg(feature = "files")]

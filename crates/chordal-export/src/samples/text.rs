@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use chordal::motion::Sample;
+use chordal::motion::MotionSample;
 
 use crate::json::JsonObject;
 use crate::number::{push_finite, push_integer, push_number};
@@ -54,7 +54,7 @@ impl<W: Write> TextRows<W> {
         Ok(TextRows { out, rows, columns, names })
     }
 
-    pub fn sample(&mut self, sample: &Sample, line: u32) -> io::Result<()> {
+    pub fn sample(&mut self, sample: &MotionSample, line: u32) -> io::Result<()> {
         if self.names.is_empty() {
             for column in &self.columns {
                 push_finite(&mut self.rows, column.of(sample));

@@ -1,7 +1,7 @@
 //! Movements to take setpoints from, one for each kind of path.
 
 use chordal_geometry::{AXES, Arc, Curve, EvenPart, Plane, Spiral, Spline, Vec3};
-use chordal_motion::{Level, Stretch};
+use chordal_motion::{PlannedTrajectory, PlannerLevel};
 
 use super::support::law::{LAW, piece, straight};
 use super::support::{dense, limits, plan};
@@ -11,7 +11,7 @@ pub const KINDS: [&str; 9] =
     ["lines", "short", "bends", "arc", "helix", "spiral", "spline", "star", "harmonics"];
 
 /// The movements of a kind of path, and how often they are repeated: in the same memory, as a planner does.
-pub fn stretches(kind: &str) -> Option<(Vec<Stretch>, usize)> {
+pub fn trajectories(kind: &str) -> Option<(Vec<PlannedTrajectory>, usize)> {
     // 100 m, about the length of an arc of radius 10.
     let turns = 1e5 / 10.0;
     let xy = Plane::Xy.frame();
@@ -33,33 +33,33 @@ pub fn stretches(kind: &str) -> Option<(Vec<Stretch>, usize)> {
 const LAPS: usize = 100;
 
 /// 100 m along X and Y in pieces of one length.
-fn lines(pieces: usize) -> Stretch {
+fn lines(pieces: usize) -> PlannedTrajectory {
     let length = 1e5 / pieces as f64;
     let direction = [0.6, 0.8, 0.0, 0.0, 0.0, 0.0];
     let piece = |n: usize| {
         let at = length * n as f64;
         straight([0.6 * at, 0.8 * at, 5.0, 0.0, 0.0, 0.0], direction, length, n as u64)
     };
-    LAW.stretch((0..pieces).map(piece).collect())
+    LAW.trajectory((0..pieces).map(piece).collect())
 }
 
 /// The same length with bends: cubic in every linear axis.
-fn bends() -> Stretch {
+fn bends() -> PlannedTrajectory {
     let piece = |n: usize| {
         let mut piece = straight([0.0; AXES], [0.6, 0.8, 0.0, 0.0, 0.0, 0.0], 1e3, n as u64);
         piece.start[2] = [1e-3, -1e-3, 1e-4, 0.0, 0.0, 0.0];
         piece.start[3] = [-1e-6, 1e-6, -1e-7, 0.0, 0.0, 0.0];
         piece
     };
-    LAW.stretch((0..100).map(piece).collect())
+    LAW.trajectory((0..100).map(piece).collect())
 }
 
-fn curve(curve: Curve) -> (Vec<Stretch>, usize) {
-    (vec![LAW.stretch(vec![piece(curve, 1)])], 1)
+fn curve(curve: Curve) -> (Vec<PlannedTrajectory>, usize) {
+    (vec![LAW.trajectory(vec![piece(curve, 1)])], 1)
 }
 
 /// Laps of a spline of order 4 in its even parts.
-fn spline() -> (Vec<Stretch>, usize) {
+fn spline() -> (Vec<PlannedTrajectory>, usize) {
     let points: Vec<Vec3> = (0..=24)
         .map(|index| {
             let (sin, cos) = (f64::from(index) * std::f64::consts::TAU / 24.0).sin_cos();
@@ -75,11 +75,11 @@ fn spline() -> (Vec<Stretch>, usize) {
             EvenPart::Bent(bent) => pieces.push(piece(Curve::Spline(bent), 1)),
         });
     }
-    (vec![LAW.stretch(pieces)], LAPS)
+    (vec![LAW.trajectory(pieces)], LAPS)
 }
 
-/// A dense run as the planner makes it: a curve with its law of time, again and again.
-fn dense_run(places: &dense::Places) -> (Vec<Stretch>, usize) {
+/// A dense run as the planner makes it: a curve with its velocity profile, again and again.
+fn dense_run(places: &dense::Places) -> (Vec<PlannedTrajectory>, usize) {
     let moves = dense::moves(places, 1000.0, 0.01);
-    (plan(&moves, limits(500.0, 5000.0, 1e5), Level::Fast), LAPS)
+    (plan(&moves, limits(500.0, 5000.0, 1e5), PlannerLevel::Fast), LAPS)
 }

@@ -5,75 +5,77 @@ use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
 use chordal_geometry::{Arc, Curve, EvenPart, ParamCurve, Plane, Spiral, Spline, Vec3};
-use chordal_motion::{Corner, Feeder, Move, Pushed, Servo, StreamOptions, stream};
+use chordal_motion::{
+    CornerMode, MoveRequest, PushOutcome, StreamFeeder, StreamOptions, StreamServo, stream,
+};
 
 use super::support;
 
 /// A move of a program that goes on for ever.
-pub type Program = fn(u64) -> Move;
+pub type Program = fn(u64) -> MoveRequest;
 
-fn motion(curve: Curve, corner: Corner, tag: u64) -> Move {
-    Move { tag, ..support::cut(curve, 100.0, corner) }
+fn motion(curve: Curve, corner: CornerMode, tag: u64) -> MoveRequest {
+    MoveRequest { tag, ..support::cut(curve, 100.0, corner) }
 }
 
-fn line(from: [f64; 2], to: [f64; 2], corner: Corner, tag: u64) -> Move {
+fn line(from: [f64; 2], to: [f64; 2], corner: CornerMode, tag: u64) -> MoveRequest {
     let at = |[x, y]: [f64; 2]| [x, y, 0.0];
     motion(support::line(at(from), at(to)), corner, tag)
 }
 
 /// To and fro.
-fn lines(index: u64) -> Move {
+fn lines(index: u64) -> MoveRequest {
     let (from, to) = if index.is_multiple_of(2) { (0.0, 500.0) } else { (500.0, 0.0) };
-    line([from, 0.0], [to, 0.0], Corner::Stop, index)
+    line([from, 0.0], [to, 0.0], CornerMode::Stop, index)
 }
 
 /// Circles of radius 20, with a stop after twenty.
-fn arcs(index: u64) -> Move {
+fn arcs(index: u64) -> MoveRequest {
     let turn = std::f64::consts::TAU;
-    let corner = if index % 20 == 19 { Corner::Stop } else { Corner::Exact };
+    let corner = if index % 20 == 19 { CornerMode::Stop } else { CornerMode::Exact };
     motion(Arc::new(Plane::Xy.frame(), 20.0, turn, 0.0).into(), corner, index)
 }
 
 /// Out and in on a spiral of ten turns, with a stop at each end.
-fn spirals(index: u64) -> Move {
+fn spirals(index: u64) -> MoveRequest {
     let out = Spiral::new(Plane::Xy.frame(), (5.0, 25.0), 10.0 * std::f64::consts::TAU, 0.0);
     let spiral = if index.is_multiple_of(2) { out } else { out.reversed() };
-    motion(spiral.into(), Corner::Stop, index)
+    motion(spiral.into(), CornerMode::Stop, index)
 }
 
 /// Chords of a star, which the planner makes a curve, with a stop after each lap.
-fn dense(index: u64) -> Move {
-    static LAP: LazyLock<Vec<Move>> =
+fn dense(index: u64) -> MoveRequest {
+    static LAP: LazyLock<Vec<MoveRequest>> =
         LazyLock::new(|| support::dense::moves(&support::dense::star(0.1), 1000.0, 0.01));
     let chord = index as usize % LAP.len();
-    let corner = if chord + 1 == LAP.len() { Corner::Stop } else { LAP[chord].corner };
-    Move { corner, tag: index, ..LAP[chord] }
+    let corner = if chord + 1 == LAP.len() { CornerMode::Stop } else { LAP[chord].corner };
+    MoveRequest { corner, tag: index, ..LAP[chord] }
 }
 
 /// A polygon of 500 lines around radius 20, eased within a hundredth of a millimetre.
-fn eased(index: u64) -> Move {
+fn eased(index: u64) -> MoveRequest {
     let circle = Arc::new(Plane::Xy.frame(), 20.0, std::f64::consts::TAU, 0.0);
     let at = |index: u64| {
         let p = circle.point_at(circle.length() * (index % 500) as f64 / 500.0);
         [p.x, p.y]
     };
-    let corner = Corner::Within { linear_mm: 0.01, rotary_rad: 0.0 };
+    let corner = CornerMode::Joined { linear_mm: 0.01, rotary_rad: 0.0 };
     line(at(index), at(index + 1), corner, index)
 }
 
 /// Lines of a micrometre along a circle.
-fn short(index: u64) -> Move {
+fn short(index: u64) -> MoveRequest {
     let circle = Arc::new(Plane::Xy.frame(), 20.0, std::f64::consts::TAU, 0.0);
     let at = |index: u64| {
         let p = circle.point_at((index % 125_663) as f64 * 0.001);
         [p.x, p.y]
     };
-    let corner = Corner::Within { linear_mm: 0.01, rotary_rad: 0.0 };
+    let corner = CornerMode::Joined { linear_mm: 0.01, rotary_rad: 0.0 };
     line(at(index), at(index + 1), corner, index)
 }
 
 /// Laps of a closed spline in its even parts, with a stop after each.
-fn splines(index: u64) -> Move {
+fn splines(index: u64) -> MoveRequest {
     static LAP: LazyLock<Vec<Curve>> = LazyLock::new(|| {
         let at = |index: i32| {
             let (sin, cos) = (f64::from(index) * std::f64::consts::TAU / 24.0).sin_cos();
@@ -94,7 +96,7 @@ fn splines(index: u64) -> Move {
         lap
     });
     let part = index as usize % LAP.len();
-    let corner = if part + 1 == LAP.len() { Corner::Stop } else { Corner::Exact };
+    let corner = if part + 1 == LAP.len() { CornerMode::Stop } else { CornerMode::Exact };
     motion(LAP[part], corner, index)
 }
 
@@ -111,8 +113,8 @@ pub const PROGRAMS: [(&str, Program); 7] = [
 
 /// A stream of a program.
 pub struct Source {
-    feeder: Feeder,
-    servo: Servo,
+    feeder: StreamFeeder,
+    servo: StreamServo,
     program: Program,
     next: u64,
 }
@@ -132,13 +134,13 @@ impl Source {
     }
 
     fn fill(&mut self) {
-        while self.feeder.push(&(self.program)(self.next)) == Ok(Pushed::Taken) {
+        while self.feeder.push(&(self.program)(self.next)) == Ok(PushOutcome::Taken) {
             self.next += 1;
         }
     }
 
     /// Time that setpoints take, without the push side.
-    pub fn pull(&mut self, count: u64, steer: impl Fn(u64, &mut Servo)) -> Duration {
+    pub fn pull(&mut self, count: u64, steer: impl Fn(u64, &mut StreamServo)) -> Duration {
         let mut spent = Duration::ZERO;
         let mut left = count;
         while left > 0 {

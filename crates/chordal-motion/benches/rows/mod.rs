@@ -4,18 +4,20 @@
 mod support;
 
 use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Vec3};
-use chordal_motion::{Corner, Level, Move, Planner, PlannerOptions, Step};
+use chordal_motion::{
+    CornerMode, MotionPlanner, MoveRequest, PlannerLevel, PlannerOptions, PlannerStep,
+};
 
 /// A feed that no axis reaches, mm/s.
 const FAST: f64 = 1000.0;
 
-fn motion(curve: Curve, corner: Corner) -> Move {
+fn motion(curve: Curve, corner: CornerMode) -> MoveRequest {
     support::cut(curve, 50.0, corner)
 }
 
 /// A raster over a wavy surface in lines of 0.1 mm.
-pub fn surface(count: usize) -> Vec<Move> {
-    let within = Corner::Within { linear_mm: 0.01, rotary_rad: 1e-4 };
+pub fn surface(count: usize) -> Vec<MoveRequest> {
+    let within = CornerMode::Joined { linear_mm: 0.01, rotary_rad: 1e-4 };
     let row = 1000;
     let point = |i: usize| {
         let (y, step) = (i / row, i % row);
@@ -27,8 +29,8 @@ pub fn surface(count: usize) -> Vec<Move> {
 }
 
 /// Lines of 0.1 mm at random angles of a few degrees.
-pub fn wiggle(count: usize) -> Vec<Move> {
-    let within = Corner::Within { linear_mm: 0.01, rotary_rad: 1e-4 };
+pub fn wiggle(count: usize) -> Vec<MoveRequest> {
+    let within = CornerMode::Joined { linear_mm: 0.01, rotary_rad: 1e-4 };
     let mut at = Vec3::ZERO;
     let (mut angle, mut state) = (0.0_f64, 1u64);
     (0..count)
@@ -44,8 +46,8 @@ pub fn wiggle(count: usize) -> Vec<Move> {
 }
 
 /// Tangent quarter circles.
-pub fn arcs(count: usize) -> Vec<Move> {
-    let within = Corner::Within { linear_mm: 0.01, rotary_rad: 1e-4 };
+pub fn arcs(count: usize) -> Vec<MoveRequest> {
+    let within = CornerMode::Joined { linear_mm: 0.01, rotary_rad: 1e-4 };
     let mut at = Vec3::ZERO;
     let mut heading = Vec3::X;
     (0..count)
@@ -62,8 +64,8 @@ pub fn arcs(count: usize) -> Vec<Move> {
 }
 
 /// A spiral in lines of 0.1 mm, its turns 0.5 mm apart.
-pub fn spiral(count: usize) -> Vec<Move> {
-    let within = Corner::Within { linear_mm: 0.01, rotary_rad: 1e-4 };
+pub fn spiral(count: usize) -> Vec<MoveRequest> {
+    let within = CornerMode::Joined { linear_mm: 0.01, rotary_rad: 1e-4 };
     let mut angle = 10.0_f64;
     let mut point = || {
         let radius = 0.5 * angle / std::f64::consts::TAU;
@@ -83,25 +85,25 @@ pub fn spiral(count: usize) -> Vec<Move> {
 }
 
 /// A lap of an ellipse at a feed that is never reached.
-pub fn ellipse(count: usize) -> Vec<Move> {
+pub fn ellipse(count: usize) -> Vec<MoveRequest> {
     support::dense::moves(&support::dense::ellipse(count as u32, None), FAST, 0.01)
 }
 
 /// Harmonics in space in chords of 0.1 mm, from the start on, at a feed that is never reached.
-pub fn harmonics(count: usize) -> Vec<Move> {
+pub fn harmonics(count: usize) -> Vec<MoveRequest> {
     let places = support::dense::harmonics(0.1, 4, 1);
     let places = places[..places.len().min(count + 1)].to_vec();
     support::dense::moves(&places, FAST, 0.01)
 }
 
 /// Plans them, where it is quicker as curves if they may be joined; the time they take, s.
-pub fn plan(moves: &[Move], joins: bool) -> f64 {
-    let options = PlannerOptions { joins, ..PlannerOptions::new(Level::Fast) };
-    let mut planner = Planner::new(support::limits(500.0, 5000.0, 1e5), options);
+pub fn plan(moves: &[MoveRequest], joins: bool) -> f64 {
+    let options = PlannerOptions { joins, ..PlannerOptions::new(PlannerLevel::Fast) };
+    let mut planner = MotionPlanner::new(support::limits(500.0, 5000.0, 1e5), options);
     let mut time = 0.0;
-    let mut take = |step: Step<'_>| {
-        if let Step::Stretch(stretch) = step {
-            time += stretch.duration_s() - stretch.overlap_s;
+    let mut take = |step: PlannerStep<'_>| {
+        if let PlannerStep::Trajectory(trajectory) = step {
+            time += trajectory.duration_s() - trajectory.overlap_s;
         }
     };
     for motion in moves {

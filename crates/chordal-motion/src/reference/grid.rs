@@ -3,23 +3,23 @@
 
 use chordal_geometry::AXES;
 
-use super::Effort;
-use crate::bound::{Bound, Run};
-use crate::root::cbrt;
+use super::ReferenceQuality;
+use crate::cube_root::cbrt;
+use crate::time_bound::{PathRun, TimeBound};
 
-/// Nodes this near to a seam, as a share of a cell, are left out.
-const BESIDE: f64 = 0.3;
-/// Seams are at least this share of a cell apart.
-const APART: f64 = 1e-4;
+/// Nodes this near to a seam, as a share of an interval, are left out.
+const SEAM_CLEARANCE_SHARE: f64 = 0.3;
+/// Seams are at least this share of an interval apart.
+const MIN_SEAM_SPACING_SHARE: f64 = 1e-4;
 /// Steps of less than this share of a limit are none.
-const MATTERS: f64 = 1e-3;
+const NEGLIGIBLE_STEP_SHARE: f64 = 1e-3;
 
 /// Places and a first guess of b there.
 #[derive(Clone, Debug)]
-pub(crate) struct Grid {
+pub(crate) struct ReferenceGrid {
     /// σ from the start.
     pub(crate) sigma: Vec<f64>,
-    /// The law without jerk, eased at rest: b at the nodes, above zero but at ends at rest.
+    /// The profile without jerk, eased at rest: b at the nodes, above zero but at ends at rest.
     pub(crate) square: Vec<f64>,
     /// Whether the first node is at rest.
     pub(crate) from_rest: bool,
@@ -28,7 +28,7 @@ pub(crate) struct Grid {
 }
 
 /// The jerk along the path that the axes can do at a place where they are at rest.
-pub(crate) fn jerk_at_rest(run: &Run<'_>, sigma: f64) -> f64 {
+pub(crate) fn jerk_at_rest(run: &PathRun<'_>, sigma: f64) -> f64 {
     let jet = run.jet(run.piece_at(sigma), sigma);
     let limits = run.limits().jerk();
     (0..AXES)
@@ -36,14 +36,18 @@ pub(crate) fn jerk_at_rest(run: &Run<'_>, sigma: f64) -> f64 {
         .fold(f64::MAX, |least, axis| least.min(limits[axis] / jet[1][axis].abs()))
 }
 
-/// b after a way from rest at even jerk: σ = jt³/6 and σ̇ = jt²/2.
-pub(crate) fn square_from_rest(jerk: f64, way: f64) -> f64 {
-    let root = cbrt(4.5 * jerk * way * way);
+/// b after a distance from rest at even jerk: σ = jt³/6 and σ̇ = jt²/2.
+pub(crate) fn square_from_rest(jerk: f64, distance: f64) -> f64 {
+    let root = cbrt(4.5 * jerk * distance * distance);
     root * root
 }
 
-impl Grid {
-    pub(crate) fn new(run: &Run<'_>, bound: &Bound, effort: &Effort) -> Grid {
+impl ReferenceGrid {
+    pub(crate) fn new(
+        run: &PathRun<'_>,
+        bound: &TimeBound,
+        effort: &ReferenceQuality,
+    ) -> ReferenceGrid {
         let length = run.length();
         let from_rest = bound.square[0] <= 0.0;
         let jerks = [jerk_at_rest(run, 0.0), jerk_at_rest(run, length)];
@@ -55,66 +59,67 @@ impl Grid {
             eased
         };
         let fine = refined(bound, length, from_rest);
-        let law: Vec<(f64, f64)> = fine.iter().map(|(s, b)| (*s, eased(*s, *b))).collect();
-        let clock = clock(&law, from_rest);
+        let profile: Vec<(f64, f64)> = fine.iter().map(|(s, b)| (*s, eased(*s, *b))).collect();
+        let clock = clock(&profile, from_rest);
         let total = clock[clock.len() - 1];
         let count = (total / effort.step_s)
             .ceil()
             .clamp(effort.least_nodes.max(8) as f64, effort.most_nodes.max(8) as f64);
         let step_s = total / count;
-        let mut sigma = even_in_time(&law, &clock, count as usize, from_rest);
-        add_seams(run, &law, &mut sigma, effort.most_nodes);
-        let square = along(&law, &sigma, &eased);
-        Grid { sigma, square, from_rest, step_s }
+        let mut sigma = even_in_time(&profile, &clock, count as usize, from_rest);
+        add_seams(run, &profile, &mut sigma, effort.most_nodes);
+        let square = along(&profile, &sigma, &eased);
+        ReferenceGrid { sigma, square, from_rest, step_s }
     }
 }
 
 /// The nodes of the bound with more of them near rest, in a geometric series.
-fn refined(bound: &Bound, length: f64, from_rest: bool) -> Vec<(f64, f64)> {
+fn refined(bound: &TimeBound, length: f64, from_rest: bool) -> Vec<(f64, f64)> {
     let mut places = bound.sigma.clone();
-    let mut way = 0.25 * length;
+    let mut distance = 0.25 * length;
     for _ in 0..100 {
         if from_rest {
-            places.push(way);
+            places.push(distance);
         }
-        places.push(length - way);
-        way *= 0.8;
+        places.push(length - distance);
+        distance *= 0.8;
     }
     places.retain(|place| *place >= 0.0 && *place <= length);
     places.sort_by(f64::total_cmp);
     places.dedup();
-    let mut cell = 0;
+    let mut interval = 0;
     places
         .into_iter()
         .map(|place| {
-            while cell + 2 < bound.sigma.len() && bound.sigma[cell + 1] < place {
-                cell += 1;
+            while interval + 2 < bound.sigma.len() && bound.sigma[interval + 1] < place {
+                interval += 1;
             }
-            let (s0, s1) = (bound.sigma[cell], bound.sigma[cell + 1]);
+            let (s0, s1) = (bound.sigma[interval], bound.sigma[interval + 1]);
             let share = ((place - s0) / (s1 - s0)).clamp(0.0, 1.0);
-            let square = bound.square[cell] * (1.0 - share) + bound.square[cell + 1] * share;
+            let square =
+                bound.square[interval] * (1.0 - share) + bound.square[interval + 1] * share;
             (place, square)
         })
         .collect()
 }
 
-/// The time at each place of a law; next to rest three times the way by the speed.
-fn clock(law: &[(f64, f64)], from_rest: bool) -> Vec<f64> {
+/// The time at each place of a profile; next to rest three times the distance by the speed.
+fn clock(profile: &[(f64, f64)], from_rest: bool) -> Vec<f64> {
     let mut clock = vec![0.0];
     let mut now = 0.0;
-    for (index, ends) in law.windows(2).enumerate() {
-        let way = ends[1].0 - ends[0].0;
+    for (index, ends) in profile.windows(2).enumerate() {
+        let distance = ends[1].0 - ends[0].0;
         let speeds = ends[0].1.max(0.0).sqrt() + ends[1].1.max(0.0).sqrt();
-        let rest = (index == 0 && from_rest) || index + 2 == law.len();
+        let rest = (index == 0 && from_rest) || index + 2 == profile.len();
         let factor = if rest { 3.0 } else { 2.0 };
-        now += if speeds > 0.0 { factor * way / speeds } else { 0.0 };
+        now += if speeds > 0.0 { factor * distance / speeds } else { 0.0 };
         clock.push(now);
     }
     clock
 }
 
-fn even_in_time(law: &[(f64, f64)], clock: &[f64], count: usize, from_rest: bool) -> Vec<f64> {
-    let (total, length) = (clock[clock.len() - 1], law[law.len() - 1].0);
+fn even_in_time(profile: &[(f64, f64)], clock: &[f64], count: usize, from_rest: bool) -> Vec<f64> {
+    let (total, length) = (clock[clock.len() - 1], profile[profile.len() - 1].0);
     let mut sigma = vec![0.0];
     let mut index = 0;
     for node in 1..count {
@@ -125,11 +130,11 @@ fn even_in_time(law: &[(f64, f64)], clock: &[f64], count: usize, from_rest: bool
         let span = clock[index + 1] - clock[index];
         let mut share =
             if span > 0.0 { ((now - clock[index]) / span).clamp(0.0, 1.0) } else { 0.0 };
-        // Next to rest the way grows as the cube of the time.
+        // Next to rest the distance grows as the cube of the time.
         if index == 0 && from_rest {
             share = share * share * share;
         }
-        let place = law[index].0 + share * (law[index + 1].0 - law[index].0);
+        let place = profile[index].0 + share * (profile[index + 1].0 - profile[index].0);
         if place > sigma[sigma.len() - 1] && place < length {
             sigma.push(place);
         }
@@ -138,21 +143,22 @@ fn even_in_time(law: &[(f64, f64)], clock: &[f64], count: usize, from_rest: bool
     sigma
 }
 
-/// Puts a node at each seam where the law may have to change, in place of those close by.
-fn add_seams(run: &Run<'_>, law: &[(f64, f64)], sigma: &mut Vec<f64>, most: usize) {
+/// Puts a node at each seam where the profile may have to change, in place of those close by.
+fn add_seams(run: &PathRun<'_>, profile: &[(f64, f64)], sigma: &mut Vec<f64>, most: usize) {
     let mut seams: Vec<f64> = Vec::new();
-    let (mut cell, mut at) = (0, 0);
+    let (mut interval, mut at) = (0, 0);
     for index in 1..run.pieces().len() {
         let seam = run.from(index);
-        while cell + 2 < sigma.len() && sigma[cell + 1] <= seam {
-            cell += 1;
+        while interval + 2 < sigma.len() && sigma[interval + 1] <= seam {
+            interval += 1;
         }
-        while at + 2 < law.len() && law[at + 1].0 <= seam {
+        while at + 2 < profile.len() && profile[at + 1].0 <= seam {
             at += 1;
         }
-        let width = sigma[cell + 1] - sigma[cell];
-        let apart = seams.last().is_none_or(|last| seam - last > APART * width);
-        if apart && steps(run, index, law[at].1.max(law[at + 1].1)) {
+        let width = sigma[interval + 1] - sigma[interval];
+        let is_separate =
+            seams.last().is_none_or(|last| seam - last > MIN_SEAM_SPACING_SHARE * width);
+        if is_separate && steps(run, index, profile[at].1.max(profile[at + 1].1)) {
             seams.push(seam);
         }
     }
@@ -168,7 +174,11 @@ fn add_seams(run: &Run<'_>, law: &[(f64, f64)], sigma: &mut Vec<f64>, most: usiz
             next += 1;
         }
         let inner = index > 0 && index < last;
-        let width = if inner { BESIDE * (sigma[index + 1] - sigma[index - 1]) / 2.0 } else { 0.0 };
+        let width = if inner {
+            SEAM_CLEARANCE_SHARE * (sigma[index + 1] - sigma[index - 1]) / 2.0
+        } else {
+            0.0
+        };
         let close = |seam: Option<&f64>| seam.is_some_and(|seam| (seam - node).abs() < width);
         let before = next.checked_sub(1).and_then(|index| seams.get(index));
         if !(inner && (close(before) || close(seams.get(next)))) {
@@ -179,9 +189,9 @@ fn add_seams(run: &Run<'_>, law: &[(f64, f64)], sigma: &mut Vec<f64>, most: usiz
     *sigma = merged;
 }
 
-/// Whether the feed, or curvature or its change by the way, has a step at the start of a piece
+/// Whether the feed, or curvature or its change along the path, has a step at the start of a piece
 /// that matters at b.
-fn steps(run: &Run<'_>, index: usize, square: f64) -> bool {
+fn steps(run: &PathRun<'_>, index: usize, square: f64) -> bool {
     let sigma = run.from(index);
     let (before, after) = (run.jet(index - 1, sigma), run.jet(index, sigma));
     let (accelerations, jerks) = (run.limits().acceleration(), run.limits().jerk());
@@ -189,20 +199,21 @@ fn steps(run: &Run<'_>, index: usize, square: f64) -> bool {
         || (0..AXES).any(|axis| {
             let bend = (after[2][axis] - before[2][axis]).abs() * square;
             let change = (after[3][axis] - before[3][axis]).abs() * square * square.sqrt();
-            bend > MATTERS * accelerations[axis] || change > MATTERS * jerks[axis]
+            bend > NEGLIGIBLE_STEP_SHARE * accelerations[axis]
+                || change > NEGLIGIBLE_STEP_SHARE * jerks[axis]
         })
 }
 
-/// The law at other places.
-fn along(law: &[(f64, f64)], places: &[f64], eased: &impl Fn(f64, f64) -> f64) -> Vec<f64> {
-    let mut cell = 0;
+/// The profile at other places.
+fn along(profile: &[(f64, f64)], places: &[f64], eased: &impl Fn(f64, f64) -> f64) -> Vec<f64> {
+    let mut interval = 0;
     places
         .iter()
         .map(|place| {
-            while cell + 2 < law.len() && law[cell + 1].0 < *place {
-                cell += 1;
+            while interval + 2 < profile.len() && profile[interval + 1].0 < *place {
+                interval += 1;
             }
-            let ((s0, b0), (s1, b1)) = (law[cell], law[cell + 1]);
+            let ((s0, b0), (s1, b1)) = (profile[interval], profile[interval + 1]);
             let share = ((place - s0) / (s1 - s0)).clamp(0.0, 1.0);
             eased(*place, b0 * (1.0 - share) + b1 * share)
         })

@@ -3,19 +3,19 @@
 use chordal_geometry::{AXES, Tracer};
 
 use crate::piece::{add_curve, ahead};
-use crate::trajectory::Along;
-use crate::{Axes, Jet};
+use crate::trajectory::ProfilePoint;
+use crate::{AxisJet, AxisValues};
 
-use super::block::Block;
-use super::window::{Leg, Placed, Window};
+use super::block::MotionBlock;
+use super::window::{PlacedPiece, StreamWindow, WindowLeg};
 
 /// Longest block, s.
-const BLOCK_S: f64 = 0.002;
+const MAX_BLOCK_S: f64 = 0.002;
 /// Longest step between two looks at the motion, s.
-const LOOK_S: f64 = 0.000_25;
+const MAX_PROBE_STEP_S: f64 = 0.000_25;
 
-/// Fills the blocks of a window whose legs, phases and pieces stand.
-pub(super) fn fill(window: &mut Window) {
+/// Fills the blocks of a window whose legs, phases and pieces are known.
+pub(super) fn fill(window: &mut StreamWindow) {
     let mut blocks = std::mem::take(&mut window.blocks);
     divide(window, &mut blocks);
     let mut chain = 0;
@@ -34,7 +34,7 @@ pub(super) fn fill(window: &mut Window) {
 }
 
 /// Largest speed of each axis in some blocks.
-pub(super) fn fastest(blocks: &[Block]) -> Axes {
+pub(super) fn fastest(blocks: &[MotionBlock]) -> AxisValues {
     let mut fastest = [0.0_f64; AXES];
     for block in blocks {
         for (fastest, (low, high)) in
@@ -47,7 +47,7 @@ pub(super) fn fastest(blocks: &[Block]) -> Axes {
 }
 
 /// Ends of blocks: even steps, and where an overlap begins or ends.
-fn divide(window: &Window, blocks: &mut Vec<Block>) {
+fn divide(window: &StreamWindow, blocks: &mut Vec<MotionBlock>) {
     blocks.clear();
     let mut cuts =
         window.legs.iter().enumerate().filter(|(_, leg)| leg.overlaps).flat_map(|(index, leg)| {
@@ -60,7 +60,7 @@ fn divide(window: &Window, blocks: &mut Vec<Block>) {
         while cut.is_some_and(|at| at <= now) {
             cut = cuts.next();
         }
-        let mut end = (now + BLOCK_S).min(window.duration_s);
+        let mut end = (now + MAX_BLOCK_S).min(window.duration_s);
         if let Some(at) = cut {
             end = end.min(at);
         }
@@ -68,17 +68,17 @@ fn divide(window: &Window, blocks: &mut Vec<Block>) {
         if window.duration_s - end < 1e-9 {
             end = window.duration_s;
         }
-        blocks.push(Block::empty(end));
+        blocks.push(MotionBlock::empty(end));
         now = end;
     }
 }
 
 /// Adds what a chain of legs does to the blocks it is in.
-fn add_chain(window: &Window, (first, end): (usize, usize), blocks: &mut [Block]) {
+fn add_chain(window: &StreamWindow, (first, end): (usize, usize), blocks: &mut [MotionBlock]) {
     let begins = window.legs[first].from_s.max(0.0);
     let mut block = blocks.partition_point(|block| block.end_s <= begins);
-    let mut hull = Hull::new();
-    let mut below = Below::default();
+    let mut hull = ValueHull::new();
+    let mut below = BaseCurve::default();
     for leg in &window.legs[first..end] {
         let (from, to) = leg.phases;
         let mut piece = leg.pieces.0;
@@ -88,11 +88,11 @@ fn add_chain(window: &Window, (first, end): (usize, usize), blocks: &mut [Block]
             while t < until {
                 while block < blocks.len() && blocks[block].end_s <= t {
                     hull.add_to(&mut blocks[block]);
-                    hull = Hull::new();
+                    hull = ValueHull::new();
                     block += 1;
                 }
                 let Some(current) = blocks.get(block) else { return };
-                let next = (t + LOOK_S).min(until).min(current.end_s);
+                let next = (t + MAX_PROBE_STEP_S).min(until).min(current.end_s);
                 let looks = [t, (t + next) / 2.0, next].map(|t| timed.phase.at(t - timed.from_s));
                 hull.look(window, leg, &mut piece, &mut below, &looks);
                 t = next;
@@ -105,26 +105,30 @@ fn add_chain(window: &Window, (first, end): (usize, usize), blocks: &mut [Block]
 }
 
 /// Least and largest of what was looked at.
-struct Hull {
-    low: [Axes; 3],
-    high: [Axes; 3],
-    seen: bool,
+struct ValueHull {
+    low: [AxisValues; 3],
+    high: [AxisValues; 3],
+    has_values: bool,
 }
 
-impl Hull {
-    fn new() -> Hull {
-        Hull { low: [[f64::INFINITY; AXES]; 3], high: [[f64::NEG_INFINITY; AXES]; 3], seen: false }
+impl ValueHull {
+    fn new() -> ValueHull {
+        ValueHull {
+            low: [[f64::INFINITY; AXES]; 3],
+            high: [[f64::NEG_INFINITY; AXES]; 3],
+            has_values: false,
+        }
     }
 
     /// Takes in the motion of a phase from the first to the last of three instants, on every
     /// piece it meets there.
     fn look(
         &mut self,
-        window: &Window,
-        leg: &Leg,
+        window: &StreamWindow,
+        leg: &WindowLeg,
         hint: &mut usize,
-        below: &mut Below,
-        looks: &[Along; 3],
+        below: &mut BaseCurve,
+        looks: &[ProfilePoint; 3],
     ) {
         let [one, middle, two] = looks;
         let sigma = two.sigma - one.sigma;
@@ -134,7 +138,7 @@ impl Hull {
             let placed = &window.pieces[*hint];
             let (from, end) = (placed.from, placed.from + placed.length);
             let last = *hint + 1 >= leg.pieces.1;
-            let mut on = |along: &Along| {
+            let mut on = |along: &ProfilePoint| {
                 let sigma = (along.sigma - from).clamp(0.0, placed.length);
                 derivatives(&below.jet_at(window, placed, sigma), along)
             };
@@ -154,8 +158,8 @@ impl Hull {
     }
 
     /// Takes in three values that follow one another on a smooth curve.
-    fn take(&mut self, one: &[Axes; 3], middle: &[Axes; 3], two: &[Axes; 3]) {
-        self.seen = true;
+    fn take(&mut self, one: &[AxisValues; 3], middle: &[AxisValues; 3], two: &[AxisValues; 3]) {
+        self.has_values = true;
         for row in 0..3 {
             for axis in 0..AXES {
                 let (a, m, b) = (one[row][axis], middle[row][axis], two[row][axis]);
@@ -168,8 +172,8 @@ impl Hull {
         }
     }
 
-    fn add_to(&self, block: &mut Block) {
-        if self.seen {
+    fn add_to(&self, block: &mut MotionBlock) {
+        if self.has_values {
             for row in 0..3 {
                 for axis in 0..AXES {
                     block.low[row][axis] += self.low[row][axis];
@@ -182,11 +186,11 @@ impl Hull {
 
 /// The curve that was last met, made ready.
 #[derive(Default)]
-struct Below(Option<(usize, Tracer)>);
+struct BaseCurve(Option<(usize, Tracer)>);
 
-impl Below {
+impl BaseCurve {
     /// The axes and their derivatives at `sigma` from the start of a piece.
-    fn jet_at(&mut self, window: &Window, placed: &Placed, sigma: f64) -> Jet {
+    fn jet_at(&mut self, window: &StreamWindow, placed: &PlacedPiece, sigma: f64) -> AxisJet {
         let mut jet = ahead(&placed.start, sigma, AXES);
         if let Some((curve, from)) = placed.base {
             let tracer = match &mut self.0 {
@@ -199,9 +203,9 @@ impl Below {
     }
 }
 
-fn between(one: &Along, two: &Along, part: f64) -> Along {
+fn between(one: &ProfilePoint, two: &ProfilePoint, part: f64) -> ProfilePoint {
     let mix = |a: f64, b: f64| a + (b - a) * part;
-    Along {
+    ProfilePoint {
         sigma: mix(one.sigma, two.sigma),
         speed: mix(one.speed, two.speed),
         acceleration: mix(one.acceleration, two.acceleration),
@@ -210,9 +214,9 @@ fn between(one: &Along, two: &Along, part: f64) -> Along {
 }
 
 /// Velocity, acceleration and jerk of the axes.
-fn derivatives(jet: &Jet, along: &Along) -> [Axes; 3] {
+fn derivatives(jet: &AxisJet, along: &ProfilePoint) -> [AxisValues; 3] {
     let [_, d1, d2, d3] = jet;
-    let Along { speed: v, acceleration: a, jerk: j, .. } = *along;
+    let ProfilePoint { speed: v, acceleration: a, jerk: j, .. } = *along;
     let mut rows = [[0.0; AXES]; 3];
     for axis in 0..AXES {
         rows[0][axis] = d1[axis] * v;

@@ -4,16 +4,16 @@ use std::collections::VecDeque;
 
 use rtrb::{Consumer, Producer};
 
-use crate::limits::{AxisLimit, Limits};
-use crate::planner::{Level, Planner, PlannerOptions};
-use crate::segment::{Move, MoveError};
-use crate::trajectory::Step;
+use crate::limits::{AxisLimit, KinematicLimits};
+use crate::move_request::{MoveError, MoveRequest};
+use crate::planner::{MotionPlanner, PlannerLevel, PlannerOptions};
+use crate::trajectory::PlannerStep;
 
-use super::block::Room;
-use super::cut;
-use super::rate::Ahead;
-use super::timeline::{Item, Timeline};
-use super::window::{Stop, Window};
+use super::block::StreamLimits;
+use super::rate::WindowQueue;
+use super::timeline::{StreamTimeline, TimelineItem};
+use super::window::{StreamWindow, WindowStop};
+use super::window_cutter;
 
 /// How a stream is set up.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,7 +67,7 @@ impl StreamOptions {
 
 /// What became of a move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pushed {
+pub enum PushOutcome {
     /// It is taken.
     Taken,
     /// All windows are under way: push it again later.
@@ -76,7 +76,7 @@ pub enum Pushed {
 
 /// What cannot be streamed.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum FeedError {
+pub enum FeederError {
     /// The move cannot be planned; it is left out.
     #[error(transparent)]
     Move(#[from] MoveError),
@@ -87,32 +87,32 @@ pub enum FeedError {
 
 /// Moves are planned together when they would take so long at their largest speeds, s: well
 /// above any stop, well below what a window's late arrival would cost.
-const ROW_S: f64 = 1.0;
+const LOOK_AHEAD_S: f64 = 1.0;
 
 /// So many moves may be with the planner before it emits a step; then the axes stop after
 /// the last of them, which bounds memory whatever the program is.
-const MOST_WITHIN: usize = 1 << 17;
+const MAX_MOVES_IN_PLANNER: usize = 1 << 17;
 
 /// The push side of a stream, for any thread.
 #[derive(Debug)]
-pub struct Feeder {
-    planner: Planner,
-    line: Line,
+pub struct StreamFeeder {
+    planner: MotionPlanner,
+    line: WindowMaker,
     /// Moves that the planner took since its last step.
     within: usize,
 }
 
 /// The line of time and what becomes of it.
 #[derive(Debug)]
-struct Line {
+struct WindowMaker {
     options: StreamOptions,
-    room: Room,
-    timeline: Timeline,
-    arrive: Producer<Box<Window>>,
-    leave: Consumer<Box<Window>>,
+    room: StreamLimits,
+    timeline: StreamTimeline,
+    arrive: Producer<Box<StreamWindow>>,
+    leave: Consumer<Box<StreamWindow>>,
     /// The window that is being made: alone in here so that stops are checked as the servo does.
-    making: Ahead,
-    /// How far ahead the next window is to end when a shorter one held no stop, s.
+    making: WindowQueue,
+    /// How far ahead the next window is to end when a shorter one had no stop, s.
     reach_s: f64,
     /// Everything known is to go out.
     flushing: bool,
@@ -120,21 +120,24 @@ struct Line {
     published_last: bool,
 }
 
-impl Feeder {
+impl StreamFeeder {
     pub(super) fn new(
-        limits: Limits,
+        limits: KinematicLimits,
         options: StreamOptions,
-        room: Room,
-        (arrive, leave): (Producer<Box<Window>>, Consumer<Box<Window>>),
-    ) -> Feeder {
-        let planner = Planner::new(
+        room: StreamLimits,
+        (arrive, leave): (Producer<Box<StreamWindow>>, Consumer<Box<StreamWindow>>),
+    ) -> StreamFeeder {
+        let planner = MotionPlanner::new(
             reduced(&limits, 1.0 - options.headroom),
-            PlannerOptions { row_s: ROW_S, ..PlannerOptions::new(Level::Fast) },
+            PlannerOptions {
+                look_ahead_s: LOOK_AHEAD_S,
+                ..PlannerOptions::new(PlannerLevel::Fast)
+            },
         );
-        let line = Line {
+        let line = WindowMaker {
             options,
             room,
-            timeline: Timeline::default(),
+            timeline: StreamTimeline::default(),
             arrive,
             leave,
             making: VecDeque::with_capacity(1),
@@ -143,64 +146,64 @@ impl Feeder {
             finished: false,
             published_last: false,
         };
-        Feeder { planner, line, within: 0 }
+        StreamFeeder { planner, line, within: 0 }
     }
 
     /// Plans a move and publishes what is certain.
     ///
     /// # Errors
     /// When the move cannot be planned; it is left out.
-    pub fn push(&mut self, motion: &Move) -> Result<Pushed, FeedError> {
+    pub fn push(&mut self, motion: &MoveRequest) -> Result<PushOutcome, FeederError> {
         if !self.line.accepts()? {
-            return Ok(Pushed::Full);
+            return Ok(PushOutcome::Full);
         }
-        let Feeder { planner, line, within } = self;
+        let StreamFeeder { planner, line, within } = self;
         *within += 1;
-        let mut take = |step: Step<'_>| {
+        let mut take = |step: PlannerStep<'_>| {
             *within = 0;
             line.timeline.push(step);
         };
         planner.push(motion, &mut take)?;
-        if self.within >= MOST_WITHIN {
+        if self.within >= MAX_MOVES_IN_PLANNER {
             planner.finish(|step| line.timeline.push(step));
             self.within = 0;
         }
         line.publish();
-        Ok(Pushed::Taken)
+        Ok(PushOutcome::Taken)
     }
 
-    /// The axes come to rest and stand for a time, s.
+    /// The axes come to rest and wait for a time, s.
     ///
     /// # Errors
     /// When the stream is finished.
-    pub fn wait(&mut self, seconds: f64, tag: u64) -> Result<Pushed, FeedError> {
+    pub fn wait(&mut self, seconds: f64, tag: u64) -> Result<PushOutcome, FeederError> {
         if !self.line.accepts()? {
-            return Ok(Pushed::Full);
+            return Ok(PushOutcome::Full);
         }
-        let Feeder { planner, line, .. } = self;
+        let StreamFeeder { planner, line, .. } = self;
         planner.wait(seconds, tag, |step| line.timeline.push(step));
         line.publish();
-        Ok(Pushed::Taken)
+        Ok(PushOutcome::Taken)
     }
 
     /// Takes a step that was planned elsewhere, at the best level for example. It must go on
-    /// where the step before ended, and its limits should leave the headroom wanted.
+    /// where the step before ended, and its limits should leave the headroom that is set.
     ///
     /// # Errors
     /// When the stream is finished.
-    pub fn push_step(&mut self, step: Step<'_>) -> Result<Pushed, FeedError> {
+    pub fn push_step(&mut self, step: PlannerStep<'_>) -> Result<PushOutcome, FeederError> {
         if !self.line.accepts()? {
-            return Ok(Pushed::Full);
+            return Ok(PushOutcome::Full);
         }
         self.line.timeline.push(step);
         self.line.publish();
-        Ok(Pushed::Taken)
+        Ok(PushOutcome::Taken)
     }
 
     /// No further move is known for now: plans to rest and publishes everything. What does not
     /// find a window at once goes out with later calls of this or any other function.
     pub fn flush(&mut self) {
-        let Feeder { planner, line, .. } = self;
+        let StreamFeeder { planner, line, .. } = self;
         if !line.finished {
             planner.finish(|step| line.timeline.push(step));
         }
@@ -211,7 +214,7 @@ impl Feeder {
     /// The end of the program. Returns whether all of it is published; call it again until
     /// then.
     pub fn finish(&mut self) -> bool {
-        let Feeder { planner, line, .. } = self;
+        let StreamFeeder { planner, line, .. } = self;
         if !line.finished {
             planner.finish(|step| line.timeline.push(step));
             line.flushing = true;
@@ -223,7 +226,7 @@ impl Feeder {
 }
 
 /// Limits with a share of accelerations and jerks.
-fn reduced(limits: &Limits, share: f64) -> Limits {
+fn reduced(limits: &KinematicLimits, share: f64) -> KinematicLimits {
     let axes = [0, 1, 2, 3, 4, 5].map(|axis| {
         limits.axis(axis).map(|limit| AxisLimit {
             acceleration: limit.acceleration * share,
@@ -231,26 +234,26 @@ fn reduced(limits: &Limits, share: f64) -> Limits {
             ..*limit
         })
     });
-    Limits::new(axes).unwrap_or(*limits)
+    KinematicLimits::new(axes).unwrap_or(*limits)
 }
 
-impl Line {
+impl WindowMaker {
     /// Whether there is room for more, once what can go out has gone.
-    fn accepts(&mut self) -> Result<bool, FeedError> {
+    fn accepts(&mut self) -> Result<bool, FeederError> {
         if self.finished {
-            return Err(FeedError::Finished);
+            return Err(FeederError::Finished);
         }
         self.publish();
         if self.timeline.items.is_empty() {
             self.flushing = false;
         }
-        // What was flushed goes out before anything is laid after it.
+        // What was flushed goes out before anything comes after it.
         Ok(!self.flushing && self.next_end_s().is_none())
     }
 
     /// When the next window ends, if one can be made.
     fn next_end_s(&self) -> Option<f64> {
-        let Timeline { ends_s, certain_s, .. } = self.timeline;
+        let StreamTimeline { ends_s, certain_s, .. } = self.timeline;
         let whole = self.flushing || self.timeline.wait_index().is_some();
         let reach_s = self.reach_s;
         if whole && ends_s <= reach_s * 1.5 {
@@ -298,21 +301,21 @@ impl Line {
     fn make(&mut self, end_s: f64) -> bool {
         let Some(window) = self.making.front_mut() else { return false };
         window.clear();
-        if !cut::lay(&self.timeline, end_s, self.options.pieces, window) {
+        if !window_cutter::fill_window(&self.timeline, end_s, self.options.pieces, window) {
             // Fewer pieces, then; a single instant always has room.
             self.reach_s = end_s / 2.0;
             return false;
         }
-        cut::survey(window);
+        window_cutter::survey(window);
         let whole = end_s >= self.timeline.ends_s;
         if whole {
-            window.stop = Stop::Rest;
+            window.stop = WindowStop::Rest;
         } else {
             // A longer window may hold a better stop, if it may get longer at all.
             let longer_s = end_s * 1.5;
             let full = longer_s > 4.0 * self.options.window_s || end_s < self.options.window_s;
-            let levels = if full { cut::all_levels() } else { 1 };
-            match cut::find_stop(&self.making, &self.room, levels) {
+            let levels = if full { window_cutter::all_levels() } else { 1 };
+            match window_cutter::find_stop(&self.making, &self.room, levels) {
                 Some(stop) => {
                     if let Some(window) = self.making.front_mut() {
                         window.stop = stop;
@@ -332,10 +335,10 @@ impl Line {
         true
     }
 
-    /// The stretches before a wait, or all of them, are in the window that is being made.
+    /// The trajectories before a wait, or all of them, are in the window that is being made.
     fn end_part(&mut self) {
         let Some(window) = self.making.front_mut() else { return };
-        if let Some(Item::Wait(seconds, tag)) = self.timeline.items.front() {
+        if let Some(TimelineItem::Wait(seconds, tag)) = self.timeline.items.front() {
             window.wait = Some((*seconds, *tag));
             self.timeline.items.pop_front();
             self.timeline.measure();

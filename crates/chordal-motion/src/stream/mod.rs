@@ -6,8 +6,8 @@
 //!                                          └→ Feeder             └→ Servo: rate, setpoint
 //! ```
 //!
-//! - Memory is bounded: windows are made once and go round. [`Feeder::push`] says
-//!   [`Pushed::Full`] while all of them are under way.
+//! - Memory is bounded: windows are made once and go round. [`StreamFeeder::push`] says
+//!   [`PushOutcome::Full`] while all of them are under way.
 //! - Every window ends at rest, or carries a stop: a fall of the rate of time to zero before
 //!   the window ends, verified on all axes. When no further window has come by then, the servo
 //!   takes it; a window that comes later is spliced in where the axes are at that instant, in
@@ -16,41 +16,45 @@
 //!   where.
 //!
 //! ```
-//! use chordal_motion::{Axes, AxisLimit, Limits, StreamOptions, stream};
+//! use chordal_motion::{AxisLimit, AxisValues, KinematicLimits, StreamOptions, stream};
 //!
 //! let axis = AxisLimit { velocity: 200.0, acceleration: 2000.0, jerk: 1e5 };
-//! let limits = Limits::new([Some(axis), Some(axis), Some(axis), None, None, None])?;
-//! let (mut feeder, mut servo) = stream(limits, StreamOptions::default(), Axes::default());
+//! let limits = KinematicLimits::new([Some(axis), Some(axis), Some(axis), None, None, None])?;
+//! let (mut feeder, mut servo) = stream(limits, StreamOptions::default(), AxisValues::default());
 //! feeder.finish();
-//! assert_eq!(servo.next().position, Axes::default());
+//! assert_eq!(servo.next().position, AxisValues::default());
 //! # Ok::<(), chordal_motion::LimitError>(())
 //! ```
 
 mod block;
 mod bounds;
-mod cut;
 mod feeder;
 mod rate;
 mod servo;
 mod timeline;
 mod window;
+mod window_cutter;
 
-pub use feeder::{FeedError, Feeder, Pushed, StreamOptions};
-pub use servo::{Servo, Setpoint};
+pub use feeder::{FeederError, PushOutcome, StreamFeeder, StreamOptions};
+pub use servo::{ServoSetpoint, StreamServo};
 
-use crate::{Axes, Limits};
+use crate::{AxisValues, KinematicLimits};
 
 /// A feeder and the servo it feeds, with the axes at rest at `start`.
-pub fn stream(limits: Limits, options: StreamOptions, start: Axes) -> (Feeder, Servo) {
+pub fn stream(
+    limits: KinematicLimits,
+    options: StreamOptions,
+    start: AxisValues,
+) -> (StreamFeeder, StreamServo) {
     let options = options.sane();
-    let room = block::Room::new(&limits);
+    let room = block::StreamLimits::new(&limits);
     let (arrive, arriving) = rtrb::RingBuffer::new(options.windows);
     let (mut leaving, leave) = rtrb::RingBuffer::new(options.windows);
     for _ in 0..options.windows {
         // The rings hold every window there is.
-        let _ = leaving.push(Box::new(window::Window::new()));
+        let _ = leaving.push(Box::new(window::StreamWindow::new()));
     }
-    let feeder = Feeder::new(limits, options, room, (arrive, leave));
+    let feeder = StreamFeeder::new(limits, options, room, (arrive, leave));
     let times = (options.period_s, options.scale_waits);
-    (feeder, Servo::new((arriving, leaving), options.windows, times, room, start))
+    (feeder, StreamServo::new((arriving, leaving), options.windows, times, room, start))
 }

@@ -1,6 +1,6 @@
 //! The pull side: a setpoint at each period.
 
-mod steer;
+mod rate_search;
 
 use std::collections::VecDeque;
 
@@ -8,38 +8,38 @@ use rtrb::{Consumer, Producer};
 
 use chordal_geometry::AXES;
 
-use crate::sample::State;
-use crate::{Axes, Sample};
+use crate::sample::AxisState;
+use crate::{AxisValues, MotionSample};
 
-use super::block::Room;
-use super::rate::{Ahead, Course, Rate};
-use super::window::{Place, Stop, Window};
+use super::block::StreamLimits;
+use super::rate::{RateCourse, TimeRate, WindowQueue};
+use super::window::{StreamWindow, WindowCursor, WindowStop};
 
 /// Largest override.
-const MOST: f64 = 2.0;
+const MAX_OVERRIDE: f64 = 2.0;
 
 /// What an axis card is sent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Setpoint {
+pub struct ServoSetpoint {
     /// mm and rad.
-    pub position: Axes,
+    pub position: AxisValues,
     /// mm/s and rad/s.
-    pub velocity: Axes,
+    pub velocity: AxisValues,
     /// mm/s² and rad/s².
-    pub acceleration: Axes,
+    pub acceleration: AxisValues,
     /// The tag of the move or of the wait that is under way.
     pub tag: u64,
-    /// Planned time that passes in a second: 0 stands, 1 moves as planned.
+    /// Planned time that passes in a second: 0 rests, 1 moves as planned.
     pub rate: f64,
-    /// A feed hold is asked for; the axes stand when the rate is 0.
+    /// A feed hold is active; the axes rest when the rate is 0.
     pub holding: bool,
-    /// No further window has come in time: the axes come to a stop, or stand.
+    /// No further window has come in time: the axes come to a stop, or rest.
     pub underrun: bool,
     /// The end of the program is reached.
     pub finished: bool,
 }
 
-/// The pull side, for the thread that serves the axes: [`Servo::next`] allocates nothing, frees
+/// The pull side, for the thread that serves the axes: [`StreamServo::next`] allocates nothing, frees
 /// nothing, takes no lock and has no loop that grows with the program.
 ///
 /// The path and the velocity profile come planned; what changes here is the rate φ at which planned
@@ -56,40 +56,40 @@ pub struct Setpoint {
 ///   axis uses all its jerk, after that phase, or less steeply. Planning with some
 ///   [`headroom`](super::StreamOptions::headroom) makes sure that there is always some.
 #[derive(Debug)]
-pub struct Servo {
-    pub(super) arriving: Consumer<Box<Window>>,
-    pub(super) leaving: Producer<Box<Window>>,
+pub struct StreamServo {
+    pub(super) arriving: Consumer<Box<StreamWindow>>,
+    pub(super) leaving: Producer<Box<StreamWindow>>,
     pub(super) period_s: f64,
     pub(super) scale_waits: bool,
-    pub(super) room: Room,
+    pub(super) room: StreamLimits,
     /// The window under way and those after it.
-    windows: Ahead,
+    windows: WindowQueue,
     /// Planned time in the first of them, s.
     at_s: f64,
-    place: Place,
-    rate: Rate,
+    place: WindowCursor,
+    rate: TimeRate,
     /// The second derivative of the rate at the setpoint.
     bend: f64,
-    course: Option<Under>,
+    course: Option<ActiveCourse>,
     /// Where the motion stops when nothing further comes: planned time from the start of the
     /// first window, s, how, and the number of its window.
-    wall: Option<(f64, Stop)>,
+    wall: Option<(f64, WindowStop)>,
     wall_window: usize,
     /// What is left of a wait, s.
     waiting: Option<f64>,
     holding: bool,
-    wanted: f64,
+    override_factor: f64,
     /// The next course to try.
     try_next: usize,
     underrun: bool,
     underruns: u64,
-    /// Where the axes stand before the first window and at planned rest.
-    resting: Option<State>,
+    /// Where the axes are before the first window and at planned rest.
+    resting: Option<AxisState>,
     tag: u64,
 }
 
 /// What comes of a planned rest.
-enum Leave {
+enum RestOutcome {
     /// Nothing moves in this period.
     Stays,
     /// There is something else to wait for.
@@ -100,8 +100,8 @@ enum Leave {
 
 /// A course under way.
 #[derive(Clone, Copy, Debug)]
-struct Under {
-    course: Course,
+struct ActiveCourse {
+    course: RateCourse,
     index: usize,
     /// Gone in the part at `index`, s.
     gone_s: f64,
@@ -112,7 +112,7 @@ struct Under {
     reaches: f64,
 }
 
-impl Under {
+impl ActiveCourse {
     /// Whether it still leads to what it is for: above 1 only in its first half, then another
     /// has to be found in time.
     fn is_fresh(&self) -> bool {
@@ -120,15 +120,15 @@ impl Under {
     }
 }
 
-impl Servo {
+impl StreamServo {
     pub(super) fn new(
-        (arriving, leaving): (Consumer<Box<Window>>, Producer<Box<Window>>),
+        (arriving, leaving): (Consumer<Box<StreamWindow>>, Producer<Box<StreamWindow>>),
         windows: usize,
         (period_s, scale_waits): (f64, bool),
-        room: Room,
-        start: Axes,
-    ) -> Servo {
-        Servo {
+        room: StreamLimits,
+        start: AxisValues,
+    ) -> StreamServo {
+        StreamServo {
             arriving,
             leaving,
             period_s,
@@ -136,19 +136,19 @@ impl Servo {
             room,
             windows: VecDeque::with_capacity(windows + 1),
             at_s: 0.0,
-            place: Place::default(),
-            rate: Rate::even(1.0),
+            place: WindowCursor::default(),
+            rate: TimeRate::even(1.0),
             bend: 0.0,
             course: None,
             wall: None,
             wall_window: 0,
             waiting: None,
             holding: false,
-            wanted: 1.0,
+            override_factor: 1.0,
             try_next: 0,
             underrun: false,
             underruns: 0,
-            resting: Some(State { position: start, ..State::default() }),
+            resting: Some(AxisState { position: start, ..AxisState::default() }),
             tag: 0,
         }
     }
@@ -174,7 +174,7 @@ impl Servo {
         // What is tried next stays: with another factor in every period the milder courses
         // must have their turn, too.
         if !factor.is_nan() {
-            self.wanted = factor.clamp(0.0, MOST);
+            self.override_factor = factor.clamp(0.0, MAX_OVERRIDE);
         }
     }
 
@@ -183,10 +183,10 @@ impl Servo {
         self.underruns
     }
 
-    /// The setpoint one period after the last; for ever, as axes want one when they stand, too.
+    /// The setpoint one period after the last; for ever, as axes need one at rest, too.
     #[allow(clippy::should_implement_trait, reason = "there is always a next one, no option")]
     #[inline]
-    pub fn next(&mut self) -> Setpoint {
+    pub fn next(&mut self) -> ServoSetpoint {
         self.take_windows();
         if self.course.is_some() || self.rate.value != self.target() {
             self.steer();
@@ -196,13 +196,13 @@ impl Servo {
     }
 
     fn target(&self) -> f64 {
-        if self.holding { 0.0 } else { self.wanted }
+        if self.holding { 0.0 } else { self.override_factor }
     }
 
     /// The even rate that is taken up at once where the plan rests.
     fn target_from_rest(&self) -> f64 {
         let level = match self.wall {
-            Some((_, Stop::Tail { level, .. })) => level,
+            Some((_, WindowStop::Tail { level, .. })) => level,
             _ => 1.0,
         };
         self.target().min(level).min(1.0)
@@ -218,7 +218,7 @@ impl Servo {
         while let Ok(window) = self.arriving.pop() {
             self.windows.push_back(window);
             if self.windows.len() == 1 {
-                self.place = Place::default();
+                self.place = WindowCursor::default();
                 self.at_s = 0.0;
                 self.enter_window();
             }
@@ -233,14 +233,14 @@ impl Servo {
         let mut from_s: f64 =
             self.windows.iter().take(self.wall_window).map(|window| window.duration_s).sum();
         for index in self.wall_window..self.windows.len() {
-            let Window { stop, duration_s, .. } = *self.windows[index];
+            let StreamWindow { stop, duration_s, .. } = *self.windows[index];
             let (wall_s, safe) = match stop {
-                Stop::Unknown => (0.0, false),
-                Stop::Rest => (from_s + duration_s, true),
-                Stop::Tail { at_s, level, .. } => {
+                WindowStop::Unknown => (0.0, false),
+                WindowStop::Rest => (from_s + duration_s, true),
+                WindowStop::Tail { at_s, level, .. } => {
                     let rate = self.ends_at();
-                    let standing = self.resting.is_some();
-                    (from_s + at_s, standing || rate <= level)
+                    let is_resting = self.resting.is_some();
+                    (from_s + at_s, is_resting || rate <= level)
                 }
             };
             if safe && wall_s >= self.at_s {
@@ -262,9 +262,9 @@ impl Servo {
             }
             if self.resting.is_some() {
                 match self.leave_rest(&mut left_s) {
-                    Leave::Stays => return,
-                    Leave::Waits => continue,
-                    Leave::Goes => {}
+                    RestOutcome::Stays => return,
+                    RestOutcome::Waits => continue,
+                    RestOutcome::Goes => {}
                 }
             }
             let before = left_s;
@@ -280,29 +280,29 @@ impl Servo {
     }
 
     /// At planned rest, or before the first window.
-    fn leave_rest(&mut self, left_s: &mut f64) -> Leave {
+    fn leave_rest(&mut self, left_s: &mut f64) -> RestOutcome {
         if !self.wait_out(left_s) {
-            return Leave::Stays;
+            return RestOutcome::Stays;
         }
-        let Some(window) = self.windows.front() else { return Leave::Stays };
+        let Some(window) = self.windows.front() else { return RestOutcome::Stays };
         if self.at_s >= window.duration_s {
             if self.windows.len() < 2 {
                 if !window.last {
                     self.starve();
                 }
-                return Leave::Stays;
+                return RestOutcome::Stays;
             }
             self.drop_window();
-            return Leave::Waits;
+            return RestOutcome::Waits;
         }
         // Nothing moves here, so that any even rate may be taken up.
-        self.rate = Rate::even(self.target_from_rest());
+        self.rate = TimeRate::even(self.target_from_rest());
         if self.rate.value == 0.0 {
-            return Leave::Stays;
+            return RestOutcome::Stays;
         }
         self.resting = None;
         self.underrun = false;
-        Leave::Goes
+        RestOutcome::Goes
     }
 
     /// Spends time on the wait, if there is one; whether it is over.
@@ -357,15 +357,15 @@ impl Servo {
             return;
         }
         match stop {
-            Stop::Unknown | Stop::Rest => {
+            WindowStop::Unknown | WindowStop::Rest => {
                 *left_s -= (wall_s - self.at_s) / rate;
-                // Exactly the end, whatever rounding made of the way to it.
+                // Exactly the end, whatever rounding made of the time to it.
                 self.at_s = if self.wall_window == 1 { window_end(&self.windows) } else { wall_s };
             }
-            Stop::Tail { rate: steep, bend, .. } => {
-                let mut course = Course::even(rate);
+            WindowStop::Tail { rate: steep, bend, .. } => {
+                let mut course = RateCourse::even(rate);
                 course.push((wall_s - self.at_s) / rate, 0.0);
-                self.follow(course.then(&Course::tail(rate, steep, bend)), 0.0, true);
+                self.follow(course.then(&RateCourse::tail(rate, steep, bend)), 0.0, true);
                 self.starve();
             }
         }
@@ -381,7 +381,7 @@ impl Servo {
     fn along_course(&mut self, left_s: &mut f64) {
         let Some(under) = &mut self.course else { return };
         let Some(bend) = under.course.get(under.index) else {
-            self.rate = Rate::even(under.course.ends_at);
+            self.rate = TimeRate::even(under.course.ends_at);
             self.bend = 0.0;
             self.course = None;
             return;
@@ -398,7 +398,7 @@ impl Servo {
             under.index += 1;
             under.gone_s = 0.0;
             if under.course.get(under.index).is_none() {
-                self.rate = Rate::even(under.course.ends_at);
+                self.rate = TimeRate::even(under.course.ends_at);
                 self.course = None;
             }
         } else {
@@ -417,7 +417,7 @@ impl Servo {
             }
             let pauses = self.windows.get(1).is_none_or(|next| next.legs.is_empty());
             let rests = window.wait.is_some()
-                || (window.stop == Stop::Rest && (pauses || self.wall_window == 1));
+                || (window.stop == WindowStop::Rest && (pauses || self.wall_window == 1));
             if rests {
                 // What went beyond the end is time to wait, or to begin anew.
                 let beyond = self.at_s - window.duration_s;
@@ -442,7 +442,7 @@ impl Servo {
         self.resting = window.end().or(self.resting);
         let wait = window.wait;
         self.course = None;
-        self.rate = Rate::even(self.rate.value.clamp(0.0, 1.0));
+        self.rate = TimeRate::even(self.rate.value.clamp(0.0, 1.0));
         self.bend = 0.0;
         if let Some(state) = &self.resting {
             self.tag = state.tag;
@@ -468,7 +468,7 @@ impl Servo {
             self.wall = None;
             self.find_wall();
         }
-        self.place = Place::default();
+        self.place = WindowCursor::default();
         // The ring back has room for every window there is.
         if let Err(rtrb::PushError::Full(window)) = self.leaving.push(window) {
             std::mem::forget(window);
@@ -476,18 +476,18 @@ impl Servo {
     }
 
     #[inline]
-    fn setpoint(&mut self) -> Setpoint {
+    fn setpoint(&mut self) -> ServoSetpoint {
         let ended = self.windows.front().is_some_and(|window| window.last)
             && self.windows.len() == 1
             && self.resting.is_some()
             && self.waiting.is_none()
             && self.at_s >= window_end(&self.windows);
-        let mut point = Setpoint {
+        let mut point = ServoSetpoint {
             rate: self.rate.value,
             holding: self.holding,
             underrun: self.underrun,
             finished: ended,
-            ..Setpoint::default()
+            ..ServoSetpoint::default()
         };
         if let Some(state) = &self.resting {
             point.position = state.position;
@@ -495,9 +495,9 @@ impl Servo {
             return point;
         }
         let Some(window) = self.windows.front() else { return point };
-        let mut planned = Sample::default();
+        let mut planned = MotionSample::default();
         self.place.fill(window, self.at_s, &mut planned);
-        let Rate { value, slope } = self.rate;
+        let TimeRate { value, slope } = self.rate;
         point.position = planned.position;
         point.tag = planned.tag;
         for axis in 0..AXES {
@@ -509,6 +509,6 @@ impl Servo {
     }
 }
 
-fn window_end(windows: &Ahead) -> f64 {
+fn window_end(windows: &WindowQueue) -> f64 {
     windows.front().map_or(0.0, |window| window.duration_s)
 }

@@ -1,24 +1,24 @@
-//! Planned stretches and waits on one line of time, before they are cut into windows.
+//! Planned trajectories and waits on one line of time, before they are cut into windows.
 
 use std::collections::VecDeque;
 
-use crate::trajectory::{Step, Stretch};
+use crate::trajectory::{PlannedTrajectory, PlannerStep};
 
-/// A stretch with its sums, so that an instant and a place are found by halves.
+/// A trajectory with its sums, so that an instant and a place are found by halves.
 #[derive(Debug, Default)]
-pub(super) struct Laid {
-    pub stretch: Stretch,
-    /// When each phase begins, s from the start of the stretch; one more at the end.
+pub(super) struct TimelineEntry {
+    pub trajectory: PlannedTrajectory,
+    /// When each phase begins, s from the start of the trajectory; one more at the end.
     pub times: Vec<f64>,
     /// Where each piece begins in σ; one more at the end.
     pub places: Vec<f64>,
 }
 
-impl Laid {
-    fn set(&mut self, stretch: &Stretch) {
-        self.stretch.clone_from(stretch);
-        sums(&mut self.times, stretch.phases.iter().map(|phase| phase.duration_s));
-        sums(&mut self.places, stretch.pieces.iter().map(|piece| piece.length));
+impl TimelineEntry {
+    fn set(&mut self, trajectory: &PlannedTrajectory) {
+        self.trajectory.clone_from(trajectory);
+        sums(&mut self.times, trajectory.phases.iter().map(|phase| phase.duration_s));
+        sums(&mut self.places, trajectory.pieces.iter().map(|piece| piece.length));
     }
 
     pub fn duration_s(&self) -> f64 {
@@ -27,16 +27,16 @@ impl Laid {
 
     /// The phase under way at `t` s from its start.
     pub fn phase_at(&self, t: f64) -> usize {
-        let last = self.stretch.phases.len().saturating_sub(1);
+        let last = self.trajectory.phases.len().saturating_sub(1);
         self.times.partition_point(|from| *from <= t).saturating_sub(1).min(last)
     }
 
     /// The piece that is reached at `t` s from its start.
     pub fn piece_at(&self, t: f64) -> usize {
         let index = self.phase_at(t);
-        let phase = &self.stretch.phases[index];
+        let phase = &self.trajectory.phases[index];
         let sigma = phase.at((t - self.times[index]).clamp(0.0, phase.duration_s)).sigma;
-        let last = self.stretch.pieces.len().saturating_sub(1);
+        let last = self.trajectory.pieces.len().saturating_sub(1);
         self.places.partition_point(|from| *from <= sigma).saturating_sub(1).min(last)
     }
 }
@@ -53,66 +53,67 @@ fn sums(into: &mut Vec<f64>, parts: impl Iterator<Item = f64>) {
 
 /// What comes on the line.
 #[derive(Debug)]
-pub(super) enum Item {
-    /// A stretch and when it begins, s from the start of the next window.
-    Stretch(Laid, f64),
-    /// A wait, begun where the stretches before it end.
+pub(super) enum TimelineItem {
+    /// A trajectory and when it begins, s from the start of the next window.
+    Trajectory(TimelineEntry, f64),
+    /// A wait, begun where the trajectories before it end.
     Wait(f64, u64),
 }
 
-/// Stretches and waits that are not yet wholly in windows.
+/// Trajectories and waits that are not yet wholly in windows.
 #[derive(Debug, Default)]
-pub(super) struct Timeline {
-    pub items: VecDeque<Item>,
+pub(super) struct StreamTimeline {
+    pub items: VecDeque<TimelineItem>,
     /// Used ones, for their memory.
-    spare: Vec<Laid>,
-    /// When the stretches up to the first wait end, and until when they cannot change any more,
+    spare: Vec<TimelineEntry>,
+    /// When the trajectories up to the first wait end, and until when they cannot change any more,
     /// s from the start of the next window.
     pub ends_s: f64,
     pub certain_s: f64,
 }
 
-/// How many used stretches are kept for their memory.
-const SPARE: usize = 8;
+/// How many used trajectories are kept for their memory.
+const MAX_SPARE_ENTRIES: usize = 8;
 
-impl Timeline {
+impl StreamTimeline {
     /// Puts a step after the others.
-    pub fn push(&mut self, step: Step<'_>) {
+    pub fn push(&mut self, step: PlannerStep<'_>) {
         match step {
-            Step::Stretch(stretch) if stretch.phases.is_empty() || stretch.pieces.is_empty() => {}
-            Step::Stretch(stretch) => {
-                let mut laid = self.spare.pop().unwrap_or_default();
-                laid.set(stretch);
+            PlannerStep::Trajectory(trajectory)
+                if trajectory.phases.is_empty() || trajectory.pieces.is_empty() => {}
+            PlannerStep::Trajectory(trajectory) => {
+                let mut entry = self.spare.pop().unwrap_or_default();
+                entry.set(trajectory);
                 let end_s = self.last_end_s();
                 let begins_s = match end_s {
-                    Some(end_s) => (end_s - stretch.overlap_s.max(0.0)).max(self.last_start_s()),
+                    Some(end_s) => (end_s - trajectory.overlap_s.max(0.0)).max(self.last_start_s()),
                     None => 0.0,
                 };
-                self.items.push_back(Item::Stretch(laid, begins_s));
+                self.items.push_back(TimelineItem::Trajectory(entry, begins_s));
             }
-            Step::Wait { seconds, tag } => {
-                self.items.push_back(Item::Wait(seconds.max(0.0), tag));
+            PlannerStep::Wait { seconds, tag } => {
+                self.items.push_back(TimelineItem::Wait(seconds.max(0.0), tag));
             }
         }
         self.measure();
     }
 
-    /// Whether a wait stands after the stretches of this part of the line.
+    /// Whether a wait comes after the trajectories of this part of the line.
     pub fn wait_index(&self) -> Option<usize> {
-        self.items.iter().position(|item| matches!(item, Item::Wait(..)))
+        self.items.iter().position(|item| matches!(item, TimelineItem::Wait(..)))
     }
 
     fn last_end_s(&self) -> Option<f64> {
         match self.items.back() {
-            Some(Item::Stretch(laid, from_s)) => Some(from_s + laid.duration_s()),
-            Some(Item::Wait(..)) => None,
+            Some(TimelineItem::Trajectory(entry, from_s)) => Some(from_s + entry.duration_s()),
+            Some(TimelineItem::Wait(..)) => None,
             None => Some(0.0),
         }
     }
 
     fn last_start_s(&self) -> f64 {
         match self.items.back() {
-            Some(Item::Stretch(_, from_s)) => from_s.max(0.0),
+            Some(TimelineItem::Trajectory(_, from_s)) => from_s.max(0.0),
             _ => 0.0,
         }
     }
@@ -123,32 +124,32 @@ impl Timeline {
         let part = wait.unwrap_or(self.items.len());
         let (mut ends_s, mut begins_s) = (0.0_f64, 0.0_f64);
         for item in self.items.iter().take(part) {
-            if let Item::Stretch(laid, from_s) = item {
-                ends_s = ends_s.max(from_s + laid.duration_s());
+            if let TimelineItem::Trajectory(entry, from_s) = item {
+                ends_s = ends_s.max(from_s + entry.duration_s());
                 begins_s = *from_s;
             }
         }
         self.ends_s = ends_s;
-        // The newest stretch may still get another one over its end.
+        // The newest trajectory may still get another one over its end.
         self.certain_s = if wait.is_some() { ends_s } else { begins_s.max(0.0) };
     }
 
     /// A window up to `end_s` has been cut: the line goes on from there.
     pub fn cut(&mut self, end_s: f64) {
-        while let Some(Item::Stretch(laid, from_s)) = self.items.front() {
-            if from_s + laid.duration_s() > end_s + 1e-12 {
+        while let Some(TimelineItem::Trajectory(entry, from_s)) = self.items.front() {
+            if from_s + entry.duration_s() > end_s + 1e-12 {
                 break;
             }
-            if let Some(Item::Stretch(laid, _)) = self.items.pop_front()
-                && self.spare.len() < SPARE
+            if let Some(TimelineItem::Trajectory(entry, _)) = self.items.pop_front()
+                && self.spare.len() < MAX_SPARE_ENTRIES
             {
-                self.spare.push(laid);
+                self.spare.push(entry);
             }
         }
         for item in &mut self.items {
             match item {
-                Item::Stretch(_, from_s) => *from_s -= end_s,
-                Item::Wait(..) => break,
+                TimelineItem::Trajectory(_, from_s) => *from_s -= end_s,
+                TimelineItem::Wait(..) => break,
             }
         }
         self.measure();

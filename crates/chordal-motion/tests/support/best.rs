@@ -1,6 +1,6 @@
-//! The law of the level best.
+//! The profile of the level best.
 
-use chordal_motion::{Phase, Run, law};
+use chordal_motion::{JerkPhase, PathRun, solve_profile};
 
 /// As near the least time as the level best goes.
 const GAP: f64 = 5e-5;
@@ -10,11 +10,11 @@ const GAP: f64 = 5e-5;
 pub struct Best {
     /// How long it takes, s.
     pub time_s: f64,
-    pub phases: Vec<Phase>,
+    pub phases: Vec<JerkPhase>,
 }
 
-/// The law of a run, where there is one.
-pub fn best(run: &Run<'_>) -> Option<Best> {
-    let phases = law(run, GAP).0?;
+/// The profile of a run, where there is one.
+pub fn best(run: &PathRun<'_>) -> Option<Best> {
+    let phases = solve_profile(run, GAP).0?;
     Some(Best { time_s: phases.iter().map(|phase| phase.duration_s).sum(), phases })
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use chordal_motion::{Corner, Move};
+use chordal_motion::{CornerMode, MoveRequest};
 
 use super::{cut, line};
 
@@ -94,11 +94,11 @@ pub fn harmonics(chord: f64, decimals: i32, seed: u64) -> Places {
 
 /// Rows of chords along X, there and back, over a wavy ground with a ridge; each row is one chord of Y from the
 /// last.
-pub fn raster(rows: u32, length: f64, apart: f64, chord: f64) -> Places {
+pub fn raster(rows: u32, length: f64, spacing: f64, chord: f64) -> Places {
     let count = (length / chord).round() as u32;
     let mut all: Places = Vec::new();
     for row in 0..rows {
-        let y = apart * f64::from(row);
+        let y = spacing * f64::from(row);
         let mut line = places(count, Some(3), |t| {
             let x = length * t;
             let ground = 2.0 * (0.22 * x).sin() * (0.4 * y).cos();
@@ -252,12 +252,15 @@ pub fn by_length(chord: f64, decimals: Option<i32>, at: impl Fn(f64) -> [f64; 3]
 }
 
 /// Lines through places, passed within a tolerance.
-pub fn moves(places: &[[f64; 3]], speed: f64, linear_mm: f64) -> Vec<Move> {
-    let within = Corner::Within { linear_mm, rotary_rad: 1e-4 };
+pub fn moves(places: &[[f64; 3]], speed: f64, linear_mm: f64) -> Vec<MoveRequest> {
+    let within = CornerMode::Joined { linear_mm, rotary_rad: 1e-4 };
     places
         .windows(2)
         .filter(|pair| pair[0] != pair[1])
         .enumerate()
-        .map(|(tag, pair)| Move { tag: tag as u64, ..cut(line(pair[0], pair[1]), speed, within) })
+        .map(|(tag, pair)| MoveRequest {
+            tag: tag as u64,
+            ..cut(line(pair[0], pair[1]), speed, within)
+        })
         .collect()
 }

@@ -2,17 +2,17 @@
 
 use super::law::piece;
 use chordal_geometry::{AXES, Arc, Plane};
-use chordal_motion::Piece;
+use chordal_motion::PathPiece;
 use core::f64::consts::TAU;
 
 /// Turns of a circle or a helix about Z.
-pub fn arc(radius: f64, turns: f64, rise: f64) -> Piece {
+pub fn arc(radius: f64, turns: f64, rise: f64) -> PathPiece {
     piece(Arc::new(Plane::Xy.frame(), radius, TAU * turns, rise).into(), 0)
 }
 
 /// One lap of an ellipse from (a, 0): the periodic cubic spline in arc length through points at
 /// even angles, so that curvature is continuous; it is off the ellipse by O(h⁴).
-pub fn ellipse(a: f64, b: f64, count: usize) -> Vec<Piece> {
+pub fn ellipse(a: f64, b: f64, count: usize) -> Vec<PathPiece> {
     let speed = |u: f64| ((a * u.sin()).powi(2) + (b * u.cos()).powi(2)).sqrt();
     let angle = |index: usize| TAU * (index % count) as f64 / count as f64;
     let point = |index: usize| [a * angle(index).cos(), b * angle(index).sin()];
@@ -34,8 +34,8 @@ pub fn ellipse(a: f64, b: f64, count: usize) -> Vec<Piece> {
             for axis in 0..2 {
                 let (p0, p1, p2) = (point(before), point(index), point(index + 1));
                 let turn = (p2[axis] - p1[axis]) / h1 - (p1[axis] - p0[axis]) / h0;
-                let beside = h0 * second[before][axis] + h1 * second[(index + 1) % count][axis];
-                second[index][axis] = (6.0 * turn - beside) / (2.0 * (h0 + h1));
+                let next_to = h0 * second[before][axis] + h1 * second[(index + 1) % count][axis];
+                second[index][axis] = (6.0 * turn - next_to) / (2.0 * (h0 + h1));
             }
         }
     }
@@ -51,7 +51,7 @@ pub fn ellipse(a: f64, b: f64, count: usize) -> Vec<Piece> {
                 start[2][axis] = m0;
                 start[3][axis] = (m1 - m0) / h;
             }
-            Piece { length: h, base: None, start, tag: index as u64 }
+            PathPiece { length: h, base: None, start, tag: index as u64 }
         })
         .collect()
 }
@@ -59,7 +59,7 @@ pub fn ellipse(a: f64, b: f64, count: usize) -> Vec<Piece> {
 /// Cubic pieces one after the other whose second derivatives are continuous: by piece its
 /// length and, by axis, the turn: the second derivative at its end times its length or the next
 /// one's, whichever is longer.
-pub fn chain(steps: &[(f64, [f64; 4])]) -> Vec<Piece> {
+pub fn chain(steps: &[(f64, [f64; 4])]) -> Vec<PathPiece> {
     let mut jet = [[0.0; AXES]; 4];
     jet[1][0] = 1.0;
     let mut pieces = Vec::new();
@@ -68,7 +68,7 @@ pub fn chain(steps: &[(f64, [f64; 4])]) -> Vec<Piece> {
         for axis in 0..4 {
             jet[3][axis] = (turns[axis] / longer - jet[2][axis]) / length;
         }
-        let piece = Piece { length: *length, base: None, start: jet, tag: 0 };
+        let piece = PathPiece { length: *length, base: None, start: jet, tag: 0 };
         jet = piece.at(*length);
         pieces.push(piece);
     }
@@ -76,7 +76,7 @@ pub fn chain(steps: &[(f64, [f64; 4])]) -> Vec<Piece> {
 }
 
 /// The same path from its end to its start.
-pub fn reversed(pieces: &[Piece]) -> Vec<Piece> {
+pub fn reversed(pieces: &[PathPiece]) -> Vec<PathPiece> {
     pieces
         .iter()
         .rev()
@@ -86,13 +86,13 @@ pub fn reversed(pieces: &[Piece]) -> Vec<Piece> {
             for row in [1, 3] {
                 start[row].iter_mut().for_each(|value| *value = -*value);
             }
-            Piece { start, ..*piece }
+            PathPiece { start, ..*piece }
         })
         .collect()
 }
 
 /// The same path with all lengths `factor` times as long, turns of rotary axes too.
-pub fn scaled(pieces: &[Piece], factor: f64) -> Vec<Piece> {
+pub fn scaled(pieces: &[PathPiece], factor: f64) -> Vec<PathPiece> {
     pieces
         .iter()
         .map(|piece| {
@@ -100,14 +100,14 @@ pub fn scaled(pieces: &[Piece], factor: f64) -> Vec<Piece> {
             for (row, power) in [(0, 1), (2, -1), (3, -2)] {
                 start[row].iter_mut().for_each(|value| *value *= factor.powi(power));
             }
-            Piece { start, length: piece.length * factor, ..*piece }
+            PathPiece { start, length: piece.length * factor, ..*piece }
         })
         .collect()
 }
 
 /// From rest to rest in one axis without a limit of jerk.
-pub fn bang_bang(way: f64, v: f64, a: f64) -> f64 {
-    if way >= v * v / a { way / v + v / a } else { 2.0 * (way / a).sqrt() }
+pub fn bang_bang(distance: f64, v: f64, a: f64) -> f64 {
+    if distance >= v * v / a { distance / v + v / a } else { 2.0 * (distance / a).sqrt() }
 }
 
 /// Two numbers agree to a share of the second.

@@ -1,8 +1,8 @@
-//! Stretches made by hand: pieces of path, and the seven phases of a law from rest to rest.
+//! Trajectories made by hand: pieces of path, and the seven phases of a profile from rest to rest.
 
 use super::line;
 use chordal_geometry::{AXES, Arc, Curve, ParamCurve, Plane};
-use chordal_motion::{Axes, Phase, Piece, Stretch};
+use chordal_motion::{AxisValues, JerkPhase, PathPiece, PlannedTrajectory};
 
 /// Largest speed, acceleration and jerk along the path.
 #[derive(Clone, Copy, Debug)]
@@ -35,14 +35,14 @@ impl Law {
 
     /// The largest speed from rest to rest over a length.
     fn top(&self, length: f64) -> f64 {
-        let way = |speed: f64| speed * self.ramp(speed).time_s();
-        if way(self.speed) <= length {
+        let distance = |speed: f64| speed * self.ramp(speed).time_s();
+        if distance(self.speed) <= length {
             return self.speed;
         }
         let (mut low, mut high) = (0.0, self.speed);
         for _ in 0..200 {
             let mid = 0.5 * (low + high);
-            if way(mid) > length { high = mid } else { low = mid }
+            if distance(mid) > length { high = mid } else { low = mid }
         }
         low
     }
@@ -55,7 +55,7 @@ impl Law {
     }
 
     /// The phases from rest to rest over a length.
-    pub fn phases(&self, length: f64) -> Vec<Phase> {
+    pub fn phases(&self, length: f64) -> Vec<JerkPhase> {
         let top = self.top(length);
         let ramp = self.ramp(top);
         let cruise_s = (length / top - ramp.time_s()).max(0.0);
@@ -73,7 +73,7 @@ impl Law {
             if duration_s <= 0.0 {
                 continue;
             }
-            let phase = Phase { duration_s, from: at.0, speed: at.1, acceleration: at.2, jerk };
+            let phase = JerkPhase { duration_s, from: at.0, speed: at.1, acceleration: at.2, jerk };
             let end = phase.at(duration_s);
             // Rounding must not be carried on where the acceleration is known to be gone.
             let settled = end.acceleration.abs() < 1e-9 * self.acceleration;
@@ -84,19 +84,19 @@ impl Law {
     }
 
     /// Pieces from rest to rest.
-    pub fn stretch(&self, pieces: Vec<Piece>) -> Stretch {
+    pub fn trajectory(&self, pieces: Vec<PathPiece>) -> PlannedTrajectory {
         let length = pieces.iter().map(|piece| piece.length).sum();
-        Stretch { phases: self.phases(length), pieces, overlap_s: 0.0 }
+        PlannedTrajectory { phases: self.phases(length), pieces, overlap_s: 0.0 }
     }
 }
 
 /// A straight piece in a direction of all axes.
-pub fn straight(from: Axes, direction: Axes, length: f64, tag: u64) -> Piece {
-    Piece { length, base: None, start: [from, direction, [0.0; AXES], [0.0; AXES]], tag }
+pub fn straight(from: AxisValues, direction: AxisValues, length: f64, tag: u64) -> PathPiece {
+    PathPiece { length, base: None, start: [from, direction, [0.0; AXES], [0.0; AXES]], tag }
 }
 
 /// The piece of path of a curve, with straight lines as polynomials.
-pub fn piece(curve: Curve, tag: u64) -> Piece {
+pub fn piece(curve: Curve, tag: u64) -> PathPiece {
     let length = curve.length();
     if let Curve::Line(_) = curve {
         let mut axes = [[0.0; AXES]; 2];
@@ -104,16 +104,16 @@ pub fn piece(curve: Curve, tag: u64) -> Piece {
         axes[1][..3].copy_from_slice(&curve.tangent_at(0.0).to_array());
         return straight(axes[0], axes[1], length, tag);
     }
-    Piece { length, base: Some((curve, 0.0)), start: [[0.0; AXES]; 4], tag }
+    PathPiece { length, base: Some((curve, 0.0)), start: [[0.0; AXES]; 4], tag }
 }
 
 /// The piece of a straight line.
-pub fn straight_piece(from: [f64; 3], to: [f64; 3]) -> Piece {
+pub fn straight_piece(from: [f64; 3], to: [f64; 3]) -> PathPiece {
     piece(line(from, to), 0)
 }
 
 /// A line cut into pieces.
-pub fn cut_line(from: [f64; 3], to: [f64; 3], count: usize) -> Vec<Piece> {
+pub fn cut_line(from: [f64; 3], to: [f64; 3], count: usize) -> Vec<PathPiece> {
     let whole = straight_piece(from, to);
     let length = whole.length / count as f64;
     (0..count)
@@ -126,10 +126,10 @@ pub fn cut_line(from: [f64; 3], to: [f64; 3], count: usize) -> Vec<Piece> {
 
 /// Along an arc about the origin, at a speed at which a circle holds 2000 mm/s² and 1e5 mm/s³ of
 /// its axes with some room.
-pub fn circle_stretch(radius: f64, sweep: f64, tag: u64) -> Stretch {
+pub fn circle_trajectory(radius: f64, sweep: f64, tag: u64) -> PlannedTrajectory {
     // With v²/R at 1000 and the path's own at 500, an axis stays below 1500 of 2000, and its
     // jerk κ²v³ + 3κva + j below 1e5.
     let speed = (1000.0 * radius).sqrt().min(150.0).min((2e4 * radius * radius).cbrt());
     let arc = Arc::new(Plane::Xy.frame(), radius, sweep, 0.0);
-    Law { speed, acceleration: 500.0, jerk: 2e4 }.stretch(vec![piece(arc.into(), tag)])
+    Law { speed, acceleration: 500.0, jerk: 2e4 }.trajectory(vec![piece(arc.into(), tag)])
 }

@@ -2,7 +2,7 @@
 
 use super::cut;
 use chordal_geometry::{Arc, Curve, Frame, Line, ParamCurve, Spiral, Vec3};
-use chordal_motion::{AxisLimit, Corner, Limits, Move};
+use chordal_motion::{AxisLimit, CornerMode, KinematicLimits, MoveRequest};
 
 /// A small generator of numbers, the same on every machine.
 pub struct Dice(pub u64);
@@ -43,7 +43,7 @@ impl Dice {
 }
 
 /// Limits of one machine, its axes unlike each other.
-pub fn random_limits(dice: &mut Dice) -> Limits {
+pub fn random_limits(dice: &mut Dice) -> KinematicLimits {
     let mut axis = |velocity: f64, acceleration: f64, jerk: f64| {
         Some(AxisLimit {
             velocity: velocity * dice.even(0.5, 2.0),
@@ -56,8 +56,15 @@ pub fn random_limits(dice: &mut Dice) -> Limits {
     let x = linear(&mut axis);
     let y = linear(&mut axis);
     let z = linear(&mut axis);
-    Limits::new([x, y, z, axis(2.0, 20.0, 400.0), axis(2.0, 20.0, 400.0), axis(3.0, 30.0, 900.0)])
-        .unwrap()
+    KinematicLimits::new([
+        x,
+        y,
+        z,
+        axis(2.0, 20.0, 400.0),
+        axis(2.0, 20.0, 400.0),
+        axis(3.0, 30.0, 900.0),
+    ])
+    .unwrap()
 }
 
 /// What a random path may hold.
@@ -73,17 +80,20 @@ pub struct Mix {
 }
 
 /// Moves that join on.
-pub fn random_path(dice: &mut Dice, mix: &Mix) -> Vec<Move> {
-    let mut moves: Vec<Move> = Vec::new();
+pub fn random_path(dice: &mut Dice, mix: &Mix) -> Vec<MoveRequest> {
+    let mut moves: Vec<MoveRequest> = Vec::new();
     let mut at = Vec3::ZERO;
     let mut rotary = [0.0; 3];
     let mut heading = dice.direction();
     let mut speed = dice.decades(5.0, 500.0);
     let modes = [
-        Corner::Stop,
-        Corner::Exact,
-        Corner::Within { linear_mm: dice.decades(1e-4, 1.0), rotary_rad: dice.decades(1e-5, 1e-2) },
-        Corner::Within { linear_mm: 0.01, rotary_rad: 1e-4 },
+        CornerMode::Stop,
+        CornerMode::Exact,
+        CornerMode::Joined {
+            linear_mm: dice.decades(1e-4, 1.0),
+            rotary_rad: dice.decades(1e-5, 1e-2),
+        },
+        CornerMode::Joined { linear_mm: 0.01, rotary_rad: 1e-4 },
     ];
     let mut corner = modes[dice.below(4) as usize];
     while moves.len() < mix.moves {
@@ -139,7 +149,7 @@ pub fn random_path(dice: &mut Dice, mix: &Mix) -> Vec<Move> {
         }
         let tag = moves.len() as u64;
         let motion = cut(curve, speed, corner);
-        moves.push(Move { rotary_from: from, rotary_to: rotary, tag, ..motion });
+        moves.push(MoveRequest { rotary_from: from, rotary_to: rotary, tag, ..motion });
     }
     moves
 }

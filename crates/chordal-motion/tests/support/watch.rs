@@ -1,23 +1,23 @@
 //! What setpoints ask of the axes.
 
 use chordal_geometry::AXES;
-use chordal_motion::{Axes, Limits, Setpoint};
+use chordal_motion::{AxisValues, KinematicLimits, ServoSetpoint};
 
 /// What rounding does to coordinates of some hundred mm or rad.
-pub const ROUNDING: Axes = [1e-13; AXES];
+pub const AXIS_ROUNDING: AxisValues = [1e-13; AXES];
 
 /// Largest differences of setpoints by time, over limits.
 #[derive(Debug, Default)]
 pub struct Watch {
-    last: Vec<Axes>,
+    last: Vec<AxisValues>,
     /// Ratios of velocity, acceleration and jerk of each axis to their limits, by differences.
-    pub worst: [Axes; 3],
+    pub worst: [AxisValues; 3],
     /// Ratios of the velocity and acceleration that come with the setpoint.
-    pub told: [f64; 2],
+    pub reported: [f64; 2],
 }
 
 impl Watch {
-    pub fn take(&mut self, point: &Setpoint, period_s: f64, limits: &Limits) {
+    pub fn take(&mut self, point: &ServoSetpoint, period_s: f64, limits: &KinematicLimits) {
         self.last.push(point.position);
         if self.last.len() > 4 {
             self.last.remove(0);
@@ -40,14 +40,15 @@ impl Watch {
             take(0, Some(d - c), limit.velocity);
             take(1, b.map(|b| d - 2.0 * c + b), limit.acceleration);
             take(2, a.zip(b).map(|(a, b)| d - 3.0 * c + 3.0 * b - a), limit.jerk);
-            self.told[0] = self.told[0].max(point.velocity[axis].abs() / limit.velocity);
-            self.told[1] = self.told[1].max(point.acceleration[axis].abs() / limit.acceleration);
+            self.reported[0] = self.reported[0].max(point.velocity[axis].abs() / limit.velocity);
+            self.reported[1] =
+                self.reported[1].max(point.acceleration[axis].abs() / limit.acceleration);
         }
     }
 
     /// Fails when a limit was broken by more than a relative 1e-6 and what `rounding` of each
     /// coordinate does to its differences: their weights add up to 2, 4 and 8.
-    pub fn check(&self, period_s: f64, limits: &Limits, rounding: &Axes) {
+    pub fn check(&self, period_s: f64, limits: &KinematicLimits, rounding: &AxisValues) {
         for (axis, rounding) in rounding.iter().enumerate() {
             let Some(limit) = limits.axis(axis) else { continue };
             let limits = [limit.velocity, limit.acceleration, limit.jerk];
@@ -57,8 +58,8 @@ impl Watch {
                 assert!(worst[axis] <= 1.0 + 1e-6 + slack, "axis {axis}: {self:?}");
             }
         }
-        for told in self.told {
-            assert!(told <= 1.0 + 1e-6, "{self:?}");
+        for reported in self.reported {
+            assert!(reported <= 1.0 + 1e-6, "{self:?}");
         }
     }
 }

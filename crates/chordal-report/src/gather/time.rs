@@ -1,7 +1,7 @@
 //! The planned time as rows.
 
 use chordal::Job;
-use chordal::time::{BlockTime, OperationTime, Timed};
+use chordal::time::{BlockTime, OperationTime, TimedRun};
 
 use super::stops::other_file;
 use super::text::{clean, comment};
@@ -12,7 +12,7 @@ const MAX_OPERATIONS: usize = 200;
 
 /// The time; operations without a comment of their own have that of their tool. `head` are the
 /// comments at the head of the program.
-pub fn time(timed: &Timed, tools: &[ReportedTool], head: &[String], job: &Job) -> PlannedTime {
+pub fn time(timed: &TimedRun, tools: &[Tool], head: &[String], job: &Job) -> Time {
     let (time, motion) = (&timed.time, &timed.motion);
     let operations: Vec<Operation> = time
         .operations

@@ -7,33 +7,33 @@ use chordal_diagnostics::Diagnostic;
 use chordal_geometry::{Curve, EvenPart, Line, ParamCurve, Transform, Vec3};
 use chordal_kernel::Outcome;
 use chordal_kernel::rules::{PathRules, RapidFeed};
-use chordal_machine::{AXES, FeedLimits, Machine, NonMotionTimes};
-use chordal_motion::{Axes, Corner, Move, MoveKind};
+use chordal_machine::{AXES, FeedLimits, Machine, Times};
+use chordal_motion::{AxisValues, CornerMode, MoveKind, MoveRequest};
 use chordal_path::{
     PathBuilder, PathCommand, PathSink, RotaryLimits, Segment, SegmentKind, SurfacePart, curve_of,
     rotary_parts, surface_parts,
 };
 
-use super::corner::{Ending, corner_of};
-use super::operations::Operations;
-use super::options::InForce;
+use super::corner::{CornerRequest, corner_of};
+use super::operations::OperationFinder;
+use super::options::MotionSettings;
 use super::{
-    MachineLimits, MotionOptions, MotionReport, MotionSink, MotionStep, Refused, StepKind,
-    StepSource, UnknownAxes, Wait, WaitKind,
+    MachineLimits, MotionOptions, MotionReport, MotionSink, MotionStep, MotionWait, RefusedMove,
+    StepKind, StepSource, UnknownAxes, WaitKind,
 };
 use crate::job::Job;
 
 /// How many refused moves are kept.
-const KEPT_REFUSED: usize = 20;
+const MAX_REFUSED_MOVES: usize = 20;
 
 /// Ends that are nearer than this are one point, mm or rad: rounding of the arcs' ends. What is
 /// farther away is a jump of the coordinates.
-const SAME_POINT: f64 = 1e-7;
+const COINCIDENT_END_MM: f64 = 1e-7;
 
 /// A move that waits for the next one. It is large, and stays where it is made.
-struct Held {
+struct PendingMove {
     step: MotionStep,
-    ending: Ending,
+    ending: CornerRequest,
     source: StepSource,
 }
 
@@ -44,11 +44,11 @@ pub(crate) struct MotionBuilder<'a, S> {
     rules: PathRules,
     times: NonMotionTimes,
     feed: FeedLimits,
-    rapid_speeds: Axes,
+    rapid_speeds: AxisValues,
     /// A G0 is given its speed by a feed.
     rapids_at_feed: bool,
     optional_stop: bool,
-    in_force: InForce,
+    in_force: MotionSettings,
     forced_mode: Option<PathMode>,
     /// Those that the program lets act.
     overrides: Overrides,
@@ -64,8 +64,8 @@ pub(crate) struct MotionBuilder<'a, S> {
     surface: Option<RotarySurface>,
     tool: u32,
     /// The end of the last move.
-    at: Option<Axes>,
-    shift: Axes,
+    at: Option<AxisValues>,
+    shift: AxisValues,
     number: u32,
     /// Pieces of path before those of the present command.
     pieces: u64,
@@ -75,9 +75,9 @@ pub(crate) struct MotionBuilder<'a, S> {
     axes: AxisMask,
     /// Those whose place is not known after the last move.
     unknown_places: AxisMask,
-    held: Option<Held>,
+    pending: Option<PendingMove>,
     report: MotionReport,
-    operations: Operations,
+    operations: OperationFinder,
     sink: S,
 }
 
@@ -107,7 +107,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             rapid_speeds: report.limits.rapid.velocity(),
             rapids_at_feed: job.control().parameters.rules.rapid_feed != RapidFeed::OfMachine,
             optional_stop: machine.switches.optional_stop,
-            in_force: InForce::new(machine, options),
+            in_force: MotionSettings::new(machine, options),
             forced_mode: options.path_mode,
             overrides: Overrides::ON,
             dog_leg_shape: options.dog_leg_shape,
@@ -124,16 +124,16 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             piece: 0,
             unknown_places: axes.without(job.initial_offset().1.or(job.not_named_axes().all())),
             axes,
-            held: None,
+            pending: None,
             report,
-            operations: Operations::new(job, options.operations),
+            operations: OperationFinder::new(job, options.operations),
             sink,
         }
     }
 
     /// The last move is emitted.
     pub fn finish(mut self, outcomes: Vec<Outcome>) -> (MotionReport, S) {
-        self.hand_on(|_, _| Corner::Stop);
+        self.hand_on(|_, _| CornerMode::Stop);
         self.report.outcomes = outcomes;
         (self.report, self.sink)
     }
@@ -187,7 +187,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         let difference = (target - self.spindle_rpm).abs();
         self.spindle_rpm = target;
         if self.rules.laser_mode {
-            // A laser has no speed that takes time, but switching it waits until the axes stand.
+            // A laser has no speed that takes time, but switching it waits until the axes rest.
             let is_switched = std::mem::replace(&mut self.laser_state, state) != state;
             if is_switched {
                 self.laser_change = None;
@@ -225,7 +225,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
 
     fn wait(&mut self, kind: WaitKind, seconds: f64, origin: Origin) {
         let seconds = if seconds > 0.0 && seconds.is_finite() { seconds } else { 0.0 };
-        self.hand_on(|_, _| Corner::Stop);
+        self.hand_on(|_, _| CornerMode::Stop);
         let tag = self.next_tag(&origin);
         let source = StepSource {
             tag,
@@ -242,7 +242,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         };
         self.report.waits += 1;
         // A wait has no limits that it could break.
-        let _ = self.sink.step(&MotionStep::Wait(Wait { seconds, kind, tag }), &source);
+        let _ = self.sink.step(&MotionStep::Wait(MotionWait { seconds, kind, tag }), &source);
     }
 
     fn next_tag(&mut self, origin: &Origin) -> u64 {
@@ -284,12 +284,12 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             SegmentKind::Rapid => MoveKind::Rapid,
             _ => MoveKind::Cut,
         };
-        let mut motion = Move {
+        let mut motion = MoveRequest {
             curve: segment.curve,
             rotary_from: segment.rotary_from,
             rotary_to: segment.rotary_to,
             speed: f64::INFINITY,
-            corner: Corner::Stop,
+            corner: CornerMode::Stop,
             kind,
             tag: 0,
         };
@@ -303,7 +303,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         };
         let Some(speed) = speed else {
             self.report.cuts_without_feed += 1;
-            self.hand_on(|_, _| Corner::Stop);
+            self.hand_on(|_, _| CornerMode::Stop);
             return;
         };
         motion.speed = speed;
@@ -331,11 +331,11 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         };
         self.at = Some(motion.to());
         self.unknown_places = self.axes.without(known_at(segment)[1]);
-        let ending = Ending { mode: self.mode, cycle, bends };
-        self.held = Some(Held { step: MotionStep::Move(motion), ending, source });
+        let ending = CornerRequest { mode: self.mode, cycle, bends };
+        self.pending = Some(PendingMove { step: MotionStep::Move(motion), ending, source });
     }
 
-    fn unknown_axes(&self, segment: &Segment, motion: &Move) -> UnknownAxes {
+    fn unknown_axes(&self, segment: &Segment, motion: &MoveRequest) -> UnknownAxes {
         let [from, to] = known_at(segment);
         let places = self.axes.without(from.and(to));
         if places == AxisMask::NONE {
@@ -360,7 +360,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     /// Speed along a cut with the override; never more than the machine's largest feed. `None`
     /// without a feed.
     fn cut_speed(&self, segment: &Segment, length: f64) -> Option<f64> {
-        // Without a feed there is no time: the largest feed of the machine is none that anybody has asked for.
+        // Without a feed there is no time: the largest feed of the machine is none that the program has set.
         if segment.duration_s.is_nan() || segment.duration_s <= 0.0 {
             return None;
         }
@@ -372,7 +372,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     }
 
     /// As fast as the axes can, or the part of it that the override leaves.
-    fn rapid_speed(&self, motion: &Move, length: f64, duration_s: f64) -> Option<f64> {
+    fn rapid_speed(&self, motion: &MoveRequest, length: f64, duration_s: f64) -> Option<f64> {
         let part = self.rapid_override();
         if part >= 1.0 && !self.rapids_at_feed {
             return Some(f64::INFINITY);
@@ -386,11 +386,11 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     }
 
     /// Moves a move to where the last one ended.
-    fn join(&mut self, motion: &mut Move) {
+    fn join(&mut self, motion: &mut MoveRequest) {
         let from = motion.from();
         if let Some(at) = self.at {
             let away = |axis: usize| (from[axis] + self.shift[axis] - at[axis]).abs();
-            if (0..AXES).any(|axis| away(axis) > SAME_POINT) {
+            if (0..AXES).any(|axis| away(axis) > COINCIDENT_END_MM) {
                 self.shift = std::array::from_fn(|axis| at[axis] - from[axis]);
             }
         }
@@ -409,10 +409,10 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         }
     }
 
-    /// Emits the held move with the corner at its end.
-    fn hand_on(&mut self, corner: impl FnOnce(&Move, Ending) -> Corner) {
-        let Some(held) = &mut self.held else { return };
-        let Held { step, ending, source } = held;
+    /// Emits the pending move with the corner at its end.
+    fn hand_on(&mut self, corner: impl FnOnce(&MoveRequest, CornerRequest) -> CornerMode) {
+        let Some(pending) = &mut self.pending else { return };
+        let PendingMove { step, ending, source } = pending;
         if let MotionStep::Move(motion) = step {
             motion.corner = corner(motion, *ending);
         }
@@ -426,12 +426,12 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
                     self.at = Some(motion.from());
                 }
                 self.report.refused_moves += 1;
-                if self.report.refused.len() < KEPT_REFUSED {
-                    self.report.refused.push(Refused { error, source: *source });
+                if self.report.refused.len() < MAX_REFUSED_MOVES {
+                    self.report.refused.push(RefusedMove { error, source: *source });
                 }
             }
         }
-        self.held = None;
+        self.pending = None;
     }
 
     /// A cut whose spindle keeps a cutting speed, in pieces with a speed each; false for every other one.
@@ -554,14 +554,14 @@ impl<S: MotionSink> PathSink for MotionBuilder<'_, S> {
     }
 }
 
-/// The mode that the caller asks for, if any. Whether short blocks are joined stays with the program.
-fn forced(asked: Option<PathMode>, own: PathMode) -> PathMode {
-    match (asked, own) {
-        (Some(PathMode::Continuous { tolerance_mm, joined: asked }), own) => {
-            let joined = asked || matches!(own, PathMode::Continuous { joined: true, .. });
+/// The mode that the caller sets, if any. Whether short blocks are joined stays with the program.
+fn forced(requested: Option<PathMode>, own: PathMode) -> PathMode {
+    match (requested, own) {
+        (Some(PathMode::Continuous { tolerance_mm, joined: requested }), own) => {
+            let joined = requested || matches!(own, PathMode::Continuous { joined: true, .. });
             PathMode::Continuous { tolerance_mm, joined }
         }
-        (Some(asked), _) => asked,
+        (Some(requested), _) => requested,
         (None, own) => own,
     }
 }

@@ -12,13 +12,13 @@
 use chordal_command::PathMode;
 use chordal_geometry::{ParamCurve, Vec3};
 use chordal_kernel::rules::PathRules;
-use chordal_motion::{Corner, Move, MoveKind};
+use chordal_motion::{CornerMode, MoveKind, MoveRequest};
 
-use super::options::InForce;
+use super::options::MotionSettings;
 
-/// How a move that waits for the next one was asked for.
+/// How the end of a pending move was programmed.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ending {
+pub(super) struct CornerRequest {
     /// The path mode of its block.
     pub mode: PathMode,
     pub cycle: bool,
@@ -32,12 +32,12 @@ const SMOOTH_COSINE: f64 = 0.999_998_476_913;
 
 /// The corner between a move and the one that follows it.
 pub(super) fn corner_of(
-    last: &Move,
-    ending: Ending,
-    next: &Move,
+    last: &MoveRequest,
+    ending: CornerRequest,
+    next: &MoveRequest,
     rules: &PathRules,
-    in_force: &InForce,
-) -> Corner {
+    in_force: &MotionSettings,
+) -> CornerMode {
     use MoveKind::{Cut, Rapid};
     let rotary_rad = in_force.rotary_tolerance_rad;
     let stops = match (last.kind, next.kind) {
@@ -55,38 +55,40 @@ pub(super) fn corner_of(
         mode => mode,
     };
     match mode {
-        _ if stops => Corner::Stop,
-        PathMode::ExactStop => Corner::Stop,
+        _ if stops => CornerMode::Stop,
+        PathMode::ExactStop => CornerMode::Stop,
         PathMode::ExactPath => {
             let eases = in_force.exact_path_tolerance_mm > 0.0;
             match eases && cosine(last, next) > SMOOTH_COSINE {
-                true => Corner::Apart { linear_mm: in_force.exact_path_tolerance_mm, rotary_rad },
-                false => Corner::Exact,
+                true => {
+                    CornerMode::Blended { linear_mm: in_force.exact_path_tolerance_mm, rotary_rad }
+                }
+                false => CornerMode::Exact,
             }
         }
         PathMode::Continuous { tolerance_mm, joined } => {
             let linear_mm = tolerance_mm.unwrap_or(in_force.corner_tolerance_mm);
             match joined {
-                true => Corner::Within { linear_mm, rotary_rad },
-                false => Corner::Apart { linear_mm, rotary_rad },
+                true => CornerMode::Joined { linear_mm, rotary_rad },
+                false => CornerMode::Blended { linear_mm, rotary_rad },
             }
         }
     }
 }
 
 /// Rotary axes have no path that could be missed while nothing is cut.
-fn rapid_bend(in_force: &InForce) -> Corner {
+fn rapid_bend(in_force: &MotionSettings) -> CornerMode {
     let linear_mm = in_force.rapid_corner_tolerance_mm;
     // The same part of a turn as the tolerance is of a 100 mm radius.
-    Corner::Apart { linear_mm, rotary_rad: linear_mm / 100.0 }
+    CornerMode::Blended { linear_mm, rotary_rad: linear_mm / 100.0 }
 }
 
 /// Cosine of the angle between the end of a move and the start of the next.
-fn cosine(ending: &Move, next: &Move) -> f64 {
+fn cosine(ending: &MoveRequest, next: &MoveRequest) -> f64 {
     let along = |curve: &chordal_geometry::Curve, s: f64| -> Vec3 { curve.tangent_at(s) };
     along(&ending.curve, ending.curve.length()).dot(along(&next.curve, 0.0))
 }
 
-fn turns_round(ending: &Move, next: &Move) -> bool {
+fn turns_round(ending: &MoveRequest, next: &MoveRequest) -> bool {
     cosine(ending, next) < -0.999
 }

@@ -1,7 +1,9 @@
 //! The limits of a machine's axes, with typical values for what its file does not give.
 
 use chordal_machine::{AXES, Axis, AxisLimits, Machine};
-use chordal_motion::{AxisLimit, JunctionLaw, LimitError, Limits, Quantity, SegmentLengths};
+use chordal_motion::{
+    ArcSegmentLengths, AxisLimit, JunctionRule, KinematicLimits, LimitError, LimitedQuantity,
+};
 
 use crate::control::Control;
 
@@ -11,7 +13,7 @@ pub struct AssumedLimit {
     /// The axis.
     pub axis: Axis,
     /// Which of its limits.
-    pub quantity: Quantity,
+    pub quantity: LimitedQuantity,
     /// What was taken, in mm or rad and s.
     pub value: f64,
 }
@@ -20,13 +22,13 @@ pub struct AssumedLimit {
 #[derive(Clone, Debug, PartialEq)]
 pub struct MachineLimits {
     /// Of cuts.
-    pub cut: Limits,
+    pub cut: KinematicLimits,
     /// Of rapids.
-    pub rapid: Limits,
+    pub rapid: KinematicLimits,
     /// What the machine file does not give.
     pub assumed: Vec<AssumedLimit>,
     /// Trapezoids with junction deviation, where the control moves like that.
-    pub junctions: Option<JunctionLaw>,
+    pub junctions: Option<JunctionRule>,
 }
 
 /// Typical of a machining centre of middle size: 24 m/min, 3 m/s², 100 m/s³.
@@ -47,11 +49,11 @@ impl MachineLimits {
         let mut cut = [None; AXES];
         let mut rapid = [None; AXES];
         let junctions =
-            Control::of(machine).0.parameters.rules.path.junctions.map(|rules| JunctionLaw {
+            Control::of(machine).0.parameters.rules.path.junctions.map(|rules| JunctionRule {
                 deviation_mm: rules.deviation_mm,
                 blocks: rules.blocks as usize,
                 arc_tolerance_mm: rules.arc_tolerance_mm,
-                arc_segments: rules.arc_segments.map(|segments| SegmentLengths {
+                arc_segments: rules.arc_segments.map(|segments| ArcSegmentLengths {
                     least_mm: segments.least_mm,
                     most_mm: segments.most_mm,
                     of_circle: f64::from(segments.of_circle),
@@ -61,27 +63,27 @@ impl MachineLimits {
                 limited_jerk: rules.limited_jerk,
             });
         for axis in Axis::ALL {
-            let Some(given) = machine.axis(axis) else { continue };
-            let limit = of_axis(axis, given, &mut assumed);
+            let Some(own) = machine.axis(axis) else { continue };
+            let limit = of_axis(axis, own, &mut assumed);
             cut[axis as usize] = Some(limit);
             rapid[axis as usize] = Some(AxisLimit {
-                acceleration: given.rapid_acceleration.unwrap_or(limit.acceleration),
-                jerk: given.rapid_jerk.unwrap_or(limit.jerk),
+                acceleration: own.rapid_acceleration.unwrap_or(limit.acceleration),
+                jerk: own.rapid_jerk.unwrap_or(limit.jerk),
                 ..limit
             });
         }
         // The length across on a face or a cylinder has no axis of its own on a lathe: it is planned as X is, and the rotary
-        // axis that makes it is not asked for more than its speed.
+        // axis that makes it has no limit but its speed.
         let (x, y) = (Axis::X as usize, Axis::Y as usize);
         if machine.turns() && cut[y].is_none() && machine.axis(Axis::C).is_some() {
             (cut[y], rapid[y]) = (cut[x], rapid[x]);
         }
-        let (cut, rapid) = (Limits::new(cut)?, Limits::new(rapid)?);
+        let (cut, rapid) = (KinematicLimits::new(cut)?, KinematicLimits::new(rapid)?);
         Ok(MachineLimits { cut, rapid, assumed, junctions })
     }
 }
 
-fn of_axis(axis: Axis, given: &AxisLimits, assumed: &mut Vec<AssumedLimit>) -> AxisLimit {
+fn of_axis(axis: Axis, own: &AxisLimits, assumed: &mut Vec<AssumedLimit>) -> AxisLimit {
     let typical = match axis.is_rotary() {
         false => TYPICAL_LINEAR,
         true => AxisLimit {
@@ -90,15 +92,19 @@ fn of_axis(axis: Axis, given: &AxisLimits, assumed: &mut Vec<AssumedLimit>) -> A
             jerk: TYPICAL_ROTARY_DEG.jerk.to_radians(),
         },
     };
-    let mut take = |quantity, given: Option<f64>, value| {
-        given.unwrap_or_else(|| {
+    let mut take = |quantity, own: Option<f64>, value| {
+        own.unwrap_or_else(|| {
             assumed.push(AssumedLimit { axis, quantity, value });
             value
         })
     };
     AxisLimit {
-        velocity: take(Quantity::Velocity, given.max_velocity, typical.velocity),
-        acceleration: take(Quantity::Acceleration, given.max_acceleration, typical.acceleration),
-        jerk: take(Quantity::Jerk, given.max_jerk, typical.jerk),
+        velocity: take(LimitedQuantity::Velocity, own.max_velocity, typical.velocity),
+        acceleration: take(
+            LimitedQuantity::Acceleration,
+            own.max_acceleration,
+            typical.acceleration,
+        ),
+        jerk: take(LimitedQuantity::Jerk, own.max_jerk, typical.jerk),
     }
 }

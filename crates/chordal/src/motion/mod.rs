@@ -34,20 +34,21 @@ mod setpoints;
 mod steps;
 
 pub use chordal_motion::{
-    Along, Axes, AxisLimit, Corner, Cursor, Jet, Level, LimitError, Limits, Move, MoveError,
-    MoveKind, PathPart, Phase, Piece, Planner, PlannerOptions, Quantity, Sample, Sampler, Span,
-    State, Step, Stretch,
+    AxisJet, AxisLimit, AxisState, AxisValues, CornerMode, JerkPhase, KinematicLimits, LimitError,
+    LimitedQuantity, MotionPlanner, MotionSample, MoveError, MoveKind, MoveRequest, PathPart,
+    PathPiece, PathSpan, PlannedTrajectory, PlannerLevel, PlannerOptions, PlannerStep,
+    ProfilePoint, SetpointSampler, TrajectoryCursor,
 };
 
 pub use limits::{AssumedLimit, MachineLimits};
 pub use operations::{OperationMark, OperationStart};
 pub use options::MotionOptions;
-pub use plan::{PlanSink, Sources};
-pub use setpoints::{Sampled, Sampling, SamplingError};
+pub use plan::{PlanSink, StepSources};
+pub use setpoints::{SamplingError, SamplingReport, SamplingRequest};
 pub use steps::{
-    MotionReport, MotionSink, MotionStep, Refused, StepKind, StepSource, UnknownAxes, Wait,
-    WaitKind,
+    MotionReport, MotionSink, MotionStep, MotionWait, RefusedMove, StepKind, StepSource,
+    UnknownAxes, WaitKind,
 };
 
 pub(crate) use builder::MotionBuilder;
-pub(crate) use plan::{Planned, Planning, WithSources};
+pub(crate) use plan::{PlanObserver, PlanningSink, SourcedSink};

@@ -12,7 +12,7 @@ pub enum OperationStart {
     /// Every tool change.
     #[default]
     ToolChange,
-    /// Every tool change, and every comment that stands on a line of its own in the main program,
+    /// Every tool change, and every comment on a line of its own in the main program,
     /// with an N number or without, after a move. Of lines of comments below each other the first
     /// counts.
     Comment,
@@ -23,29 +23,29 @@ pub enum OperationStart {
 pub enum OperationMark {
     /// Its first step; the comment before it, its marks included.
     Begins(Option<Span>),
-    /// Nothing has moved in it yet, and a comment stands before this step.
+    /// Nothing has moved in it yet, and a comment comes before this step.
     Names(Span),
 }
 
 /// Finds the first steps of operations.
 #[derive(Debug, Default)]
-pub(super) struct Operations {
+pub(super) struct OperationFinder {
     /// Comments on lines of their own, in order.
     comments: Vec<Span>,
-    /// How many of them stand before the newest step.
+    /// How many of them come before the newest step.
     passed: usize,
     /// The operation has a step, and a move.
     begun: bool,
     moved: bool,
 }
 
-impl Operations {
-    pub fn new(job: &Job<'_>, start: OperationStart) -> Operations {
+impl OperationFinder {
+    pub fn new(job: &Job<'_>, start: OperationStart) -> OperationFinder {
         let comments = match start {
             OperationStart::ToolChange => Vec::new(),
             OperationStart::Comment => comments(job),
         };
-        Operations { comments, ..Operations::default() }
+        OperationFinder { comments, ..OperationFinder::default() }
     }
 
     /// Whether an operation begins with this step. A jump back in the program, as for a loop,
@@ -84,18 +84,18 @@ fn comments(job: &Job<'_>) -> Vec<Span> {
     let lexicon = job.control().table.lexicon;
     let mut reader = BlockReader::new(source.text(), FileId(0), lexicon);
     let mut block = Block::new();
-    let (mut found, mut goes_on) = (Vec::new(), false);
+    let (mut firsts, mut goes_on) = (Vec::new(), false);
     while reader.read(&mut block) {
         let alone = block.words.iter().all(|word| word.letter == b'N');
         match block.comments.first() {
             Some(comment) if alone => {
                 if !goes_on {
-                    found.push(comment.in_file(FileId(0)));
+                    firsts.push(comment.in_file(FileId(0)));
                 }
                 goes_on = true;
             }
             _ => goes_on = false,
         }
     }
-    found
+    firsts
 }

@@ -2,7 +2,7 @@
 
 use chordal_command::PathMode;
 use chordal_machine::Machine;
-use chordal_motion::Level;
+use chordal_motion::PlannerLevel;
 
 use super::operations::OperationStart;
 
@@ -10,7 +10,7 @@ use super::operations::OperationStart;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionOptions {
     /// How hard the planner tries.
-    pub level: Level,
+    pub level: PlannerLevel,
     /// The feed override; 1 is as programmed.
     pub feed_override: Option<f64>,
     /// The rapid override; 1 is full speed.
@@ -33,7 +33,7 @@ pub struct MotionOptions {
 impl Default for MotionOptions {
     fn default() -> MotionOptions {
         MotionOptions {
-            level: Level::Fast,
+            level: PlannerLevel::Fast,
             feed_override: None,
             rapid_override: None,
             path_mode: None,
@@ -47,7 +47,7 @@ impl Default for MotionOptions {
 
 /// The active numbers.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct InForce {
+pub(super) struct MotionSettings {
     pub feed_override: f64,
     pub rapid_override: f64,
     pub corner_tolerance_mm: f64,
@@ -56,12 +56,12 @@ pub(super) struct InForce {
     pub rotary_tolerance_rad: f64,
 }
 
-impl InForce {
-    pub fn new(machine: &Machine, options: &MotionOptions) -> InForce {
+impl MotionSettings {
+    pub fn new(machine: &Machine, options: &MotionOptions) -> MotionSettings {
         let motion = &machine.motion;
         // An override of zero or NaN is no speed at all; the panel's 100 % stands for it.
         let sane = |value: f64| if value > 0.0 && value.is_finite() { value } else { 1.0 };
-        InForce {
+        MotionSettings {
             feed_override: sane(options.feed_override.unwrap_or_else(|| motion.feed_override())),
             rapid_override: sane(options.rapid_override.unwrap_or_else(|| motion.rapid_override())),
             corner_tolerance_mm: options

@@ -1,10 +1,13 @@
-//! The planned motion of a run, given to a sink with the block of each step.
+//! The planned motion of a run, passed to a sink with the block of each step.
 
 use chordal_command::Command;
 use std::collections::VecDeque;
 
 use chordal_diagnostics::Diagnostic;
-use chordal_motion::{Limits, MoveError, MoveKind, PathPart, Piece, Planner, PlannerOptions, Step};
+use chordal_motion::{
+    KinematicLimits, MotionPlanner, MoveError, MoveKind, PathPart, PathPiece, PlannerOptions,
+    PlannerStep,
+};
 
 use super::{MachineLimits, MotionOptions, MotionSink, MotionStep, StepSource};
 
@@ -17,10 +20,10 @@ pub trait PlanSink {
     fn source(&mut self, _source: &StepSource) {}
 
     /// The same, with the move or the wait itself.
-    fn asked(&mut self, _step: &MotionStep, _source: &StepSource) {}
+    fn request(&mut self, _step: &MotionStep, _source: &StepSource) {}
 
     /// A planned step; `sources` knows every tag in it.
-    fn step(&mut self, step: Step<'_>, sources: &Sources);
+    fn step(&mut self, step: PlannerStep<'_>, sources: &StepSources);
 
     /// A problem of the program.
     fn diagnostic(&mut self, _diagnostic: Diagnostic) {}
@@ -28,89 +31,90 @@ pub trait PlanSink {
 
 /// The sources of the steps that the planner holds: as many as it looks ahead.
 #[derive(Clone, Debug, Default)]
-pub struct Sources {
-    held: VecDeque<StepSource>,
+pub struct StepSources {
+    sources: VecDeque<StepSource>,
 }
 
-impl Sources {
+impl StepSources {
     /// Where a tag comes from; `None` when its step is over.
     pub fn get(&self, tag: u64) -> Option<&StepSource> {
-        let first = StepSource::number_of(self.held.front()?.tag);
-        self.held.get(StepSource::number_of(tag).wrapping_sub(first) as usize)
+        let first = StepSource::number_of(self.sources.front()?.tag);
+        self.sources.get(StepSource::number_of(tag).wrapping_sub(first) as usize)
     }
 
-    /// How many are held.
+    /// How many there are.
     pub fn len(&self) -> usize {
-        self.held.len()
+        self.sources.len()
     }
 
-    /// None is held.
+    /// There is none.
     pub fn is_empty(&self) -> bool {
-        self.held.is_empty()
+        self.sources.is_empty()
     }
 
     fn push(&mut self, source: StepSource) {
-        self.held.push_back(source);
+        self.sources.push_back(source);
     }
 
     /// Forgets what lies before a tag.
     fn forget_before(&mut self, tag: u64) {
-        let Some(first) = self.held.front().map(|source| StepSource::number_of(source.tag)) else {
+        let Some(first) = self.sources.front().map(|source| StepSource::number_of(source.tag))
+        else {
             return;
         };
         let count = StepSource::number_of(tag).wrapping_sub(first) as usize;
-        if count <= self.held.len() {
-            self.held.drain(..count);
+        if count <= self.sources.len() {
+            self.sources.drain(..count);
         }
     }
 }
 
 /// Takes what goes into a planner and what comes out of it. `P` is what the steps say about the path.
-pub(crate) trait Planned<P> {
+pub(crate) trait PlanObserver<P> {
     /// A command of the tool centre goes by, before its steps are planned.
     fn command(&mut self, _command: &Command) {}
 
     /// A step goes into the planner.
-    fn asked(&mut self, step: &MotionStep, source: &StepSource);
+    fn request(&mut self, step: &MotionStep, source: &StepSource);
 
     /// A planned step.
-    fn step(&mut self, step: Step<'_, P>);
+    fn step(&mut self, step: PlannerStep<'_, P>);
 
     /// A problem of the program.
     fn diagnostic(&mut self, _diagnostic: Diagnostic) {}
 }
 
 /// A sink with the sources of what the planner holds.
-pub(crate) struct WithSources<'s, S> {
-    sources: Sources,
+pub(crate) struct SourcedSink<'s, S> {
+    sources: StepSources,
     sink: &'s mut S,
 }
 
-impl<'s, S: PlanSink> WithSources<'s, S> {
-    pub fn new(sink: &'s mut S) -> WithSources<'s, S> {
-        WithSources { sources: Sources::default(), sink }
+impl<'s, S: PlanSink> SourcedSink<'s, S> {
+    pub fn new(sink: &'s mut S) -> SourcedSink<'s, S> {
+        SourcedSink { sources: StepSources::default(), sink }
     }
 }
 
-impl<S: PlanSink> Planned<Piece> for WithSources<'_, S> {
+impl<S: PlanSink> PlanObserver<PathPiece> for SourcedSink<'_, S> {
     fn command(&mut self, command: &Command) {
         self.sink.command(command);
     }
 
-    fn asked(&mut self, step: &MotionStep, source: &StepSource) {
+    fn request(&mut self, step: &MotionStep, source: &StepSource) {
         self.sources.push(*source);
         self.sink.source(source);
-        self.sink.asked(step, source);
+        self.sink.request(step, source);
     }
 
-    fn step(&mut self, step: Step<'_>) {
+    fn step(&mut self, step: PlannerStep<'_>) {
         self.sink.step(step, &self.sources);
         let last = match step {
-            Step::Stretch(stretch) => stretch.pieces.last().map(|piece| piece.tag),
-            Step::Wait { tag, .. } => Some(tag),
+            PlannerStep::Trajectory(trajectory) => trajectory.pieces.last().map(|piece| piece.tag),
+            PlannerStep::Wait { tag, .. } => Some(tag),
         };
         if let Some(tag) = last {
-            // A move may end in one stretch and go on in the next.
+            // A move may end in one trajectory and go on in the next.
             self.sources.forget_before(tag);
         }
     }
@@ -121,9 +125,9 @@ impl<S: PlanSink> Planned<Piece> for WithSources<'_, S> {
 }
 
 /// Puts the moves of a run through a planner.
-pub(crate) struct Planning<T, P = Piece> {
-    planner: Planner<P>,
-    make: fn(Limits, PlannerOptions) -> Planner<P>,
+pub(crate) struct PlanningSink<T, P = PathPiece> {
+    planner: MotionPlanner<P>,
+    make: fn(KinematicLimits, PlannerOptions) -> MotionPlanner<P>,
     options: PlannerOptions,
     limits: MachineLimits,
     /// Rapids have limits of their own: the planner of the kind of move that is under way.
@@ -131,23 +135,23 @@ pub(crate) struct Planning<T, P = Piece> {
     taker: T,
 }
 
-impl<'s, S: PlanSink> Planning<WithSources<'s, S>> {
+impl<'s, S: PlanSink> PlanningSink<SourcedSink<'s, S>> {
     pub fn new(limits: MachineLimits, options: &MotionOptions, sink: &'s mut S) -> Self {
-        Planning::with(limits, options, Planner::new, WithSources::new(sink))
+        PlanningSink::with(limits, options, MotionPlanner::new, SourcedSink::new(sink))
     }
 }
 
-impl<T: Planned<P>, P: PathPart> Planning<T, P> {
-    /// With the planner that is wanted.
+impl<T: PlanObserver<P>, P: PathPart> PlanningSink<T, P> {
+    /// With the planner that `make` makes.
     pub fn with(
         limits: MachineLimits,
         options: &MotionOptions,
-        make: fn(Limits, PlannerOptions) -> Planner<P>,
+        make: fn(KinematicLimits, PlannerOptions) -> MotionPlanner<P>,
         taker: T,
-    ) -> Planning<T, P> {
+    ) -> PlanningSink<T, P> {
         let junctions = limits.junctions;
         let options = PlannerOptions { junctions, ..PlannerOptions::new(options.level) };
-        Planning {
+        PlanningSink {
             planner: make(limits.cut, options),
             make,
             options,
@@ -157,15 +161,15 @@ impl<T: Planned<P>, P: PathPart> Planning<T, P> {
         }
     }
 
-    /// Hands on what the planner holds, and gives back who took it.
+    /// Emits what is left in the planner, and returns the observer.
     pub fn finish(mut self) -> T {
         self.rest();
         self.taker
     }
 
-    /// Hands on what the planner holds.
+    /// Emits what is left in the planner.
     fn rest(&mut self) {
-        let Planning { planner, taker, .. } = self;
+        let PlanningSink { planner, taker, .. } = self;
         planner.finish(|step| taker.step(step));
     }
 
@@ -176,7 +180,7 @@ impl<T: Planned<P>, P: PathPart> Planning<T, P> {
         }
         self.rest();
         self.kind = Some(kind);
-        let limits: Limits = match kind {
+        let limits: KinematicLimits = match kind {
             MoveKind::Rapid => self.limits.rapid,
             MoveKind::Cut => self.limits.cut,
         };
@@ -184,7 +188,7 @@ impl<T: Planned<P>, P: PathPart> Planning<T, P> {
     }
 }
 
-impl<T: Planned<P>, P: PathPart> MotionSink for Planning<T, P> {
+impl<T: PlanObserver<P>, P: PathPart> MotionSink for PlanningSink<T, P> {
     fn command(&mut self, command: &Command) {
         self.taker.command(command);
     }
@@ -193,8 +197,8 @@ impl<T: Planned<P>, P: PathPart> MotionSink for Planning<T, P> {
         if let MotionStep::Move(motion) = step {
             self.change_limits(motion.kind);
         }
-        self.taker.asked(step, source);
-        let Planning { planner, taker, .. } = self;
+        self.taker.request(step, source);
+        let PlanningSink { planner, taker, .. } = self;
         match step {
             MotionStep::Move(motion) => planner.push(motion, |step| taker.step(step)),
             MotionStep::Wait(wait) => {

@@ -5,7 +5,7 @@ use chordal_motion::LimitError;
 use super::builder::MotionBuilder;
 use super::limits::MachineLimits;
 use super::options::MotionOptions;
-use super::plan::{PlanSink, Planning};
+use super::plan::{PlanSink, PlanningSink};
 use super::steps::{MotionReport, MotionSink};
 use crate::compensated::CompensationSink;
 use crate::job::Job;
@@ -35,7 +35,7 @@ impl Job<'_> {
         options: &MotionOptions,
         sink: &mut S,
     ) -> Result<MotionReport, LimitError> {
-        let planning = Planning::new(MachineLimits::of(self.machine())?, options, sink);
+        let planning = PlanningSink::new(MachineLimits::of(self.machine())?, options, sink);
         let (report, planning) = self.motion(options, planning)?;
         planning.finish();
         Ok(report)

@@ -5,25 +5,25 @@ use std::collections::VecDeque;
 use chordal_command::AxisMask;
 
 use super::{
-    Level, LimitError, MotionOptions, MotionReport, PlanSink, Sample, Sampler, Sources, Step,
-    StepSource, UnknownAxes,
+    LimitError, MotionOptions, MotionReport, MotionSample, PlanSink, PlannerLevel, PlannerStep,
+    SetpointSampler, StepSource, StepSources, UnknownAxes,
 };
 use crate::job::Job;
 
-/// What setpoints are asked for.
+/// Which setpoints are requested.
 #[derive(Clone, Copy, Debug)]
-pub struct Sampling {
+pub struct SamplingRequest {
     /// Time from one setpoint to the next, s.
     pub period_s: f64,
     /// How hard the planner tries.
-    pub level: Level,
+    pub level: PlannerLevel,
     /// Most setpoints.
     pub most: u64,
 }
 
 /// What setpoints came to.
 #[derive(Clone, Debug)]
-pub struct Sampled {
+pub struct SamplingReport {
     /// How the run was planned.
     pub motion: MotionReport,
     /// Time of the run, s.
@@ -42,7 +42,7 @@ pub struct Sampled {
 pub enum SamplingError {
     /// A limit of an axis that is not a positive number.
     Limit(LimitError),
-    /// There are more than asked for: the run takes at least so many seconds.
+    /// There are more than requested: the run takes at least so many seconds.
     TooMany(f64),
 }
 
@@ -58,53 +58,54 @@ impl Job<'_> {
     /// are velocity and acceleration where it moves.
     ///
     /// # Errors
-    /// A limit of an axis that is not a positive number, or more setpoints than asked for.
+    /// A limit of an axis that is not a positive number, or more setpoints than requested.
     pub fn setpoints(
         &self,
-        sampling: &Sampling,
-        take: impl FnMut(&Sample, u32),
-    ) -> Result<Sampled, SamplingError> {
-        let Sampling { period_s, level, most } = *sampling;
+        sampling: &SamplingRequest,
+        take: impl FnMut(&MotionSample, u32),
+    ) -> Result<SamplingReport, SamplingError> {
+        let SamplingRequest { period_s, level, most } = *sampling;
         let options = MotionOptions { level, dog_leg_shape: true, ..MotionOptions::default() };
-        let unknown = Unknown::default();
-        let taker = Taker { take, period_s, count: 0, chord: (0.0, 0), unknown };
-        let mut setpoints = Setpoints { sampler: Sampler::new(period_s).at_most(most), taker };
+        let unknown = UnknownAxesQueue::default();
+        let taker = SetpointTaker { take, period_s, count: 0, chord: (0.0, 0), unknown };
+        let mut setpoints =
+            SetpointSink { sampler: SetpointSampler::new(period_s).at_most(most), taker };
         let motion = self.plan(&options, &mut setpoints)?;
-        let Setpoints { sampler, mut taker } = setpoints;
+        let SetpointSink { sampler, mut taker } = setpoints;
         let time_s = sampler.time_s();
         if sampler.is_exhausted() {
             return Err(SamplingError::TooMany(time_s));
         }
         sampler.finish(|sample| taker.take(sample));
-        let unknown_axes = taker.unknown.seen;
-        Ok(Sampled { motion, time_s, count: taker.count, unknown_axes, chord: taker.chord })
+        let unknown_axes = taker.unknown.missing;
+        Ok(SamplingReport { motion, time_s, count: taker.count, unknown_axes, chord: taker.chord })
     }
 }
 
 /// Setpoints on their way from the planner to who takes them.
-struct Setpoints<F> {
-    sampler: Sampler,
-    taker: Taker<F>,
+struct SetpointSink<F> {
+    sampler: SetpointSampler,
+    taker: SetpointTaker<F>,
 }
 
-struct Taker<F> {
+struct SetpointTaker<F> {
     take: F,
     period_s: f64,
     count: u64,
     chord: (f64, u32),
-    unknown: Unknown,
+    unknown: UnknownAxesQueue,
 }
 
 /// Which axes are not known from which step on.
 #[derive(Default)]
-struct Unknown {
+struct UnknownAxesQueue {
     /// The number of the step, where it differs from the one before.
     changes: VecDeque<(u32, UnknownAxes)>,
     /// Those that some setpoint was without.
-    seen: AxisMask,
+    missing: AxisMask,
 }
 
-impl Unknown {
+impl UnknownAxesQueue {
     fn follow(&mut self, source: &StepSource) {
         let last = self.changes.back().map(|(_, axes)| *axes).unwrap_or_default();
         if source.unknown_axes != last {
@@ -123,7 +124,7 @@ impl Unknown {
     }
 
     /// A setpoint without the numbers of what is not known.
-    fn without(&mut self, sample: &Sample, unknown: UnknownAxes) -> Sample {
+    fn without(&mut self, sample: &MotionSample, unknown: UnknownAxes) -> MotionSample {
         let mut sample = *sample;
         for axis in unknown.places.iter().map(|axis| axis as usize) {
             sample.position[axis] = f64::NAN;
@@ -131,14 +132,14 @@ impl Unknown {
                 (sample.velocity[axis], sample.acceleration[axis]) = (f64::NAN, f64::NAN);
             }
         }
-        self.seen = self.seen.or(unknown.places);
+        self.missing = self.missing.or(unknown.places);
         sample
     }
 }
 
-impl<F: FnMut(&Sample, u32)> Taker<F> {
+impl<F: FnMut(&MotionSample, u32)> SetpointTaker<F> {
     #[inline]
-    fn take(&mut self, sample: &Sample) {
+    fn take(&mut self, sample: &MotionSample) {
         let line = StepSource::line_of(sample.tag);
         match self.unknown.at(sample.tag) {
             unknown if unknown.places == AxisMask::NONE => (self.take)(sample, line),
@@ -152,19 +153,19 @@ impl<F: FnMut(&Sample, u32)> Taker<F> {
     }
 }
 
-impl<F: FnMut(&Sample, u32)> PlanSink for Setpoints<F> {
+impl<F: FnMut(&MotionSample, u32)> PlanSink for SetpointSink<F> {
     fn source(&mut self, source: &StepSource) {
         self.taker.unknown.follow(source);
     }
 
-    fn step(&mut self, step: Step<'_>, _: &Sources) {
+    fn step(&mut self, step: PlannerStep<'_>, _: &StepSources) {
         self.sampler.push(step, |sample| self.taker.take(sample));
     }
 }
 
 /// The part of the acceleration across the path of the tool, v²·κ, mm/s²: over a period T the
 /// chord from one setpoint to the next leaves the path by (vT)²·κ/8.
-fn normal_acceleration(sample: &Sample) -> f64 {
+fn normal_acceleration(sample: &MotionSample) -> f64 {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).take(3).map(|(a, b)| a * b).sum::<f64>();
     let speed2 = dot(&sample.velocity, &sample.velocity);
     if speed2 == 0.0 {
@@ -184,15 +185,15 @@ mod tests {
     #[test]
     fn the_chord_of_a_period_on_a_circle() {
         // 400 mm/s on R10 at 1 ms: 2 µm.
-        let sample = Sample {
+        let sample = MotionSample {
             velocity: [0.0, 400.0, 0.0, 0.0, 0.0, 0.0],
             acceleration: [-16_000.0, 700.0, 0.0, 0.0, 0.0, 0.0],
-            ..Sample::default()
+            ..MotionSample::default()
         };
         let chord = normal_acceleration(&sample) * 1e-6 / 8.0;
         assert!((chord - 2e-3).abs() < 1e-12);
-        let straight = Sample { acceleration: [0.0, -700.0, 0.0, 0.0, 0.0, 0.0], ..sample };
+        let straight = MotionSample { acceleration: [0.0, -700.0, 0.0, 0.0, 0.0, 0.0], ..sample };
         assert_eq!(normal_acceleration(&straight), 0.0);
-        assert_eq!(normal_acceleration(&Sample::default()), 0.0);
+        assert_eq!(normal_acceleration(&MotionSample::default()), 0.0);
     }
 }

@@ -3,7 +3,7 @@
 use chordal_command::{AxisMask, Command, Origin};
 use chordal_diagnostics::Diagnostic;
 use chordal_kernel::Outcome;
-use chordal_motion::{Axes, Move, MoveError};
+use chordal_motion::{AxisValues, MoveError, MoveRequest};
 use chordal_path::SegmentKind;
 
 use super::{MachineLimits, OperationMark};
@@ -13,14 +13,14 @@ use super::{MachineLimits, OperationMark};
 #[allow(clippy::large_enum_variant, reason = "handed on by reference, never kept in numbers")]
 pub enum MotionStep {
     /// It moves.
-    Move(Move),
-    /// Its axes come to rest and stand.
-    Wait(Wait),
+    Move(MoveRequest),
+    /// Its axes come to rest and wait.
+    Wait(MotionWait),
 }
 
-/// The axes come to rest and stand for a time.
+/// The axes come to rest and wait for a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wait {
+pub struct MotionWait {
     /// How long, s; 0 where the machine file gives no time: the axes come to rest all the same.
     pub seconds: f64,
     /// What for.
@@ -29,7 +29,7 @@ pub struct Wait {
     pub tag: u64,
 }
 
-/// Why the axes stand.
+/// Why the axes wait.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
 pub enum WaitKind {
     /// G4, or the dwell of a cycle.
@@ -40,7 +40,7 @@ pub enum WaitKind {
     ToolChange,
     /// The spindle starts, stops, turns round or changes its speed.
     SpindleSpeed,
-    /// The spindle comes to stand at its mark (M19).
+    /// The spindle comes to rest at its mark (M19).
     SpindleOrient,
     /// Coolant is switched.
     Coolant,
@@ -112,7 +112,7 @@ pub struct StepSource {
     pub nominal_s: f64,
     /// Position − shift is where the step is in the coordinates of [`Job::path`](crate::Job::path)
     /// (mm, rad).
-    pub shift: Axes,
+    pub shift: AxisValues,
     /// Whether an operation begins with it, or is named by a comment before it.
     pub operation: Option<OperationMark>,
 }
@@ -157,7 +157,7 @@ impl<F: FnMut(&MotionStep, &StepSource) -> Result<(), MoveError>> MotionSink for
 
 /// A move that could not be planned.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Refused {
+pub struct RefusedMove {
     /// Why.
     pub error: MoveError,
     /// Where it comes from.
@@ -183,7 +183,7 @@ pub struct MotionReport {
     /// Moves that could not be planned; they are left out.
     pub refused_moves: u64,
     /// The first of them.
-    pub refused: Vec<Refused>,
+    pub refused: Vec<RefusedMove>,
     /// How each program ended.
     pub outcomes: Vec<Outcome>,
 }

@@ -4,12 +4,12 @@ use chordal_command::Origin;
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
-use super::report::{BlockTime, Reason};
+use super::report::{BlockTime, TimeReason};
 
-/// How many blocks are held while a program goes by. When there are more, those in the lower
+/// How many blocks are kept while a program goes by. When there are more, those in the lower
 /// three quarters of both rankings are forgotten: a block is lost to the lists only when it costs so
 /// little in each of its runs that thousands cost more in between.
-const HELD: usize = 1 << 15;
+const MAX_TRACKED_BLOCKS: usize = 1 << 15;
 
 /// What one run of a block comes to.
 #[derive(Clone, Copy, Debug)]
@@ -17,36 +17,36 @@ pub(super) struct BlockRun {
     pub origin: Origin,
     pub time_s: f64,
     pub lost_s: f64,
-    pub reason: Reason,
+    pub reason: TimeReason,
 }
 
 /// A run of which more may come.
 #[derive(Clone, Copy, Debug)]
-struct Open {
+struct OpenRun {
     run: BlockRun,
     /// Its longest move, s.
     longest_s: f64,
     /// What its costliest move loses, s, and why.
-    worst: (f64, Reason),
+    worst: (f64, TimeReason),
 }
 
 /// Adds up runs of blocks and ranks them.
 #[derive(Debug, Default)]
-pub(super) struct Blocks {
+pub(super) struct BlockRanking {
     /// Blocks that came after all before them, as most of a program do: in the order of their keys.
     in_order: Vec<BlockTime>,
     /// The others: of a subprogram further up, or in another file.
-    out_of_order: HashMap<Key, BlockTime, BuildHasherDefault<KeyHasher>>,
+    out_of_order: HashMap<BlockKey, BlockTime, BuildHasherDefault<KeyHasher>>,
     /// The largest key so far.
-    highest: Option<Key>,
+    highest: Option<BlockKey>,
     /// The run that goes on: several moves of one block, one after the other.
-    open: Option<Open>,
+    open: Option<OpenRun>,
 }
 
 /// File and first byte of a block.
-type Key = u64;
+type BlockKey = u64;
 
-fn key(origin: &Origin) -> Key {
+fn key(origin: &Origin) -> BlockKey {
     u64::from(origin.span.file.0) << 32 | u64::from(origin.span.range.start)
 }
 
@@ -69,7 +69,7 @@ impl Hasher for KeyHasher {
     }
 }
 
-impl Blocks {
+impl BlockRanking {
     /// Takes a move or a wait of a block. Moves that follow each other in one block are one
     /// run: a drilling cycle, or the legs of a rapid.
     pub fn push(&mut self, run: BlockRun) {
@@ -88,7 +88,7 @@ impl Blocks {
             }
             open => {
                 let worst = (run.lost_s, run.reason);
-                let next = Open { run, longest_s: run.time_s, worst };
+                let next = OpenRun { run, longest_s: run.time_s, worst };
                 if let Some(done) = open.replace(next) {
                     self.add(&done);
                 }
@@ -96,7 +96,7 @@ impl Blocks {
         }
     }
 
-    fn add(&mut self, done: &Open) {
+    fn add(&mut self, done: &OpenRun) {
         let key = key(&done.run.origin);
         if self.highest.is_none_or(|highest| key > highest) {
             self.highest = Some(key);
@@ -110,10 +110,10 @@ impl Blocks {
         }
     }
 
-    fn find(&mut self, wanted: Key) -> Option<&mut BlockTime> {
-        match self.in_order.binary_search_by_key(&wanted, |block| key(&block.origin)) {
+    fn find(&mut self, key_of_block: BlockKey) -> Option<&mut BlockTime> {
+        match self.in_order.binary_search_by_key(&key_of_block, |block| key(&block.origin)) {
             Ok(at) => self.in_order.get_mut(at),
-            Err(_) => self.out_of_order.get_mut(&wanted),
+            Err(_) => self.out_of_order.get_mut(&key_of_block),
         }
     }
 
@@ -127,7 +127,7 @@ impl Blocks {
 
     /// Keeps the upper quarters of both rankings, or less, where there are too many.
     fn make_room(&mut self) {
-        if self.len() < HELD {
+        if self.len() < MAX_TRACKED_BLOCKS {
             return;
         }
         let quarter = |value: fn(&BlockTime) -> f64| {
@@ -166,7 +166,7 @@ impl Blocks {
 }
 
 impl BlockTime {
-    fn of(done: &Open) -> BlockTime {
+    fn of(done: &OpenRun) -> BlockTime {
         let mut block = BlockTime {
             origin: done.run.origin,
             runs: 0,
@@ -181,7 +181,7 @@ impl BlockTime {
         block
     }
 
-    fn add(&mut self, Open { run, worst, .. }: &Open) {
+    fn add(&mut self, OpenRun { run, worst, .. }: &OpenRun) {
         self.runs += 1;
         self.time_s += run.time_s;
         self.lost_s += run.lost_s;
@@ -205,12 +205,12 @@ mod tests {
         let range = TextRange::new(line * 10, line * 10 + 9);
         let span = Span { file: FileId(0), range };
         let origin = Origin { span, line, ..Origin::default() };
-        BlockRun { origin, time_s, lost_s, reason: Reason::Feed }
+        BlockRun { origin, time_s, lost_s, reason: TimeReason::Feed }
     }
 
     #[test]
     fn a_block_in_a_loop_is_one_with_its_count() {
-        let mut blocks = Blocks::default();
+        let mut blocks = BlockRanking::default();
         for _ in 0..3 {
             blocks.push(run(1, 1.0, 0.5));
             blocks.push(run(1, 1.0, 0.25));
@@ -226,27 +226,27 @@ mod tests {
 
     #[test]
     fn the_loss_of_a_block_has_its_own_reason() {
-        let mut blocks = Blocks::default();
-        blocks.push(BlockRun { reason: Reason::Rapid, ..run(1, 1.0, 0.5) });
+        let mut blocks = BlockRanking::default();
+        blocks.push(BlockRun { reason: TimeReason::Rapid, ..run(1, 1.0, 0.5) });
         blocks.push(BlockRun {
-            reason: Reason::Wait(crate::motion::WaitKind::Coolant),
+            reason: TimeReason::Wait(crate::motion::WaitKind::Coolant),
             ..run(1, 2.0, 0.0)
         });
         let (longest, _) = blocks.finish(1);
         assert_eq!(longest[0].reason.word(), "coolant");
-        assert_eq!(longest[0].loses, Reason::Rapid);
+        assert_eq!(longest[0].loses, TimeReason::Rapid);
     }
 
     #[test]
-    fn memory_is_bounded_and_the_top_is_kept() {
-        let mut blocks = Blocks::default();
+    fn memory_is_bounded_and_the_top_stays() {
+        let mut blocks = BlockRanking::default();
         for line in 0..200_000u32 {
             blocks.push(run(
                 line,
                 if line % 20_000 == 7 { 10.0 + f64::from(line) } else { 0.1 },
                 0.0,
             ));
-            assert!(blocks.len() <= HELD);
+            assert!(blocks.len() <= MAX_TRACKED_BLOCKS);
         }
         let (longest, _) = blocks.finish(10);
         let lines: Vec<u32> = longest.iter().map(|block| block.origin.line).collect();

@@ -5,41 +5,41 @@ use std::collections::{BTreeMap, VecDeque};
 
 use chordal_diagnostics::Span;
 use chordal_geometry::{Curve, ParamCurve, Vec3};
-use chordal_motion::{Corner, Move, MoveKind, PathPart, Step, Stretch};
+use chordal_motion::{CornerMode, MoveKind, MoveRequest, PathPart, PlannedTrajectory, PlannerStep};
 
-use super::blocks::{BlockRun, Blocks};
-use super::reason::{Asked, Ride, reason_of};
-use super::report::{CutEnds, OperationTime, Reason, TimeReport, Times, ToolTime};
-use super::walk::walk;
+use super::blocks::{BlockRanking, BlockRun};
+use super::reason::{MoveProgress, ReasonQuery, reason_of};
+use super::report::{CutEnds, OperationTime, TimeReason, TimeReport, TimeShares, ToolTime};
+use super::trajectory_parts::trajectory_parts;
 use crate::motion::{MotionStep, OperationMark, StepSource, WaitKind};
 
 /// Most operations that are kept.
-pub(super) const MOST_OPERATIONS: usize = 1000;
+pub(super) const MAX_OPERATIONS: usize = 1000;
 
 /// Blocks in each ranking.
-const RANKED: usize = 10;
+const RANKED_BLOCKS: usize = 10;
 
-/// A speed this close to the asked one is the asked one.
-const SAME_SPEED: f64 = 1e-6;
+/// A speed this close to the programmed one is the programmed one.
+const EQUAL_SPEED_SHARE: f64 = 1e-6;
 
 /// Directions whose sine is below this go on in each other.
-const TANGENT: f64 = 1e-4;
+const TANGENT_SINE: f64 = 1e-4;
 
-/// What was asked for, until its time is known.
+/// A move or a wait, until its time is known.
 #[derive(Clone, Copy, Debug)]
-enum Pending {
-    Move { asked: Asked, speed: f64, exact: bool, tangent_next: bool },
+enum PendingKind {
+    Move { query: ReasonQuery, speed: f64, exact: bool, tangent_next: bool },
     Wait(WaitKind),
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Item {
+struct PendingStep {
     tag: u64,
     tool: u32,
     /// Its place in the list of operations, where that one is kept.
     operation: usize,
     origin: Origin,
-    what: Pending,
+    what: PendingKind,
 }
 
 /// Adds up the time of a program from the steps of a planner, as they come.
@@ -49,32 +49,32 @@ struct Item {
 /// have passed it: as much as the planner looks ahead.
 #[derive(Debug, Default)]
 pub struct TimeBuilder {
-    pending: VecDeque<Item>,
+    pending: VecDeque<PendingStep>,
     /// How the first of them goes, and whether it ends at rest.
-    ride: Ride,
+    ride: MoveProgress,
     ends_at_rest: bool,
     /// How many operations have begun.
     operations: usize,
     report: TimeReport,
     waits: BTreeMap<WaitKind, f64>,
     tools: Vec<ToolTime>,
-    blocks: Blocks,
+    blocks: BlockRanking,
     /// Direction in which the newest move ends.
     direction: Vec3,
 }
 
 impl TimeBuilder {
     /// Announces a move or a wait that goes into the planner now.
-    pub fn asked(&mut self, step: &MotionStep, source: &StepSource) {
+    pub fn announce(&mut self, step: &MotionStep, source: &StepSource) {
         let StepSource { tag, tool, origin, .. } = *source;
         let what = match step {
-            MotionStep::Move(motion) => self.asked_move(motion, source.nominal_s),
+            MotionStep::Move(motion) => self.announced_move(motion, source.nominal_s),
             MotionStep::Wait(wait) => {
                 if wait.kind == WaitKind::ToolChange {
                     self.report.tool_changes += 1;
                     tool_entry(&mut self.tools, tool).changes += 1;
                 }
-                Pending::Wait(wait.kind)
+                PendingKind::Wait(wait.kind)
             }
         };
         match source.operation {
@@ -83,38 +83,39 @@ impl TimeBuilder {
             None => {}
         }
         let operation = self.operations.saturating_sub(1);
-        self.pending.push_back(Item { tag, tool, operation, origin, what });
+        self.pending.push_back(PendingStep { tag, tool, operation, origin, what });
     }
 
-    fn asked_move(&mut self, motion: &Move, ideal_s: f64) -> Pending {
-        if let Some(Item { what: Pending::Move { exact: true, tangent_next, .. }, .. }) =
-            self.pending.back_mut()
+    fn announced_move(&mut self, motion: &MoveRequest, ideal_s: f64) -> PendingKind {
+        if let Some(PendingStep {
+            what: PendingKind::Move { exact: true, tangent_next, .. }, ..
+        }) = self.pending.back_mut()
         {
             let starts = motion.curve.tangent_at(0.0);
             let (cross, dot) = (self.direction.cross(starts), self.direction.dot(starts));
-            *tangent_next = dot > 0.0 && cross.length() < TANGENT;
+            *tangent_next = dot > 0.0 && cross.length() < TANGENT_SINE;
         }
         if motion.kind == MoveKind::Cut {
             self.report.cut_ends.add(motion.corner);
         }
-        let exact = motion.corner == Corner::Exact && motion.kind == MoveKind::Cut;
+        let exact = motion.corner == CornerMode::Exact && motion.kind == MoveKind::Cut;
         if exact {
             self.direction = motion.curve.tangent_at(motion.length());
         }
-        let asked = Asked {
+        let query = ReasonQuery {
             rapid: motion.kind == MoveKind::Rapid,
             curved: !matches!(motion.curve, Curve::Line(_)),
             ideal_s,
         };
-        Pending::Move { asked, speed: motion.speed, exact, tangent_next: false }
+        PendingKind::Move { query, speed: motion.speed, exact, tangent_next: false }
     }
 
     /// The next operation begins.
     fn operation(&mut self, tool: u32, first: Origin, comment: Option<Span>) {
         self.operations += 1;
         tool_entry(&mut self.tools, tool);
-        if self.report.operations.len() < MOST_OPERATIONS {
-            let times = Times::default();
+        if self.report.operations.len() < MAX_OPERATIONS {
+            let times = TimeShares::default();
             let last = first;
             self.report.operations.push(OperationTime { tool, first, last, comment, times });
         } else {
@@ -131,10 +132,10 @@ impl TimeBuilder {
     }
 
     /// Takes a step of the planner.
-    pub fn step<P: PathPart>(&mut self, step: Step<'_, P>) {
+    pub fn step<P: PathPart>(&mut self, step: PlannerStep<'_, P>) {
         match step {
-            Step::Stretch(stretch) => self.stretch(stretch),
-            Step::Wait { seconds, tag } => {
+            PlannerStep::Trajectory(trajectory) => self.trajectory(trajectory),
+            PlannerStep::Wait { seconds, tag } => {
                 self.pass(tag);
                 if !self.pending.is_empty() {
                     self.ride.time_s += seconds;
@@ -143,22 +144,22 @@ impl TimeBuilder {
         }
     }
 
-    /// While a stretch overlaps the one before it, time counts for the earlier move.
-    fn stretch<P: PathPart>(&mut self, stretch: &Stretch<P>) {
-        let overlap_s = stretch.overlap_s;
-        let starts_at_rest = stretch.phases.first().is_some_and(|phase| phase.speed == 0.0);
-        let ends_at_rest = stretch.phases.last().is_some_and(|last| {
-            let top = stretch.phases.iter().map(|phase| phase.speed).fold(0.0, f64::max);
-            last.at(last.duration_s).speed <= SAME_SPEED * top
+    /// While a trajectory overlaps the one before it, time counts for the earlier move.
+    fn trajectory<P: PathPart>(&mut self, trajectory: &PlannedTrajectory<P>) {
+        let overlap_s = trajectory.overlap_s;
+        let starts_at_rest = trajectory.phases.first().is_some_and(|phase| phase.speed == 0.0);
+        let ends_at_rest = trajectory.phases.last().is_some_and(|last| {
+            let top = trajectory.phases.iter().map(|phase| phase.speed).fold(0.0, f64::max);
+            last.at(last.duration_s).speed <= EQUAL_SPEED_SHARE * top
         });
         if overlap_s > 0.0 && !self.pending.is_empty() {
             self.ride.overlaps = true;
         }
         let mut first = true;
-        walk(stretch, |part| {
+        trajectory_parts(trajectory, |part| {
             self.pass(part.tag);
             let Some(item) = self.pending.front() else { return };
-            let Pending::Move { speed, .. } = item.what else { return };
+            let PendingKind::Move { speed, .. } = item.what else { return };
             if first {
                 first = false;
                 self.ride.rests |= starts_at_rest;
@@ -186,26 +187,26 @@ impl TimeBuilder {
         }
     }
 
-    fn done(&mut self, item: &Item, ride: &Ride, ends_at_rest: bool) {
+    fn done(&mut self, item: &PendingStep, ride: &MoveProgress, ends_at_rest: bool) {
         let time_s = ride.time_s;
-        let mut times = Times::default();
+        let mut times = TimeShares::default();
         let reason = match item.what {
             // The end of the program, or a move that the planner could not take.
             _ if time_s <= 0.0 => return,
-            Pending::Wait(kind) => {
+            PendingKind::Wait(kind) => {
                 times.other_s = time_s;
                 *self.waits.entry(kind).or_default() += time_s;
-                Reason::Wait(kind)
+                TimeReason::Wait(kind)
             }
-            Pending::Move { asked, exact, tangent_next, .. } => {
-                let share = if asked.rapid { &mut times.rapid_s } else { &mut times.cutting_s };
+            PendingKind::Move { query, exact, tangent_next, .. } => {
+                let share = if query.rapid { &mut times.rapid_s } else { &mut times.cutting_s };
                 *share = time_s;
-                times.lost_s = (time_s - asked.ideal_s).max(0.0);
+                times.lost_s = (time_s - query.ideal_s).max(0.0);
                 self.report.moves += 1;
-                self.report.at_feed_s += asked.ideal_s;
+                self.report.at_feed_s += query.ideal_s;
                 let stops = ends_at_rest && exact && tangent_next;
                 self.report.tangent_stops += u64::from(stops);
-                reason_of(ride, &asked)
+                reason_of(ride, &query)
             }
         };
         self.report.times.add(&times);
@@ -220,8 +221,8 @@ impl TimeBuilder {
     /// The planner has finished.
     pub fn finish(mut self) -> TimeReport {
         self.pass(u64::MAX);
-        let (longest, costliest) = self.blocks.finish(RANKED);
-        self.tools.retain(|tool| tool.changes > 0 || tool.times != Times::default());
+        let (longest, costliest) = self.blocks.finish(RANKED_BLOCKS);
+        self.tools.retain(|tool| tool.changes > 0 || tool.times != TimeShares::default());
         TimeReport {
             waits: self.waits.into_iter().collect(),
             tools: self.tools,
@@ -232,8 +233,8 @@ impl TimeBuilder {
     }
 }
 
-impl Times {
-    fn add(&mut self, other: &Times) {
+impl TimeShares {
+    fn add(&mut self, other: &TimeShares) {
         self.cutting_s += other.cutting_s;
         self.rapid_s += other.rapid_s;
         self.other_s += other.other_s;
@@ -242,13 +243,13 @@ impl Times {
 }
 
 impl CutEnds {
-    fn add(&mut self, corner: Corner) {
+    fn add(&mut self, corner: CornerMode) {
         match corner {
-            Corner::Stop => self.at_rest += 1,
-            Corner::Exact => self.exact += 1,
-            Corner::Within { linear_mm, .. } | Corner::Apart { linear_mm, .. } => {
+            CornerMode::Stop => self.at_rest += 1,
+            CornerMode::Exact => self.exact += 1,
+            CornerMode::Joined { linear_mm, .. } | CornerMode::Blended { linear_mm, .. } => {
                 self.within += 1;
-                self.joined += u64::from(matches!(corner, Corner::Within { .. }));
+                self.joined += u64::from(matches!(corner, CornerMode::Joined { .. }));
                 let (least, most) = self.tolerance_mm.unwrap_or((linear_mm, linear_mm));
                 self.tolerance_mm = Some((least.min(linear_mm), most.max(linear_mm)));
             }
@@ -258,21 +259,26 @@ impl CutEnds {
 
 fn tool_entry(tools: &mut Vec<ToolTime>, number: u32) -> &mut ToolTime {
     // The newest entry is the likely one.
-    let found = tools.iter().rposition(|tool| tool.number == number);
-    let at = found.unwrap_or_else(|| {
-        tools.push(ToolTime { number, changes: 0, times: Times::default() });
+    let known = tools.iter().rposition(|tool| tool.number == number);
+    let at = known.unwrap_or_else(|| {
+        tools.push(ToolTime { number, changes: 0, times: TimeShares::default() });
         tools.len() - 1
     });
     &mut tools[at]
 }
 
-fn ride_on(ride: &mut Ride, seconds: f64, part: &super::walk::Part, speed: f64) {
+fn ride_on(
+    ride: &mut MoveProgress,
+    seconds: f64,
+    part: &super::trajectory_parts::TrajectoryPart,
+    speed: f64,
+) {
     ride.time_s += seconds;
     let share = if part.jerks {
         &mut ride.jerk_s
     } else if part.changes {
         &mut ride.even_acceleration_s
-    } else if part.speeds.1 >= speed * (1.0 - SAME_SPEED) {
+    } else if part.speeds.1 >= speed * (1.0 - EQUAL_SPEED_SHARE) {
         &mut ride.at_feed_s
     } else {
         &mut ride.even_s
@@ -286,47 +292,53 @@ mod tests {
 
     use super::*;
     use chordal_diagnostics::{FileId, TextRange};
-    use chordal_geometry::{Line, Plane, TurnDirection, arc_from_center};
-    use chordal_motion::{Phase, Piece};
+    use chordal_geometry::{Direction, Line, Plane, arc_from_center};
+    use chordal_motion::{JerkPhase, PathPiece};
     use chordal_path::SegmentKind;
 
-    use crate::motion::{StepKind, UnknownAxes, Wait};
+    use crate::motion::{MotionWait, StepKind, UnknownAxes};
 
     fn origin(line: u32) -> Origin {
         let span = Span { file: FileId(0), range: TextRange::new(line * 10, line * 10 + 9) };
         Origin { span, line, ..Origin::default() }
     }
 
-    fn line(from: f64, to: f64, speed: f64, kind: MoveKind) -> Move {
+    fn line(from: f64, to: f64, speed: f64, kind: MoveKind) -> MoveRequest {
         let (start, end) = (Vec3::new(from, 0.0, 0.0), Vec3::new(to, 0.0, 0.0));
-        Move {
+        MoveRequest {
             curve: Curve::Line(Line { start, end }),
             rotary_from: [0.0; 3],
             rotary_to: [0.0; 3],
             speed,
-            corner: Corner::Exact,
+            corner: CornerMode::Exact,
             kind,
             tag: 0,
         }
     }
 
     /// Announces moves and waits under numbers of its own.
-    struct Asking {
+    struct StepAnnouncer {
         time: TimeBuilder,
         number: u32,
         tool: u32,
     }
 
-    impl Asking {
-        fn new() -> Asking {
-            Asking { time: TimeBuilder::default(), number: 0, tool: 0 }
+    impl StepAnnouncer {
+        fn new() -> StepAnnouncer {
+            StepAnnouncer { time: TimeBuilder::default(), number: 0, tool: 0 }
         }
 
-        fn ask(&mut self, line: u32, kind: StepKind, nominal_s: f64, step: &MotionStep) -> u64 {
+        fn announce(
+            &mut self,
+            line: u32,
+            kind: StepKind,
+            nominal_s: f64,
+            step: &MotionStep,
+        ) -> u64 {
             self.number += 1;
             let tag = StepSource::tag_of(self.number, line);
             let begins = self.number == 1 || kind == StepKind::Wait(WaitKind::ToolChange);
-            self.time.asked(
+            self.time.announce(
                 step,
                 &StepSource {
                     tag,
@@ -345,26 +357,26 @@ mod tests {
             tag
         }
 
-        fn motion(&mut self, line: u32, motion: Move, nominal_s: f64) -> u64 {
+        fn motion(&mut self, line: u32, motion: MoveRequest, nominal_s: f64) -> u64 {
             let kind = StepKind::Move(SegmentKind::Line);
-            self.ask(line, kind, nominal_s, &MotionStep::Move(motion))
+            self.announce(line, kind, nominal_s, &MotionStep::Move(motion))
         }
 
         fn wait(&mut self, line: u32, kind: WaitKind, seconds: f64) -> u64 {
-            let wait = Wait { seconds, kind, tag: 0 };
-            self.ask(line, StepKind::Wait(kind), seconds, &MotionStep::Wait(wait))
+            let wait = MotionWait { seconds, kind, tag: 0 };
+            self.announce(line, StepKind::Wait(kind), seconds, &MotionStep::Wait(wait))
         }
     }
 
-    fn piece(length: f64, tag: u64) -> Piece {
-        Piece { length, base: None, start: [[0.0; AXES]; 4], tag }
+    fn piece(length: f64, tag: u64) -> PathPiece {
+        PathPiece { length, base: None, start: [[0.0; AXES]; 4], tag }
     }
 
     /// From rest over a cruise at a speed to rest, all ramps without jerk: enough for a sum.
-    fn trapezoid(length: f64, speed: f64, acceleration: f64) -> Vec<Phase> {
+    fn trapezoid(length: f64, speed: f64, acceleration: f64) -> Vec<JerkPhase> {
         let ramp = speed / acceleration;
-        let way = speed * ramp / 2.0;
-        let phase = |duration_s, from, speed, acceleration| Phase {
+        let distance = speed * ramp / 2.0;
+        let phase = |duration_s, from, speed, acceleration| JerkPhase {
             duration_s,
             from,
             speed,
@@ -373,26 +385,30 @@ mod tests {
         };
         vec![
             phase(ramp, 0.0, 0.0, acceleration),
-            phase((length - 2.0 * way) / speed, way, speed, 0.0),
-            phase(ramp, length - way, speed, -acceleration),
+            phase((length - 2.0 * distance) / speed, distance, speed, 0.0),
+            phase(ramp, length - distance, speed, -acceleration),
         ]
     }
 
-    fn wait(seconds: f64, tag: u64) -> Step<'static> {
-        Step::Wait { seconds, tag }
+    fn wait(seconds: f64, tag: u64) -> PlannerStep<'static> {
+        PlannerStep::Wait { seconds, tag }
     }
 
-    fn stretch(pieces: Vec<Piece>, speed: f64, overlap_s: f64) -> Stretch {
+    fn trajectory(pieces: Vec<PathPiece>, speed: f64, overlap_s: f64) -> PlannedTrajectory {
         let length = pieces.iter().map(|piece| piece.length).sum();
-        Stretch { pieces, phases: trapezoid(length, speed, 1000.0), overlap_s }
+        PlannedTrajectory { pieces, phases: trapezoid(length, speed, 1000.0), overlap_s }
     }
 
     /// 100 mm at 100 mm/s with 1000 mm/s²: 0.1 s up, 0.9 s at feed, 0.1 s down.
     #[test]
     fn a_program_by_hand() {
-        let mut asking = Asking::new();
+        let mut asking = StepAnnouncer::new();
         let rapid = asking.motion(1, line(0.0, 40.0, f64::INFINITY, MoveKind::Rapid), 0.2);
-        asking.time.step(Step::Stretch(&stretch(vec![piece(40.0, rapid)], 200.0, 0.0)));
+        asking.time.step(PlannerStep::Trajectory(&trajectory(
+            vec![piece(40.0, rapid)],
+            200.0,
+            0.0,
+        )));
         asking.tool = 3;
         let change = asking.wait(2, WaitKind::ToolChange, 5.0);
         asking.time.step(wait(5.0, change));
@@ -400,7 +416,11 @@ mod tests {
         let cuts: Vec<u64> = (0..2).map(|_| asking.motion(3, cut, 1.0)).collect();
         let dwell = asking.wait(4, WaitKind::Dwell, 0.5);
         for tag in cuts {
-            asking.time.step(Step::Stretch(&stretch(vec![piece(100.0, tag)], 100.0, 0.0)));
+            asking.time.step(PlannerStep::Trajectory(&trajectory(
+                vec![piece(100.0, tag)],
+                100.0,
+                0.0,
+            )));
         }
         asking.time.step(wait(0.5, dwell));
         let report = asking.time.finish();
@@ -427,10 +447,10 @@ mod tests {
         assert_eq!(
             longest,
             [
-                (2, 1, Reason::Wait(WaitKind::ToolChange)),
-                (3, 1, Reason::Stop),
-                (4, 1, Reason::Wait(WaitKind::Dwell)),
-                (1, 1, Reason::Rapid),
+                (2, 1, TimeReason::Wait(WaitKind::ToolChange)),
+                (3, 1, TimeReason::Stop),
+                (4, 1, TimeReason::Wait(WaitKind::Dwell)),
+                (1, 1, TimeReason::Rapid),
             ]
         );
         assert_eq!(report.costliest.len(), 2, "waits lose nothing: {:?}", report.costliest);
@@ -439,17 +459,17 @@ mod tests {
 
     #[test]
     fn an_overlap_counts_once() {
-        let mut asking = Asking::new();
+        let mut asking = StepAnnouncer::new();
         let cut = line(0.0, 100.0, 100.0, MoveKind::Cut);
         let (a, b) = (asking.motion(1, cut, 1.0), asking.motion(2, cut, 1.0));
         let mut time = asking.time;
-        time.step(Step::Stretch(&stretch(vec![piece(100.0, a)], 100.0, 0.0)));
-        time.step(Step::Stretch(&stretch(vec![piece(100.0, b)], 100.0, 0.08)));
+        time.step(PlannerStep::Trajectory(&trajectory(vec![piece(100.0, a)], 100.0, 0.0)));
+        time.step(PlannerStep::Trajectory(&trajectory(vec![piece(100.0, b)], 100.0, 0.08)));
         let report = time.finish();
         assert!((report.total_s() - 2.12).abs() < 1e-12, "{}", report.total_s());
         let blocks: Vec<_> =
             report.longest.iter().map(|b| (b.origin.line, b.time_s, b.reason)).collect();
-        assert_eq!((blocks[0].0, blocks[0].2), (1, Reason::Corner));
+        assert_eq!((blocks[0].0, blocks[0].2), (1, TimeReason::Corner));
         assert!((blocks[1].1 - 1.02).abs() < 1e-12, "{blocks:?}");
     }
 
@@ -464,21 +484,21 @@ mod tests {
             0,
             1e-9,
         );
-        let circle = Move {
+        let circle = MoveRequest {
             curve: arc.curve,
             rotary_from: [0.0; 3],
             rotary_to: [0.0; 3],
             speed: 200.0,
-            corner: Corner::Exact,
+            corner: CornerMode::Exact,
             kind: MoveKind::Cut,
             tag: 0,
         };
         let length = circle.length();
-        let mut asking = Asking::new();
+        let mut asking = StepAnnouncer::new();
         let tag = asking.motion(1, circle, length / 200.0);
         let mut time = asking.time;
-        time.step(Step::Stretch(&stretch(vec![piece(length, tag)], 100.0, 0.0)));
+        time.step(PlannerStep::Trajectory(&trajectory(vec![piece(length, tag)], 100.0, 0.0)));
         let report = time.finish();
-        assert_eq!(report.longest[0].reason, Reason::Curvature);
+        assert_eq!(report.longest[0].reason, TimeReason::Curvature);
     }
 }

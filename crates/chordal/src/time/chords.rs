@@ -8,28 +8,30 @@
 use chordal_geometry::{
     Curve, FitMeasure, FitOptions, FitPiece, Line, ParamCurve, Placement, Vec3, fit_path,
 };
-use chordal_motion::{Corner, Limits, Move, MoveKind, Planner, Step};
+use chordal_motion::{
+    CornerMode, KinematicLimits, MotionPlanner, MoveKind, MoveRequest, PlannerStep,
+};
 
 use crate::job::Job;
 use crate::motion::{LimitError, MachineLimits, MotionOptions, MotionStep, StepSource};
 
 /// A line that takes no longer at its feed is short, s.
-const SHORT_S: f64 = 0.04;
+const SHORT_LINE_S: f64 = 0.04;
 /// Fewer short lines one after the other are no row.
-const FEWEST: usize = 16;
+const MIN_ROW_LINES: usize = 16;
 /// Lines that are looked at; what comes after them is left out.
-const MOST_LINES: u64 = 300_000;
+const MAX_STUDIED_LINES: u64 = 300_000;
 /// A change that saves a smaller share of a tool's rows is not worth a word, nor one that saves less, s.
-const LEAST_SHARE: f64 = 0.01;
-const LEAST_S: f64 = 0.05;
-/// Tolerances that are asked for in practice, mm.
-const TOLERANCES: [f64; 9] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5];
+const MIN_SAVED_SHARE: f64 = 0.01;
+const MIN_SAVED_S: f64 = 0.05;
+/// Tolerances that are usual in practice, mm.
+const COMMON_TOLERANCES_MM: [f64; 9] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5];
 /// Coordinates have at most so many decimals.
-const MOST_DECIMALS: u32 = 6;
+const MAX_DECIMALS: u32 = 6;
 
 /// What is changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Remedy {
+pub enum ChordRemedy {
     /// The control joins short blocks (look-ahead, high accuracy).
     Joined,
     /// Corners within this distance, mm.
@@ -63,14 +65,14 @@ pub struct ChordCost {
     /// The least of their tolerances, mm.
     pub tolerance_mm: f64,
     /// What would be quicker, and by how much, s; the largest first.
-    pub savings: Vec<(Remedy, f64)>,
+    pub savings: Vec<(ChordRemedy, f64)>,
 }
 
 /// Short lines one after the other.
 #[derive(Debug, Default)]
-struct Row {
+struct ChordRow {
     tool: u32,
-    moves: Vec<Move>,
+    moves: Vec<MoveRequest>,
 }
 
 impl Job<'_> {
@@ -90,8 +92,13 @@ impl Job<'_> {
             return Ok(Vec::new());
         }
         let unit_mm = if inch { 25.4 } else { 1.0 };
-        let mut costs =
-            Costs { limits: limits.cut, unit_mm, row: Row::default(), lines: 0, costs: Vec::new() };
+        let mut costs = ChordCostSink {
+            limits: limits.cut,
+            unit_mm,
+            row: ChordRow::default(),
+            lines: 0,
+            costs: Vec::new(),
+        };
         let take = |step: &MotionStep, source: &StepSource| {
             costs.take(step, source);
             Ok(())
@@ -102,18 +109,18 @@ impl Job<'_> {
 }
 
 /// Gathers rows and adds up what they cost.
-struct Costs {
-    limits: Limits,
+struct ChordCostSink {
+    limits: KinematicLimits,
     unit_mm: f64,
-    row: Row,
+    row: ChordRow,
     lines: u64,
     costs: Vec<ChordCost>,
 }
 
-impl Costs {
+impl ChordCostSink {
     fn take(&mut self, step: &MotionStep, source: &StepSource) {
         match step {
-            MotionStep::Move(motion) if is_short(motion) && self.lines < MOST_LINES => {
+            MotionStep::Move(motion) if is_short(motion) && self.lines < MAX_STUDIED_LINES => {
                 if source.tool != self.row.tool {
                     self.end_row();
                 }
@@ -130,7 +137,7 @@ impl Costs {
 
     fn end_row(&mut self) {
         let row = std::mem::take(&mut self.row);
-        if row.moves.len() < FEWEST {
+        if row.moves.len() < MIN_ROW_LINES {
             return;
         }
         let index = self.costs.iter().position(|cost| cost.tool == row.tool).unwrap_or_else(|| {
@@ -143,8 +150,8 @@ impl Costs {
         let tried = remedies(&row.moves, self.unit_mm, &self.limits);
         let cost = &mut self.costs[index];
         cost.lines += row.moves.len() as u64;
-        cost.length_mm += row.moves.iter().map(Move::length).sum::<f64>();
-        cost.feed_s += row.moves.iter().map(Move::at_speed_s).sum::<f64>();
+        cost.length_mm += row.moves.iter().map(MoveRequest::length).sum::<f64>();
+        cost.feed_s += row.moves.iter().map(MoveRequest::at_speed_s).sum::<f64>();
         cost.time_s += time_s;
         cost.tolerance_mm = cost.tolerance_mm.min(tolerance_of(&row.moves));
         for (remedy, with_s) in tried {
@@ -155,7 +162,7 @@ impl Costs {
     fn finish(mut self) -> Vec<ChordCost> {
         self.end_row();
         for cost in &mut self.costs {
-            let least = LEAST_S.max(LEAST_SHARE * cost.time_s);
+            let least = MIN_SAVED_S.max(MIN_SAVED_SHARE * cost.time_s);
             cost.savings.retain(|(_, saved)| *saved >= least);
             cost.savings.sort_by(|a, b| b.1.total_cmp(&a.1));
         }
@@ -164,15 +171,15 @@ impl Costs {
 }
 
 /// Adds what a remedy saves to the same remedy of other rows.
-fn add(savings: &mut Vec<(Remedy, f64)>, remedy: Remedy, saved: f64) {
-    let like = |known: &Remedy| match (known, &remedy) {
-        (Remedy::Arcs { within_mm: a, .. }, Remedy::Arcs { within_mm: b, .. }) => a == b,
+fn add(savings: &mut Vec<(ChordRemedy, f64)>, remedy: ChordRemedy, saved: f64) {
+    let like = |known: &ChordRemedy| match (known, &remedy) {
+        (ChordRemedy::Arcs { within_mm: a, .. }, ChordRemedy::Arcs { within_mm: b, .. }) => a == b,
         (known, new) => known == new,
     };
     match savings.iter_mut().find(|(known, _)| like(known)) {
         Some((known, sum)) => {
             *sum += saved;
-            if let (Remedy::Arcs { pieces, .. }, Remedy::Arcs { pieces: more, .. }) =
+            if let (ChordRemedy::Arcs { pieces, .. }, ChordRemedy::Arcs { pieces: more, .. }) =
                 (known, remedy)
             {
                 *pieces += more;
@@ -182,38 +189,46 @@ fn add(savings: &mut Vec<(Remedy, f64)>, remedy: Remedy, saved: f64) {
     }
 }
 
-fn is_short(motion: &Move) -> bool {
+fn is_short(motion: &MoveRequest) -> bool {
     motion.kind == MoveKind::Cut
         && matches!(motion.curve, Curve::Line(_))
         && motion.rotary_from == motion.rotary_to
-        && motion.at_speed_s() < SHORT_S
+        && motion.at_speed_s() < SHORT_LINE_S
 }
 
-fn tolerance_of(moves: &[Move]) -> f64 {
-    let of = |motion: &Move| motion.corner.tolerance().map_or(f64::INFINITY, |(mm, _)| mm);
+fn tolerance_of(moves: &[MoveRequest]) -> f64 {
+    let of = |motion: &MoveRequest| motion.corner.tolerance().map_or(f64::INFINITY, |(mm, _)| mm);
     moves.iter().map(of).fold(f64::INFINITY, f64::min)
 }
 
 /// The times of a row with one thing changed.
-fn remedies(moves: &[Move], unit_mm: f64, limits: &Limits) -> Vec<(Remedy, f64)> {
+fn remedies(
+    moves: &[MoveRequest],
+    unit_mm: f64,
+    limits: &KinematicLimits,
+) -> Vec<(ChordRemedy, f64)> {
     let mut out = Vec::new();
-    let mut tried = |remedy: Remedy, moves: &[Move]| out.push((remedy, time_of(moves, limits)));
-    if moves.iter().any(|motion| matches!(motion.corner, Corner::Apart { .. })) {
-        tried(Remedy::Joined, &with_corners(moves, None));
+    let mut tried =
+        |remedy: ChordRemedy, moves: &[MoveRequest]| out.push((remedy, time_of(moves, limits)));
+    if moves.iter().any(|motion| matches!(motion.corner, CornerMode::Blended { .. })) {
+        tried(ChordRemedy::Joined, &with_corners(moves, None));
     }
     let tolerance = tolerance_of(moves);
     if !tolerance.is_finite() || tolerance <= 0.0 {
         return out;
     }
-    if let Some(larger) = TOLERANCES.into_iter().find(|one| *one > 1.5 * tolerance) {
-        tried(Remedy::Tolerance(larger), &with_corners(moves, Some(larger)));
+    if let Some(larger) = COMMON_TOLERANCES_MM.into_iter().find(|one| *one > 1.5 * tolerance) {
+        tried(ChordRemedy::Tolerance(larger), &with_corners(moves, Some(larger)));
     }
     let points = points_of(moves);
     if let Some(decimals) = decimals_of(&points, unit_mm) {
         let rounding = unit_mm * 0.1_f64.powi(decimals as i32);
         let fit = FitOptions { measure: FitMeasure::Points, ..FitOptions::within(0.75 * rounding) };
         if let Ok(pieces) = fit_path(&points, &fit) {
-            tried(Remedy::Decimals(decimals + 1), &at_the_same_places(moves, &points, &pieces));
+            tried(
+                ChordRemedy::Decimals(decimals + 1),
+                &at_the_same_places(moves, &points, &pieces),
+            );
         }
     }
     let through =
@@ -222,7 +237,7 @@ fn remedies(moves: &[Move], unit_mm: f64, limits: &Limits) -> Vec<(Remedy, f64)>
         let within_mm = 0.25 * tolerance;
         let finer = chords_of(moves, &pieces, within_mm);
         if finer.len() > moves.len() {
-            tried(Remedy::Finer(within_mm), &finer);
+            tried(ChordRemedy::Finer(within_mm), &finer);
         }
     }
     let within_mm = 0.5 * tolerance;
@@ -231,28 +246,28 @@ fn remedies(moves: &[Move], unit_mm: f64, limits: &Limits) -> Vec<(Remedy, f64)>
         // Otherwise they are the lines that they were.
         if 2 * count < moves.len() as u64 {
             let arcs = along(moves, pieces.iter().map(|piece| (piece.curve, piece.span[0])));
-            tried(Remedy::Arcs { within_mm, pieces: count }, &arcs);
+            tried(ChordRemedy::Arcs { within_mm, pieces: count }, &arcs);
         }
     }
     out
 }
 
 /// The same moves with short blocks joined, and within another tolerance.
-fn with_corners(moves: &[Move], tolerance_mm: Option<f64>) -> Vec<Move> {
-    let corner = |corner: Corner| match corner {
-        Corner::Within { linear_mm, rotary_rad } => {
-            Corner::Within { linear_mm: tolerance_mm.unwrap_or(linear_mm), rotary_rad }
+fn with_corners(moves: &[MoveRequest], tolerance_mm: Option<f64>) -> Vec<MoveRequest> {
+    let corner = |corner: CornerMode| match corner {
+        CornerMode::Joined { linear_mm, rotary_rad } => {
+            CornerMode::Joined { linear_mm: tolerance_mm.unwrap_or(linear_mm), rotary_rad }
         }
-        Corner::Apart { linear_mm, rotary_rad } => match tolerance_mm {
-            None => Corner::Within { linear_mm, rotary_rad },
-            Some(linear_mm) => Corner::Apart { linear_mm, rotary_rad },
+        CornerMode::Blended { linear_mm, rotary_rad } => match tolerance_mm {
+            None => CornerMode::Joined { linear_mm, rotary_rad },
+            Some(linear_mm) => CornerMode::Blended { linear_mm, rotary_rad },
         },
         corner => corner,
     };
-    moves.iter().map(|motion| Move { corner: corner(motion.corner), ..*motion }).collect()
+    moves.iter().map(|motion| MoveRequest { corner: corner(motion.corner), ..*motion }).collect()
 }
 
-fn points_of(moves: &[Move]) -> Vec<Vec3> {
+fn points_of(moves: &[MoveRequest]) -> Vec<Vec3> {
     let first = moves.first().map(|motion| motion.curve.start());
     first.into_iter().chain(moves.iter().map(|motion| motion.curve.end())).collect()
 }
@@ -260,11 +275,11 @@ fn points_of(moves: &[Move]) -> Vec<Vec3> {
 /// How many decimals the differences of coordinates have, in units of the program; `None` where they are
 /// not rounded, as after a rotation.
 fn decimals_of(points: &[Vec3], unit_mm: f64) -> Option<u32> {
-    (1..MOST_DECIMALS).find(|decimals| {
+    (1..MAX_DECIMALS).find(|decimals| {
         let factor = 10f64.powi(*decimals as i32) / unit_mm;
         points.windows(2).all(|pair| {
-            (pair[1] - pair[0]).to_array().into_iter().all(|way| {
-                let units = way * factor;
+            (pair[1] - pair[0]).to_array().into_iter().all(|distance| {
+                let units = distance * factor;
                 (units - units.round()).abs() < 1e-3
             })
         })
@@ -272,7 +287,11 @@ fn decimals_of(points: &[Vec3], unit_mm: f64) -> Option<u32> {
 }
 
 /// Lines along the fitted pieces, with an end for each that they had.
-fn at_the_same_places(moves: &[Move], points: &[Vec3], pieces: &[FitPiece]) -> Vec<Move> {
+fn at_the_same_places(
+    moves: &[MoveRequest],
+    points: &[Vec3],
+    pieces: &[FitPiece],
+) -> Vec<MoveRequest> {
     let mut moved = points.to_vec();
     for piece in pieces {
         let [from, to] = piece.span;
@@ -281,15 +300,15 @@ fn at_the_same_places(moves: &[Move], points: &[Vec3], pieces: &[FitPiece]) -> V
             moved[index] = piece.curve.nearest(points[index]).point;
         }
     }
-    let lines = moved
-        .windows(2)
-        .zip(moves)
-        .map(|(ends, motion)| Move { curve: Curve::Line(Line::new(ends[0], ends[1])), ..*motion });
+    let lines = moved.windows(2).zip(moves).map(|(ends, motion)| MoveRequest {
+        curve: Curve::Line(Line::new(ends[0], ends[1])),
+        ..*motion
+    });
     lines.collect()
 }
 
 /// Lines along the fitted pieces, no farther from them than this.
-fn chords_of(moves: &[Move], pieces: &[FitPiece], within_mm: f64) -> Vec<Move> {
+fn chords_of(moves: &[MoveRequest], pieces: &[FitPiece], within_mm: f64) -> Vec<MoveRequest> {
     let lines = pieces.iter().flat_map(|piece| {
         let chords = piece.curve.chords(within_mm, Placement::Inscribed);
         let corners: Vec<Vec3> = chords.map(|chords| chords.collect()).unwrap_or_default();
@@ -300,11 +319,11 @@ fn chords_of(moves: &[Move], pieces: &[FitPiece], within_mm: f64) -> Vec<Move> {
 }
 
 /// Moves along curves that begin at points with these numbers, with the feed and corner of the move there.
-fn along(moves: &[Move], curves: impl Iterator<Item = (Curve, f64)>) -> Vec<Move> {
-    let mut out: Vec<Move> = curves
+fn along(moves: &[MoveRequest], curves: impl Iterator<Item = (Curve, f64)>) -> Vec<MoveRequest> {
+    let mut out: Vec<MoveRequest> = curves
         .map(|(curve, from)| {
             let like = &moves[(from as usize).min(moves.len() - 1)];
-            Move { curve, ..*like }
+            MoveRequest { curve, ..*like }
         })
         .collect();
     if let (Some(last), Some(end)) = (out.last_mut(), moves.last()) {
@@ -314,12 +333,12 @@ fn along(moves: &[Move], curves: impl Iterator<Item = (Curve, f64)>) -> Vec<Move
 }
 
 /// The time of moves from rest to rest, s.
-fn time_of(moves: &[Move], limits: &Limits) -> f64 {
-    let mut planner = Planner::of_times(*limits);
+fn time_of(moves: &[MoveRequest], limits: &KinematicLimits) -> f64 {
+    let mut planner = MotionPlanner::of_times(*limits);
     let mut time_s = 0.0;
-    let mut take = |step: Step<'_, _>| {
-        if let Step::Stretch(stretch) = step {
-            time_s += stretch.duration_s() - stretch.overlap_s;
+    let mut take = |step: PlannerStep<'_, _>| {
+        if let PlannerStep::Trajectory(trajectory) = step {
+            time_s += trajectory.duration_s() - trajectory.overlap_s;
         }
     };
     for motion in moves {

@@ -2,35 +2,37 @@
 //!
 //! | what | file |
 //! |---|---|
-//! | which move is under way when | `walk.rs` |
+//! | which move is under way when | `trajectory_parts.rs` |
 //! | moves and steps to a report | `builder.rs`, `report.rs` |
 //! | why a move is not faster | `reason.rs` |
 //! | the blocks that cost the most | `blocks.rs` |
-//! | a job that is timed | `run.rs` |
-//! | the least time it could take | `least.rs` |
+//! | a job that is timed | `timed_run.rs` |
+//! | the least time it could take | `least_time.rs` |
 //! | the same with other overrides and path modes | `what_if.rs` |
-//! | all that is asked about the time at once | `study.rs` |
+//! | all questions about the time at once | `time_study.rs` |
 //! | what short lines cost, and what would change that | `chords.rs` |
-//! | limits from measured times | `calibrate.rs` |
+//! | limits from measured times | `calibration.rs` |
 
 mod blocks;
 mod builder;
-mod calibrate;
+mod calibration;
 mod chords;
-mod least;
+mod least_time;
 mod reason;
 mod report;
-mod run;
-mod study;
-mod walk;
+mod time_study;
+mod timed_run;
+mod trajectory_parts;
 mod what_if;
 
 pub use builder::TimeBuilder;
-pub use calibrate::{Factors, Fit, Fitted, Parameter, Prediction, Untold, fit};
-pub use chordal_motion::{Effort, Least};
-pub use chords::{ChordCost, Remedy};
-pub use least::LeastReport;
-pub use report::{BlockTime, CutEnds, OperationTime, Reason, TimeReport, Times, ToolTime};
-pub use run::Timed;
-pub use study::{Again, TimeQuestion, TimeStudy, most_summarized};
-pub use what_if::{Alternative, Change};
+pub use calibration::{
+    FitParameter, FittedProgram, LimitFactors, LimitFit, TimePrediction, UnfitReason, fit,
+};
+pub use chordal_motion::{LeastTimes, ReferenceQuality};
+pub use chords::{ChordCost, ChordRemedy};
+pub use least_time::LeastReport;
+pub use report::{BlockTime, CutEnds, OperationTime, TimeReason, TimeReport, TimeShares, ToolTime};
+pub use time_study::{RepeatPlanning, TimeQuestion, TimeStudy, max_summarized_moves};
+pub use timed_run::TimedRun;
+pub use what_if::{PlanningChange, TimeAlternative};

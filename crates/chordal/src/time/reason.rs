@@ -1,13 +1,13 @@
 //! Why a move takes its time, from how it went.
 
-use super::report::Reason;
+use super::report::TimeReason;
 
 /// How one move went.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Ride {
+pub(super) struct MoveProgress {
     /// All of it, s.
     pub time_s: f64,
-    /// At an even speed that is the asked one, s.
+    /// At an even speed that is the programmed one, s.
     pub at_feed_s: f64,
     /// At an even speed below it, s.
     pub even_s: f64,
@@ -23,7 +23,7 @@ pub(super) struct Ride {
 
 /// What the reason depends on in addition to the ride.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Asked {
+pub(super) struct ReasonQuery {
     /// A rapid.
     pub rapid: bool,
     /// The path of X, Y and Z is no line.
@@ -33,34 +33,34 @@ pub(super) struct Asked {
 }
 
 /// Lost time below this part of the whole is none: the block runs at its feed.
-const AT_FEED: f64 = 0.02;
+const AT_FEED_LOSS_SHARE: f64 = 0.02;
 
 /// A straight move that would take less than this at its feed, s, is short: controls have
 /// servo periods of 1 to 8 ms and plan blocks ahead by tens of them.
-const SHORT_S: f64 = 0.02;
+const SHORT_MOVE_S: f64 = 0.02;
 
 /// The one place that judges why a move is not faster.
-pub(super) fn reason_of(ride: &Ride, asked: &Asked) -> Reason {
-    if asked.rapid {
-        return Reason::Rapid;
+pub(super) fn reason_of(ride: &MoveProgress, query: &ReasonQuery) -> TimeReason {
+    if query.rapid {
+        return TimeReason::Rapid;
     }
-    if ride.time_s - asked.ideal_s <= AT_FEED * ride.time_s {
-        return Reason::Feed;
+    if ride.time_s - query.ideal_s <= AT_FEED_LOSS_SHARE * ride.time_s {
+        return TimeReason::Feed;
     }
-    if !asked.curved && asked.ideal_s < SHORT_S && !ride.rests {
-        return Reason::ShortSegments;
+    if !query.curved && query.ideal_s < SHORT_MOVE_S && !ride.rests {
+        return TimeReason::ShortSegments;
     }
-    if asked.curved && !ride.rests && ride.at_feed_s == 0.0 {
-        return Reason::Curvature;
+    if query.curved && !ride.rests && ride.at_feed_s == 0.0 {
+        return TimeReason::Curvature;
     }
     if ride.even_s > (ride.time_s - ride.at_feed_s) / 2.0 {
-        return if asked.curved { Reason::Curvature } else { Reason::AxisSpeed };
+        return if query.curved { TimeReason::Curvature } else { TimeReason::AxisSpeed };
     }
     if ride.overlaps {
-        return Reason::Corner;
+        return TimeReason::Corner;
     }
     if ride.rests {
-        return Reason::Stop;
+        return TimeReason::Stop;
     }
-    if ride.jerk_s > ride.even_acceleration_s { Reason::Jerk } else { Reason::Acceleration }
+    if ride.jerk_s > ride.even_acceleration_s { TimeReason::Jerk } else { TimeReason::Acceleration }
 }

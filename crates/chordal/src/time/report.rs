@@ -9,7 +9,7 @@ use crate::motion::WaitKind;
 
 /// Why a block takes the time that it takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Reason {
+pub enum TimeReason {
     /// It runs at the programmed feed.
     Feed,
     /// An arc or another curve: the speed on it is limited by what the axes can accelerate.
@@ -28,29 +28,29 @@ pub enum Reason {
     AxisSpeed,
     /// A rapid.
     Rapid,
-    /// The axes stand.
+    /// The axes wait.
     Wait(WaitKind),
 }
 
-impl Reason {
+impl TimeReason {
     /// The word for people and programs.
     pub fn word(self) -> &'static str {
         match self {
-            Reason::Feed => "feed",
-            Reason::Curvature => "curvature",
-            Reason::Acceleration => "acceleration",
-            Reason::Jerk => "jerk",
-            Reason::Stop => "exact stop",
-            Reason::Corner => "corner",
-            Reason::ShortSegments => "short segments",
-            Reason::AxisSpeed => "axis speed",
-            Reason::Rapid => "rapid",
-            Reason::Wait(kind) => kind.name(),
+            TimeReason::Feed => "feed",
+            TimeReason::Curvature => "curvature",
+            TimeReason::Acceleration => "acceleration",
+            TimeReason::Jerk => "jerk",
+            TimeReason::Stop => "exact stop",
+            TimeReason::Corner => "corner",
+            TimeReason::ShortSegments => "short segments",
+            TimeReason::AxisSpeed => "axis speed",
+            TimeReason::Rapid => "rapid",
+            TimeReason::Wait(kind) => kind.name(),
         }
     }
 }
 
-impl fmt::Display for Reason {
+impl fmt::Display for TimeReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.word())
     }
@@ -58,7 +58,7 @@ impl fmt::Display for Reason {
 
 /// Times of a part of a program, s.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Times {
+pub struct TimeShares {
     /// Cuts.
     pub cutting_s: f64,
     /// Rapids.
@@ -69,7 +69,7 @@ pub struct Times {
     pub lost_s: f64,
 }
 
-impl Times {
+impl TimeShares {
     /// All of it, s.
     pub fn total_s(&self) -> f64 {
         self.cutting_s + self.rapid_s + self.other_s
@@ -84,11 +84,11 @@ pub struct ToolTime {
     /// How often it went into the spindle.
     pub changes: u32,
     /// Its times; its own changes count as other.
-    pub times: Times,
+    pub times: TimeShares,
 }
 
 /// The time of one operation: what a tool does from one tool change to the next, or to the
-/// end of the program; also from comment to comment, where that was asked for
+/// end of the program; also from comment to comment, where that was requested
 /// ([`OperationStart`](crate::motion::OperationStart)). A tool that comes again is another
 /// operation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,7 +102,7 @@ pub struct OperationTime {
     /// The comment that it begins with, where operations begin at comments.
     pub comment: Option<Span>,
     /// Its times.
-    pub times: Times,
+    pub times: TimeShares,
 }
 
 /// The time of one block, all its runs together.
@@ -117,11 +117,11 @@ pub struct BlockTime {
     /// What the moves take beyond their length at feed or rapid speed, s.
     pub lost_s: f64,
     /// Why; of the longest run.
-    pub reason: Reason,
+    pub reason: TimeReason,
     /// The longest run, s.
     pub longest_s: f64,
     /// Why it loses time; of the move that loses the most in one run.
-    pub loses: Reason,
+    pub loses: TimeReason,
     /// What a run's costliest move loses at most, s.
     pub largest_loss_s: f64,
 }
@@ -131,7 +131,7 @@ pub struct BlockTime {
 pub struct CutEnds {
     /// At rest: exact stop, next to a rapid, before a wait.
     pub at_rest: u64,
-    /// Exactly: at rest where the path has a kink.
+    /// Exactly: at rest where its direction has a step.
     pub exact: u64,
     /// Within a tolerance.
     pub within: u64,
@@ -142,11 +142,11 @@ pub struct CutEnds {
     pub tolerance_mm: Option<(f64, f64)>,
 }
 
-/// The time that a program takes on a machine, acceleration and jerk held.
+/// The time that a program takes on a machine, within the limits of acceleration and jerk.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TimeReport {
     /// All of it.
-    pub times: Times,
+    pub times: TimeShares,
     /// The times of waiting by their reason, s, where there are any.
     pub waits: Vec<(WaitKind, f64)>,
     /// Length of the cuts over their feed, and of the rapids over rapid speed, s.

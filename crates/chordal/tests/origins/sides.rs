@@ -1,7 +1,7 @@
 //! Conditions that nobody knows: what is wrong on either side is found, and where.
 
 use chordal::motion::MotionOptions;
-use chordal::time::{Again, TimeQuestion};
+use chordal::time::{RepeatPlanning, TimeQuestion};
 
 use super::{program, report};
 
@@ -152,8 +152,11 @@ fn time_has_a_range() {
     let body = "S100 M3\nG1 X0 Y0 F3600.\nIF[#500EQ1]GOTO9\nX60.\nN9";
     let (text, _) = program("fanuc-0i", body);
     let job = super::job("fanuc-0i", &[], &text);
-    let question =
-        TimeQuestion { options: MotionOptions::default(), again: Again::Never, bound: false };
+    let question = TimeQuestion {
+        options: MotionOptions::default(),
+        again: RepeatPlanning::Never,
+        bound: false,
+    };
     let (report, study) = job.time_study(&question);
     let study = study.expect("limits").expect("a time");
     let [least, most] = study.range_s.expect("a range");

@@ -5,7 +5,9 @@ mod chart;
 mod sheet;
 
 use chordal::machine::PerAxis;
-use chordal::motion::{Limits, Sample, Sampler, Sources, Step, StepSource};
+use chordal::motion::{
+    KinematicLimits, MotionSample, PlannerStep, SetpointSampler, StepSource, StepSources,
+};
 
 use self::buckets::ValueBuckets;
 use super::{PlotError, PlotOptions, render};
@@ -34,23 +36,23 @@ const VALUES: usize = 15;
 /// room for any length and loses no peak of a setpoint.
 #[derive(Debug)]
 pub struct MotionPlot {
-    limits: Limits,
+    limits: KinematicLimits,
     inch: bool,
-    time: ValueBuckets<VALUES>,
-    by_distance: ValueBuckets<1>,
-    distance_mm: f64,
-    last: Option<Sample>,
+    time: Buckets<VALUES>,
+    way: Buckets<1>,
+    way_mm: f64,
+    last: Option<MotionSample>,
     /// Unit vector of travel.
     direction: [f64; 3],
     tool: u32,
     /// When each tool came, s.
     tools: Vec<(f64, u32)>,
-    sampler: Option<Sampler>,
+    sampler: Option<SetpointSampler>,
 }
 
 impl MotionPlot {
     /// An empty drawing with the limits of the axes; numbered in inches or in millimetres.
-    pub fn new(limits: &Limits, inch: bool) -> MotionPlot {
+    pub fn new(limits: &KinematicLimits, inch: bool) -> MotionPlot {
         MotionPlot {
             limits: *limits,
             inch,
@@ -61,7 +63,7 @@ impl MotionPlot {
             direction: [0.0; 3],
             tool: 0,
             tools: Vec::new(),
-            sampler: Some(Sampler::new(PERIOD_S).at_most(2 * MAX_SAMPLES)),
+            sampler: Some(SetpointSampler::new(PERIOD_S).at_most(2 * MOST_SAMPLES)),
         }
     }
 
@@ -74,8 +76,8 @@ impl MotionPlot {
     #[must_use]
     pub fn lasting(self, time_s: f64) -> MotionPlot {
         let period_s = MotionPlot::period_s(time_s);
-        let sampler = Sampler::new(period_s).at_most(2 * MAX_SAMPLES);
-        MotionPlot { time: ValueBuckets::new(period_s), sampler: Some(sampler), ..self }
+        let sampler = SetpointSampler::new(period_s).at_most(2 * MOST_SAMPLES);
+        MotionPlot { time: Buckets::new(period_s), sampler: Some(sampler), ..self }
     }
 
     /// Numbers the axes in inches, or in millimetres: after a run, `Summary::inch` says what
@@ -85,11 +87,11 @@ impl MotionPlot {
     }
 
     /// Takes a step of a plan, as [`PlanSink::step`](chordal::motion::PlanSink::step) gets it.
-    pub fn step(&mut self, step: Step<'_>, sources: &Sources) {
+    pub fn step(&mut self, step: PlannerStep<'_>, sources: &StepSources) {
         let Some(mut sampler) = self.sampler.take() else { return };
         let tag = match step {
-            Step::Stretch(stretch) => stretch.pieces.first().map(|piece| piece.tag),
-            Step::Wait { tag, .. } => Some(tag),
+            PlannerStep::Trajectory(stretch) => stretch.pieces.first().map(|piece| piece.tag),
+            PlannerStep::Wait { tag, .. } => Some(tag),
         };
         if let Some(source) = tag.and_then(|tag| sources.get(tag)) {
             self.tool(sampler.time_s(), source.tool);
@@ -114,7 +116,7 @@ impl MotionPlot {
     }
 
     /// Takes a setpoint of a block on this line; the next is later.
-    pub fn sample(&mut self, sample: &Sample, line: u32) {
+    pub fn sample(&mut self, sample: &MotionSample, line: u32) {
         let [vx, vy, vz, ..] = sample.velocity;
         let speed = (vx * vx + vy * vy + vz * vz).sqrt();
         if speed > STANDSTILL_MM_PER_S {
