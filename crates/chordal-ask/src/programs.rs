@@ -2,9 +2,11 @@
 
 use chordal::motion::MotionOptions;
 use chordal::time::max_summarized_moves;
-use chordal::{EVERY_PLACE, KEPT_PER_CODE, Watch};
-use chordal_compare::{Category, Options as Comparing, compare};
-use chordal_export::report::{self, Detail, Gitlab, RunOf, Sarif, files_json, summary_json};
+use chordal::{EVERY_PLACE, KEPT_PER_CODE, RunWatch};
+use chordal_compare::{Category, ComparisonOptions as Comparing, compare};
+use chordal_export::report::{
+    self, GitlabReport, ReportDetail, RunOf, SarifReport, files_json, summary_json,
+};
 use chordal_export::{comparison_json, comparison_names, comparison_text, conversion_json};
 use chordal_rewrite::convert::{ConversionOptions as Converting, convert};
 

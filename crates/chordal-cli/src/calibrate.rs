@@ -7,7 +7,7 @@ use chordal::Machine;
 use chordal::machine::{Axis, builtin};
 use chordal::motion::{LimitError, MotionOptions, WaitKind};
 use chordal::time::{FitParameter, LimitFactors, LimitFit, TimePrediction, UnfitReason, fit};
-use chordal_load::{Files, Loaded};
+use chordal_load::{FileAccess, Loaded};
 
 use crate::failure::{CommandFailure, ExitVerdict};
 use crate::numbers::{counted, duration, fixed, short};
@@ -154,10 +154,10 @@ fn seconds(text: &str) -> Option<f64> {
 
 /// Fits; what a program takes with some factors is planned once.
 fn fit_to(
-    measurements: &[Measurement],
+    measurements: &[CycleTimeMeasurement],
     machine: &Machine,
     start: LimitFactors,
-) -> Result<LimitFit, Failure> {
+) -> Result<LimitFit, CommandFailure> {
     let measured: Vec<f64> = measurements.iter().map(|program| program.seconds).collect();
     let mut known: BTreeMap<(usize, u64, u64), TimePrediction> = BTreeMap::new();
     let mut failed = None;
@@ -177,7 +177,7 @@ fn predict(
     loaded: &Loaded,
     machine: &Machine,
     factors: &LimitFactors,
-) -> Result<TimePrediction, Failure> {
+) -> Result<TimePrediction, CommandFailure> {
     let changed = factors.on(machine).map_err(|error| wrong_limit(&error))?;
     let timed = loaded.job_on(changed)?.time(&MotionOptions::default());
     let time = timed.map_err(|error| wrong_limit(&error))?.time;
@@ -190,7 +190,7 @@ fn predict(
 }
 
 fn text(
-    measurements: &[Measurement],
+    measurements: &[CycleTimeMeasurement],
     machine: &Machine,
     start: LimitFactors,
     fitted: &LimitFit,
@@ -208,8 +208,9 @@ fn text(
             format!("{} s", fixed(to.tool_change_s, 2)),
         ),
     ] {
-        let told = fitted.undetermined.iter().all(|(untold, _)| *untold != parameter);
-        let after = if told { after } else { "kept".to_string() };
+        let is_fitted =
+            fitted.undetermined.iter().all(|(undetermined, _)| *undetermined != parameter);
+        let after = if is_fitted { after } else { "kept".to_string() };
         numbers.add_row([parameter.word().to_string(), before, after]);
     }
     push_lines(&mut text, &numbers);
@@ -239,7 +240,7 @@ fn text(
     }
     text.push('\n');
     for (parameter, why) in &fitted.undetermined {
-        text.push_str(&format!("  {}\n", untold_text(*parameter, *why)));
+        text.push_str(&format!("  {}\n", undetermined_text(*parameter, *why)));
     }
     for (program, times) in measurements.iter().zip(&fitted.programs) {
         if (times.after_s / times.measured_s - 1.0).abs() > MAX_RELATIVE_ERROR {
@@ -262,7 +263,7 @@ fn push_lines(text: &mut String, table: &comfy_table::Table) {
     }
 }
 
-fn untold_text(parameter: FitParameter, why: UnfitReason) -> String {
+fn undetermined_text(parameter: FitParameter, why: UnfitReason) -> String {
     let word = parameter.word();
     match why {
         UnfitReason::NoEffect => {
@@ -289,7 +290,8 @@ fn machine_file(
     machine: &Machine,
     fitted: &LimitFit,
 ) -> Result<String, LimitError> {
-    let told = |parameter| fitted.undetermined.iter().all(|(untold, _)| *untold != parameter);
+    let is_fitted =
+        |parameter| fitted.undetermined.iter().all(|(undetermined, _)| *undetermined != parameter);
     let factors = &fitted.factors;
     let changed = factors.on(machine)?;
     let mut text = format!(
@@ -307,7 +309,7 @@ fn machine_file(
             ("max_jerk", limits.max_jerk, FitParameter::Jerk, 3),
             ("rapid_jerk", limits.rapid_jerk, FitParameter::Jerk, 3),
         ];
-        let rows = rows.iter().filter(|(_, _, parameter, _)| reported(*parameter));
+        let rows = rows.iter().filter(|(_, _, parameter, _)| is_fitted(*parameter));
         let rows: String = rows
             .filter_map(|(key, value, _, power)| {
                 let value = short((*value)? * part, 1);
@@ -318,7 +320,7 @@ fn machine_file(
             text.push_str(&format!("\n[axes.{axis}]\n{rows}"));
         }
     }
-    if told(FitParameter::ToolChange) {
+    if is_fitted(FitParameter::ToolChange) {
         let seconds = short(factors.tool_change_s, 2);
         text.push_str(&format!("\n[times]\ntool_change = \"{seconds} s\"\n"));
     }

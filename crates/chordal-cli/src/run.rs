@@ -121,9 +121,9 @@ fn carry_out(
     loaded: &Loaded,
     job: &Job,
     setup: Option<&Path>,
-    targets: &[output::Target],
-) -> Result<Done, Failure> {
-    let mut outputs = Outputs::open(targets, job)?;
+    targets: &[output::OutputTarget],
+) -> Result<FinishedRun, CommandFailure> {
+    let mut outputs = RunOutputs::open(targets, job)?;
     let most = max_summarized_moves(loaded.size());
     let (report, timed) = job.report_timed(&MotionOptions::default(), most, &mut outputs);
     // Limits nothing can be planned with are reported by `chordal time`.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use chordal::control::AxisMask;
-use chordal::machine::Dimension;
+use chordal::machine::QuantityDimension;
 use chordal::motion::{
     MotionOptions, PlannerLevel, SamplingError, SamplingReport, SamplingRequest,
 };
@@ -75,11 +75,11 @@ enum PlanningQuality {
     Best,
 }
 
-impl Effort {
+impl PlanningQuality {
     fn of(self) -> PlannerLevel {
         match self {
-            Effort::Fast => PlannerLevel::Fast,
-            Effort::Best => PlannerLevel::Best,
+            PlanningQuality::Fast => PlannerLevel::Fast,
+            PlanningQuality::Best => PlannerLevel::Best,
         }
     }
 }

@@ -23,16 +23,18 @@ pub struct Motion {
     duration_s: f64,
 }
 
-enum Kept {
-    Stretch(PlannedTrajectory),
+enum PlannedStep {
+    Planned(PlannedTrajectory),
     Wait { seconds: f64, tag: u64 },
 }
 
-impl Kept {
+impl PlannedStep {
     fn step(&self) -> PlannerStep<'_> {
         match self {
-            Kept::Stretch(stretch) => PlannerStep::Trajectory(stretch),
-            Kept::Wait { seconds, tag } => PlannerStep::Wait { seconds: *seconds, tag: *tag },
+            PlannedStep::Planned(trajectory) => PlannerStep::Trajectory(trajectory),
+            PlannedStep::Wait { seconds, tag } => {
+                PlannerStep::Wait { seconds: *seconds, tag: *tag }
+            }
         }
     }
 }
@@ -73,16 +75,16 @@ pub fn plan(
 }
 
 fn planned(
-    moves: &[Given],
+    moves: &[MoveInput],
     limits: KinematicLimits,
     level: PlannerLevel,
 ) -> Result<Motion, (usize, MoveError)> {
     let mut planner = MotionPlanner::new(limits, PlannerOptions::new(level));
-    let mut steps: Vec<Kept> = Vec::new();
+    let mut steps: Vec<PlannedStep> = Vec::new();
     let mut keep = |step: PlannerStep<'_>| {
         steps.push(match step {
-            PlannerStep::Trajectory(stretch) => Kept::Stretch(stretch.clone()),
-            PlannerStep::Wait { seconds, tag } => Kept::Wait { seconds, tag },
+            PlannerStep::Trajectory(trajectory) => PlannedStep::Planned(trajectory.clone()),
+            PlannerStep::Wait { seconds, tag } => PlannedStep::Wait { seconds, tag },
         });
     };
     let mut at: Option<PerAxis<f64>> = None;
@@ -177,7 +179,7 @@ impl Motion {
     fn sample(&self, py: Python<'_>, period_s: f64, max_samples: u64) -> PyResult<Table> {
         let period_s = period(py, period_s)?;
         let table = py.detach(|| {
-            let mut columns = Columns::new();
+            let mut columns = PyColumns::new();
             let mut sampler = SetpointSampler::new(period_s).at_most(max_samples);
             for kept in &self.steps {
                 sampler.push(kept.step(), |sample| columns.push(sample));

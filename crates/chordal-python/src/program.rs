@@ -8,9 +8,11 @@ use chordal::geometry::Placement;
 use chordal::motion::{LimitError, MotionOptions, PlannerLevel, SamplingError, SamplingRequest};
 use chordal::stock::{StockOptions, StockReport, TurnedOptions, TurnedReport};
 use chordal::time::{RepeatPlanning, TimeQuestion};
-use chordal::{Command, Job, PathCommand, Report, Segment, Summary, Watch};
-use chordal_compare::{Category, Options as Comparing, compare};
-use chordal_export::columns::{ChordColumns, CommandColumns, PathColumns, Rows, SampleColumns};
+use chordal::{Command, Job, PathCommand, Report, RunWatch, Segment, Summary};
+use chordal_compare::{Category, ComparisonOptions as Comparing, compare};
+use chordal_export::columns::{
+    ChordColumns, CommandColumns, PathColumns, RowBatcher, SampleColumns,
+};
 use chordal_export::{
     Plot, PlotOptions, SampleHead, comparison_json, conversion_json, refusal_json, report,
     restart_json, sha256_hex, split_json, time_json, transformed_json,

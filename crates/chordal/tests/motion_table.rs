@@ -57,7 +57,7 @@ impl Planned {
     }
 
     fn time_s(&self) -> f64 {
-        self.intervals.iter().map(|stretch| stretch.duration_s() - stretch.overlap_s).sum()
+        self.stretches.iter().map(|stretch| stretch.duration_s() - stretch.overlap_s).sum()
     }
 
     fn largest_use(&self, limits: &KinematicLimits) -> LimitUse {
@@ -148,7 +148,7 @@ fn held(row: &Row, planned: &Planned, limits: &KinematicLimits) -> (f64, f64) {
         "{name}: {deviation} mm off the path, {} allowed",
         planned.allowed()
     );
-    let (first, last) = (&planned.intervals[0], planned.intervals.last().unwrap());
+    let (first, last) = (&planned.stretches[0], planned.stretches.last().unwrap());
     let ends =
         [(first.from(), planned.moves[0].from()), (last.to(), planned.moves.last().unwrap().to())];
     for (is, due) in ends {

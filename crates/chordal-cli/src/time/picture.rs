@@ -74,7 +74,7 @@ impl TimePicture {
 
 struct PictureSink(MotionPlot);
 
-impl PlanSink for Drawing {
+impl PlanSink for PictureSink {
     fn step(&mut self, step: PlannerStep<'_>, sources: &StepSources) {
         self.0.step(step, sources);
     }

@@ -209,7 +209,7 @@ fn alternatives(alternatives: &[TimeAlternative], time: &TimeReport, inch: bool)
     let units = if inch { ProgramUnits::Inch } else { ProgramUnits::Millimetre };
     for TimeAlternative { change, total_s } in alternatives {
         let difference = total_s - time.total_s();
-        let same = difference.abs() < SAME_S;
+        let same = difference.abs() < EQUAL_TIME_S;
         if same && matches!(change, PlanningChange::Feed(_) | PlanningChange::Rapid(_)) {
             continue;
         }

@@ -12,7 +12,7 @@ const MAX_OPERATIONS: usize = 200;
 
 /// The time; operations without a comment of their own have that of their tool. `head` are the
 /// comments at the head of the program.
-pub fn time(timed: &TimedRun, tools: &[Tool], head: &[String], job: &Job) -> Time {
+pub fn time(timed: &TimedRun, tools: &[ReportedTool], head: &[String], job: &Job) -> PlannedTime {
     let (time, motion) = (&timed.time, &timed.motion);
     let operations: Vec<Operation> = time
         .operations

@@ -7,7 +7,7 @@ use chordal_diagnostics::Diagnostic;
 use chordal_geometry::{Curve, EvenPart, Line, ParamCurve, Transform, Vec3};
 use chordal_kernel::Outcome;
 use chordal_kernel::rules::{PathRules, RapidFeed};
-use chordal_machine::{AXES, FeedLimits, Machine, Times};
+use chordal_machine::{AXES, FeedLimits, Machine, NonMotionTimes};
 use chordal_motion::{AxisValues, CornerMode, MoveKind, MoveRequest};
 use chordal_path::{
     PathBuilder, PathCommand, PathSink, RotaryLimits, Segment, SegmentKind, SurfacePart, curve_of,

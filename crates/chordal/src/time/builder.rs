@@ -292,7 +292,7 @@ mod tests {
 
     use super::*;
     use chordal_diagnostics::{FileId, TextRange};
-    use chordal_geometry::{Direction, Line, Plane, arc_from_center};
+    use chordal_geometry::{Line, Plane, TurnDirection, arc_from_center};
     use chordal_motion::{JerkPhase, PathPiece};
     use chordal_path::SegmentKind;
 

@@ -28,7 +28,7 @@ pub struct TimedRun {
 /// Ignores the events of a run.
 pub(super) struct NullWatch;
 
-impl Watch for NullWatch {}
+impl RunWatch for NullWatch {}
 
 impl Job<'_> {
     /// Runs, plans and adds up the time.
@@ -74,7 +74,7 @@ impl Job<'_> {
     ) -> Result<Option<[f64; 2]>, LimitError> {
         let (mut range, mut error) = ([total_s; 2], None);
         let (first, as_needed) = (&report.diagnostics, BlockDeleteRuns::WhereItDecides);
-        let sides = self.run_other_sides(first, MOST_SIDE_RUNS, as_needed, |job, _| {
+        let sides = self.run_other_sides(first, MAX_SIDE_RUNS, as_needed, |job, _| {
             let (report, timed) = job.report_timed(options, u64::MAX, &mut NullWatch);
             match timed {
                 Ok(Some(timed)) => {
@@ -110,7 +110,7 @@ impl Job<'_> {
         &self,
         options: &MotionOptions,
         most_moves: u64,
-        watch: &mut dyn Watch,
+        watch: &mut dyn RunWatch,
     ) -> (Report, Result<Option<TimedRun>, LimitError>) {
         match options.level {
             PlannerLevel::Fast => self.report_and_time(
@@ -130,7 +130,7 @@ impl Job<'_> {
         options: &MotionOptions,
         make: MakePlanner<P>,
         most_moves: u64,
-        watch: &mut dyn Watch,
+        watch: &mut dyn RunWatch,
     ) -> (Report, Result<Option<TimedRun>, LimitError>) {
         let limits = match MachineLimits::of(self.machine()) {
             Ok(limits) => limits,
@@ -140,7 +140,7 @@ impl Job<'_> {
         let motion = MotionBuilder::new(self, limits, options, planning);
         let report = ReportSink::new(self, watch);
         let both = ReportAndTime { report, motion: Some(motion), left: most_moves };
-        let (outcomes, ReportAndTime { report, motion, .. }) = Compensated::judge(self, both);
+        let (outcomes, ReportAndTime { report, motion, .. }) = CompensationSink::judge(self, both);
         let timed = motion.map(|motion| {
             let (motion, planning) = motion.finish(outcomes.clone());
             TimedRun { time: planning.finish().finish(), motion }

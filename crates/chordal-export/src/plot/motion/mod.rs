@@ -38,9 +38,9 @@ const VALUES: usize = 15;
 pub struct MotionPlot {
     limits: KinematicLimits,
     inch: bool,
-    time: Buckets<VALUES>,
-    way: Buckets<1>,
-    way_mm: f64,
+    time: ValueBuckets<VALUES>,
+    by_distance: ValueBuckets<1>,
+    distance_mm: f64,
     last: Option<MotionSample>,
     /// Unit vector of travel.
     direction: [f64; 3],
@@ -63,7 +63,7 @@ impl MotionPlot {
             direction: [0.0; 3],
             tool: 0,
             tools: Vec::new(),
-            sampler: Some(SetpointSampler::new(PERIOD_S).at_most(2 * MOST_SAMPLES)),
+            sampler: Some(SetpointSampler::new(PERIOD_S).at_most(2 * MAX_SAMPLES)),
         }
     }
 
@@ -76,8 +76,8 @@ impl MotionPlot {
     #[must_use]
     pub fn lasting(self, time_s: f64) -> MotionPlot {
         let period_s = MotionPlot::period_s(time_s);
-        let sampler = SetpointSampler::new(period_s).at_most(2 * MOST_SAMPLES);
-        MotionPlot { time: Buckets::new(period_s), sampler: Some(sampler), ..self }
+        let sampler = SetpointSampler::new(period_s).at_most(2 * MAX_SAMPLES);
+        MotionPlot { time: ValueBuckets::new(period_s), sampler: Some(sampler), ..self }
     }
 
     /// Numbers the axes in inches, or in millimetres: after a run, `Summary::inch` says what
@@ -90,7 +90,7 @@ impl MotionPlot {
     pub fn step(&mut self, step: PlannerStep<'_>, sources: &StepSources) {
         let Some(mut sampler) = self.sampler.take() else { return };
         let tag = match step {
-            PlannerStep::Trajectory(stretch) => stretch.pieces.first().map(|piece| piece.tag),
+            PlannerStep::Trajectory(trajectory) => trajectory.pieces.first().map(|piece| piece.tag),
             PlannerStep::Wait { tag, .. } => Some(tag),
         };
         if let Some(source) = tag.and_then(|tag| sources.get(tag)) {
