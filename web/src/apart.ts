@@ -4,7 +4,8 @@ import { BufferGeometry, type Plane, Points, PointsMaterial } from "three";
 import { difference } from "./fit";
 import type { Tolerance } from "./lines";
 import { Marked } from "./marked";
-import type { Path, Vec3 } from "./path";
+import type { Vec3 } from "./batch";
+import type { Path } from "./path";
 import { geometryOf } from "./strokes";
 
 /** Rows that are marked at most, of each path: wide lines must not keep the picture from turning. */

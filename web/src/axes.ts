@@ -1,6 +1,6 @@
 // The small cross of X, Y and Z in the corner of the path.
 
-import type { Vec3 } from "./path";
+import type { Vec3 } from "./batch";
 
 const NAMES = ["X", "Y", "Z"];
 

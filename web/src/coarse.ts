@@ -3,7 +3,7 @@
 import { Group, type LineDashedMaterial, LineSegments } from "three";
 import { type Strands, someStrands, strands } from "./detail";
 import type { Lines } from "./lines";
-import type { Batch } from "./path";
+import type { Batch } from "./batch";
 import { pause } from "./pause";
 import { spansOf } from "./progress";
 import { type StrokeMaterials, Strokes, geometryOf } from "./strokes";

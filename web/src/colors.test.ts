@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { DARK, LIGHT, type Palette, type Scale, colorsOf, rampColor, rgb, toolColor } from "./colors";
-import type { Batch } from "./path";
+import type { Batch } from "./batch";
 import { PALE } from "./progress";
 
 type Numbers = number[];

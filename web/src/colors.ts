@@ -2,7 +2,7 @@
 
 import type { Lines } from "./lines";
 import { DARK_SHEET, LIGHT_SHEET } from "./palette";
-import type { Batch } from "./path";
+import type { Batch } from "./batch";
 
 export type ColorBy = "tool" | "speed" | "depth" | "power";
 

@@ -1,7 +1,8 @@
 import { expect, it } from "vitest";
 import { around, boxOf, linesOf, linesText, rowsOf, rowsOfLines, step, union } from "./compare";
-import type { Difference, Side } from "./link";
-import { ARC, KNOWN, Path, type Vec3 } from "./path";
+import type { Difference, Side } from "./messages";
+import { ARC, KNOWN, type Vec3 } from "./batch";
+import { Path } from "./path";
 
 function path(origin: Vec3, lines: number[], points: number[], files = lines.map(() => 0)): Path {
   const made = new Path();

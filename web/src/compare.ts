@@ -1,7 +1,9 @@
 // What the server found different between two programs: where that is on the page.
 
-import type { Blocks, Difference } from "./link";
-import { type Bounds, KNOWN, type Path, type Vec3, arcEighths, arcIndex, arcPoint } from "./path";
+import type { Blocks, Difference } from "./messages";
+import { arcEighths, arcIndex, arcPoint } from "./arcs";
+import { type Bounds, KNOWN, type Vec3 } from "./batch";
+import type { Path } from "./path";
 
 /** Lines of the program that are marked: what differs may be all of a long one. */
 const MOST_LINES = 10_000;

@@ -2,8 +2,8 @@
 
 import { linesText } from "./compare";
 import { signButton } from "./icons";
-import type { Comparison, Difference, Hello, Other } from "./link";
-import { element } from "./panels";
+import type { Comparison, Difference, Hello, Other } from "./messages";
+import { element } from "./dom";
 import { rich, setRich } from "./rich";
 import { type Units, count, counted } from "./units";
 

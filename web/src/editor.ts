@@ -14,8 +14,8 @@ import {
   keymap,
   lineNumbers,
 } from "@codemirror/view";
-import type { Place, Problem } from "./link";
-import { element } from "./panels";
+import type { Place, Problem } from "./messages";
+import { element } from "./dom";
 import { plain, rich } from "./rich";
 import { markdown, unwrapped } from "./words";
 

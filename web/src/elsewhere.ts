@@ -2,8 +2,8 @@
 
 import { EditorState } from "@codemirror/state";
 import { EditorView, highlightActiveLine, lineNumbers } from "@codemirror/view";
-import type { Made } from "./link";
-import { element } from "./panels";
+import type { Made } from "./messages";
+import { element } from "./dom";
 
 export class Elsewhere {
   private root = element("section", "elsewhere");

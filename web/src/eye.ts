@@ -3,7 +3,7 @@
 import { Matrix4, OrthographicCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { type Edges, Extent } from "./fit";
-import type { Bounds, Vec3 } from "./path";
+import type { Bounds, Vec3 } from "./batch";
 
 export type ViewName = "top" | "front" | "right" | "iso";
 

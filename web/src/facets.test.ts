@@ -3,7 +3,8 @@ import { expect, test } from "vitest";
 import { CoarseSurface } from "./coarsestock";
 import type { StockBefore } from "./drops";
 import { type Corners, triangles } from "./facets";
-import { SIDE, Surface, TILE } from "./surface";
+import { Surface } from "./surface";
+import { SIDE, TILE } from "./tile";
 import { Tiles } from "./tiles";
 
 const corners = (): Corners => ({ z: new Float32Array(SIDE * SIDE), slot: new Uint8Array(SIDE * SIDE) });

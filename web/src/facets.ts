@@ -1,6 +1,6 @@
 // The triangles of a tile: as large as the surface is flat.
 
-import { SIDE, TILE } from "./surface";
+import { SIDE, TILE } from "./tile";
 
 /** Corners of a tile: heights, who has cut them, those of the target where there is one. */
 export interface Corners {

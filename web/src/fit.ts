@@ -1,6 +1,6 @@
 // How much of a view things take: for fitting them into it.
 
-import type { Bounds, Vec3 } from "./path";
+import type { Bounds, Vec3 } from "./batch";
 
 /** Left, right, bottom and top, mm. */
 export type Edges = [number, number, number, number];

@@ -2,7 +2,7 @@
 
 import { BufferAttribute, Group, LineBasicMaterial, LineSegments } from "three";
 import { corner } from "./fit";
-import type { Bounds, Vec3 } from "./path";
+import type { Bounds, Vec3 } from "./batch";
 import { geometryOf } from "./strokes";
 
 /** X red, Y green, Z blue, for both ends of each. */

@@ -2,11 +2,11 @@
 
 import { type ColorBy, type Palette, toolColor } from "./colors";
 import { icon } from "./icons";
-import type { MachineChoice, MachineInfo, Report, Tool } from "./link";
-import { element } from "./panels";
+import type { MachineChoice, MachineInfo, Report, Tool } from "./messages";
+import { element } from "./dom";
 import type { Path } from "./path";
 import { setRich } from "./rich";
-import type { Section } from "./scene";
+import type { Section } from "./visiblesection";
 import type { ViewName } from "./eye";
 import { sectionControls } from "./section";
 import type { PlaybackState } from "./playbackstate";

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { drawn, nearest, someRows } from "./lines";
-import { type Batch, KNOWN } from "./path";
+import { type Batch, KNOWN } from "./batch";
 
 const CUT = 1 | KNOWN;
 const RAPID = 0 | KNOWN;

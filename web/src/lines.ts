@@ -1,7 +1,8 @@
 // From rows to what a graphics card draws: pairs of points, and the row of each pair. Arcs are cut
 // as fine as the view needs; a straight path is drawn from the server's own array.
 
-import { type Batch, KNOWN, RAPID, arcIndex, arcPieces, arcPoint, kindOf } from "./path";
+import { arcIndex, arcPieces, arcPoint } from "./arcs";
+import { type Batch, KNOWN, RAPID, kindOf } from "./batch";
 
 /** Line segments: six numbers each, relative to the origin. */
 export interface Lines {

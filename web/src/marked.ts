@@ -5,7 +5,8 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { type Tolerance, someRows } from "./lines";
-import { type Batch, Path, type Vec3 } from "./path";
+import type { Batch, Vec3 } from "./batch";
+import { Path } from "./path";
 import type { Progress } from "./progress";
 
 /** Rows that are marked at most, where nothing else is said. */

@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import { type Feature, describe as words, describeDistance, distance, featureAt } from "./measure";
-import { type Batch, KNOWN, Path, type Vec3 } from "./path";
+import { type Batch, KNOWN, type Vec3 } from "./batch";
+import { Path } from "./path";
 
 /** A line along X, one along it 10 mm further in Y, and a quarter of a circle of 5 mm about X 30 Y 0. */
 function path(): Path {

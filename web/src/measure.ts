@@ -1,6 +1,8 @@
 // What a measurement finds: what was chosen on the path, and the distance between two such things.
 
-import { type Path, RAPID, type Vec3, arcIndex, kindOf } from "./path";
+import { arcIndex } from "./arcs";
+import { RAPID, type Vec3, kindOf } from "./batch";
+import type { Path } from "./path";
 import type { Picked } from "./picking";
 import { type Units, length, programmed } from "./units";
 

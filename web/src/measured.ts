@@ -5,7 +5,7 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import type { Feature } from "./measure";
-import type { Vec3 } from "./path";
+import type { Vec3 } from "./batch";
 
 /** Of a mark from its middle, pixels. */
 const REACH = 6;

@@ -8,7 +8,8 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 import { difference } from "./fit";
 import { type Lines, type Tolerance, drawn } from "./lines";
 import { Marked } from "./marked";
-import { type Batch, type Bounds, Path, type Vec3 } from "./path";
+import type { Batch, Bounds, Vec3 } from "./batch";
+import { Path } from "./path";
 import { pause } from "./pause";
 import { type Pickable, type Picked, type Sight, pick } from "./picking";
 import { geometryOf } from "./strokes";

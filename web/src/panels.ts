@@ -1,30 +1,11 @@
 // The panels beside the path: outline, what is in force, times; problems stand in problems.ts.
 
-import type { Entry, MachineInfo, Modal, Report, Times } from "./link";
-import type { Vec3 } from "./path";
+import type { Entry, MachineInfo, Modal, Report, Times } from "./messages";
+import type { Vec3 } from "./batch";
+import { element } from "./dom";
 import { rich } from "./rich";
 import type { Coordinates } from "./playbackstate";
 import { type Units, angles, count, counted, duration, length, position, speed } from "./units";
-
-export function element<K extends keyof HTMLElementTagNameMap>(
-  name: K,
-  className = "",
-  text = "",
-): HTMLElementTagNameMap[K] {
-  const made = document.createElement(name);
-  if (className) made.className = className;
-  if (text) made.textContent = text;
-  return made;
-}
-
-/** Escape closes a panel that opens below its summary. */
-export function closesOnEscape(root: HTMLDetailsElement, summary: HTMLElement): void {
-  root.addEventListener("keydown", (event) => {
-    if (event.key !== "Escape") return;
-    root.open = false;
-    summary.focus();
-  });
-}
 
 /** From where on the path is not known; empty where the whole run was followed. */
 export function notVerified(report: Pick<Report, "not_verified_from">): string {

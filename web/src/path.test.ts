@@ -1,5 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { type Batch, KNOWN, Path, arcIndex, arcPieces, arcPoint } from "./path";
+import { arcIndex, arcPieces, arcPoint } from "./arcs";
+import { type Batch, KNOWN } from "./batch";
+import { Path } from "./path";
 
 const quarter = new Float32Array([
   // Centre (0, 0), start towards X, axis Z, radius 10, a quarter turn that rises by 2.

@@ -2,7 +2,7 @@
 
 import type { Eye } from "./eye";
 import { type Lines, nearest } from "./lines";
-import type { Batch, Vec3 } from "./path";
+import type { Batch, Vec3 } from "./batch";
 
 /** How far from a line a click may be, pixels. */
 const REACH = 8;

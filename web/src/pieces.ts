@@ -3,7 +3,7 @@
 import type { LineSegments, Object3D } from "three";
 import type { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import type { Lines } from "./lines";
-import type { Batch } from "./path";
+import type { Batch } from "./batch";
 import { linesOnRows } from "./progress";
 import type { Strokes } from "./strokes";
 

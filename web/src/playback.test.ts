@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { KNOWN, Path } from "./path";
+import { KNOWN } from "./batch";
+import { Path } from "./path";
 import { momentAt, speedBands, stepRow, timeOfRow } from "./playback";
 
 const points = {

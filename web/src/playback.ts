@@ -1,6 +1,7 @@
 // The motion in time: setpoints at an even period, as the planner makes them.
 
-import type { Path, Vec3 } from "./path";
+import type { Vec3 } from "./batch";
+import type { Path } from "./path";
 
 export interface Setpoints {
   /** Relative to `origin`, mm: three numbers each. */

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { KNOWN, Path } from "./path";
+import { KNOWN } from "./batch";
+import { Path } from "./path";
 import { type Setpoints, timeAfterRow, timeOfRow, timeOnRow } from "./playback";
 import { doneOf, playbackStateOf } from "./playbackstate";
 

@@ -1,6 +1,7 @@
 // Where the program is: one state, from which line, clock, readout, tool and stock are shown.
 
-import { type Path, type Vec3, axisBits } from "./path";
+import { type Vec3, axisBits } from "./batch";
+import type { Path } from "./path";
 import { type Setpoints, momentAt, timeAfterRow, timeOfRow, timeOnRow } from "./playback";
 
 /** What was asked for. */

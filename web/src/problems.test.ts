@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Problem } from "./link";
+import type { Problem } from "./messages";
 import { groups } from "./problems";
 
 const problem = (severity: Problem["severity"], code: string, line: number): Problem => ({

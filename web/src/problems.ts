@@ -1,7 +1,8 @@
 // The panel of problems: by code, errors first, with a choice of severities.
 
-import type { Problem, Report } from "./link";
-import { element, notVerified } from "./panels";
+import type { Problem, Report } from "./messages";
+import { element } from "./dom";
+import { notVerified } from "./panels";
 import { rich } from "./rich";
 import { count, counted } from "./units";
 

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Readings } from "./link";
+import type { Readings } from "./messages";
 import { AnsweredReadings, columnRows, introduction } from "./readings";
 
 const INCH = { name: "fadal-4020 in inch", title: "Fadal VMC 4020 in inch" };

@@ -1,8 +1,8 @@
 // The question how a program is to be read, where nothing in it names its control for certain: its readings next to
 // each other. Nothing waits for an answer.
 
-import type { MachineChoice, Readings } from "./link";
-import { element } from "./panels";
+import type { MachineChoice, Readings } from "./messages";
+import { element } from "./dom";
 import { rich, setRich } from "./rich";
 import { count, counted } from "./units";
 

@@ -25,7 +25,8 @@ import { Measured } from "./measured";
 import { Overlay } from "./overlay";
 import { Painter } from "./painter";
 import { pause } from "./pause";
-import { type Batch, type Bounds, Path, type Vec3 } from "./path";
+import type { Batch, Bounds, Vec3 } from "./batch";
+import { Path } from "./path";
 import { type Picked, pick } from "./picking";
 import { type DrawnBatch, piecesOn } from "./pieces";
 import { Progress, spansOf } from "./progress";
@@ -35,6 +36,7 @@ import { StockLayer } from "./stocklayer";
 import { StrokeMaterials, Strokes, empty, geometryOf, remove } from "./strokes";
 import { type Tolerance, seenTolerance } from "./tolerance";
 import { type Drawn, ToolShape } from "./tool";
+import type { Section } from "./visiblesection";
 
 /** Rows from which on fewer lines are drawn while the view turns. */
 const MANY = 20_000;
@@ -49,15 +51,6 @@ ColorManagement.enabled = false;
 
 /** No lines. */
 const NONE: Lines = { points: new Float32Array(0), rows: undefined, count: 0 };
-
-/** What of the path is shown; what is not said is all. */
-export interface Section {
-  tool?: number;
-  /** Lines of the program, from and to, both counted. */
-  lines?: [number, number];
-  /** Lowest and highest place, in the frame of the run, mm. */
-  depth?: [number, number];
-}
 
 export class PathView {
   private eye: Eye;

@@ -3,7 +3,7 @@
 
 import { CanvasTexture, DepthTexture, LinearFilter, Mesh, type OrthographicCamera, OrthographicCamera as Flat, PlaneGeometry, ShaderMaterial, UnsignedIntType, Vector2, Vector3, type WebGLRenderer, WebGLRenderTarget } from "three";
 import { type Palette, toolColor } from "./colors";
-import type { Bounds, Vec3 } from "./path";
+import type { Bounds, Vec3 } from "./batch";
 import { type Loops, type Sections, type Spot, type TurnedTool, corners, draw, edges, hull, silhouette, trace } from "./sections";
 
 /** A bar that is longer than the path is seen so far beyond it, of the size of the path. */

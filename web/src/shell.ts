@@ -2,13 +2,7 @@
 
 import type { Editor } from "./editor";
 import type { layout } from "./layout";
-import type { Link } from "./link";
-
-/** The way to what answers: requests go out as text; answers come in as text, columns as bytes. */
-export interface Line {
-  readonly isOpen: boolean;
-  send(text: string): void;
-}
+import type { Dial, Link } from "./link";
 
 /** The parts of the page that a shell may add to. */
 export interface Page {
@@ -20,7 +14,7 @@ export interface Page {
 }
 
 export interface Shell {
-  dial: (take: (data: string | ArrayBuffer) => void, closed: () => void) => Line;
+  dial: Dial;
   /** What is said when nothing answers any more. */
   lost: string;
   /** What is said of a text that was saved. */

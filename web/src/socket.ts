@@ -1,6 +1,7 @@
 // The line of the page that `chordal view` serves: a WebSocket to its server.
 
-import { type Line, use } from "./shell";
+import type { Line } from "./link";
+import { use } from "./shell";
 
 function dial(take: (data: string | ArrayBuffer) => void, closed: () => void): Line {
   const address = new URL("live", location.href);

@@ -1,8 +1,8 @@
 // How the stock is shown: colours, where it is cut open, how fine it is, and what was found.
 
 import type { StockBefore } from "./drops";
-import type { StockReport } from "./link";
-import { closesOnEscape, element } from "./panels";
+import type { StockReport } from "./messages";
+import { closesOnEscape, element } from "./dom";
 import { type Cut, type StockColor, TOLERANCES } from "./stocklayer";
 import { type Units, count, length, volume } from "./units";
 

@@ -26,10 +26,11 @@ import { GapMesh } from "./gapmesh";
 import type { Gaps } from "./gaps";
 import type { Under } from "./painter";
 import { Part } from "./part";
-import type { Bounds, Vec3 } from "./path";
+import type { Bounds, Vec3 } from "./batch";
 import { pause } from "./pause";
 import { FRAGMENT, VERTEX } from "./stockshader";
-import { Surface, TILE, type Touched } from "./surface";
+import { Surface, type Touched } from "./surface";
+import { TILE } from "./tile";
 import { Tiles } from "./tiles";
 
 export type StockColor = "tool" | "depth" | "deviation" | "plain";

@@ -1,7 +1,8 @@
 import { expect, test } from "vitest";
 import type { StockBefore } from "./drops";
 import { floorOf } from "./floor";
-import { SIDE, Surface } from "./surface";
+import { Surface } from "./surface";
+import { SIDE } from "./tile";
 
 function stock(nx: number, ny: number): StockBefore {
   return { low: [0, 0, -10], high: [nx, ny, 0], pitch: 1, columns: [nx, ny], heights: new Float32Array(nx * ny), toleranceMm: 0 };

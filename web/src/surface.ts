@@ -3,11 +3,7 @@
 import type { StockBefore } from "./drops";
 import type { Corners } from "./facets";
 import type { Floor } from "./floor";
-
-/** Cells along a side of a tile: halved again and again they are one. */
-export const TILE = 32;
-/** Corners along a side of a tile. */
-export const SIDE = TILE + 1;
+import { SIDE, TILE } from "./tile";
 
 /** Columns and heights between which something has changed. */
 export interface Touched {

@@ -2,7 +2,8 @@
 
 import { BufferAttribute, BufferGeometry, Group, Mesh, type ShaderMaterial } from "three";
 import { BEYOND, type Edges, noEdges, triangles } from "./facets";
-import { SIDE, type Surface, TILE } from "./surface";
+import type { Surface } from "./surface";
+import { SIDE, TILE } from "./tile";
 
 interface Part {
   mesh: Mesh<BufferGeometry, ShaderMaterial>;

@@ -3,7 +3,8 @@
 import { Vector3 } from "three";
 import type { Eye } from "./eye";
 import type { Tolerance } from "./lines";
-import { type Vec3, arcReach } from "./path";
+import { arcReach } from "./arcs";
+import type { Vec3 } from "./batch";
 
 export type { Tolerance };
 

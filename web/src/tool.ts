@@ -2,8 +2,8 @@
 
 import { Group, LatheGeometry, Mesh, MeshBasicMaterial, Vector2, DoubleSide, EdgesGeometry, LineSegments, LineBasicMaterial, Vector3 } from "three";
 import type { Palette } from "./colors";
-import type { Tool } from "./link";
-import type { Vec3 } from "./path";
+import type { Tool } from "./messages";
+import type { Vec3 } from "./batch";
 
 const SPINDLE = new Vector3(0, 0, 1);
 /** Whole angles of points that no table gives, rad: they only make the picture. */

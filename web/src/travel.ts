@@ -1,7 +1,7 @@
 // The box that a machine reaches, and why it is not known.
 
-import type { MachineInfo } from "./link";
-import type { Bounds, Vec3 } from "./path";
+import type { MachineInfo } from "./messages";
+import type { Bounds, Vec3 } from "./batch";
 
 /** For X, Y and Z: where the zero of the run is on the machine, mm; none: not known. */
 type Offsets = (number | null)[] | null;

@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
-import type { Batch, Vec3 } from "./path";
-import { Kinematics, type Rotary, onCurve, turned, unknownTurns } from "./turn";
+import type { Batch, Vec3 } from "./batch";
+import type { Rotary } from "./messages";
+import { Kinematics, onCurve, turned, unknownTurns } from "./turn";
 
 const none = (letter: string): Rotary => ({ letter, turns: null, reversed: false, center_mm: [0, 0, 0] });
 const near = (found: ArrayLike<number>, expected: number[]) =>

@@ -1,16 +1,9 @@
 // Rotary axes: where on the part the tool is, and how it stands to it. The program's places are
 // those before the part turns; what is drawn is the part, which stands still.
 
-import { type Batch, type Vec3, arcIndex, arcPoint } from "./path";
-
-/** A, B or C, as the machine file has it. */
-export interface Rotary {
-  letter: string;
-  /** `null`: not known. */
-  turns: "table" | "head" | null;
-  reversed: boolean;
-  center_mm: Vec3;
-}
+import { arcIndex, arcPoint } from "./arcs";
+import type { Batch, Vec3 } from "./batch";
+import type { Rotary } from "./messages";
 
 /** A move that turns is drawn in pieces of this angle, rad. */
 const STEP = Math.PI / 90;

@@ -1,8 +1,11 @@
 // The stock of a lathe on the page: its half section at any moment, the tool in it, and what was found.
 
 import type { Frame } from "./frame";
-import type { Link, Told, TurnedReport } from "./link";
-import { type Path, type Vec3, arcIndex } from "./path";
+import type { Link } from "./link";
+import type { Told, TurnedReport } from "./messages";
+import { arcIndex } from "./arcs";
+import type { Vec3 } from "./batch";
+import type { Path } from "./path";
 import type { PathView } from "./scene";
 import { Sections, type Spot } from "./sections";
 import { turnedControls } from "./turnedcontrols";

@@ -1,7 +1,7 @@
 // How the half section of a lathe is shown, and what was found.
 
-import type { TurnedReport } from "./link";
-import { closesOnEscape, element } from "./panels";
+import type { TurnedReport } from "./messages";
+import { closesOnEscape, element } from "./dom";
 import type { Sections } from "./sections";
 import { type Units, counted, volume } from "./units";
 

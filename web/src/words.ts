@@ -2,18 +2,11 @@
 
 import { type Extension, RangeSetBuilder, StateEffect } from "@codemirror/state";
 import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate, hoverTooltip } from "@codemirror/view";
-import { element } from "./panels";
+import { element } from "./dom";
+import type { Meaning } from "./messages";
 
 /** Line (from 1), first and last column in UTF-16 code units, and the number of the class. */
 export type Tokens = number[];
-
-export interface Meaning {
-  line: number;
-  column: number;
-  end_column: number;
-  /** Markdown: paragraphs, `code`, **bold**. */
-  text: string;
-}
 
 export interface Words {
   tokens: (from: number, to: number) => Promise<{ classes: string[]; tokens: Tokens } | undefined>;

@@ -3,7 +3,7 @@
 import { type Against, COMPARE, CUT, Engine, type File_, type Hear, type Job, type Kind, type Opened, PLAN, RUN } from "./engine";
 import { Hand, type Works } from "./hand";
 import { Outgoing } from "./outgoing";
-import type { Port } from "./worker";
+import type { Port } from "./port";
 
 export type ToAnswers =
   | { module: WebAssembly.Module }

@@ -1,6 +1,6 @@
 // The line of the page that stands alone: a worker with the interpreter, to which requests go as to a server.
 
-import type { Line } from "../shell";
+import type { Line } from "../link";
 import type { Closed, ToAnswers } from "./answers";
 import type { Against, File_, Kind, Opened } from "./engine";
 

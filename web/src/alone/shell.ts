@@ -1,7 +1,7 @@
 // The page that stands alone: opens and saves programs, shares them, and keeps those of before.
 
 import "./start.css";
-import { element } from "../panels";
+import { element } from "../dom";
 import { type Page, use } from "../shell";
 import { type Asked, asked, asking, fetched, fileOf } from "./address";
 import { Core } from "./core";

@@ -1,6 +1,6 @@
 // Where a program is chosen: files, a text that is pasted, those of before, the examples.
 
-import { element } from "../panels";
+import { element } from "../dom";
 import { type Example, type Group, gallery } from "./gallery";
 import { type Entry, forget, list } from "./recent";
 

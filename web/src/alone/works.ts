@@ -1,7 +1,7 @@
 // A worker that does what takes long, for the one that answers. It is ended when what it does is not wanted any more.
 
 import { Engine, type Job, type Opened } from "./engine";
-import type { Port } from "./worker";
+import type { Port } from "./port";
 
 export type ToWork =
   | { module: WebAssembly.Module }

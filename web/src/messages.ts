@@ -1,0 +1,317 @@
+// What the page and what answers it, a server or a worker, say to each other as JSON.
+
+/** A, B or C, as the machine file has it. */
+export interface Rotary {
+  letter: string;
+  /** `null`: not known. */
+  turns: "table" | "head" | null;
+  reversed: boolean;
+  center_mm: [number, number, number];
+}
+
+export interface Place {
+  file: string;
+  own: boolean;
+  line: number;
+  column: number;
+  end_line: number;
+  end_column: number;
+}
+
+export interface Fix {
+  title: string;
+  replacement: string;
+  place: Place | null;
+  safe: boolean;
+}
+
+export interface Problem {
+  code: string;
+  name: string;
+  severity: "error" | "warning" | "note";
+  message: string;
+  place: Place | null;
+  label: string;
+  secondary: { place: Place | null; label: string }[];
+  alarm: string | null;
+  notes: string[];
+  help: string | null;
+  explanation: string;
+  fix: Fix | null;
+  /** Others that would do as well, the likeliest first. */
+  other_fixes: Fix[];
+}
+
+export interface Tool {
+  number: number;
+  diameter_mm: number | null;
+  length_mm: number | null;
+  corner_radius_mm: number | null;
+  shape: "flat" | "ball" | "bull" | "chamfer" | "drill" | "tap" | "thread mill" | "t-slot" | "lollipop" | "form" | "insert" | "groove" | null;
+  point_angle_rad: number | null;
+  tip_diameter_mm: number | null;
+  /** Of an insert. */
+  nose_radius_mm: number | null;
+  /** Of a blade for grooves. */
+  width_mm: number | null;
+  flute_length_mm: number | null;
+  /** Height over the tip and radius, from the tip up. */
+  profile_mm: [number, number][];
+  /** Of a shank without parts. */
+  shank_diameter_mm: number | null;
+  /** Height, lower and upper diameter of each part, from the edges up. */
+  shank_mm: [number, number, number][];
+  holder_mm: [number, number, number][];
+  kind: string | null;
+  comment: string | null;
+}
+
+export interface MachineInfo {
+  /** Of a lathe: the side of the axis on which its turret stands. */
+  turret: "rear" | "front" | null;
+  /** What places on X, Y and Z are multiplied by to be programmed: 2 of a diameter. */
+  factors: [number, number, number];
+  /** Whether it has X, Y and Z: a lathe of two axes has no Y. */
+  has: [boolean, boolean, boolean];
+  name: string;
+  title: string;
+  control: string;
+  travel: ([number, number] | null)[];
+  rotary: Rotary[];
+  tools: Tool[];
+}
+
+export interface Report {
+  run: number;
+  diagnostics: Problem[];
+  left_out: number;
+  errors: number;
+  warnings: number;
+  notes: number;
+  /** Where the path is not known from; none where the whole run was followed. */
+  not_verified_from: { file: string; line: number; own: boolean } | null;
+  /** Axes that the program never names, and that are drawn at zero. */
+  never_named: string[];
+  /** The same of axes that are not known in any cut. */
+  named_in_no_cut: string[];
+  /** Of moves in work offsets that are not given, which have no place in the picture, and what to do about it. */
+  moves_left_out: string[];
+  inch: boolean;
+  /** How far the segments may be from arcs that the control itself cuts them into; null where it does not. */
+  own_chords_mm: number | null;
+  output: string[];
+  cut_length_mm: number;
+  rapid_length_mm: number;
+  tools: { number: number; lines: [number, number][]; feed_length_mm: number; speeds_rpm: number[] }[];
+  axes: { letter: string; range: [number, number]; cut_range: [number, number] | null }[];
+  rows: number;
+  rows_left_out: number;
+  places: {
+    zeros: { name: string; at: [number, number, number] }[];
+    machine: (number | null)[] | null;
+  };
+  end: { end: string; blocks: number }[];
+}
+
+export interface Modal {
+  /** The codes in force by the control's own numbers. */
+  codes?: string[];
+  inch: boolean;
+  plane: string;
+  feed_mode: "per_minute" | "inverse_time" | "per_revolution";
+  feed: number | null;
+  spindle: string;
+  rpm: number;
+  coolant: string[];
+  tool: number;
+  selected: number | null;
+  length: { number: number; mm: number | null } | null;
+  side: "off" | "left" | "right";
+  cutter: { number: number | null; mm: number | null } | null;
+  work: string | null;
+  path_mode: string | null;
+  overrides: { feed: boolean; rapid: boolean };
+  shift: [number, number, number];
+}
+
+export interface PartTimes {
+  cutting_s: number;
+  rapid_s: number;
+  other_s: number;
+  total_s: number;
+}
+
+export interface Times {
+  run: number;
+  all: PartTimes;
+  tools: { number: number; changes: number; times: PartTimes }[];
+  waits: [string, number][];
+  longest: { line: number; runs: number; time_s: number; reason: string }[];
+  refused: number;
+  /** How the control takes many short blocks. */
+  short_blocks: string | null;
+  cuts_without_feed: number;
+  assumed: number;
+}
+
+/** Where something is made; in a file beside, with its text. */
+export interface Made {
+  line: number;
+  column: number;
+  file?: string;
+  text?: string;
+  cut_off?: boolean;
+}
+
+/** A program, a tool, an operation or a place of the outline. */
+export interface Entry {
+  name: string;
+  detail: string;
+  kind: string;
+  line: number;
+  children: Entry[];
+}
+
+/** What the program is held against. */
+export type Other = "nothing" | "named" | { machine: string | null };
+
+/** Lines of a file, from and to, both counted; file 0 is the program itself. */
+export interface Blocks {
+  file: number;
+  from: number;
+  to: number;
+}
+
+/** What one of two programs has. */
+export interface Side {
+  blocks: Blocks | null;
+  steps: number;
+  value: string | null;
+  words: string;
+  /** It has nothing of what the other one has; its block is the one behind which it would be. */
+  lacks: boolean;
+}
+
+export interface Difference {
+  category: string;
+  head: string;
+  distance_mm: number | null;
+  /** A place on each path where they are about furthest apart, in the frame of the run. */
+  at_mm: [[number, number, number], [number, number, number]] | null;
+  sides: [Side, Side];
+}
+
+export interface Comparison {
+  run: number;
+  version: number;
+  verdict: "same" | "within" | "different" | "not-verified";
+  tolerance_mm: number;
+  headline: string;
+  max_distance_mm: number | null;
+  farthest: { places: { file: number; line: number }[]; at_mm: Difference["at_mm"] } | null;
+  sides: { name: string; moves: number; errors: number }[];
+  differences: Difference[];
+  dropped: number;
+}
+
+/** The other program; none where `other` is nothing. */
+export interface Against {
+  version: number;
+  other: Other;
+  own_text?: boolean;
+  name?: string;
+  machine?: MachineInfo;
+  why?: string | null;
+}
+
+/** Lines of the other program. */
+export interface OtherText {
+  file: string;
+  line: number;
+  first_line: number;
+  text: string;
+}
+
+/** A machine to choose from; its name may have the units at power-on: `haas-vf2 in inch`. */
+export interface MachineChoice {
+  name: string;
+  title: string;
+}
+
+/** As what a program may be read that names no control for certain, where that makes a difference. */
+export interface Readings {
+  /** What is not known. */
+  message: string;
+  /** The first block that differs. */
+  line: number | null;
+  block: string | null;
+  /** The likeliest, of which the first is assumed: the controls, the size of what is cut, what that block does there. */
+  shown: { title: string; size: string | null; motion: string; machine: MachineChoice }[];
+  /** So many more are not shown. */
+  more: number;
+}
+
+export interface Hello {
+  name: string;
+  writable: boolean;
+  machines: MachineChoice[];
+  against: { name: string; own_text: boolean } | null;
+  tolerance_mm: number;
+}
+
+/** What is touched, with all problems of the run. */
+export interface StockReport {
+  run: number;
+  verdict: "clean" | "problems" | "not-proved";
+  resolution_mm: number;
+  removed_mm3: { least: number; most: number };
+  left_mm3: { least: number; most: number };
+  diagnostics: Problem[];
+  left_out: number;
+  errors: number;
+  warnings: number;
+  notes: number;
+}
+
+/** The same of a lathe, whose stock is exact. */
+export interface TurnedReport extends Omit<StockReport, "resolution_mm"> {
+  parts_off: number;
+  /** Where they are: z and radius, mm. */
+  problems: { code: string; line: number; at: [number, number] }[];
+}
+
+export interface Meaning {
+  line: number;
+  column: number;
+  end_column: number;
+  /** Markdown: paragraphs, `code`, **bold**. */
+  text: string;
+}
+
+export type Told =
+  | ({ type: "turned_report" } & TurnedReport)
+  | ({ type: "stock_report" } & StockReport)
+  | { type: "no_stock"; run: number; message: string | null; help: string | null }
+  | ({ type: "hello" } & Hello)
+  | ({ type: "machines" } & Pick<Hello, "machines" | "against">)
+  | ({ type: "against" } & Against)
+  | { type: "against_refused"; version: number; other: Other; message: string; help?: string | null }
+  | { type: "against_end"; version: number; rows: number; rows_left_out: number }
+  | ({ type: "comparison" } & Comparison)
+  | { type: "no_comparison"; run: number; version: number; message: string }
+  | ({ type: "other_text"; id: number } & OtherText)
+  | { type: "run"; run: number; machine: MachineInfo; why: string | null; readings: Readings | null }
+  | { type: "refused"; run: number; message: string; help?: string | null }
+  | ({ type: "report" } & Report)
+  | ({ type: "times" } & Times)
+  | { type: "no_times"; run: number; message: string }
+  | { type: "state"; id: number; state: Modal | null }
+  | { type: "tokens"; id: number; classes: string[]; tokens: number[] }
+  | { type: "hover"; id: number; hover: Meaning | null }
+  | { type: "definition"; id: number; place: Made | null }
+  | { type: "outline"; id: number; entries: Entry[] }
+  | { type: "saved"; id: number }
+  | { type: "conflict"; id: number }
+  | { type: "changed" }
+  | { type: "gone" }
+  | { type: "error"; id: number; message: string; help?: string | null };
