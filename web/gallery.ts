@@ -2,7 +2,7 @@
 
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
-import type { Group } from "./src/alone/gallery";
+import type { Group } from "./src/standalone/gallery";
 
 const TITLES: Record<string, string> = {
   "fadal": "Fadal", "fanuc": "Fanuc", "fanuc-lathe": "Fanuc, lathe", "fluidnc": "FluidNC", "grbl": "GRBL", "grblhal": "grblHAL",

@@ -1,0 +1,65 @@
+// Where two paths are apart: what of each, and a dot at each place, so that the smallest is seen in the largest.
+
+import { BufferGeometry, type Plane, Points, PointsMaterial } from "three";
+import { difference } from "../view/extent";
+import type { Tolerance } from "../path/lines";
+import { Marked } from "../view/row-highlight";
+import type { Vec3 } from "../path/batch";
+import type { Path } from "../path/path";
+import { geometryOf } from "../view/line-mesh";
+
+/** Rows that are marked at most, of each path: wide lines must not keep the picture from turning. */
+const MOST = 3_000;
+const WIDTH = 3.4;
+/** Of a dot, pixels. */
+const DOT = 7;
+
+/** Ranges of rows of both paths, and a place of each difference in the frame of the run. */
+export interface Apartness {
+  own: [number, number][];
+  other: [number, number][];
+  places: Vec3[];
+}
+
+export class Apart {
+  readonly own = new Marked(WIDTH, MOST);
+  readonly other = new Marked(WIDTH, MOST);
+  readonly dots: Points;
+  private material = new PointsMaterial({ size: DOT, sizeAttenuation: false, depthTest: false });
+
+  constructor() {
+    this.dots = new Points(new BufferGeometry(), this.material);
+    this.dots.frustumCulled = false;
+    this.dots.visible = false;
+  }
+
+  set({ own, other, places }: Apartness, paths: [Path, Path], tolerances: [Tolerance, Tolerance]): void {
+    this.own.set(paths[0], own, tolerances[0]);
+    this.other.set(paths[1], other, tolerances[1]);
+    this.dots.geometry.dispose();
+    this.dots.geometry = geometryOf(new Float32Array(places.flatMap((place) => difference(place, paths[0].origin))));
+    this.dots.visible = places.length > 0;
+  }
+
+  clear(): void {
+    this.own.clear();
+    this.other.clear();
+    this.dots.visible = false;
+  }
+
+  cut(own: Tolerance, other: Tolerance): void {
+    this.own.cut(own);
+    this.other.cut(other);
+  }
+
+  setColor(color: string): void {
+    this.own.setColor(color);
+    this.other.setColor(color);
+    this.material.color.set(color);
+  }
+
+  clip(planes: Plane[]): void {
+    this.own.clip(planes);
+    this.other.clip(planes);
+  }
+}

@@ -1,0 +1,120 @@
+// What the server found different between two programs: where that is on the page.
+
+import type { Blocks, Difference } from "../protocol/messages";
+import { arcEighths, arcIndex, arcPoint } from "../path/arcs";
+import { type Bounds, KNOWN, type Vec3 } from "../path/batch";
+import type { Path } from "../path/path";
+
+/** Lines of the program that are marked: what differs may be all of a long one. */
+const MOST_LINES = 10_000;
+/** Ranges of rows of one difference: a loop makes one for each turn. */
+const MOST_RANGES = 1_000;
+/** How much larger than the distance what is shown is. */
+const AROUND = 2.5;
+/** And no smaller than this, mm: single precision shows no more. */
+const LEAST_MM = 0.02;
+
+/** The lines of a side that differ, in order, each once. */
+export function linesOf(differences: Difference[], side: 0 | 1): number[] {
+  const lines = new Set<number>();
+  for (const { sides } of differences) {
+    const { blocks, lacks } = sides[side];
+    // Where it lacks what the other has, the block only says behind what.
+    if (!blocks || blocks.file !== 0 || lacks) continue;
+    for (let line = blocks.from; line <= blocks.to && lines.size < MOST_LINES; line++) lines.add(line);
+  }
+  return [...lines].sort((a, b) => a - b);
+}
+
+/** The ranges of rows that blocks make. */
+export function rowsOf(path: Path, { file, from, to }: Blocks): [number, number][] {
+  return rowsWhere(path, (own, line) => own === file && line >= from && line <= to);
+}
+
+/** The ranges of rows that lines of the program make. */
+export function rowsOfLines(path: Path, lines: number[]): [number, number][] {
+  if (lines.length === 0) return [];
+  const meant = new Set(lines);
+  return rowsWhere(path, (file, line) => file === 0 && meant.has(line));
+}
+
+function rowsWhere(path: Path, isMeant: (file: number, line: number) => boolean): [number, number][] {
+  const ranges: [number, number][] = [];
+  for (const batch of path.batches) {
+    for (let at = 0; at < batch.rows; at++) {
+      if (!isMeant(batch.file[at]!, batch.line[at]!)) continue;
+      const row = batch.first + at;
+      const last = ranges.at(-1);
+      if (last && last[1] === row - 1) last[1] = row;
+      else if (ranges.length < MOST_RANGES) ranges.push([row, row]);
+      else return ranges;
+    }
+  }
+  return ranges;
+}
+
+/** The box of ranges of rows, in the frame of the run, mm. */
+export function boxOf(path: Path, ranges: [number, number][]): Bounds | undefined {
+  const low: Vec3 = [Infinity, Infinity, Infinity];
+  const high: Vec3 = [-Infinity, -Infinity, -Infinity];
+  const grow = (at: ArrayLike<number>, first: number) => {
+    for (let axis = 0; axis < 3; axis++) {
+      const value = at[first + axis]! + path.origin[axis]!;
+      low[axis] = Math.min(low[axis]!, value);
+      high[axis] = Math.max(high[axis]!, value);
+    }
+  };
+  for (const [from, to] of ranges) {
+    for (let row = from; row <= to; row++) {
+      const found = path.find(row);
+      if (!found) break;
+      const [batch, at] = found;
+      if (!(batch.kind[at]! & KNOWN)) continue;
+      grow(batch.points, 6 * at);
+      grow(batch.points, 6 * at + 3);
+      const curve = batch.curves?.get(at);
+      for (let point = 0; curve && point + 2 < curve.length; point += 3) grow(curve, point);
+      const arc = curve ? -1 : arcIndex(batch, at);
+      const steps = arc < 0 ? 0 : arcEighths(batch.arcs, arc);
+      for (let step = 1; step < steps; step++) grow(arcPoint(batch.arcs, arc, step / steps), 0);
+    }
+  }
+  return low[0] <= high[0] ? { low, high } : undefined;
+}
+
+/** A box around two places so that both are seen apart. */
+export function around([a, b]: [Vec3, Vec3]): Bounds {
+  const apart = Math.hypot(...a.map((value, axis) => value - b[axis]!));
+  const half = Math.max(AROUND * apart, LEAST_MM);
+  const middle = a.map((value, axis) => (value + b[axis]!) / 2);
+  return { low: middle.map((value) => value - half) as Vec3, high: middle.map((value) => value + half) as Vec3 };
+}
+
+/** A box that holds all of some, no side smaller than a length. */
+export function union(boxes: (Bounds | undefined)[], least: number): Bounds | undefined {
+  const all = boxes.filter((box) => box !== undefined);
+  if (all.length === 0) return undefined;
+  const low = [0, 1, 2].map((axis) => Math.min(...all.map((box) => box.low[axis]!))) as Vec3;
+  const high = [0, 1, 2].map((axis) => Math.max(...all.map((box) => box.high[axis]!))) as Vec3;
+  for (let axis = 0; axis < 3; axis++) {
+    const more = Math.max(0, least - (high[axis]! - low[axis]!)) / 2;
+    low[axis]! -= more;
+    high[axis]! += more;
+  }
+  return { low, high };
+}
+
+/** `line 7`, `lines 7–9`, `line 7 of another file`. */
+export function linesText(blocks: Blocks | null): string {
+  if (!blocks) return "nowhere";
+  const { file, from, to } = blocks;
+  const lines = from === to ? `line ${from}` : `lines ${from}–${to}`;
+  return file === 0 ? lines : `${lines} of another file`;
+}
+
+/** The next difference in a direction, round and round; -1: none is chosen yet, or there is none. */
+export function step(chosen: number, by: 1 | -1, count: number): number {
+  if (count === 0) return -1;
+  if (chosen < 0) return by > 0 ? 0 : count - 1;
+  return (chosen + by + count) % count;
+}

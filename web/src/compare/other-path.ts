@@ -1,0 +1,180 @@
+// The path of another program, over that of the shown one: one colour, dashed, so that both are seen
+// where they are the same.
+
+import { Group, LineDashedMaterial, LineSegments, Matrix4, type Object3D, type Plane } from "three";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+import { difference } from "../view/extent";
+import { type Lines, type Tolerance, drawn } from "../path/lines";
+import { Marked } from "../view/row-highlight";
+import type { Batch, Bounds, Vec3 } from "../path/batch";
+import { Path } from "../path/path";
+import { pause } from "../view/event-loop";
+import { type Pickable, type Picked, type Sight, pick } from "../view/picking";
+import { geometryOf } from "../view/line-mesh";
+
+/** Rows of a part from which on others are let in before the next. */
+const MANY = 20_000;
+/** Dashes and gaps on the screen, pixels. */
+const CUT: [number, number] = [6, 8];
+const RAPID: [number, number] = [2, 5];
+
+interface Part extends Pickable {
+  objects: (LineSegments | LineSegments2)[];
+}
+
+export class Overlay {
+  /** Beside the path of the program. */
+  readonly object = new Group();
+  /** What is chosen of it. */
+  readonly mark = new Marked(2);
+  /** Its mark, which goes with the path where that is hidden. */
+  readonly over = new Group();
+  path = new Path();
+  private parts: Part[] = [];
+  private rapids = new Group();
+  private cuts = new Group();
+  private thin = new LineDashedMaterial({ depthTest: false });
+  private wide = new LineMaterial({ linewidth: 1.5, dashed: true, depthTest: false });
+  private rapid = new LineDashedMaterial({ depthTest: false, transparent: true, opacity: 0.7 });
+  private refining = 0;
+
+  /** `changes` is called before what is drawn goes; what lies `under` the path goes with it. */
+  constructor(
+    private changes: () => void,
+    under: Object3D,
+  ) {
+    this.object.add(under, this.cuts, this.rapids);
+    this.over.add(this.mark.object);
+  }
+
+  /** There is something to be seen of it. */
+  get isShown(): boolean {
+    return this.object.visible && this.parts.length > 0;
+  }
+
+  begin(path: Path): void {
+    this.refining++;
+    this.changes();
+    for (const { objects } of this.parts) objects.forEach(remove);
+    this.parts = [];
+    this.path = path;
+    this.mark.clear();
+  }
+
+  add(batch: Batch, tolerance: Tolerance, mostWide: number): void {
+    const part: Part = { batch, lines: drawn(batch, tolerance), objects: [] };
+    this.parts.push(part);
+    this.put(part, mostWide);
+  }
+
+  private put(part: Part, mostWide: number): void {
+    if (part.objects.length > 0) this.changes();
+    part.objects.forEach(remove);
+    const { cuts, rapids } = part.lines;
+    part.objects = [];
+    if (cuts.count > 0) {
+      const isWide = this.path.rows <= mostWide && cuts.count <= mostWide;
+      const object = isWide ? this.wideLines(cuts) : lines(cuts, this.thin);
+      this.cuts.add(object);
+      part.objects.push(object);
+    }
+    if (rapids.count > 0) {
+      const object = lines(rapids, this.rapid);
+      this.rapids.add(object);
+      part.objects.push(object);
+    }
+  }
+
+  private wideLines({ points }: Lines): LineSegments2 {
+    const geometry = new LineSegmentsGeometry().setPositions(points);
+    const object = new LineSegments2(geometry, this.wide);
+    object.computeLineDistances();
+    object.frustumCulled = false;
+    return object;
+  }
+
+  /** Cuts arcs anew; whether it was still wanted at the end. */
+  async refine(tolerance: Tolerance, mostWide: number): Promise<boolean> {
+    const number = ++this.refining;
+    this.mark.cut(tolerance);
+    for (const part of [...this.parts]) {
+      const isFirstThin = part.objects.some((object) => "isLineSegments2" in object) && this.path.rows > mostWide;
+      if (part.batch.arcRows.length === 0 && !isFirstThin) continue;
+      part.lines = drawn(part.batch, tolerance);
+      this.put(part, mostWide);
+      if (part.batch.rows < MANY) continue;
+      await pause();
+      if (number !== this.refining) return false;
+    }
+    return true;
+  }
+
+  /** Where its places are, relative to the origin of the shown path. */
+  place(origin: Vec3): void {
+    const by = difference(this.path.origin, origin);
+    this.object.position.set(...by);
+    this.mark.place(by);
+  }
+
+  /** Its box, relative to the origin of the shown path. */
+  bounds(origin: Vec3): Bounds | undefined {
+    const { bounds } = this.path;
+    if (!bounds || !this.isShown) return undefined;
+    const by = difference(this.path.origin, origin);
+    const moved = (at: Vec3) => at.map((value, axis) => value + by[axis]!) as Vec3;
+    return { low: moved(bounds.low), high: moved(bounds.high) };
+  }
+
+  /** Its row at a place of the canvas, as the shown path is seen. */
+  pick(eye: Sight, canvas: HTMLCanvasElement, at: [number, number]): Picked | undefined {
+    if (!this.object.visible) return undefined;
+    const by = this.object.position;
+    const sight: Sight = {
+      matrix: () => eye.matrix().multiply(new Matrix4().makeTranslation(by)),
+      project: (place) => eye.project([place[0] + by.x, place[1] + by.y, place[2] + by.z]),
+    };
+    return pick(this.parts, sight, canvas, at, this.rapids.visible, () => true);
+  }
+
+  show(shown: boolean): void {
+    this.object.visible = this.over.visible = shown;
+  }
+
+  showRapids(shown: boolean): void {
+    this.rapids.visible = shown;
+  }
+
+  setColor(color: string): void {
+    for (const material of [this.thin, this.wide, this.rapid]) material.color.set(color);
+    this.mark.setColor(color);
+  }
+
+  /** Dashes keep their length on the screen. */
+  dash(pixel: number): void {
+    for (const [material, [dash, gap]] of [[this.thin, CUT], [this.wide, CUT], [this.rapid, RAPID]] as const) {
+      material.dashSize = dash * pixel;
+      material.gapSize = gap * pixel;
+    }
+  }
+
+  clip(planes: Plane[]): void {
+    for (const material of [this.thin, this.wide, this.rapid]) {
+      material.clippingPlanes = planes;
+      material.needsUpdate = true;
+    }
+  }
+}
+
+function lines({ points, count }: Lines, material: LineDashedMaterial): LineSegments {
+  const object = new LineSegments(geometryOf(points.subarray(0, 6 * count)), material);
+  object.computeLineDistances();
+  object.frustumCulled = false;
+  return object;
+}
+
+function remove(object: LineSegments | LineSegments2): void {
+  object.geometry.dispose();
+  object.removeFromParent();
+}

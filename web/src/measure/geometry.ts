@@ -1,0 +1,116 @@
+// What a measurement finds: what was chosen on the path, and the distance between two such things.
+
+import { arcIndex } from "../path/arcs";
+import { RAPID, type Vec3, kindOf } from "../path/batch";
+import type { Path } from "../path/path";
+import type { Picked } from "../view/picking";
+import { type Units, length, programmed } from "../panels/units";
+
+/** What a click on the path means; places relative to the origin of the path, mm. */
+export type Feature =
+  | { kind: "point"; at: Vec3; of: "end" | "path" }
+  | { kind: "line"; at: Vec3; from: Vec3; to: Vec3 }
+  | { kind: "arc"; at: Vec3; center: Vec3; axis: Vec3; radius: number; sweep: number };
+
+/** A distance, from where to where it is, and what it is between. */
+export interface Distance {
+  mm: number;
+  from: Vec3;
+  to: Vec3;
+  between: string;
+  /** Between two lines that are not parallel, rad. */
+  angle?: number;
+}
+
+/** Sine of the angle up to which two lines are parallel: single precision knows no better. */
+const PARALLEL = 1e-3;
+/** Radii of an arc that differ by less are one, mm. */
+const SAME_MM = 1e-3;
+
+const minus = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const plus = (a: Vec3, b: Vec3, by = 1): Vec3 => [a[0] + by * b[0], a[1] + by * b[1], a[2] + by * b[2]];
+const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const size = (a: Vec3): number => Math.hypot(...a);
+
+/** What was chosen: an end where one is near, else the arc or the line that was hit. */
+export function featureAt(path: Path, { row, share, at, snapped }: Picked): Feature {
+  const found = path.find(row);
+  if (snapped || !found) return { kind: "point", at, of: snapped ? "end" : "path" };
+  const [batch, own] = found;
+  // A curve has no one radius, and one that the table turns is no arc on the part.
+  if (batch.curves?.has(own)) return { kind: "point", at, of: "path" };
+  const arc = arcIndex(batch, own);
+  const place = (from: number): Vec3 => [batch.points[from]!, batch.points[from + 1]!, batch.points[from + 2]!];
+  if (arc < 0) return { kind: "line", at, from: place(6 * own), to: place(6 * own + 3) };
+  const record = batch.arcs.subarray(13 * arc, 13 * arc + 13);
+  const numbers = (from: number): Vec3 => [record[from]!, record[from + 1]!, record[from + 2]!];
+  const [first, last, sweep, rise] = [record[9]!, record[10]!, record[11]!, record[12]!];
+  if (kindOf(batch.kind[own]!) === RAPID || Math.abs(first - last) > SAME_MM) return { kind: "point", at, of: "path" };
+  // The centre at the height of the place that was hit.
+  const axis = numbers(6);
+  return { kind: "arc", at, center: plus(numbers(0), axis, rise * share), axis, radius: first, sweep };
+}
+
+/** Where the middle of a thing is that distances are taken from. */
+function reference(feature: Feature): Vec3 {
+  return feature.kind === "arc" ? feature.center : feature.at;
+}
+
+/** The foot of a place on a line without ends. */
+function foot(at: Vec3, { from, to }: { from: Vec3; to: Vec3 }): Vec3 {
+  const along = minus(to, from);
+  const square = dot(along, along);
+  return square > 0 ? plus(from, along, dot(minus(at, from), along) / square) : from;
+}
+
+const NAMES = { point: "point", line: "line", arc: "centre" } as const;
+
+/** The distance between two things: along the shortest line where one of them is a line, else between points and centres. */
+export function distance(one: Feature, other: Feature): Distance {
+  const between = `${NAMES[one.kind]} to ${NAMES[other.kind]}`;
+  if (one.kind === "line" && other.kind === "line") return betweenLines(one, other);
+  const [from, to] = [reference(one), reference(other)];
+  if (one.kind === "line") return told(foot(to, one), to, between);
+  if (other.kind === "line") return told(from, foot(from, other), between);
+  return told(from, to, between);
+}
+
+function told(from: Vec3, to: Vec3, between: string): Distance {
+  return { mm: size(minus(to, from)), from, to, between };
+}
+
+function betweenLines(one: Extract<Feature, { kind: "line" }>, other: Extract<Feature, { kind: "line" }>): Distance {
+  const [a, b] = [minus(one.to, one.from), minus(other.to, other.from)];
+  const cosine = Math.min(1, Math.abs(dot(a, b)) / (size(a) * size(b) || 1));
+  const angle = Math.acos(cosine);
+  if (Math.sin(angle) < PARALLEL) return told(foot(other.at, one), other.at, "parallel lines");
+  return { ...told(one.at, other.at, "point to point"), angle };
+}
+
+const degrees = (rad: number): string => `${Number(((rad * 180) / Math.PI).toFixed(3))}°`;
+
+/** X, Y and Z of a place or of a distance, with the unit. */
+export function parts(units: Units, at: Vec3): string {
+  const named = ["X", "Y", "Z"].map((name, axis) => `${name} ${length(units, at[axis]!, false)}`);
+  return `${named.join("  ")} ${units.inch ? "in" : "mm"}`;
+}
+
+/** A thing in words; `origin` is that of the path. */
+export function describe(feature: Feature, origin: Vec3, units: Units): string {
+  const at = (place: Vec3) => parts(units, programmed(units, plus(place, origin)));
+  switch (feature.kind) {
+    case "line":
+      return `Line, ${length(units, size(minus(feature.to, feature.from)))} long`;
+    case "arc":
+      return `Arc R ${length(units, feature.radius)}, Ø ${length(units, 2 * feature.radius)}, ` +
+        `${degrees(Math.abs(feature.sweep))}, centre ${at(feature.center)}`;
+    default:
+      return `${feature.of === "end" ? "End point" : "Point"} ${at(feature.at)}`;
+  }
+}
+
+/** A distance in words. */
+export function describeDistance({ mm, from, to, between, angle }: Distance, units: Units): string {
+  const bent = angle === undefined ? "" : `, the lines are not parallel: ${degrees(angle)}`;
+  return `${length(units, mm)} ${between}   (${parts(units, minus(to, from))})${bent}`;
+}

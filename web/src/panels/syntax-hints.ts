@@ -1,0 +1,155 @@
+// Colours of words and what they mean: asked of the server for the lines that are seen.
+
+import { type Extension, RangeSetBuilder, StateEffect } from "@codemirror/state";
+import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate, hoverTooltip } from "@codemirror/view";
+import { element } from "./dom";
+import type { Meaning } from "../protocol/messages";
+
+/** Line (from 1), first and last column in UTF-16 code units, and the number of the class. */
+export type Tokens = number[];
+
+export interface Words {
+  tokens: (from: number, to: number) => Promise<{ classes: string[]; tokens: Tokens } | undefined>;
+  meaning: (line: number, column: number) => Promise<Meaning | undefined>;
+}
+
+/** Lines beyond the seen ones that are coloured, too. */
+const MARGIN = 60;
+/** How long scrolling or typing must rest before the server is asked, ms. */
+const REST = 60;
+
+const setTokens = StateEffect.define<DecorationSet>();
+const askAgain = StateEffect.define<null>();
+
+export function words(asked: Words): Extension {
+  const marks = new Map<string, Decoration>();
+  const markOf = (name: string) => {
+    let mark = marks.get(name);
+    if (!mark) marks.set(name, (mark = Decoration.mark({ class: `word-${name}` })));
+    return mark;
+  };
+  const plugin = ViewPlugin.fromClass(
+    class {
+      decorations: DecorationSet = Decoration.none;
+      private timer = 0;
+      private version = 0;
+
+      constructor(private view: EditorView) {
+        this.later();
+      }
+
+      update(update: ViewUpdate): void {
+        if (update.docChanged) {
+          this.version++;
+          this.decorations = this.decorations.map(update.changes);
+        }
+        for (const transaction of update.transactions) {
+          for (const effect of transaction.effects) {
+            if (effect.is(setTokens)) this.decorations = effect.value;
+            if (effect.is(askAgain)) this.later();
+          }
+        }
+        if (update.viewportChanged) this.later();
+      }
+
+      destroy(): void {
+        window.clearTimeout(this.timer);
+      }
+
+      private later(): void {
+        window.clearTimeout(this.timer);
+        this.timer = window.setTimeout(() => void this.ask(), REST);
+      }
+
+      private async ask(): Promise<void> {
+        const { version, view } = this;
+        const { doc } = view.state;
+        const from = Math.max(1, doc.lineAt(view.viewport.from).number - MARGIN);
+        const to = Math.min(doc.lines, doc.lineAt(view.viewport.to).number + MARGIN) + 1;
+        const told = await asked.tokens(from, to);
+        // What was told of an older text may lie elsewhere; the run of the newer asks again.
+        if (!told || version !== this.version) return;
+        view.dispatch({ effects: setTokens.of(this.build(told.classes, told.tokens)) });
+      }
+
+      private build(classes: string[], tokens: Tokens): DecorationSet {
+        const { doc } = this.view.state;
+        const builder = new RangeSetBuilder<Decoration>();
+        let last = -1;
+        for (let at = 0; at + 3 < tokens.length; at += 4) {
+          const [number, start, end, kind] = tokens.slice(at, at + 4) as [number, number, number, number];
+          if (number > doc.lines) break;
+          const line = doc.line(number);
+          const from = Math.min(line.to, line.from + start);
+          const to = Math.min(line.to, line.from + end);
+          if (from >= to || from < last) continue;
+          last = from;
+          builder.add(from, to, markOf(classes[kind] ?? "unknown"));
+        }
+        return builder.finish();
+      }
+    },
+    { decorations: (value) => value.decorations },
+  );
+  const hover = hoverTooltip(async (view, at) => {
+    const line = view.state.doc.lineAt(at);
+    const told = await asked.meaning(line.number, at - line.from);
+    if (!told || told.line > view.state.doc.lines) return null;
+    const own = view.state.doc.line(told.line);
+    return {
+      pos: Math.min(own.to, own.from + told.column),
+      end: Math.min(own.to, own.from + told.end_column),
+      create: () => ({ dom: markdown(told.text) }),
+    };
+  }, { hoverTime: 250 });
+  return [plugin, hover];
+}
+
+/** The text has been run: its words are asked anew. */
+export function askWords(view: EditorView): void {
+  view.dispatch({ effects: askAgain.of(null) });
+}
+
+/** Lines as long as this were broken to fit a terminal. */
+const BROKEN = 70;
+
+/** A text that was broken into lines for a terminal, with its paragraphs in one line each. */
+export function unwrapped(text: string): string {
+  return text.replace(/^(.*)\n(?=[^\s\-*`|>])/gm, (whole, line: string) => (line.length >= BROKEN ? `${line} ` : whole));
+}
+
+/** Paragraphs, code and bold of Markdown; the rest as it stands. */
+export function markdown(text: string): HTMLElement {
+  const root = element("div", "meaning");
+  // A fence is a paragraph of its own, whatever stands before it.
+  text = text.replace(/\n*(```\w*\n[\s\S]*?\n?```)\n*/g, "\n\n$1\n\n");
+  for (const paragraph of text.split(/\n{2,}/)) {
+    const fenced = /^```\w*\n([\s\S]*?)\n?```$/.exec(paragraph.trim());
+    if (fenced) {
+      root.append(element("pre", "", fenced[1]));
+      continue;
+    }
+    const block = element("p");
+    for (const [piece, code, bold] of pieces(paragraph)) {
+      if (code) block.append(element("code", "", piece));
+      else if (bold) block.append(element("strong", "", piece));
+      else block.append(piece);
+    }
+    root.append(block);
+  }
+  return root;
+}
+
+/** A paragraph in pieces: the text, whether it is code, whether it is bold. */
+export function pieces(paragraph: string): [string, boolean, boolean][] {
+  const found: [string, boolean, boolean][] = [];
+  const form = /`([^`]+)`|\*\*([^*]+)\*\*/g;
+  let last = 0;
+  for (const match of paragraph.matchAll(form)) {
+    if (match.index > last) found.push([paragraph.slice(last, match.index), false, false]);
+    found.push([match[1] ?? match[2]!, match[1] !== undefined, match[2] !== undefined]);
+    last = match.index + match[0].length;
+  }
+  if (last < paragraph.length) found.push([paragraph.slice(last), false, false]);
+  return found;
+}

@@ -1,0 +1,283 @@
+// The program as text: CodeMirror, with the problems that the server finds.
+
+import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
+import { type Diagnostic, lintGutter, nextDiagnostic, setDiagnostics } from "@codemirror/lint";
+import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
+import { type ChangeSet, EditorState, RangeSetBuilder, StateEffect, StateField, Text } from "@codemirror/state";
+import {
+  Decoration,
+  type DecorationSet,
+  EditorView,
+  drawSelection,
+  highlightActiveLine,
+  highlightActiveLineGutter,
+  keymap,
+  lineNumbers,
+} from "@codemirror/view";
+import type { Place, Problem } from "../protocol/messages";
+import { element } from "./dom";
+import { plain, rich } from "./code-spans";
+import { markdown, unwrapped } from "./syntax-hints";
+
+export interface Change {
+  from: number;
+  to: number;
+  insert: string;
+}
+
+/** Changes as the server takes them: places are those of the text before. */
+export function changesOf(set: ChangeSet): Change[] {
+  const changes: Change[] = [];
+  set.iterChanges((from, to, _fromB, _toB, inserted) => {
+    changes.push({ from, to, insert: inserted.toString() });
+  });
+  return changes;
+}
+
+/** From and to in a text, of a place that a run told; a text that changed since may have moved it. */
+export function rangeOf(doc: Text, place: Place): { from: number; to: number } {
+  const at = (line: number, column: number) => {
+    const own = doc.line(Math.max(1, Math.min(doc.lines, line)));
+    return Math.min(own.to, own.from + column);
+  };
+  const from = at(place.line, place.column);
+  return { from, to: Math.max(from, at(place.end_line, place.end_column)) };
+}
+
+export interface Told {
+  typed: (changes: Change[]) => void;
+  /** The cursor is on a line, put there by the user or by [`Editor.goTo`]. */
+  cursor: (line: number, byUser: boolean) => void;
+  save: () => void;
+  /** Where what stands at a line and a column is made is to be shown. */
+  definition: (line: number, column: number) => void;
+}
+
+/** A text with a piece more behind it, wherever the piece was cut off. */
+export function joined(before: Text, piece: string): Text {
+  return before.append(Text.of(piece.split("\n")));
+}
+
+/** How long nobody must type before the text is run, ms. */
+const QUIET = 120;
+
+const setLines = StateEffect.define<{ kind: "differs" | "now"; lines: number[] }>();
+
+function lineMarks(kind: "differs" | "now", name: string) {
+  const mark = Decoration.line({ class: name });
+  return StateField.define<DecorationSet>({
+    create: () => Decoration.none,
+    update(marks, transaction) {
+      marks = marks.map(transaction.changes);
+      for (const effect of transaction.effects) {
+        if (!effect.is(setLines) || effect.value.kind !== kind) continue;
+        const builder = new RangeSetBuilder<Decoration>();
+        for (const line of effect.value.lines) {
+          if (line < 1 || line > transaction.newDoc.lines) continue;
+          const { from } = transaction.newDoc.line(line);
+          builder.add(from, from, mark);
+        }
+        marks = builder.finish();
+      }
+      return marks;
+    },
+    provide: (field) => EditorView.decorations.from(field),
+  });
+}
+
+export class Editor {
+  readonly view: EditorView;
+  private pending: ChangeSet | undefined;
+  private timer = 0;
+  private silent = false;
+  private problems: Problem[] = [];
+  private differing: number[] = [];
+  private arriving = Text.empty;
+  dirty = false;
+  onDirty: (dirty: boolean) => void = () => {};
+
+  constructor(
+    parent: HTMLElement,
+    private told: Told,
+    private more: import("@codemirror/state").Extension = [],
+  ) {
+    // Nothing may be typed before the text is there.
+    this.view = new EditorView({ parent, state: this.stateOf(Text.empty, true) });
+    // A long line is scrolled to with the keyboard, too.
+    this.view.scrollDOM.tabIndex = 0;
+  }
+
+  private stateOf(doc: Text, readOnly = false): EditorState {
+    const nonce = document.querySelector<HTMLMetaElement>("meta[name=csp-nonce]")?.content ?? "";
+    return EditorState.create({
+      doc,
+      extensions: [
+        EditorView.cspNonce.of(nonce),
+        EditorState.readOnly.of(readOnly),
+        lineNumbers(),
+        history(),
+        drawSelection(),
+        highlightActiveLine(),
+        highlightActiveLineGutter(),
+        highlightSelectionMatches(),
+        search({ top: true }),
+        lintGutter(),
+        lineMarks("differs", "line-differs"),
+        lineMarks("now", "line-now"),
+        EditorView.contentAttributes.of({ "aria-label": "Program" }),
+        keymap.of([
+          { key: "Mod-s", run: () => (this.told.save(), true), preventDefault: true },
+          { key: "F8", run: nextDiagnostic },
+          { key: "F12", run: (view) => (this.askDefinition(view.state.selection.main.head), true) },
+          ...searchKeymap,
+          ...historyKeymap,
+          ...defaultKeymap,
+        ]),
+        this.more,
+        EditorView.domEventHandlers({
+          mousedown: (event, view) => {
+            const at = event.ctrlKey || event.metaKey ? view.posAtCoords(event) : null;
+            if (at === null) return false;
+            this.askDefinition(at);
+            return true;
+          },
+        }),
+        EditorView.updateListener.of((update) => {
+          if (update.docChanged && !this.silent) this.changed(update.changes);
+          if (update.selectionSet || update.docChanged) {
+            const line = update.state.doc.lineAt(update.state.selection.main.head).number;
+            this.told.cursor(line, !this.silent);
+          }
+        }),
+      ],
+    });
+  }
+
+  private askDefinition(at: number): void {
+    const line = this.view.state.doc.lineAt(at);
+    this.flush();
+    this.told.definition(line.number, at - line.from);
+  }
+
+  private changed(changes: ChangeSet): void {
+    this.pending = this.pending ? this.pending.compose(changes) : changes;
+    if (!this.dirty) this.setDirty(true);
+    window.clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => this.flush(), QUIET);
+  }
+
+  /** What was typed goes to the server now. */
+  flush(): void {
+    window.clearTimeout(this.timer);
+    if (!this.pending) return;
+    const changes = changesOf(this.pending);
+    this.pending = undefined;
+    this.told.typed(changes);
+  }
+
+  setDirty(dirty: boolean): void {
+    this.dirty = dirty;
+    this.onDirty(dirty);
+  }
+
+  /** A piece of the server's text, which takes the place of what is here once the last is there. */
+  addText(piece: string, isFirst: boolean, isLast: boolean): void {
+    this.arriving = joined(isFirst ? Text.empty : this.arriving, piece);
+    if (isLast) this.setText(this.arriving);
+    // What was typed now would belong to neither text.
+    else if (isFirst) this.view.setState(this.stateOf(this.view.state.doc, true));
+  }
+
+  private setText(doc: Text): void {
+    this.pending = undefined;
+    this.arriving = Text.empty;
+    this.silent = true;
+    const line = this.line;
+    this.view.setState(this.stateOf(doc));
+    this.view.dispatch({ selection: { anchor: doc.line(Math.min(line, doc.lines)).from } });
+    this.silent = false;
+    this.setDirty(false);
+    this.setProblems(this.problems);
+    this.markLines("differs", this.differing);
+  }
+
+  setProblems(problems: Problem[]): void {
+    this.problems = problems;
+    const { doc } = this.view.state;
+    const diagnostics: Diagnostic[] = problems
+      .filter(({ place }) => place?.own && place.line <= doc.lines)
+      .map((problem) => {
+        const { from, to } = rangeOf(doc, problem.place!);
+        return {
+          from,
+          to,
+          severity: problem.severity === "note" ? "info" : problem.severity,
+          message: plain(problem.message),
+          renderMessage: () => explain(problem),
+          actions: this.actionsOf(problem),
+        } satisfies Diagnostic;
+      })
+      .sort((a, b) => a.from - b.from);
+    this.view.dispatch(setDiagnostics(this.view.state, diagnostics));
+  }
+
+  private actionsOf({ fix, other_fixes }: Problem): Diagnostic["actions"] {
+    return [fix, ...other_fixes].flatMap((one) => {
+      const place = one?.place;
+      if (!one || !place?.own) return [];
+      const { replacement, title, safe } = one;
+      return [{
+        name: plain(safe ? title : `${title} (check the result)`),
+        apply: (view: EditorView) => {
+          const { from, to } = rangeOf(view.state.doc, place);
+          view.dispatch({ changes: { from, to, insert: replacement } });
+          view.focus();
+        },
+      }];
+    });
+  }
+
+  markLines(kind: "differs" | "now", lines: number[]): void {
+    if (kind === "differs") this.differing = lines;
+    this.view.dispatch({ effects: setLines.of({ kind, lines }) });
+  }
+
+  /** Puts the cursor on a line and shows it. */
+  goTo(line: number, column = 0, focus = false): void {
+    const { doc } = this.view.state;
+    const own = doc.line(Math.max(1, Math.min(doc.lines, line)));
+    const at = Math.min(own.to, own.from + column);
+    this.silent = true;
+    this.view.dispatch({
+      selection: { anchor: at },
+      effects: EditorView.scrollIntoView(at, { y: "center" }),
+    });
+    this.silent = false;
+    // Without this the pane would be empty for a frame: the lines are replaced now, and only the next
+    // frame would scroll to them.
+    this.view.coordsAtPos(at);
+    if (focus) this.view.focus();
+  }
+
+  get line(): number {
+    const { doc, selection } = this.view.state;
+    return doc.lineAt(selection.main.head).number;
+  }
+}
+
+/** A problem with everything that is known of it. */
+export function explain(problem: Problem): HTMLElement {
+  const root = element("div", "explained");
+  const part = (name: string, text: string | null | undefined) => {
+    if (text) root.append(rich(text, name, "div"));
+  };
+  part("what", `${problem.code}: ${problem.message}`);
+  part("label", problem.label);
+  part("alarm", problem.alarm && `The control shows: ${problem.alarm}`);
+  problem.notes.forEach((note) => part("note", note));
+  part("help", problem.help);
+  const more = element("details");
+  more.append(element("summary", "", "What it means"), markdown(unwrapped(problem.explanation)));
+  root.append(more);
+  return root;
+}

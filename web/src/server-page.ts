@@ -1,0 +1,4 @@
+// The page that `chordal view` serves.
+
+import "./protocol/websocket";
+import "./session/session";

@@ -1,0 +1,107 @@
+// The line of the page that stands alone: a worker with the interpreter, to which requests go as to a server.
+
+import type { Line } from "../protocol/connection";
+import type { Closed, ToAnswers } from "./session-worker";
+import type { Against, File_, Kind, Opened } from "./engine";
+
+/** How long a page that does not draw lets columns wait, ms. */
+const UNDRAWN_MS = 100;
+
+/** Counts what was taken, and tells it once the page has drawn and heard what was pressed; in the background it does not draw. */
+function counted(told: (count: number) => void): () => void {
+  let count = 0;
+  const tell = () => {
+    if (count > 0) told(count);
+    count = 0;
+  };
+  return () => {
+    if (count++ > 0) return;
+    requestAnimationFrame(() => setTimeout(tell));
+    setTimeout(tell, UNDRAWN_MS);
+  };
+}
+
+export class Core {
+  private worker: Worker;
+  private isUsed = false;
+  private take: (data: string | ArrayBuffer) => void = () => {};
+  /** Nothing answers any more, and why. */
+  onLost: (why: string) => void = () => {};
+
+  /** `make` starts a worker of `worker-entry.ts` under a name. */
+  constructor(
+    private compiled: Promise<WebAssembly.Module>,
+    private make: (name: string) => Worker,
+  ) {
+    // Started before a program is there.
+    this.worker = this.start();
+    this.compiled.catch((error: unknown) => this.onLost(`the page is not complete: ${String(error)}`));
+  }
+
+  private start(): Worker {
+    const worker = this.make("answers");
+    const count = counted((taken) => worker.postMessage({ taken } satisfies ToAnswers));
+    worker.onmessage = (event: MessageEvent<string | ArrayBuffer | Closed>) => {
+      const { data } = event;
+      if (data instanceof ArrayBuffer) {
+        count();
+        this.take(data);
+      } else if (typeof data === "string") this.take(data);
+      else this.lose(data.closed);
+    };
+    worker.onerror = (event) => this.lose(event.message || "a worker of the page could not be started");
+    void this.compiled.then((module) => worker.postMessage({ module } satisfies ToAnswers), () => {});
+    return worker;
+  }
+
+  private end(): void {
+    this.worker.onmessage = this.worker.onerror = null;
+    this.worker.terminate();
+    this.isUsed = false;
+  }
+
+  private lose(why: string): void {
+    this.end();
+    this.worker = this.start();
+    this.onLost(why);
+  }
+
+  dial(take: (data: string | ArrayBuffer) => void): Line {
+    this.take = take;
+    const core = this;
+    return {
+      get isOpen() {
+        return core.isUsed;
+      },
+      send: (text) => this.worker.postMessage(text satisfies ToAnswers),
+    };
+  }
+
+  /** Opens a program; whatever was done for the one before ends. Its bytes go over. */
+  async open(opened: Opened): Promise<void> {
+    await this.compiled;
+    if (this.isUsed) {
+      this.end();
+      this.worker = this.start();
+      // Behind the module.
+      await Promise.resolve();
+    }
+    this.isUsed = true;
+    this.worker.postMessage({ open: opened } satisfies ToAnswers, [opened.program]);
+  }
+
+  /** Other files lie next to the program now. */
+  files(files: File_[]): void {
+    this.worker.postMessage({ files } satisfies ToAnswers);
+  }
+
+  /** The program is compared with another one, once the page asks for it. */
+  against(against: Against): void {
+    this.worker.postMessage({ against } satisfies ToAnswers);
+  }
+
+  /** For tests: a part of the interpreter fails. */
+  fail(what: Kind | "answers"): void {
+    this.worker.postMessage({ fail: what } satisfies ToAnswers);
+  }
+}

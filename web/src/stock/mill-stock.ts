@@ -1,0 +1,164 @@
+// The stock of the page: what comes of it, where in time it is, and how it is shown.
+
+import { Drops, type StockBefore } from "./stock-timeline";
+import { floorOf } from "./tool-floor";
+import { type Frame, f32, u32 } from "../protocol/frame";
+import { Gaps } from "./gaps";
+import type { Link } from "../protocol/connection";
+import type { MachineInfo, StockReport, Told } from "../protocol/messages";
+import { KNOWN, RAPID, type Vec3, kindOf } from "../path/batch";
+import type { Path } from "../path/path";
+import type { PathView } from "../view/path-view";
+import { stockControls } from "./mill-controls";
+import type { Units } from "../panels/units";
+
+export interface StockOf {
+  view: PathView;
+  link: Link;
+  path: () => Path;
+  run: () => number;
+  machine: () => MachineInfo | undefined;
+  units: () => Units;
+  /** All problems, those of the stock among them. */
+  report: (told: StockReport) => void;
+  tell: (kind: "warning", text: string) => void;
+}
+
+/** Where the program is: so much of the path is done, and the tool stands there. */
+interface Moment {
+  rows: number;
+  at: Vec3 | undefined;
+}
+
+/** All of the program. */
+const END: Moment = { rows: Infinity, at: undefined };
+
+export function stockOfProgram(of: StockOf) {
+  const { view } = of;
+  let drops: Drops | undefined;
+  let gaps = new Gaps();
+  let moment = END;
+  let progress = 1;
+  const controls = stockControls({
+    show: (shown) => view.stock.show(shown),
+    showFixtures: (shown) => view.stock.showFixtures(shown),
+    color: (by) => view.stock.setColor(by),
+    cut: (cut) => view.stock.setCut(cut),
+    columns: (columns) => of.link.tell("stock", { columns }),
+  });
+
+  function slotOf(row: number): number {
+    const found = of.path().find(row);
+    return found ? 1 + (of.path().cutterIndex(found[0].tool[found[1]]!) % 23) : 1;
+  }
+
+  function begin(frame: Frame): void {
+    const { header } = frame;
+    const stock: StockBefore = {
+      low: header.low as Vec3,
+      high: header.high as Vec3,
+      pitch: Number(header.resolution_mm),
+      columns: header.cells as [number, number],
+      heights: f32(frame, "heights"),
+      target: "target" in frame.columns ? f32(frame, "target") : undefined,
+      toleranceMm: Number(header.tolerance_mm ?? 0),
+      fixtures: f32(frame, "fixtures"),
+    };
+    drops = new Drops(stock.heights);
+    gaps = new Gaps();
+    progress = 0;
+    view.setStock(stock);
+    controls.begin(stock, of.units(), {
+      coarser: header.coarser === true,
+      late: header.late === true,
+      undercuts: header.undercuts === true,
+      turned: header.turned === true,
+    });
+  }
+
+  function add(frame: Frame): void {
+    if (!drops) return;
+    drops.add(u32(frame, "column"), u32(frame, "row"), f32(frame, "share"), f32(frame, "height"), slotOf);
+    progress = Number(frame.header.progress);
+    controls.progress(progress, drops.count);
+    show();
+  }
+
+  function addGaps(frame: Frame): void {
+    gaps.add(u32(frame, "column"), u32(frame, "row"), f32(frame, "share"), u32(frame, "count"), f32(frame, "gaps"));
+    view.stock.setGaps(gaps);
+    show();
+  }
+
+  /** The part at the end, with what heights do not show. */
+  function part(frame: Frame): void {
+    view.stock.setPart(f32(frame, "corners"));
+    controls.part();
+    show();
+  }
+
+  /** The tool cuts where it stands, but for rapids. */
+  function standing() {
+    const { rows, at } = moment;
+    if (!at || !Number.isFinite(rows)) return undefined;
+    const path = of.path();
+    const found = path.find(Math.min(Math.floor(rows), path.rows - 1));
+    if (!found) return undefined;
+    const [batch, row] = found;
+    if (kindOf(batch.kind[row]!) === RAPID || !(batch.kind[row]! & KNOWN)) return undefined;
+    const number = batch.tool[row]!;
+    const floor = floorOf(of.machine()?.tools.find((tool) => tool.number === number));
+    const place = at.map((value, axis) => value + path.origin[axis]!) as Vec3;
+    return floor && { floor, slot: 1 + (path.cutterIndex(number) % 23), at: place };
+  }
+
+  function show(): void {
+    const { surface } = view.stock;
+    if (!drops || !surface) return;
+    const own = drops;
+    if (own.leap(moment.rows)) surface.setAll(own.heights, own.slots);
+    else own.seek(moment.rows, (column) => surface.set(column, own.heights[column]!, own.slots[column]!));
+    gaps.seek(moment.rows, (column, bands) => {
+      if (bands.length > 0) surface.mark(column, bands[0]!, bands.at(-1)!);
+    });
+    surface.stand(standing(), own.heights, own.slots);
+    view.stock.showPart(moment.rows >= of.path().rows);
+    view.redraw();
+  }
+
+  return {
+    root: controls.root,
+    drops: () => drops,
+    gaps: () => gaps,
+    /** A new run begins. */
+    began(): void {
+      if (drops) view.setStock(undefined);
+      drops = undefined;
+      moment = END;
+      controls.none();
+    },
+    /** To a moment: so much of the path is done, and the tool stands at a place, relative to the origin of the path. */
+    goTo(rows: number, at: Vec3 | undefined): void {
+      moment = { rows, at };
+      show();
+    },
+    take(told: Told): boolean {
+      if (told.type === "stock_report") {
+        if (told.run === of.run()) {
+          of.report(told);
+          controls.report(told, of.units());
+        }
+        return true;
+      }
+      if (told.type !== "no_stock") return false;
+      if (told.run === of.run() && told.message) of.tell("warning", told.help ? `${told.message}: ${told.help}.` : `${told.message}.`);
+      return true;
+    },
+    takeFrame(frame: Frame): boolean {
+      const { type, run } = frame.header;
+      if (type !== "stock" && type !== "stock_drops" && type !== "stock_gaps" && type !== "stock_part") return false;
+      if (run === of.run()) ({ stock: begin, stock_drops: add, stock_gaps: addGaps, stock_part: part })[type](frame);
+      return true;
+    },
+  };
+}

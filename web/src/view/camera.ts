@@ -1,0 +1,201 @@
+// From where the path is seen: the camera, how the pointer moves it, and how it fits what there is.
+
+import { Matrix4, OrthographicCamera, Vector3 } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { type Edges, Extent } from "./extent";
+import type { Bounds, Vec3 } from "../path/batch";
+
+export type ViewName = "top" | "front" | "right" | "iso";
+
+/** From where each view looks. */
+const VIEWS: Record<ViewName, Vec3> = {
+  top: [0, 0, 1],
+  front: [0, -1, 0],
+  right: [1, 0, 0],
+  iso: [1, -1, 1],
+};
+
+/** The side of the axis on which the turret of a lathe stands. */
+export type Turret = "rear" | "front";
+
+/** From where each view of a lathe looks, and what is up on the screen: Z to the right, X to the side of the turret. */
+function turning(turret: Turret, view: ViewName): { from: Vec3; up: Vec3 } {
+  const side = turret === "rear" ? 1 : -1;
+  const up: Vec3 = [side, 0, 0];
+  switch (view) {
+    case "top":
+      return { from: [0, side, 0], up };
+    case "front":
+      return { from: [-side, 0, 0], up: [0, side, 0] };
+    case "right":
+      return { from: [0, 0, 1], up };
+    case "iso":
+      return { from: [0.5 * side, side, 0.7], up };
+  }
+}
+
+/** How much of the view a fitted path takes. */
+const ROOM = 0.86;
+/** And one that grows: it would be fitted, and drawn, again and again. */
+const GROWING_ROOM = 0.55;
+
+/** How far before and behind the camera is seen, mm: beyond every machine, and depths are told apart to 0.01 mm. */
+const DEEP = 5e4;
+
+export class Eye {
+  readonly camera = new OrthographicCamera(-1, 1, 1, -1, -DEEP, DEEP);
+  private controls: OrbitControls;
+  private view: ViewName = "iso";
+  private turret: Turret | undefined;
+  /** Pixels from left to right. */
+  private width = 1;
+  /** The user has chosen what is seen: nothing is fitted any more. */
+  userMoved = false;
+
+  constructor(
+    private canvas: HTMLCanvasElement,
+    private moved: () => void,
+  ) {
+    this.camera.up.set(0, 0, 1);
+    this.controls = this.control();
+  }
+
+  private control(): OrbitControls {
+    const controls = new OrbitControls(this.camera, this.canvas);
+    controls.enableDamping = false;
+    controls.zoomToCursor = true;
+    controls.rotateSpeed = 0.8;
+    controls.addEventListener("change", this.moved);
+    controls.addEventListener("start", () => (this.userMoved = true));
+    return controls;
+  }
+
+  /** The machine is a lathe whose turret stands on a side, or none; whether it was another before. */
+  setLathe(turret: Turret | undefined): boolean {
+    if (turret === this.turret) return false;
+    this.turret = turret;
+    this.look(turret ? "top" : "iso");
+    return true;
+  }
+
+  /** What is up: the pointer turns the view about it. */
+  private upright([x, y, z]: Vec3): void {
+    const { up } = this.camera;
+    if (up.x === x && up.y === y && up.z === z) return;
+    up.set(x, y, z);
+    const { target } = this.controls;
+    this.controls.dispose();
+    this.controls = this.control();
+    this.controls.target.copy(target);
+  }
+
+  look(view: ViewName): void {
+    this.view = view;
+    this.userMoved = false;
+  }
+
+  resize(width: number, height: number): void {
+    this.width = width;
+    const half = 50;
+    const aspect = width / height;
+    Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
+    this.camera.updateProjectionMatrix();
+  }
+
+  /** A box fills the view, or what lies in it and takes the edges that are told. */
+  fit({ low, high }: Bounds, edgesOf: (inverse: ArrayLike<number>) => Edges, grows: boolean): void {
+    const { camera } = this;
+    const center = new Vector3(...low).add(new Vector3(...high)).multiplyScalar(0.5);
+    const reach = new Vector3(...high).sub(new Vector3(...low)).length() || 1;
+    const seen = this.turret ? turning(this.turret, this.view) : { from: VIEWS[this.view], up: [0, 0, 1] as Vec3 };
+    const from = new Vector3(...seen.from).normalize();
+    // Seen from exactly above the turn about Z would be undefined.
+    if (!this.turret && this.view === "top") from.y -= 1e-5;
+    this.upright(seen.up);
+    const look = (at: Vector3) => {
+      camera.position.copy(at).addScaledVector(from, reach * 4 + 10);
+      this.controls.target.copy(at);
+      camera.lookAt(at);
+      camera.updateMatrixWorld();
+    };
+    look(center);
+    const [left, right, bottom, top] = edgesOf(camera.matrixWorldInverse.elements);
+    const m = camera.matrixWorld.elements;
+    center
+      .addScaledVector(new Vector3(m[0]!, m[1]!, m[2]!), (left + right) / 2)
+      .addScaledVector(new Vector3(m[4]!, m[5]!, m[6]!), (bottom + top) / 2);
+    look(center);
+    const least = reach * 1e-3;
+    camera.zoom = (grows ? GROWING_ROOM : ROOM) * Math.min(
+      (camera.right - camera.left) / Math.max(right - left, least),
+      (camera.top - camera.bottom) / Math.max(top - bottom, least),
+    );
+    camera.updateProjectionMatrix();
+    this.controls.update();
+  }
+
+  /** A box takes a share of the view, seen from where it is seen now. */
+  show(box: Bounds, share: number): void {
+    const { camera, controls } = this;
+    const center = new Vector3(...box.low).add(new Vector3(...box.high)).multiplyScalar(0.5);
+    camera.position.sub(controls.target).add(center);
+    controls.target.copy(center);
+    camera.updateMatrixWorld();
+    const extent = new Extent(camera.matrixWorldInverse.elements);
+    extent.addBox(box);
+    const [left, right, bottom, top] = extent.edges;
+    const { left: l, right: r, top: t, bottom: b } = camera;
+    camera.zoom = share * Math.min((r - l) / Math.max(right - left, 1e-9), (t - b) / Math.max(top - bottom, 1e-9));
+    camera.updateProjectionMatrix();
+    this.userMoved = true;
+    controls.update();
+  }
+
+  /** Whether places are in the view; every so many numbers of them one is looked at. */
+  sees(points: Float32Array, step: number): boolean {
+    const extent = new Extent(this.camera.matrixWorldInverse.elements);
+    extent.add(points, step);
+    const [left, right, bottom, top] = extent.edges;
+    const { camera } = this;
+    return (
+      extent.isEmpty ||
+      (left >= camera.left / camera.zoom && right <= camera.right / camera.zoom &&
+        bottom >= camera.bottom / camera.zoom && top <= camera.top / camera.zoom)
+    );
+  }
+
+  /** World length of a pixel, mm. */
+  pixel(): number {
+    return (this.camera.right - this.camera.left) / this.camera.zoom / this.width;
+  }
+
+  /** What lies to the right and up on the screen, and how long a pixel is, mm. */
+  screen(): { right: Vec3; up: Vec3; pixel: number } {
+    const m = this.camera.matrixWorld.elements;
+    return { right: [m[0]!, m[1]!, m[2]!], up: [m[4]!, m[5]!, m[6]!], pixel: this.pixel() };
+  }
+
+  /** World length of the shorter side of what is seen, mm. */
+  shorterSide(): number {
+    const { left, right, top, bottom, zoom } = this.camera;
+    return Math.min(right - left, top - bottom) / zoom;
+  }
+
+  /** Takes places to the cube from -1 to 1. */
+  matrix(): Matrix4 {
+    return new Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse);
+  }
+
+  /** Where a place, relative to the origin of the path, is on the canvas, pixels. */
+  project(at: Vec3): [number, number] {
+    const v = new Vector3(...at).project(this.camera);
+    const { clientWidth, clientHeight } = this.canvas;
+    return [((v.x + 1) / 2) * clientWidth, ((1 - v.y) / 2) * clientHeight];
+  }
+
+  /** The directions of X, Y and Z on the screen: right, up and towards the eye. */
+  axes(): Vec3[] {
+    const { elements } = this.camera.matrixWorldInverse;
+    return [0, 4, 8].map((at) => [elements[at]!, elements[at + 1]!, elements[at + 2]!] as Vec3);
+  }
+}

@@ -1,0 +1,69 @@
+// What of the path is drawn with which objects, and what that costs.
+
+import type { LineSegments, Object3D } from "three";
+import type { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import type { Lines } from "../path/lines";
+import type { Batch } from "../path/batch";
+import { linesOnRows } from "./progress";
+import type { Strokes } from "./line-mesh";
+
+/** What a wide line costs more than one of a pixel. */
+const WIDE_COST = 8;
+/** Some lines of an object. */
+export interface Piece {
+  object: LineSegments | LineSegments2;
+  from: number;
+  count: number;
+}
+
+/** A batch, and what draws it. */
+export interface DrawnBatch {
+  batch: Batch;
+  cuts: Strokes | undefined;
+  rapids: LineSegments | undefined;
+  lines: { cuts: Lines; rapids: Lines };
+}
+
+/** Everything of an object that is to be seen. */
+export function pieces(root: Object3D): Piece[] {
+  const found: Piece[] = [];
+  root.traverseVisible((object) => {
+    if ("geometry" in object) found.push(whole(object as LineSegments));
+  });
+  return found;
+}
+
+export function whole(object: LineSegments | LineSegments2): Piece {
+  const { attributes, instanceCount } = object.geometry as LineSegments2["geometry"];
+  const count = isWide(object) ? Math.min(instanceCount, attributes.instanceStart!.count) : attributes.position!.count / 2;
+  return { object, from: 0, count };
+}
+
+export function isWide(object: LineSegments | LineSegments2): object is LineSegments2 {
+  return "isLineSegments2" in object;
+}
+
+export function cost(object: LineSegments | LineSegments2): number {
+  return isWide(object) ? WIDE_COST : 1;
+}
+
+/** Lines, each counted as what it costs. */
+export function weight(pieces: Piece[]): number {
+  return pieces.reduce((sum, { object, count }) => sum + count * cost(object), 0);
+}
+
+/** What of the picture lies on rows, from and to, both counted. */
+export function piecesOn(parts: DrawnBatch[], from: number, to: number, withRapids: boolean): Piece[] {
+  const found: Piece[] = [];
+  for (const { batch, lines, cuts, rapids } of parts) {
+    if (batch.first > to || batch.first + batch.rows <= from) continue;
+    const on = (own: Lines, object: Piece["object"] | undefined) => {
+      const [first, end] = linesOnRows(own, from - batch.first, to - batch.first);
+      if (!object || end <= first) return;
+      found.push(isWide(object) ? whole(object) : { object, from: first, count: end - first });
+    };
+    on(lines.cuts, cuts?.object);
+    if (withRapids) on(lines.rapids, rapids);
+  }
+  return found;
+}

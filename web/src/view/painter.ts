@@ -1,0 +1,363 @@
+// Draws the path and what lies over it. A path that is too long for one frame is drawn piece by
+// piece into a picture that is kept: what lies over it, the tool above all, then costs no more than
+// with a short path, and the page answers in between.
+
+import {
+  type Camera,
+  DepthTexture,
+  Group,
+  type LineSegments,
+  LinearSRGBColorSpace,
+  Mesh,
+  type Object3D,
+  OrthographicCamera,
+  PlaneGeometry,
+  Scene,
+  ShaderMaterial,
+  UnsignedIntType,
+  Vector2,
+  WebGLRenderTarget,
+  WebGLRenderer,
+} from "three";
+import type { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import { type Coarse, LEVELS } from "./lod";
+import { drawnAll } from "./gpu-fence";
+import { Pace, type Quality, Slices } from "./frame-budget";
+import { type Piece, cost, isWide, pieces, weight, whole } from "./draw-groups";
+
+/** Lines that any machine draws in a frame. */
+const SMALL = 8_000;
+/** Lines that a machine must draw in one go before edges are smoothed in a picture that is kept. */
+const SMOOTH_FROM = 100_000;
+/** While frames follow on each other, a picture is drawn in the gaps: so small a share of what is drawn at once, this long after each, ms. */
+const BUSY_SHARE = 4;
+const BUSY_PAUSE = 40;
+/** How often a picture that is being drawn is shown, ms. */
+const SHOW_EVERY = 150;
+
+/** Frames that follow on each other as fast, ms, are of something that moves. */
+const BUSY_MS = 200;
+
+/** What lies under the path: a picture with depth, or what draws it, where it is another in each frame. */
+export type Under = WebGLRenderTarget | ((renderer: WebGLRenderer, camera: Camera) => void);
+
+const STILL: Quality = { level: -1, samples: 4, scale: 1 };
+
+export class Painter {
+  readonly renderer: WebGLRenderer;
+  /** No graphics card: the processor draws. */
+  readonly isSoftware: boolean;
+  /** What is to be drawn once for each place of the camera. */
+  readonly path = new Group();
+  /** Of it, the program's own, which may be hidden. */
+  readonly own = new Group();
+  /** Of that, the rapids: while the view turns the coarse path has some of them. */
+  readonly rapids = new Group();
+  /** Of it, what may be missing while the view turns. */
+  readonly beside = new Group();
+  /** What is drawn anew in each frame, over the path. */
+  readonly over = new Group();
+  readonly pace: Pace;
+  /** What lies under all of it: the stock. */
+  under: () => Under | undefined = () => undefined;
+  /** Lines of the last frame, those of the kept picture included. */
+  drawnLines = 0;
+  /** Whether a picture that is not complete is shown. */
+  showsPart = true;
+  private slices: Slices;
+  private scene = new Scene();
+  private copy = new Copy();
+  private pixelRatio = Math.min(2, window.devicePixelRatio);
+  private scale = 1;
+  private size = new Vector2();
+  private targets = new Map<number, WebGLRenderTarget>();
+  private kept: WebGLRenderTarget | undefined;
+  private keptLines = 0;
+  private state: "stale" | "drawing" | "complete" = "stale";
+  private drewAll = false;
+  private queue: Piece[] = [];
+  /** What was given another colour while the picture was drawn. */
+  private late: Piece[] = [];
+  /** The number of the picture that is being drawn: what was begun for another is given up. */
+  private picture = 0;
+  private shownAt = 0;
+  private paintedAt = -Infinity;
+  /** The last frame followed soon on the one before. */
+  private isBusy = false;
+  private smoothLater = 0;
+
+  constructor(
+    canvas: HTMLCanvasElement,
+    private camera: Camera,
+    private cuts: Object3D,
+    private coarse: Coarse,
+    private wanted: () => void,
+  ) {
+    // Edges are smoothed in targets of our own, where the machine is fast enough for that.
+    this.renderer = new WebGLRenderer({ canvas, antialias: false, preserveDrawingBuffer: false });
+    this.renderer.outputColorSpace = LinearSRGBColorSpace;
+    this.renderer.setPixelRatio(this.pixelRatio);
+    this.renderer.localClippingEnabled = true;
+    this.renderer.autoClear = false;
+    // The order is that in which things were added; to sort them would ask for the extent of each.
+    this.renderer.sortObjects = false;
+    this.renderer.info.autoReset = false;
+    this.isSoftware = drawsInSoftware(this.renderer.getContext());
+    this.pace = new Pace(this.isSoftware);
+    this.slices = new Slices(this.isSoftware);
+    this.own.add(cuts, coarse.object, this.rapids);
+    this.path.add(this.own, this.beside);
+    this.scene.add(this.path, this.over);
+  }
+
+  resize(width: number, height: number): void {
+    this.renderer.setSize(width, height, false);
+    this.size.set(width, height).multiplyScalar(this.pixelRatio).floor();
+    this.targets.forEach((target) => target.dispose());
+    this.targets.clear();
+    this.changed();
+  }
+
+  /** The path or the camera is another: the kept picture no longer holds. */
+  changed(): void {
+    this.picture++;
+    this.state = "stale";
+    this.queue = [];
+    this.late = [];
+  }
+
+  /** An object was added to the path: a picture that is there or being drawn gets it, too. */
+  added(object: LineSegments | LineSegments2): void {
+    if (this.state === "stale" || !this.own.visible) return;
+    this.queue.push(whole(object));
+    if (this.state === "complete") void this.drawQueue();
+  }
+
+  /** Some of the path has another colour now: a picture that is there or being drawn gets it, too. */
+  repaint(pieces: Piece[]): void {
+    if (this.state === "stale" || !this.own.visible || pieces.length === 0) return;
+    this.late.push(...pieces);
+    // A picture that is being drawn gets them at its end.
+    if (this.state !== "complete") return;
+    // So much is a new picture.
+    if (weight(this.late) > 2 * Math.max(SMALL, this.slices.lines)) return this.changed();
+    this.drawLate();
+  }
+
+  /** At once: while something plays there are some of them in each frame, and a queue would never end. */
+  private drawLate(): void {
+    const { keptLines } = this;
+    this.queue = this.late;
+    this.late = [];
+    while (this.queue.length > 0) this.drawSome();
+    this.keptLines = keptLines;
+  }
+
+  /** Frames follow on each other. */
+  private get isBusyNow(): boolean {
+    return this.isBusy && performance.now() - this.paintedAt < BUSY_MS;
+  }
+
+  /** The last frame showed everything. */
+  get isComplete(): boolean {
+    return this.drewAll;
+  }
+
+  /** Draws a frame; while the view turns, with what keeps the pace. */
+  paint(isTurning: boolean): void {
+    this.renderer.info.reset();
+    const now = performance.now();
+    const gap = now - this.paintedAt;
+    this.paintedAt = now;
+    this.isBusy = gap <= BUSY_MS;
+    const lines = weight(pieces(this.path));
+    const isShort = lines <= this.slices.lines;
+    const isRough = this.isRough();
+    this.drewAll = !isTurning && !isRough && (isShort || this.state === "complete");
+    if (isTurning && (this.coarse.isReady || isShort)) this.draw(this.pace.quality);
+    else if (isShort) {
+      this.changed();
+      const began = performance.now();
+      this.draw(isRough ? { ...STILL, samples: 0 } : STILL);
+      void drawnAll(this.renderer).then(() => this.slices.took(lines, performance.now() - began));
+    } else {
+      if (this.state === "stale") this.begin();
+      // Until the picture is there, the coarse path tells more than a part of the whole one.
+      if (this.state === "complete" || !this.coarse.isReady) this.show();
+      else this.draw({ ...this.pace.quality, samples: 0 });
+    }
+  }
+
+  /** Over a stock the processor smooths no edges while it is not complete or something moves, but once it stands. */
+  private isRough(): boolean {
+    window.clearTimeout(this.smoothLater);
+    const under = this.under();
+    if (!this.isSoftware || !under) return false;
+    if (typeof under === "function") return true;
+    if (!this.isBusy) return false;
+    this.smoothLater = window.setTimeout(this.wanted, BUSY_MS + 1);
+    return true;
+  }
+
+  /** All at once. */
+  private draw({ level, samples, scale }: Quality): void {
+    const { renderer, coarse, cuts, rapids, beside, scene, camera } = this;
+    const rapidsShown = rapids.visible;
+    const isCoarse = level >= 0 && coarse.isReady;
+    coarse.show(isCoarse, level);
+    cuts.visible = !isCoarse;
+    rapids.visible = rapidsShown && !isCoarse;
+    // With the own path hidden there would be nothing else to be seen.
+    beside.visible = !isCoarse || !this.own.visible || weight(pieces(beside)) <= LEVELS[level]!;
+    this.setScale(scale);
+    const target = samples > 0 ? this.target(samples) : null;
+    renderer.setRenderTarget(target);
+    renderer.clear();
+    this.lay();
+    renderer.render(scene, camera);
+    coarse.show(false, level);
+    cuts.visible = beside.visible = true;
+    rapids.visible = rapidsShown;
+    this.drawnLines = renderer.info.render.lines;
+    if (target) this.put(target);
+  }
+
+  /** Pixels of the canvas itself, not of a target: to make a small picture large costs as much again. */
+  private setScale(scale: number): void {
+    if (scale === this.scale) return;
+    this.scale = scale;
+    this.renderer.setPixelRatio(this.pixelRatio * scale);
+  }
+
+  /** The kept picture and what lies over it. */
+  private show(): void {
+    this.shownAt = performance.now();
+    this.setScale(1);
+    this.renderer.setRenderTarget(null);
+    this.renderer.clear();
+    this.lay();
+    // Where nothing of the path is, its depth is that of the background: the stock stays.
+    if (this.kept) this.copy.draw(this.renderer, this.kept, true);
+    this.renderer.render(this.over, this.camera);
+    this.drawnLines = this.keptLines;
+  }
+
+  private put(target: WebGLRenderTarget): void {
+    this.renderer.setRenderTarget(null);
+    this.renderer.clear();
+    this.copy.draw(this.renderer, target, false);
+  }
+
+  /** The stock, before what lies on it. */
+  private lay(): void {
+    const under = this.under();
+    if (typeof under === "function") under(this.renderer, this.camera);
+    else if (under) this.copy.draw(this.renderer, under, true);
+  }
+
+  private begin(): void {
+    const { renderer } = this;
+    this.kept = this.target(this.slices.lines >= SMOOTH_FROM ? 4 : 0);
+    this.keptLines = 0;
+    renderer.setRenderTarget(this.kept);
+    renderer.clear();
+    renderer.setRenderTarget(null);
+    this.queue = pieces(this.path);
+    void this.drawQueue();
+  }
+
+  /** Draws what waits into the kept picture, so much at a time that each is done soon. */
+  private async drawQueue(): Promise<void> {
+    this.state = "drawing";
+    const picture = ++this.picture;
+    // The frame that has begun it is shown first.
+    await drawnAll(this.renderer);
+    if (picture !== this.picture) return;
+    while (this.queue.length > 0 || weight(this.late) > SMALL) {
+      if (this.queue.length === 0) [this.queue, this.late] = [this.late, []];
+      const began = performance.now();
+      const lines = this.drawSome();
+      await drawnAll(this.renderer);
+      this.slices.took(lines, performance.now() - began);
+      if (picture !== this.picture) return;
+      if (this.isBusyNow) {
+        await new Promise((next) => setTimeout(next, BUSY_PAUSE));
+        if (picture !== this.picture) return;
+      }
+      if (this.showsPart && performance.now() - this.shownAt > SHOW_EVERY) this.wanted();
+    }
+    this.state = "complete";
+    this.drawLate();
+    this.wanted();
+  }
+
+  private drawSome(): number {
+    const { renderer, camera, queue } = this;
+    const most = this.isBusyNow ? Math.max(2_000, this.slices.lines / BUSY_SHARE) : this.slices.lines;
+    let drawn = 0;
+    renderer.setRenderTarget(this.kept!);
+    while (queue.length > 0 && drawn < most) {
+      const piece = queue[0]!;
+      const { object, from } = piece;
+      // Wide lines are not cut: there are never many.
+      const count = isWide(object) ? piece.count : Math.min(piece.count, most - drawn);
+      if (!isWide(object)) object.geometry.setDrawRange(2 * from, 2 * count);
+      renderer.render(object, camera);
+      object.geometry.setDrawRange(0, Infinity);
+      drawn += count * cost(object);
+      this.keptLines += count;
+      if (count === piece.count) queue.shift();
+      else [piece.from, piece.count] = [from + count, piece.count - count];
+    }
+    renderer.setRenderTarget(null);
+    return drawn;
+  }
+
+  private target(samples: 0 | 4): WebGLRenderTarget {
+    let target = this.targets.get(samples);
+    if (!target) {
+      const { x, y } = this.size;
+      target = new WebGLRenderTarget(x, y, { samples, depthTexture: new DepthTexture(x, y, UnsignedIntType) });
+      this.targets.set(samples, target);
+    }
+    return target;
+  }
+}
+
+/** By the name it gives itself: a guess to begin with, the pace is measured. */
+function drawsInSoftware(gl: WebGLRenderingContext | WebGL2RenderingContext): boolean {
+  const names = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = String(gl.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
+/** Puts a picture onto the canvas, with the depth of what is on it or without. */
+class Copy {
+  private camera = new OrthographicCamera(-1, 1, 1, -1, 0, 1);
+  private plane = new Mesh(new PlaneGeometry(2, 2));
+  private plain = material("");
+  private deep = material("gl_FragDepth = texture2D(depth, at).r;");
+
+  constructor() {
+    this.plane.frustumCulled = false;
+  }
+
+  draw(renderer: WebGLRenderer, { texture, depthTexture }: WebGLRenderTarget, withDepth: boolean): void {
+    const chosen = withDepth ? this.deep : this.plain;
+    chosen.uniforms.picture!.value = texture;
+    chosen.uniforms.depth!.value = depthTexture;
+    this.plane.material = chosen;
+    renderer.render(this.plane, this.camera);
+  }
+}
+
+function material(depth: string): ShaderMaterial {
+  return new ShaderMaterial({
+    uniforms: { picture: { value: null }, depth: { value: null } },
+    vertexShader: "varying vec2 at; void main() { at = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }",
+    fragmentShader: `varying vec2 at; uniform sampler2D picture; uniform highp sampler2D depth;
+      void main() { gl_FragColor = texture2D(picture, at); ${depth} }`,
+    depthTest: depth !== "",
+    depthWrite: depth !== "",
+  });
+}

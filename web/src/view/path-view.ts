@@ -1,0 +1,650 @@
+// The path in space: three.js, drawn when something has changed and not otherwise.
+
+import {
+  Box3,
+  Color,
+  ColorManagement,
+  Group,
+  LineBasicMaterial,
+  LineDashedMaterial,
+  LineSegments,
+  Plane,
+  Vector3,
+} from "three";
+import { Apart, type Apartness } from "../compare/difference-markers";
+import { Coarse } from "./lod";
+import { type ColorBy, type Palette, colorsOf } from "./colors";
+import type { StockBefore } from "../stock/stock-timeline";
+import { Eye, type Turret, type ViewName } from "./camera";
+import { type Edges, Extent, difference, longest } from "./extent";
+import { Fixed } from "./fixed-objects";
+import { type Keep, type Lines, drawn } from "../path/lines";
+import { Marked } from "./row-highlight";
+import type { Feature } from "../measure/geometry";
+import { Measured } from "../measure/overlay";
+import { Overlay } from "../compare/other-path";
+import { Painter } from "./painter";
+import { pause } from "./event-loop";
+import type { Batch, Bounds, Vec3 } from "../path/batch";
+import { Path } from "../path/path";
+import { type Picked, pick } from "./picking";
+import { type DrawnBatch, piecesOn } from "./draw-groups";
+import { Progress, spansOf } from "./progress";
+import { SectionLayer } from "../stock/half-section-layer";
+import type { Sections } from "../stock/half-sections";
+import { StockLayer } from "../stock/stock-layer";
+import { StrokeMaterials, Strokes, empty, geometryOf, remove } from "./line-mesh";
+import { type Tolerance, seenTolerance } from "./screen-tolerance";
+import { type Drawn, ToolShape } from "./tool-shape";
+import type { Section } from "./visible-section";
+
+/** Rows from which on fewer lines are drawn while the view turns. */
+const MANY = 20_000;
+/** Rows from which on lines are drawn one pixel wide: wide ones are eight times the work. */
+const MOST_WIDE = 20_000;
+const MOST_WIDE_SOFTWARE = 2_000;
+/** How long the view must be still before all of it is drawn again, ms. */
+const STILL = 160;
+
+// Colours are drawn as they are written: the page has no light that would need linear ones.
+ColorManagement.enabled = false;
+
+/** No lines. */
+const NONE: Lines = { points: new Float32Array(0), rows: undefined, count: 0 };
+
+export class PathView {
+  private eye: Eye;
+  private painter: Painter;
+  private path = new Path();
+  private drawnBatches: DrawnBatch[] = [];
+  private cuts = new Group();
+  private rapids: Group;
+  private coarse = new Coarse();
+  private contour = new Group();
+  private apart = new Apart();
+  private other = new Overlay(() => this.painter.changed(), this.apart.other.object);
+  private chords = new Group();
+  private fixed = new Fixed();
+  private mark: Marked;
+  private progress = new Progress();
+  private cutMaterials = new StrokeMaterials(this.progress);
+  private rapidMaterial = new LineDashedMaterial();
+  private contourMaterial = new LineDashedMaterial({ transparent: true, opacity: 0.9 });
+  private chordMaterial = new LineBasicMaterial({ depthTest: false });
+  private tool: ToolShape;
+  readonly stock: StockLayer;
+  /** The half section of a lathe. */
+  readonly turned: SectionLayer;
+  /** What the picture was made for, CSS pixels. */
+  private width = 0;
+  private height = 0;
+  private palette: Palette;
+  private colorBy: ColorBy = "tool";
+  private turning = false;
+  /** Since the last frame. */
+  private hasMoved = false;
+  private marksMoved = false;
+  private stillTimer = 0;
+  private wanted = false;
+  /** Work that is done part by part is given up when newer work is asked for. */
+  private refining = 0;
+  private recoloring = 0;
+  /** World length of a pixel when arcs were cut last. */
+  private cutFor = 0;
+  private section: Section = {};
+  private planes = [new Plane(new Vector3(0, 0, 1)), new Plane(new Vector3(0, 0, -1))];
+  private measured = new Measured();
+  /** Frames that were drawn: for measurements. */
+  drawnFrames = 0;
+  onDrawn: () => void = () => {};
+
+  constructor(
+    private canvas: HTMLCanvasElement,
+    palette: Palette,
+  ) {
+    this.palette = palette;
+    this.progress.attach(this.rapidMaterial);
+    this.mark = new Marked(3, undefined, 1.5, this.progress);
+    this.eye = new Eye(canvas, () => this.moved());
+    this.painter = new Painter(canvas, this.eye.camera, this.cuts, this.coarse, () => this.render());
+    this.rapids = this.painter.rapids;
+    this.stock = new StockLayer(palette, this.painter.isSoftware, () => this.render());
+    this.turned = new SectionLayer(palette, () => this.render());
+    canvas.after(this.turned.over);
+    this.painter.under = () => this.turned.under ?? this.stock.under;
+    this.tool = new ToolShape(palette);
+    this.painter.beside.add(this.contour, this.chords, this.other.object);
+    this.painter.own.add(this.apart.own.object);
+    this.painter.over.add(this.fixed.object, this.apart.dots, this.mark.object, this.other.over, this.measured.object, this.tool.object);
+    this.setPalette(palette);
+    this.setView("iso");
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
+    this.resize();
+  }
+
+  get origin(): Vec3 {
+    return this.path.origin;
+  }
+
+  /** A new path begins; the old one stays until the first batch of the new one is there. */
+  begin(path: Path): void {
+    this.clearPath();
+    this.path = path;
+    this.painter.showsPart = true;
+    this.painter.changed();
+  }
+
+  private clearPath(): void {
+    for (const group of [this.cuts, this.rapids, this.contour, this.chords]) empty(group);
+    this.coarse.clear();
+    this.apart.clear();
+    this.drawnBatches = [];
+    this.mark.clear();
+  }
+
+  add(batch: Batch): void {
+    const isFirst = this.drawnBatches.length === 0;
+    const part: DrawnBatch = {
+      batch,
+      cuts: undefined,
+      rapids: undefined,
+      lines: { cuts: NONE, rapids: NONE },
+    };
+    this.drawnBatches.push(part);
+    part.lines = drawn(batch, this.tolerance(), this.keep(batch));
+    this.put(part);
+    if (isFirst) this.other.place(this.path.origin);
+    if (!this.eye.userMoved && (isFirst || !this.eye.sees(batch.points, 3 * 16))) this.fit(true);
+    for (const strokes of [part.cuts?.object, part.rapids]) if (strokes) this.painter.added(strokes);
+    this.render();
+  }
+
+  /** The whole path is there. */
+  async finish(): Promise<void> {
+    const { path } = this;
+    this.other.place(path.origin);
+    if (path.rows > this.mostWide) {
+      // The first batches did not know that there would be so many.
+      for (const part of this.drawnBatches) if (part.cuts?.isWide) this.put(part);
+    }
+    // The coarse path first: it is what shows until the picture of the whole one is drawn.
+    if (this.colorBy !== "tool") await this.recolor();
+    else await this.makeCoarse();
+    if (path !== this.path) return;
+    this.painter.showsPart = false;
+    if (!this.eye.userMoved) this.fit();
+    else await this.refine(true);
+    this.changed();
+  }
+
+  private get mostWide(): number {
+    return this.painter.isSoftware ? MOST_WIDE_SOFTWARE : MOST_WIDE;
+  }
+
+  /** Puts the lines of a batch into the scene, instead of those before. */
+  private put(part: DrawnBatch): void {
+    // A picture that is being drawn must not ask for what goes.
+    if (part.cuts || part.rapids) this.painter.changed();
+    part.cuts?.remove();
+    remove(part.rapids);
+    const { cuts, rapids } = part.lines;
+    part.cuts = undefined;
+    part.rapids = undefined;
+    if (cuts.count > 0) {
+      const wide = this.path.rows <= this.mostWide && cuts.count <= this.mostWide;
+      part.cuts = new Strokes(cuts.points, this.colors(part.batch, cuts), spansOf(part.batch.first, cuts), this.cutMaterials, wide);
+      this.cuts.add(part.cuts.object);
+    }
+    if (rapids.count > 0) {
+      part.rapids = new LineSegments(geometryOf(rapids.points, spansOf(part.batch.first, rapids)), this.rapidMaterial);
+      part.rapids.computeLineDistances();
+      part.rapids.frustumCulled = false;
+      this.rapids.add(part.rapids);
+    }
+  }
+
+  private async makeCoarse(): Promise<void> {
+    if (this.path.rows < MANY) return this.coarse.clear();
+    const size = longest(this.path.bounds, 1);
+    const colors = (batch: Batch, lines: Lines) => this.colors(batch, lines);
+    const built = await this.coarse.build(this.drawnBatches, size, colors, this.cutMaterials, this.rapidMaterial);
+    if (built) this.render();
+  }
+
+  /** The colours of both ends of each line. */
+  private colors(batch: Batch, lines: Lines): Uint8Array {
+    const { cutters, minFeed, maxFeed, depths, maxPower } = this.path;
+    return colorsOf(this.palette, { by: this.colorBy, tools: cutters, feeds: [minFeed, maxFeed], depths, powers: [0, maxPower] }, batch, lines);
+  }
+
+  /** Gives all lines their colours anew, a part at a time. */
+  private async recolor(): Promise<void> {
+    const number = ++this.recoloring;
+    for (const part of [...this.drawnBatches]) {
+      part.cuts?.setColors(this.colors(part.batch, part.lines.cuts));
+      if (part.batch.rows < MANY) continue;
+      await pause();
+      if (number !== this.recoloring) return;
+    }
+    this.changed();
+    await this.makeCoarse();
+  }
+
+  setColorBy(by: ColorBy): void {
+    this.colorBy = by;
+    void this.recolor();
+    this.changed();
+  }
+
+  setPalette(palette: Palette): void {
+    this.palette = palette;
+    this.painter.renderer.setClearColor(new Color(palette.background));
+    this.progress.setBackground(palette.background);
+    this.rapidMaterial.color.set(palette.rapid);
+    this.contourMaterial.color.set(palette.contour);
+    this.other.setColor(palette.other);
+    this.apart.setColor(palette.apart);
+    this.chordMaterial.color.set(palette.chord);
+    this.fixed.setColor(palette.travel);
+    this.mark.setColor(palette.mark, palette.markEdge);
+    this.measured.setColor(palette.measure);
+    this.tool.setPalette(palette);
+    this.stock.setPalette(palette);
+    this.turned.setPalette(palette);
+    void this.recolor();
+    this.changed();
+  }
+
+  /** The stock of the path, or none; it comes after the path. */
+  setStock(stock: StockBefore | undefined): void {
+    this.stock.begin(stock, this.path.origin);
+    if (stock && !this.eye.userMoved) this.fit();
+    this.render();
+  }
+
+  /** The sections of a lathe's stock, or none; `slot` gives the place of a tool among those that cut. */
+  setTurned(sections: Sections | undefined, slot: (tool: number) => number): void {
+    this.turned.begin(sections, this.path.origin, slot);
+    if (sections && !this.eye.userMoved) this.fit();
+    this.render();
+  }
+
+  /** The machine is a lathe whose turret stands on a side of the axis, or none. */
+  setLathe(turret: Turret | undefined): void {
+    if (this.eye.setLathe(turret)) this.fit();
+  }
+
+  /** Something that the view does not know of has changed: the stock. */
+  redraw(): void {
+    this.render();
+  }
+
+  /** What compensation was programmed for, beside the path of the tool centre. */
+  addContour(batch: Batch, origin: Vec3): void {
+    const lines = drawn(batch, this.tolerance());
+    const object = new LineSegments(geometryOf(lines.cuts.points), this.contourMaterial);
+    object.computeLineDistances();
+    object.position.set(...difference(origin, this.path.origin));
+    this.contour.add(object);
+    this.changed();
+  }
+
+  /** The path of the other program begins; what is there of it is taken away. */
+  beginOther(path: Path): void {
+    this.apart.clear();
+    this.other.begin(path);
+    this.changed();
+  }
+
+  addOther(batch: Batch): void {
+    this.other.add(batch, this.tolerance(this.other.path), this.mostWide);
+    this.other.place(this.path.origin);
+    this.changed();
+  }
+
+  /** All of the other path is there. */
+  async finishOther(): Promise<void> {
+    if (!this.eye.userMoved) return this.fit();
+    if (await this.other.refine(this.tolerance(this.other.path), this.mostWide)) this.changed();
+  }
+
+  showOwn(shown: boolean): void {
+    this.painter.own.visible = this.contour.visible = this.chords.visible = shown;
+    this.changed();
+  }
+
+  showOther(shown: boolean): void {
+    this.other.show(shown);
+    this.changed();
+  }
+
+  /** Marks where the two paths are apart. */
+  markApart(apart: Apartness): void {
+    const { path, other } = this;
+    this.apart.set(apart, [path, other.path], [this.tolerance(), this.tolerance(other.path)]);
+    this.changed();
+  }
+
+  /** Shows a box in the frame of the run, seen from where it is seen now. */
+  zoomTo({ low, high }: Bounds): void {
+    const own = this.path.origin;
+    this.eye.show({ low: difference(low, own), high: difference(high, own) }, 0.8);
+    void this.refine();
+    this.changed();
+  }
+
+  setChords(points: Float32Array | undefined, origin: Vec3): void {
+    empty(this.chords);
+    if (points && points.length > 0) {
+      const object = new LineSegments(geometryOf(points), this.chordMaterial);
+      object.position.set(...difference(origin, this.path.origin));
+      this.chords.add(object);
+    }
+    this.changed();
+  }
+
+  /** Zeros of work offsets, and the box that the machine can reach; both in the frame of the run. */
+  setFixed(zeros: Vec3[], travel: Bounds | undefined): void {
+    const own = this.path.origin;
+    const box = travel && { low: difference(travel.low, own), high: difference(travel.high, own) };
+    const size = longest(this.path.bounds, 120) / 12;
+    this.fixed.set(zeros.map((zero) => difference(zero, own)), box, size);
+    this.render();
+  }
+
+  showTravel(shown: boolean): void {
+    this.fixed.showTravel(shown);
+    this.render();
+  }
+
+  showRapids(shown: boolean): void {
+    this.rapids.visible = shown;
+    this.coarse.showRapids(shown);
+    this.other.showRapids(shown);
+    this.changed();
+  }
+
+  /** Marks rows; none: nothing is marked. What the other path has there is marked no more. */
+  markRows(rows: [number, number] | undefined): void {
+    this.markBoth(rows ? [rows] : [], []);
+  }
+
+  /** Marks ranges of rows of the path and of the other one. */
+  markBoth(own: [number, number][], other: [number, number][]): void {
+    this.mark.set(this.path, this.painter.own.visible ? own : [], this.tolerance());
+    this.other.mark.set(this.other.path, other, this.tolerance(this.other.path));
+    this.render();
+  }
+
+  /** Draws pale what comes after so many rows; `Infinity`: nothing is to come. */
+  showDone(rows: number): void {
+    const before = this.progress.done;
+    if (rows === before) return;
+    this.progress.set(rows);
+    // Forward only what is done now has another colour.
+    if (rows > before && rows !== Infinity) {
+      this.painter.repaint(piecesOn(this.drawnBatches, Math.floor(before), Math.floor(rows), this.rapids.visible));
+    } else this.painter.changed();
+    this.render();
+  }
+
+  /** Rows that are drawn as done: for tests. */
+  get doneRows(): number {
+    return this.progress.done;
+  }
+
+  /** Shows the tool at a place, relative to the origin of the path, its shank along a direction. */
+  placeTool(at: Vec3 | undefined, up: Vec3 = [0, 0, 1]): void {
+    this.tool.place(at, up);
+    this.render();
+  }
+
+  /** Where the tool is, in the frame of the run, and along what it stands: for tests. */
+  toolStands(): { at: Vec3; up: Vec3; width: number; isShown: boolean } {
+    const { position, quaternion } = this.tool.object;
+    const at = position.toArray().map((value, axis) => value + this.path.origin[axis]!) as Vec3;
+    return { at, up: new Vector3(0, 0, 1).applyQuaternion(quaternion).toArray(), width: this.tool.width, isShown: this.tool.object.visible };
+  }
+
+  shapeTool(tool: Drawn | undefined): void {
+    this.tool.shape(tool, longest(this.path.bounds, 50));
+    this.render();
+  }
+
+  /** Shows a part of the path only. */
+  setSection(section: Section): void {
+    const { tool, lines } = this.section;
+    const isSame = section.tool === tool && String(section.lines) === String(lines);
+    this.section = section;
+    this.cutDepth();
+    if (!isSame) {
+      const tolerance = this.tolerance();
+      for (const part of this.drawnBatches) {
+        part.lines = drawn(part.batch, tolerance, this.keep(part.batch));
+        this.put(part);
+      }
+      void this.makeCoarse();
+    }
+    this.changed();
+  }
+
+  private keep(batch: Batch): Keep | undefined {
+    const { tool, lines } = this.section;
+    if (tool === undefined && !lines) return undefined;
+    const [from, to] = lines ?? [0, Infinity];
+    return (row) =>
+      (tool === undefined || batch.tool[row] === tool) &&
+      (!lines || (batch.file[row] === 0 && batch.line[row]! >= from && batch.line[row]! <= to));
+  }
+
+  /** Two planes cut off what is below and above. */
+  private cutDepth(): void {
+    const { depth } = this.section;
+    const planes = depth ? this.planes : [];
+    if (depth) {
+      this.planes[0]!.constant = -(depth[0] - this.path.origin[2]);
+      this.planes[1]!.constant = depth[1] - this.path.origin[2];
+    }
+    const { thin, wide } = this.cutMaterials;
+    for (const material of [thin, wide, this.rapidMaterial, this.contourMaterial, this.chordMaterial]) {
+      material.clippingPlanes = planes;
+      material.needsUpdate = true;
+    }
+    this.apart.clip(planes);
+    this.other.clip(planes);
+  }
+
+  /** A line between two places, relative to the origin of the path. */
+  showMeasured(from: Vec3 | undefined, to: Vec3 | undefined): void {
+    this.measured.show(from, to, this.eye.screen());
+    this.render();
+  }
+
+  /** Marks what a click would take; none: nothing. */
+  showSnap(feature: Feature | undefined): void {
+    this.measured.showSnap(feature, this.eye.screen());
+    this.render();
+  }
+
+  /** What is marked so: for tests. */
+  get snapped(): Feature | undefined {
+    return this.measured.snapped;
+  }
+
+  /** The row at a place of the canvas. */
+  pick(x: number, y: number): Picked | undefined {
+    if (!this.painter.own.visible) return undefined;
+    const [low, high] = this.section.depth ?? [-Infinity, Infinity];
+    return pick(this.drawnBatches, this.eye, this.canvas, [x, y], this.rapids.visible, (at) => {
+      const z = at[2] + this.path.origin[2];
+      return z >= low - 1e-3 && z <= high + 1e-3;
+    });
+  }
+
+  /** The row of the other path at a place of the canvas. */
+  pickOther(x: number, y: number): Picked | undefined {
+    return this.other.pick(this.eye, this.canvas, [x, y]);
+  }
+
+  /** Where a place, relative to the origin of the path, is on the canvas, pixels. */
+  project(at: Vec3): [number, number] {
+    return this.eye.project(at);
+  }
+
+  /** The directions of X, Y and Z on the screen: right, up and towards the eye. */
+  axes(): Vec3[] {
+    return this.eye.axes();
+  }
+
+  setView(view: ViewName): void {
+    this.eye.look(view);
+    this.fit();
+  }
+
+  /** Everything that is drawn fills the view; with room for more where it still grows. */
+  fit(grows = false): void {
+    const box = this.seen();
+    this.eye.fit(box, (inverse) => this.edges(box, inverse), grows);
+    this.moved();
+    // Arcs that were out of sight may be coarse.
+    if (!grows) void this.refine(true);
+  }
+
+  /** The box of everything that is to be seen, relative to the origin. */
+  private seen(): Bounds {
+    const box = new Box3();
+    const { bounds } = this.path;
+    if (bounds) box.set(new Vector3(...bounds.low), new Vector3(...bounds.high));
+    const other = this.other.bounds(this.path.origin);
+    if (other) box.union(new Box3(new Vector3(...other.low), new Vector3(...other.high)));
+    const stock = this.stock.bounds() ?? this.turned.bounds(bounds);
+    if (stock) box.union(new Box3(new Vector3(...stock.low), new Vector3(...stock.high)));
+    if (box.isEmpty()) box.set(new Vector3(-10, -10, -10), new Vector3(10, 10, 10));
+    return { low: box.min.toArray(), high: box.max.toArray() };
+  }
+
+  /** What is drawn takes of the view, mm from the camera's target. */
+  private edges(box: Bounds, inverse: ArrayLike<number>): Edges {
+    const extent = new Extent(inverse);
+    // Of a long path some points tell enough.
+    const step = 3 * Math.max(1, Math.floor(this.path.rows / 50_000));
+    for (const { lines } of this.drawnBatches) {
+      extent.add(lines.cuts.points, step);
+      extent.add(lines.rapids.points);
+    }
+    if (extent.isEmpty || this.other.isShown || this.stock.bounds() || this.turned.sections) extent.addBox(box);
+    return extent.edges;
+  }
+
+  /** How far the pieces of an arc may be from it, as it is seen now. */
+  private tolerance(path = this.path): Tolerance {
+    return seenTolerance(this.eye, difference(path.origin, this.path.origin), path.rows > MANY);
+  }
+
+  /** Cuts arcs anew, a part at a time, when the zoom has changed so much that it shows. */
+  private async refine(always = false): Promise<void> {
+    const number = ++this.refining;
+    const pixel = this.eye.pixel();
+    const curved = this.drawnBatches.filter(({ batch }) => batch.arcRows.length > 0);
+    const near = pixel < this.cutFor / 1.5 || pixel > this.cutFor * 4;
+    // Where arcs out of sight were left coarse, another part of the path needs its own, too.
+    if (!(near || always || this.eye.userMoved)) return;
+    this.mark.cut(this.tolerance());
+    this.apart.cut(this.tolerance(), this.tolerance(this.other.path));
+    if (await this.other.refine(this.tolerance(this.other.path), this.mostWide)) this.changed();
+    if (curved.length === 0 || number !== this.refining) return;
+    this.cutFor = pixel;
+    const tolerance = this.tolerance();
+    for (const part of curved) {
+      part.lines = drawn(part.batch, tolerance, this.keep(part.batch));
+      this.put(part);
+      if (part.batch.rows < MANY) continue;
+      await pause();
+      if (number !== this.refining) return;
+    }
+    this.changed();
+  }
+
+  private moved(): void {
+    this.hasMoved = this.marksMoved = true;
+    if (this.eye.userMoved && !this.turning) {
+      this.turning = true;
+      this.painter.pace.begin();
+    }
+    this.changed();
+  }
+
+  /** The view has not moved for a while. */
+  private still(): void {
+    this.turning = false;
+    void this.refine();
+    this.changed();
+  }
+
+  get isTurning(): boolean {
+    return this.turning;
+  }
+
+  /** The picture shows all of the path, and the coarse one is there for the next turn. */
+  get isComplete(): boolean {
+    const isReady = this.path.rows < MANY || this.coarse.isReady;
+    return this.fillsItsPlace && !this.turning && isReady && this.painter.isComplete && this.stock.isComplete && this.turned.isComplete;
+  }
+
+  /** The window's last change of size has reached the picture. */
+  private get fillsItsPlace(): boolean {
+    const { clientWidth, clientHeight } = this.canvas.parentElement!;
+    return this.width === Math.max(1, clientWidth) && this.height === Math.max(1, clientHeight);
+  }
+
+  /** Lines of the last frame that are one pixel wide: for tests and measurements. */
+  get drawnLines(): number {
+    return this.painter.drawnLines;
+  }
+
+  private resize(): void {
+    const parent = this.canvas.parentElement!;
+    const [width, height] = [Math.max(1, parent.clientWidth), Math.max(1, parent.clientHeight)];
+    [this.width, this.height] = [width, height];
+    this.eye.resize(width, height);
+    this.painter.resize(width, height);
+    if (!this.eye.userMoved) this.fit();
+    this.render();
+  }
+
+  /** What the picture of the path holds is another, or seen from elsewhere. */
+  private changed(): void {
+    this.painter.changed();
+    this.render();
+  }
+
+  /** Draws the next frame. */
+  private render(): void {
+    if (this.wanted) return;
+    this.wanted = true;
+    requestAnimationFrame((now) => {
+      this.wanted = false;
+      if (this.turning && this.hasMoved) {
+        this.hasMoved = false;
+        this.painter.pace.frame(now);
+        // Counted from a frame: one that took long must not look like rest.
+        window.clearTimeout(this.stillTimer);
+        this.stillTimer = window.setTimeout(() => this.still(), STILL);
+      }
+      // Dashes keep their length on the screen.
+      const pixel = this.eye.pixel();
+      this.rapidMaterial.dashSize = 6 * pixel;
+      this.rapidMaterial.gapSize = 4 * pixel;
+      this.contourMaterial.dashSize = 3 * pixel;
+      this.contourMaterial.gapSize = 2 * pixel;
+      this.other.dash(pixel);
+      if (this.marksMoved) this.measured.draw(this.eye.screen());
+      this.marksMoved = false;
+      this.stock.prepare(this.painter.renderer, this.eye.camera, this.turning);
+      this.turned.prepare(this.painter.renderer, this.eye.camera);
+      this.painter.paint(this.turning);
+      this.drawnFrames++;
+      this.onDrawn();
+    });
+  }
+}

@@ -1,0 +1,74 @@
+// Which row of the path is meant by a place on the screen.
+
+import type { Eye } from "./camera";
+import { type Lines, nearest } from "../path/lines";
+import type { Batch, Vec3 } from "../path/batch";
+
+/** How far from a line a click may be, pixels. */
+const REACH = 8;
+/** How near an end must be to be meant, pixels. */
+const SNAP = 9;
+/** A cut is meant rather than the rapid over it: so much further the rapid counts, pixels. */
+const RAPID_HANDICAP = 3;
+
+export interface Picked {
+  row: number;
+  /** How far along the row, from 0 to 1. */
+  share: number;
+  /** Relative to the origin of the path, mm; an end of the row where one is near. */
+  at: Vec3;
+  /** It is an end of the row. */
+  snapped: boolean;
+}
+
+export interface Pickable {
+  batch: Batch;
+  lines: { cuts: Lines; rapids: Lines };
+}
+
+/** How places, relative to the origin of a path, are seen. */
+export type Sight = Pick<Eye, "matrix" | "project">;
+
+/** The row nearest to a place of the canvas, of those whose place there `counts`. */
+export function pick(
+  parts: Pickable[],
+  eye: Sight,
+  canvas: HTMLCanvasElement,
+  [x, y]: [number, number],
+  withRapids: boolean,
+  counts: (at: Vec3) => boolean,
+): Picked | undefined {
+  const { elements } = eye.matrix();
+  let best: (Picked & { distance: number }) | undefined;
+  for (const { batch, lines } of parts) {
+    for (const [own, handicap] of [[lines.cuts, 0], [lines.rapids, RAPID_HANDICAP]] as const) {
+      if (own === lines.rapids && !withRapids) continue;
+      const found = nearest(own, elements, canvas.clientWidth, canvas.clientHeight, x, y, REACH);
+      if (!found || (best && found.distance + handicap >= best.distance)) continue;
+      const picked = pickedOn(batch, own, found, (at) => {
+        const [ex, ey] = eye.project(at);
+        return Math.hypot(ex - x, ey - y) < SNAP;
+      });
+      if (counts(picked.at)) best = { ...picked, distance: found.distance + handicap };
+    }
+  }
+  return best;
+}
+
+function pickedOn(batch: Batch, lines: Lines, { index, share }: { index: number; share: number }, isNear: (at: Vec3) => boolean): Picked {
+  const own = (at: number) => (lines.rows ? lines.rows[at]! : at);
+  const row = own(index);
+  let first = index;
+  let last = index;
+  while (first > 0 && own(first - 1) === row) first--;
+  while (last < lines.count - 1 && own(last + 1) === row) last++;
+  const p = lines.points;
+  const ends: [number, Vec3][] = [
+    [0, [p[6 * first]!, p[6 * first + 1]!, p[6 * first + 2]!]],
+    [1, [p[6 * last + 3]!, p[6 * last + 4]!, p[6 * last + 5]!]],
+  ];
+  for (const [end, at] of ends) if (isNear(at)) return { row: batch.first + row, share: end, at, snapped: true };
+  const along = (index - first + share) / (last - first + 1);
+  const mix = (axis: number) => p[6 * index + axis]! + (p[6 * index + 3 + axis]! - p[6 * index + axis]!) * share;
+  return { row: batch.first + row, share: along, at: [mix(0), mix(1), mix(2)], snapped: false };
+}
