@@ -5,7 +5,7 @@ import { Core } from "./standalone/worker-connection";
 import type { File_, Opened } from "./standalone/engine";
 import { replaced, unified } from "./panels/text-difference";
 import type { FromPanel, Shown, ToPanel } from "./editor-messages";
-import { type Page, use } from "./page-host";
+import type { Page } from "./page-host";
 
 declare function acquireVsCodeApi(): { postMessage(message: FromPanel): void };
 const host = acquireVsCodeApi();
@@ -87,7 +87,8 @@ async function begin({ module, worker }: { module: Uint8Array<ArrayBuffer>; work
   const address = URL.createObjectURL(new Blob([worker], { type: "text/javascript" }));
   const made = new Core(WebAssembly.compile(module), (name) => new Worker(address, { type: "module", name }));
   core = made;
-  use({
+  const { Session } = await import("./session/session");
+  new Session(document.querySelector<HTMLElement>("#app")!, {
     dial: (take) => made.dial(take),
     lost: "",
     saved: "",
@@ -97,7 +98,6 @@ async function begin({ module, worker }: { module: Uint8Array<ArrayBuffer>; work
     },
     furnish,
   });
-  await import("./session/session");
   // After the styles of the page.
   await import("./editor-page.css");
 }

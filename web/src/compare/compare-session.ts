@@ -6,12 +6,13 @@ import type { Editor } from "../panels/text-editor";
 import type { Elsewhere } from "../panels/other-file-view";
 import type { Frame } from "../protocol/frame";
 import type { Link } from "../protocol/connection";
-import type { Against, Blocks, Comparison, Difference, Hello, MachineInfo, Other, Told } from "../protocol/messages";
+import type { Against, Blocks, Comparison, Difference, Hello, Other, Told } from "../protocol/messages";
 import { type Bounds, type Vec3, batchOf } from "../path/batch";
 import { Path } from "../path/path";
 import type { PathView } from "../view/path-view";
 import { Kinematics } from "../path/kinematics";
-import { type Units, counted } from "../panels/units";
+import type { ShownRun } from "../session/shown-run";
+import { counted } from "../panels/units";
 
 /** What is shown of a place without a distance is at least this share of the path. */
 const LEAST_SHARE = 1 / 50;
@@ -24,12 +25,8 @@ export interface Page {
   editor: Editor;
   elsewhere: Elsewhere;
   link: Link;
-  /** The shown program: its path, the number of its run, its machine, its units, its name. */
-  path: () => Path;
-  run: () => number;
-  machine: () => MachineInfo | undefined;
-  units: () => Units;
-  name: () => string;
+  /** The program that is shown. */
+  run: ShownRun;
   goTo: (line: number) => void;
   /** How to compare with a program of another file. */
   another: string;
@@ -95,19 +92,19 @@ export function againstProgram(page: Page) {
 
   function tellPaths(): void {
     if (!against) return;
-    const machines = [page.machine()?.title ?? "", against.machine?.title ?? ""];
+    const machines = [page.run.machine?.title ?? "", against.machine?.title ?? ""];
     const short = (name: string) => name.split(/[\\/]/).pop()!;
-    legend.show(`${short(page.name())} on ${machines[0]}`, `${short(against.name ?? "")} on ${machines[1]}`);
+    legend.show(`${short(page.run.programName)} on ${machines[0]}`, `${short(against.name ?? "")} on ${machines[1]}`);
   }
 
   function show(told: Comparison): void {
     found = told;
     chosen = -1;
-    panel.show(told, page.units());
+    panel.show(told, page.run.units);
     editor.markLines("differs", linesOf(told.differences, 0));
     const apart = told.differences.filter(({ distance_mm }) => distance_mm !== null);
     view.markApart({
-      own: rowsOfLines(page.path(), linesOf(apart, 0)),
+      own: rowsOfLines(page.run.path, linesOf(apart, 0)),
       other: rowsOfLines(path, linesOf(apart, 1)),
       places: apart.flatMap(({ at_mm }) => (at_mm ? [at_mm[0]] : [])),
     });
@@ -117,11 +114,11 @@ export function againstProgram(page: Page) {
   }
 
   function boxOfSides(sides: [Blocks | null, Blocks | null]): Bounds | undefined {
-    const boxes = [page.path(), path].map((own, side) => {
+    const boxes = [page.run.path, path].map((own, side) => {
       const blocks = sides[side];
       return blocks ? boxOf(own, rowsOf(own, blocks)) : undefined;
     });
-    const { bounds } = page.path();
+    const { bounds } = page.run.path;
     const size = bounds ? Math.max(...bounds.high.map((high, axis) => high - bounds.low[axis]!)) : 10;
     return union(boxes, size * LEAST_SHARE);
   }
@@ -136,7 +133,7 @@ export function againstProgram(page: Page) {
     if (a.blocks?.file === 0) page.goTo(a.blocks.from);
     place(difference.at_mm, [a.blocks, b.blocks]);
     const mark = (blocks: Blocks | null, lacks: boolean, own: Path) => (blocks && !lacks ? rowsOf(own, blocks) : []);
-    view.markBoth(mark(a.blocks, a.lacks, page.path()), mark(b.blocks, b.lacks, path));
+    view.markBoth(mark(a.blocks, a.lacks, page.run.path), mark(b.blocks, b.lacks, path));
     // So near the tool would cover what is to be seen.
     view.placeTool(undefined);
   }
@@ -144,7 +141,7 @@ export function againstProgram(page: Page) {
   function place(at: Difference["at_mm"], sides: [Blocks | null, Blocks | null]): void {
     const box = at ? around(at) : boxOfSides(sides);
     if (box) view.zoomTo(box);
-    const relative = (point: Vec3) => point.map((value, axis) => value - page.path().origin[axis]!) as Vec3;
+    const relative = (point: Vec3) => point.map((value, axis) => value - page.run.path.origin[axis]!) as Vec3;
     if (at) view.showMeasured(relative(at[0]), relative(at[1]));
     else view.showMeasured(undefined, undefined);
   }
@@ -196,10 +193,10 @@ export function againstProgram(page: Page) {
           void view.finishOther();
           return true;
         case "comparison":
-          if (told.run === page.run() && told.version === against?.version) show(told);
+          if (told.run === page.run.number && told.version === against?.version) show(told);
           return true;
         case "no_comparison":
-          if (told.run === page.run()) panel.clear(told.message, true);
+          if (told.run === page.run.number) panel.clear(told.message, true);
           return true;
         default:
           return false;

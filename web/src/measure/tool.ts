@@ -1,10 +1,9 @@
 // Measuring with the pointer: what it is over is marked, two clicks give a distance.
 
 import { type Feature, describe, describeDistance, distance, featureAt } from "./geometry";
-import type { Path } from "../path/path";
 import type { Picked } from "../view/picking";
 import type { PathView } from "../view/path-view";
-import type { Units } from "../panels/units";
+import type { ShownRun } from "../session/shown-run";
 
 export interface Measuring {
   readonly isOn: boolean;
@@ -17,8 +16,7 @@ export function measuring(page: {
   view: PathView;
   canvas: HTMLCanvasElement;
   button: HTMLButtonElement;
-  path: () => Path;
-  units: () => Units;
+  run: ShownRun;
   tell: (text: string) => void;
 }): Measuring {
   const { view, canvas, button } = page;
@@ -26,7 +24,7 @@ export function measuring(page: {
   let first: Feature | undefined;
   let isAsked = false;
 
-  const words = (feature: Feature) => describe(feature, page.path().origin, page.units());
+  const words = (feature: Feature) => describe(feature, page.run.path.origin, page.run.axisUnits);
 
   /** Marks what the pointer is over; of many moves in a frame the last counts. */
   function hover(event: PointerEvent): void {
@@ -35,7 +33,7 @@ export function measuring(page: {
     requestAnimationFrame(() => {
       isAsked = false;
       const picked = isOn ? view.pick(event.offsetX, event.offsetY) : undefined;
-      view.showSnap(picked && featureAt(page.path(), picked));
+      view.showSnap(picked && featureAt(page.run.path, picked));
     });
   }
   canvas.addEventListener("pointermove", hover);
@@ -51,7 +49,7 @@ export function measuring(page: {
   }
 
   function click(picked: Picked): void {
-    const feature = featureAt(page.path(), picked);
+    const feature = featureAt(page.run.path, picked);
     if (!first) {
       first = feature;
       view.showMeasured(feature.kind === "arc" ? feature.center : feature.at, undefined);
@@ -60,7 +58,7 @@ export function measuring(page: {
     }
     const found = distance(first, feature);
     view.showMeasured(found.from, found.to);
-    page.tell(`${describeDistance(found, page.units())}\nFrom: ${words(first)}\nTo: ${words(feature)}`);
+    page.tell(`${describeDistance(found, page.run.axisUnits)}\nFrom: ${words(first)}\nTo: ${words(feature)}`);
     first = undefined;
   }
 

@@ -1,53 +1,39 @@
-// The page: puts the parts together.
+// A session of the page with what answers it, a server or a worker: messages go to the parts of the page that show them.
 
 import "../style.css";
-import { type ColorBy, DARK, LIGHT, toolColor } from "../view/colors";
 import { againstProgram } from "../compare/compare-session";
+import { measuring } from "../measure/tool";
+import { type Vec3, axisBits, batchOf } from "../path/batch";
+import { engagedOf } from "../path/engagement";
+import { unknownTurns } from "../path/kinematics";
 import { chordsText, toleranceText } from "../panels/chord-texts";
-import { Editor } from "../panels/text-editor";
-import { Elsewhere } from "../panels/other-file-view";
-import { type Frame, f32, u32, u8 } from "../protocol/frame";
-import { Later } from "../panels/throttled-task";
 import { onKeys } from "../panels/keyboard";
 import { layout } from "../panels/layout";
-import { measuring } from "../measure/tool";
-import { drawAxes } from "../view/axis-cross";
-import { Link } from "../protocol/connection";
-import type { MachineInfo, Report, Times, Told } from "../protocol/messages";
-import { leftOutText, notNamedText, notVerified, showOutline, showState, showTimes } from "../panels/program-panels";
-import { type Vec3, axisBits, batchOf, kindOf } from "../path/batch";
-import { Path } from "../path/path";
+import { Elsewhere } from "../panels/other-file-view";
 import { Problems } from "../panels/problems";
+import { leftOutText, notNamedText, notVerified, showOutline, showTimes } from "../panels/program-panels";
 import { readingsPanel } from "../panels/readings";
-import { Kinematics, unknownTurns } from "../path/kinematics";
-import { type Setpoints, stepRow } from "../path/setpoints";
-import type { ViewName } from "../view/camera";
-import { PathView } from "../view/path-view";
-import { shell } from "../page-host";
-import { engagedOf } from "../path/engagement";
-import { type Asked, type PlaybackState, doneOf, playbackStateOf } from "../path/playback-state";
-import { stockOfProgram } from "../stock/mill-stock";
-import { Timeline } from "../panels/timeline";
-import { travelBox, whyNoTravel } from "../view/travel-box";
-import { turnedOfProgram } from "../stock/lathe-stock";
 import { askWords, words } from "../panels/syntax-hints";
-import type { Units } from "../panels/units";
+import { Editor } from "../panels/text-editor";
+import { Timeline } from "../panels/timeline";
+import type { PageHost } from "../page-host";
+import { Link } from "../protocol/connection";
+import { type Frame, f32, u8 } from "../protocol/frame";
+import type { Report, Told } from "../protocol/messages";
+import { turnedOfProgram } from "../stock/lathe-stock";
+import { stockOfProgram } from "../stock/mill-stock";
+import { drawAxes } from "../view/axis-cross";
+import { type ColorBy, DARK, LIGHT, toolColor } from "../view/colors";
+import { PathView } from "../view/path-view";
+import { travelBox, whyNoTravel } from "../view/travel-box";
+import { PlaybackController } from "./playback-controller";
+import { type Refusal, ShownRun } from "./shown-run";
+import { StatePanel } from "./state-panel";
 
-const ui = layout(document.querySelector<HTMLElement>("#app")!);
+/** How far the pointer may move between press and release for a click, pixels. */
+const CLICK_PIXELS = 3;
 
-let path = new Path();
-let kinematics = new Kinematics([], [0, 0, 0]);
-let run = 0;
-let machine: MachineInfo | undefined;
-let report: Report | undefined;
-let refused: { message: string; help?: string | null } | undefined;
-let times: Times | undefined;
-let timesMessage: string | undefined;
-let setpoints: Setpoints | undefined;
-let programName = "";
-/** Where the program is, as it was asked for and as it is shown. */
-let asked: Asked = { to: "start" };
-let playback: PlaybackState = playbackStateOf(asked, path, undefined);
+type StockDiagnostics = Pick<Report, "diagnostics" | "left_out" | "errors" | "warnings" | "notes">;
 
 const isDark = () =>
   document.documentElement.dataset.theme
@@ -55,589 +41,467 @@ const isDark = () =>
     : matchMedia("(prefers-color-scheme: dark)").matches;
 const palette = () => (isDark() ? DARK : LIGHT);
 
-const view = new PathView(ui.canvas, palette());
-const timeline = new Timeline(ui.timeline);
-const editor = new Editor(ui.code, {
-  typed: (changes) => link.tell("edit", { changes }),
-  cursor: (line, byUser) => {
-    if (byUser) putCursor(line);
-    else shell().follow?.(line);
-  },
-  save: () => void save(false),
-  definition: (line, column) => void goToDefinition(line, column),
-}, words({
-  tokens: async (from, to) => {
-    const told = await link.ask("tokens", { from, to });
-    return told.type === "tokens" ? told : undefined;
-  },
-  meaning: async (line, column) => {
-    editor.flush();
-    const told = await link.ask("hover", { line, column });
-    return told.type === "hover" ? (told.hover ?? undefined) : undefined;
-  },
-}));
-const elsewhere = new Elsewhere(ui.code, () => editor.view.focus());
-const link = new Link(shell().dial, take, takeFrame, () => ui.tell("error", shell().lost));
+export class Session {
+  private run = new ShownRun();
+  private ui: ReturnType<typeof layout>;
+  private view: PathView;
+  private timeline: Timeline;
+  private link: Link;
+  private editor: Editor;
+  private otherFile: Elsewhere;
+  private problems: Problems;
+  private readings: ReturnType<typeof readingsPanel>;
+  private compare: ReturnType<typeof againstProgram>;
+  private stock: ReturnType<typeof stockOfProgram>;
+  private lathe: ReturnType<typeof turnedOfProgram>;
+  private measure: ReturnType<typeof measuring>;
+  private statePanel: StatePanel;
+  private playback: PlaybackController;
+  private colorBy: ColorBy = "tool";
+  /** The first batch of a run replaces the path before; until it comes that path stays. */
+  private isPathShown = false;
 
-const problems = new Problems(ui.panels.problems, ({ place }) => {
-  if (!place?.own) return;
-  editor.goTo(place.line, place.column, true);
-  putCursor(place.line);
-});
-
-const readings = readingsPanel(ui.readings, {
-  read: (choice) => {
-    editor.flush();
-    ui.chooseMachine(choice);
-    link.tell("machine", { name: choice.name, is_answer: true });
-  },
-  leave: () => ui.machine.focus(),
-});
-
-const against = againstProgram({
-  panel: ui.panels.compare,
-  legend: ui.paths,
-  view,
-  editor,
-  elsewhere,
-  link,
-  path: () => path,
-  run: () => run,
-  machine: () => machine,
-  units: () => ({ inch: report?.inch ?? false }),
-  name: () => programName,
-  goTo: (line) => {
-    editor.goTo(line);
-    putCursor(line);
-  },
-  another: shell().another,
-  tell: ui.comparison,
-  open: () => ui.show("compare"),
-});
-
-/** Units of what is said of a place. */
-const units = (): Units => ({ inch: report?.inch ?? false, ...(machine && { factors: machine.factors, has: machine.has }) });
-
-/** With the problems of the stock. */
-const withStock = (told: Pick<Report, "diagnostics" | "left_out" | "errors" | "warnings" | "notes">) => {
-  if (!report) return;
-  const { diagnostics, left_out, errors, warnings, notes } = told;
-  report = { ...report, diagnostics, left_out, errors, warnings, notes };
-  editor.setProblems(diagnostics);
-  tellProblems();
-};
-
-const turned = turnedOfProgram({ view, link, path: () => path, run: () => run, units, report: withStock });
-const stock = stockOfProgram({
-  view,
-  link,
-  path: () => path,
-  run: () => run,
-  machine: () => machine,
-  units: () => ({ inch: report?.inch ?? false }),
-  report: withStock,
-  tell: ui.tell,
-});
-ui.stockSlot.append(stock.root, turned.root);
-
-function take(told: Told): void {
-  if (against.take(told) || stock.take(told) || turned.take(told)) return;
-  switch (told.type) {
-    case "hello":
-      document.title = `${told.name.split(/[\\/]/).pop()} – Chordal`;
-      ui.setName(told.name);
-      ui.save.hidden = !told.writable;
-      ui.setMachines(told.machines);
-      programName = told.name;
-      // Runs of another program are counted anew.
-      run = 0;
-      asked = { to: "start" };
-      stateAsked = false;
-      against.offer(told);
-      readings.opened();
-      break;
-    case "machines":
-      ui.offerMachines(told.machines);
-      against.offerMore(told);
-      break;
-    case "run":
-      begin(told);
-      break;
-    case "refused":
-      if (told.run >= run) refuse(told);
-      break;
-    case "report":
-      if (told.run === run) finish(told);
-      break;
-    case "times":
-      if (told.run !== run) break;
-      times = told;
-      tellTimes();
-      break;
-    case "no_times":
-      if (told.run !== run) break;
-      timesMessage = told.message;
-      timeline.setMessage("no times");
-      tellTimes();
-      break;
-    case "changed":
-      if (editor.dirty) {
-        ui.ask("The file has changed on disk.", [
-          ["Load it and lose my changes", () => link.tell("reload")],
-          ["Keep mine", () => {}],
-        ]);
-      } else link.tell("reload");
-      break;
-    case "gone":
-      ui.tell("warning", "The file was deleted on disk. Save writes it again.");
-      break;
-    case "error":
-      ui.tell("error", told.help ? `${told.message}. ${told.help}.` : told.message);
-      break;
-    default:
-      break;
+  /** Builds the page into `root`; `host` says how it reaches what answers it. */
+  constructor(root: HTMLElement, private host: PageHost) {
+    this.ui = layout(root);
+    const { ui, run } = this;
+    this.view = new PathView(ui.canvas, palette());
+    this.timeline = new Timeline(ui.timeline);
+    this.editor = this.makeEditor();
+    this.otherFile = new Elsewhere(ui.code, () => this.editor.view.focus());
+    this.link = new Link(host.dial, (message) => this.take(message), (frame) => this.takeFrame(frame), () => ui.tell("error", host.lost));
+    const { view, editor, link, timeline } = this;
+    this.problems = new Problems(ui.panels.problems, ({ place }) => {
+      if (place?.own) this.goToLine(place.line, place.column);
+    });
+    this.readings = this.makeReadings();
+    this.compare = againstProgram({
+      panel: ui.panels.compare,
+      legend: ui.paths,
+      view,
+      editor,
+      elsewhere: this.otherFile,
+      link,
+      run,
+      goTo: (line) => {
+        editor.goTo(line);
+        this.playback.goToLine(line);
+      },
+      another: host.another,
+      tell: ui.comparison,
+      open: () => ui.show("compare"),
+    });
+    const report = (diagnostics: StockDiagnostics) => this.addStockDiagnostics(diagnostics);
+    this.lathe = turnedOfProgram({ view, link, run, report });
+    this.stock = stockOfProgram({ view, link, run, report, tell: ui.tell });
+    ui.stockSlot.append(this.stock.root, this.lathe.root);
+    this.statePanel = new StatePanel(run, link, ui);
+    const { stock, lathe, statePanel } = this;
+    this.playback = new PlaybackController({ run, ui, view, timeline, editor, stock, lathe, statePanel });
+    this.measure = measuring({ view, canvas: ui.canvas, button: ui.measure, run, tell: ui.measured });
+    this.listen();
+    host.furnish?.({ ui, editor, link, cursorAt: (line) => this.followCursor(line) });
+    this.exposeForTests();
   }
-}
 
-function goTo(line: number): void {
-  editor.goTo(line, 0, true);
-  putCursor(line);
-}
-
-async function goToDefinition(line: number, column: number): Promise<void> {
-  const told = await link.ask("definition", { line, column });
-  if (told.type !== "definition") return;
-  if (!told.place) return ui.tell("note", "This word has no definition in this file or its folder.");
-  if (told.place.file !== undefined) return elsewhere.show(told.place);
-  editor.goTo(told.place.line, told.place.column, true);
-  putCursor(told.place.line);
-}
-
-function begin(told: Extract<Told, { type: "run" }>): void {
-  run = told.run;
-  machine = told.machine;
-  view.setLathe(told.machine.turret ?? undefined);
-  askWords(editor.view);
-  ui.machineWhy(told.machine.title, told.why);
-  readings.ran(programName, told.readings);
-  path = new Path();
-  started = false;
-  report = undefined;
-  refused = undefined;
-  times = undefined;
-  timesMessage = undefined;
-  setpoints = undefined;
-  // Rows and times are of the run before; the line stays.
-  if (asked.to !== "start") asked = { to: "line", line: editor.line };
-  ui.progress(0);
-  timeline.setMessage("running…");
-  against.began();
-}
-
-/** The first batch of a run takes the place of the path before: until then that stays. */
-let started = false;
-function startPath(): void {
-  if (started) return;
-  started = true;
-  view.begin(path);
-  view.showDone(Infinity);
-  shown = shownLine = "";
-  measure.set(false);
-  timeline.clear();
-  stock.began();
-  turned.began();
-}
-
-function takeFrame(frame: Frame): void {
-  const { header } = frame;
-  if (stock.takeFrame(frame)) return;
-  // A tool that stands already is drawn among the sections from now on.
-  if (turned.takeFrame(frame)) return showTool();
-  if (header.type === "engagement") {
-    if (header.run === run) timeline.setEngaged(engagedOf(frame));
-    return;
+  private makeEditor(): Editor {
+    return new Editor(this.ui.code, {
+      typed: (changes) => this.link.tell("edit", { changes }),
+      cursor: (line, byUser) => {
+        if (byUser) this.playback.goToLine(line);
+        else this.host.follow?.(line);
+      },
+      save: () => void this.save(false),
+      definition: (line, column) => void this.goToDefinition(line, column),
+    }, words({
+      tokens: async (from, to) => {
+        const answer = await this.link.ask("tokens", { from, to });
+        return answer.type === "tokens" ? answer : undefined;
+      },
+      meaning: async (line, column) => {
+        this.editor.flush();
+        const answer = await this.link.ask("hover", { line, column });
+        return answer.type === "hover" ? (answer.hover ?? undefined) : undefined;
+      },
+    }));
   }
-  switch (header.type) {
-    case "text":
-      editor.addText(new TextDecoder().decode(u8(frame, "text")), header.first === true, header.last === true);
-      if (!header.first) break;
-      if (header.binary) ui.tell("error", "The file holds binary data, not an NC program.");
-      else if (header.mixed_endings) ui.tell("note", "The file has different line ends. Save makes them all the same.");
-      break;
-    case "path": {
-      if (header.run !== run) break;
-      startPath();
-      const origin = header.origin as Vec3;
-      kinematics = new Kinematics(machine?.rotary ?? [], origin);
-      const batch = kinematics.batch(batchOf(frame));
-      path.add(batch, origin);
-      view.add(batch);
-      ui.progress(Number(header.progress));
-      break;
+
+  private makeReadings() {
+    const { ui, editor, link } = this;
+    return readingsPanel(ui.readings, {
+      read: (choice) => {
+        editor.flush();
+        ui.chooseMachine(choice);
+        link.tell("machine", { name: choice.name, is_answer: true });
+      },
+      leave: () => ui.machine.focus(),
+    });
+  }
+
+  /** What the controls of the page do. */
+  private listen(): void {
+    const { ui, view, editor, link, timeline, readings } = this;
+    editor.onDirty = (dirty) => ui.setDirty(dirty);
+    ui.save.addEventListener("click", () => void this.save(false));
+    ui.machine.addEventListener("change", () => {
+      editor.flush();
+      const [chosen] = ui.machine.selectedOptions;
+      readings.chosen(chosen?.value ? { name: chosen.value, title: chosen.text } : undefined);
+      link.tell("machine", { name: ui.machine.value || null });
+    });
+    ui.onView = (name) => view.setView(name);
+    ui.onFit = () => view.fit();
+    ui.onColor = (by) => {
+      this.colorBy = by;
+      view.setColorBy(by);
+      this.showColors();
+    };
+    ui.onTheme = () => {
+      view.setPalette(palette());
+      this.showColors();
+      timeline.draw();
+      this.showTimes();
+    };
+    ui.onPanel = () => {
+      this.statePanel.refresh();
+      void this.showOutline();
+    };
+    ui.onChords = () => this.requestChords();
+    ui.rapids.addEventListener("change", () => view.showRapids(ui.rapids.checked));
+    ui.travel.addEventListener("change", () => this.showTravel());
+    ui.toolOn.addEventListener("change", () => this.playback.showTool());
+    ui.onSection = (section) => view.setSection(section);
+    ui.cursorLine = () => editor.line;
+    this.listenToClicks();
+    view.onDrawn = () => drawAxes(ui.axes, view.axes());
+    onKeys({ timeline, view, measure: this.measure, walk: (direction) => this.compare.walk(direction) });
+    window.addEventListener("beforeunload", (event) => {
+      if (editor.dirty) event.preventDefault();
+    });
+  }
+
+  private listenToClicks(): void {
+    const { canvas } = this.ui;
+    let pressed: [number, number] | undefined;
+    canvas.addEventListener("pointerdown", (event) => (pressed = [event.offsetX, event.offsetY]));
+    canvas.addEventListener("pointerup", ({ offsetX, offsetY }) => {
+      if (!pressed || Math.hypot(offsetX - pressed[0], offsetY - pressed[1]) > CLICK_PIXELS) return;
+      this.click(offsetX, offsetY);
+    });
+  }
+
+  private click(x: number, y: number): void {
+    const picked = this.view.pick(x, y);
+    const line = picked && this.run.path.lineOf(picked.row);
+    if (!picked || !line) {
+      if (!this.measure.isOn) this.compare.readAt(x, y);
+      return;
     }
-    case "file":
-      shell().keep?.(String(header.name), u8(frame, "bytes"));
-      break;
-    case "contour":
-      if (header.run === run) {
-        const origin = header.origin as Vec3;
-        const own = new Kinematics(machine?.rotary ?? [], origin);
-        view.addContour(own.batch(batchOf(frame)), origin);
-      }
-      break;
-    case "against_path":
-      against.takePath(frame);
-      break;
-    case "chords":
-      view.setChords(f32(frame, "points"), header.origin as Vec3);
-      ui.chordsTold(chordsText(units(), header));
-      break;
-    case "setpoints": {
-      if (header.run !== run) break;
-      const turns = "turns" in frame.columns ? f32(frame, "turns") : undefined;
-      const places = f32(frame, "places");
-      setpoints = {
-        places: turns ? kinematics.places(places, turns) : places,
-        programmed: turns && places,
-        turns,
-        speed: f32(frame, "speed"),
-        row: u32(frame, "row"),
-        periodS: Number(header.period_s),
-        totalS: Number(header.total_s),
-      };
-      timeline.set(setpoints, { inch: report?.inch ?? false });
-      go(asked);
-      break;
-    }
-    default:
-      break;
+    if (this.measure.isOn) return this.measure.click(picked);
+    if (!line.own) this.ui.tell("note", `This is line ${line.line} of a subprogram in another file.`);
+    this.playback.goToPick(picked);
   }
-}
 
-function refuse(told: { run: number; message: string; help?: string | null }): void {
-  run = told.run;
-  refused = told;
-  ui.progress(1);
-  startPath();
-  ui.unverified("");
-  tellProblems();
-  ui.show("problems");
-}
-
-function finish(told: Report): void {
-  startPath();
-  report = told;
-  const notNamed = [...told.never_named, ...told.named_in_no_cut];
-  path.notNamed = axisBits.reduce((bits, bit, axis) => bits | (notNamed.includes("XYZ"[axis]!) ? bit : 0), 0);
-  ui.progress(1);
-  void view.finish();
-  const { zeros, machine: at } = told.places;
-  view.setFixed(zeros.map((zero) => zero.at), travelBox(machine, at));
-  tellTravel();
-  ui.offerPower(path.minPower < path.maxPower);
-  tellColors();
-  const depths = path.bounds ? [path.bounds.low[2], path.bounds.high[2]] : [0, 0];
-  ui.section.offer(path.tools, depths.map((z) => z! + path.origin[2]) as [number, number], { inch: told.inch });
-  ui.empty(path.bounds ? "" : emptyText(told));
-  ui.turns([notNamedText(told), leftOutText(told), unknownTurns(told.axes, machine?.rotary ?? [])].filter(Boolean).join(" "));
-  ui.unverified(notVerified(told));
-  editor.setProblems(told.diagnostics);
-  tellProblems();
-  tellTimes();
-  void tellOutline();
-  if (setpoints) timeline.set(setpoints, { inch: told.inch });
-  go(asked);
-  ui.offerOwnChords(told.own_chords_mm !== null);
-  if (ui.chordsOn.checked) askChords();
-}
-
-/** Which colour is which tool, and that of the first for the whole path. */
-function tellColors(): void {
-  if (report) ui.legend(colorBy, path, report, machine, palette());
-  against.color(toolColor(palette(), 0));
-}
-
-function emptyText(told: Report): string {
-  if (told.errors > 0) return "There is no path to show. The problems say why.";
-  if (path.rows > 0) return "The program moves, but the position relative to the part is not known.";
-  return "The program does not move any axis.";
-}
-
-/** Shows the box of the machine where somebody wants it, or says why it cannot be shown. */
-function tellTravel(): void {
-  const { checked } = ui.travel;
-  view.showTravel(checked);
-  ui.travelWhy(checked && report && machine ? whyNoTravel(machine, report.places.machine) : "");
-}
-
-function tellProblems(): void {
-  ui.counts(report, refused !== undefined);
-  problems.show(report, refused);
-}
-
-/** The outline, where it is looked at. */
-async function tellOutline(): Promise<void> {
-  if (ui.shown() !== "outline") return;
-  const told = await link.ask("outline");
-  if (told.type === "outline") showOutline(ui.panels.outline, told.entries, goTo);
-}
-
-function tellTimes(): void {
-  showTimes(ui.panels.times, times, timesMessage, report, machine, (tool) => toolColor(palette(), path.cutterIndex(tool)), goTo);
-}
-
-/** Somebody has put the cursor on a line: the program stands where that line is done. */
-function putCursor(line: number): void {
-  timeline.pause();
-  go({ to: "line", line });
-}
-
-/** One question at a time: of those that come meanwhile only the last is asked. */
-let stateAsked = false;
-let stateNext: [number, number, number?] | undefined;
-/** What it is about, whether the panel is looked at or not. */
-let stateOf: [number, number, number?] = [0, 1];
-async function tellState(done: number, line: number, inSubprogram?: number): Promise<void> {
-  stateOf = [done, line, inSubprogram];
-  if (!report || ui.shown() !== "state") return;
-  if (stateAsked) {
-    stateNext = [done, line, inSubprogram];
-    return;
+  /** An editor around the page may move its cursor because of what is played: that is not a request to go there. */
+  private followCursor(line: number): void {
+    if (!this.timeline.isPlaying) this.playback.goToLine(line);
   }
-  stateAsked = true;
-  const told = await link.ask("state", { done, line });
-  stateAsked = false;
-  if (stateNext) {
-    const next = stateNext;
-    stateNext = undefined;
-    return tellState(...next);
-  }
-  if (told.type !== "state") return;
-  const found = done > 0 ? path.find(done - 1) : undefined;
-  const end = found && playbackStateOf({ to: "row", row: done - 1, share: 1 }, path, undefined);
-  const at = end && { place: end.coordinates, turn: end.turn };
-  const moves = inSubprogram !== undefined || path.rowsOfLine(line) !== undefined;
-  const kind = found && moves ? kindOf(found[0].kind[found[1]]!) : undefined;
-  showState(ui.panels.state, told.state ?? undefined, at, { line, kind, inSubprogram }, machine);
-}
 
-/** Draws the tool where the program is; not where that is not known. */
-function showTool(): void {
-  const { row, at, turn } = playback;
-  const found = path.find(row);
-  const number = found ? found[0].tool[found[1]]! : 0;
-  shapeTool(number);
-  const up = kinematics.direction(standsAcross(number) ? [1, 0, 0] : [0, 0, 1], turn);
-  const own = ui.toolOn.checked && path.bounds ? at : undefined;
-  view.placeTool(turned.place(number, own) ? undefined : own, up);
-}
-
-/** Tools of a lathe that do not cut on the axis come from the side of the turret. */
-function standsAcross(number: number): boolean {
-  const shape = machine?.tools.find((tool) => tool.number === number)?.shape;
-  return Boolean(machine?.turret) && (!shape || shape === "insert" || shape === "groove");
-}
-
-let shaped = "";
-function shapeTool(number: number): void {
-  const key = `${run} ${number} ${path.rows}`;
-  if (key === shaped) return;
-  shaped = key;
-  view.shapeTool(machine?.tools.find((own) => own.number === number));
-}
-
-/** The stock as it is when so much of the path is done and the tool stands at a place. */
-function goToMoment(done: number, at: Vec3 | undefined): void {
-  stock.goTo(done, at);
-  turned.goTo(done, at);
-}
-
-/** Goes to where the program is when something is done: line, clock, readout, tool and stock show the same. */
-function go(next: Asked, isTextLate = false): void {
-  asked = next;
-  playback = playbackStateOf(next, path, setpoints);
-  if (playback.seconds !== undefined) timeline.put(playback.seconds);
-  // Before the first move is planned there is nothing to say.
-  if (setpoints || path.rows > 0) ui.readout(playback, units());
-  showTool();
-  showDone(next);
-  showWhere(next, isTextLate);
-}
-
-/** What of the path and of the stock is done. */
-function showDone(next: Asked): void {
-  const done = doneOf(playback);
-  const { seconds, at } = playback;
-  const total = setpoints?.totalS ?? 0;
-  switch (next.to) {
-    // At first the stock is shown as it is at the end.
-    case "start":
-      return view.showDone(Infinity);
-    case "line":
-      view.showDone(Infinity);
-      return goToMoment(done, undefined);
-    default: {
-      // At both ends there is nothing to tell apart.
-      const isWithin = seconds !== undefined && seconds > 0 && seconds < total && !(next.to === "row" && next.looks);
-      view.showDone(isWithin ? done : Infinity);
-      if (seconds === undefined || seconds < total) goToMoment(seconds === 0 ? 0 : done, at);
-      else goToMoment(Infinity, undefined);
+  private take(message: Told): void {
+    if (this.compare.take(message) || this.stock.take(message) || this.lathe.take(message)) return;
+    const { ui, run, editor } = this;
+    switch (message.type) {
+      case "hello":
+        this.open(message);
+        break;
+      case "machines":
+        ui.offerMachines(message.machines);
+        this.compare.offerMore(message);
+        break;
+      case "run":
+        this.begin(message);
+        break;
+      case "refused":
+        if (message.run >= run.number) this.refuse(message.run, message);
+        break;
+      case "report":
+        if (message.run === run.number) this.finish(message);
+        break;
+      case "times":
+        if (message.run !== run.number) break;
+        run.times = message;
+        this.showTimes();
+        break;
+      case "no_times":
+        if (message.run !== run.number) break;
+        run.timesMessage = message.message;
+        this.timeline.setMessage("no times");
+        this.showTimes();
+        break;
+      case "changed":
+        if (editor.dirty) this.offerReload();
+        else this.link.tell("reload");
+        break;
+      case "gone":
+        ui.tell("warning", "The file was deleted on disk. Save writes it again.");
+        break;
+      case "error":
+        ui.tell("error", message.help ? `${message.message}. ${message.help}.` : message.message);
+        break;
+      default:
+        break;
     }
   }
-}
 
-/** Marks the path and the line where the program is, and shows what is active there. */
-function showWhere(next: Asked, isTextLate: boolean): void {
-  if (next.to === "row" || next.to === "time") return showRow(playback.row, isTextLate);
-  textLater.cancel();
-  shown = shownLine = "";
-  const line = next.to === "line" ? next.line : editor.line;
-  view.markRows(path.rowsOfLine(line));
-  editor.markLines("now", next.to === "line" ? [line] : []);
-  void tellState(next.to === "line" ? doneOf(playback) : 0, line);
-}
-
-let shown = "";
-let shownLine = "";
-timeline.onTime = (seconds) => {
-  if (setpoints) go({ to: "time", seconds }, true);
-};
-
-/** To scroll the text takes as long as to draw the stock: so often while it plays, and while time is dragged once it rests so long. */
-const TEXT_EVERY_MS = 100;
-const TEXT_QUIET_MS = 150;
-const textLater = new Later(TEXT_EVERY_MS);
-
-/** Marks a row and its line, and shows what is active there; the text at once or soon after the picture. */
-function showRow(at: number, isTextLate = false): void {
-  const line = path.lineOf(at);
-  const key = `${run} ${at}`;
-  if (!line || key === shown) return;
-  shown = key;
-  view.markRows([at, at]);
-  const of = run;
-  if (isTextLate) return textLater.do(() => of === run && showLine(at, line), timeline.isPlaying ? 0 : TEXT_QUIET_MS);
-  textLater.cancel();
-  showLine(at, line);
-}
-
-function showLine(at: number, line: { line: number; own: boolean }): void {
-  if (line.own && `${run} ${line.line}` !== shownLine) {
-    shownLine = `${run} ${line.line}`;
-    editor.markLines("now", [line.line]);
-    editor.goTo(line.line);
-  }
-  void tellState(at + 1, line.own ? line.line : editor.line, line.own ? undefined : line.line);
-}
-timeline.onStep = (direction) => {
-  if (!setpoints) return;
-  timeline.pause();
-  go({ to: "row", row: stepRow(path, playback.row, direction), share: 0 });
-};
-timeline.onToCursor = () => {
-  const rows = path.rowsOfLine(editor.line);
-  if (!setpoints || !rows) return;
-  timeline.pause();
-  go({ to: "row", row: rows[0], share: 0 });
-};
-
-async function save(force: boolean): Promise<void> {
-  editor.flush();
-  const told = await link.ask("save", { force });
-  if (told.type === "saved") {
-    editor.setDirty(false);
-    ui.tell("note", shell().saved);
-  } else if (told.type === "conflict") {
-    ui.ask("The file has changed on disk since it was read.", [
-      ["Overwrite it with mine", () => void save(true)],
-      ["Load it and lose my changes", () => link.tell("reload")],
-      ["Cancel", () => {}],
+  private offerReload(): void {
+    this.ui.ask("The file has changed on disk.", [
+      ["Load it and lose my changes", () => this.link.tell("reload")],
+      ["Keep mine", () => {}],
     ]);
-  } else take(told);
-}
-
-function askChords(): void {
-  if (!ui.chordsOn.checked) {
-    view.setChords(undefined, [0, 0, 0]);
-    ui.chordsTold("");
-    return;
   }
-  const mm = (ui.ownChords() && report?.own_chords_mm) || ui.chordTolerance();
-  ui.chordsTold(toleranceText(units(), mm));
-  link.tell("chords", { tolerance_mm: mm, balanced: ui.balanced.checked, as_control: ui.ownChords() });
-}
 
-editor.onDirty = (dirty) => ui.setDirty(dirty);
-ui.save.addEventListener("click", () => void save(false));
-ui.machine.addEventListener("change", () => {
-  editor.flush();
-  const [chosen] = ui.machine.selectedOptions;
-  readings.chosen(chosen?.value ? { name: chosen.value, title: chosen.text } : undefined);
-  link.tell("machine", { name: ui.machine.value || null });
-});
-ui.onView = (name: ViewName) => view.setView(name);
-ui.onFit = () => view.fit();
-let colorBy: ColorBy = "tool";
-ui.onColor = (by: ColorBy) => {
-  colorBy = by;
-  view.setColorBy(by);
-  tellColors();
-};
-ui.onTheme = () => {
-  view.setPalette(palette());
-  tellColors();
-  timeline.draw();
-  tellTimes();
-};
-ui.onPanel = () => {
-  void tellState(...stateOf);
-  void tellOutline();
-};
-ui.onChords = askChords;
-ui.rapids.addEventListener("change", () => view.showRapids(ui.rapids.checked));
-ui.travel.addEventListener("change", tellTravel);
-ui.toolOn.addEventListener("change", showTool);
-
-const measure = measuring({
-  view,
-  canvas: ui.canvas,
-  button: ui.measure,
-  path: () => path,
-  units,
-  tell: ui.measured,
-});
-ui.onSection = (section) => view.setSection(section);
-ui.cursorLine = () => editor.line;
-
-let pressed: [number, number] | undefined;
-ui.canvas.addEventListener("pointerdown", (event) => (pressed = [event.offsetX, event.offsetY]));
-ui.canvas.addEventListener("pointerup", (event) => {
-  if (!pressed || Math.hypot(event.offsetX - pressed[0], event.offsetY - pressed[1]) > 3) return;
-  const picked = view.pick(event.offsetX, event.offsetY);
-  const line = picked && path.lineOf(picked.row);
-  if (!picked || !line) {
-    if (!measure.isOn) against.readAt(event.offsetX, event.offsetY);
-    return;
+  private open(message: Extract<Told, { type: "hello" }>): void {
+    const { ui } = this;
+    document.title = `${message.name.split(/[\\/]/).pop()} – Chordal`;
+    ui.setName(message.name);
+    ui.save.hidden = !message.writable;
+    ui.setMachines(message.machines);
+    this.run.open(message.name);
+    this.playback.reset();
+    this.statePanel.reset();
+    this.compare.offer(message);
+    this.readings.opened();
   }
-  if (measure.isOn) return measure.click(picked);
-  if (!line.own) ui.tell("note", `This is line ${line.line} of a subprogram in another file.`);
-  timeline.pause();
-  shown = shownLine = "";
-  go({ to: "row", row: picked.row, share: picked.share, looks: true });
-});
 
-view.onDrawn = () => drawAxes(ui.axes, view.axes());
+  /** Goes to a line of the program, with the focus. */
+  private goToLine(line: number, column = 0): void {
+    this.editor.goTo(line, column, true);
+    this.playback.goToLine(line);
+  }
 
-onKeys({ timeline, view, measure, walk: (direction) => against.walk(direction) });
-window.addEventListener("beforeunload", (event) => {
-  if (editor.dirty) event.preventDefault();
-});
+  private async goToDefinition(line: number, column: number): Promise<void> {
+    const answer = await this.link.ask("definition", { line, column });
+    if (answer.type !== "definition") return;
+    const { place } = answer;
+    if (!place) return this.ui.tell("note", "This word has no definition in this file or its folder.");
+    if (place.file !== undefined) return this.otherFile.show(place);
+    this.goToLine(place.line, place.column);
+  }
 
-/** What an editor around the page says of its cursor may follow from what is played. */
-const cursorAt = (line: number) => {
-  if (!timeline.isPlaying) putCursor(line);
-};
-shell().furnish?.({ ui, editor, link, cursorAt });
+  private begin(message: Extract<Told, { type: "run" }>): void {
+    const { run, ui } = this;
+    run.begin(message.run, message.machine);
+    this.view.setLathe(message.machine.turret ?? undefined);
+    askWords(this.editor.view);
+    ui.machineWhy(message.machine.title, message.why);
+    this.readings.ran(run.programName, message.readings);
+    this.isPathShown = false;
+    this.playback.restart();
+    ui.progress(0);
+    this.timeline.setMessage("running…");
+    this.compare.began();
+  }
 
-// For the browser's tests and for measurements.
-Object.assign(window, { chordal: { view, editor, timeline, against: against.shown, stock, turned, path: () => path, report: () => report, setpoints: () => setpoints, playback: () => playback } });
+  private showPath(): void {
+    if (this.isPathShown) return;
+    this.isPathShown = true;
+    this.view.begin(this.run.path);
+    this.view.showDone(Infinity);
+    this.playback.clearMarks();
+    this.measure.set(false);
+    this.timeline.clear();
+    this.stock.began();
+    this.lathe.began();
+  }
+
+  private takeFrame(frame: Frame): void {
+    const { header } = frame;
+    const { run, ui, view } = this;
+    if (this.stock.takeFrame(frame)) return;
+    // The tool is drawn with the half sections from now on.
+    if (this.lathe.takeFrame(frame)) return this.playback.showTool();
+    const isOfRun = header.run === run.number;
+    switch (header.type) {
+      case "engagement":
+        if (isOfRun) this.timeline.setEngaged(engagedOf(frame));
+        break;
+      case "text":
+        this.takeText(frame);
+        break;
+      case "path":
+        if (isOfRun) this.takePath(frame);
+        break;
+      case "file":
+        this.host.keep?.(String(header.name), u8(frame, "bytes"));
+        break;
+      case "contour":
+        if (isOfRun) {
+          const origin = header.origin as Vec3;
+          view.addContour(run.kinematicsAt(origin).batch(batchOf(frame)), origin);
+        }
+        break;
+      case "against_path":
+        this.compare.takePath(frame);
+        break;
+      case "chords":
+        view.setChords(f32(frame, "points"), header.origin as Vec3);
+        ui.chordsTold(chordsText(run.axisUnits, header));
+        break;
+      case "setpoints":
+        if (!isOfRun) break;
+        this.timeline.set(run.takeSetpoints(frame), run.units);
+        this.playback.refresh();
+        break;
+      default:
+        break;
+    }
+  }
+
+  private takeText(frame: Frame): void {
+    const { header } = frame;
+    this.editor.addText(new TextDecoder().decode(u8(frame, "text")), header.first === true, header.last === true);
+    if (!header.first) return;
+    if (header.binary) this.ui.tell("error", "The file holds binary data, not an NC program.");
+    else if (header.mixed_endings) this.ui.tell("note", "The file has different line ends. Save makes them all the same.");
+  }
+
+  private takePath(frame: Frame): void {
+    const { run } = this;
+    this.showPath();
+    const origin = frame.header.origin as Vec3;
+    run.kinematics = run.kinematicsAt(origin);
+    const batch = run.kinematics.batch(batchOf(frame));
+    run.path.add(batch, origin);
+    this.view.add(batch);
+    this.ui.progress(Number(frame.header.progress));
+  }
+
+  private refuse(number: number, refusal: Refusal): void {
+    this.run.number = number;
+    this.run.refusal = refusal;
+    this.ui.progress(1);
+    this.showPath();
+    this.ui.unverified("");
+    this.showProblems();
+    this.ui.show("problems");
+  }
+
+  private finish(report: Report): void {
+    const { run, ui, view } = this;
+    const { path } = run;
+    this.showPath();
+    run.report = report;
+    const notNamed = [...report.never_named, ...report.named_in_no_cut];
+    path.notNamed = axisBits.reduce((bits, bit, axis) => bits | (notNamed.includes("XYZ"[axis]!) ? bit : 0), 0);
+    ui.progress(1);
+    void view.finish();
+    const { zeros, machine: at } = report.places;
+    view.setFixed(zeros.map((zero) => zero.at), travelBox(run.machine, at));
+    this.showTravel();
+    ui.offerPower(path.minPower < path.maxPower);
+    this.showColors();
+    const depths = path.bounds ? [path.bounds.low[2], path.bounds.high[2]] : [0, 0];
+    ui.section.offer(path.tools, depths.map((z) => z! + path.origin[2]) as [number, number], { inch: report.inch });
+    ui.empty(path.bounds ? "" : this.emptyText(report));
+    ui.turns([notNamedText(report), leftOutText(report), unknownTurns(report.axes, run.machine?.rotary ?? [])].filter(Boolean).join(" "));
+    ui.unverified(notVerified(report));
+    this.editor.setProblems(report.diagnostics);
+    this.showProblems();
+    this.showTimes();
+    void this.showOutline();
+    if (run.setpoints) this.timeline.set(run.setpoints, run.units);
+    this.playback.refresh();
+    ui.offerOwnChords(report.own_chords_mm !== null);
+    if (ui.chordsOn.checked) this.requestChords();
+  }
+
+  /** All problems of the run, those of the stock among them. */
+  private addStockDiagnostics({ diagnostics, left_out, errors, warnings, notes }: StockDiagnostics): void {
+    if (!this.run.report) return;
+    this.run.report = { ...this.run.report, diagnostics, left_out, errors, warnings, notes };
+    this.editor.setProblems(diagnostics);
+    this.showProblems();
+  }
+
+  /** Which colour is which tool, and that of the first for the whole path. */
+  private showColors(): void {
+    const { report, path, machine } = this.run;
+    if (report) this.ui.legend(this.colorBy, path, report, machine, palette());
+    this.compare.color(toolColor(palette(), 0));
+  }
+
+  private emptyText(report: Report): string {
+    if (report.errors > 0) return "There is no path to show. The problems say why.";
+    if (this.run.path.rows > 0) return "The program moves, but the position relative to the part is not known.";
+    return "The program does not move any axis.";
+  }
+
+  /** Shows the box of the machine where it is switched on, or says why it cannot be shown. */
+  private showTravel(): void {
+    const { checked } = this.ui.travel;
+    const { report, machine } = this.run;
+    this.view.showTravel(checked);
+    this.ui.travelWhy(checked && report && machine ? whyNoTravel(machine, report.places.machine) : "");
+  }
+
+  private showProblems(): void {
+    const { report, refusal } = this.run;
+    this.ui.counts(report, refusal !== undefined);
+    this.problems.show(report, refusal);
+  }
+
+  /** The outline is read when its panel is open. */
+  private async showOutline(): Promise<void> {
+    if (this.ui.shown() !== "outline") return;
+    const answer = await this.link.ask("outline");
+    if (answer.type === "outline") showOutline(this.ui.panels.outline, answer.entries, (line) => this.goToLine(line));
+  }
+
+  private showTimes(): void {
+    const { times, timesMessage, report, machine, path } = this.run;
+    const color = (tool: number) => toolColor(palette(), path.cutterIndex(tool));
+    showTimes(this.ui.panels.times, times, timesMessage, report, machine, color, (line) => this.goToLine(line));
+  }
+
+  private async save(force: boolean): Promise<void> {
+    const { editor, ui, link } = this;
+    editor.flush();
+    const answer = await link.ask("save", { force });
+    if (answer.type === "saved") {
+      editor.setDirty(false);
+      ui.tell("note", this.host.saved);
+    } else if (answer.type === "conflict") {
+      ui.ask("The file has changed on disk since it was read.", [
+        ["Overwrite it with mine", () => void this.save(true)],
+        ["Load it and lose my changes", () => link.tell("reload")],
+        ["Cancel", () => {}],
+      ]);
+    } else this.take(answer);
+  }
+
+  private requestChords(): void {
+    const { ui, run, view } = this;
+    if (!ui.chordsOn.checked) {
+      view.setChords(undefined, [0, 0, 0]);
+      ui.chordsTold("");
+      return;
+    }
+    const mm = (ui.ownChords() && run.report?.own_chords_mm) || ui.chordTolerance();
+    ui.chordsTold(toleranceText(run.axisUnits, mm));
+    this.link.tell("chords", { tolerance_mm: mm, balanced: ui.balanced.checked, as_control: ui.ownChords() });
+  }
+
+  /** What the browser's tests and the measurements look at. */
+  private exposeForTests(): void {
+    const { run, view, editor, timeline, compare, stock, lathe, playback } = this;
+    Object.assign(window, {
+      chordal: {
+        view, editor, timeline, compare: compare.shown, stock, lathe,
+        path: () => run.path,
+        report: () => run.report,
+        setpoints: () => run.setpoints,
+        playback: () => playback.state,
+      },
+    });
+  }
+}

@@ -5,18 +5,15 @@ import type { Link } from "../protocol/connection";
 import type { Told, TurnedReport } from "../protocol/messages";
 import { arcIndex } from "../path/arcs";
 import type { Vec3 } from "../path/batch";
-import type { Path } from "../path/path";
 import type { PathView } from "../view/path-view";
 import { Sections, type Spot } from "./half-sections";
 import { turnedControls } from "./lathe-controls";
-import type { Units } from "../panels/units";
+import type { ShownRun } from "../session/shown-run";
 
 export interface TurnedOf {
   view: PathView;
   link: Link;
-  path: () => Path;
-  run: () => number;
-  units: () => Units;
+  run: ShownRun;
   /** All problems, those of the stock among them. */
   report: (told: TurnedReport) => void;
 }
@@ -35,14 +32,14 @@ export function turnedOfProgram(of: TurnedOf) {
   });
 
   const spot = (place: Vec3): Spot => {
-    const { origin } = of.path();
+    const { origin } = of.run.path;
     return [place[2] + origin[2], place[0] + origin[0]];
   };
 
   /** Where the tool was on the move that it is cutting. */
   function cutting(): Spot[] {
     const row = sections?.underWay(done);
-    const path = of.path();
+    const path = of.run.path;
     const found = row === undefined ? undefined : path.find(row);
     if (!found || row === undefined || !at) return [];
     const steps = arcIndex(...found) < 0 ? 1 : ARC_STEPS;
@@ -77,17 +74,17 @@ export function turnedOfProgram(of: TurnedOf) {
     },
     take(told: Told): boolean {
       if (told.type !== "turned_report") return false;
-      if (told.run !== of.run()) return true;
+      if (told.run !== of.run.number) return true;
       of.report(told);
-      controls.report(told, of.units());
+      controls.report(told, of.run.axisUnits);
       view.turned.mark(told.problems);
       return true;
     },
     takeFrame(frame: Frame): boolean {
       if (frame.header.type !== "turned") return false;
-      if (frame.header.run !== of.run()) return true;
+      if (frame.header.run !== of.run.number) return true;
       sections = new Sections(frame);
-      const path = of.path();
+      const path = of.run.path;
       view.setTurned(sections, (tool) => path.cutterIndex(tool));
       controls.begin(sections);
       show();

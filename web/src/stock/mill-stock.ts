@@ -5,20 +5,16 @@ import { floorOf } from "./tool-floor";
 import { type Frame, f32, u32 } from "../protocol/frame";
 import { Gaps } from "./gaps";
 import type { Link } from "../protocol/connection";
-import type { MachineInfo, StockReport, Told } from "../protocol/messages";
+import type { StockReport, Told } from "../protocol/messages";
 import { KNOWN, RAPID, type Vec3, kindOf } from "../path/batch";
-import type { Path } from "../path/path";
 import type { PathView } from "../view/path-view";
 import { stockControls } from "./mill-controls";
-import type { Units } from "../panels/units";
+import type { ShownRun } from "../session/shown-run";
 
 export interface StockOf {
   view: PathView;
   link: Link;
-  path: () => Path;
-  run: () => number;
-  machine: () => MachineInfo | undefined;
-  units: () => Units;
+  run: ShownRun;
   /** All problems, those of the stock among them. */
   report: (told: StockReport) => void;
   tell: (kind: "warning", text: string) => void;
@@ -48,8 +44,8 @@ export function stockOfProgram(of: StockOf) {
   });
 
   function slotOf(row: number): number {
-    const found = of.path().find(row);
-    return found ? 1 + (of.path().cutterIndex(found[0].tool[found[1]]!) % 23) : 1;
+    const found = of.run.path.find(row);
+    return found ? 1 + (of.run.path.cutterIndex(found[0].tool[found[1]]!) % 23) : 1;
   }
 
   function begin(frame: Frame): void {
@@ -68,7 +64,7 @@ export function stockOfProgram(of: StockOf) {
     gaps = new Gaps();
     progress = 0;
     view.setStock(stock);
-    controls.begin(stock, of.units(), {
+    controls.begin(stock, of.run.units, {
       coarser: header.coarser === true,
       late: header.late === true,
       undercuts: header.undercuts === true,
@@ -101,13 +97,13 @@ export function stockOfProgram(of: StockOf) {
   function standing() {
     const { rows, at } = moment;
     if (!at || !Number.isFinite(rows)) return undefined;
-    const path = of.path();
+    const path = of.run.path;
     const found = path.find(Math.min(Math.floor(rows), path.rows - 1));
     if (!found) return undefined;
     const [batch, row] = found;
     if (kindOf(batch.kind[row]!) === RAPID || !(batch.kind[row]! & KNOWN)) return undefined;
     const number = batch.tool[row]!;
-    const floor = floorOf(of.machine()?.tools.find((tool) => tool.number === number));
+    const floor = floorOf(of.run.machine?.tools.find((tool) => tool.number === number));
     const place = at.map((value, axis) => value + path.origin[axis]!) as Vec3;
     return floor && { floor, slot: 1 + (path.cutterIndex(number) % 23), at: place };
   }
@@ -122,7 +118,7 @@ export function stockOfProgram(of: StockOf) {
       if (bands.length > 0) surface.mark(column, bands[0]!, bands.at(-1)!);
     });
     surface.stand(standing(), own.heights, own.slots);
-    view.stock.showPart(moment.rows >= of.path().rows);
+    view.stock.showPart(moment.rows >= of.run.path.rows);
     view.redraw();
   }
 
@@ -144,20 +140,20 @@ export function stockOfProgram(of: StockOf) {
     },
     take(told: Told): boolean {
       if (told.type === "stock_report") {
-        if (told.run === of.run()) {
+        if (told.run === of.run.number) {
           of.report(told);
-          controls.report(told, of.units());
+          controls.report(told, of.run.units);
         }
         return true;
       }
       if (told.type !== "no_stock") return false;
-      if (told.run === of.run() && told.message) of.tell("warning", told.help ? `${told.message}: ${told.help}.` : `${told.message}.`);
+      if (told.run === of.run.number && told.message) of.tell("warning", told.help ? `${told.message}: ${told.help}.` : `${told.message}.`);
       return true;
     },
     takeFrame(frame: Frame): boolean {
       const { type, run } = frame.header;
       if (type !== "stock" && type !== "stock_drops" && type !== "stock_gaps" && type !== "stock_part") return false;
-      if (run === of.run()) ({ stock: begin, stock_drops: add, stock_gaps: addGaps, stock_part: part })[type](frame);
+      if (run === of.run.number) ({ stock: begin, stock_drops: add, stock_gaps: addGaps, stock_part: part })[type](frame);
       return true;
     },
   };
