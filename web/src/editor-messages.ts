@@ -1,6 +1,6 @@
 // What an editor and the view in its panel say to each other.
 
-export interface Shown {
+export interface ShownProgram {
   /** The path of the program, which its files lie next to. */
   name: string;
   text: string;
@@ -15,7 +15,7 @@ export interface Shown {
 export type ToPanel =
   /** What the view is made of: the interpreter, and the text of its worker. */
   | { parts: { module: Uint8Array<ArrayBuffer>; worker: string } }
-  | { open: Shown }
+  | { open: ShownProgram }
   | { text: string }
   | { files: Record<string, string> }
   | { line: number };

@@ -5,7 +5,7 @@ import { Session } from "./session/session";
 
 new Session(document.querySelector<HTMLElement>("#app")!, {
   dial: dialServer,
-  lost: "Chordal has ended, or the connection is lost. Start `chordal view` again. What you typed since the last save is still here: copy it.",
-  saved: "Saved.",
-  another: "For another file, start `chordal view` with `--against FILE`.",
+  lostMessage: "Chordal has ended, or the connection is lost. Start `chordal view` again. What you typed since the last save is still here: copy it.",
+  savedMessage: "Saved.",
+  anotherHint: "For another file, start `chordal view` with `--against FILE`.",
 });

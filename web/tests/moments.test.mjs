@@ -137,7 +137,7 @@ function secondsOf(text) {
 
 for (const { name, axes, text, machine, factorX, moving, known } of PROGRAMS) {
   test(`at ${MOMENTS} random moments of a ${name} program line, clock, readout and tool agree`, async (context) => {
-    if (tests.isAlone) return context.skip("the command prints what this page is compared with");
+    if (tests.isStandalone) return context.skip("the command prints what this page is compared with");
     const file = join(folder, `${name}.nc`);
     writeFileSync(file, text);
     const setpoints = setpointsOf(file, machine);

@@ -3,7 +3,7 @@
 // usage: node tests/opens.mjs FOLDER
 
 import assert from "node:assert/strict";
-import { folderServer } from "./alone.mjs";
+import { folderServer } from "./standalone.mjs";
 import { browser, open } from "./browser.mjs";
 
 const server = await folderServer(process.argv[2]);

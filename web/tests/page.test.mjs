@@ -91,7 +91,7 @@ test("an edit makes an error and clears it, and only a save writes the file", as
   assert.equal(readFileSync(path, "utf8"), before);
   assert.equal(await tests.save(page, path), before + "(DONE)");
   assert.equal(await page.locator(".dirty").innerText(), "");
-  if (!tests.isAlone) await followsTheFile(page, path, before);
+  if (!tests.isStandalone) await followsTheFile(page, path, before);
   await page.close();
   remove();
 });

@@ -2,18 +2,18 @@
 
 import { linesText } from "./difference-ranges";
 import { signButton } from "../panels/icons";
-import type { Comparison, Difference, Hello, Other } from "../protocol/messages";
+import type { Comparison, Difference, HelloMessage, ComparedWith } from "../protocol/messages";
 import { element } from "../panels/dom";
-import { rich, setRich } from "../panels/code-spans";
-import { type Units, count, counted } from "../panels/units";
+import { codeSpans, setCodeSpans } from "../panels/code-spans";
+import { type Units, count, countText } from "../panels/units";
 
 const MM_PER_INCH = 25.4;
 /** Differences that are listed; more are counted. */
-const MOST_LISTED = 300;
+const MAX_LISTED = 300;
 
-export interface CompareTold {
+export interface CompareHandlers {
   /** The program is to be held against something else. */
-  choose: (other: Other) => void;
+  choose: (other: ComparedWith) => void;
   tolerance: (mm: number) => void;
   /** A difference is to be shown, by its number. */
   show: (index: number) => void;
@@ -24,11 +24,11 @@ export interface CompareTold {
   read: (file: number, line: number) => void;
 }
 
-function keyOf(other: Other): string {
+function keyOf(other: ComparedWith): string {
   return typeof other === "string" ? other : `machine ${other.machine ?? ""}`;
 }
 
-function otherOf(key: string): Other {
+function otherOf(key: string): ComparedWith {
   if (key === "nothing" || key === "named") return key;
   return { machine: key.slice("machine ".length) || null };
 }
@@ -49,15 +49,15 @@ function button(text: string, label: string, act: () => void): HTMLButtonElement
 }
 
 /** Builds the pane into `root`. */
-export function comparePanel(root: HTMLElement, told: CompareTold) {
+export function comparePanel(root: HTMLElement, handlers: CompareHandlers) {
   const against = element("select");
   against.id = "against";
   const tolerance = element("input");
   tolerance.id = "compare-tolerance";
   Object.assign(tolerance, { type: "number", min: "0", step: "any", value: "0" });
   const unit = element("span", "", "mm");
-  const back = signButton("back", "Previous difference (P)", () => told.walk(-1));
-  const forth = signButton("next", "Next difference (N)", () => told.walk(1));
+  const back = signButton("back", "Previous difference (P)", () => handlers.walk(-1));
+  const forth = signButton("next", "Next difference (N)", () => handlers.walk(1));
   const which = element("span", "which");
   const controls = element("div", "controls");
   const walk = element("span", "walk");
@@ -73,12 +73,12 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
   let shown: Comparison | undefined;
   const rows: HTMLElement[] = [];
 
-  against.addEventListener("change", () => told.choose(otherOf(against.value)));
+  against.addEventListener("change", () => handlers.choose(otherOf(against.value)));
   tolerance.addEventListener("change", () => {
     const value = Number(tolerance.value);
     if (!(value >= 0) || tolerance.value === "") return showTolerance();
     toleranceMm = units.inch ? value * MM_PER_INCH : value;
-    told.tolerance(toleranceMm);
+    handlers.tolerance(toleranceMm);
   });
   function showTolerance(): void {
     const value = units.inch ? toleranceMm / MM_PER_INCH : toleranceMm;
@@ -90,21 +90,21 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
     const item = element("li", "difference");
     const show = element("button", "shows");
     show.type = "button";
-    show.append(rich(difference.head, "head"));
+    show.append(codeSpans(difference.head, "head"));
     for (const [side, { blocks, value, words, lacks, steps }] of difference.sides.entries()) {
       const line = element("span", "side");
       line.append(element("span", `swatch ${side === 0 ? "own" : "other"}`), element("span", "where", linesText(blocks)));
       if (value !== null) line.append(element("span", "value", value));
       line.append(element("code", "", lacks && blocks ? `no such block; it would come after ${words}` : words));
-      if (steps > 1) line.append(element("span", "where", counted(steps, "block")));
+      if (steps > 1) line.append(element("span", "where", countText(steps, "block")));
       show.append(line);
     }
-    show.addEventListener("click", () => told.show(index));
+    show.addEventListener("click", () => handlers.show(index));
     item.append(show);
     const { blocks } = difference.sides[1];
     if (blocks) {
       const label = `Read line ${blocks.from} of ${names[1]}`;
-      const read = button("Read", label, () => told.read(blocks.file, blocks.from));
+      const read = button("Read", label, () => handlers.read(blocks.file, blocks.from));
       read.className = "read";
       item.append(read);
     }
@@ -113,7 +113,7 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
 
   return {
     /** What there is to choose from. */
-    offer({ against: named, machines }: Pick<Hello, "against" | "machines">): void {
+    offer({ compared: named, machines }: Pick<HelloMessage, "compared" | "machines">): void {
       const { value } = against;
       against.replaceChildren(new Option("nothing", "nothing"));
       if (named && !named.own_text) against.append(new Option(named.name.split(/[\\/]/).pop()!, "named"));
@@ -130,7 +130,7 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
       showTolerance();
     },
     /** What was chosen; the same text, on the machine of this title. */
-    chosen(other: Other, machine?: string): void {
+    chosen(other: ComparedWith, machine?: string): void {
       const key = keyOf(other);
       // A machine with units is in no list.
       if (![...against.options].some(({ value }) => value === key)) against.append(new Option(key.slice("machine ".length), key));
@@ -145,7 +145,7 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
     },
     /** There is no answer; a message tells why. */
     clear(message: string, isBad: boolean): void {
-      setRich(verdict, message);
+      setCodeSpans(verdict, message);
       verdict.className = `verdict ${isBad ? "different" : "waiting"}`;
       shown = undefined;
       rows.length = 0;
@@ -157,27 +157,27 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
     show(found: Comparison, own: Units): void {
       [shown, units] = [found, own];
       showTolerance();
-      setRich(verdict, found.headline);
+      setCodeSpans(verdict, found.headline);
       verdict.className = `verdict ${found.verdict}`;
       notes.replaceChildren();
       const names = found.sides.map(({ name }) => name);
       if (found.farthest) {
         const [a, b] = found.farthest.places;
         const text = `Furthest apart at line ${a!.line} of ${names[0]} and line ${b!.line} of ${names[1]}`;
-        const link = button(text, text, told.farthest);
+        const link = button(text, text, handlers.farthest);
         link.className = "link";
         notes.append(link);
       }
       for (const { name, errors } of found.sides) {
-        if (errors > 0) notes.append(element("p", "errors", `${name}: ${counted(errors, "error")}`));
+        if (errors > 0) notes.append(element("p", "errors", `${name}: ${countText(errors, "error")}`));
       }
       rows.length = 0;
-      for (const [index, difference] of found.differences.slice(0, MOST_LISTED).entries()) rows.push(row(difference, index, names));
+      for (const [index, difference] of found.differences.slice(0, MAX_LISTED).entries()) rows.push(row(difference, index, names));
       list.replaceChildren(...rows);
       const more = found.dropped + found.differences.length - rows.length;
-      if (more > 0) notes.append(element("p", "more", `${count(rows.length)} listed, ${counted(more, "more difference")} not listed`));
+      if (more > 0) notes.append(element("p", "more", `${count(rows.length)} listed, ${countText(more, "more difference")} not listed`));
       back.disabled = forth.disabled = found.differences.length === 0;
-      which.textContent = found.differences.length === 0 ? "" : counted(found.differences.length, "difference");
+      which.textContent = found.differences.length === 0 ? "" : countText(found.differences.length, "difference");
     },
     /** One is chosen. */
     select(index: number): void {
@@ -193,7 +193,7 @@ export function comparePanel(root: HTMLElement, told: CompareTold) {
 }
 
 /** Which path is which, with a switch for each and an end to it all. */
-export function pathLegend(root: HTMLElement, told: { own: (shown: boolean) => void; other: (shown: boolean) => void; end: () => void }) {
+export function pathLegend(root: HTMLElement, handlers: { own: (shown: boolean) => void; other: (shown: boolean) => void; end: () => void }) {
   const made = (side: "own" | "other", act: (shown: boolean) => void): [HTMLInputElement, HTMLElement, HTMLElement] => {
     const label = element("label", "check");
     const box = element("input");
@@ -209,27 +209,27 @@ export function pathLegend(root: HTMLElement, told: { own: (shown: boolean) => v
   };
   root.setAttribute("role", "group");
   root.setAttribute("aria-label", "Paths");
-  const [ownBox, ownSwatch, ownText] = made("own", told.own);
-  const [otherBox, , otherText] = made("other", told.other);
-  const end = signButton("close", "Stop comparing", told.end);
-  const apart = element("span", "key");
-  apart.append(element("span", "swatch apart"), "different");
-  apart.hidden = true;
-  root.append(apart, end);
+  const [ownBox, ownSwatch, ownText] = made("own", handlers.own);
+  const [otherBox, , otherText] = made("other", handlers.other);
+  const end = signButton("close", "Stop comparing", handlers.end);
+  const differenceKey = element("span", "key");
+  differenceKey.append(element("span", "swatch apart"), "different");
+  differenceKey.hidden = true;
+  root.append(differenceKey, end);
   root.hidden = true;
   return {
     hide(): void {
       root.hidden = true;
       // Nothing may stay hidden without a switch that says so.
-      if (!ownBox.checked) told.own((ownBox.checked = true));
+      if (!ownBox.checked) handlers.own((ownBox.checked = true));
     },
     show(own: string, other: string): void {
       root.hidden = false;
       [ownText.textContent, otherText.textContent] = [own, other];
-      told.other(otherBox.checked);
+      handlers.other(otherBox.checked);
     },
     /** Whether the two paths are apart anywhere. */
-    apart: (is: boolean) => (apart.hidden = !is),
+    showDifferenceKey: (is: boolean) => (differenceKey.hidden = !is),
     color: (color: string) => (ownSwatch.style.color = color),
   };
 }

@@ -1,52 +1,52 @@
 // The program held against another one: the path beside, the answer, and the way through the differences.
 
-import { around, boxOf, linesOf, rowsOf, rowsOfLines, step, union } from "./difference-ranges";
+import { boxAround, boxOf, differingLines, rowsOf, rowsOfLines, step, boxUnion } from "./difference-ranges";
 import { comparePanel, pathLegend } from "./compare-panel";
-import type { Editor } from "../panels/text-editor";
-import type { Elsewhere } from "../panels/other-file-view";
+import type { TextEditor } from "../panels/text-editor";
+import type { OtherFileView } from "../panels/other-file-view";
 import type { Frame } from "../protocol/frame";
-import type { Link } from "../protocol/connection";
-import type { Against, Blocks, Comparison, Difference, Hello, Other, Told } from "../protocol/messages";
+import type { Connection } from "../protocol/connection";
+import type { ComparedProgram, BlockRange, Comparison, Difference, HelloMessage, ComparedWith, ServerMessage } from "../protocol/messages";
 import { type Bounds, type Vec3, batchOf } from "../path/batch";
 import { Path } from "../path/path";
 import type { PathView } from "../view/path-view";
 import { Kinematics } from "../path/kinematics";
 import type { ShownRun } from "../session/shown-run";
-import { counted } from "../panels/units";
+import { countText } from "../panels/units";
 
 /** What is shown of a place without a distance is at least this share of the path. */
-const LEAST_SHARE = 1 / 50;
+const MIN_PATH_SHARE = 1 / 50;
 
 /** The page around. */
-export interface Page {
+export interface CompareParts {
   panel: HTMLElement;
   legend: HTMLElement;
   view: PathView;
-  editor: Editor;
-  elsewhere: Elsewhere;
-  link: Link;
+  editor: TextEditor;
+  otherFile: OtherFileView;
+  connection: Connection;
   /** The program that is shown. */
   run: ShownRun;
   goTo: (line: number) => void;
   /** How to compare with a program of another file. */
-  another: string;
+  anotherHint: string;
   /** A line for the picture. */
-  tell: (text: string) => void;
+  setMessage: (text: string) => void;
   /** The pane is to be seen. */
-  open: () => void;
+  openPanel: () => void;
 }
 
-export function againstProgram(page: Page) {
-  const { view, editor, link } = page;
-  let against: Against | undefined;
+export function compareSession(page: CompareParts) {
+  const { view, editor, connection } = page;
+  let compared: ComparedProgram | undefined;
   let path = new Path();
   let hasBegun = false;
   let found: Comparison | undefined;
   let chosen = -1;
 
   const panel = comparePanel(page.panel, {
-    choose: (other) => link.tell("against", { other }),
-    tolerance: (tolerance_mm) => link.tell("tolerance", { tolerance_mm }),
+    choose: (other) => connection.send("compare_with", { other }),
+    tolerance: (tolerance_mm) => connection.send("tolerance", { tolerance_mm }),
     show: choose,
     walk,
     farthest: showFarthest,
@@ -55,32 +55,32 @@ export function againstProgram(page: Page) {
   const legend = pathLegend(page.legend, {
     own: (shown) => view.showOwn(shown),
     other: (shown) => view.showOther(shown),
-    end: () => link.tell("against", { other: "nothing" satisfies Other }),
+    end: () => connection.send("compare_with", { other: "nothing" satisfies ComparedWith }),
   });
-  const nothing = `Choose what to compare the program with. ${page.another}`;
+  const nothing = `Choose what to compare the program with. ${page.anotherHint}`;
   panel.clear(nothing, false);
 
-  function begin(told: Against): void {
-    panel.chosen(told.other, told.own_text ? told.machine?.title : undefined);
+  function begin(next: ComparedProgram): void {
+    panel.chosen(next.other, next.own_text ? next.machine?.title : undefined);
     found = undefined;
     chosen = -1;
-    against = told.other === "nothing" ? undefined : told;
+    compared = next.other === "nothing" ? undefined : next;
     path = new Path();
     hasBegun = false;
-    if (!against) return end(nothing);
-    tellPaths();
+    if (!compared) return end(nothing);
+    showLegend();
     panel.waiting();
   }
 
   function end(message: string, isBad = false): void {
-    against = undefined;
+    compared = undefined;
     found = undefined;
     path = new Path();
     view.beginOther(path);
     legend.hide();
     panel.clear(message, isBad);
     editor.markLines("differs", []);
-    page.tell("");
+    page.setMessage("");
   }
 
   /** The first batch takes the place of the path before: until then that stays. */
@@ -90,37 +90,37 @@ export function againstProgram(page: Page) {
     view.beginOther(path);
   }
 
-  function tellPaths(): void {
-    if (!against) return;
-    const machines = [page.run.machine?.title ?? "", against.machine?.title ?? ""];
+  function showLegend(): void {
+    if (!compared) return;
+    const machines = [page.run.machine?.title ?? "", compared.machine?.title ?? ""];
     const short = (name: string) => name.split(/[\\/]/).pop()!;
-    legend.show(`${short(page.run.programName)} on ${machines[0]}`, `${short(against.name ?? "")} on ${machines[1]}`);
+    legend.show(`${short(page.run.programName)} on ${machines[0]}`, `${short(compared.name ?? "")} on ${machines[1]}`);
   }
 
-  function show(told: Comparison): void {
-    found = told;
+  function show(result: Comparison): void {
+    found = result;
     chosen = -1;
-    panel.show(told, page.run.units);
-    editor.markLines("differs", linesOf(told.differences, 0));
-    const apart = told.differences.filter(({ distance_mm }) => distance_mm !== null);
-    view.markApart({
-      own: rowsOfLines(page.run.path, linesOf(apart, 0)),
-      other: rowsOfLines(path, linesOf(apart, 1)),
-      places: apart.flatMap(({ at_mm }) => (at_mm ? [at_mm[0]] : [])),
+    panel.show(result, page.run.units);
+    editor.markLines("differs", differingLines(result.differences, 0));
+    const separated = result.differences.filter(({ distance_mm }) => distance_mm !== null);
+    view.markDifferences({
+      own: rowsOfLines(page.run.path, differingLines(separated, 0)),
+      other: rowsOfLines(path, differingLines(separated, 1)),
+      places: separated.flatMap(({ at_mm }) => (at_mm ? [at_mm[0]] : [])),
     });
-    legend.apart(apart.length > 0);
-    const total = told.differences.length + told.dropped;
-    page.tell(total === 0 ? told.verdict.replace("-", " ") : `${counted(total, "difference")}: next N, previous P`);
+    legend.showDifferenceKey(separated.length > 0);
+    const total = result.differences.length + result.dropped;
+    page.setMessage(total === 0 ? result.verdict.replace("-", " ") : `${countText(total, "difference")}: next N, previous P`);
   }
 
-  function boxOfSides(sides: [Blocks | null, Blocks | null]): Bounds | undefined {
+  function boxOfSides(sides: [BlockRange | null, BlockRange | null]): Bounds | undefined {
     const boxes = [page.run.path, path].map((own, side) => {
       const blocks = sides[side];
       return blocks ? boxOf(own, rowsOf(own, blocks)) : undefined;
     });
     const { bounds } = page.run.path;
     const size = bounds ? Math.max(...bounds.high.map((high, axis) => high - bounds.low[axis]!)) : 10;
-    return union(boxes, size * LEAST_SHARE);
+    return boxUnion(boxes, size * MIN_PATH_SHARE);
   }
 
   /** Goes to a difference: its line, both paths there, large enough to be seen apart. */
@@ -132,14 +132,14 @@ export function againstProgram(page: Page) {
     const [a, b] = difference.sides;
     if (a.blocks?.file === 0) page.goTo(a.blocks.from);
     place(difference.at_mm, [a.blocks, b.blocks]);
-    const mark = (blocks: Blocks | null, lacks: boolean, own: Path) => (blocks && !lacks ? rowsOf(own, blocks) : []);
+    const mark = (blocks: BlockRange | null, lacks: boolean, own: Path) => (blocks && !lacks ? rowsOf(own, blocks) : []);
     view.markBoth(mark(a.blocks, a.lacks, page.run.path), mark(b.blocks, b.lacks, path));
     // So near the tool would cover what is to be seen.
     view.placeTool(undefined);
   }
 
-  function place(at: Difference["at_mm"], sides: [Blocks | null, Blocks | null]): void {
-    const box = at ? around(at) : boxOfSides(sides);
+  function place(at: Difference["at_mm"], sides: [BlockRange | null, BlockRange | null]): void {
+    const box = at ? boxAround(at) : boxOfSides(sides);
     if (box) view.zoomTo(box);
     const relative = (point: Vec3) => point.map((value, axis) => value - page.run.path.origin[axis]!) as Vec3;
     if (at) view.showMeasured(relative(at[0]), relative(at[1]));
@@ -157,46 +157,46 @@ export function againstProgram(page: Page) {
   function walk(by: 1 | -1): void {
     const next = step(chosen, by, found?.differences.length ?? 0);
     if (next < 0) return;
-    page.open();
+    page.openPanel();
     choose(next);
   }
 
   async function read(file: number, line: number): Promise<void> {
-    const told = await link.ask("other_text", { file, line });
-    if (told.type === "other_text") page.elsewhere.show({ ...told, column: 0 }, told.first_line);
+    const answer = await connection.query("other_text", { file, line });
+    if (answer.type === "other_text") page.otherFile.show({ ...answer, column: 0 }, answer.first_line);
   }
 
   return {
     /** What there is to choose from, for a program that was opened now. */
-    offer(told: Hello): void {
-      if (against) end(nothing);
-      panel.offer(told);
+    offer(message: HelloMessage): void {
+      if (compared) end(nothing);
+      panel.offer(message);
       panel.chosen("nothing");
-      panel.tolerance(told.tolerance_mm);
+      panel.tolerance(message.tolerance_mm);
     },
     /** There is more to choose from. */
     offerMore: panel.offer,
     walk,
     /** Takes what is about the other program; false where it is about something else. */
-    take(told: Told): boolean {
-      switch (told.type) {
-        case "against":
-          begin(told);
+    take(message: ServerMessage): boolean {
+      switch (message.type) {
+        case "compared_program":
+          begin(message);
           return true;
-        case "against_refused":
-          panel.chosen(told.other);
-          end(told.help ? `${told.message}. ${told.help}.` : told.message, true);
+        case "compared_program_refused":
+          panel.chosen(message.other);
+          end(message.help ? `${message.message}. ${message.help}.` : message.message, true);
           return true;
-        case "against_end":
-          if (told.version !== against?.version) return true;
+        case "compared_path_end":
+          if (message.version !== compared?.version) return true;
           startPath();
           void view.finishOther();
           return true;
         case "comparison":
-          if (told.run === page.run.number && told.version === against?.version) show(told);
+          if (message.run === page.run.number && message.version === compared?.version) show(message);
           return true;
         case "no_comparison":
-          if (told.run === page.run.number) panel.clear(told.message, true);
+          if (message.run === page.run.number) panel.clear(message.message, true);
           return true;
         default:
           return false;
@@ -204,10 +204,10 @@ export function againstProgram(page: Page) {
     },
     takePath(frame: Frame): void {
       const { header } = frame;
-      if (header.version !== against?.version) return;
+      if (header.version !== compared?.version) return;
       startPath();
       const origin = header.origin as Vec3;
-      const batch = new Kinematics(against?.machine?.rotary ?? [], origin).batch(batchOf(frame));
+      const batch = new Kinematics(compared?.machine?.rotary ?? [], origin).batch(batchOf(frame));
       path.add(batch, origin);
       view.addOther(batch);
     },
@@ -219,8 +219,8 @@ export function againstProgram(page: Page) {
     },
     /** The program runs anew: what was found is of the text before. */
     began(): void {
-      if (!against) return;
-      tellPaths();
+      if (!compared) return;
+      showLegend();
       panel.waiting();
     },
     color: legend.color,

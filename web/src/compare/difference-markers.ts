@@ -2,30 +2,30 @@
 
 import { BufferGeometry, type Plane, Points, PointsMaterial } from "three";
 import { difference } from "../view/extent";
-import type { Tolerance } from "../path/lines";
-import { Marked } from "../view/row-highlight";
+import type { ArcTolerance } from "../path/lines";
+import { RowHighlight } from "../view/row-highlight";
 import type { Vec3 } from "../path/batch";
 import type { Path } from "../path/path";
 import { geometryOf } from "../view/line-mesh";
 
 /** Rows that are marked at most, of each path: wide lines must not keep the picture from turning. */
-const MOST = 3_000;
-const WIDTH = 3.4;
+const MAX_ROWS = 3_000;
+const WIDTH_PIXELS = 3.4;
 /** Of a dot, pixels. */
-const DOT = 7;
+const DOT_PIXELS = 7;
 
 /** Ranges of rows of both paths, and a place of each difference in the frame of the run. */
-export interface Apartness {
+export interface DifferenceRows {
   own: [number, number][];
   other: [number, number][];
   places: Vec3[];
 }
 
-export class Apart {
-  readonly own = new Marked(WIDTH, MOST);
-  readonly other = new Marked(WIDTH, MOST);
+export class DifferenceMarkers {
+  readonly own = new RowHighlight(WIDTH_PIXELS, MAX_ROWS);
+  readonly other = new RowHighlight(WIDTH_PIXELS, MAX_ROWS);
   readonly dots: Points;
-  private material = new PointsMaterial({ size: DOT, sizeAttenuation: false, depthTest: false });
+  private material = new PointsMaterial({ size: DOT_PIXELS, sizeAttenuation: false, depthTest: false });
 
   constructor() {
     this.dots = new Points(new BufferGeometry(), this.material);
@@ -33,7 +33,7 @@ export class Apart {
     this.dots.visible = false;
   }
 
-  set({ own, other, places }: Apartness, paths: [Path, Path], tolerances: [Tolerance, Tolerance]): void {
+  set({ own, other, places }: DifferenceRows, paths: [Path, Path], tolerances: [ArcTolerance, ArcTolerance]): void {
     this.own.set(paths[0], own, tolerances[0]);
     this.other.set(paths[1], other, tolerances[1]);
     this.dots.geometry.dispose();
@@ -47,7 +47,7 @@ export class Apart {
     this.dots.visible = false;
   }
 
-  cut(own: Tolerance, other: Tolerance): void {
+  cut(own: ArcTolerance, other: ArcTolerance): void {
     this.own.cut(own);
     this.other.cut(other);
   }

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
-import { around, boxOf, linesOf, linesText, rowsOf, rowsOfLines, step, union } from "./difference-ranges";
-import type { Difference, Side } from "../protocol/messages";
+import { boxAround, boxOf, differingLines, linesText, rowsOf, rowsOfLines, step, boxUnion } from "./difference-ranges";
+import type { Difference, DifferenceSide } from "../protocol/messages";
 import { ARC, KNOWN, type Vec3 } from "../path/batch";
 import { Path } from "../path/path";
 
@@ -22,11 +22,11 @@ function path(origin: Vec3, lines: number[], points: number[], files = lines.map
   return made;
 }
 
-function side(from: number, to: number, file = 0, lacks = false): Side {
+function side(from: number, to: number, file = 0, lacks = false): DifferenceSide {
   return { blocks: { file, from, to }, steps: lacks ? 0 : 1, value: null, words: "", lacks };
 }
 
-function of(a: Side, b: Side): Difference {
+function of(a: DifferenceSide, b: DifferenceSide): Difference {
   return { category: "path", head: "path", distance_mm: 1, at_mm: null, sides: [a, b] };
 }
 
@@ -37,8 +37,8 @@ it("marks the lines of what differs, each once, and none where something is miss
     of(side(20, 20, 0, true), side(5, 5)),
     of(side(3, 3, 1), side(7, 7)),
   ];
-  expect(linesOf(differences, 0)).toEqual([8, 9, 10, 11]);
-  expect(linesOf(differences, 1)).toEqual([1, 2, 5, 7]);
+  expect(differingLines(differences, 0)).toEqual([8, 9, 10, 11]);
+  expect(differingLines(differences, 1)).toEqual([1, 2, 5, 7]);
 });
 
 it("finds the rows of blocks in every turn of a loop, of their own file alone", () => {
@@ -69,16 +69,16 @@ it("boxes rows in the frame of the run, the bulge of an arc included", () => {
 });
 
 it("shows two places so that they are seen apart, however near they are", () => {
-  expect(around([[0, 0, 0], [1, 0, 0]])).toEqual({ low: [-2, -2.5, -2.5], high: [3, 2.5, 2.5] });
-  const near = around([[5, 5, 5], [5, 5, 5]]);
+  expect(boxAround([[0, 0, 0], [1, 0, 0]])).toEqual({ low: [-2, -2.5, -2.5], high: [3, 2.5, 2.5] });
+  const near = boxAround([[5, 5, 5], [5, 5, 5]]);
   expect(near.high[0]! - near.low[0]!).toBeCloseTo(0.04, 12);
 });
 
 it("joins boxes, and makes none too small to see", () => {
   const one = { low: [0, 0, 0] as Vec3, high: [1, 0, 0] as Vec3 };
   const other = { low: [2, 1, 0] as Vec3, high: [3, 1, 0] as Vec3 };
-  expect(union([one, undefined, other], 2)).toEqual({ low: [0, -0.5, -1], high: [3, 1.5, 1] });
-  expect(union([undefined], 1)).toBeUndefined();
+  expect(boxUnion([one, undefined, other], 2)).toEqual({ low: [0, -0.5, -1], high: [3, 1.5, 1] });
+  expect(boxUnion([undefined], 1)).toBeUndefined();
 });
 
 it("goes through the differences round and round", () => {

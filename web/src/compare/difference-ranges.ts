@@ -1,33 +1,33 @@
 // What the server found different between two programs: where that is on the page.
 
-import type { Blocks, Difference } from "../protocol/messages";
+import type { BlockRange, Difference } from "../protocol/messages";
 import { arcEighths, arcIndex, arcPoint } from "../path/arcs";
 import { type Bounds, KNOWN, type Vec3 } from "../path/batch";
 import type { Path } from "../path/path";
 
 /** Lines of the program that are marked: what differs may be all of a long one. */
-const MOST_LINES = 10_000;
+const MAX_LINES = 10_000;
 /** Ranges of rows of one difference: a loop makes one for each turn. */
-const MOST_RANGES = 1_000;
+const MAX_RANGES = 1_000;
 /** How much larger than the distance what is shown is. */
-const AROUND = 2.5;
+const MARGIN_FACTOR = 2.5;
 /** And no smaller than this, mm: single precision shows no more. */
-const LEAST_MM = 0.02;
+const MIN_HALF_SIDE_MM = 0.02;
 
 /** The lines of a side that differ, in order, each once. */
-export function linesOf(differences: Difference[], side: 0 | 1): number[] {
+export function differingLines(differences: Difference[], side: 0 | 1): number[] {
   const lines = new Set<number>();
   for (const { sides } of differences) {
     const { blocks, lacks } = sides[side];
     // Where it lacks what the other has, the block only says behind what.
     if (!blocks || blocks.file !== 0 || lacks) continue;
-    for (let line = blocks.from; line <= blocks.to && lines.size < MOST_LINES; line++) lines.add(line);
+    for (let line = blocks.from; line <= blocks.to && lines.size < MAX_LINES; line++) lines.add(line);
   }
   return [...lines].sort((a, b) => a - b);
 }
 
 /** The ranges of rows that blocks make. */
-export function rowsOf(path: Path, { file, from, to }: Blocks): [number, number][] {
+export function rowsOf(path: Path, { file, from, to }: BlockRange): [number, number][] {
   return rowsWhere(path, (own, line) => own === file && line >= from && line <= to);
 }
 
@@ -46,7 +46,7 @@ function rowsWhere(path: Path, isMeant: (file: number, line: number) => boolean)
       const row = batch.first + at;
       const last = ranges.at(-1);
       if (last && last[1] === row - 1) last[1] = row;
-      else if (ranges.length < MOST_RANGES) ranges.push([row, row]);
+      else if (ranges.length < MAX_RANGES) ranges.push([row, row]);
       else return ranges;
     }
   }
@@ -83,15 +83,15 @@ export function boxOf(path: Path, ranges: [number, number][]): Bounds | undefine
 }
 
 /** A box around two places so that both are seen apart. */
-export function around([a, b]: [Vec3, Vec3]): Bounds {
-  const apart = Math.hypot(...a.map((value, axis) => value - b[axis]!));
-  const half = Math.max(AROUND * apart, LEAST_MM);
+export function boxAround([a, b]: [Vec3, Vec3]): Bounds {
+  const distance = Math.hypot(...a.map((value, axis) => value - b[axis]!));
+  const half = Math.max(MARGIN_FACTOR * distance, MIN_HALF_SIDE_MM);
   const middle = a.map((value, axis) => (value + b[axis]!) / 2);
   return { low: middle.map((value) => value - half) as Vec3, high: middle.map((value) => value + half) as Vec3 };
 }
 
 /** A box that holds all of some, no side smaller than a length. */
-export function union(boxes: (Bounds | undefined)[], least: number): Bounds | undefined {
+export function boxUnion(boxes: (Bounds | undefined)[], least: number): Bounds | undefined {
   const all = boxes.filter((box) => box !== undefined);
   if (all.length === 0) return undefined;
   const low = [0, 1, 2].map((axis) => Math.min(...all.map((box) => box.low[axis]!))) as Vec3;
@@ -105,7 +105,7 @@ export function union(boxes: (Bounds | undefined)[], least: number): Bounds | un
 }
 
 /** `line 7`, `lines 7–9`, `line 7 of another file`. */
-export function linesText(blocks: Blocks | null): string {
+export function linesText(blocks: BlockRange | null): string {
   if (!blocks) return "nowhere";
   const { file, from, to } = blocks;
   const lines = from === to ? `line ${from}` : `lines ${from}–${to}`;

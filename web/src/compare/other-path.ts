@@ -6,33 +6,33 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { difference } from "../view/extent";
-import { type Lines, type Tolerance, drawn } from "../path/lines";
-import { Marked } from "../view/row-highlight";
+import { type LineArrays, type ArcTolerance, linesOf } from "../path/lines";
+import { RowHighlight } from "../view/row-highlight";
 import type { Batch, Bounds, Vec3 } from "../path/batch";
 import { Path } from "../path/path";
-import { pause } from "../view/event-loop";
-import { type Pickable, type Picked, type Sight, pick } from "../view/picking";
+import { yieldToEventLoop } from "../view/event-loop";
+import { type Pickable, type PickedPoint, type PointProjection, pick } from "../view/picking";
 import { geometryOf } from "../view/line-mesh";
 
 /** Rows of a part from which on others are let in before the next. */
-const MANY = 20_000;
+const UNINTERRUPTED_ROWS = 20_000;
 /** Dashes and gaps on the screen, pixels. */
-const CUT: [number, number] = [6, 8];
-const RAPID: [number, number] = [2, 5];
+const CUT_DASH_PIXELS: [number, number] = [6, 8];
+const RAPID_DASH_PIXELS: [number, number] = [2, 5];
 
-interface Part extends Pickable {
+interface OtherPathPart extends Pickable {
   objects: (LineSegments | LineSegments2)[];
 }
 
-export class Overlay {
+export class OtherPath {
   /** Beside the path of the program. */
   readonly object = new Group();
   /** What is chosen of it. */
-  readonly mark = new Marked(2);
+  readonly mark = new RowHighlight(2);
   /** Its mark, which goes with the path where that is hidden. */
   readonly over = new Group();
   path = new Path();
-  private parts: Part[] = [];
+  private parts: OtherPathPart[] = [];
   private rapids = new Group();
   private cuts = new Group();
   private thin = new LineDashedMaterial({ depthTest: false });
@@ -63,13 +63,13 @@ export class Overlay {
     this.mark.clear();
   }
 
-  add(batch: Batch, tolerance: Tolerance, mostWide: number): void {
-    const part: Part = { batch, lines: drawn(batch, tolerance), objects: [] };
+  add(batch: Batch, tolerance: ArcTolerance, mostWide: number): void {
+    const part: OtherPathPart = { batch, lines: linesOf(batch, tolerance), objects: [] };
     this.parts.push(part);
     this.put(part, mostWide);
   }
 
-  private put(part: Part, mostWide: number): void {
+  private put(part: OtherPathPart, mostWide: number): void {
     if (part.objects.length > 0) this.changes();
     part.objects.forEach(remove);
     const { cuts, rapids } = part.lines;
@@ -87,7 +87,7 @@ export class Overlay {
     }
   }
 
-  private wideLines({ points }: Lines): LineSegments2 {
+  private wideLines({ points }: LineArrays): LineSegments2 {
     const geometry = new LineSegmentsGeometry().setPositions(points);
     const object = new LineSegments2(geometry, this.wide);
     object.computeLineDistances();
@@ -96,16 +96,16 @@ export class Overlay {
   }
 
   /** Cuts arcs anew; whether it was still wanted at the end. */
-  async refine(tolerance: Tolerance, mostWide: number): Promise<boolean> {
+  async refine(tolerance: ArcTolerance, mostWide: number): Promise<boolean> {
     const number = ++this.refining;
     this.mark.cut(tolerance);
     for (const part of [...this.parts]) {
       const isFirstThin = part.objects.some((object) => "isLineSegments2" in object) && this.path.rows > mostWide;
       if (part.batch.arcRows.length === 0 && !isFirstThin) continue;
-      part.lines = drawn(part.batch, tolerance);
+      part.lines = linesOf(part.batch, tolerance);
       this.put(part, mostWide);
-      if (part.batch.rows < MANY) continue;
-      await pause();
+      if (part.batch.rows < UNINTERRUPTED_ROWS) continue;
+      await yieldToEventLoop();
       if (number !== this.refining) return false;
     }
     return true;
@@ -128,12 +128,12 @@ export class Overlay {
   }
 
   /** Its row at a place of the canvas, as the shown path is seen. */
-  pick(eye: Sight, canvas: HTMLCanvasElement, at: [number, number]): Picked | undefined {
+  pick(camera: PointProjection, canvas: HTMLCanvasElement, at: [number, number]): PickedPoint | undefined {
     if (!this.object.visible) return undefined;
     const by = this.object.position;
-    const sight: Sight = {
-      matrix: () => eye.matrix().multiply(new Matrix4().makeTranslation(by)),
-      project: (place) => eye.project([place[0] + by.x, place[1] + by.y, place[2] + by.z]),
+    const sight: PointProjection = {
+      matrix: () => camera.matrix().multiply(new Matrix4().makeTranslation(by)),
+      project: (place) => camera.project([place[0] + by.x, place[1] + by.y, place[2] + by.z]),
     };
     return pick(this.parts, sight, canvas, at, this.rapids.visible, () => true);
   }
@@ -153,7 +153,7 @@ export class Overlay {
 
   /** Dashes keep their length on the screen. */
   dash(pixel: number): void {
-    for (const [material, [dash, gap]] of [[this.thin, CUT], [this.wide, CUT], [this.rapid, RAPID]] as const) {
+    for (const [material, [dash, gap]] of [[this.thin, CUT_DASH_PIXELS], [this.wide, CUT_DASH_PIXELS], [this.rapid, RAPID_DASH_PIXELS]] as const) {
       material.dashSize = dash * pixel;
       material.gapSize = gap * pixel;
     }
@@ -167,7 +167,7 @@ export class Overlay {
   }
 }
 
-function lines({ points, count }: Lines, material: LineDashedMaterial): LineSegments {
+function lines({ points, count }: LineArrays, material: LineDashedMaterial): LineSegments {
   const object = new LineSegments(geometryOf(points.subarray(0, 6 * count)), material);
   object.computeLineDistances();
   object.frustumCulled = false;

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { type Feature, describe as words, describeDistance, distance, featureAt } from "./geometry";
+import { type PathFeature, featureText as words, distanceText, measuredDistance, featureAt } from "./geometry";
 import { type Batch, KNOWN, type Vec3 } from "../path/batch";
 import { Path } from "../path/path";
 
@@ -22,7 +22,7 @@ function path(): Path {
   return made;
 }
 
-const hit = (row: number, at: Vec3, snapped = false): Feature => featureAt(path(), { row, share: 0.5, at, snapped });
+const hit = (row: number, at: Vec3, snapped = false): PathFeature => featureAt(path(), { row, share: 0.5, at, snapped });
 const LOWER = hit(0, [4, 0, 0]);
 const UPPER = hit(1, [15, 10, 0]);
 const ARC = hit(2, [33.5, 3.5, 0]);
@@ -38,27 +38,27 @@ test("a click near an end finds the end, whatever ends there", () => {
 });
 
 test("parallel lines have the distance between them, not between the clicks", () => {
-  const found = distance(LOWER, UPPER);
+  const found = measuredDistance(LOWER, UPPER);
   expect(found.mm).toBeCloseTo(10, 6);
-  expect(describeDistance(found, MM)).toBe("10 mm parallel lines   (X 0  Y 10  Z 0 mm)");
+  expect(distanceText(found, MM)).toBe("10 mm parallel lines   (X 0  Y 10  Z 0 mm)");
 });
 
 test("lines that are not parallel have an angle", () => {
-  const up: Feature = { kind: "line", at: [4, 3, 0], from: [0, 0, 0], to: [8, 8, 0] };
-  const found = distance(LOWER, up);
+  const up: PathFeature = { kind: "line", at: [4, 3, 0], from: [0, 0, 0], to: [8, 8, 0] };
+  const found = measuredDistance(LOWER, up);
   expect(found.angle).toBeCloseTo(Math.PI / 4, 6);
   expect(found.mm).toBeCloseTo(3, 6);
-  expect(describeDistance(found, MM)).toMatch(/not parallel: 45°/);
+  expect(distanceText(found, MM)).toMatch(/not parallel: 45°/);
 });
 
 test("from a point to a line the distance is square to the line, beyond its ends, too", () => {
   const point = hit(1, [50, 7, 0], true);
-  for (const found of [distance(point, LOWER), distance(LOWER, point)]) expect(found.mm).toBeCloseTo(7, 6);
-  expect(distance(point, LOWER).between).toBe("point to line");
+  for (const found of [measuredDistance(point, LOWER), measuredDistance(LOWER, point)]) expect(found.mm).toBeCloseTo(7, 6);
+  expect(measuredDistance(point, LOWER).between).toBe("point to line");
 });
 
 test("arcs are measured from their centres", () => {
-  const other: Feature = { kind: "arc", at: [0, 0, 0], center: [30, 40, 0], axis: [0, 0, 1], radius: 3, sweep: 1 };
-  expect(distance(ARC, other)).toMatchObject({ mm: 40, between: "centre to centre" });
-  expect(distance(ARC, UPPER)).toMatchObject({ mm: 10, between: "centre to line" });
+  const other: PathFeature = { kind: "arc", at: [0, 0, 0], center: [30, 40, 0], axis: [0, 0, 1], radius: 3, sweep: 1 };
+  expect(measuredDistance(ARC, other)).toMatchObject({ mm: 40, between: "centre to centre" });
+  expect(measuredDistance(ARC, UPPER)).toMatchObject({ mm: 10, between: "centre to line" });
 });

@@ -3,17 +3,17 @@
 import { arcIndex } from "../path/arcs";
 import { RAPID, type Vec3, kindOf } from "../path/batch";
 import type { Path } from "../path/path";
-import type { Picked } from "../view/picking";
+import type { PickedPoint } from "../view/picking";
 import { type Units, length, programmed } from "../panels/units";
 
 /** What a click on the path means; places relative to the origin of the path, mm. */
-export type Feature =
+export type PathFeature =
   | { kind: "point"; at: Vec3; of: "end" | "path" }
   | { kind: "line"; at: Vec3; from: Vec3; to: Vec3 }
   | { kind: "arc"; at: Vec3; center: Vec3; axis: Vec3; radius: number; sweep: number };
 
 /** A distance, from where to where it is, and what it is between. */
-export interface Distance {
+export interface MeasuredDistance {
   mm: number;
   from: Vec3;
   to: Vec3;
@@ -23,9 +23,9 @@ export interface Distance {
 }
 
 /** Sine of the angle up to which two lines are parallel: single precision knows no better. */
-const PARALLEL = 1e-3;
+const PARALLEL_SINE = 1e-3;
 /** Radii of an arc that differ by less are one, mm. */
-const SAME_MM = 1e-3;
+const CONSTANT_RADIUS_MM = 1e-3;
 
 const minus = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const plus = (a: Vec3, b: Vec3, by = 1): Vec3 => [a[0] + by * b[0], a[1] + by * b[1], a[2] + by * b[2]];
@@ -33,7 +33,7 @@ const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2
 const size = (a: Vec3): number => Math.hypot(...a);
 
 /** What was chosen: an end where one is near, else the arc or the line that was hit. */
-export function featureAt(path: Path, { row, share, at, snapped }: Picked): Feature {
+export function featureAt(path: Path, { row, share, at, snapped }: PickedPoint): PathFeature {
   const found = path.find(row);
   if (snapped || !found) return { kind: "point", at, of: snapped ? "end" : "path" };
   const [batch, own] = found;
@@ -45,14 +45,14 @@ export function featureAt(path: Path, { row, share, at, snapped }: Picked): Feat
   const record = batch.arcs.subarray(13 * arc, 13 * arc + 13);
   const numbers = (from: number): Vec3 => [record[from]!, record[from + 1]!, record[from + 2]!];
   const [first, last, sweep, rise] = [record[9]!, record[10]!, record[11]!, record[12]!];
-  if (kindOf(batch.kind[own]!) === RAPID || Math.abs(first - last) > SAME_MM) return { kind: "point", at, of: "path" };
+  if (kindOf(batch.kind[own]!) === RAPID || Math.abs(first - last) > CONSTANT_RADIUS_MM) return { kind: "point", at, of: "path" };
   // The centre at the height of the place that was hit.
   const axis = numbers(6);
   return { kind: "arc", at, center: plus(numbers(0), axis, rise * share), axis, radius: first, sweep };
 }
 
 /** Where the middle of a thing is that distances are taken from. */
-function reference(feature: Feature): Vec3 {
+function reference(feature: PathFeature): Vec3 {
   return feature.kind === "arc" ? feature.center : feature.at;
 }
 
@@ -66,25 +66,25 @@ function foot(at: Vec3, { from, to }: { from: Vec3; to: Vec3 }): Vec3 {
 const NAMES = { point: "point", line: "line", arc: "centre" } as const;
 
 /** The distance between two things: along the shortest line where one of them is a line, else between points and centres. */
-export function distance(one: Feature, other: Feature): Distance {
+export function measuredDistance(one: PathFeature, other: PathFeature): MeasuredDistance {
   const between = `${NAMES[one.kind]} to ${NAMES[other.kind]}`;
   if (one.kind === "line" && other.kind === "line") return betweenLines(one, other);
   const [from, to] = [reference(one), reference(other)];
-  if (one.kind === "line") return told(foot(to, one), to, between);
-  if (other.kind === "line") return told(from, foot(from, other), between);
-  return told(from, to, between);
+  if (one.kind === "line") return distanceFrom(foot(to, one), to, between);
+  if (other.kind === "line") return distanceFrom(from, foot(from, other), between);
+  return distanceFrom(from, to, between);
 }
 
-function told(from: Vec3, to: Vec3, between: string): Distance {
+function distanceFrom(from: Vec3, to: Vec3, between: string): MeasuredDistance {
   return { mm: size(minus(to, from)), from, to, between };
 }
 
-function betweenLines(one: Extract<Feature, { kind: "line" }>, other: Extract<Feature, { kind: "line" }>): Distance {
+function betweenLines(one: Extract<PathFeature, { kind: "line" }>, other: Extract<PathFeature, { kind: "line" }>): MeasuredDistance {
   const [a, b] = [minus(one.to, one.from), minus(other.to, other.from)];
   const cosine = Math.min(1, Math.abs(dot(a, b)) / (size(a) * size(b) || 1));
   const angle = Math.acos(cosine);
-  if (Math.sin(angle) < PARALLEL) return told(foot(other.at, one), other.at, "parallel lines");
-  return { ...told(one.at, other.at, "point to point"), angle };
+  if (Math.sin(angle) < PARALLEL_SINE) return distanceFrom(foot(other.at, one), other.at, "parallel lines");
+  return { ...distanceFrom(one.at, other.at, "point to point"), angle };
 }
 
 const degrees = (rad: number): string => `${Number(((rad * 180) / Math.PI).toFixed(3))}°`;
@@ -96,7 +96,7 @@ export function parts(units: Units, at: Vec3): string {
 }
 
 /** A thing in words; `origin` is that of the path. */
-export function describe(feature: Feature, origin: Vec3, units: Units): string {
+export function featureText(feature: PathFeature, origin: Vec3, units: Units): string {
   const at = (place: Vec3) => parts(units, programmed(units, plus(place, origin)));
   switch (feature.kind) {
     case "line":
@@ -110,7 +110,7 @@ export function describe(feature: Feature, origin: Vec3, units: Units): string {
 }
 
 /** A distance in words. */
-export function describeDistance({ mm, from, to, between, angle }: Distance, units: Units): string {
+export function distanceText({ mm, from, to, between, angle }: MeasuredDistance, units: Units): string {
   const bent = angle === undefined ? "" : `, the lines are not parallel: ${degrees(angle)}`;
   return `${length(units, mm)} ${between}   (${parts(units, minus(to, from))})${bent}`;
 }

@@ -4,7 +4,7 @@ import { Group } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
-import type { Feature } from "./geometry";
+import type { PathFeature } from "./geometry";
 import type { Vec3 } from "../path/batch";
 
 /** Of a mark from its middle, pixels. */
@@ -13,19 +13,19 @@ const REACH = 6;
 const RING = 12;
 
 /** The directions to the right and up on the screen, and how long a pixel is, mm. */
-export interface Screen {
+export interface ScreenFrame {
   right: Vec3;
   up: Vec3;
   pixel: number;
 }
 
-export class Measured {
+export class MeasureOverlay {
   readonly object = new Group();
   private found = new LineSegments2();
   private snap = new LineSegments2();
   private material = new LineMaterial({ linewidth: 2, depthTest: false });
   private places: Vec3[] = [];
-  private feature: Feature | undefined;
+  private feature: PathFeature | undefined;
 
   constructor() {
     for (const object of [this.found, this.snap]) {
@@ -41,24 +41,24 @@ export class Measured {
   }
 
   /** Places relative to the origin of the path. */
-  show(from: Vec3 | undefined, to: Vec3 | undefined, screen: Screen): void {
+  show(from: Vec3 | undefined, to: Vec3 | undefined, screen: ScreenFrame): void {
     this.places = from ? (to ? [from, to] : [from]) : [];
     this.draw(screen);
   }
 
   /** What a click would take; none: nothing. */
-  showSnap(feature: Feature | undefined, screen: Screen): void {
+  showSnap(feature: PathFeature | undefined, screen: ScreenFrame): void {
     this.feature = feature;
     this.draw(screen);
   }
 
   /** What a click would take: for tests. */
-  get snapped(): Feature | undefined {
+  get snapped(): PathFeature | undefined {
     return this.snap.visible ? this.feature : undefined;
   }
 
   /** The marks as large as before, whatever the zoom. */
-  draw(screen: Screen): void {
+  draw(screen: ScreenFrame): void {
     const [from, to] = this.places;
     const crosses = this.places.flatMap((at) => cross(at, screen));
     put(this.found, from && to ? [...crosses, ...from, ...to] : crosses);
@@ -74,26 +74,26 @@ function put(object: LineSegments2, points: number[]): void {
 }
 
 /** A place so many pixels to the right and up of another. */
-function beside(at: Vec3, { right, up, pixel }: Screen, x: number, y: number): Vec3 {
+function shiftedBy(at: Vec3, { right, up, pixel }: ScreenFrame, x: number, y: number): Vec3 {
   return at.map((value, axis) => value + pixel * (x * right[axis]! + y * up[axis]!)) as Vec3;
 }
 
 /** Lines from corner to corner, given in pixels. */
-function figure(at: Vec3, screen: Screen, corners: [number, number][], isClosed: boolean): number[] {
-  const points = corners.map(([x, y]) => beside(at, screen, x, y));
+function figure(at: Vec3, screen: ScreenFrame, corners: [number, number][], isClosed: boolean): number[] {
+  const points = corners.map(([x, y]) => shiftedBy(at, screen, x, y));
   return points.flatMap((point, index) => {
     const next = points[index + 1] ?? (isClosed ? points[0] : undefined);
     return next ? [...point, ...next] : [];
   });
 }
 
-function cross(at: Vec3, screen: Screen): number[] {
+function cross(at: Vec3, screen: ScreenFrame): number[] {
   const arm = (x: number, y: number) => figure(at, screen, [[-x, -y], [x, y]], false);
   return [...arm(REACH, REACH), ...arm(REACH, -REACH)];
 }
 
 /** A square at an end, a cross on a line, and a ring at the centre of an arc. */
-function markOf(feature: Feature, screen: Screen): number[] {
+function markOf(feature: PathFeature, screen: ScreenFrame): number[] {
   if (feature.kind === "point" && feature.of === "end") {
     return figure(feature.at, screen, [[-REACH, -REACH], [REACH, -REACH], [REACH, REACH], [-REACH, REACH]], true);
   }

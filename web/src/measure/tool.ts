@@ -1,37 +1,37 @@
 // Measuring with the pointer: what it is over is marked, two clicks give a distance.
 
-import { type Feature, describe, describeDistance, distance, featureAt } from "./geometry";
-import type { Picked } from "../view/picking";
+import { type PathFeature, featureText, distanceText, measuredDistance, featureAt } from "./geometry";
+import type { PickedPoint } from "../view/picking";
 import type { PathView } from "../view/path-view";
 import type { ShownRun } from "../session/shown-run";
 
-export interface Measuring {
+export interface MeasureTool {
   readonly isOn: boolean;
   set: (on: boolean) => void;
   /** A place of the path was clicked. */
-  click: (picked: Picked) => void;
+  click: (picked: PickedPoint) => void;
 }
 
-export function measuring(page: {
+export function measureTool(page: {
   view: PathView;
   canvas: HTMLCanvasElement;
   button: HTMLButtonElement;
   run: ShownRun;
-  tell: (text: string) => void;
-}): Measuring {
+  setMessage: (text: string) => void;
+}): MeasureTool {
   const { view, canvas, button } = page;
   let isOn = false;
-  let first: Feature | undefined;
-  let isAsked = false;
+  let first: PathFeature | undefined;
+  let isFramePending = false;
 
-  const words = (feature: Feature) => describe(feature, page.run.path.origin, page.run.axisUnits);
+  const words = (feature: PathFeature) => featureText(feature, page.run.path.origin, page.run.axisUnits);
 
   /** Marks what the pointer is over; of many moves in a frame the last counts. */
   function hover(event: PointerEvent): void {
-    if (!isOn || event.buttons !== 0 || isAsked) return;
-    isAsked = true;
+    if (!isOn || event.buttons !== 0 || isFramePending) return;
+    isFramePending = true;
     requestAnimationFrame(() => {
-      isAsked = false;
+      isFramePending = false;
       const picked = isOn ? view.pick(event.offsetX, event.offsetY) : undefined;
       view.showSnap(picked && featureAt(page.run.path, picked));
     });
@@ -45,20 +45,20 @@ export function measuring(page: {
     button.setAttribute("aria-pressed", String(on));
     view.showMeasured(undefined, undefined);
     view.showSnap(undefined);
-    page.tell(on ? "Click a point, a line or an arc of the path." : "");
+    page.setMessage(on ? "Click a point, a line or an arc of the path." : "");
   }
 
-  function click(picked: Picked): void {
+  function click(picked: PickedPoint): void {
     const feature = featureAt(page.run.path, picked);
     if (!first) {
       first = feature;
       view.showMeasured(feature.kind === "arc" ? feature.center : feature.at, undefined);
-      page.tell(`${words(feature)}\nClick the second point, line or arc.`);
+      page.setMessage(`${words(feature)}\nClick the second point, line or arc.`);
       return;
     }
-    const found = distance(first, feature);
+    const found = measuredDistance(first, feature);
     view.showMeasured(found.from, found.to);
-    page.tell(`${describeDistance(found, page.run.axisUnits)}\nFrom: ${words(first)}\nTo: ${words(feature)}`);
+    page.setMessage(`${distanceText(found, page.run.axisUnits)}\nFrom: ${words(first)}\nTo: ${words(feature)}`);
     first = undefined;
   }
 

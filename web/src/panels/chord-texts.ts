@@ -1,7 +1,7 @@
 // What is said of the chords on the page.
 
 import type { Frame } from "../protocol/frame";
-import { type Units, count, counted, length } from "./units";
+import { type Units, count, countText, length } from "./units";
 
 /** The chords of the slider: how many, and how far they are from the arcs. */
 export function chordsText(units: Units, header: Frame["header"]): string {
@@ -11,7 +11,7 @@ export function chordsText(units: Units, header: Frame["header"]): string {
     ? `chord error ${length(units, error_mm, true, 2)}`
     : `chord error at most ${length(units, Number(tolerance_mm), true, 2)}`;
   const hidden = Number(left_out) > 0 ? `, ${count(Number(left_out))} not drawn` : "";
-  return `${toleranceText(units, Number(tolerance_mm))}: ${counted(Number(chords), "chord")} on ${counted(Number(curves), "curve")}, ${error}${hidden}`;
+  return `${toleranceText(units, Number(tolerance_mm))}: ${countText(Number(chords), "chord")} on ${countText(Number(curves), "curve")}, ${error}${hidden}`;
 }
 
 export function toleranceText(units: Units, mm: number): string {

@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
-import { codePieces, plain } from "./code-spans";
+import { codePieces, plainText } from "./code-spans";
 
 test("what stands between backticks is code", () => {
   expect(codePieces("`G41` needs `D`: none")).toEqual([["G41", true], [" needs ", false], ["D", true], [": none", false]]);
-  expect(plain("set `tools.2.length`")).toBe("set tools.2.length");
+  expect(plainText("set `tools.2.length`")).toBe("set tools.2.length");
 });
 
 test("a backtick without a partner stands for itself", () => {

@@ -14,12 +14,12 @@ export function codePieces(text: string): [string, boolean][] {
 }
 
 /** A text for where no element can be: a title, a label. */
-export function plain(text: string): string {
+export function plainText(text: string): string {
   return codePieces(text).map(([piece]) => piece).join("");
 }
 
 /** Gives an element a text. */
-export function setRich(element: HTMLElement, text: string): void {
+export function setCodeSpans(element: HTMLElement, text: string): void {
   element.replaceChildren(
     ...codePieces(text).map(([piece, isCode]) => {
       if (!isCode) return piece;
@@ -30,9 +30,9 @@ export function setRich(element: HTMLElement, text: string): void {
   );
 }
 
-export function rich(text: string, className: string, name: "span" | "div" | "p" | "strong" | "dd" = "span"): HTMLElement {
+export function codeSpans(text: string, className: string, name: "span" | "div" | "p" | "strong" | "dd" = "span"): HTMLElement {
   const made = document.createElement(name);
   if (className) made.className = className;
-  setRich(made, text);
+  setCodeSpans(made, text);
   return made;
 }

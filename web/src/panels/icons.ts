@@ -16,9 +16,9 @@ const SIGNS = {
   close: "M3.6 4.7 4.7 3.6 8 6.9l3.3-3.3 1.1 1.1L9.1 8l3.3 3.3-1.1 1.1L8 9.1l-3.3 3.3-1.1-1.1L6.9 8Z",
 } as const;
 
-export type Sign = keyof typeof SIGNS;
+export type IconName = keyof typeof SIGNS;
 
-export function icon(sign: Sign): SVGSVGElement {
+export function icon(sign: IconName): SVGSVGElement {
   const made = document.createElementNS(SVG, "svg");
   made.setAttribute("viewBox", "0 0 16 16");
   made.setAttribute("width", "14");
@@ -34,7 +34,7 @@ export function icon(sign: Sign): SVGSVGElement {
 }
 
 /** A button with a sign, and in words what it does. */
-export function signButton(sign: Sign, label: string, act: () => void): HTMLButtonElement {
+export function signButton(sign: IconName, label: string, act: () => void): HTMLButtonElement {
   const made = document.createElement("button");
   made.type = "button";
   made.className = "sign";

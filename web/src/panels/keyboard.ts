@@ -3,7 +3,7 @@
 import type { PathView } from "../view/path-view";
 import type { Timeline } from "./timeline";
 
-export interface Keyed {
+export interface KeyTargets {
   timeline: Timeline;
   view: PathView;
   measure: { isOn: boolean; set(on: boolean): void };
@@ -12,7 +12,7 @@ export interface Keyed {
 }
 
 /** Keys act where nothing is typed. */
-export function onKeys({ timeline, view, measure, walk }: Keyed): void {
+export function listenToKeys({ timeline, view, measure, walk }: KeyTargets): void {
   document.addEventListener("keydown", (event) => {
     const target = event.target as HTMLElement;
     if (event.ctrlKey || event.metaKey || event.altKey) return;

@@ -2,15 +2,15 @@
 
 import { type ColorBy, type Palette, toolColor } from "../view/colors";
 import { icon } from "./icons";
-import type { MachineChoice, MachineInfo, Report, Tool } from "../protocol/messages";
+import type { MachineChoice, MachineInfo, RunReport, ToolInfo } from "../protocol/messages";
 import { element } from "./dom";
 import type { Path } from "../path/path";
-import { setRich } from "./code-spans";
-import type { Section } from "../view/visible-section";
+import { setCodeSpans } from "./code-spans";
+import type { VisibleSection } from "../view/visible-section";
 import type { ViewName } from "../view/camera";
 import { sectionControls } from "./section-controls";
 import type { PlaybackState } from "../path/playback-state";
-import { type Units, angles, count, counted, length, position, speed } from "./units";
+import { type Units, angles, count, countText, length, position, speed } from "./units";
 
 export type PanelName = "problems" | "outline" | "state" | "times" | "compare";
 
@@ -47,13 +47,13 @@ function check(text: string, checked: boolean): [HTMLLabelElement, HTMLInputElem
 }
 
 /** Tools that the legend names. */
-const MOST_KEYS = 24;
+const MAX_LEGEND_KEYS = 24;
 
 /** Tools from which on the legend does not say what is not known of each. */
-const FEW_KEYS = 6;
+const MAX_DETAILED_KEYS = 6;
 
 /** What is known of the size of a tool: of an insert its nose, of a blade its width; none of what is not known of a mill. */
-function sizeOf(tool: Tool | undefined, units: Units): string | undefined {
+function sizeOf(tool: ToolInfo | undefined, units: Units): string | undefined {
   if (tool?.shape === "insert") return tool.nose_radius_mm === null ? "" : `R${length(units, tool.nose_radius_mm)}`;
   if (tool?.shape === "groove") return tool.width_mm === null ? "" : `${length(units, tool.width_mm)} wide`;
   return tool?.diameter_mm ? `Ø${length(units, Math.abs(tool.diameter_mm))}` : undefined;
@@ -242,9 +242,9 @@ export function layout(root: HTMLElement) {
   splitter.tabIndex = 0;
   const main = element("main");
   const setWidth = (share: number) => {
-    const held = Math.min(70, Math.max(20, share));
-    main.style.setProperty("--left", `${held}%`);
-    splitter.setAttribute("aria-valuenow", String(Math.round(held)));
+    const clamped = Math.min(70, Math.max(20, share));
+    main.style.setProperty("--left", `${clamped}%`);
+    splitter.setAttribute("aria-valuenow", String(Math.round(clamped)));
   };
   splitter.addEventListener("pointerdown", (event) => splitter.setPointerCapture(event.pointerId));
   splitter.addEventListener("pointermove", (event) => {
@@ -291,7 +291,7 @@ export function layout(root: HTMLElement) {
     onTheme: () => {},
     onPanel: (_panel: PanelName) => {},
     onChords: () => {},
-    onSection: (_section: Section) => {},
+    onSection: (_section: VisibleSection) => {},
     cursorLine: () => 1,
     show,
     shown: () => shown,
@@ -303,10 +303,10 @@ export function layout(root: HTMLElement) {
       ownLabel.hidden = !is;
       showChordControls();
     },
-    chordsTold: (text: string) => (chordText.textContent = text),
+    setChordText: (text: string) => (chordText.textContent = text),
     /** Why the box of the machine is not shown; empty where it is, or where nobody asked for it. */
-    travelWhy(text: string): void {
-      setRich(travelWhy, text);
+    setTravelHint(text: string): void {
+      setCodeSpans(travelWhy, text);
       travelWhy.hidden = text === "";
     },
     setName(path: string): void {
@@ -318,7 +318,7 @@ export function layout(root: HTMLElement) {
     comparison: (text: string) => (comparison.textContent = text),
     /** What is told of rotary axes. */
     turns(text: string): void {
-      setRich(turns, text);
+      setCodeSpans(turns, text);
       turns.hidden = text === "";
     },
     /** From where on the path is not known. */
@@ -350,18 +350,18 @@ export function layout(root: HTMLElement) {
     },
     machineWhy(title: string, reason: string | null): void {
       machine.options[0]!.textContent = machine.value === "" ? title : "recognized from the program";
-      setRich(why, reason ?? "");
+      setCodeSpans(why, reason ?? "");
     },
     progress(share: number): void {
       progress.hidden = share >= 1;
       progress.value = share;
     },
-    counts(report: Report | undefined, refused: boolean): void {
+    counts(report: RunReport | undefined, refused: boolean): void {
       counts.className = `counts ${refused || (report?.errors ?? 0) > 0 ? "bad" : (report?.warnings ?? 0) > 0 ? "doubt" : "good"}`;
       counts.textContent = refused
         ? "Cannot run"
         : report
-          ? [counted(report.errors, "error"), ...(report.warnings > 0 ? [counted(report.warnings, "warning")] : [])].join(", ")
+          ? [countText(report.errors, "error"), ...(report.warnings > 0 ? [countText(report.warnings, "warning")] : [])].join(", ")
           : "";
     },
     /** S of the cuts differs, or it does not. */
@@ -374,19 +374,19 @@ export function layout(root: HTMLElement) {
       if (!is) byPower.remove();
     },
     /** What the colours of the cuts mean. */
-    legend(by: ColorBy, path: Path, report: Report | undefined, machine: MachineInfo | undefined, palette: Palette): void {
+    legend(by: ColorBy, path: Path, report: RunReport | undefined, machine: MachineInfo | undefined, palette: Palette): void {
       const units = { inch: report?.inch ?? false };
       legend.replaceChildren();
       if (by === "tool") {
-        for (const [index, tool] of path.cutters.slice(0, MOST_KEYS).entries()) {
+        for (const [index, tool] of path.cutters.slice(0, MAX_LEGEND_KEYS).entries()) {
           const item = element("span", "key");
           const swatch = element("span", "swatch");
           swatch.style.background = toolColor(palette, index);
-          item.append(swatch, toolName(tool, machine, units, path.cutters.length > FEW_KEYS));
+          item.append(swatch, toolName(tool, machine, units, path.cutters.length > MAX_DETAILED_KEYS));
           legend.append(item);
         }
-        const more = path.cutters.length - MOST_KEYS;
-        if (more > 0) legend.append(element("span", "key", `and ${counted(more, "more tool")}`));
+        const more = path.cutters.length - MAX_LEGEND_KEYS;
+        if (more > 0) legend.append(element("span", "key", `and ${countText(more, "more tool")}`));
         return;
       }
       const ramp = element("span", "ramp");
@@ -411,14 +411,14 @@ export function layout(root: HTMLElement) {
       const along = mmPerMin === undefined ? "" : `   ${speed(units, mmPerMin)}`;
       readout.textContent = `${position(units, coordinates)}${angles(turn)}${along}`;
     },
-    tell(kind: "note" | "warning" | "error", text: string): void {
+    notify(kind: "note" | "warning" | "error", text: string): void {
       toast.className = `toast ${kind}`;
-      setRich(toast, text);
+      setCodeSpans(toast, text);
       toast.hidden = false;
       window.clearTimeout(toastTimer);
       if (kind !== "error") toastTimer = window.setTimeout(() => (toast.hidden = true), 5000);
     },
-    ask(text: string, answers: [string, () => void][]): void {
+    prompt(text: string, answers: [string, () => void][]): void {
       window.clearTimeout(toastTimer);
       toast.className = "toast warning";
       toast.replaceChildren(element("span", "", text));

@@ -2,10 +2,10 @@
 
 import { EditorState } from "@codemirror/state";
 import { EditorView, highlightActiveLine, lineNumbers } from "@codemirror/view";
-import type { Made } from "../protocol/messages";
+import type { DefinitionPlace } from "../protocol/messages";
 import { element } from "./dom";
 
-export class Elsewhere {
+export class OtherFileView {
   private root = element("section", "elsewhere");
   private title = element("h2");
   private body = element("div", "elsewhere-text");
@@ -32,7 +32,7 @@ export class Elsewhere {
   }
 
   /** Shows a text at a line; nobody can type in it. `first` is the number of the first line that is there. */
-  show(made: Made, first = 1): void {
+  show(made: DefinitionPlace, first = 1): void {
     this.view?.destroy();
     const name = (made.file ?? "").split(/[\\/]/).pop()!;
     this.title.textContent = `${name}, read only${made.cut_off ? " (the beginning)" : ""}`;

@@ -27,8 +27,8 @@ test("problems of one code stand together, errors first", () => {
     problem("error", "CH401", 9),
     problem("warning", "CH414", 11),
   ]);
-  const told = found.map(({ severity, code, problems }) => [severity, code, problems.map(({ place }) => place!.line)]);
-  expect(told).toEqual([
+  const summary = found.map(({ severity, code, problems }) => [severity, code, problems.map(({ place }) => place!.line)]);
+  expect(summary).toEqual([
     ["error", "CH401", [9]],
     ["warning", "CH414", [5, 7, 11]],
     ["warning", "CH602", [6]],

@@ -1,28 +1,28 @@
 // The panel of problems: by code, errors first, with a choice of severities.
 
-import type { Problem, Report } from "../protocol/messages";
+import type { Problem, RunReport } from "../protocol/messages";
 import { element } from "./dom";
 import { notVerified } from "./program-panels";
-import { rich } from "./code-spans";
-import { count, counted } from "./units";
+import { codeSpans } from "./code-spans";
+import { count, countText } from "./units";
 
 type Severity = Problem["severity"];
 
 const SEVERITIES: readonly Severity[] = ["error", "warning", "note"];
 
 /** Other places of a code that its list names. */
-const MOST_PLACES = 300;
+const MAX_PLACES = 300;
 
 /** The problems of one code and severity, by place. */
-export interface Group {
+export interface ProblemGroup {
   severity: Severity;
   code: string;
   problems: Problem[];
 }
 
 /** Problems by code: errors, then warnings, then notes; within a severity by the first place. */
-export function groups(problems: readonly Problem[]): Group[] {
-  const found = new Map<string, Group>();
+export function groups(problems: readonly Problem[]): ProblemGroup[] {
+  const found = new Map<string, ProblemGroup>();
   for (const problem of problems) {
     const { severity, code } = problem;
     const key = `${severity} ${code}`;
@@ -30,7 +30,7 @@ export function groups(problems: readonly Problem[]): Group[] {
     if (group) group.problems.push(problem);
     else found.set(key, { severity, code, problems: [problem] });
   }
-  const order = (group: Group): number => SEVERITIES.indexOf(group.severity);
+  const order = (group: ProblemGroup): number => SEVERITIES.indexOf(group.severity);
   return [...found.values()].sort((one, other) => order(one) - order(other));
 }
 
@@ -40,7 +40,7 @@ function placeOf(problem: Problem): string {
   return `line ${count(place.line)}${place.own ? "" : ` of ${place.file}`}`;
 }
 
-export class Problems {
+export class ProblemPanel {
   /** Severities that the reader does not want to see. */
   private readonly hidden = new Set<Severity>();
 
@@ -49,12 +49,12 @@ export class Problems {
     private readonly go: (problem: Problem) => void,
   ) {}
 
-  show(report: Report | undefined, refused: { message: string; help?: string | null } | undefined): void {
+  show(report: RunReport | undefined, refused: { message: string; help?: string | null } | undefined): void {
     this.root.replaceChildren();
     if (refused) {
       const item = element("p", "refused");
-      item.append(rich(refused.message, "", "strong"));
-      if (refused.help) item.append(rich(` ${refused.help}`, "help"));
+      item.append(codeSpans(refused.message, "", "strong"));
+      if (refused.help) item.append(codeSpans(` ${refused.help}`, "help"));
       this.root.append(item);
     }
     if (!report) return;
@@ -66,12 +66,12 @@ export class Problems {
     const list = element("ul", "problems");
     for (const group of groups(report.diagnostics)) list.append(this.group(group));
     this.root.append(...this.filter(report, list), list);
-    if (report.left_out > 0) this.root.append(element("p", "more", `${counted(report.left_out, "more problem")} not listed`));
+    if (report.left_out > 0) this.root.append(element("p", "more", `${countText(report.left_out, "more problem")} not listed`));
     for (const line of report.output.slice(0, 50)) this.root.append(element("p", "output", line));
   }
 
   /** Buttons that show or hide a severity, where there is more than one. */
-  private filter(report: Report, list: HTMLElement): HTMLElement[] {
+  private filter(report: RunReport, list: HTMLElement): HTMLElement[] {
     const counts: Record<Severity, number> = { error: report.errors, warning: report.warnings, note: report.notes };
     const present = SEVERITIES.filter((severity) => counts[severity] > 0);
     if (present.length < 2) return [];
@@ -79,7 +79,7 @@ export class Problems {
     row.setAttribute("role", "group");
     row.setAttribute("aria-label", "Show");
     for (const severity of present) {
-      const button = element("button", severity, counted(counts[severity], severity));
+      const button = element("button", severity, countText(counts[severity], severity));
       button.type = "button";
       const apply = (): void => {
         const shown = !this.hidden.has(severity);
@@ -97,19 +97,19 @@ export class Problems {
   }
 
   /** The first problem in full, the other places behind it. */
-  private group({ severity, code, problems }: Group): HTMLElement {
+  private group({ severity, code, problems }: ProblemGroup): HTMLElement {
     const item = element("li", `of-${severity}`);
     const [first, ...others] = problems;
     item.append(this.whole(first!));
     if (others.length === 0) return item;
     const rest = element("details", "others");
-    rest.append(element("summary", "", `${code} in ${counted(others.length, "more place")}`));
+    rest.append(element("summary", "", `${code} in ${countText(others.length, "more place")}`));
     // Made when it is opened: hundreds of places are not looked at in most programs.
     rest.addEventListener(
       "toggle",
       () => {
         const places = element("ul");
-        for (const problem of others.slice(0, MOST_PLACES)) places.append(this.short(problem));
+        for (const problem of others.slice(0, MAX_PLACES)) places.append(this.short(problem));
         rest.append(places);
       },
       { once: true },
@@ -122,9 +122,9 @@ export class Problems {
     const button = element("button", `problem ${problem.severity}`);
     button.type = "button";
     button.append(element("span", "severity", problem.severity), element("span", "where", placeOf(problem)));
-    button.append(rich(problem.message, "message"));
-    if (problem.alarm) button.append(rich(`The control shows: ${problem.alarm}`, "alarm"));
-    if (problem.help) button.append(rich(problem.help, "help"));
+    button.append(codeSpans(problem.message, "message"));
+    if (problem.alarm) button.append(codeSpans(`The control shows: ${problem.alarm}`, "alarm"));
+    if (problem.help) button.append(codeSpans(problem.help, "help"));
     button.addEventListener("click", () => this.go(problem));
     return button;
   }
@@ -133,7 +133,7 @@ export class Problems {
     const item = element("li");
     const button = element("button", `problem short ${problem.severity}`);
     button.type = "button";
-    button.append(element("span", "where", placeOf(problem)), rich(problem.message, "message"));
+    button.append(element("span", "where", placeOf(problem)), codeSpans(problem.message, "message"));
     button.addEventListener("click", () => this.go(problem));
     item.append(button);
     return item;

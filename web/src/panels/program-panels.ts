@@ -1,14 +1,14 @@
 // The panels beside the path: outline, what is in force, times; problems stand in problems.ts.
 
-import type { Entry, MachineInfo, Modal, Report, Times } from "../protocol/messages";
+import type { OutlineEntry, MachineInfo, ModalState, RunReport, RunTimes } from "../protocol/messages";
 import type { Vec3 } from "../path/batch";
 import { element } from "./dom";
-import { rich } from "./code-spans";
+import { codeSpans } from "./code-spans";
 import type { Coordinates } from "../path/playback-state";
-import { type Units, angles, count, counted, duration, length, position, speed } from "./units";
+import { type Units, angles, count, countText, duration, length, position, speed } from "./units";
 
 /** From where on the path is not known; empty where the whole run was followed. */
-export function notVerified(report: Pick<Report, "not_verified_from">): string {
+export function notVerified(report: Pick<RunReport, "not_verified_from">): string {
   const from = report.not_verified_from;
   if (!from) return "";
   const line = from.own ? `line ${from.line}` : `line ${from.line} of ${from.file}`;
@@ -16,31 +16,31 @@ export function notVerified(report: Pick<Report, "not_verified_from">): string {
 }
 
 /** Of axes that the program does not name, and that are drawn at zero; empty where it names all. */
-export function notNamedText(told: Pick<Report, "never_named" | "named_in_no_cut">): string {
-  const said = (axes: string[], why: string) => {
+export function notNamedText(report: Pick<RunReport, "never_named" | "named_in_no_cut">): string {
+  const sentence = (axes: string[], why: string) => {
     const zeros = axes.map((axis) => `${axis}0`).join(" ");
     return axes.length === 0 ? "" : `${axes.join(" and ")} ${axes.length === 1 ? "is" : "are"} ${why}; drawn at ${zeros}.`;
   };
-  return [said(told.never_named, "never named"), said(told.named_in_no_cut, "not known in any cut")].filter(Boolean).join(" ");
+  return [sentence(report.never_named, "never named"), sentence(report.named_in_no_cut, "not known in any cut")].filter(Boolean).join(" ");
 }
 
 /** Of moves that are left out for their work offset; empty where there are none. */
-export function leftOutText(told: Pick<Report, "moves_left_out">): string {
-  return told.moves_left_out.map((text) => `${text[0]!.toUpperCase()}${text.slice(1)}.`).join(" ");
+export function leftOutText(report: Pick<RunReport, "moves_left_out">): string {
+  return report.moves_left_out.map((text) => `${text[0]!.toUpperCase()}${text.slice(1)}.`).join(" ");
 }
 
 /** Entries that are shown; a text with more is one of numbers. */
-const MOST_ENTRIES = 2_000;
+const MAX_ENTRIES = 2_000;
 
 /** Programs, in them tools, in those operations: each goes to its line. */
-export function showOutline(root: HTMLElement, entries: Entry[] | undefined, go: (line: number) => void): void {
+export function showOutline(root: HTMLElement, entries: OutlineEntry[] | undefined, go: (line: number) => void): void {
   root.replaceChildren();
   if (!entries || entries.length === 0) {
     root.append(element("p", "clean", entries ? "Nothing to list: the program has no tools and no operations." : "Reading…"));
     return;
   }
-  let left = MOST_ENTRIES;
-  const list = (of: Entry[]): HTMLUListElement => {
+  let left = MAX_ENTRIES;
+  const list = (of: OutlineEntry[]): HTMLUListElement => {
     const made = element("ul", "outline");
     for (const entry of of) {
       if (left-- <= 0) break;
@@ -72,7 +72,7 @@ const MOTIONS = ["rapid", "straight", "arc", "spiral", "spline"];
 
 export function showState(
   root: HTMLElement,
-  modal: Modal | undefined,
+  modal: ModalState | undefined,
   at: { place: Coordinates; turn: Vec3 } | undefined,
   now: { line: number; kind: number | undefined; inSubprogram?: number | undefined } | undefined,
   machine?: Pick<MachineInfo, "factors" | "has">,
@@ -105,7 +105,7 @@ export function showState(
   root.append(table);
 }
 
-function feedText(modal: Modal, units: Units): string {
+function feedText(modal: ModalState, units: Units): string {
   if (modal.feed === null) return "none yet";
   if (modal.feed_mode === "inverse_time") return `1/T ${modal.feed.toFixed(3)} per min`;
   if (modal.feed_mode === "per_revolution") return `${length(units, modal.feed)} per revolution`;
@@ -121,15 +121,15 @@ function offsetText(offset: { number: number | null; mm: number | null } | null,
 
 export function showTimes(
   root: HTMLElement,
-  times: Times | undefined,
+  times: RunTimes | undefined,
   message: string | undefined,
-  report: Report | undefined,
+  report: RunReport | undefined,
   machine: MachineInfo | undefined,
   color: (tool: number) => string,
   go: (line: number) => void,
 ): void {
   root.replaceChildren();
-  if (message) root.append(rich(message, "refused", "p"));
+  if (message) root.append(codeSpans(message, "refused", "p"));
   if (!times) {
     if (!message) root.append(element("p", "clean", "Planning…"));
     return;
@@ -164,9 +164,9 @@ export function showTimes(
     root.append(element("p", "", `Length of cuts ${length(units, report.cut_length_mm)}, of rapids ${length(units, report.rapid_length_mm)}.`));
   }
   if (times.cuts_without_feed > 0) {
-    root.append(element("p", "more", `${counted(times.cuts_without_feed, "cut")} without a feed: not in the time.`));
+    root.append(element("p", "more", `${countText(times.cuts_without_feed, "cut")} without a feed: not in the time.`));
   }
-  if (times.short_blocks) root.append(rich(`Corners: ${times.short_blocks}.`, "more", "p"));
+  if (times.short_blocks) root.append(codeSpans(`Corners: ${times.short_blocks}.`, "more", "p"));
   if (times.assumed > 0) {
     root.append(element("p", "more", "Typical limits were used where the machine file gives none."));
   }
@@ -175,7 +175,7 @@ export function showTimes(
     const list = element("ol", "longest");
     for (const block of times.longest.slice(0, 5)) {
       const item = element("li");
-      const runs = block.runs > 1 ? ` in ${counted(block.runs, "run")}` : "";
+      const runs = block.runs > 1 ? ` in ${countText(block.runs, "run")}` : "";
       const button = element("button", "link", `line ${count(block.line)}: ${duration(block.time_s)}${runs}, ${block.reason}`);
       button.type = "button";
       button.addEventListener("click", () => go(block.line));

@@ -1,11 +1,11 @@
 import { expect, test } from "vitest";
-import type { Readings } from "../protocol/messages";
+import type { ProgramReadings } from "../protocol/messages";
 import { AnsweredReadings, columnRows, introduction } from "./readings";
 
 const INCH = { name: "fadal-4020 in inch", title: "Fadal VMC 4020 in inch" };
 const MM = { name: "fadal-4020 in mm", title: "Fadal VMC 4020 in mm" };
 
-const READINGS: Readings = {
+const READINGS: ProgramReadings = {
   message: "what this program moves depends on its control, and nothing in the text names it for certain",
   line: 1,
   block: "G0 X0 Y0 Z5",

@@ -1,13 +1,13 @@
 // The question how a program is to be read, where nothing in it names its control for certain: its readings next to
 // each other. Nothing waits for an answer.
 
-import type { MachineChoice, Readings } from "../protocol/messages";
+import type { MachineChoice, ProgramReadings } from "../protocol/messages";
 import { element } from "./dom";
-import { rich, setRich } from "./code-spans";
-import { count, counted } from "./units";
+import { codeSpans, setCodeSpans } from "./code-spans";
+import { count, countText } from "./units";
 
 /** What follows from the readings of a run. */
-export type ReadingsStep = { do: "ask"; readings: Readings } | { do: "read"; machine: MachineChoice } | { do: "nothing" };
+export type ReadingsStep = { do: "ask"; readings: ProgramReadings } | { do: "read"; machine: MachineChoice } | { do: "nothing" };
 
 /** Which questions were answered since the page was loaded, and how. */
 export class AnsweredReadings {
@@ -23,7 +23,7 @@ export class AnsweredReadings {
   }
 
   /** The program has run, and these are its readings. */
-  next(program: string, readings: Readings | null): ReadingsStep {
+  next(program: string, readings: ProgramReadings | null): ReadingsStep {
     // While a program is edited its readings change: one answer is enough.
     if (!readings || this.isAnswered) return { do: "nothing" };
     this.question = JSON.stringify([program, readings]);
@@ -41,21 +41,21 @@ export class AnsweredReadings {
 }
 
 /** The words over the columns. */
-export function introduction({ message, line, block, more }: Pick<Readings, "message" | "line" | "block" | "more">): string {
+export function introduction({ message, line, block, more }: Pick<ProgramReadings, "message" | "line" | "block" | "more">): string {
   const sentence = `${message.slice(0, 1).toUpperCase()}${message.slice(1)}.`;
   const first = line === null ? "" : ` The first block that differs is line ${count(line)}${block ? `, \`${block}\`` : ""}.`;
-  return `${sentence}${first}${more > 0 ? ` ${counted(more, "more reading")} not shown.` : ""}`;
+  return `${sentence}${first}${more > 0 ? ` ${countText(more, "more reading")} not shown.` : ""}`;
 }
 
 /** The lines of a column: what is said, and of what. */
-export function columnRows({ size, motion }: Readings["shown"][number], line: number | null): [string, string][] {
+export function columnRows({ size, motion }: ProgramReadings["shown"][number], line: number | null): [string, string][] {
   return [
     ["Cuts", size ?? "size not known"],
     [line === null ? "Moves" : `Line ${count(line)}`, motion],
   ];
 }
 
-export interface ReadingsTold {
+export interface ReadingsHandlers {
   /** The program is to be read on this machine. */
   read: (machine: MachineChoice) => void;
   /** Where the focus goes when the panel is closed. */
@@ -63,7 +63,7 @@ export interface ReadingsTold {
 }
 
 /** The panel of this question. */
-export function readingsPanel(root: HTMLElement, told: ReadingsTold) {
+export function readingsPanel(root: HTMLElement, handlers: ReadingsHandlers) {
   const answered = new AnsweredReadings();
   const title = element("h2", "", "How should this program be read?");
   title.id = "readings-title";
@@ -85,21 +85,21 @@ export function readingsPanel(root: HTMLElement, told: ReadingsTold) {
   function close(): void {
     const hadFocus = root.contains(document.activeElement);
     root.hidden = true;
-    if (hadFocus) told.leave();
+    if (hadFocus) handlers.leave();
   }
 
   function pick(machine: MachineChoice | undefined): void {
     answered.answer(machine);
     close();
-    if (machine) told.read(machine);
+    if (machine) handlers.read(machine);
   }
 
-  function column(reading: Readings["shown"][number], line: number | null, isAssumed: boolean): HTMLElement {
+  function column(reading: ProgramReadings["shown"][number], line: number | null, isAssumed: boolean): HTMLElement {
     const item = element("li", "reading");
     const name = element("h3", "", reading.title);
     if (isAssumed) name.append(" ", element("span", "assumed", "assumed"));
     const rows = element("dl");
-    for (const [of, said] of columnRows(reading, line)) rows.append(element("dt", "", of), rich(said, "", "dd"));
+    for (const [of, value] of columnRows(reading, line)) rows.append(element("dt", "", of), codeSpans(value, "", "dd"));
     const use = element("button", "use", `Use ${reading.machine.title}`);
     Object.assign(use, { type: "button", title: `Read the program as for ${reading.title}` });
     use.addEventListener("click", () => pick(reading.machine));
@@ -107,9 +107,9 @@ export function readingsPanel(root: HTMLElement, told: ReadingsTold) {
     return item;
   }
 
-  function show(readings: Readings): void {
+  function show(readings: ProgramReadings): void {
     const hadFocus = root.contains(document.activeElement);
-    setRich(text, introduction(readings));
+    setCodeSpans(text, introduction(readings));
     list.replaceChildren(...readings.shown.map((reading, at) => column(reading, readings.line, at === 0)));
     root.hidden = false;
     // Where nothing has the focus yet, the question takes it.
@@ -129,14 +129,14 @@ export function readingsPanel(root: HTMLElement, told: ReadingsTold) {
       close();
     },
     /** The program has run: its readings are asked about, once. */
-    ran(program: string, readings: Readings | null): void {
+    programRun(program: string, readings: ProgramReadings | null): void {
       const step = answered.next(program, readings);
       if (step.do === "ask") return show(step.readings);
       close();
-      if (step.do === "read") told.read(step.machine);
+      if (step.do === "read") handlers.read(step.machine);
     },
     /** A machine was chosen elsewhere. */
-    chosen(machine: MachineChoice | undefined): void {
+    machineChosen(machine: MachineChoice | undefined): void {
       answered.answer(machine);
       close();
     },

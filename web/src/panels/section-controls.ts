@@ -1,12 +1,12 @@
 // Which part of the path is shown: by tool, by lines, by depth.
 
 import { closesOnEscape, element } from "./dom";
-import type { Section } from "../view/visible-section";
+import type { VisibleSection } from "../view/visible-section";
 import { type Units, length } from "./units";
 
 const STEPS = 1000;
 
-export function sectionControls(changed: (section: Section) => void, cursor: () => number) {
+export function sectionControls(changed: (section: VisibleSection) => void, cursor: () => number) {
   const root = element("details", "section");
   const summary = element("summary", "", "Section");
   const choices = element("div", "choices");
@@ -39,8 +39,8 @@ export function sectionControls(changed: (section: Section) => void, cursor: () 
   root.append(summary, choices);
 
   const depthAt = (input: HTMLInputElement) => range[0] + ((range[1] - range[0]) * Number(input.value)) / STEPS;
-  function section(): Section {
-    const made: Section = {};
+  function section(): VisibleSection {
+    const made: VisibleSection = {};
     if (tool.value !== "") made.tool = Number(tool.value);
     if (from.value !== "" || to.value !== "") {
       made.lines = [Number(from.value || 0), to.value === "" ? Number.MAX_SAFE_INTEGER : Number(to.value)];
@@ -54,22 +54,22 @@ export function sectionControls(changed: (section: Section) => void, cursor: () 
     }
     return made;
   }
-  function tell(): void {
+  function update(): void {
     const made = section();
     root.classList.toggle("active", Object.keys(made).length > 0);
     depthText.textContent = `Z ${length(units, depthAt(low), false)} to ${length(units, depthAt(high))}`;
     changed(made);
   }
-  for (const input of [tool, from, to, low, high]) input.addEventListener("input", tell);
+  for (const input of [tool, from, to, low, high]) input.addEventListener("input", update);
   here.addEventListener("click", () => {
     to.value = String(cursor());
-    tell();
+    update();
   });
   all.addEventListener("click", () => {
     tool.value = from.value = to.value = "";
     low.value = "0";
     high.value = String(STEPS);
-    tell();
+    update();
   });
   closesOnEscape(root, summary);
 
@@ -83,7 +83,7 @@ export function sectionControls(changed: (section: Section) => void, cursor: () 
       tool.value = tools.map(String).includes(before) ? before : "";
       [range, units] = [depth, own];
       depthText.textContent = `Z ${length(units, depthAt(low), false)} to ${length(units, depthAt(high))}`;
-      if (root.classList.contains("active")) tell();
+      if (root.classList.contains("active")) update();
     },
   };
 }

@@ -3,25 +3,25 @@
 import { type Extension, RangeSetBuilder, StateEffect } from "@codemirror/state";
 import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate, hoverTooltip } from "@codemirror/view";
 import { element } from "./dom";
-import type { Meaning } from "../protocol/messages";
+import type { WordMeaning } from "../protocol/messages";
 
 /** Line (from 1), first and last column in UTF-16 code units, and the number of the class. */
 export type Tokens = number[];
 
-export interface Words {
+export interface WordQueries {
   tokens: (from: number, to: number) => Promise<{ classes: string[]; tokens: Tokens } | undefined>;
-  meaning: (line: number, column: number) => Promise<Meaning | undefined>;
+  meaning: (line: number, column: number) => Promise<WordMeaning | undefined>;
 }
 
 /** Lines beyond the seen ones that are coloured, too. */
-const MARGIN = 60;
+const MARGIN_LINES = 60;
 /** How long scrolling or typing must rest before the server is asked, ms. */
-const REST = 60;
+const REST_MS = 60;
 
 const setTokens = StateEffect.define<DecorationSet>();
-const askAgain = StateEffect.define<null>();
+const refreshEffect = StateEffect.define<null>();
 
-export function words(asked: Words): Extension {
+export function syntaxHints(queries: WordQueries): Extension {
   const marks = new Map<string, Decoration>();
   const markOf = (name: string) => {
     let mark = marks.get(name);
@@ -46,7 +46,7 @@ export function words(asked: Words): Extension {
         for (const transaction of update.transactions) {
           for (const effect of transaction.effects) {
             if (effect.is(setTokens)) this.decorations = effect.value;
-            if (effect.is(askAgain)) this.later();
+            if (effect.is(refreshEffect)) this.later();
           }
         }
         if (update.viewportChanged) this.later();
@@ -58,18 +58,18 @@ export function words(asked: Words): Extension {
 
       private later(): void {
         window.clearTimeout(this.timer);
-        this.timer = window.setTimeout(() => void this.ask(), REST);
+        this.timer = window.setTimeout(() => void this.request(), REST_MS);
       }
 
-      private async ask(): Promise<void> {
+      private async request(): Promise<void> {
         const { version, view } = this;
         const { doc } = view.state;
-        const from = Math.max(1, doc.lineAt(view.viewport.from).number - MARGIN);
-        const to = Math.min(doc.lines, doc.lineAt(view.viewport.to).number + MARGIN) + 1;
-        const told = await asked.tokens(from, to);
+        const from = Math.max(1, doc.lineAt(view.viewport.from).number - MARGIN_LINES);
+        const to = Math.min(doc.lines, doc.lineAt(view.viewport.to).number + MARGIN_LINES) + 1;
+        const answer = await queries.tokens(from, to);
         // What was told of an older text may lie elsewhere; the run of the newer asks again.
-        if (!told || version !== this.version) return;
-        view.dispatch({ effects: setTokens.of(this.build(told.classes, told.tokens)) });
+        if (!answer || version !== this.version) return;
+        view.dispatch({ effects: setTokens.of(this.build(answer.classes, answer.tokens)) });
       }
 
       private build(classes: string[], tokens: Tokens): DecorationSet {
@@ -93,28 +93,28 @@ export function words(asked: Words): Extension {
   );
   const hover = hoverTooltip(async (view, at) => {
     const line = view.state.doc.lineAt(at);
-    const told = await asked.meaning(line.number, at - line.from);
-    if (!told || told.line > view.state.doc.lines) return null;
-    const own = view.state.doc.line(told.line);
+    const answer = await queries.meaning(line.number, at - line.from);
+    if (!answer || answer.line > view.state.doc.lines) return null;
+    const own = view.state.doc.line(answer.line);
     return {
-      pos: Math.min(own.to, own.from + told.column),
-      end: Math.min(own.to, own.from + told.end_column),
-      create: () => ({ dom: markdown(told.text) }),
+      pos: Math.min(own.to, own.from + answer.column),
+      end: Math.min(own.to, own.from + answer.end_column),
+      create: () => ({ dom: markdown(answer.text) }),
     };
   }, { hoverTime: 250 });
   return [plugin, hover];
 }
 
 /** The text has been run: its words are asked anew. */
-export function askWords(view: EditorView): void {
-  view.dispatch({ effects: askAgain.of(null) });
+export function refreshWords(view: EditorView): void {
+  view.dispatch({ effects: refreshEffect.of(null) });
 }
 
 /** Lines as long as this were broken to fit a terminal. */
 const BROKEN = 70;
 
 /** A text that was broken into lines for a terminal, with its paragraphs in one line each. */
-export function unwrapped(text: string): string {
+export function unwrapParagraphs(text: string): string {
   return text.replace(/^(.*)\n(?=[^\s\-*`|>])/gm, (whole, line: string) => (line.length >= BROKEN ? `${line} ` : whole));
 }
 
@@ -130,7 +130,7 @@ export function markdown(text: string): HTMLElement {
       continue;
     }
     const block = element("p");
-    for (const [piece, code, bold] of pieces(paragraph)) {
+    for (const [piece, code, bold] of markdownPieces(paragraph)) {
       if (code) block.append(element("code", "", piece));
       else if (bold) block.append(element("strong", "", piece));
       else block.append(piece);
@@ -141,7 +141,7 @@ export function markdown(text: string): HTMLElement {
 }
 
 /** A paragraph in pieces: the text, whether it is code, whether it is bold. */
-export function pieces(paragraph: string): [string, boolean, boolean][] {
+export function markdownPieces(paragraph: string): [string, boolean, boolean][] {
   const found: [string, boolean, boolean][] = [];
   const form = /`([^`]+)`|\*\*([^*]+)\*\*/g;
   let last = 0;

@@ -1,12 +1,12 @@
 // What must be replaced in a text so that it becomes another one.
 
 /** A text with the line ends that the page counts with. */
-export function unified(text: string): string {
+export function withUnixEndings(text: string): string {
   return text.replace(/\r\n?/g, "\n");
 }
 
 /** The one piece that differs, from its first to its last character; nothing where the texts are the same. */
-export function replaced(from: string, to: string): { from: number; to: number; insert: string } | undefined {
+export function textDifference(from: string, to: string): { from: number; to: number; insert: string } | undefined {
   if (from === to) return undefined;
   const least = Math.min(from.length, to.length);
   let head = 0;

@@ -1,6 +1,6 @@
 import { EditorState, Text } from "@codemirror/state";
 import { expect, it } from "vitest";
-import { changesOf, joined, rangeOf } from "./text-editor";
+import { changesOf, appendPiece, rangeOf } from "./text-editor";
 
 it("puts a text together from pieces, cut anywhere", () => {
   const lines = Array.from({ length: 5_000 }, (_, at) => `N${at} X${at % 97}`);
@@ -8,7 +8,7 @@ it("puts a text together from pieces, cut anywhere", () => {
     for (const size of [1, 7, 4096]) {
       if (text.length / size > 10_000) continue;
       let made = Text.empty;
-      for (let at = 0; at < text.length; at += size) made = joined(made, text.slice(at, at + size));
+      for (let at = 0; at < text.length; at += size) made = appendPiece(made, text.slice(at, at + size));
       expect(made.lines).toBe(text.split("\n").length);
       expect(made.toString() === text).toBe(true);
     }

@@ -14,20 +14,20 @@ import {
   keymap,
   lineNumbers,
 } from "@codemirror/view";
-import type { Place, Problem } from "../protocol/messages";
+import type { SourcePlace, Problem } from "../protocol/messages";
 import { element } from "./dom";
-import { plain, rich } from "./code-spans";
-import { markdown, unwrapped } from "./syntax-hints";
+import { plainText, codeSpans } from "./code-spans";
+import { markdown, unwrapParagraphs } from "./syntax-hints";
 
-export interface Change {
+export interface TextChange {
   from: number;
   to: number;
   insert: string;
 }
 
 /** Changes as the server takes them: places are those of the text before. */
-export function changesOf(set: ChangeSet): Change[] {
-  const changes: Change[] = [];
+export function changesOf(set: ChangeSet): TextChange[] {
+  const changes: TextChange[] = [];
   set.iterChanges((from, to, _fromB, _toB, inserted) => {
     changes.push({ from, to, insert: inserted.toString() });
   });
@@ -35,7 +35,7 @@ export function changesOf(set: ChangeSet): Change[] {
 }
 
 /** From and to in a text, of a place that a run told; a text that changed since may have moved it. */
-export function rangeOf(doc: Text, place: Place): { from: number; to: number } {
+export function rangeOf(doc: Text, place: SourcePlace): { from: number; to: number } {
   const at = (line: number, column: number) => {
     const own = doc.line(Math.max(1, Math.min(doc.lines, line)));
     return Math.min(own.to, own.from + column);
@@ -44,8 +44,8 @@ export function rangeOf(doc: Text, place: Place): { from: number; to: number } {
   return { from, to: Math.max(from, at(place.end_line, place.end_column)) };
 }
 
-export interface Told {
-  typed: (changes: Change[]) => void;
+export interface EditorHandlers {
+  typed: (changes: TextChange[]) => void;
   /** The cursor is on a line, put there by the user or by [`Editor.goTo`]. */
   cursor: (line: number, byUser: boolean) => void;
   save: () => void;
@@ -54,12 +54,12 @@ export interface Told {
 }
 
 /** A text with a piece more behind it, wherever the piece was cut off. */
-export function joined(before: Text, piece: string): Text {
+export function appendPiece(before: Text, piece: string): Text {
   return before.append(Text.of(piece.split("\n")));
 }
 
 /** How long nobody must type before the text is run, ms. */
-const QUIET = 120;
+const QUIET_MS = 120;
 
 const setLines = StateEffect.define<{ kind: "differs" | "now"; lines: number[] }>();
 
@@ -85,20 +85,20 @@ function lineMarks(kind: "differs" | "now", name: string) {
   });
 }
 
-export class Editor {
+export class TextEditor {
   readonly view: EditorView;
   private pending: ChangeSet | undefined;
   private timer = 0;
   private silent = false;
   private problems: Problem[] = [];
   private differing: number[] = [];
-  private arriving = Text.empty;
+  private pendingText = Text.empty;
   dirty = false;
   onDirty: (dirty: boolean) => void = () => {};
 
   constructor(
     parent: HTMLElement,
-    private told: Told,
+    private handlers: EditorHandlers,
     private more: import("@codemirror/state").Extension = [],
   ) {
     // Nothing may be typed before the text is there.
@@ -126,9 +126,9 @@ export class Editor {
         lineMarks("now", "line-now"),
         EditorView.contentAttributes.of({ "aria-label": "Program" }),
         keymap.of([
-          { key: "Mod-s", run: () => (this.told.save(), true), preventDefault: true },
+          { key: "Mod-s", run: () => (this.handlers.save(), true), preventDefault: true },
           { key: "F8", run: nextDiagnostic },
-          { key: "F12", run: (view) => (this.askDefinition(view.state.selection.main.head), true) },
+          { key: "F12", run: (view) => (this.requestDefinition(view.state.selection.main.head), true) },
           ...searchKeymap,
           ...historyKeymap,
           ...defaultKeymap,
@@ -138,7 +138,7 @@ export class Editor {
           mousedown: (event, view) => {
             const at = event.ctrlKey || event.metaKey ? view.posAtCoords(event) : null;
             if (at === null) return false;
-            this.askDefinition(at);
+            this.requestDefinition(at);
             return true;
           },
         }),
@@ -146,24 +146,24 @@ export class Editor {
           if (update.docChanged && !this.silent) this.changed(update.changes);
           if (update.selectionSet || update.docChanged) {
             const line = update.state.doc.lineAt(update.state.selection.main.head).number;
-            this.told.cursor(line, !this.silent);
+            this.handlers.cursor(line, !this.silent);
           }
         }),
       ],
     });
   }
 
-  private askDefinition(at: number): void {
+  private requestDefinition(at: number): void {
     const line = this.view.state.doc.lineAt(at);
     this.flush();
-    this.told.definition(line.number, at - line.from);
+    this.handlers.definition(line.number, at - line.from);
   }
 
   private changed(changes: ChangeSet): void {
     this.pending = this.pending ? this.pending.compose(changes) : changes;
     if (!this.dirty) this.setDirty(true);
     window.clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => this.flush(), QUIET);
+    this.timer = window.setTimeout(() => this.flush(), QUIET_MS);
   }
 
   /** What was typed goes to the server now. */
@@ -172,7 +172,7 @@ export class Editor {
     if (!this.pending) return;
     const changes = changesOf(this.pending);
     this.pending = undefined;
-    this.told.typed(changes);
+    this.handlers.typed(changes);
   }
 
   setDirty(dirty: boolean): void {
@@ -182,15 +182,15 @@ export class Editor {
 
   /** A piece of the server's text, which takes the place of what is here once the last is there. */
   addText(piece: string, isFirst: boolean, isLast: boolean): void {
-    this.arriving = joined(isFirst ? Text.empty : this.arriving, piece);
-    if (isLast) this.setText(this.arriving);
+    this.pendingText = appendPiece(isFirst ? Text.empty : this.pendingText, piece);
+    if (isLast) this.setText(this.pendingText);
     // What was typed now would belong to neither text.
     else if (isFirst) this.view.setState(this.stateOf(this.view.state.doc, true));
   }
 
   private setText(doc: Text): void {
     this.pending = undefined;
-    this.arriving = Text.empty;
+    this.pendingText = Text.empty;
     this.silent = true;
     const line = this.line;
     this.view.setState(this.stateOf(doc));
@@ -212,8 +212,8 @@ export class Editor {
           from,
           to,
           severity: problem.severity === "note" ? "info" : problem.severity,
-          message: plain(problem.message),
-          renderMessage: () => explain(problem),
+          message: plainText(problem.message),
+          renderMessage: () => problemDetails(problem),
           actions: this.actionsOf(problem),
         } satisfies Diagnostic;
       })
@@ -227,7 +227,7 @@ export class Editor {
       if (!one || !place?.own) return [];
       const { replacement, title, safe } = one;
       return [{
-        name: plain(safe ? title : `${title} (check the result)`),
+        name: plainText(safe ? title : `${title} (check the result)`),
         apply: (view: EditorView) => {
           const { from, to } = rangeOf(view.state.doc, place);
           view.dispatch({ changes: { from, to, insert: replacement } });
@@ -266,10 +266,10 @@ export class Editor {
 }
 
 /** A problem with everything that is known of it. */
-export function explain(problem: Problem): HTMLElement {
+export function problemDetails(problem: Problem): HTMLElement {
   const root = element("div", "explained");
   const part = (name: string, text: string | null | undefined) => {
-    if (text) root.append(rich(text, name, "div"));
+    if (text) root.append(codeSpans(text, name, "div"));
   };
   part("what", `${problem.code}: ${problem.message}`);
   part("label", problem.label);
@@ -277,7 +277,7 @@ export function explain(problem: Problem): HTMLElement {
   problem.notes.forEach((note) => part("note", note));
   part("help", problem.help);
   const more = element("details");
-  more.append(element("summary", "", "What it means"), markdown(unwrapped(problem.explanation)));
+  more.append(element("summary", "", "What it means"), markdown(unwrapParagraphs(problem.explanation)));
   root.append(more);
   return root;
 }

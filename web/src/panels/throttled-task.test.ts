@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { Later } from "./throttled-task";
+import { ThrottledTask } from "./throttled-task";
 
 beforeEach(() => {
   vi.useFakeTimers({ toFake: ["setTimeout", "performance"] });
@@ -11,28 +11,28 @@ afterEach(() => {
 });
 
 test("of what comes soon after each other the last is done, and not more often than it may be", () => {
-  const later = new Later(100);
+  const later = new ThrottledTask(100);
   const done: number[] = [];
-  for (let n = 0; n < 3; n++) later.do(() => done.push(n));
+  for (let n = 0; n < 3; n++) later.schedule(() => done.push(n));
   expect(done).toEqual([]);
   vi.advanceTimersByTime(20);
   expect(done).toEqual([2]);
-  later.do(() => done.push(3));
+  later.schedule(() => done.push(3));
   vi.advanceTimersByTime(90);
   expect(done).toEqual([2]);
   vi.advanceTimersByTime(40);
   expect(done).toEqual([2, 3]);
-  later.do(() => done.push(4));
+  later.schedule(() => done.push(4));
   later.cancel();
   vi.advanceTimersByTime(1000);
   expect(done).toEqual([2, 3]);
 });
 
 test("what waits for quiet is done at last, though there is none", () => {
-  const later = new Later(100);
+  const later = new ThrottledTask(100);
   const done: number[] = [];
   for (let n = 0; n < 10; n++) {
-    later.do(() => done.push(n), 150);
+    later.schedule(() => done.push(n), 150);
     vi.advanceTimersByTime(80);
   }
   expect(done.length).toBe(1);

@@ -3,10 +3,10 @@
 /** However long newer work keeps coming, some of it is done after so long, ms. */
 const LONGEST_MS = 600;
 
-export class Later {
+export class ThrottledTask {
   private next: (() => void) | undefined;
   private isWaiting = false;
-  private askedAt = 0;
+  private requestedAt = 0;
   private dueAt = 0;
   private doneAt = -Infinity;
 
@@ -14,11 +14,11 @@ export class Later {
   constructor(private everyMs: number) {}
 
   /** Does this after the next frame, or after so many ms in which nothing newer comes. */
-  do(what: () => void, quietMs = 0): void {
+  schedule(what: () => void, quietMs = 0): void {
     const now = performance.now();
-    if (!this.next) this.askedAt = now;
+    if (!this.next) this.requestedAt = now;
     this.next = what;
-    this.dueAt = Math.max(this.doneAt + this.everyMs, Math.min(now + quietMs, this.askedAt + LONGEST_MS));
+    this.dueAt = Math.max(this.doneAt + this.everyMs, Math.min(now + quietMs, this.requestedAt + LONGEST_MS));
     if (!this.isWaiting) this.wait();
   }
 

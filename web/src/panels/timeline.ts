@@ -1,7 +1,7 @@
 // The timeline: speed over time, a scrubber, and playback.
 
-import { type Engaged, type Measure, measured } from "../path/engagement";
-import { type Sign, icon, signButton } from "./icons";
+import { type EngagementCurve, type EngagementMeasure, measureText } from "../path/engagement";
+import { type IconName, icon, signButton } from "./icons";
 import { type Setpoints, speedBands } from "../path/setpoints";
 import { type Units, duration, speed } from "./units";
 
@@ -20,7 +20,7 @@ export class Timeline {
   private rateText: HTMLElement;
   private playButton: HTMLButtonElement;
   private choice: HTMLSelectElement;
-  private engaged: Engaged | undefined;
+  private engagement: EngagementCurve | undefined;
   onTime: (seconds: number, playing: boolean) => void = () => {};
   onStep: (direction: 1 | -1) => void = () => {};
   onToCursor: () => void = () => {};
@@ -87,7 +87,7 @@ export class Timeline {
 
   clear(): void {
     this.points = undefined;
-    this.setEngaged(undefined);
+    this.setEngagement(undefined);
     this.pause();
     this.draw();
     this.show();
@@ -103,18 +103,18 @@ export class Timeline {
   }
 
   /** How hard the cuts are, once that is known. */
-  setEngaged(engaged: Engaged | undefined): void {
+  setEngagement(engagement: EngagementCurve | undefined): void {
     const { value } = this.choice;
-    this.engaged = engaged;
-    this.choice.hidden = !engaged;
-    const known = engaged?.named ?? [];
+    this.engagement = engagement;
+    this.choice.hidden = !engagement;
+    const known = engagement?.named ?? [];
     this.choice.replaceChildren(...[["speed", "Speed"], ...known].map(([key, text]) => new Option(text, key)));
     this.choice.value = known.some(([measure]) => measure === value) ? value : "speed";
     this.draw();
   }
 
-  private get measure(): Measure | undefined {
-    return this.engaged && this.choice.value !== "speed" ? (this.choice.value as Measure) : undefined;
+  private get measure(): EngagementMeasure | undefined {
+    return this.engagement && this.choice.value !== "speed" ? (this.choice.value as EngagementMeasure) : undefined;
   }
 
   toggle(): void {
@@ -174,7 +174,7 @@ export class Timeline {
   }
 
   private showSign(): void {
-    const sign: Sign = this.playing ? "pause" : "play";
+    const sign: IconName = this.playing ? "pause" : "play";
     const label = this.playing ? "Pause (Space)" : "Play (Space)";
     this.playButton.setAttribute("aria-label", label);
     this.playButton.title = label;
@@ -195,7 +195,7 @@ export class Timeline {
     if (!context || !points || width === 0 || points.totalS <= 0) return;
     const style = getComputedStyle(canvas);
     const { measure } = this;
-    const bands = this.engaged?.bands(measure, points, canvas.width);
+    const bands = this.engagement?.bands(measure, points, canvas.width);
     const [low, high] = measure && bands ? [new Float32Array(canvas.width), bands.most] : speedBands(points, canvas.width);
     canvas.setAttribute("aria-label", `${measure ? this.choice.selectedOptions[0]?.text : "Speed"} over time`);
     const most = high.reduce((a, b) => (b > a ? b : a), 0) || 1;
@@ -216,7 +216,7 @@ export class Timeline {
     context.stroke();
     context.fillStyle = style.getPropertyValue("--plot-text");
     context.font = `${11 * scale}px system-ui, sans-serif`;
-    const text = measure ? `at most ${measured(this.units, measure, high.reduce((a, b) => Math.max(a, b), 0))}` : speed(this.units, most);
+    const text = measure ? `at most ${measureText(this.units, measure, high.reduce((a, b) => Math.max(a, b), 0))}` : speed(this.units, most);
     context.fillText(text, 4 * scale, 11 * scale);
     // Moves that are too much, or rub: where, and how many parts of the line.
     for (const [fault, color] of [["rubs", "--warning"], ["overload", "--error"]] as const) {

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { coordinate, counted, duration, length, position, programmed, speed } from "./units";
+import { coordinate, countText, duration, length, position, programmed, speed } from "./units";
 
 const inch = { inch: true };
 const metric = { inch: false };
@@ -29,8 +29,8 @@ it("tells times as a clock does", () => {
 });
 
 it("counts", () => {
-  expect(counted(1, "error")).toBe("1 error");
-  expect(counted(1200, "error")).toBe("1,200 errors");
+  expect(countText(1, "error")).toBe("1 error");
+  expect(countText(1200, "error")).toBe("1,200 errors");
 });
 
 it("says a dash for a coordinate that is not known", () => {

@@ -84,6 +84,6 @@ export function count(value: number): string {
   return value.toLocaleString("en-US");
 }
 
-export function counted(value: number, one: string, many = `${one}s`): string {
+export function countText(value: number, one: string, many = `${one}s`): string {
   return `${count(value)} ${value === 1 ? one : many}`;
 }

@@ -1,11 +1,11 @@
 import { expect, test } from "vitest";
-import { Engaged, measured } from "./engagement";
+import { EngagementCurve, measureText } from "./engagement";
 
 const points = { places: new Float32Array(), speed: new Float32Array(5), row: new Uint32Array([0, 0, 2, 5, 5]), periodS: 1, totalS: 4 };
 
-function engaged(problems = [0, 2, 3]): Engaged {
+function engaged(problems = [0, 2, 3]): EngagementCurve {
   const by = { radial: new Float32Array([2, 5, 3]), chip: new Float32Array([-1, -1, -1]), power: new Float32Array([0.1, -1, 0.4]) };
-  return new Engaged(new Uint32Array([0, 1, 4]), by, new Uint8Array(problems));
+  return new EngagementCurve(new Uint32Array([0, 1, 4]), by, new Uint8Array(problems));
 }
 
 test("each part of the time has the most of its moves, short ones without a setpoint among them", () => {
@@ -20,6 +20,6 @@ test("moves that are too much are marked, and above those that rub", () => {
 
 test("what is known of no move cannot be chosen", () => {
   expect(engaged().known).toEqual(["radial", "power"]);
-  expect(measured({ inch: false }, "power", 0.4)).toBe("0.4 kW");
-  expect(measured({ inch: true }, "radial", 2.54)).toBe("0.1 in");
+  expect(measureText({ inch: false }, "power", 0.4)).toBe("0.4 kW");
+  expect(measureText({ inch: true }, "radial", 2.54)).toBe("0.1 in");
 });

@@ -4,21 +4,21 @@ import { type Frame, f32, u32, u8 } from "../protocol/frame";
 import type { Setpoints } from "./setpoints";
 import { type Units, length, power } from "../panels/units";
 
-export type Measure = "radial" | "chip" | "power";
+export type EngagementMeasure = "radial" | "chip" | "power";
 
-const MEASURES: [Measure, string][] = [["radial", "Radial depth"], ["chip", "Chip"], ["power", "Power"]];
-const TURNING: [Measure, string][] = [["radial", "Depth of cut"], ["chip", "Chip"], ["power", "Power"]];
+const MEASURES: [EngagementMeasure, string][] = [["radial", "Radial depth"], ["chip", "Chip"], ["power", "Power"]];
+const TURNING: [EngagementMeasure, string][] = [["radial", "Depth of cut"], ["chip", "Chip"], ["power", "Power"]];
 
 /** What is wrong with a move: a chip too thick or a spindle without the power, or a tool that rubs. */
-export type Fault = "none" | "overload" | "rubs";
+export type EngagementFault = "none" | "overload" | "rubs";
 
 /** By row of the path, from zero on: nothing is cut, or it is not known. */
-export class Engaged {
-  private values: Record<Measure, Float32Array>;
+export class EngagementCurve {
+  private values: Record<EngagementMeasure, Float32Array>;
   private faults: Uint8Array;
-  readonly known: Measure[];
+  readonly known: EngagementMeasure[];
 
-  constructor(rows: Uint32Array, by: Record<Measure, Float32Array>, problems: Uint8Array, private isTurning = false) {
+  constructor(rows: Uint32Array, by: Record<EngagementMeasure, Float32Array>, problems: Uint8Array, private isTurning = false) {
     const count = (rows.at(-1) ?? -1) + 1;
     const dense = (values: Float32Array) => {
       const made = new Float32Array(count);
@@ -32,14 +32,14 @@ export class Engaged {
   }
 
   /** What is known, with its name. */
-  get named(): [Measure, string][] {
+  get named(): [EngagementMeasure, string][] {
     return (this.isTurning ? TURNING : MEASURES).filter(([measure]) => this.known.includes(measure));
   }
 
   /** The most of a measure in each of so many equal parts of the time, and what is wrong there. */
-  bands(measure: Measure | undefined, points: Setpoints, parts: number): { most: Float32Array; faults: Fault[] } {
+  bands(measure: EngagementMeasure | undefined, points: Setpoints, parts: number): { most: Float32Array; faults: EngagementFault[] } {
     const most = new Float32Array(parts);
-    const faults: Fault[] = new Array(parts).fill("none");
+    const faults: EngagementFault[] = new Array(parts).fill("none");
     const values = measure && this.values[measure];
     const last = points.row.length - 1;
     for (let part = 0; part < parts && last >= 0; part++) {
@@ -58,12 +58,12 @@ export class Engaged {
   }
 }
 
-export function engagedOf(frame: Frame): Engaged {
+export function engagementOf(frame: Frame): EngagementCurve {
   const by = { radial: f32(frame, "radial"), chip: f32(frame, "chip"), power: f32(frame, "power") };
-  return new Engaged(u32(frame, "row"), by, u8(frame, "problem"), frame.header.turning === true);
+  return new EngagementCurve(u32(frame, "row"), by, u8(frame, "problem"), frame.header.turning === true);
 }
 
 /** A value with its unit. */
-export function measured(units: Units, measure: Measure, value: number): string {
+export function measureText(units: Units, measure: EngagementMeasure, value: number): string {
   return measure === "power" ? power(units, value) : length(units, value);
 }

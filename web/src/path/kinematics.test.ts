@@ -1,16 +1,16 @@
 import { expect, test } from "vitest";
 import type { Batch, Vec3 } from "./batch";
-import type { Rotary } from "../protocol/messages";
-import { Kinematics, onCurve, turned, unknownTurns } from "./kinematics";
+import type { RotaryAxis } from "../protocol/messages";
+import { Kinematics, curvePoint, rotated, unknownTurns } from "./kinematics";
 
-const none = (letter: string): Rotary => ({ letter, turns: null, reversed: false, center_mm: [0, 0, 0] });
+const none = (letter: string): RotaryAxis => ({ letter, turns: null, reversed: false, center_mm: [0, 0, 0] });
 const near = (found: ArrayLike<number>, expected: number[]) =>
   expected.forEach((value, axis) => expect(found[axis], `${Array.from(found)}`).toBeCloseTo(value, 4));
 
 test("a right-hand screw", () => {
-  near(turned([0, 1, 0], 0, Math.PI / 2), [0, 0, 1]);
-  near(turned([0, 0, 1], 1, Math.PI / 2), [1, 0, 0]);
-  near(turned([1, 0, 0], 2, Math.PI / 2), [0, 1, 0]);
+  near(rotated([0, 1, 0], 0, Math.PI / 2), [0, 0, 1]);
+  near(rotated([0, 0, 1], 1, Math.PI / 2), [1, 0, 0]);
+  near(rotated([1, 0, 0], 2, Math.PI / 2), [0, 1, 0]);
 });
 
 test("a table turns the path about its axis, a head only the tool", () => {
@@ -27,14 +27,14 @@ test("a table turns the path about its axis, a head only the tool", () => {
 });
 
 test("the centre counts in the program's coordinates, places from the origin", () => {
-  const axis: Rotary = { letter: "A", turns: "table", reversed: false, center_mm: [0, 0, -20] };
+  const axis: RotaryAxis = { letter: "A", turns: "table", reversed: false, center_mm: [0, 0, -20] };
   const table = new Kinematics([axis, none("B"), none("C")], [100, 0, 10]);
   // At the program's Z10, 30 above the axis.
   near(table.place([0, 0, 0], [Math.PI / 2, 0, 0]), [0, -30, -30]);
 });
 
 test("of a trunnion A carries C: a hole of the side face comes up by A, where C has turned it", () => {
-  const rotary: Rotary[] = [{ ...none("A"), turns: "table" }, none("B"), { ...none("C"), turns: "table" }];
+  const rotary: RotaryAxis[] = [{ ...none("A"), turns: "table" }, none("B"), { ...none("C"), turns: "table" }];
   const trunnion = new Kinematics(rotary, [0, 0, 0]);
   const both = [Math.PI / 2, 0, Math.PI / 2];
   // Upright on the machine; on the part first lain down by A, then turned about the part's own Z.
@@ -62,7 +62,7 @@ test("a move that turns is a helix on the part, its ends exact", () => {
   // No chord leaves the circle by more than 0.02 % of its radius.
   expect(curve.length / 3).toBeGreaterThan(90);
   for (let at = 0; at < curve.length; at += 3) expect(Math.hypot(curve[at + 1]!, curve[at + 2]!)).toBeCloseTo(10, 4);
-  const middle = onCurve(curve, 0.5);
+  const middle = curvePoint(curve, 0.5);
   expect(middle[0]).toBeCloseTo(4, 4);
   expect(middle[1]).toBeCloseTo(-10, 2);
   near(made.points, [0, 0, 10, 8, 0, -10]);

@@ -3,19 +3,19 @@
 
 import { arcIndex, arcPoint } from "./arcs";
 import type { Batch, Vec3 } from "./batch";
-import type { Rotary } from "../protocol/messages";
+import type { RotaryAxis } from "../protocol/messages";
 
 /** A move that turns is drawn in pieces of this angle, rad. */
-const STEP = Math.PI / 90;
+const STEP_RAD = Math.PI / 90;
 /** Pieces of one move at most. */
-const MOST_PIECES = 2_000;
+const MAX_PIECES = 2_000;
 
 /** What the rotary axes of a machine do to the path. */
 export class Kinematics {
   private known: boolean;
 
   constructor(
-    private axes: Rotary[],
+    private axes: RotaryAxis[],
     private origin: Vec3,
   ) {
     this.known = axes.some((axis) => axis.turns !== null);
@@ -33,18 +33,18 @@ export class Kinematics {
       if (axis.turns !== "table" || angle === 0) return;
       const center = axis.center_mm.map((mm, i) => mm - this.origin[i]!) as Vec3;
       const arm = placed.map((value, i) => value - center[i]!) as Vec3;
-      placed = turned(arm, index, signed(axis, angle)).map((value, i) => value + center[i]!) as Vec3;
+      placed = rotated(arm, index, signed(axis, angle)).map((value, i) => value + center[i]!) as Vec3;
     });
     return placed;
   }
 
   /** A direction of the tool, or of a move, on the part. */
-  direction(way: Vec3, turn: ArrayLike<number>, from = 0, of: "tool" | "move" = "tool"): Vec3 {
-    let pointed = way;
+  direction(vector: Vec3, turn: ArrayLike<number>, from = 0, of: "tool" | "move" = "tool"): Vec3 {
+    let pointed = vector;
     for (const kind of of === "tool" ? (["head", "table"] as const) : (["table"] as const)) {
       this.axes.forEach((axis, index) => {
         const angle = turn[from + index]!;
-        if (axis.turns === kind && angle !== 0) pointed = turned(pointed, index, signed(axis, angle));
+        if (axis.turns === kind && angle !== 0) pointed = rotated(pointed, index, signed(axis, angle));
       });
     }
     return pointed;
@@ -79,7 +79,7 @@ export class Kinematics {
       if (axis.turns !== "table") return;
       most = Math.max(most, Math.abs(turns[6 * row + 3 + index]! - turns[6 * row + index]!));
     });
-    return Math.max(1, Math.min(MOST_PIECES, Math.ceil(most / STEP)));
+    return Math.max(1, Math.min(MAX_PIECES, Math.ceil(most / STEP_RAD)));
   }
 
   /** The points of a spline, each as it lies on the part. */
@@ -133,7 +133,7 @@ export class Kinematics {
 }
 
 /** Where on a curve of points a share of it is. */
-export function onCurve(curve: Float32Array, share: number): Vec3 {
+export function curvePoint(curve: Float32Array, share: number): Vec3 {
   const last = curve.length / 3 - 1;
   const exact = Math.min(last, Math.max(0, share * last));
   const index = Math.min(last - 1, Math.floor(exact));
@@ -146,7 +146,7 @@ export function onCurve(curve: Float32Array, share: number): Vec3 {
 }
 
 /** What is told of rotary axes that the program moves and the machine file says nothing of. */
-export function unknownTurns(axes: { letter: string; range: [number, number] }[], rotary: Rotary[]): string {
+export function unknownTurns(axes: { letter: string; range: [number, number] }[], rotary: RotaryAxis[]): string {
   const unknown = rotary.filter((own) => {
     const moved = axes.find((axis) => axis.letter === own.letter);
     return own.turns === null && moved && (moved.range[0] !== 0 || moved.range[1] !== 0);
@@ -156,7 +156,7 @@ export function unknownTurns(axes: { letter: string; range: [number, number] }[]
   return `What ${names} turns is not known: the path is drawn without rotation. Give \`rotary.${unknown[0]!.letter}.turns\` in the machine file.`;
 }
 
-function signed(axis: Rotary, angle: number): number {
+function signed(axis: RotaryAxis, angle: number): number {
   return axis.reversed ? -angle : angle;
 }
 
@@ -165,7 +165,7 @@ function pointOf(points: ArrayLike<number>, at: number): Vec3 {
 }
 
 /** Turned about X, Y or Z as a right-hand screw goes. */
-export function turned(at: Vec3, about: number, angle: number): Vec3 {
+export function rotated(at: Vec3, about: number, angle: number): Vec3 {
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   const [u, v] = [(about + 1) % 3, (about + 2) % 3];
   const result: Vec3 = [...at];

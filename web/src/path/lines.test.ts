@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { drawn, nearest, someRows } from "./lines";
+import { linesOf, nearest, someRows } from "./lines";
 import { type Batch, KNOWN } from "./batch";
 
 const CUT = 1 | KNOWN;
@@ -27,7 +27,7 @@ const half = [0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1, Math.PI, 0];
 describe("what is drawn", () => {
   it("is the server's own array where everything is straight", () => {
     const straight = batch([CUT, CUT], [0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0]);
-    const { cuts, rapids } = drawn(straight, () => 0.01);
+    const { cuts, rapids } = linesOf(straight, () => 0.01);
     expect(cuts.points).toBe(straight.points);
     expect([cuts.count, rapids.count]).toEqual([2, 0]);
   });
@@ -38,7 +38,7 @@ describe("what is drawn", () => {
       [0, 0, 5, 1, 0, 0, 1, 0, 0, -1, 0, 0, 9, 9, 9, 9, 9, 9, -1, 0, 0, -1, 5, 0],
       [[1, half]],
     );
-    const { cuts, rapids } = drawn(mixed, () => 0.01);
+    const { cuts, rapids } = linesOf(mixed, () => 0.01);
     expect(rapids.count).toBe(1);
     expect([...rapids.rows!]).toEqual([0]);
     expect(cuts.count).toBeGreaterThan(10);
@@ -59,7 +59,7 @@ describe("what is drawn", () => {
 describe("the nearest line", () => {
   // A view from above: 100 pixels for two units.
   const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-  const two = drawn(batch([CUT, CUT], [-1, 0, 0, 1, 0, 0, 0.5, 0.5, 7, 0.5, 1, -7]), () => 1).cuts;
+  const two = linesOf(batch([CUT, CUT], [-1, 0, 0, 1, 0, 0, 0.5, 0.5, 7, 0.5, 1, -7]), () => 1).cuts;
 
   it("is told with how far away it is and where on it", () => {
     expect(nearest(two, identity, 100, 100, 25, 52, 5)).toEqual({ index: 0, distance: 2, share: 0.25 });

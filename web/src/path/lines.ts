@@ -5,28 +5,28 @@ import { arcIndex, arcPieces, arcPoint } from "./arcs";
 import { type Batch, KNOWN, RAPID, kindOf } from "./batch";
 
 /** Line segments: six numbers each, relative to the origin. */
-export interface Lines {
+export interface LineArrays {
   points: Float32Array;
   /** The row of each, within its batch; `undefined`: each is the row of its number. */
   rows: Uint32Array | undefined;
   count: number;
 }
 
-export interface Drawn {
-  cuts: Lines;
-  rapids: Lines;
+export interface DrawnLines {
+  cuts: LineArrays;
+  rapids: LineArrays;
 }
 
-export type Tolerance = (arcs: Float32Array, index: number) => number;
+export type ArcTolerance = (arcs: Float32Array, index: number) => number;
 
 /** Whether a row of a batch is shown. */
-export type Keep = (row: number) => boolean;
+export type RowFilter = (row: number) => boolean;
 
 /**
  * Cuts and rapids of a batch, those that are kept; `tolerance` says how far an arc's pieces may be
  * from it, mm.
  */
-export function drawn(batch: Batch, tolerance: Tolerance, keep?: Keep): Drawn {
+export function linesOf(batch: Batch, tolerance: ArcTolerance, keep?: RowFilter): DrawnLines {
   const { rows, kind, arcRows, arcs, points } = batch;
   const pieces = new Uint32Array(arcRows.length);
   const isShown = (row: number) => (kind[row]! & KNOWN) !== 0 && (!keep || keep(row));
@@ -62,7 +62,7 @@ export function drawn(batch: Batch, tolerance: Tolerance, keep?: Keep): Drawn {
   return { cuts: cut.lines(), rapids: rapid.lines() };
 }
 
-function gather(size: number): Lines {
+function gather(size: number): LineArrays {
   return new Gatherer(size).lines();
 }
 
@@ -104,7 +104,7 @@ class Gatherer {
     }
   }
 
-  lines(): Lines {
+  lines(): LineArrays {
     const { count } = this;
     return {
       points: this.points.subarray(0, 6 * count),
@@ -115,7 +115,7 @@ class Gatherer {
 }
 
 /** The segments of some rows of a batch, for what is drawn apart. */
-export function someRows(batch: Batch, from: number, to: number, tolerance: Tolerance): number[] {
+export function someRows(batch: Batch, from: number, to: number, tolerance: ArcTolerance): number[] {
   const points: number[] = [];
   for (let row = from; row <= to; row++) {
     if (!(batch.kind[row]! & KNOWN)) continue;
@@ -149,7 +149,7 @@ export function someRows(batch: Batch, from: number, to: number, tolerance: Tole
  * matrix (column-major) takes points to the cube from -1 to 1 without perspective.
  */
 export function nearest(
-  lines: Lines,
+  lines: LineArrays,
   matrix: ArrayLike<number>,
   width: number,
   height: number,

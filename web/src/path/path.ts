@@ -2,10 +2,10 @@
 
 import { arcIndex, arcPoint, arcEighths } from "./arcs";
 import { RAPID, KNOWN, type Vec3, type Batch, type Bounds, kindOf, ALL_AXES, END_AXES } from "./batch";
-import { onCurve } from "./kinematics";
+import { curvePoint } from "./kinematics";
 
 /** Places of a row that are looked at first to find how much of it is done. */
-const LOOKS = 32;
+const SHARE_SAMPLES = 32;
 
 /** A path that grows batch by batch. */
 export class Path {
@@ -223,13 +223,13 @@ export class Path {
     };
     let best = 0;
     let least = far(0);
-    for (let step = 1; step <= LOOKS; step++) {
-      const distance = far(step / LOOKS);
-      if (distance < least) [best, least] = [step / LOOKS, distance];
+    for (let step = 1; step <= SHARE_SAMPLES; step++) {
+      const distance = far(step / SHARE_SAMPLES);
+      if (distance < least) [best, least] = [step / SHARE_SAMPLES, distance];
     }
     // Between the neighbours of the best one.
-    let low = Math.max(0, best - 1 / LOOKS);
-    let high = Math.min(1, best + 1 / LOOKS);
+    let low = Math.max(0, best - 1 / SHARE_SAMPLES);
+    let high = Math.min(1, best + 1 / SHARE_SAMPLES);
     for (let round = 0; round < 20; round++) {
       const [a, b] = [low + (high - low) / 3, high - (high - low) / 3];
       if (far(a) <= far(b)) high = b;
@@ -244,7 +244,7 @@ export class Path {
     if (!found) return undefined;
     const [batch, at] = found;
     const curve = batch.curves?.get(at);
-    if (curve) return onCurve(curve, share);
+    if (curve) return curvePoint(curve, share);
     const arc = arcIndex(batch, at);
     if (arc >= 0 && share > 0 && share < 1) return arcPoint(batch.arcs, arc, share);
     const p = batch.points;

@@ -35,8 +35,8 @@ describe("the one state of the page", () => {
   const [path, setpoints] = program();
 
   it("has no place before the first known one", () => {
-    for (const asked of [{ to: "start" } as const, { to: "time", seconds: 0 } as const, { to: "time", seconds: 0.5 } as const]) {
-      const state = playbackStateOf(asked, path, setpoints);
+    for (const target of [{ to: "start" } as const, { to: "time", seconds: 0 } as const, { to: "time", seconds: 0.5 } as const]) {
+      const state = playbackStateOf(target, path, setpoints);
       expect(state.at).toBeUndefined();
       expect(state.coordinates).toEqual([undefined, undefined, undefined]);
     }
@@ -57,7 +57,7 @@ describe("the one state of the page", () => {
   });
 
   it("shows one time for a place within a row", () => {
-    const state = playbackStateOf({ to: "row", row: 1, share: 0.25, looks: true }, path, setpoints);
+    const state = playbackStateOf({ to: "row", row: 1, share: 0.25, isInspection: true }, path, setpoints);
     expect(state.seconds).toBeCloseTo(1.5, 9);
     expect(state.coordinates[0]).toBeCloseTo(15, 9);
     const again = playbackStateOf({ to: "time", seconds: state.seconds! }, path, setpoints);

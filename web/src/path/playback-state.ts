@@ -5,13 +5,13 @@ import type { Path } from "./path";
 import { type Setpoints, momentAt, timeAfterRow, timeOfRow, timeOnRow } from "./setpoints";
 
 /** What was asked for. */
-export type Asked =
+export type PlaybackTarget =
   /** The beginning. */
   | { to: "start" }
   /** What a line does is done. */
   | { to: "line"; line: number }
   /** A share of a row is done; `looks`: a place is looked at, and all of the path is shown as it is. */
-  | { to: "row"; row: number; share: number; looks?: boolean }
+  | { to: "row"; row: number; share: number; isInspection?: boolean }
   | { to: "time"; seconds: number };
 
 /** X, Y and Z, mm; none where one is not known. */
@@ -36,21 +36,21 @@ export interface PlaybackState {
 /** A place that is nearer to an end of its row is that end, mm. */
 const AT_END_MM = 1e-3;
 /** Shares of a row that closes within which its start and its end are told apart by the time. */
-const NEAR_END = 0.02;
+const CLOSED_END_SHARE = 0.02;
 
 /** Where the program is when something is asked for. */
-export function playbackStateOf(asked: Asked, path: Path, setpoints: Setpoints | undefined): PlaybackState {
-  switch (asked.to) {
+export function playbackStateOf(target: PlaybackTarget, path: Path, setpoints: Setpoints | undefined): PlaybackState {
+  switch (target.to) {
     case "start":
       return onRow(path, setpoints, 0, 0, 0);
     case "line": {
-      const done = path.doneAfterLine(asked.line);
+      const done = path.doneAfterLine(target.line);
       return done === 0 ? onRow(path, setpoints, 0, 0, 0) : onRow(path, setpoints, done - 1, 1);
     }
     case "row":
-      return onRow(path, setpoints, asked.row, asked.share);
+      return onRow(path, setpoints, target.row, target.share);
     case "time":
-      return setpoints ? atTime(path, setpoints, asked.seconds) : onRow(path, setpoints, 0, 0, 0);
+      return setpoints ? atTime(path, setpoints, target.seconds) : onRow(path, setpoints, 0, 0, 0);
   }
 }
 
@@ -62,13 +62,13 @@ export function doneOf({ row, share }: PlaybackState): number {
 function onRow(path: Path, setpoints: Setpoints | undefined, row: number, share: number, from?: number): PlaybackState {
   const seconds = setpoints && (from ?? timeOnRow(setpoints, row, share));
   const moment = setpoints && seconds !== undefined ? momentAt(setpoints, seconds) : undefined;
-  const [own, said] = [path.pointOn(row, share), path.programmedOn(row, share)];
+  const [own, programmed] = [path.pointOn(row, share), path.programmedOn(row, share)];
   const planned = moment && relative(moment.programmed, path);
   // Its ends are those of the program, to the digit. Within a row, and at a corner that is rounded, the motion says
   // where the tool is.
   const isEnd = share <= 0 || share >= 1;
-  const isReached = !planned || !said || (isEnd && distance(planned, said) <= stepAt(setpoints!, seconds!));
-  if (isReached) return { row, share, ...known(path, row, share, own, said), turn: path.turnOn(row, share), speed: moment?.speed, seconds };
+  const isReached = !planned || !programmed || (isEnd && distance(planned, programmed) <= stepAt(setpoints!, seconds!));
+  if (isReached) return { row, share, ...known(path, row, share, own, programmed), turn: path.turnOn(row, share), speed: moment?.speed, seconds };
   return { row, share, ...known(path, row, share, relative(moment!.at, path), planned), turn: moment!.turn, speed: moment!.speed, seconds };
 }
 
@@ -99,7 +99,7 @@ function shareAt(path: Path, setpoints: Setpoints, row: number, at: Vec3, second
   if (isAtStart !== isAtEnd) return isAtEnd ? 1 : 0;
   const share = path.shareOf(row, at);
   const isClosed = isAtStart || (far(0) < Infinity && closes(path, row));
-  if (!isClosed || (share > NEAR_END && share < 1 - NEAR_END)) return share;
+  if (!isClosed || (share > CLOSED_END_SHARE && share < 1 - CLOSED_END_SHARE)) return share;
   // A whole circle, or a move of rotary axes alone: start and end are one place.
   const [from, to] = [timeOfRow(setpoints, row), timeAfterRow(setpoints, row)];
   const passed = to > from ? Math.min(1, Math.max(0, (seconds - from) / (to - from))) : 1;
@@ -112,10 +112,10 @@ function closes(path: Path, row: number): boolean {
 }
 
 /** What is known of a place: where the tool is drawn, and its coordinates. */
-function known(path: Path, row: number, share: number, at: Vec3 | undefined, said: Vec3 | undefined): Pick<PlaybackState, "at" | "coordinates"> {
+function known(path: Path, row: number, share: number, at: Vec3 | undefined, programmed: Vec3 | undefined): Pick<PlaybackState, "at" | "coordinates"> {
   const axes = path.knownOn(row, share);
   const coordinates = axisBits.map((bit, axis) =>
-    said && axes & bit ? said[axis]! + path.origin[axis]! : undefined) as Coordinates;
+    programmed && axes & bit ? programmed[axis]! + path.origin[axis]! : undefined) as Coordinates;
   return { at: path.isPlace(row, share) ? at : undefined, coordinates };
 }
 

@@ -18,7 +18,7 @@ export interface Setpoints {
   totalS: number;
 }
 
-export interface Moment {
+export interface SetpointMoment {
   at: Vec3;
   /** The same as the program says it. */
   programmed: Vec3;
@@ -29,7 +29,7 @@ export interface Moment {
 }
 
 /** What happens at a time; between setpoints evenly. */
-export function momentAt(points: Setpoints, seconds: number): Moment | undefined {
+export function momentAt(points: Setpoints, seconds: number): SetpointMoment | undefined {
   const last = points.row.length - 1;
   if (last < 0) return undefined;
   const exact = Math.min(last, Math.max(0, seconds / points.periodS));

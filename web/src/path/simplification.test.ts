@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
-import { type Strands, someStrands, strands } from "./simplification";
-import type { Lines } from "./lines";
+import { type PathStrands, someStrands, strands } from "./simplification";
+import type { LineArrays } from "./lines";
 
 /** Lines from place to place; a gap where a place is missing. */
-function chain(places: ([number, number, number] | undefined)[]): Lines {
+function chain(places: ([number, number, number] | undefined)[]): LineArrays {
   const points: number[] = [];
   for (let at = 1; at < places.length; at++) {
     const [from, to] = [places[at - 1], places[at]];
@@ -13,7 +13,7 @@ function chain(places: ([number, number, number] | undefined)[]): Lines {
 }
 
 /** Passes along X over a wave, to and fro, each a step further along Y. */
-function raster(passes: number, steps: number): Lines {
+function raster(passes: number, steps: number): LineArrays {
   const places: [number, number, number][] = [];
   for (let pass = 0; pass < passes; pass++) {
     for (let step = 0; step <= steps; step++) {
@@ -25,7 +25,7 @@ function raster(passes: number, steps: number): Lines {
 }
 
 /** How far a place is from the nearest line. */
-function distance(lines: Lines, [x, y, z]: number[]): number {
+function distance(lines: LineArrays, [x, y, z]: number[]): number {
   let best = Infinity;
   for (let line = 0; line < lines.count; line++) {
     const p = lines.points.subarray(6 * line, 6 * line + 6);
@@ -38,7 +38,7 @@ function distance(lines: Lines, [x, y, z]: number[]): number {
   return best;
 }
 
-const lengthOf = ({ starts, lines }: Strands, strand: number) => (starts[strand + 1] ?? lines.count) - starts[strand]!;
+const lengthOf = ({ starts, lines }: PathStrands, strand: number) => (starts[strand + 1] ?? lines.count) - starts[strand]!;
 
 describe("fewer lines for the same path", () => {
   it("are as near to it as the tolerance says, and much fewer", () => {
@@ -70,10 +70,10 @@ describe("fewer lines for the same path", () => {
   it("are left out by whole strands, evenly", () => {
     const made = strands(raster(400, 40), 0.02);
     const some = someStrands(made, 0.25, 0);
-    const kept = [...new Set(Array.from({ length: some.count }, (_, at) => Math.round(some.points[6 * at + 4]! / 0.1)))];
-    expect(kept.length).toBeGreaterThan(90);
-    expect(kept.length).toBeLessThan(110);
-    expect(Math.max(...kept.slice(1).map((pass, at) => pass - kept[at]!))).toBeLessThan(8);
+    const strandNumbers = [...new Set(Array.from({ length: some.count }, (_, at) => Math.round(some.points[6 * at + 4]! / 0.1)))];
+    expect(strandNumbers.length).toBeGreaterThan(90);
+    expect(strandNumbers.length).toBeLessThan(110);
+    expect(Math.max(...strandNumbers.slice(1).map((pass, at) => pass - strandNumbers[at]!))).toBeLessThan(8);
     expect(someStrands(made, 1, 0)).toBe(made.lines);
   });
 });

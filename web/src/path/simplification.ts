@@ -1,19 +1,19 @@
 // Fewer lines that show the same path: each as long as a tolerance allows, and of many passes some.
 
-import type { Lines } from "./lines";
+import type { LineArrays } from "./lines";
 
 /** Lines that one line may stand for: each is looked at again whenever one more is tried. */
-const MOST_MERGED = 64;
+const MAX_MERGED_LINES = 64;
 /** Lines of a strand at most, so that a path without corners has strands to choose from, too. */
-const LONGEST_STRAND = 2048;
+const MAX_STRAND_LINES = 2048;
 /** Lines of a strand that a corner may end: a step over to the next pass is none of its own. */
-const SHORTEST_STRAND = 8;
+const MIN_STRAND_LINES = 8;
 /** Cosine of the turn at which a strand ends. */
-const CORNER = 0.5;
+const CORNER_COSINE = 0.5;
 
 /** Simplified lines, and where each strand of them begins: at a corner or a gap. */
-export interface Strands {
-  lines: Lines;
+export interface PathStrands {
+  lines: LineArrays;
   /** Numbers of the first lines, in order. */
   starts: Uint32Array;
 }
@@ -22,7 +22,7 @@ export interface Strands {
  * Joins lines that follow on each other while no end between is further than `tolerance`, mm, from
  * the line that stands for them. Costs time in proportion to the lines.
  */
-export function strands(source: Lines, tolerance: number): Strands {
+export function strands(source: LineArrays, tolerance: number): PathStrands {
   const { points: p, count, rows } = source;
   const points = new Float32Array(6 * count);
   const own = new Uint32Array(count);
@@ -31,7 +31,7 @@ export function strands(source: Lines, tolerance: number): Strands {
   let inStrand = 0;
   for (let first = 0; first < count; ) {
     const last = lastJoined(p, count, first, tolerance * tolerance);
-    const ends = inStrand >= LONGEST_STRAND || (inStrand >= SHORTEST_STRAND && (!follows(p, first) || isCorner(p, first)));
+    const ends = inStrand >= MAX_STRAND_LINES || (inStrand >= MIN_STRAND_LINES && (!follows(p, first) || isCorner(p, first)));
     if (made === 0 || ends) {
       starts.push(made);
       inStrand = 0;
@@ -50,7 +50,7 @@ export function strands(source: Lines, tolerance: number): Strands {
 
 /** The last line that the one from the start of `first` may stand for. */
 function lastJoined(p: Float32Array, count: number, first: number, square: number): number {
-  const most = Math.min(count, first + MOST_MERGED);
+  const most = Math.min(count, first + MAX_MERGED_LINES);
   let last = first;
   while (last + 1 < most && follows(p, last + 1) && !isCorner(p, last + 1) && isNear(p, first, last + 1, square)) last++;
   return last;
@@ -76,7 +76,7 @@ function isCorner(p: Float32Array, line: number): boolean {
     one += before * before;
     two += next * next;
   }
-  return dot < CORNER * Math.sqrt(one * two);
+  return dot < CORNER_COSINE * Math.sqrt(one * two);
 }
 
 /** Whether all ends between lie near the line from the start of `first` to the end of `last`. */
@@ -106,21 +106,21 @@ function isNear(p: Float32Array, first: number, last: number, square: number): b
 const GOLDEN = (Math.sqrt(5) - 1) / 2;
 
 /** A share of the strands; `before` of them were in the parts of the path before. */
-export function someStrands({ lines, starts }: Strands, share: number, before: number): Lines {
+export function someStrands({ lines, starts }: PathStrands, share: number, before: number): LineArrays {
   if (share >= 1) return lines;
   const { points, rows, count } = lines;
-  const kept: [number, number][] = [];
+  const ranges: [number, number][] = [];
   let total = 0;
   for (let strand = 0; strand < starts.length; strand++) {
     if (((before + strand) * GOLDEN) % 1 >= share) continue;
     const from = starts[strand]!;
     const to = strand + 1 < starts.length ? starts[strand + 1]! : count;
-    kept.push([from, to]);
+    ranges.push([from, to]);
     total += to - from;
   }
   const some = { points: new Float32Array(6 * total), rows: new Uint32Array(total), count: total };
   let at = 0;
-  for (const [from, to] of kept) {
+  for (const [from, to] of ranges) {
     some.points.set(points.subarray(6 * from, 6 * to), 6 * at);
     some.rows.set(rows!.subarray(from, to), at);
     at += to - from;

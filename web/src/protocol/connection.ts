@@ -1,29 +1,29 @@
 // The connection to what answers, a server or a worker: requests as JSON, answers as JSON and frames of columns.
 
 import { type Frame, readFrame } from "./frame";
-import type { Told } from "./messages";
+import type { ServerMessage } from "./messages";
 
 /** The way to what answers: requests go out as text; answers come in as text, columns as bytes. */
-export interface Line {
+export interface Transport {
   readonly isOpen: boolean;
   send(text: string): void;
 }
 
 /** Opens the connection; `take` gets what comes in, `closed` is called when it has ended. */
-export type Dial = (take: (data: string | ArrayBuffer) => void, closed: () => void) => Line;
+export type TransportDialer = (take: (data: string | ArrayBuffer) => void, closed: () => void) => Transport;
 
-export class Link {
-  private line: Line;
-  private number = 0;
-  private waiting = new Map<number, (told: Told) => void>();
+export class Connection {
+  private transport: Transport;
+  private lastId = 0;
+  private queries = new Map<number, (message: ServerMessage) => void>();
 
   constructor(
-    dial: Dial,
-    private take: (told: Told) => void,
+    dial: TransportDialer,
+    private take: (message: ServerMessage) => void,
     private takeFrame: (frame: Frame) => void,
     closed: () => void,
   ) {
-    this.line = dial((data) => this.receive(data), closed);
+    this.transport = dial((data) => this.receive(data), closed);
   }
 
   private receive(data: string | ArrayBuffer): void {
@@ -31,35 +31,36 @@ export class Link {
       this.takeFrame(readFrame(data));
       return;
     }
-    const told = JSON.parse(data) as Told;
-    if ("id" in told) {
-      const answer = this.waiting.get(told.id);
+    const message = JSON.parse(data) as ServerMessage;
+    if ("id" in message) {
+      const answer = this.queries.get(message.id);
       if (answer) {
-        this.waiting.delete(told.id);
-        answer(told);
+        this.queries.delete(message.id);
+        answer(message);
         return;
       }
     }
-    this.take(told);
+    this.take(message);
   }
 
-  /** Asks without waiting for an answer; one that comes all the same, an error, is told to all. */
-  tell(ask: string, rest: object = {}): void {
-    if (!this.line.isOpen) return;
-    this.line.send(JSON.stringify({ id: ++this.number, ask, ...rest }));
+  /** Sends a request without waiting for its answer; an answer that comes all the same is an error, and goes to `take`. */
+  send(request: string, fields: object = {}): void {
+    if (!this.transport.isOpen) return;
+    this.transport.send(JSON.stringify({ id: ++this.lastId, request, ...fields }));
   }
 
   /** Another program is opened: nobody waits for answers about the one before. */
-  forget(): void {
-    this.waiting.clear();
+  dropQueries(): void {
+    this.queries.clear();
   }
 
-  ask(ask: string, rest: object = {}): Promise<Told> {
+  /** Sends a request and waits for its answer; never resolves where the connection has ended. */
+  query(request: string, fields: object = {}): Promise<ServerMessage> {
     return new Promise((resolve) => {
-      if (!this.line.isOpen) return;
-      const id = ++this.number;
-      this.waiting.set(id, resolve);
-      this.line.send(JSON.stringify({ id, ask, ...rest }));
+      if (!this.transport.isOpen) return;
+      const id = ++this.lastId;
+      this.queries.set(id, resolve);
+      this.transport.send(JSON.stringify({ id, request, ...fields }));
     });
   }
 }

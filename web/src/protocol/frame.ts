@@ -1,11 +1,11 @@
 // Binary frames of the server: a JSON header, then columns that are looked at where they lie.
 // See crates/chordal-view/src/frame.rs.
 
-export type Column = Float32Array | Float64Array | Uint32Array | Uint8Array;
+export type FrameColumn = Float32Array | Float64Array | Uint32Array | Uint8Array;
 
 export interface Frame {
   header: Record<string, unknown> & { type: string };
-  columns: Record<string, Column>;
+  columns: Record<string, FrameColumn>;
 }
 
 interface Place {
@@ -27,7 +27,7 @@ export function readFrame(buffer: ArrayBuffer): Frame {
   const { columns: places, ...header } = JSON.parse(text) as Frame["header"] & {
     columns: Record<string, Place>;
   };
-  const columns: Record<string, Column> = {};
+  const columns: Record<string, FrameColumn> = {};
   for (const [name, { type, offset, count }] of Object.entries(places)) {
     columns[name] = new ARRAYS[type](buffer, 4 + length + offset, count);
   }

@@ -1,7 +1,7 @@
 // What the page and what answers it, a server or a worker, say to each other as JSON.
 
 /** A, B or C, as the machine file has it. */
-export interface Rotary {
+export interface RotaryAxis {
   letter: string;
   /** `null`: not known. */
   turns: "table" | "head" | null;
@@ -9,7 +9,7 @@ export interface Rotary {
   center_mm: [number, number, number];
 }
 
-export interface Place {
+export interface SourcePlace {
   file: string;
   own: boolean;
   line: number;
@@ -18,10 +18,10 @@ export interface Place {
   end_column: number;
 }
 
-export interface Fix {
+export interface ProblemFix {
   title: string;
   replacement: string;
-  place: Place | null;
+  place: SourcePlace | null;
   safe: boolean;
 }
 
@@ -30,19 +30,19 @@ export interface Problem {
   name: string;
   severity: "error" | "warning" | "note";
   message: string;
-  place: Place | null;
+  place: SourcePlace | null;
   label: string;
-  secondary: { place: Place | null; label: string }[];
+  secondary: { place: SourcePlace | null; label: string }[];
   alarm: string | null;
   notes: string[];
   help: string | null;
   explanation: string;
-  fix: Fix | null;
+  fix: ProblemFix | null;
   /** Others that would do as well, the likeliest first. */
-  other_fixes: Fix[];
+  other_fixes: ProblemFix[];
 }
 
-export interface Tool {
+export interface ToolInfo {
   number: number;
   diameter_mm: number | null;
   length_mm: number | null;
@@ -77,11 +77,11 @@ export interface MachineInfo {
   title: string;
   control: string;
   travel: ([number, number] | null)[];
-  rotary: Rotary[];
-  tools: Tool[];
+  rotary: RotaryAxis[];
+  tools: ToolInfo[];
 }
 
-export interface Report {
+export interface RunReport {
   run: number;
   diagnostics: Problem[];
   left_out: number;
@@ -113,7 +113,7 @@ export interface Report {
   end: { end: string; blocks: number }[];
 }
 
-export interface Modal {
+export interface ModalState {
   /** The codes in force by the control's own numbers. */
   codes?: string[];
   inch: boolean;
@@ -141,7 +141,7 @@ export interface PartTimes {
   total_s: number;
 }
 
-export interface Times {
+export interface RunTimes {
   run: number;
   all: PartTimes;
   tools: { number: number; changes: number; times: PartTimes }[];
@@ -155,7 +155,7 @@ export interface Times {
 }
 
 /** Where something is made; in a file beside, with its text. */
-export interface Made {
+export interface DefinitionPlace {
   line: number;
   column: number;
   file?: string;
@@ -164,27 +164,27 @@ export interface Made {
 }
 
 /** A program, a tool, an operation or a place of the outline. */
-export interface Entry {
+export interface OutlineEntry {
   name: string;
   detail: string;
   kind: string;
   line: number;
-  children: Entry[];
+  children: OutlineEntry[];
 }
 
 /** What the program is held against. */
-export type Other = "nothing" | "named" | { machine: string | null };
+export type ComparedWith = "nothing" | "named" | { machine: string | null };
 
 /** Lines of a file, from and to, both counted; file 0 is the program itself. */
-export interface Blocks {
+export interface BlockRange {
   file: number;
   from: number;
   to: number;
 }
 
 /** What one of two programs has. */
-export interface Side {
-  blocks: Blocks | null;
+export interface DifferenceSide {
+  blocks: BlockRange | null;
   steps: number;
   value: string | null;
   words: string;
@@ -198,7 +198,7 @@ export interface Difference {
   distance_mm: number | null;
   /** A place on each path where they are about furthest apart, in the frame of the run. */
   at_mm: [[number, number, number], [number, number, number]] | null;
-  sides: [Side, Side];
+  sides: [DifferenceSide, DifferenceSide];
 }
 
 export interface Comparison {
@@ -215,9 +215,9 @@ export interface Comparison {
 }
 
 /** The other program; none where `other` is nothing. */
-export interface Against {
+export interface ComparedProgram {
   version: number;
-  other: Other;
+  other: ComparedWith;
   own_text?: boolean;
   name?: string;
   machine?: MachineInfo;
@@ -239,7 +239,7 @@ export interface MachineChoice {
 }
 
 /** As what a program may be read that names no control for certain, where that makes a difference. */
-export interface Readings {
+export interface ProgramReadings {
   /** What is not known. */
   message: string;
   /** The first block that differs. */
@@ -251,11 +251,11 @@ export interface Readings {
   more: number;
 }
 
-export interface Hello {
+export interface HelloMessage {
   name: string;
   writable: boolean;
   machines: MachineChoice[];
-  against: { name: string; own_text: boolean } | null;
+  compared: { name: string; own_text: boolean } | null;
   tolerance_mm: number;
 }
 
@@ -280,7 +280,7 @@ export interface TurnedReport extends Omit<StockReport, "resolution_mm"> {
   problems: { code: string; line: number; at: [number, number] }[];
 }
 
-export interface Meaning {
+export interface WordMeaning {
   line: number;
   column: number;
   end_column: number;
@@ -288,28 +288,28 @@ export interface Meaning {
   text: string;
 }
 
-export type Told =
+export type ServerMessage =
   | ({ type: "turned_report" } & TurnedReport)
   | ({ type: "stock_report" } & StockReport)
   | { type: "no_stock"; run: number; message: string | null; help: string | null }
-  | ({ type: "hello" } & Hello)
-  | ({ type: "machines" } & Pick<Hello, "machines" | "against">)
-  | ({ type: "against" } & Against)
-  | { type: "against_refused"; version: number; other: Other; message: string; help?: string | null }
-  | { type: "against_end"; version: number; rows: number; rows_left_out: number }
+  | ({ type: "hello" } & HelloMessage)
+  | ({ type: "machines" } & Pick<HelloMessage, "machines" | "compared">)
+  | ({ type: "compared_program" } & ComparedProgram)
+  | { type: "compared_program_refused"; version: number; other: ComparedWith; message: string; help?: string | null }
+  | { type: "compared_path_end"; version: number; rows: number; rows_left_out: number }
   | ({ type: "comparison" } & Comparison)
   | { type: "no_comparison"; run: number; version: number; message: string }
   | ({ type: "other_text"; id: number } & OtherText)
-  | { type: "run"; run: number; machine: MachineInfo; why: string | null; readings: Readings | null }
+  | { type: "run"; run: number; machine: MachineInfo; why: string | null; readings: ProgramReadings | null }
   | { type: "refused"; run: number; message: string; help?: string | null }
-  | ({ type: "report" } & Report)
-  | ({ type: "times" } & Times)
+  | ({ type: "report" } & RunReport)
+  | ({ type: "times" } & RunTimes)
   | { type: "no_times"; run: number; message: string }
-  | { type: "state"; id: number; state: Modal | null }
+  | { type: "state"; id: number; state: ModalState | null }
   | { type: "tokens"; id: number; classes: string[]; tokens: number[] }
-  | { type: "hover"; id: number; hover: Meaning | null }
-  | { type: "definition"; id: number; place: Made | null }
-  | { type: "outline"; id: number; entries: Entry[] }
+  | { type: "hover"; id: number; hover: WordMeaning | null }
+  | { type: "definition"; id: number; place: DefinitionPlace | null }
+  | { type: "outline"; id: number; entries: OutlineEntry[] }
   | { type: "saved"; id: number }
   | { type: "conflict"; id: number }
   | { type: "changed" }

@@ -1,8 +1,8 @@
 // The connection of the page that `chordal view` serves: a WebSocket to its server.
 
-import type { Line } from "./connection";
+import type { Transport } from "./connection";
 
-export function dialServer(take: (data: string | ArrayBuffer) => void, closed: () => void): Line {
+export function dialServer(take: (data: string | ArrayBuffer) => void, closed: () => void): Transport {
   const address = new URL("live", location.href);
   address.protocol = "ws:";
   address.hash = "";

@@ -1,15 +1,15 @@
 // Where the program is: line, clock, readout, tool, stock and text all show one position.
 
 import type { Vec3 } from "../path/batch";
-import { type Asked, type PlaybackState, doneOf, playbackStateOf } from "../path/playback-state";
+import { type PlaybackTarget, type PlaybackState, doneOf, playbackStateOf } from "../path/playback-state";
 import { stepRow } from "../path/setpoints";
-import type { Editor } from "../panels/text-editor";
+import type { TextEditor } from "../panels/text-editor";
 import type { layout } from "../panels/layout";
-import { Later } from "../panels/throttled-task";
+import { ThrottledTask } from "../panels/throttled-task";
 import type { Timeline } from "../panels/timeline";
-import type { turnedOfProgram } from "../stock/lathe-stock";
-import type { stockOfProgram } from "../stock/mill-stock";
-import type { Picked } from "../view/picking";
+import type { latheStock } from "../stock/lathe-stock";
+import type { millStock } from "../stock/mill-stock";
+import type { PickedPoint } from "../view/picking";
 import type { PathView } from "../view/path-view";
 import type { ShownRun } from "./shown-run";
 import type { StatePanel } from "./state-panel";
@@ -24,21 +24,21 @@ export interface PlaybackParts {
   ui: ReturnType<typeof layout>;
   view: PathView;
   timeline: Timeline;
-  editor: Editor;
-  stock: ReturnType<typeof stockOfProgram>;
-  lathe: ReturnType<typeof turnedOfProgram>;
+  editor: TextEditor;
+  stock: ReturnType<typeof millStock>;
+  lathe: ReturnType<typeof latheStock>;
   statePanel: StatePanel;
 }
 
 export class PlaybackController {
-  private target: Asked = { to: "start" };
+  private target: PlaybackTarget = { to: "start" };
   state: PlaybackState;
   /** The row that is marked, and the line that the text shows, each with the number of the run. */
   private markedRow = "";
   private markedLine = "";
   /** The tool whose shape is drawn. */
   private shapedTool = "";
-  private textTask = new Later(TEXT_INTERVAL_MS);
+  private textTask = new ThrottledTask(TEXT_INTERVAL_MS);
 
   constructor(private parts: PlaybackParts) {
     this.state = playbackStateOf(this.target, parts.run.path, undefined);
@@ -77,10 +77,10 @@ export class PlaybackController {
   }
 
   /** A point of the path was clicked. */
-  goToPick({ row, share }: Picked): void {
+  goToPick({ row, share }: PickedPoint): void {
     this.parts.timeline.pause();
     this.clearMarks();
-    this.goTo({ to: "row", row, share, looks: true });
+    this.goTo({ to: "row", row, share, isInspection: true });
   }
 
   private step(direction: 1 | -1): void {
@@ -98,7 +98,7 @@ export class PlaybackController {
     this.goTo({ to: "row", row: rows[0], share: 0 });
   }
 
-  private goTo(target: Asked, isTextLate = false): void {
+  private goTo(target: PlaybackTarget, isTextLate = false): void {
     const { run, timeline, ui } = this.parts;
     this.target = target;
     this.state = playbackStateOf(target, run.path, run.setpoints);
@@ -144,7 +144,7 @@ export class PlaybackController {
   }
 
   /** Shows what of the path and of the stock is done. */
-  private showDone(target: Asked): void {
+  private showDone(target: PlaybackTarget): void {
     const { view, run } = this.parts;
     const done = doneOf(this.state);
     const { seconds, at } = this.state;
@@ -158,7 +158,7 @@ export class PlaybackController {
         return this.cutStock(done, undefined);
       default: {
         // At both ends all of the path has one state: it is drawn in full.
-        const isWithin = seconds !== undefined && seconds > 0 && seconds < total && !(target.to === "row" && target.looks);
+        const isWithin = seconds !== undefined && seconds > 0 && seconds < total && !(target.to === "row" && target.isInspection);
         view.showDone(isWithin ? done : Infinity);
         if (seconds === undefined || seconds < total) this.cutStock(seconds === 0 ? 0 : done, at);
         else this.cutStock(Infinity, undefined);
@@ -167,7 +167,7 @@ export class PlaybackController {
   }
 
   /** Marks the path and the line at the position, and shows what is active there. */
-  private showText(target: Asked, isTextLate: boolean): void {
+  private showText(target: PlaybackTarget, isTextLate: boolean): void {
     if (target.to === "row" || target.to === "time") return this.showRow(this.state.row, isTextLate);
     const { view, run, editor, statePanel } = this.parts;
     this.textTask.cancel();
@@ -187,7 +187,7 @@ export class PlaybackController {
     this.markedRow = key;
     view.markRows([row, row]);
     const { number } = run;
-    if (isTextLate) return this.textTask.do(() => number === run.number && this.showLine(row, line), timeline.isPlaying ? 0 : TEXT_QUIET_MS);
+    if (isTextLate) return this.textTask.schedule(() => number === run.number && this.showLine(row, line), timeline.isPlaying ? 0 : TEXT_QUIET_MS);
     this.textTask.cancel();
     this.showLine(row, line);
   }

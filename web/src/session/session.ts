@@ -1,27 +1,27 @@
 // A session of the page with what answers it, a server or a worker: messages go to the parts of the page that show them.
 
 import "../style.css";
-import { againstProgram } from "../compare/compare-session";
-import { measuring } from "../measure/tool";
+import { compareSession } from "../compare/compare-session";
+import { measureTool } from "../measure/tool";
 import { type Vec3, axisBits, batchOf } from "../path/batch";
-import { engagedOf } from "../path/engagement";
+import { engagementOf } from "../path/engagement";
 import { unknownTurns } from "../path/kinematics";
 import { chordsText, toleranceText } from "../panels/chord-texts";
-import { onKeys } from "../panels/keyboard";
+import { listenToKeys } from "../panels/keyboard";
 import { layout } from "../panels/layout";
-import { Elsewhere } from "../panels/other-file-view";
-import { Problems } from "../panels/problems";
+import { OtherFileView } from "../panels/other-file-view";
+import { ProblemPanel } from "../panels/problems";
 import { leftOutText, notNamedText, notVerified, showOutline, showTimes } from "../panels/program-panels";
 import { readingsPanel } from "../panels/readings";
-import { askWords, words } from "../panels/syntax-hints";
-import { Editor } from "../panels/text-editor";
+import { refreshWords, syntaxHints } from "../panels/syntax-hints";
+import { TextEditor } from "../panels/text-editor";
 import { Timeline } from "../panels/timeline";
 import type { PageHost } from "../page-host";
-import { Link } from "../protocol/connection";
+import { Connection } from "../protocol/connection";
 import { type Frame, f32, u8 } from "../protocol/frame";
-import type { Report, Told } from "../protocol/messages";
-import { turnedOfProgram } from "../stock/lathe-stock";
-import { stockOfProgram } from "../stock/mill-stock";
+import type { RunReport, ServerMessage } from "../protocol/messages";
+import { latheStock } from "../stock/lathe-stock";
+import { millStock } from "../stock/mill-stock";
 import { drawAxes } from "../view/axis-cross";
 import { type ColorBy, DARK, LIGHT, toolColor } from "../view/colors";
 import { PathView } from "../view/path-view";
@@ -33,7 +33,7 @@ import { StatePanel } from "./state-panel";
 /** How far the pointer may move between press and release for a click, pixels. */
 const CLICK_PIXELS = 3;
 
-type StockDiagnostics = Pick<Report, "diagnostics" | "left_out" | "errors" | "warnings" | "notes">;
+type StockDiagnostics = Pick<RunReport, "diagnostics" | "left_out" | "errors" | "warnings" | "notes">;
 
 const isDark = () =>
   document.documentElement.dataset.theme
@@ -46,15 +46,15 @@ export class Session {
   private ui: ReturnType<typeof layout>;
   private view: PathView;
   private timeline: Timeline;
-  private link: Link;
-  private editor: Editor;
-  private otherFile: Elsewhere;
-  private problems: Problems;
+  private connection: Connection;
+  private editor: TextEditor;
+  private otherFile: OtherFileView;
+  private problems: ProblemPanel;
   private readings: ReturnType<typeof readingsPanel>;
-  private compare: ReturnType<typeof againstProgram>;
-  private stock: ReturnType<typeof stockOfProgram>;
-  private lathe: ReturnType<typeof turnedOfProgram>;
-  private measure: ReturnType<typeof measuring>;
+  private compare: ReturnType<typeof compareSession>;
+  private stock: ReturnType<typeof millStock>;
+  private lathe: ReturnType<typeof latheStock>;
+  private measure: ReturnType<typeof measureTool>;
   private statePanel: StatePanel;
   private playback: PlaybackController;
   private colorBy: ColorBy = "tool";
@@ -68,71 +68,71 @@ export class Session {
     this.view = new PathView(ui.canvas, palette());
     this.timeline = new Timeline(ui.timeline);
     this.editor = this.makeEditor();
-    this.otherFile = new Elsewhere(ui.code, () => this.editor.view.focus());
-    this.link = new Link(host.dial, (message) => this.take(message), (frame) => this.takeFrame(frame), () => ui.tell("error", host.lost));
-    const { view, editor, link, timeline } = this;
-    this.problems = new Problems(ui.panels.problems, ({ place }) => {
+    this.otherFile = new OtherFileView(ui.code, () => this.editor.view.focus());
+    this.connection = new Connection(host.dial, (message) => this.take(message), (frame) => this.takeFrame(frame), () => ui.notify("error", host.lostMessage));
+    const { view, editor, connection, timeline } = this;
+    this.problems = new ProblemPanel(ui.panels.problems, ({ place }) => {
       if (place?.own) this.goToLine(place.line, place.column);
     });
     this.readings = this.makeReadings();
-    this.compare = againstProgram({
+    this.compare = compareSession({
       panel: ui.panels.compare,
       legend: ui.paths,
       view,
       editor,
-      elsewhere: this.otherFile,
-      link,
+      otherFile: this.otherFile,
+      connection,
       run,
       goTo: (line) => {
         editor.goTo(line);
         this.playback.goToLine(line);
       },
-      another: host.another,
-      tell: ui.comparison,
-      open: () => ui.show("compare"),
+      anotherHint: host.anotherHint,
+      setMessage: ui.comparison,
+      openPanel: () => ui.show("compare"),
     });
     const report = (diagnostics: StockDiagnostics) => this.addStockDiagnostics(diagnostics);
-    this.lathe = turnedOfProgram({ view, link, run, report });
-    this.stock = stockOfProgram({ view, link, run, report, tell: ui.tell });
+    this.lathe = latheStock({ view, connection, run, report });
+    this.stock = millStock({ view, connection, run, report, notify: ui.notify });
     ui.stockSlot.append(this.stock.root, this.lathe.root);
-    this.statePanel = new StatePanel(run, link, ui);
+    this.statePanel = new StatePanel(run, connection, ui);
     const { stock, lathe, statePanel } = this;
     this.playback = new PlaybackController({ run, ui, view, timeline, editor, stock, lathe, statePanel });
-    this.measure = measuring({ view, canvas: ui.canvas, button: ui.measure, run, tell: ui.measured });
+    this.measure = measureTool({ view, canvas: ui.canvas, button: ui.measure, run, setMessage: ui.measured });
     this.listen();
-    host.furnish?.({ ui, editor, link, cursorAt: (line) => this.followCursor(line) });
+    host.addControls?.({ ui, editor, connection, cursorAt: (line) => this.followCursor(line) });
     this.exposeForTests();
   }
 
-  private makeEditor(): Editor {
-    return new Editor(this.ui.code, {
-      typed: (changes) => this.link.tell("edit", { changes }),
+  private makeEditor(): TextEditor {
+    return new TextEditor(this.ui.code, {
+      typed: (changes) => this.connection.send("edit", { changes }),
       cursor: (line, byUser) => {
         if (byUser) this.playback.goToLine(line);
-        else this.host.follow?.(line);
+        else this.host.followLine?.(line);
       },
       save: () => void this.save(false),
       definition: (line, column) => void this.goToDefinition(line, column),
-    }, words({
+    }, syntaxHints({
       tokens: async (from, to) => {
-        const answer = await this.link.ask("tokens", { from, to });
+        const answer = await this.connection.query("tokens", { from, to });
         return answer.type === "tokens" ? answer : undefined;
       },
       meaning: async (line, column) => {
         this.editor.flush();
-        const answer = await this.link.ask("hover", { line, column });
+        const answer = await this.connection.query("hover", { line, column });
         return answer.type === "hover" ? (answer.hover ?? undefined) : undefined;
       },
     }));
   }
 
   private makeReadings() {
-    const { ui, editor, link } = this;
+    const { ui, editor, connection } = this;
     return readingsPanel(ui.readings, {
       read: (choice) => {
         editor.flush();
         ui.chooseMachine(choice);
-        link.tell("machine", { name: choice.name, is_answer: true });
+        connection.send("machine", { name: choice.name, is_answer: true });
       },
       leave: () => ui.machine.focus(),
     });
@@ -140,14 +140,14 @@ export class Session {
 
   /** What the controls of the page do. */
   private listen(): void {
-    const { ui, view, editor, link, timeline, readings } = this;
+    const { ui, view, editor, connection, timeline, readings } = this;
     editor.onDirty = (dirty) => ui.setDirty(dirty);
     ui.save.addEventListener("click", () => void this.save(false));
     ui.machine.addEventListener("change", () => {
       editor.flush();
       const [chosen] = ui.machine.selectedOptions;
-      readings.chosen(chosen?.value ? { name: chosen.value, title: chosen.text } : undefined);
-      link.tell("machine", { name: ui.machine.value || null });
+      readings.machineChosen(chosen?.value ? { name: chosen.value, title: chosen.text } : undefined);
+      connection.send("machine", { name: ui.machine.value || null });
     });
     ui.onView = (name) => view.setView(name);
     ui.onFit = () => view.fit();
@@ -174,7 +174,7 @@ export class Session {
     ui.cursorLine = () => editor.line;
     this.listenToClicks();
     view.onDrawn = () => drawAxes(ui.axes, view.axes());
-    onKeys({ timeline, view, measure: this.measure, walk: (direction) => this.compare.walk(direction) });
+    listenToKeys({ timeline, view, measure: this.measure, walk: (direction) => this.compare.walk(direction) });
     window.addEventListener("beforeunload", (event) => {
       if (editor.dirty) event.preventDefault();
     });
@@ -198,7 +198,7 @@ export class Session {
       return;
     }
     if (this.measure.isOn) return this.measure.click(picked);
-    if (!line.own) this.ui.tell("note", `This is line ${line.line} of a subprogram in another file.`);
+    if (!line.own) this.ui.notify("note", `This is line ${line.line} of a subprogram in another file.`);
     this.playback.goToPick(picked);
   }
 
@@ -207,7 +207,7 @@ export class Session {
     if (!this.timeline.isPlaying) this.playback.goToLine(line);
   }
 
-  private take(message: Told): void {
+  private take(message: ServerMessage): void {
     if (this.compare.take(message) || this.stock.take(message) || this.lathe.take(message)) return;
     const { ui, run, editor } = this;
     switch (message.type) {
@@ -240,13 +240,13 @@ export class Session {
         break;
       case "changed":
         if (editor.dirty) this.offerReload();
-        else this.link.tell("reload");
+        else this.connection.send("reload");
         break;
       case "gone":
-        ui.tell("warning", "The file was deleted on disk. Save writes it again.");
+        ui.notify("warning", "The file was deleted on disk. Save writes it again.");
         break;
       case "error":
-        ui.tell("error", message.help ? `${message.message}. ${message.help}.` : message.message);
+        ui.notify("error", message.help ? `${message.message}. ${message.help}.` : message.message);
         break;
       default:
         break;
@@ -254,13 +254,13 @@ export class Session {
   }
 
   private offerReload(): void {
-    this.ui.ask("The file has changed on disk.", [
-      ["Load it and lose my changes", () => this.link.tell("reload")],
+    this.ui.prompt("The file has changed on disk.", [
+      ["Load it and lose my changes", () => this.connection.send("reload")],
       ["Keep mine", () => {}],
     ]);
   }
 
-  private open(message: Extract<Told, { type: "hello" }>): void {
+  private open(message: Extract<ServerMessage, { type: "hello" }>): void {
     const { ui } = this;
     document.title = `${message.name.split(/[\\/]/).pop()} – Chordal`;
     ui.setName(message.name);
@@ -280,21 +280,21 @@ export class Session {
   }
 
   private async goToDefinition(line: number, column: number): Promise<void> {
-    const answer = await this.link.ask("definition", { line, column });
+    const answer = await this.connection.query("definition", { line, column });
     if (answer.type !== "definition") return;
     const { place } = answer;
-    if (!place) return this.ui.tell("note", "This word has no definition in this file or its folder.");
+    if (!place) return this.ui.notify("note", "This word has no definition in this file or its folder.");
     if (place.file !== undefined) return this.otherFile.show(place);
     this.goToLine(place.line, place.column);
   }
 
-  private begin(message: Extract<Told, { type: "run" }>): void {
+  private begin(message: Extract<ServerMessage, { type: "run" }>): void {
     const { run, ui } = this;
     run.begin(message.run, message.machine);
     this.view.setLathe(message.machine.turret ?? undefined);
-    askWords(this.editor.view);
+    refreshWords(this.editor.view);
     ui.machineWhy(message.machine.title, message.why);
-    this.readings.ran(run.programName, message.readings);
+    this.readings.programRun(run.programName, message.readings);
     this.isPathShown = false;
     this.playback.restart();
     ui.progress(0);
@@ -323,7 +323,7 @@ export class Session {
     const isOfRun = header.run === run.number;
     switch (header.type) {
       case "engagement":
-        if (isOfRun) this.timeline.setEngaged(engagedOf(frame));
+        if (isOfRun) this.timeline.setEngagement(engagementOf(frame));
         break;
       case "text":
         this.takeText(frame);
@@ -332,7 +332,7 @@ export class Session {
         if (isOfRun) this.takePath(frame);
         break;
       case "file":
-        this.host.keep?.(String(header.name), u8(frame, "bytes"));
+        this.host.keepFile?.(String(header.name), u8(frame, "bytes"));
         break;
       case "contour":
         if (isOfRun) {
@@ -340,12 +340,12 @@ export class Session {
           view.addContour(run.kinematicsAt(origin).batch(batchOf(frame)), origin);
         }
         break;
-      case "against_path":
+      case "compared_path":
         this.compare.takePath(frame);
         break;
       case "chords":
         view.setChords(f32(frame, "points"), header.origin as Vec3);
-        ui.chordsTold(chordsText(run.axisUnits, header));
+        ui.setChordText(chordsText(run.axisUnits, header));
         break;
       case "setpoints":
         if (!isOfRun) break;
@@ -361,8 +361,8 @@ export class Session {
     const { header } = frame;
     this.editor.addText(new TextDecoder().decode(u8(frame, "text")), header.first === true, header.last === true);
     if (!header.first) return;
-    if (header.binary) this.ui.tell("error", "The file holds binary data, not an NC program.");
-    else if (header.mixed_endings) this.ui.tell("note", "The file has different line ends. Save makes them all the same.");
+    if (header.binary) this.ui.notify("error", "The file holds binary data, not an NC program.");
+    else if (header.mixed_endings) this.ui.notify("note", "The file has different line ends. Save makes them all the same.");
   }
 
   private takePath(frame: Frame): void {
@@ -386,7 +386,7 @@ export class Session {
     this.ui.show("problems");
   }
 
-  private finish(report: Report): void {
+  private finish(report: RunReport): void {
     const { run, ui, view } = this;
     const { path } = run;
     this.showPath();
@@ -430,7 +430,7 @@ export class Session {
     this.compare.color(toolColor(palette(), 0));
   }
 
-  private emptyText(report: Report): string {
+  private emptyText(report: RunReport): string {
     if (report.errors > 0) return "There is no path to show. The problems say why.";
     if (this.run.path.rows > 0) return "The program moves, but the position relative to the part is not known.";
     return "The program does not move any axis.";
@@ -441,7 +441,7 @@ export class Session {
     const { checked } = this.ui.travel;
     const { report, machine } = this.run;
     this.view.showTravel(checked);
-    this.ui.travelWhy(checked && report && machine ? whyNoTravel(machine, report.places.machine) : "");
+    this.ui.setTravelHint(checked && report && machine ? whyNoTravel(machine, report.places.machine) : "");
   }
 
   private showProblems(): void {
@@ -453,7 +453,7 @@ export class Session {
   /** The outline is read when its panel is open. */
   private async showOutline(): Promise<void> {
     if (this.ui.shown() !== "outline") return;
-    const answer = await this.link.ask("outline");
+    const answer = await this.connection.query("outline");
     if (answer.type === "outline") showOutline(this.ui.panels.outline, answer.entries, (line) => this.goToLine(line));
   }
 
@@ -464,16 +464,16 @@ export class Session {
   }
 
   private async save(force: boolean): Promise<void> {
-    const { editor, ui, link } = this;
+    const { editor, ui, connection } = this;
     editor.flush();
-    const answer = await link.ask("save", { force });
+    const answer = await connection.query("save", { force });
     if (answer.type === "saved") {
       editor.setDirty(false);
-      ui.tell("note", this.host.saved);
+      ui.notify("note", this.host.savedMessage);
     } else if (answer.type === "conflict") {
-      ui.ask("The file has changed on disk since it was read.", [
+      ui.prompt("The file has changed on disk since it was read.", [
         ["Overwrite it with mine", () => void this.save(true)],
-        ["Load it and lose my changes", () => link.tell("reload")],
+        ["Load it and lose my changes", () => connection.send("reload")],
         ["Cancel", () => {}],
       ]);
     } else this.take(answer);
@@ -483,12 +483,12 @@ export class Session {
     const { ui, run, view } = this;
     if (!ui.chordsOn.checked) {
       view.setChords(undefined, [0, 0, 0]);
-      ui.chordsTold("");
+      ui.setChordText("");
       return;
     }
     const mm = (ui.ownChords() && run.report?.own_chords_mm) || ui.chordTolerance();
-    ui.chordsTold(toleranceText(run.axisUnits, mm));
-    this.link.tell("chords", { tolerance_mm: mm, balanced: ui.balanced.checked, as_control: ui.ownChords() });
+    ui.setChordText(toleranceText(run.axisUnits, mm));
+    this.connection.send("chords", { tolerance_mm: mm, balanced: ui.balanced.checked, as_control: ui.ownChords() });
   }
 
   /** What the browser's tests and the measurements look at. */

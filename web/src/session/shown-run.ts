@@ -6,7 +6,7 @@ import { Path } from "../path/path";
 import type { Setpoints } from "../path/setpoints";
 import type { Units } from "../panels/units";
 import { type Frame, f32, u32 } from "../protocol/frame";
-import type { MachineInfo, Report, Times } from "../protocol/messages";
+import type { MachineInfo, RunReport, RunTimes } from "../protocol/messages";
 
 /** Why a program could not be run. */
 export interface Refusal {
@@ -22,9 +22,9 @@ export class ShownRun {
   machine: MachineInfo | undefined;
   path = new Path();
   kinematics = new Kinematics([], [0, 0, 0]);
-  report: Report | undefined;
+  report: RunReport | undefined;
   refusal: Refusal | undefined;
-  times: Times | undefined;
+  times: RunTimes | undefined;
   /** Why there are no times. */
   timesMessage: string | undefined;
   /** The planned motion; undefined while it is planned, and where it cannot be. */

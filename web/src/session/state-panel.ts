@@ -4,7 +4,7 @@ import { kindOf } from "../path/batch";
 import { playbackStateOf } from "../path/playback-state";
 import type { layout } from "../panels/layout";
 import { showState } from "../panels/program-panels";
-import type { Link } from "../protocol/connection";
+import type { Connection } from "../protocol/connection";
 import type { ShownRun } from "./shown-run";
 
 /** Where the program is: so many rows are done, after a line, which may be one of a subprogram in another file. */
@@ -22,7 +22,7 @@ export class StatePanel {
 
   constructor(
     private run: ShownRun,
-    private link: Link,
+    private connection: Connection,
     private ui: ReturnType<typeof layout>,
   ) {}
 
@@ -47,7 +47,7 @@ export class StatePanel {
       return;
     }
     this.isWaiting = true;
-    const answer = await this.link.ask("state", { done: query.done, line: query.line });
+    const answer = await this.connection.query("state", { done: query.done, line: query.line });
     this.isWaiting = false;
     const { next } = this;
     this.next = undefined;

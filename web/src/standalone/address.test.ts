@@ -1,11 +1,11 @@
 import { describe, expect, test } from "vitest";
-import { asked, asking, fileOf } from "./address";
+import { addressRequest, programQuery, fileOf } from "./address";
 
 const PAGE = "https://shop.example/nc/";
 
 describe("the address of the page", () => {
   test("names a program, what lies next to it, a machine, and the program that it is compared with", () => {
-    const found = asked("?program=https://a.example/old/O1.nc&file=sub/O2.nc&file=mine.toml&machine=mine.toml&against=/new/O1.nc", PAGE)!;
+    const found = addressRequest("?program=https://a.example/old/O1.nc&file=sub/O2.nc&file=mine.toml&machine=mine.toml&against=/new/O1.nc", PAGE)!;
     expect(found.program.href).toBe("https://a.example/old/O1.nc");
     expect(found.files.map(({ href }) => href)).toEqual([`${PAGE}sub/O2.nc`, `${PAGE}mine.toml`]);
     expect(found.against?.href).toBe("https://shop.example/new/O1.nc");
@@ -13,19 +13,19 @@ describe("the address of the page", () => {
   });
 
   test("names nothing unless it names a program", () => {
-    for (const search of ["", "?example=haas/thread-mill.nc", "?program=", "?file=O2.nc"]) expect(asked(search, PAGE)).toBeUndefined();
+    for (const search of ["", "?example=haas/thread-mill.nc", "?program=", "?file=O2.nc"]) expect(addressRequest(search, PAGE)).toBeUndefined();
   });
 
   test("of a kind that no server has is an error with the address", () => {
     for (const text of ["file:///etc/passwd", "javascript:alert(1)", "data:text/plain,G0", "blob:x", "http://", "ftp://a.example/O1.nc"]) {
-      expect(() => asked(asking(text), PAGE)).toThrow(/is not the address of a program: it begins with https:\/\/ or http:\/\//);
+      expect(() => addressRequest(programQuery(text), PAGE)).toThrow(/is not the address of a program: it begins with https:\/\/ or http:\/\//);
     }
-    expect(() => asked("?program=O1.nc&against=file:///x", PAGE)).toThrow("file:///x");
+    expect(() => addressRequest("?program=O1.nc&against=file:///x", PAGE)).toThrow("file:///x");
   });
 
   test("survives characters that addresses give a meaning", () => {
     const text = "https://a.example/a b&c#d?e=ä%20.nc";
-    expect(asked(asking(text), PAGE)!.program.href).toBe(new URL(text).href);
+    expect(addressRequest(programQuery(text), PAGE)!.program.href).toBe(new URL(text).href);
   });
 
   test("gives the name of its file", () => {

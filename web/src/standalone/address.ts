@@ -1,8 +1,8 @@
 // Programs that the address of the page names: `?program=https://…`, fetched by the browser.
 
-import { MOST_BYTES, nameOf, tooLarge } from "./opened-files";
+import { MAX_PROGRAM_BYTES, nameOf, sizeComplaint } from "./opened-files";
 
-export interface Asked {
+export interface AddressRequest {
   program: URL;
   /** What lies next to it. */
   files: URL[];
@@ -13,7 +13,7 @@ export interface Asked {
 }
 
 /** What the address asks for; nothing where it names no program, an error where it names none that can be loaded. */
-export function asked(search: string, base: string): Asked | undefined {
+export function addressRequest(search: string, base: string): AddressRequest | undefined {
   const words = new URLSearchParams(search);
   const program = words.get("program");
   if (!program) return undefined;
@@ -27,7 +27,7 @@ export function asked(search: string, base: string): Asked | undefined {
 }
 
 /** The address of the page with a program in it. */
-export function asking(program: string): string {
+export function programQuery(program: string): string {
   return `?${new URLSearchParams({ program })}`;
 }
 
@@ -47,13 +47,13 @@ export function fileOf(url: URL): string {
   }
 }
 
-const INSTEAD = "Save the file, and open it here.";
+const SAVE_HINT = "Save the file, and open it here.";
 
 /** Loads a file; an error with a sentence for people where that cannot be. */
-export async function fetched(url: URL): Promise<ArrayBuffer> {
+export async function fetchFile(url: URL): Promise<ArrayBuffer> {
   const name = fileOf(url);
   if (location.protocol === "https:" && url.protocol === "http:" && !isOwn(url)) {
-    throw new Error(`${name} cannot be loaded: its address begins with http://, and a page of https:// must not load it. ${INSTEAD}`);
+    throw new Error(`${name} cannot be loaded: its address begins with http://, and a page of https:// must not load it. ${SAVE_HINT}`);
   }
   const response = await fetch(url).catch(async () => {
     throw new Error(await whyNot(url, name));
@@ -77,7 +77,7 @@ class TooLarge extends Error {}
 
 async function read(response: Response, name: string): Promise<ArrayBuffer> {
   const refuse = (bytes: number) => {
-    const complaint = tooLarge(name, bytes);
+    const complaint = sizeComplaint(name, bytes);
     if (complaint) throw new TooLarge(complaint);
   };
   refuse(Number(response.headers.get("content-length") ?? 0));
@@ -89,7 +89,7 @@ async function read(response: Response, name: string): Promise<ArrayBuffer> {
     if (done || !value) break;
     bytes += value.length;
     // What comes is counted: a server need not say how much there is, or may say less.
-    if (bytes > MOST_BYTES) await reader?.cancel();
+    if (bytes > MAX_PROGRAM_BYTES) await reader?.cancel();
     refuse(bytes);
     parts.push(value);
   }
@@ -102,6 +102,6 @@ async function whyNot(url: URL, name: string): Promise<string> {
   const isThere = await fetch(url, { mode: "no-cors", signal: end.signal }).then(() => true, () => false);
   end.abort();
   return isThere
-    ? `${name} cannot be loaded: ${url.host} does not allow other pages to read it (CORS). ${INSTEAD}`
-    : `${name} cannot be loaded: ${url.host} does not answer, or sends the browser to another address. ${INSTEAD}`;
+    ? `${name} cannot be loaded: ${url.host} does not allow other pages to read it (CORS). ${SAVE_HINT}`
+    : `${name} cannot be loaded: ${url.host} does not answer, or sends the browser to another address. ${SAVE_HINT}`;
 }

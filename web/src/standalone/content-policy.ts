@@ -3,11 +3,11 @@
 // The rules in the head allow any address to be asked, and whatever is added here narrows them: a page can make its rules
 // stricter, not weaker. So this comes before everything else.
 
-import { asked } from "./address";
+import { addressRequest } from "./address";
 
 const origins = new Set(["'self'"]);
 try {
-  const { program, files, against } = asked(location.search, document.baseURI) ?? { files: [] };
+  const { program, files, against } = addressRequest(location.search, document.baseURI) ?? { files: [] };
   for (const url of [program, ...files, against]) if (url) origins.add(url.origin);
 } catch {
   // What is wrong with the address is said once the page is there.

@@ -3,16 +3,16 @@
 
 import { Module, messageOf } from "../../../npm/src/memory";
 
-interface Exports {
+interface EngineExports {
   page_prepare(): void;
-  page_begin(): number;
+  page_open(): number;
   page_text(): void;
   page_files(): void;
   page_serve(): void;
-  page_ask(): void;
-  page_ran(): void;
-  page_hand_over(kind: number, number: number): number;
-  page_take_over(): void;
+  page_request(): void;
+  page_run_finished(): void;
+  page_dispatch(kind: number, number: number): number;
+  page_execute(): void;
   page_panic(): void;
 }
 
@@ -21,49 +21,49 @@ export const RUN = 0;
 export const PLAN = 1;
 export const COMPARE = 2;
 export const CUT = 3;
-export type Kind = typeof RUN | typeof PLAN | typeof COMPARE | typeof CUT;
+export type WorkKind = typeof RUN | typeof PLAN | typeof COMPARE | typeof CUT;
 
 /** What comes out while it works. */
-export interface Hear {
+export interface EngineEvents {
   /** An answer, or columns; `later`: the first picture need not wait for them. */
   send(data: string | ArrayBuffer, later: boolean): void;
-  want(kind: Kind, number: number): void;
+  want(kind: WorkKind, number: number): void;
 }
 
 /** A program and what lies next to it. */
-export interface Opened {
+export interface OpenedProgram {
   name: string;
   program: ArrayBuffer;
-  files: File_[];
+  files: ProgramFile[];
   /** The machine that it runs on unless another one is chosen: a name, or the path of one of the files. */
   machine?: string;
   /** The program that it is compared with. */
-  against?: Against;
+  against?: OtherProgram;
 }
 
 /** Another program, with the same files next to it. */
-export interface Against {
+export interface OtherProgram {
   name: string;
   program: ArrayBuffer;
   machine?: string;
 }
 
-export interface File_ {
+export interface ProgramFile {
   path: string;
   bytes: ArrayBuffer;
 }
 
 /** What a view needs to work for another one. */
-export interface Job {
-  handed: ArrayBuffer;
+export interface WorkOrder {
+  order: ArrayBuffer;
   text: ArrayBuffer;
 }
 
 const encoder = new TextEncoder();
 
-type Beginning = Omit<Opened, "program"> & { program?: ArrayBuffer };
+type OpenRequest = Omit<OpenedProgram, "program"> & { program?: ArrayBuffer };
 
-function beginning({ name, program, files, machine, against }: Beginning): Uint8Array[] {
+function openMessage({ name, program, files, machine, against }: OpenRequest): Uint8Array[] {
   const head = {
     name,
     program: program !== undefined,
@@ -77,25 +77,25 @@ function beginning({ name, program, files, machine, against }: Beginning): Uint8
 }
 
 export class Engine {
-  private constructor(private module: Module<Exports>) {}
+  private constructor(private module: Module<EngineExports>) {}
 
-  static async start(compiled: WebAssembly.Module, hear: Hear): Promise<Engine> {
+  static async start(compiled: WebAssembly.Module, events: EngineEvents): Promise<Engine> {
     const decoder = new TextDecoder();
-    const module = await Module.start<Exports>(compiled, (at) => ({
+    const module = await Module.start<EngineExports>(compiled, (at) => ({
       send: (kind, pointer, length) => {
         const bytes = at(pointer!, length!);
         // The one copy: what lies in the module is gone when this returns.
-        hear.send(kind === 0 ? decoder.decode(bytes) : (bytes.slice().buffer as ArrayBuffer), kind === 2);
+        events.send(kind === 0 ? decoder.decode(bytes) : (bytes.slice().buffer as ArrayBuffer), kind === 2);
       },
-      want: (kind, number) => hear.want(kind as Kind, number!),
+      want: (kind, number) => events.want(kind as WorkKind, number!),
     }));
     module.call([], (own) => own.page_prepare());
     return new Engine(module);
   }
 
   /** Begins the view of a page; whether its text can be sent. */
-  begin(opened: Opened): boolean {
-    return this.module.call(beginning(opened), (own) => own.page_begin() === 1);
+  open(opened: OpenedProgram): boolean {
+    return this.module.call(openMessage(opened), (own) => own.page_open() === 1);
   }
 
   /** Sends the page the text. */
@@ -104,37 +104,37 @@ export class Engine {
   }
 
   /** Other files lie next to the program now, or it is compared with another one. */
-  files(opened: Omit<Opened, "program">): void {
-    this.module.call(beginning(opened), (own) => own.page_files());
+  files(opened: Omit<OpenedProgram, "program">): void {
+    this.module.call(openMessage(opened), (own) => own.page_files());
   }
 
   /** Begins a view that works for another one. */
-  serve(opened: Omit<Opened, "program">): void {
-    this.module.call(beginning(opened), (own) => own.page_serve());
+  serve(opened: Omit<OpenedProgram, "program">): void {
+    this.module.call(openMessage(opened), (own) => own.page_serve());
   }
 
-  ask(text: string): void {
-    this.module.call([encoder.encode(text)], (own) => own.page_ask());
+  request(text: string): void {
+    this.module.call([encoder.encode(text)], (own) => own.page_request());
   }
 
   /** A view elsewhere has run the program. */
-  ran(told: string): void {
-    this.module.call([encoder.encode(told)], (own) => own.page_ran());
+  runFinished(remoteRun: string): void {
+    this.module.call([encoder.encode(remoteRun)], (own) => own.page_run_finished());
   }
 
   /** What a view elsewhere needs; nothing where nobody wants the work any more. */
-  handOver(kind: Kind, number: number): Job | undefined {
+  dispatch(kind: WorkKind, number: number): WorkOrder | undefined {
     return this.module.call([], (own) => {
-      if (own.page_hand_over(kind, number) === 0) return undefined;
-      return { handed: this.module.part(0), text: this.module.part(1) };
+      if (own.page_dispatch(kind, number) === 0) return undefined;
+      return { order: this.module.part(0), text: this.module.part(1) };
     });
   }
 
   /** Does the work of another view; after a run gives what that one is to be told. */
-  takeOver({ handed, text }: Job): string {
-    const json = new TextDecoder().decode(handed);
+  execute({ order, text }: WorkOrder): string {
+    const json = new TextDecoder().decode(order);
     return this.module.call(messageOf(json, [new Uint8Array(text)]), (own) => {
-      own.page_take_over();
+      own.page_execute();
       return this.module.text(0);
     });
   }

@@ -1,7 +1,7 @@
 import { resolve } from "node:path";
 import { expect, test } from "vitest";
 import { gallery } from "../../gallery";
-import { named } from "./gallery";
+import { exampleAt } from "./gallery";
 
 test("every example says what it shows, and has its machine", () => {
   const groups = gallery(resolve("../examples"));
@@ -19,8 +19,8 @@ test("every example says what it shows, and has its machine", () => {
 
 test("an example has a path", () => {
   const groups = gallery(resolve("../examples"));
-  expect(named(groups, "haas/thread-mill.nc")?.text).toContain("THREAD HOB");
+  expect(exampleAt(groups, "haas/thread-mill.nc")?.text).toContain("THREAD HOB");
   for (const path of ["", "haas", "haas/none.nc", "../haas/thread-mill.nc", "none/thread-mill.nc"]) {
-    expect(named(groups, path)).toBeUndefined();
+    expect(exampleAt(groups, path)).toBeUndefined();
   }
 });

@@ -13,7 +13,7 @@ export interface Example {
   machine: string | null;
 }
 
-export interface Group {
+export interface ExampleGroup {
   title: string;
   /** The folder of the examples. */
   folder: string;
@@ -21,14 +21,14 @@ export interface Group {
 }
 
 /** The example of a path, as `haas/thread-mill.nc`. */
-export function named(groups: Group[], path: string): Example | undefined {
+export function exampleAt(groups: ExampleGroup[], path: string): Example | undefined {
   const [folder, name] = path.split("/");
   return groups.find((group) => group.folder === folder)?.examples.find((example) => example.name === name);
 }
 
-let loaded: Promise<Group[]> | undefined;
+let loaded: Promise<ExampleGroup[]> | undefined;
 
-export function gallery(): Promise<Group[]> {
+export function gallery(): Promise<ExampleGroup[]> {
   loaded ??= load().catch((error: unknown) => {
     // The next look may have more luck.
     loaded = undefined;
@@ -37,8 +37,8 @@ export function gallery(): Promise<Group[]> {
   return loaded;
 }
 
-async function load(): Promise<Group[]> {
+async function load(): Promise<ExampleGroup[]> {
   const response = await fetch(new URL(EXAMPLES, document.baseURI));
   if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
-  return (await response.json()) as Group[];
+  return (await response.json()) as ExampleGroup[];
 }

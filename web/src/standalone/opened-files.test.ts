@@ -1,16 +1,16 @@
 import { expect, test } from "vitest";
-import { MOST_BYTES, apart, nameOf, sorted, tooLarge } from "./opened-files";
+import { MAX_PROGRAM_BYTES, distinctName, nameOf, sortFiles, sizeComplaint } from "./opened-files";
 
 const files = (...names: string[]) => names.map((name) => ({ name }));
 
 test("the first file that is no machine, shape or table is the program", () => {
-  const { program, beside, machine } = sorted(files("op1.toml", "op1.nc", "O77.nc", "stock.STL"));
+  const { program, others, machine } = sortFiles(files("op1.toml", "op1.nc", "O77.nc", "stock.STL"));
   expect(program?.name).toBe("op1.nc");
-  expect(beside.map(({ name }) => name)).toEqual(["op1.toml", "O77.nc", "stock.STL"]);
+  expect(others.map(({ name }) => name)).toEqual(["op1.toml", "O77.nc", "stock.STL"]);
   expect(machine).toBe("op1.toml");
-  expect(sorted(files("a.toml", "b.toml", "part")).machine).toBe(undefined);
-  expect(sorted(files("chordal.toml", "part")).machine).toBe(undefined);
-  expect(sorted(files("a.toml")).program).toBe(undefined);
+  expect(sortFiles(files("a.toml", "b.toml", "part")).machine).toBe(undefined);
+  expect(sortFiles(files("chordal.toml", "part")).machine).toBe(undefined);
+  expect(sortFiles(files("a.toml")).program).toBe(undefined);
 });
 
 test("a name is one that a file can have", () => {
@@ -23,12 +23,12 @@ test("a name is one that a file can have", () => {
 });
 
 test("a file that is too large is refused with its size", () => {
-  expect(tooLarge("a.nc", MOST_BYTES)).toBe(undefined);
-  expect(tooLarge("a.nc", 700 * 2 ** 20)).toMatch(/a\.nc has 700 MiB; this page takes up to 256 MiB/);
+  expect(sizeComplaint("a.nc", MAX_PROGRAM_BYTES)).toBe(undefined);
+  expect(sizeComplaint("a.nc", 700 * 2 ** 20)).toMatch(/a\.nc has 700 MiB; this page takes up to 256 MiB/);
 });
 
 test("a second program of the same name can be told from the first", () => {
-  expect(apart("part.nc", "part.nc")).toBe("part (2).nc");
-  expect(apart("O1", "O1")).toBe("O1 (2)");
-  expect(apart("new.nc", "part.nc")).toBe("new.nc");
+  expect(distinctName("part.nc", "part.nc")).toBe("part (2).nc");
+  expect(distinctName("O1", "O1")).toBe("O1 (2)");
+  expect(distinctName("new.nc", "part.nc")).toBe("new.nc");
 });

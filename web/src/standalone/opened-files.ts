@@ -1,14 +1,14 @@
 // Files that somebody gives: which of them is the program, and what lies next to it.
 
-export interface Sorted<T> {
+export interface SortedFiles<T> {
   program: T | undefined;
-  beside: T[];
+  others: T[];
   /** The machine or setup file that counts without being chosen. */
   machine: string | undefined;
 }
 
 /** Endings of what a program or a setup names: machines, shapes, tables. */
-const BESIDE = /\.(toml|stl|dxf|tbl|csv|svg)$/i;
+const COMPANION_FILE = /\.(toml|stl|dxf|tbl|csv|svg)$/i;
 
 /** The last part of a path, as a name that is safe to show and to save under. */
 export function nameOf(path: string): string {
@@ -19,24 +19,24 @@ export function nameOf(path: string): string {
 }
 
 /** The name of a second program that can be told from the first: `part (2).nc`. */
-export function apart(name: string, first: string): string {
+export function distinctName(name: string, first: string): string {
   return name === first ? name.replace(/(\.\w+)?$/, " (2)$1") : name;
 }
 
 /** The first file that is not of a kind that lies next to programs is the program; other programs lie next to it. */
-export function sorted<T extends { name: string }>(files: T[]): Sorted<T> {
-  const program = files.find(({ name }) => !BESIDE.test(name));
-  const beside = files.filter((file) => file !== program);
-  const machines = beside.filter(({ name }) => /\.toml$/i.test(name) && name !== "chordal.toml");
-  return { program, beside, machine: machines.length === 1 ? machines[0]!.name : undefined };
+export function sortFiles<T extends { name: string }>(files: T[]): SortedFiles<T> {
+  const program = files.find(({ name }) => !COMPANION_FILE.test(name));
+  const others = files.filter((file) => file !== program);
+  const machines = others.filter(({ name }) => /\.toml$/i.test(name) && name !== "chordal.toml");
+  return { program, others, machine: machines.length === 1 ? machines[0]!.name : undefined };
 }
 
 /** The largest program that the page takes: it is in memory several times, bytes. */
-export const MOST_BYTES = 256 * 2 ** 20;
+export const MAX_PROGRAM_BYTES = 256 * 2 ** 20;
 
 /** Why a file is not taken; nothing where it is. */
-export function tooLarge(name: string, bytes: number): string | undefined {
-  if (bytes <= MOST_BYTES) return undefined;
+export function sizeComplaint(name: string, bytes: number): string | undefined {
+  if (bytes <= MAX_PROGRAM_BYTES) return undefined;
   const mib = (of: number) => `${(of / 2 ** 20).toFixed(0)} MiB`;
-  return `${name} has ${mib(bytes)}; this page takes up to ${mib(MOST_BYTES)}. \`chordal view\` on your computer takes more.`;
+  return `${name} has ${mib(bytes)}; this page takes up to ${mib(MAX_PROGRAM_BYTES)}. \`chordal view\` on your computer takes more.`;
 }

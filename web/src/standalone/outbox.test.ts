@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
-import { Outgoing } from "./outbox";
+import { Outbox } from "./outbox";
 
 function made() {
   const sent: (string | number)[] = [];
-  const out = new Outgoing((data) => void sent.push(typeof data === "string" ? data : data.byteLength));
+  const out = new Outbox((data) => void sent.push(typeof data === "string" ? data : data.byteLength));
   return { sent, out };
 }
 
@@ -23,7 +23,7 @@ test("columns go no faster than the page takes them, and nothing overtakes", () 
 
 test("a long text waits for the first picture, then takes turns with the path", () => {
   const { sent, out } = made();
-  out.hold();
+  out.pause();
   for (let at = 1; at <= 3; at++) out.putLater(new ArrayBuffer(100 * at));
   out.put("run");
   expect(sent).toEqual(["run"]);
@@ -33,7 +33,7 @@ test("a long text waits for the first picture, then takes turns with the path", 
   for (let times = 0; times < 6; times++) out.taken(1);
   expect(sent).toEqual(["run", ...Array(8).fill(7), 1, 100, 2, 200, 3, 300]);
   const other = made();
-  other.out.hold();
+  other.out.pause();
   other.out.putLater(new ArrayBuffer(100));
   other.out.release();
   expect(other.sent).toEqual([100]);

@@ -2,18 +2,18 @@
 // long path. A long text waits for the first picture, and then takes turns with the path.
 
 /** Messages with columns that the page has not taken yet. */
-const MOST_UNDER_WAY = 8;
+const MAX_IN_FLIGHT = 8;
 
-interface Message {
+interface OutgoingMessage {
   data: string | ArrayBuffer;
   isPicture: boolean;
 }
 
-export class Outgoing {
-  private soon: Message[] = [];
+export class Outbox {
+  private soon: OutgoingMessage[] = [];
   private later: ArrayBuffer[] = [];
-  private underWay = 0;
-  private isHeld = false;
+  private inFlight = 0;
+  private isPaused = false;
   private wasLater = false;
 
   constructor(private post: (data: string | ArrayBuffer) => void) {}
@@ -30,29 +30,29 @@ export class Outgoing {
   }
 
   /** What may wait does so, until a picture is on its way or [`Outgoing.release`]. */
-  hold(): void {
-    this.isHeld = true;
+  pause(): void {
+    this.isPaused = true;
   }
 
   release(): void {
-    this.isHeld = false;
+    this.isPaused = false;
     this.go();
   }
 
   /** The page has taken so many messages with columns. */
   taken(count: number): void {
-    this.underWay -= count;
+    this.inFlight -= count;
     this.go();
   }
 
   private go(): void {
-    while (this.underWay < MOST_UNDER_WAY) {
-      const isLater = this.later.length > 0 && !this.isHeld && (this.soon.length === 0 || !this.wasLater);
+    while (this.inFlight < MAX_IN_FLIGHT) {
+      const isLater = this.later.length > 0 && !this.isPaused && (this.soon.length === 0 || !this.wasLater);
       const message = isLater ? { data: this.later.shift()!, isPicture: false } : this.soon.shift();
       if (!message) return;
       this.wasLater = isLater;
-      if (message.isPicture) this.isHeld = false;
-      if (typeof message.data !== "string") this.underWay++;
+      if (message.isPicture) this.isPaused = false;
+      if (typeof message.data !== "string") this.inFlight++;
       this.post(message.data);
     }
   }

@@ -1,40 +1,40 @@
 // Programs that were open lately, kept in this browser alone: so many of them, and so large together.
 
-import type { File_ } from "./engine";
+import type { ProgramFile } from "./engine";
 
-export interface Kept {
+export interface RecentProgram {
   name: string;
   program: ArrayBuffer;
-  files: File_[];
+  files: ProgramFile[];
   machine?: string;
   /** When it was opened or saved last, ms. */
   at: number;
 }
 
 /** What the list shows of one. */
-export interface Entry {
+export interface RecentEntry {
   name: string;
   bytes: number;
   at: number;
 }
 
-const MOST_ENTRIES = 20;
+const MAX_ENTRIES = 20;
 /** A program of more is not kept, bytes. */
-export const MOST_EACH = 32 * 2 ** 20;
-const MOST_TOGETHER = 128 * 2 ** 20;
+export const MAX_KEPT_BYTES = 32 * 2 ** 20;
+const MAX_TOTAL_BYTES = 128 * 2 ** 20;
 
 /** Names of those that have no room any more; the newest stay. */
-export function outgrown(entries: Entry[]): string[] {
+export function namesWithoutRoom(entries: RecentEntry[]): string[] {
   let bytes = 0;
   const newest = [...entries].sort((a, b) => b.at - a.at);
-  return newest.filter((entry, index) => (bytes += entry.bytes) > MOST_TOGETHER || index >= MOST_ENTRIES).map(({ name }) => name);
+  return newest.filter((entry, index) => (bytes += entry.bytes) > MAX_TOTAL_BYTES || index >= MAX_ENTRIES).map(({ name }) => name);
 }
 
-export function sizeOf({ program, files }: Pick<Kept, "program" | "files">): number {
+export function sizeOf({ program, files }: Pick<RecentProgram, "program" | "files">): number {
   return files.reduce((sum, { bytes }) => sum + bytes.byteLength, program.byteLength);
 }
 
-function asked<T>(request: IDBRequest<T>): Promise<T> {
+function completed<T>(request: IDBRequest<T>): Promise<T> {
   return new Promise((resolve, reject) => {
     request.onsuccess = () => resolve(request.result);
     request.onerror = () => reject(request.error);
@@ -48,22 +48,22 @@ async function stores(mode: IDBTransactionMode): Promise<{ programs: IDBObjectSt
     opening.result.createObjectStore("programs", { keyPath: "name" });
     opening.result.createObjectStore("entries", { keyPath: "name" });
   };
-  const base = await asked(opening);
+  const base = await completed(opening);
   const transaction = base.transaction(["programs", "entries"], mode);
   return { programs: transaction.objectStore("programs"), entries: transaction.objectStore("entries"), close: () => base.close() };
 }
 
 /** Keeps a program; a browser that keeps nothing is no error. */
-export async function keep(kept: Kept): Promise<void> {
-  const bytes = sizeOf(kept);
-  if (bytes > MOST_EACH) return;
+export async function keepRecent(recent: RecentProgram): Promise<void> {
+  const bytes = sizeOf(recent);
+  if (bytes > MAX_KEPT_BYTES) return;
   try {
     const { programs, entries, close } = await stores("readwrite");
-    await asked(programs.put(kept));
-    await asked(entries.put({ name: kept.name, bytes, at: kept.at } satisfies Entry));
-    for (const name of outgrown((await asked(entries.getAll())) as Entry[])) {
-      await asked(programs.delete(name));
-      await asked(entries.delete(name));
+    await completed(programs.put(recent));
+    await completed(entries.put({ name: recent.name, bytes, at: recent.at } satisfies RecentEntry));
+    for (const name of namesWithoutRoom((await completed(entries.getAll())) as RecentEntry[])) {
+      await completed(programs.delete(name));
+      await completed(entries.delete(name));
     }
     close();
   } catch {
@@ -72,10 +72,10 @@ export async function keep(kept: Kept): Promise<void> {
 }
 
 /** Those that are kept, the newest first. */
-export async function list(): Promise<Entry[]> {
+export async function listRecent(): Promise<RecentEntry[]> {
   try {
     const { entries, close } = await stores("readonly");
-    const found = (await asked(entries.getAll())) as Entry[];
+    const found = (await completed(entries.getAll())) as RecentEntry[];
     close();
     return found.sort((a, b) => b.at - a.at);
   } catch {
@@ -83,16 +83,16 @@ export async function list(): Promise<Entry[]> {
   }
 }
 
-export async function find(name: string): Promise<Kept | undefined> {
+export async function findRecent(name: string): Promise<RecentProgram | undefined> {
   const { programs, close } = await stores("readonly");
-  const found = (await asked(programs.get(name))) as Kept | undefined;
+  const found = (await completed(programs.get(name))) as RecentProgram | undefined;
   close();
   return found;
 }
 
-export async function forget(name: string): Promise<void> {
+export async function forgetRecent(name: string): Promise<void> {
   const { programs, entries, close } = await stores("readwrite");
-  await asked(programs.delete(name));
-  await asked(entries.delete(name));
+  await completed(programs.delete(name));
+  await completed(entries.delete(name));
   close();
 }

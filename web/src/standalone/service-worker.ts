@@ -1,7 +1,7 @@
 // The page without a network: a service worker keeps its files, version by version.
 
 /** Registers the service worker once the page is at rest; `renew` is called when a newer version waits. */
-export function offline(renew: (load: () => void) => void): void {
+export function registerServiceWorker(renew: (load: () => void) => void): void {
   const { serviceWorker } = navigator;
   // Only of a secure origin, or of this computer.
   if (!serviceWorker) return;

@@ -1,14 +1,14 @@
 import { expect, test } from "vitest";
-import { fragmentOf, sharedIn } from "./share-link";
+import { fragmentOf, programInFragment } from "./share-link";
 
 const shared = { name: "Ø.nc", text: "G0 X1\n(ä → 😀)\n", machine: "mill.toml", files: [["mill.toml", 'inherits = "haas-vf2"\n']] as [string, string][] };
 
 test("a program comes out of its link as it went in", async () => {
   const fragment = await fragmentOf(shared);
   expect(fragment).toMatch(/^#p=[\w-]+$/);
-  expect(await sharedIn(fragment)).toEqual(shared);
-  expect(await sharedIn("")).toBe(undefined);
-  expect(await sharedIn("#elsewhere")).toBe(undefined);
+  expect(await programInFragment(fragment)).toEqual(shared);
+  expect(await programInFragment("")).toBe(undefined);
+  expect(await programInFragment("#elsewhere")).toBe(undefined);
 });
 
 test("a damaged link is told, whatever is in it", async () => {
@@ -23,5 +23,5 @@ test("a damaged link is told, whatever is in it", async () => {
     // Small as a link, large as a text.
     await packed(["a", "0".repeat(30_000_000), null, []]),
   ];
-  for (const each of wrong) await expect(sharedIn(each)).rejects.toThrow("damaged");
+  for (const each of wrong) await expect(programInFragment(each)).rejects.toThrow("damaged");
 });

@@ -1,6 +1,6 @@
 // A program in the fragment of an address: compressed, and sent to nobody. Whoever has the link has the program.
 
-export interface Shared {
+export interface SharedProgram {
   name: string;
   text: string;
   /** The machine that was chosen. */
@@ -10,9 +10,9 @@ export interface Shared {
 }
 
 /** Characters of a link: more do not survive mail and chat. */
-export const MOST_LINK = 16_000;
+export const MAX_LINK_CHARACTERS = 16_000;
 /** What a fragment may become: a small one can hold very much, bytes. */
-const MOST_TEXT = 4 * 2 ** 20;
+const MAX_TEXT_BYTES = 4 * 2 ** 20;
 
 const KEY = "#p=";
 
@@ -51,18 +51,18 @@ async function through(bytes: Uint8Array<ArrayBuffer>, stream: CompressionStream
 }
 
 /** The fragment of a program. */
-export async function fragmentOf(shared: Shared): Promise<string> {
+export async function fragmentOf(shared: SharedProgram): Promise<string> {
   const bytes = new TextEncoder().encode(JSON.stringify([shared.name, shared.text, shared.machine, shared.files]));
   return KEY + base64(await through(bytes, new CompressionStream("deflate-raw"), Infinity));
 }
 
 /** The program of a fragment; nothing where it has none, an error where it is damaged. */
-export async function sharedIn(fragment: string): Promise<Shared | undefined> {
+export async function programInFragment(fragment: string): Promise<SharedProgram | undefined> {
   if (!fragment.startsWith(KEY)) return undefined;
   const damaged = () => new Error("The link is damaged or incomplete: it holds no program.");
   let read: unknown;
   try {
-    const bytes = await through(bytesOf(fragment.slice(KEY.length)), new DecompressionStream("deflate-raw"), MOST_TEXT);
+    const bytes = await through(bytesOf(fragment.slice(KEY.length)), new DecompressionStream("deflate-raw"), MAX_TEXT_BYTES);
     read = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
   } catch {
     throw damaged();

@@ -1,18 +1,18 @@
 // The page that stands alone: opens and saves programs, shares them, and keeps those of before.
 
 import "./start-dialog.css";
-import type { Page, PageHost } from "../page-host";
+import type { PageParts, PageHost } from "../page-host";
 import { element } from "../panels/dom";
-import { type Asked, asked, asking, fetched, fileOf } from "./address";
-import type { Against, File_, Opened } from "./engine";
+import { type AddressRequest, addressRequest, programQuery, fetchFile, fileOf } from "./address";
+import type { OtherProgram, ProgramFile, OpenedProgram } from "./engine";
 import { openDroppedFiles } from "./file-drop";
-import { type Example, gallery, named } from "./gallery";
-import { apart, nameOf, sorted, tooLarge } from "./opened-files";
-import { MOST_EACH, find, keep, sizeOf } from "./recent-programs";
-import { offline } from "./service-worker";
-import { MOST_LINK, type Shared, fragmentOf, sharedIn } from "./share-link";
-import { Start } from "./start-dialog";
-import { Core } from "./worker-connection";
+import { type Example, gallery, exampleAt } from "./gallery";
+import { distinctName, nameOf, sortFiles, sizeComplaint } from "./opened-files";
+import { MAX_KEPT_BYTES, findRecent, keepRecent, sizeOf } from "./recent-programs";
+import { registerServiceWorker } from "./service-worker";
+import { MAX_LINK_CHARACTERS, type SharedProgram, fragmentOf, programInFragment } from "./share-link";
+import { StartDialog } from "./start-dialog";
+import { WorkerConnection } from "./worker-connection";
 
 /** The address of the module, whose name changes with it. */
 declare const MODULE: string;
@@ -41,11 +41,11 @@ function errorText(error: unknown): string {
 }
 
 function download(fileName: string, bytes: Uint8Array): void {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "application/octet-stream" }));
-  link.download = fileName;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), DOWNLOAD_MS);
+  const connection = document.createElement("a");
+  connection.href = URL.createObjectURL(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "application/octet-stream" }));
+  connection.download = fileName;
+  connection.click();
+  setTimeout(() => URL.revokeObjectURL(connection.href), DOWNLOAD_MS);
 }
 
 function button(id: string, text: string, title: string, act: () => void): HTMLButtonElement {
@@ -56,44 +56,44 @@ function button(id: string, text: string, title: string, act: () => void): HTMLB
 }
 
 /** What an address asks for, loaded. */
-async function openingOf({ program, files: fileUrls, against: other, machine }: Asked): Promise<Opened> {
-  const [bytes, otherBytes, ...rest] = await Promise.all([fetched(program), other && fetched(other), ...fileUrls.map(fetched)]);
+async function openingOf({ program, files: fileUrls, against: other, machine }: AddressRequest): Promise<OpenedProgram> {
+  const [bytes, otherBytes, ...rest] = await Promise.all([fetchFile(program), other && fetchFile(other), ...fileUrls.map(fetchFile)]);
   const files = fileUrls.map((url, index) => ({ path: fileOf(url), bytes: rest[index]! }));
-  const chosen = machine ?? sorted([{ name: fileOf(program) }, ...files.map(({ path }) => ({ name: path }))]).machine;
-  const against = other && otherBytes && { name: apart(fileOf(other), fileOf(program)), program: otherBytes, machine: chosen };
+  const chosen = machine ?? sortFiles([{ name: fileOf(program) }, ...files.map(({ path }) => ({ name: path }))]).machine;
+  const against = other && otherBytes && { name: distinctName(fileOf(other), fileOf(program)), program: otherBytes, machine: chosen };
   return { name: fileOf(program), program: bytes, files, machine: chosen, against };
 }
 
 export class StandaloneHost implements PageHost {
-  readonly lost = "";
-  readonly another = "“Another file…” opens a second program.";
-  readonly saved = "Saved: the file is with the browser's downloads.";
+  readonly lostMessage = "";
+  readonly anotherHint = "“Another file…” opens a second program.";
+  readonly savedMessage = "Saved: the file is with the browser's downloads.";
   /** What is open. */
   private name = "";
-  private files: File_[] = [];
-  private against: Against | undefined;
+  private files: ProgramFile[] = [];
+  private against: OtherProgram | undefined;
   /** The machine that was opened with it. */
   private machineAtOpening: string | undefined;
   /** A machine file that is chosen as soon as it is in the list of machines. */
   private chooseLater: string | undefined;
-  private page!: Page;
-  private start!: Start;
-  private core = new Core(compile(), (name) => new Worker(new URL("./worker-entry.ts", import.meta.url), { type: "module", name }));
+  private page!: PageParts;
+  private startDialog!: StartDialog;
+  private core = new WorkerConnection(compile(), (name) => new Worker(new URL("./worker-entry.ts", import.meta.url), { type: "module", name }));
 
   dial: PageHost["dial"] = (take) => this.core.dial(take);
 
-  keep = (fileName: string, bytes: Uint8Array): void => {
+  keepFile = (fileName: string, bytes: Uint8Array): void => {
     download(fileName, bytes);
     this.remember(bytes.slice().buffer as ArrayBuffer);
   };
 
-  furnish = (page: Page): void => {
+  addControls = (page: PageParts): void => {
     this.page = page;
     const { ui } = page;
-    this.start = this.makeStart();
+    this.startDialog = this.makeStart();
     this.offerAnother(ui.panels.compare);
     ui.save.title = "Save: the browser keeps the file with its downloads (Ctrl-S)";
-    ui.save.before(button("open", "Open", "Open a program, an example, or machine files", () => this.start.show()));
+    ui.save.before(button("open", "Open", "Open a program, an example, or machine files", () => this.startDialog.show()));
     const sharing = button("share", "Share", "A link with the program in it", () => void this.share());
     sharing.hidden = true;
     ui.save.after(sharing);
@@ -101,61 +101,61 @@ export class StandaloneHost implements PageHost {
     this.core.onLost = (why) => this.offerRestart(why);
     openDroppedFiles(document, {
       files: (files) => {
-        this.start.hide();
+        this.startDialog.hide();
         void this.openFiles(files);
       },
       text: (text) => {
-        this.start.hide();
+        this.startDialog.hide();
         this.openPasted(text);
       },
     });
     window.addEventListener("hashchange", () => void this.openLink());
     void this.openFirst();
-    offline((load) => ui.ask("A newer version of this page is ready.", [["Load it", load], ["Later", () => {}]]));
+    registerServiceWorker((load) => ui.prompt("A newer version of this page is ready.", [["Load it", load], ["Later", () => {}]]));
     this.exposeForTests();
   };
 
-  private makeStart(): Start {
-    return new Start({
+  private makeStart(): StartDialog {
+    return new StartDialog({
       files: (files) => void this.openFiles(files),
       text: (text) => this.openPasted(text),
-      recent: (name) => void find(name).then((program) => program && this.open(program)),
+      recent: (name) => void findRecent(name).then((program) => program && this.open(program)),
       example: (example: Example) => this.openTexts(example),
       // With the address in it the page may load what is there.
-      address: (text) => location.assign(asking(text)),
+      address: (text) => location.assign(programQuery(text)),
     });
   }
 
   /** Opens what the address of the page names; otherwise asks for a program. */
   private async openFirst(): Promise<void> {
     const isOpen = (await this.openLink()) || (await this.openExample()) || (await this.openAddress());
-    if (!isOpen) this.start.show();
+    if (!isOpen) this.startDialog.show();
   }
 
   /** A program is put away at once, so that closing the page does not lose it; a long one when its path is there. */
   private remember(program: ArrayBuffer, machine?: string): void {
     const { name, files } = this;
-    if (sizeOf({ program, files }) > MOST_EACH) return;
+    if (sizeOf({ program, files }) > MAX_KEPT_BYTES) return;
     // A copy: the bytes go over to the worker.
     const recent = { name, program: program.slice(0), files, machine, at: Date.now() };
-    if (program.byteLength > LONG_BYTES) setTimeout(() => void keep(recent), KEEP_LONG_AFTER_MS);
-    else void keep(recent);
+    if (program.byteLength > LONG_BYTES) setTimeout(() => void keepRecent(recent), KEEP_LONG_AFTER_MS);
+    else void keepRecent(recent);
   }
 
   /** Opens a program, once nothing that was typed would be lost. */
-  private open(opening: Opened, isFromLink = false): void {
-    const { ui, editor, link } = this.page;
+  private open(opening: OpenedProgram, isFromLink = false): void {
+    const { ui, editor, connection } = this.page;
     const go = () => {
       ({ name: this.name, files: this.files, against: this.against, machine: this.machineAtOpening } = opening);
-      link.forget();
+      connection.dropQueries();
       // The address is that of the program it was opened with.
       if (!isFromLink && location.hash + location.search !== "") history.replaceState(null, "", location.pathname);
       this.remember(opening.program, opening.machine);
       document.querySelector<HTMLElement>("#share")!.hidden = false;
-      this.core.open(opening).catch((error: unknown) => ui.tell("error", `The page is not complete: ${String(error)}`));
+      this.core.open(opening).catch((error: unknown) => ui.notify("error", `The page is not complete: ${String(error)}`));
     };
     if (!editor.dirty) return go();
-    ui.ask(`What you typed in ${this.name} is not saved.`, [
+    ui.prompt(`What you typed in ${this.name} is not saved.`, [
       [`Open ${opening.name} and lose it`, go],
       ["Cancel", () => {}],
     ]);
@@ -170,14 +170,14 @@ export class StandaloneHost implements PageHost {
     const machines = this.files.filter(({ path }) => path.endsWith(".toml") && path !== "chordal.toml" && !read.some((file) => file.path === path));
     const count = others.filter((file) => !/\.toml$/i.test(file.name)).length;
     this.open({ name: nameOf(program.name), program: bytes, files: [...read, ...machines], machine });
-    if (count > 0) this.page.ui.tell("note", `${program.name} is shown; ${count === 1 ? "1 other file lies" : `${count} other files lie`} next to it.`);
+    if (count > 0) this.page.ui.notify("note", `${program.name} is shown; ${count === 1 ? "1 other file lies" : `${count} other files lie`} next to it.`);
   }
 
   /** The program among files and what lies next to it, read; undefined where that cannot be. */
   private async readAll(files: File[]) {
-    const complaint = files.map((file) => tooLarge(file.name, file.size)).find(Boolean);
+    const complaint = files.map((file) => sizeComplaint(file.name, file.size)).find(Boolean);
     if (complaint) return this.refuse(complaint);
-    const { program, beside: others, machine } = sorted(files);
+    const { program, others, machine } = sortFiles(files);
     try {
       const read = await Promise.all(others.map(async (file) => ({ path: nameOf(file.name), bytes: await file.arrayBuffer() })));
       return { program, bytes: await program?.arrayBuffer(), others, read, machine };
@@ -188,41 +188,41 @@ export class StandaloneHost implements PageHost {
 
   /** Compares the program with that of another file, on the same machine unless one comes with it. */
   private async compareWith(files: File[]): Promise<void> {
-    const { editor, link } = this.page;
+    const { editor, connection } = this.page;
     const opened = await this.readAll(files);
     if (!opened) return;
     const { program, bytes, read, machine } = opened;
     if (!program || !bytes) return this.refuse("There is no program among these files.");
     if (read.length > 0) this.addFiles(read, undefined);
-    this.against = { name: apart(nameOf(program.name), this.name), program: bytes, machine: machine ?? this.chosenMachine() };
+    this.against = { name: distinctName(nameOf(program.name), this.name), program: bytes, machine: machine ?? this.chosenMachine() };
     editor.flush();
     this.core.against(this.against);
-    link.tell("against", { other: "named" });
+    connection.send("compare_with", { other: "named" });
   }
 
   /** Files without a program lie next to the one that is open. */
-  private addFiles(more: File_[], machine: string | undefined): void {
-    const { editor, link } = this.page;
+  private addFiles(more: ProgramFile[], machine: string | undefined): void {
+    const { editor, connection } = this.page;
     if (this.name === "") return this.refuse("These files belong to a program: choose it together with them.");
     this.files = [...this.files.filter(({ path }) => !more.some((file) => file.path === path)), ...more];
     editor.flush();
     this.core.files(this.files);
     // The same text runs again.
-    if (!machine) return link.tell("edit", { changes: [] });
+    if (!machine) return connection.send("edit", { changes: [] });
     this.chooseLater = machine;
-    link.tell("machine", { name: machine });
+    connection.send("machine", { name: machine });
   }
 
   private refuse(why: string): undefined {
-    this.page.ui.tell("error", why);
-    this.start.say(why);
+    this.page.ui.notify("error", why);
+    this.startDialog.say(why);
   }
 
   private openPasted(text: string): void {
     this.openTexts({ name: "pasted.nc", text, machine: null, files: [] });
   }
 
-  private openTexts({ name, text, files, machine }: Pick<Shared, "name" | "text" | "machine" | "files">, isFromLink = false): void {
+  private openTexts({ name, text, files, machine }: Pick<SharedProgram, "name" | "text" | "machine" | "files">, isFromLink = false): void {
     const encoded = files.map(([path, content]) => ({ path, bytes: encode(content) }));
     this.open({ name: nameOf(name), program: encode(text), files: encoded, machine: machine ?? undefined }, isFromLink);
   }
@@ -230,7 +230,7 @@ export class StandaloneHost implements PageHost {
   /** Opens the program that is in the fragment of the address. */
   private async openLink(): Promise<boolean> {
     try {
-      const shared = await sharedIn(location.hash);
+      const shared = await programInFragment(location.hash);
       if (shared) this.openTexts(shared, true);
       return shared !== undefined;
     } catch (error) {
@@ -244,7 +244,7 @@ export class StandaloneHost implements PageHost {
     const path = new URLSearchParams(location.search).get("example");
     if (!path) return false;
     try {
-      const example = named(await gallery(), path);
+      const example = exampleAt(await gallery(), path);
       if (example) this.openTexts(example, true);
       else this.refuse(`There is no example ${path}.`);
       return example !== undefined;
@@ -258,9 +258,9 @@ export class StandaloneHost implements PageHost {
   private async openAddress(): Promise<boolean> {
     let slow: ReturnType<typeof setTimeout> | undefined;
     try {
-      const address = asked(location.search, document.baseURI);
+      const address = addressRequest(location.search, document.baseURI);
       if (!address) return false;
-      slow = setTimeout(() => this.page.ui.tell("note", `Loading ${fileOf(address.program)} from ${address.program.host}…`), SLOW_MS);
+      slow = setTimeout(() => this.page.ui.notify("note", `Loading ${fileOf(address.program)} from ${address.program.host}…`), SLOW_MS);
       this.open(await openingOf(address), true);
       return true;
     } catch (error) {
@@ -278,26 +278,26 @@ export class StandaloneHost implements PageHost {
     try {
       for (const { path, bytes } of this.files) files.push([path, decoder.decode(bytes)]);
     } catch {
-      return ui.tell("warning", "Files that are not text cannot be shared in a link: send the files.");
+      return ui.notify("warning", "Files that are not text cannot be shared in a link: send the files.");
     }
     const machine = this.chosenMachine() ?? null;
     const fragment = await fragmentOf({ name: this.name, text: editor.view.state.doc.toString(), machine, files });
     const address = location.origin + location.pathname + fragment;
-    if (address.length > MOST_LINK) {
-      return ui.tell("warning", `The link would have ${address.length.toLocaleString("en")} characters; up to ${MOST_LINK.toLocaleString("en")} can be shared. Send the file.`);
+    if (address.length > MAX_LINK_CHARACTERS) {
+      return ui.notify("warning", `The link would have ${address.length.toLocaleString("en")} characters; up to ${MAX_LINK_CHARACTERS.toLocaleString("en")} can be shared. Send the file.`);
     }
     history.replaceState(null, "", address);
     try {
       await navigator.clipboard.writeText(address);
-      ui.tell("note", "The link is copied. The program is in the link itself: nothing was sent.");
+      ui.notify("note", "The link is copied. The program is in the link itself: nothing was sent.");
     } catch {
-      ui.tell("note", "The link is in the address bar. The program is in the link itself: nothing was sent.");
+      ui.notify("note", "The link is in the address bar. The program is in the link itself: nothing was sent.");
     }
   }
 
   /** The machine that was chosen, or opened with the program. */
   private chosenMachine(): string | undefined {
-    const { machine } = sorted([{ name: this.name }, ...this.files.map(({ path }) => ({ name: path }))]);
+    const { machine } = sortFiles([{ name: this.name }, ...this.files.map(({ path }) => ({ name: path }))]);
     return this.page.ui.machine.value || machine || this.machineAtOpening;
   }
 
@@ -315,8 +315,8 @@ export class StandaloneHost implements PageHost {
   private offerRestart(why: string): void {
     const { ui, editor } = this.page;
     const text = editor.view.state.doc.toString();
-    if (this.name === "") return ui.tell("error", `Chordal cannot start: ${why}.`);
-    ui.ask(`Chordal failed: ${why}. What you typed is still here.`, [
+    if (this.name === "") return ui.notify("error", `Chordal cannot start: ${why}.`);
+    ui.prompt(`Chordal failed: ${why}. What you typed is still here.`, [
       ["Begin again with it", () => {
         editor.setDirty(false);
         const { name, files, against } = this;
@@ -343,7 +343,7 @@ export class StandaloneHost implements PageHost {
   /** What the browser's tests look at. */
   private exposeForTests(): void {
     Object.assign(window, {
-      standalone: { core: this.core, open: (opening: Opened) => this.open(opening), opened: () => ({ name: this.name, files: this.files }) },
+      standalone: { core: this.core, open: (opening: OpenedProgram) => this.open(opening), opened: () => ({ name: this.name, files: this.files }) },
     });
   }
 }

@@ -1,10 +1,10 @@
 // Where a program is chosen: files, a text that is pasted, those of before, the examples.
 
 import { element } from "../panels/dom";
-import { type Example, type Group, gallery } from "./gallery";
-import { type Entry, forget, list } from "./recent-programs";
+import { type Example, type ExampleGroup, gallery } from "./gallery";
+import { type RecentEntry, forgetRecent, listRecent } from "./recent-programs";
 
-export interface Chosen {
+export interface StartHandlers {
   files: (files: File[]) => void;
   text: (text: string) => void;
   recent: (name: string) => void;
@@ -24,16 +24,16 @@ function size(bytes: number): string {
 }
 
 /** Programs of before that are seen at once. */
-const FEW = 6;
+const VISIBLE_RECENTS = 6;
 
-export class Start {
+export class StartDialog {
   private root = element("dialog", "start");
   private recents = element("section", "recents");
   private examples = element("section", "examples");
   private message = element("p", "start-message");
   private input = element("input");
 
-  constructor(private chosen: Chosen) {
+  constructor(private handlers: StartHandlers) {
     const title = element("h2", "", "Open a program");
     title.id = "start-title";
     this.root.setAttribute("aria-labelledby", title.id);
@@ -45,7 +45,7 @@ export class Start {
     this.input.addEventListener("change", () => {
       const files = [...(this.input.files ?? [])];
       this.input.value = "";
-      if (files.length > 0) this.done(() => this.chosen.files(files));
+      if (files.length > 0) this.done(() => this.handlers.files(files));
     });
     const label = element("label", "files", "Files: the program, with its machine or setup file and its subprograms");
     label.append(this.input);
@@ -57,14 +57,14 @@ export class Start {
     const run = button("Open the text", () => {
       const { value } = paste;
       paste.value = "";
-      this.done(() => this.chosen.text(value));
+      this.done(() => this.handlers.text(value));
     });
     const address = element("input");
     Object.assign(address, { type: "url", id: "address", placeholder: "https://" });
     const addressLabel = element("label", "address", "Or load it from an address");
     addressLabel.append(address);
     const load = button("Load", () => {
-      if (address.value.trim() !== "") this.chosen.address(address.value.trim());
+      if (address.value.trim() !== "") this.handlers.address(address.value.trim());
     });
     this.message.setAttribute("role", "status");
     const own = element("section", "own");
@@ -79,7 +79,7 @@ export class Start {
   show(): void {
     if (this.root.open) return;
     this.root.showModal();
-    void list().then((entries) => this.showRecents(entries));
+    void listRecent().then((entries) => this.showRecents(entries));
     if (this.examples.childElementCount === 0) {
       gallery().then(
         (groups) => this.showExamples(groups),
@@ -107,13 +107,13 @@ export class Start {
     act();
   }
 
-  private showRecents(entries: Entry[]): void {
+  private showRecents(entries: RecentEntry[]): void {
     this.recents.hidden = entries.length === 0;
     const rows = entries.map((entry) => {
       const row = element("li");
-      const open = button("", () => this.done(() => this.chosen.recent(entry.name)), "card");
+      const open = button("", () => this.done(() => this.handlers.recent(entry.name)), "card");
       open.append(element("strong", "", entry.name), element("span", "", `${size(entry.bytes)}, ${new Date(entry.at).toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" })}`));
-      const away = button("Forget", () => void forget(entry.name).then(() => list()).then((left) => this.showRecents(left)));
+      const away = button("Forget", () => void forgetRecent(entry.name).then(() => listRecent()).then((left) => this.showRecents(left)));
       away.setAttribute("aria-label", `Forget ${entry.name}`);
       row.append(open, away);
       return row;
@@ -123,20 +123,20 @@ export class Start {
       all.append(...of);
       return all;
     };
-    this.recents.replaceChildren(element("h3", "", "Open lately, kept in this browser"), cards(rows.slice(0, FEW)));
-    if (rows.length <= FEW) return;
+    this.recents.replaceChildren(element("h3", "", "Open lately, kept in this browser"), cards(rows.slice(0, VISIBLE_RECENTS)));
+    if (rows.length <= VISIBLE_RECENTS) return;
     const more = element("details");
-    more.append(element("summary", "", `${rows.length - FEW} more`), cards(rows.slice(FEW)));
+    more.append(element("summary", "", `${rows.length - VISIBLE_RECENTS} more`), cards(rows.slice(VISIBLE_RECENTS)));
     this.recents.append(more);
   }
 
-  private showExamples(groups: Group[]): void {
+  private showExamples(groups: ExampleGroup[]): void {
     const parts = groups.map(({ title, examples }) => {
       const details = element("details");
       const cards = element("ul", "cards");
       for (const example of examples) {
         const row = element("li");
-        const open = button("", () => this.done(() => this.chosen.example(example)), "card");
+        const open = button("", () => this.done(() => this.handlers.example(example)), "card");
         open.append(element("strong", "", example.name), element("span", "", example.shows));
         row.append(open);
         cards.append(row);

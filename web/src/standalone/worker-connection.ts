@@ -1,27 +1,27 @@
 // The line of the page that stands alone: a worker with the interpreter, to which requests go as to a server.
 
-import type { Line } from "../protocol/connection";
-import type { Closed, ToAnswers } from "./session-worker";
-import type { Against, File_, Kind, Opened } from "./engine";
+import type { Transport } from "../protocol/connection";
+import type { ClosedMessage, ToSessionWorker } from "./session-worker";
+import type { OtherProgram, ProgramFile, WorkKind, OpenedProgram } from "./engine";
 
 /** How long a page that does not draw lets columns wait, ms. */
 const UNDRAWN_MS = 100;
 
 /** Counts what was taken, and tells it once the page has drawn and heard what was pressed; in the background it does not draw. */
-function counted(told: (count: number) => void): () => void {
+function counted(report: (count: number) => void): () => void {
   let count = 0;
-  const tell = () => {
-    if (count > 0) told(count);
+  const flush = () => {
+    if (count > 0) report(count);
     count = 0;
   };
   return () => {
     if (count++ > 0) return;
-    requestAnimationFrame(() => setTimeout(tell));
-    setTimeout(tell, UNDRAWN_MS);
+    requestAnimationFrame(() => setTimeout(flush));
+    setTimeout(flush, UNDRAWN_MS);
   };
 }
 
-export class Core {
+export class WorkerConnection {
   private worker: Worker;
   private isUsed = false;
   private take: (data: string | ArrayBuffer) => void = () => {};
@@ -40,8 +40,8 @@ export class Core {
 
   private start(): Worker {
     const worker = this.make("answers");
-    const count = counted((taken) => worker.postMessage({ taken } satisfies ToAnswers));
-    worker.onmessage = (event: MessageEvent<string | ArrayBuffer | Closed>) => {
+    const count = counted((taken) => worker.postMessage({ taken } satisfies ToSessionWorker));
+    worker.onmessage = (event: MessageEvent<string | ArrayBuffer | ClosedMessage>) => {
       const { data } = event;
       if (data instanceof ArrayBuffer) {
         count();
@@ -50,7 +50,7 @@ export class Core {
       else this.lose(data.closed);
     };
     worker.onerror = (event) => this.lose(event.message || "a worker of the page could not be started");
-    void this.compiled.then((module) => worker.postMessage({ module } satisfies ToAnswers), () => {});
+    void this.compiled.then((module) => worker.postMessage({ module } satisfies ToSessionWorker), () => {});
     return worker;
   }
 
@@ -66,19 +66,19 @@ export class Core {
     this.onLost(why);
   }
 
-  dial(take: (data: string | ArrayBuffer) => void): Line {
+  dial(take: (data: string | ArrayBuffer) => void): Transport {
     this.take = take;
     const core = this;
     return {
       get isOpen() {
         return core.isUsed;
       },
-      send: (text) => this.worker.postMessage(text satisfies ToAnswers),
+      send: (text) => this.worker.postMessage(text satisfies ToSessionWorker),
     };
   }
 
   /** Opens a program; whatever was done for the one before ends. Its bytes go over. */
-  async open(opened: Opened): Promise<void> {
+  async open(opened: OpenedProgram): Promise<void> {
     await this.compiled;
     if (this.isUsed) {
       this.end();
@@ -87,21 +87,21 @@ export class Core {
       await Promise.resolve();
     }
     this.isUsed = true;
-    this.worker.postMessage({ open: opened } satisfies ToAnswers, [opened.program]);
+    this.worker.postMessage({ open: opened } satisfies ToSessionWorker, [opened.program]);
   }
 
   /** Other files lie next to the program now. */
-  files(files: File_[]): void {
-    this.worker.postMessage({ files } satisfies ToAnswers);
+  files(files: ProgramFile[]): void {
+    this.worker.postMessage({ files } satisfies ToSessionWorker);
   }
 
   /** The program is compared with another one, once the page asks for it. */
-  against(against: Against): void {
-    this.worker.postMessage({ against } satisfies ToAnswers);
+  against(against: OtherProgram): void {
+    this.worker.postMessage({ against } satisfies ToSessionWorker);
   }
 
   /** For tests: a part of the interpreter fails. */
-  fail(what: Kind | "answers"): void {
-    this.worker.postMessage({ fail: what } satisfies ToAnswers);
+  fail(what: WorkKind | "answers"): void {
+    this.worker.postMessage({ fail: what } satisfies ToSessionWorker);
   }
 }

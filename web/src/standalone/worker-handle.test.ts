@@ -1,16 +1,16 @@
 import { expect, test, vi } from "vitest";
-import { Hand, type Works } from "./worker-handle";
-import type { FromWork, ToWork } from "./job-worker";
+import { WorkerHandle, type JobWorker } from "./worker-handle";
+import type { FromJobWorker, ToJobWorker } from "./job-worker";
 
 /** A worker that does what the test says. */
-class Fake implements Works {
-  got: ToWork[] = [];
+class Fake implements JobWorker {
+  got: ToJobWorker[] = [];
   isEnded = false;
-  onmessage: ((event: MessageEvent<FromWork>) => void) | null = null;
+  onmessage: ((event: MessageEvent<FromJobWorker>) => void) | null = null;
   onerror = null;
-  postMessage = (message: ToWork) => void this.got.push(message);
+  postMessage = (message: ToJobWorker) => void this.got.push(message);
   terminate = () => void (this.isEnded = true);
-  say = (data: FromWork) => this.onmessage?.({ data } as MessageEvent<FromWork>);
+  say = (data: FromJobWorker) => this.onmessage?.({ data } as MessageEvent<FromJobWorker>);
   get kinds() {
     return this.got.map((message) => Object.keys(message)[0]);
   }
@@ -18,48 +18,48 @@ class Fake implements Works {
 
 function made() {
   const workers: Fake[] = [];
-  const told = { out: vi.fn(), done: vi.fn(), failed: vi.fn() };
+  const events = { out: vi.fn(), done: vi.fn(), failed: vi.fn() };
   const start = () => {
     workers.push(new Fake());
     return workers.at(-1)!;
   };
-  return { workers, told, hand: new Hand(start, () => ({ name: "a", files: [] }), told) };
+  return { workers, events, handle: new WorkerHandle(start, () => ({ name: "a", files: [] }), events) };
 }
 
-const job = () => ({ handed: new ArrayBuffer(0), text: new ArrayBuffer(0) });
+const job = () => ({ order: new ArrayBuffer(0), text: new ArrayBuffer(0) });
 
 test("a newer job waits a moment, and then ends the one before", () => {
   vi.useFakeTimers();
-  const { workers, told, hand } = made();
-  hand.give(job());
+  const { workers, events, handle } = made();
+  handle.assign(job());
   expect(workers[0].kinds).toEqual(["serve", "job"]);
   // Soon done: the same worker goes on, and what it found of the older text is not told.
-  hand.give(job());
+  handle.assign(job());
   workers[0].say({ done: "old" });
-  expect(told.done).not.toHaveBeenCalled();
+  expect(events.done).not.toHaveBeenCalled();
   expect(workers[0].kinds).toEqual(["serve", "job", "job"]);
   workers[0].say({ done: "new" });
-  expect(told.done).toHaveBeenCalledWith("new");
+  expect(events.done).toHaveBeenCalledWith("new");
   // Not soon done: another worker, which is asked again what nobody has answered.
-  hand.give(job());
-  hand.ask(7, "{}");
-  hand.give(job());
+  handle.assign(job());
+  handle.query(7, "{}");
+  handle.assign(job());
   vi.advanceTimersByTime(1000);
   expect(workers[0].isEnded).toBe(true);
-  expect(workers[1].kinds).toEqual(["serve", "job", "ask"]);
+  expect(workers[1].kinds).toEqual(["serve", "job", "request"]);
   workers[0].say({ out: "late" });
-  expect(told.out).not.toHaveBeenCalled();
+  expect(events.out).not.toHaveBeenCalled();
   vi.useRealTimers();
 });
 
 test("a worker that fails is replaced, and who waits hears of it", () => {
-  const { workers, told, hand } = made();
-  hand.give(job());
-  hand.ask(3, "{}");
+  const { workers, events, handle } = made();
+  handle.assign(job());
+  handle.query(3, "{}");
   workers[0].say({ failed: "asked to panic" });
-  expect(told.failed).toHaveBeenCalledWith("asked to panic", [3]);
-  hand.give(job());
+  expect(events.failed).toHaveBeenCalledWith("asked to panic", [3]);
+  handle.assign(job());
   expect(workers[1].kinds).toEqual(["serve", "job"]);
   workers[1].say({ done: "" });
-  expect(told.done).toHaveBeenCalledWith("");
+  expect(events.done).toHaveBeenCalledWith("");
 });

@@ -1,39 +1,39 @@
 // One worker for one kind of work, as the worker that answers holds it: the newest job, and the questions that only
 // this worker can answer. What it does is ended when a newer job comes and it does not soon have time.
 
-import type { Job, Opened } from "./engine";
-import type { FromWork, ToWork } from "./job-worker";
+import type { WorkOrder, OpenedProgram } from "./engine";
+import type { FromJobWorker, ToJobWorker } from "./job-worker";
 
 /** How long a job may go on when a newer one waits: as long as it takes to start another worker, ms. */
-const PATIENCE_MS = 60;
+const OVERTAKE_AFTER_MS = 60;
 
 /** The side of a worker that a hand needs. */
-export interface Works {
-  postMessage(message: ToWork, transfer?: Transferable[]): void;
-  onmessage: ((event: MessageEvent<FromWork>) => void) | null;
+export interface JobWorker {
+  postMessage(message: ToJobWorker, transfer?: Transferable[]): void;
+  onmessage: ((event: MessageEvent<FromJobWorker>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
   terminate(): void;
 }
 
-export interface Told {
+export interface HandleEvents {
   out: (data: string | ArrayBuffer) => void;
-  done: (told: string) => void;
-  failed: (why: string, asked: number[]) => void;
+  done: (remoteRun: string) => void;
+  failed: (why: string, queries: number[]) => void;
 }
 
-export class Hand {
-  private worker: Works | undefined;
+export class WorkerHandle {
+  private worker: JobWorker | undefined;
   private isServing = false;
   private isBusy = false;
   private since = 0;
-  private next: Job | undefined;
+  private next: WorkOrder | undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
-  private asked = new Map<number, string>();
+  private queries = new Map<number, string>();
 
   constructor(
-    private start: () => Works,
-    private opened: () => Omit<Opened, "program">,
-    private told: Told,
+    private start: () => JobWorker,
+    private opened: () => Omit<OpenedProgram, "program">,
+    private events: HandleEvents,
   ) {}
 
   /** A worker is ready before it is needed. */
@@ -45,18 +45,18 @@ export class Hand {
     worker.onerror = (event) => this.fail(event.message);
   }
 
-  give(job: Job): void {
+  assign(job: WorkOrder): void {
     if (!this.isBusy) return this.send(job);
     this.next = job;
     clearTimeout(this.timer);
-    const left = Math.max(0, PATIENCE_MS - (performance.now() - this.since));
+    const left = Math.max(0, OVERTAKE_AFTER_MS - (performance.now() - this.since));
     this.timer = setTimeout(() => this.overtake(), left);
   }
 
-  ask(id: number, ask: string): void {
+  query(id: number, request: string): void {
     this.serve();
-    this.asked.set(id, ask);
-    this.worker!.postMessage({ ask, id });
+    this.queries.set(id, request);
+    this.worker!.postMessage({ request, id });
   }
 
   /** The files have changed: what comes next begins with them. */
@@ -80,13 +80,13 @@ export class Hand {
     return true;
   }
 
-  private send(job: Job): void {
+  private send(job: WorkOrder): void {
     const isNew = this.serve();
     this.isBusy = true;
     this.since = performance.now();
-    this.worker!.postMessage({ job }, [job.handed, job.text]);
+    this.worker!.postMessage({ job }, [job.order, job.text]);
     // What the worker before was asked nobody else answers.
-    if (isNew) for (const [id, ask] of this.asked) this.worker!.postMessage({ ask, id });
+    if (isNew) for (const [id, request] of this.queries) this.worker!.postMessage({ request, id });
   }
 
   /** A newer job comes before what is done now. */
@@ -106,25 +106,25 @@ export class Hand {
     this.isBusy = this.isServing = false;
   }
 
-  private take(message: FromWork): void {
-    if ("out" in message) return this.told.out(message.out);
-    if ("answered" in message) return void this.asked.delete(message.answered);
+  private take(message: FromJobWorker): void {
+    if ("out" in message) return this.events.out(message.out);
+    if ("answered" in message) return void this.queries.delete(message.answered);
     if ("failed" in message) return this.fail(message.failed);
     this.isBusy = false;
     clearTimeout(this.timer);
     const { next } = this;
     this.next = undefined;
     if (next) this.send(next);
-    else this.told.done(message.done);
+    else this.events.done(message.done);
   }
 
   private fail(why: string): void {
     const { next } = this;
-    const asked = [...this.asked.keys()];
+    const queries = [...this.queries.keys()];
     this.next = undefined;
-    this.asked.clear();
+    this.queries.clear();
     this.end();
-    this.told.failed(why, asked);
+    this.events.failed(why, queries);
     if (next) this.send(next);
   }
 }

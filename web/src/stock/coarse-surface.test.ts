@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { CoarseSurface } from "./coarse-surface";
 import type { StockBefore } from "./stock-timeline";
-import { Surface } from "./surface";
+import { StockSurface } from "./surface";
 
 const COLUMNS = 180;
 /** Columns of the fine surface along a side of a coarse one. */
@@ -15,7 +15,7 @@ function stock(): StockBefore {
 
 /** The coarse surface of a stock that is cut where a place is inside. */
 function coarse(isInside: (x: number, y: number) => boolean): CoarseSurface {
-  const fine = new Surface(stock());
+  const fine = new StockSurface(stock());
   for (let y = 0; y < COLUMNS; y++) for (let x = 0; x < COLUMNS; x++) if (isInside(x + 0.5, y + 0.5)) fine.set(y * COLUMNS + x, -DEPTH, 1);
   const made = new CoarseSurface(fine, (COLUMNS / STEP) ** 2);
   made.take();

@@ -1,22 +1,22 @@
 // A coarser surface that stands for the stock while the view turns, and while too much of it changes at once.
 
 import type { StockBefore } from "./stock-timeline";
-import { Surface } from "./surface";
+import { StockSurface } from "./surface";
 
 export class CoarseSurface {
-  readonly surface: Surface;
+  readonly surface: StockSurface;
   /** The column of the fine surface that each of its columns has the height of, and the row. */
   private places: [number[], number[]];
   /** So many columns of the fine surface, and rows, are one of it. */
   private step: number;
 
   /** With so many columns at most. */
-  constructor(private fine: Surface, most: number) {
+  constructor(private fine: StockSurface, most: number) {
     const { stock } = fine;
     const step = Math.max(1, Math.ceil(Math.sqrt((stock.columns[0] * stock.columns[1]) / most)));
     this.step = step;
     this.places = [placesOf(stock.columns[0], step), placesOf(stock.columns[1], step)];
-    this.surface = new Surface(this.stock(stock, step), step > 1);
+    this.surface = new StockSurface(this.stock(stock, step), step > 1);
   }
 
   private stock(stock: StockBefore, step: number): StockBefore {
@@ -57,10 +57,10 @@ export class CoarseSurface {
     for (const [row, y] of up.entries()) {
       for (const [at, x] of across.entries()) {
         const walls = [this.toWall(x, y, at, 0), this.toWall(x, y, row, 1)] as const;
-        const way = between(...walls);
+        const offset = between(...walls);
         const share = (place: number, number: number, moved: number) => (place + 0.5 + moved) / step - (number + 0.5);
         const isAtWall = walls.some((columns) => columns !== undefined);
-        surface.move(column++, isAtWall ? [share(x, at, way[0]), share(y, row, way[1])] : [0, 0]);
+        surface.move(column++, isAtWall ? [share(x, at, offset[0]), share(y, row, offset[1])] : [0, 0]);
       }
     }
   }

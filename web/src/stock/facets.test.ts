@@ -2,17 +2,17 @@ import { type BufferGeometry, type Mesh, ShaderMaterial } from "three";
 import { expect, test } from "vitest";
 import { CoarseSurface } from "./coarse-surface";
 import type { StockBefore } from "./stock-timeline";
-import { type Corners, triangles } from "./facets";
-import { Surface } from "./surface";
+import { type TileCorners, triangles } from "./facets";
+import { StockSurface } from "./surface";
 import { SIDE, TILE } from "./tile";
-import { Tiles } from "./tile-meshes";
+import { TileMeshes } from "./tile-meshes";
 
-const corners = (): Corners => ({ z: new Float32Array(SIDE * SIDE), slot: new Uint8Array(SIDE * SIDE) });
+const corners = (): TileCorners => ({ z: new Float32Array(SIDE * SIDE), slot: new Uint8Array(SIDE * SIDE) });
 const index = new Uint16Array(6 * TILE * TILE);
 const at = (x: number, y: number) => y * SIDE + x;
 
 /** The triangles as corners in the tile. */
-function drawn(of: Corners, ...more: [number?, [number, number]?]) {
+function drawn(of: TileCorners, ...more: [number?, [number, number]?]) {
   const count = triangles(of, index, ...more);
   return Array.from({ length: count / 3 }, (_, n) => [...index.subarray(3 * n, 3 * n + 3)].map((corner) => [corner % SIDE, Math.floor(corner / SIDE)] as const));
 }
@@ -63,9 +63,9 @@ test("around what is not flat squares are small, and no corner lies within the e
 
 test("a flat tile has on its edge the corners of the tile beside it", () => {
   const stock: StockBefore = { low: [0, 0, -10], high: [100, 100, 0], pitch: 1, columns: [100, 100], heights: new Float32Array(10_000), toleranceMm: 0 };
-  const surface = new Surface(stock);
+  const surface = new StockSurface(stock);
   for (let n = 0; n < 9; n++) surface.set((40 + n) * 100 + 66 + n, -3, 1);
-  const tiles = new Tiles(surface, new ShaderMaterial());
+  const tiles = new TileMeshes(surface, new ShaderMaterial());
   tiles.choose(tiles.all);
   const [left, right] = [1 + surface.tiles[0], 2 + surface.tiles[0]].map((tile) => {
     const { geometry } = tiles.group.children[tile] as Mesh<BufferGeometry>;
@@ -92,7 +92,7 @@ test("no square is one piece where the stock is cut open", () => {
 
 test("the coarse surface has heights of the stock, and both its edges", () => {
   const stock: StockBefore = { low: [0, 0, -10], high: [100, 50, 0], pitch: 1, columns: [100, 50], heights: new Float32Array(5000), toleranceMm: 0 };
-  const fine = new Surface(stock);
+  const fine = new StockSurface(stock);
   const coarse = new CoarseSurface(fine, 200);
   expect(coarse.surface.stock.columns).toEqual([20, 10]);
   for (let y = 0; y < 50; y++) for (let x = 0; x < 100; x++) fine.set(100 * y + x, -0.1 * x, x < 50 ? 1 : 2);

@@ -3,7 +3,7 @@
 import { SIDE, TILE } from "./tile";
 
 /** Corners of a tile: heights, who has cut them, those of the target where there is one. */
-export interface Corners {
+export interface TileCorners {
   z: Float32Array;
   slot: Uint8Array;
   target?: Float32Array | undefined;
@@ -12,8 +12,8 @@ export interface Corners {
 }
 
 /** Which corners squares have on the four edges of a tile, after each other: least and largest Y, least and largest X. */
-export type Edges = Uint8Array;
-export const noEdges = (): Edges => new Uint8Array(4 * SIDE);
+export type TileEdges = Uint8Array;
+export const noEdges = (): TileEdges => new Uint8Array(4 * SIDE);
 
 /** The tile that lies beyond each edge, in tiles along X and Y, and the edge of it that is the same. */
 export const BEYOND = [[0, -1, 1], [0, 1, 0], [-1, 0, 3], [1, 0, 2]] as const;
@@ -37,11 +37,11 @@ const large = new Uint16Array(2 * TILE * TILE);
  * lies across the column or row of corners `open`.
  */
 export function triangles(
-  corners: Corners,
+  corners: TileCorners,
   index: Uint16Array,
   bottom = -Infinity,
   open: [number, number] = [-1, -1],
-  edges?: { own: Edges; beside: Edges },
+  edges?: { own: TileEdges; neighbors: TileEdges },
 ): number {
   findFlat(corners, open);
   used.fill(0);
@@ -107,14 +107,14 @@ export function triangles(
 }
 
 /** Tells the corners on the edges of the tile, and takes those of the tiles beside. */
-function meet({ own, beside }: { own: Edges; beside: Edges }): void {
+function meet({ own, neighbors }: { own: TileEdges; neighbors: TileEdges }): void {
   for (let at = 0; at < SIDE; at++) {
     const places = [at, TILE * SIDE + at, at * SIDE, at * SIDE + TILE];
     places.forEach((place, edge) => (own[edge * SIDE + at] = used[place]!));
   }
   for (let at = 0; at < SIDE; at++) {
     const places = [at, TILE * SIDE + at, at * SIDE, at * SIDE + TILE];
-    places.forEach((place, edge) => (used[place]! |= beside[edge * SIDE + at]!));
+    places.forEach((place, edge) => (used[place]! |= neighbors[edge * SIDE + at]!));
   }
 }
 
@@ -123,7 +123,7 @@ function isDivided(from: number, to: number, step: number): boolean {
   return false;
 }
 
-function findFlat({ z, slot, target }: Corners, open: [number, number]): void {
+function findFlat({ z, slot, target }: TileCorners, open: [number, number]): void {
   const cells = flat[0]!;
   for (let y = 0, cell = 0; y < TILE; y++) {
     for (let x = 0; x < TILE; x++, cell++) {

@@ -7,7 +7,7 @@ import type { Palette } from "../view/colors";
 const EDGE = 20;
 const LIGHT = new Vector3(-0.35, -0.55, 0.9).normalize();
 
-export class Fixtures {
+export class FixtureMesh {
   readonly object = new Group();
   private faces = new MeshBasicMaterial({ vertexColors: true, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
   private lines = new LineBasicMaterial();

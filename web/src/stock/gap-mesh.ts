@@ -1,9 +1,9 @@
 // The surfaces of gaps in space, and a texture by which the walls of the stock are open where gaps reach them.
 
 import { BufferAttribute, BufferGeometry, DataTexture, DoubleSide, FloatType, GLSL3, Mesh, RGFormat, ShaderMaterial } from "three";
-import { type Gaps, surfaces } from "./gaps";
-import { MOST_BANDS } from "./stock-shader";
-import type { Surface } from "./surface";
+import { type Gaps, gapSurfaces } from "./gaps";
+import { MAX_BANDS } from "./stock-shader";
+import type { StockSurface } from "./surface";
 
 const VERTEX = `
 uniform float push;
@@ -41,10 +41,10 @@ export class GapMesh {
   private written: number[] = [];
 
   /** `columns` are the uniforms of how columns are drawn; those of gaps are among them. */
-  constructor(private surface: Surface, private gaps: Gaps, private columns: ShaderMaterial["uniforms"]) {
-    const { keep, colors, eye, push } = columns;
+  constructor(private surface: StockSurface, private gaps: Gaps, private columns: ShaderMaterial["uniforms"]) {
+    const { keep, colors, eye: viewpoint, push } = columns;
     const material = new ShaderMaterial({ glslVersion: GLSL3, vertexShader: VERTEX, fragmentShader: FRAGMENT, side: DoubleSide });
-    material.uniforms = { keep: keep!, colors: colors!, eye: eye!, push: push! };
+    material.uniforms = { keep: keep!, colors: colors!, viewpoint: viewpoint!, push: push! };
     this.object = new Mesh(new BufferGeometry(), material);
     this.object.frustumCulled = false;
   }
@@ -57,7 +57,7 @@ export class GapMesh {
   take(): void {
     const { surface, gaps, columns: uniforms } = this;
     const { stock, bottom, width, z } = surface;
-    const corners = surfaces(gaps, {
+    const corners = gapSurfaces(gaps, {
       columns: stock.columns,
       pitch: stock.pitch,
       size: [stock.high[0] - stock.low[0], stock.high[1] - stock.low[1]],
@@ -76,7 +76,7 @@ export class GapMesh {
 
   private write(): void {
     const { stock: { columns: [nx, ny] } } = this.surface;
-    const bands = Math.min(MOST_BANDS, this.gaps.most);
+    const bands = Math.min(MAX_BANDS, this.gaps.most);
     if (bands > this.bands) {
       this.texture?.dispose();
       this.bands = bands;

@@ -5,7 +5,7 @@ export type Bands = readonly number[];
 
 const NONE: Bands = [];
 /** A gap that ends so near below its height is none, mm. */
-const NEAR = 1e-4;
+const MIN_BELOW_TOP_MM = 1e-4;
 
 export class Gaps {
   /** So many changes are carried out. */
@@ -68,7 +68,7 @@ export class Gaps {
 }
 
 /** What a gap mesh is made of: columns in a grid with their heights. */
-export interface Columns {
+export interface ColumnGrid {
   columns: readonly [number, number];
   pitch: number;
   size: readonly [number, number];
@@ -101,7 +101,7 @@ class Corners {
  * The surfaces of gaps as triangles, nine numbers each, from the least corner and the top: floors, roofs, and the walls between a
  * gap and what stands next to it. Equal ones along X are one.
  */
-export function surfaces(gaps: Gaps, grid: Columns): Float32Array {
+export function gapSurfaces(gaps: Gaps, grid: ColumnGrid): Float32Array {
   const { columns: [nx, ny], pitch, size, overlap } = grid;
   const corners = new Corners();
   let [left, right, low, high] = [nx, -1, ny, -1];
@@ -120,8 +120,8 @@ export function surfaces(gaps: Gaps, grid: Columns): Float32Array {
   const bands = (x: number, y: number): Bands => {
     const own = isIn(x, y) ? gaps.of(y * nx + x) : NONE;
     const last = own.at(-1);
-    if (last === undefined || last < grid.heightAt(x, y) - NEAR) return own;
-    const height = grid.heightAt(x, y) - NEAR;
+    if (last === undefined || last < grid.heightAt(x, y) - MIN_BELOW_TOP_MM) return own;
+    const height = grid.heightAt(x, y) - MIN_BELOW_TOP_MM;
     return own.filter((_, at) => own[at | 1]! < height);
   };
   /** Everything that is air in a column. */
@@ -139,11 +139,11 @@ export function surfaces(gaps: Gaps, grid: Columns): Float32Array {
       const keep = (name: string, put: (x0: number, x1: number) => void) => next.set(name, { from: open.get(name)?.from ?? x, put });
       for (let at = 0; at < own.length; at += 2) {
         const [floor, top] = [own[at]!, own[at + 1]!];
-        if (floor > grid.bottom + NEAR) keep(`f${floor}`, (x0, x1) => level(x0, y0, x1, y1, floor));
+        if (floor > grid.bottom + MIN_BELOW_TOP_MM) keep(`f${floor}`, (x0, x1) => level(x0, y0, x1, y1, floor));
         keep(`t${top}`, (x0, x1) => level(x0, y0, x1, y1, top));
         // The walls of the stock lie between the middles of columns: what is open reaches to them.
-        for (const [z, into] of [[floor, floor + NEAR], [top, top - NEAR]] as const) {
-          if (z <= grid.bottom + NEAR) continue;
+        for (const [z, into] of [[floor, floor + MIN_BELOW_TOP_MM], [top, top - MIN_BELOW_TOP_MM]] as const) {
+          if (z <= grid.bottom + MIN_BELOW_TOP_MM) continue;
           for (const [dy, from, to] of [[-1, y0 - pitch / 2, y0], [1, y1, y1 + pitch / 2]] as const) {
             if (isAir(x, y + dy, into)) keep(`${dy} ${z}`, (x0, x1) => level(x0, from, x1, to, z));
           }
@@ -180,5 +180,5 @@ function without(from: number, to: number, others: Bands): [number, number][] {
     if (at >= to) break;
   }
   if (at < to) left.push([at, to]);
-  return left.filter(([a, b]) => b - a > NEAR);
+  return left.filter(([a, b]) => b - a > MIN_BELOW_TOP_MM);
 }

@@ -4,29 +4,29 @@
 import { CanvasTexture, DepthTexture, LinearFilter, Mesh, type OrthographicCamera, OrthographicCamera as Flat, PlaneGeometry, ShaderMaterial, UnsignedIntType, Vector2, Vector3, type WebGLRenderer, WebGLRenderTarget } from "three";
 import { type Palette, toolColor } from "../view/colors";
 import type { Bounds, Vec3 } from "../path/batch";
-import { type Loops, type Sections, type Spot, type TurnedTool, corners, draw, edges, hull, silhouette, trace } from "./half-sections";
+import { type Loops, type HalfSections, type SectionPoint, type TurnedTool, corners, draw, edges, hull, silhouette, trace } from "./half-sections";
 
 /** A bar that is longer than the path is seen so far beyond it, of the size of the path. */
-const BEYOND = 0.25;
+const BAR_ROOM_SHARE = 0.25;
 /** A view that sees the plane so much from the side shows nothing of it, as a share of its area. */
-const EDGE_ON = 1e-3;
+const EDGE_ON_SHARE = 1e-3;
 /** Marks of problems with their line; more would lie over each other. */
-const MOST_MARKS = 40;
+const MAX_MARKS = 40;
 
 /** A problem: its line, and where it is. */
-export interface Mark {
+export interface ProblemMark {
   line: number;
-  at: Spot;
+  at: SectionPoint;
 }
 
 /** Where the program is. */
-export interface Standing {
+export interface SectionMoment {
   /** Which section there is. */
   number: number;
   /** The pieces of path that are done. */
   done: number;
   /** The places of the tool on the move that is being cut, from its start. */
-  cutting: Spot[];
+  cutting: SectionPoint[];
 }
 
 /** To the other side of the axis. */
@@ -39,7 +39,7 @@ interface Shown {
 }
 
 /** What is drawn of a section, until there is another. */
-interface Outline {
+interface SectionOutline {
   number: number;
   whole: Path2D;
   outside: Path2D;
@@ -49,15 +49,15 @@ interface Outline {
   surfaces: Map<number, Path2D>;
 }
 
-export class SectionLayer {
-  sections: Sections | undefined;
+export class HalfSectionLayer {
+  sections: HalfSections | undefined;
   shown: Shown = { stock: true, fixtures: true, target: true };
   private origin: Vec3 = [0, 0, 0];
-  private standing: Standing = { number: 0, done: Infinity, cutting: [] };
-  private tool: { shape: TurnedTool; at: Spot | undefined; color: string } | undefined;
-  private marks: Mark[] = [];
+  private moment: SectionMoment = { number: 0, done: Infinity, cutting: [] };
+  private tool: { shape: TurnedTool; at: SectionPoint | undefined; color: string } | undefined;
+  private marks: ProblemMark[] = [];
   private slot: (tool: number) => number = () => 0;
-  private outline: Outline | undefined;
+  private outline: SectionOutline | undefined;
   private canvas = document.createElement("canvas");
   private part = document.createElement("canvas");
   /** Over the path: the tool, and where problems are. */
@@ -66,12 +66,12 @@ export class SectionLayer {
   private target: WebGLRenderTarget | undefined;
   private plane = new Mesh(new PlaneGeometry(2, 2), picture());
   private flat = new Flat(-1, 1, 1, -1, 0, 1);
-  private seenFrom = "";
+  private viewKey = "";
   private isStale = true;
 
   constructor(
     private palette: Palette,
-    private wanted: () => void,
+    private requestFrame: () => void,
   ) {
     this.plane.frustumCulled = false;
     this.over.className = "over-path";
@@ -79,32 +79,32 @@ export class SectionLayer {
   }
 
   /** Other sections, or none; `slot` gives the place of a tool among those that cut. */
-  begin(sections: Sections | undefined, origin: Vec3, slot: (tool: number) => number): void {
+  begin(sections: HalfSections | undefined, origin: Vec3, slot: (tool: number) => number): void {
     this.sections = sections;
     this.origin = origin;
     this.slot = slot;
     this.outline = undefined;
     this.marks = [];
     this.tool = undefined;
-    if (sections) this.stand({ number: sections.count, done: Infinity, cutting: [] });
+    if (sections) this.goTo({ number: sections.count, done: Infinity, cutting: [] });
     this.changed();
   }
 
-  stand(standing: Standing): void {
-    this.standing = standing;
+  goTo(moment: SectionMoment): void {
+    this.moment = moment;
     this.changed();
   }
 
   /** The tool at a place of the plane, where it is to be seen; whether it has a shape. */
-  place(number: number, at: Spot | undefined): boolean {
+  place(number: number, at: SectionPoint | undefined): boolean {
     const shape = this.sections?.tools.get(number);
     this.tool = shape && { shape, at, color: toolColor(this.palette, this.slot(number)) };
     this.changed();
     return shape !== undefined;
   }
 
-  mark(marks: Mark[]): void {
-    this.marks = marks.slice(0, MOST_MARKS);
+  mark(marks: ProblemMark[]): void {
+    this.marks = marks.slice(0, MAX_MARKS);
     this.changed();
   }
 
@@ -115,7 +115,7 @@ export class SectionLayer {
 
   changed(): void {
     this.isStale = true;
-    this.wanted();
+    this.requestFrame();
   }
 
   /** The picture shows this moment. */
@@ -137,7 +137,7 @@ export class SectionLayer {
     const [ends, radius] = [of(0), Math.max(...of(1))];
     let [low, high] = [Math.min(...ends) - z, Math.max(...ends) - z];
     if (path) {
-      const room = BEYOND * Math.max(path.high[2] - path.low[2], path.high[0] - path.low[0], 1);
+      const room = BAR_ROOM_SHARE * Math.max(path.high[2] - path.low[2], path.high[0] - path.low[0], 1);
       [low, high] = [Math.max(low, path.low[2] - room), Math.min(high, path.high[2] + room)];
     }
     return { low: [-radius - x, -y, low], high: [radius - x, -y, high] };
@@ -148,8 +148,8 @@ export class SectionLayer {
     this.over.hidden = !this.sections;
     if (!this.sections) return;
     const from = `${camera.matrixWorld.elements.join()} ${camera.projectionMatrix.elements.join()}`;
-    if (!this.resize(renderer) && !this.isStale && from === this.seenFrom) return;
-    this.seenFrom = from;
+    if (!this.resize(renderer) && !this.isStale && from === this.viewKey) return;
+    this.viewKey = from;
     this.isStale = false;
     const matrix = this.matrix(camera);
     this.paint(matrix);
@@ -180,18 +180,18 @@ export class SectionLayer {
   private matrix(camera: OrthographicCamera): DOMMatrix | undefined {
     const { width, height } = this.canvas;
     const [x, y, z] = this.origin;
-    const to = (at: Spot): Spot => {
+    const to = (at: SectionPoint): SectionPoint => {
       const p = new Vector3(at[1] - x, -y, at[0] - z).project(camera);
       return [((p.x + 1) / 2) * width, ((1 - p.y) / 2) * height];
     };
     const [zero, along, out] = [to([0, 0]), to([1, 0]), to([0, 1])];
     const [a, b, c, d] = [along[0] - zero[0], along[1] - zero[1], out[0] - zero[0], out[1] - zero[1]];
-    const isSeen = Math.abs(a * d - b * c) > EDGE_ON * Math.max(Math.hypot(a, b), Math.hypot(c, d)) ** 2;
-    return isSeen ? new DOMMatrix([a, b, c, d, ...zero]) : undefined;
+    const isVisible = Math.abs(a * d - b * c) > EDGE_ON_SHARE * Math.max(Math.hypot(a, b), Math.hypot(c, d)) ** 2;
+    return isVisible ? new DOMMatrix([a, b, c, d, ...zero]) : undefined;
   }
 
   private paint(matrix: DOMMatrix | undefined): void {
-    const { canvas, palette, shown, standing } = this;
+    const { canvas, palette, shown, moment } = this;
     const context = canvas.getContext("2d")!;
     const sections = this.sections!;
     context.fillStyle = palette.background;
@@ -201,7 +201,7 @@ export class SectionLayer {
     const ratio = Math.min(2, window.devicePixelRatio);
     const pen = new Brush(context, ratio);
     if (shown.stock) {
-      const outline = this.outlineAt(standing.number);
+      const outline = this.outlineAt(moment.number);
       pen.fill(outline.outside, mirrored, palette.stock, 0.55);
       pen.stroke(outline.edges, mirrored, palette.rapid, 0.8);
       pen.fill(outline.loose, matrix, palette.inside, 0.35);
@@ -211,7 +211,7 @@ export class SectionLayer {
       }
       pen.stroke(pathOf(sections.before), matrix, palette.rapid, 1, [5, 4]);
       for (const thread of sections.threads) {
-        if (thread.row < standing.done) pen.stroke(pathOf(thread.loops), matrix, palette.text, 0.8);
+        if (thread.row < moment.done) pen.stroke(pathOf(thread.loops), matrix, palette.text, 0.8);
       }
     }
     if (shown.target && sections.target) pen.stroke(pathOf(sections.target), matrix, palette.contour, 1.4, [8, 3]);
@@ -246,7 +246,7 @@ export class SectionLayer {
     const pen = new Brush(context, ratio);
     pen.fill(whole, matrix, palette.inside, 0.85);
     context.globalCompositeOperation = "destination-out";
-    const { cutting } = this.standing;
+    const { cutting } = this.moment;
     for (let at = 1; at < cutting.length; at++) {
       for (const loop of this.tool?.shape.edges ?? []) {
         const swept = new Path2D();
@@ -274,12 +274,12 @@ export class SectionLayer {
     }
   }
 
-  private outlineAt(number: number): Outline {
+  private outlineAt(number: number): SectionOutline {
     if (this.outline?.number === number) return this.outline;
     const sections = this.sections!;
     const [pieces, loose] = [sections.alive(number), sections.alive(number, true)];
-    const seen = [...pieces, ...loose].map((piece) => sections.numbers(piece));
-    const outline: Outline = {
+    const segments = [...pieces, ...loose].map((piece) => sections.numbers(piece));
+    const outline: SectionOutline = {
       number,
       whole: pathOf(sections.loops(pieces)),
       outside: new Path2D(),
@@ -287,8 +287,8 @@ export class SectionLayer {
       loose: pathOf(sections.loops(loose)),
       surfaces: new Map(),
     };
-    silhouette(outline.outside, seen);
-    for (const [z, r] of edges(seen)) {
+    silhouette(outline.outside, segments);
+    for (const [z, r] of edges(segments)) {
       outline.edges.moveTo(z, r);
       outline.edges.lineTo(z, 0);
     }
@@ -312,7 +312,7 @@ function pathOf(loops: Loops): Path2D {
   return path;
 }
 
-function polygon(path: Path2D, spots: Spot[]): void {
+function polygon(path: Path2D, spots: SectionPoint[]): void {
   spots.forEach(([z, r], at) => (at === 0 ? path.moveTo(z, r) : path.lineTo(z, r)));
   path.closePath();
 }
@@ -353,7 +353,7 @@ class Brush {
   }
 
   /** A ring with words next to it. */
-  mark(matrix: DOMMatrix, [z, r]: Spot, text: string, color: string, halo: string): void {
+  mark(matrix: DOMMatrix, [z, r]: SectionPoint, text: string, color: string, halo: string): void {
     const { context, ratio } = this;
     const { x, y } = matrix.transformPoint({ x: z, y: r });
     const ring = new Path2D();

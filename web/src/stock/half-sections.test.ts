@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { Frame } from "../protocol/frame";
-import { type Loops, type Pen, Sections, type Spot, corners, edges, hull, silhouette, trace } from "./half-sections";
+import { type Loops, type Pen, HalfSections, type SectionPoint, corners, edges, hull, silhouette, trace } from "./half-sections";
 
 /** A bar of radius 10 from z 0 to 20, of which row 3 takes all above radius 8, and row 5 the upper corner. */
 const LINES = [
@@ -18,7 +18,7 @@ const LINES = [
 const FROM = [0, 0, 0, 0, 1, 1, 1, 2, 2, 2];
 const UNTIL = [9, 1, 1, 1, 2, 2, 9, 9, 9, 9];
 
-function sections(): Sections {
+function sections(): HalfSections {
   const frame: Frame = {
     header: { type: "turned", whole: true, before: [], target: null, fixtures: [], threads: [], tools: [{ number: 1, edges: [], body: [] }] },
     columns: {
@@ -30,12 +30,12 @@ function sections(): Sections {
       rows: Uint32Array.from([3, 5]),
     },
   };
-  return new Sections(frame);
+  return new HalfSections(frame);
 }
 
 /** A pen that keeps its corners; an arc is its end. */
-function pen(): Pen & { spots: Spot[][] } {
-  const spots: Spot[][] = [];
+function pen(): Pen & { spots: SectionPoint[][] } {
+  const spots: SectionPoint[][] = [];
   return {
     spots,
     moveTo: (z, r) => spots.push([[z, r]]),
@@ -45,7 +45,7 @@ function pen(): Pen & { spots: Spot[][] } {
   };
 }
 
-const area = (spots: Spot[]) => spots.reduce((sum, [z, r], at) => {
+const area = (spots: SectionPoint[]) => spots.reduce((sum, [z, r], at) => {
   const [zn, rn] = spots[(at + 1) % spots.length]!;
   return sum + (z * rn - zn * r) / 2;
 }, 0);
@@ -71,11 +71,11 @@ it("has the section of every moment, forward and backward", () => {
 
 it("knows what is being cut", () => {
   const own = sections();
-  expect(own.underWay(3.5)).toBe(3);
-  expect(own.underWay(3)).toBeUndefined();
+  expect(own.rowInProgress(3.5)).toBe(3);
+  expect(own.rowInProgress(3)).toBeUndefined();
   // A rapid takes nothing.
-  expect(own.underWay(4.5)).toBeUndefined();
-  expect(own.underWay(5.1)).toBe(5);
+  expect(own.rowInProgress(4.5)).toBeUndefined();
+  expect(own.rowInProgress(5.1)).toBe(5);
 });
 
 it("sees the part from outside down to the axis, with its edges", () => {

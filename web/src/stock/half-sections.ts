@@ -20,9 +20,9 @@ export interface TurnedTool {
 export type Pen = Pick<Path2D, "moveTo" | "lineTo" | "arc" | "closePath">;
 
 /** A place of the half plane: z and radius, mm. */
-export type Spot = [number, number];
+export type SectionPoint = [number, number];
 
-export class Sections {
+export class HalfSections {
   readonly before: Loops;
   readonly target: Loops | undefined;
   readonly fixtures: { name: string; loops: Loops }[];
@@ -41,8 +41,8 @@ export class Sections {
     const { header } = frame;
     this.before = header.before as Loops;
     this.target = (header.target as Loops | null) ?? undefined;
-    this.fixtures = header.fixtures as Sections["fixtures"];
-    this.threads = header.threads as Sections["threads"];
+    this.fixtures = header.fixtures as HalfSections["fixtures"];
+    this.threads = header.threads as HalfSections["threads"];
     this.tools = new Map((header.tools as TurnedTool[]).map((tool) => [tool.number, tool]));
     this.isWhole = header.whole === true;
     this.lines = f32(frame, "lines");
@@ -70,7 +70,7 @@ export class Sections {
   }
 
   /** The piece of path that is being cut. */
-  underWay(done: number): number | undefined {
+  rowInProgress(done: number): number | undefined {
     const row = Math.floor(done);
     return done > row && this.rows[this.numberAt(done)] === row ? row : undefined;
   }
@@ -169,12 +169,12 @@ function radiusAt(n: ArrayLike<number>, z: number): number | undefined {
 }
 
 /** More lines and arcs than that are drawn without the edges of the outside. */
-const MOST_EDGES = 600;
+const MAX_EDGE_SEGMENTS = 600;
 
 /** The edges of a part that are seen from outside: from the radius at a z to the axis. */
-export function edges(pieces: ArrayLike<number>[]): Spot[] {
-  if (pieces.length > MOST_EDGES) return [];
-  const found: Spot[] = [];
+export function edges(pieces: ArrayLike<number>[]): SectionPoint[] {
+  if (pieces.length > MAX_EDGE_SEGMENTS) return [];
+  const found: SectionPoint[] = [];
   for (const n of pieces) {
     const middle = (n[0]! + n[2]!) / 2;
     const own = radiusAt(n, middle);
@@ -188,8 +188,8 @@ export function edges(pieces: ArrayLike<number>[]): Spot[] {
 const TOOL_STEP = Math.PI / 24;
 
 /** The corners of a convex loop, arcs as chords, moved to a place. */
-export function corners(loop: ArrayLike<number>, [z, r]: Spot): Spot[] {
-  const found: Spot[] = [];
+export function corners(loop: ArrayLike<number>, [z, r]: SectionPoint): SectionPoint[] {
+  const found: SectionPoint[] = [];
   for (let at = 0; at < loop.length; at += STRIDE) {
     found.push([loop[at]! + z, loop[at + 1]! + r]);
     if (loop[at + 6] === 0) continue;
@@ -208,10 +208,10 @@ export function corners(loop: ArrayLike<number>, [z, r]: Spot): Spot[] {
 }
 
 /** The convex outline of places. */
-export function hull(spots: Spot[]): Spot[] {
+export function hull(spots: SectionPoint[]): SectionPoint[] {
   const sorted = [...spots].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
-  const half = (from: Spot[]) => {
-    const made: Spot[] = [];
+  const half = (from: SectionPoint[]) => {
+    const made: SectionPoint[] = [];
     for (const spot of from) {
       while (made.length > 1) {
         const [a, b] = [made[made.length - 2]!, made[made.length - 1]!];

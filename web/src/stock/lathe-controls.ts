@@ -2,14 +2,14 @@
 
 import type { TurnedReport } from "../protocol/messages";
 import { closesOnEscape, element } from "../panels/dom";
-import type { Sections } from "./half-sections";
-import { type Units, counted, volume } from "../panels/units";
+import type { HalfSections } from "./half-sections";
+import { type Units, countText, volume } from "../panels/units";
 
 const VERDICTS = { clean: "clean", problems: "problems, see Problems", "not-proved": "not proved, see Problems" } as const;
 
 type Shown = "stock" | "fixtures" | "target";
 
-export function turnedControls(show: (what: Shown, shown: boolean) => void) {
+export function latheControls(show: (what: Shown, shown: boolean) => void) {
   const root = element("details", "section");
   root.id = "turned";
   root.hidden = true;
@@ -40,17 +40,17 @@ export function turnedControls(show: (what: Shown, shown: boolean) => void) {
     none(): void {
       root.hidden = true;
     },
-    begin(sections: Sections): void {
+    begin(sections: HalfSections): void {
       root.hidden = false;
       rows.get("fixtures")!.forEach((part) => (part.hidden = sections.fixtures.length === 0));
       rows.get("target")!.forEach((part) => (part.hidden = !sections.target));
       const less = sections.isWhole ? "" : ". Of so many only those after each tool are shown";
       const threads = sections.threads.length > 0 ? ". Threads are thin lines" : "";
-      about.textContent = `Exact, ${counted(sections.count, "pass", "passes")}${less}${threads}`;
+      about.textContent = `Exact, ${countText(sections.count, "pass", "passes")}${less}${threads}`;
       found.textContent = "";
     },
     report({ verdict, removed_mm3: { least, most }, parts_off }: TurnedReport, units: Units): void {
-      const off = parts_off > 0 ? `; ${counted(parts_off, "part")} cut off` : "";
+      const off = parts_off > 0 ? `; ${countText(parts_off, "part")} cut off` : "";
       found.textContent = `${VERDICTS[verdict]}; removed ${volume(units, least, most)}${off}`;
     },
   };

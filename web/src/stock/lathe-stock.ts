@@ -1,45 +1,45 @@
 // The stock of a lathe on the page: its half section at any moment, the tool in it, and what was found.
 
 import type { Frame } from "../protocol/frame";
-import type { Link } from "../protocol/connection";
-import type { Told, TurnedReport } from "../protocol/messages";
+import type { Connection } from "../protocol/connection";
+import type { ServerMessage, TurnedReport } from "../protocol/messages";
 import { arcIndex } from "../path/arcs";
 import type { Vec3 } from "../path/batch";
 import type { PathView } from "../view/path-view";
-import { Sections, type Spot } from "./half-sections";
-import { turnedControls } from "./lathe-controls";
+import { HalfSections, type SectionPoint } from "./half-sections";
+import { latheControls } from "./lathe-controls";
 import type { ShownRun } from "../session/shown-run";
 
-export interface TurnedOf {
+export interface LatheStockParts {
   view: PathView;
-  link: Link;
+  connection: Connection;
   run: ShownRun;
   /** All problems, those of the stock among them. */
-  report: (told: TurnedReport) => void;
+  report: (message: TurnedReport) => void;
 }
 
 /** Pieces in which the tool goes along an arc that is being cut. */
 const ARC_STEPS = 24;
 
-export function turnedOfProgram(of: TurnedOf) {
-  const { view } = of;
-  let sections: Sections | undefined;
+export function latheStock(parts: LatheStockParts) {
+  const { view } = parts;
+  let sections: HalfSections | undefined;
   let done = Infinity;
   let at: Vec3 | undefined;
-  const controls = turnedControls((what, shown) => {
-    view.turned.shown[what] = shown;
-    view.turned.changed();
+  const controls = latheControls((what, shown) => {
+    view.lathe.shown[what] = shown;
+    view.lathe.changed();
   });
 
-  const spot = (place: Vec3): Spot => {
-    const { origin } = of.run.path;
+  const spot = (place: Vec3): SectionPoint => {
+    const { origin } = parts.run.path;
     return [place[2] + origin[2], place[0] + origin[0]];
   };
 
   /** Where the tool was on the move that it is cutting. */
-  function cutting(): Spot[] {
-    const row = sections?.underWay(done);
-    const path = of.run.path;
+  function cutting(): SectionPoint[] {
+    const row = sections?.rowInProgress(done);
+    const path = parts.run.path;
     const found = row === undefined ? undefined : path.find(row);
     if (!found || row === undefined || !at) return [];
     const steps = arcIndex(...found) < 0 ? 1 : ARC_STEPS;
@@ -49,7 +49,7 @@ export function turnedOfProgram(of: TurnedOf) {
 
   function show(): void {
     if (!sections) return;
-    view.turned.stand({ number: sections.numberAt(done), done, cutting: cutting() });
+    view.lathe.goTo({ number: sections.numberAt(done), done, cutting: cutting() });
   }
 
   return {
@@ -60,7 +60,7 @@ export function turnedOfProgram(of: TurnedOf) {
       sections = undefined;
       done = Infinity;
       at = undefined;
-      view.setTurned(undefined, () => 0);
+      view.setHalfSections(undefined, () => 0);
       controls.none();
     },
     /** To a moment: so much of the path is done, and the tool stands at a place, relative to the origin of the path. */
@@ -70,22 +70,22 @@ export function turnedOfProgram(of: TurnedOf) {
     },
     /** The tool at a place, relative to the origin of the path; whether it is drawn here. */
     place(tool: number, place: Vec3 | undefined): boolean {
-      return sections !== undefined && view.turned.place(tool, place && spot(place));
+      return sections !== undefined && view.lathe.place(tool, place && spot(place));
     },
-    take(told: Told): boolean {
-      if (told.type !== "turned_report") return false;
-      if (told.run !== of.run.number) return true;
-      of.report(told);
-      controls.report(told, of.run.axisUnits);
-      view.turned.mark(told.problems);
+    take(message: ServerMessage): boolean {
+      if (message.type !== "turned_report") return false;
+      if (message.run !== parts.run.number) return true;
+      parts.report(message);
+      controls.report(message, parts.run.axisUnits);
+      view.lathe.mark(message.problems);
       return true;
     },
     takeFrame(frame: Frame): boolean {
       if (frame.header.type !== "turned") return false;
-      if (frame.header.run !== of.run.number) return true;
-      sections = new Sections(frame);
-      const path = of.run.path;
-      view.setTurned(sections, (tool) => path.cutterIndex(tool));
+      if (frame.header.run !== parts.run.number) return true;
+      sections = new HalfSections(frame);
+      const path = parts.run.path;
+      view.setHalfSections(sections, (tool) => path.cutterIndex(tool));
       controls.begin(sections);
       show();
       return true;

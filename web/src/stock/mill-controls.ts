@@ -3,7 +3,7 @@
 import type { StockBefore } from "./stock-timeline";
 import type { StockReport } from "../protocol/messages";
 import { closesOnEscape, element } from "../panels/dom";
-import { type Cut, type StockColor, TOLERANCES } from "./stock-layer";
+import { type StockCut, type StockColor, MAX_TOLERANCES } from "./stock-layer";
 import { type Units, count, length, volume } from "../panels/units";
 
 const STEPS = 1000;
@@ -12,11 +12,11 @@ const COLUMNS: [number, string][] = [[60_000, "60,000"], [250_000, "250,000"], [
 const USUAL_COLUMNS = 250_000;
 const VERDICTS = { clean: "clean", problems: "problems, see Problems", "not-proved": "not proved, see Problems" } as const;
 
-interface Acts {
+interface MillHandlers {
   show: (shown: boolean) => void;
   showFixtures: (shown: boolean) => void;
   color: (by: StockColor) => void;
-  cut: (cut: Cut | undefined) => void;
+  cut: (cut: StockCut | undefined) => void;
   columns: (columns: number) => void;
 }
 
@@ -28,7 +28,7 @@ interface Less {
   turned: boolean;
 }
 
-export function stockControls(acts: Acts) {
+export function millControls(handlers: MillHandlers) {
   const root = element("details", "section");
   root.id = "stock";
   root.hidden = true;
@@ -79,41 +79,41 @@ export function stockControls(acts: Acts) {
   let changes: number | undefined;
   let hasPart = false;
 
-  function tellCut(): void {
-    const chosen = axis.value as Cut["axis"] | "";
+  function updateCut(): void {
+    const chosen = axis.value as StockCut["axis"] | "";
     place.disabled = chosen === "";
     root.classList.toggle("active", chosen !== "");
     if (!stock || chosen === "") {
       placeText.textContent = "";
-      return acts.cut(undefined);
+      return handlers.cut(undefined);
     }
     const number = ["x", "y", "z"].indexOf(chosen);
     const [low, high] = [stock.low[number]!, stock.high[number]!];
     const at = low + ((high - low) * Number(place.value)) / STEPS;
     placeText.textContent = `${chosen.toUpperCase()} ${length(units, at)}`;
-    acts.cut({ axis: chosen, at });
+    handlers.cut({ axis: chosen, at });
   }
-  function tellColor(): void {
-    acts.color(color.value as StockColor);
-    tellAbout();
+  function updateColor(): void {
+    handlers.color(color.value as StockColor);
+    updateSummary();
   }
-  function tellAbout(): void {
+  function updateSummary(): void {
     if (!stock) return;
     const more = changes === undefined ? "" : `, ${count(changes)} changes`;
     const [nx, ny] = stock.columns;
     const coarser = less.coarser ? ", coarser than chosen: the program lowers them too often" : "";
     const late = less.late ? `, at most ${length(units, stock.pitch / 2)} late in places` : "";
-    const far = stock.target && color.value === "deviation" ? `. Red: too deep, blue: too high, by up to ${length(units, TOLERANCES * stock.toleranceMm)}` : "";
+    const far = stock.target && color.value === "deviation" ? `. Red: too deep, blue: too high, by up to ${length(units, MAX_TOLERANCES * stock.toleranceMm)}` : "";
     const where = hasPart ? "drawn at the end of the program only" : "not drawn";
     const missing = [less.undercuts && `Undercuts are ${where}`, less.turned && `Cuts while the part is turned are ${where}`];
     const notDrawn = missing.filter(Boolean).map((text) => `. ${text}`).join("");
     about.textContent = `${length(units, stock.pitch)}, ${count(nx * ny)} columns${coarser}${late}${more}${far}${notDrawn}`;
   }
-  fixtures.addEventListener("change", () => acts.showFixtures(fixtures.checked));
-  shown.addEventListener("change", () => acts.show(shown.checked));
-  color.addEventListener("change", tellColor);
-  for (const input of [axis, place]) input.addEventListener("input", tellCut);
-  columns.addEventListener("change", () => acts.columns(Number(columns.value)));
+  fixtures.addEventListener("change", () => handlers.showFixtures(fixtures.checked));
+  shown.addEventListener("change", () => handlers.show(shown.checked));
+  color.addEventListener("change", updateColor);
+  for (const input of [axis, place]) input.addEventListener("input", updateCut);
+  columns.addEventListener("change", () => handlers.columns(Number(columns.value)));
   closesOnEscape(root, summary);
 
   return {
@@ -131,19 +131,19 @@ export function stockControls(acts: Acts) {
       found.textContent = "";
       changes = undefined;
       hasPart = false;
-      tellColor();
-      tellCut();
+      updateColor();
+      updateCut();
     },
     progress(share: number, drops: number): void {
       summary.textContent = share < 1 ? `Stock ${Math.floor(100 * share)} %` : "Stock";
       if (share < 1) return;
       changes = drops;
-      tellAbout();
+      updateSummary();
       found.textContent = "Looking for touches…";
     },
     part(): void {
       hasPart = true;
-      tellAbout();
+      updateSummary();
     },
     report({ verdict, removed_mm3: { least, most } }: StockReport, its: Units): void {
       found.textContent = `${VERDICTS[verdict]}; removed ${volume(its, least, most)}`;

@@ -1,23 +1,23 @@
 // The stock of the page: what comes of it, where in time it is, and how it is shown.
 
-import { Drops, type StockBefore } from "./stock-timeline";
+import { StockTimeline, type StockBefore } from "./stock-timeline";
 import { floorOf } from "./tool-floor";
 import { type Frame, f32, u32 } from "../protocol/frame";
 import { Gaps } from "./gaps";
-import type { Link } from "../protocol/connection";
-import type { StockReport, Told } from "../protocol/messages";
+import type { Connection } from "../protocol/connection";
+import type { StockReport, ServerMessage } from "../protocol/messages";
 import { KNOWN, RAPID, type Vec3, kindOf } from "../path/batch";
 import type { PathView } from "../view/path-view";
-import { stockControls } from "./mill-controls";
+import { millControls } from "./mill-controls";
 import type { ShownRun } from "../session/shown-run";
 
-export interface StockOf {
+export interface MillStockParts {
   view: PathView;
-  link: Link;
+  connection: Connection;
   run: ShownRun;
   /** All problems, those of the stock among them. */
-  report: (told: StockReport) => void;
-  tell: (kind: "warning", text: string) => void;
+  report: (report: StockReport) => void;
+  notify: (kind: "warning", text: string) => void;
 }
 
 /** Where the program is: so much of the path is done, and the tool stands there. */
@@ -29,23 +29,23 @@ interface Moment {
 /** All of the program. */
 const END: Moment = { rows: Infinity, at: undefined };
 
-export function stockOfProgram(of: StockOf) {
-  const { view } = of;
-  let drops: Drops | undefined;
+export function millStock(parts: MillStockParts) {
+  const { view } = parts;
+  let drops: StockTimeline | undefined;
   let gaps = new Gaps();
   let moment = END;
   let progress = 1;
-  const controls = stockControls({
+  const controls = millControls({
     show: (shown) => view.stock.show(shown),
     showFixtures: (shown) => view.stock.showFixtures(shown),
     color: (by) => view.stock.setColor(by),
     cut: (cut) => view.stock.setCut(cut),
-    columns: (columns) => of.link.tell("stock", { columns }),
+    columns: (columns) => parts.connection.send("stock", { columns }),
   });
 
   function slotOf(row: number): number {
-    const found = of.run.path.find(row);
-    return found ? 1 + (of.run.path.cutterIndex(found[0].tool[found[1]]!) % 23) : 1;
+    const found = parts.run.path.find(row);
+    return found ? 1 + (parts.run.path.cutterIndex(found[0].tool[found[1]]!) % 23) : 1;
   }
 
   function begin(frame: Frame): void {
@@ -60,11 +60,11 @@ export function stockOfProgram(of: StockOf) {
       toleranceMm: Number(header.tolerance_mm ?? 0),
       fixtures: f32(frame, "fixtures"),
     };
-    drops = new Drops(stock.heights);
+    drops = new StockTimeline(stock.heights);
     gaps = new Gaps();
     progress = 0;
     view.setStock(stock);
-    controls.begin(stock, of.run.units, {
+    controls.begin(stock, parts.run.units, {
       coarser: header.coarser === true,
       late: header.late === true,
       undercuts: header.undercuts === true,
@@ -94,16 +94,16 @@ export function stockOfProgram(of: StockOf) {
   }
 
   /** The tool cuts where it stands, but for rapids. */
-  function standing() {
+  function toolInCut() {
     const { rows, at } = moment;
     if (!at || !Number.isFinite(rows)) return undefined;
-    const path = of.run.path;
+    const path = parts.run.path;
     const found = path.find(Math.min(Math.floor(rows), path.rows - 1));
     if (!found) return undefined;
     const [batch, row] = found;
     if (kindOf(batch.kind[row]!) === RAPID || !(batch.kind[row]! & KNOWN)) return undefined;
     const number = batch.tool[row]!;
-    const floor = floorOf(of.run.machine?.tools.find((tool) => tool.number === number));
+    const floor = floorOf(parts.run.machine?.tools.find((tool) => tool.number === number));
     const place = at.map((value, axis) => value + path.origin[axis]!) as Vec3;
     return floor && { floor, slot: 1 + (path.cutterIndex(number) % 23), at: place };
   }
@@ -117,8 +117,8 @@ export function stockOfProgram(of: StockOf) {
     gaps.seek(moment.rows, (column, bands) => {
       if (bands.length > 0) surface.mark(column, bands[0]!, bands.at(-1)!);
     });
-    surface.stand(standing(), own.heights, own.slots);
-    view.stock.showPart(moment.rows >= of.run.path.rows);
+    surface.cutUnderTool(toolInCut(), own.heights, own.slots);
+    view.stock.showPart(moment.rows >= parts.run.path.rows);
     view.redraw();
   }
 
@@ -138,22 +138,22 @@ export function stockOfProgram(of: StockOf) {
       moment = { rows, at };
       show();
     },
-    take(told: Told): boolean {
-      if (told.type === "stock_report") {
-        if (told.run === of.run.number) {
-          of.report(told);
-          controls.report(told, of.run.units);
+    take(message: ServerMessage): boolean {
+      if (message.type === "stock_report") {
+        if (message.run === parts.run.number) {
+          parts.report(message);
+          controls.report(message, parts.run.units);
         }
         return true;
       }
-      if (told.type !== "no_stock") return false;
-      if (told.run === of.run.number && told.message) of.tell("warning", told.help ? `${told.message}: ${told.help}.` : `${told.message}.`);
+      if (message.type !== "no_stock") return false;
+      if (message.run === parts.run.number && message.message) parts.notify("warning", message.help ? `${message.message}: ${message.help}.` : `${message.message}.`);
       return true;
     },
     takeFrame(frame: Frame): boolean {
       const { type, run } = frame.header;
       if (type !== "stock" && type !== "stock_drops" && type !== "stock_gaps" && type !== "stock_part") return false;
-      if (run === of.run.number) ({ stock: begin, stock_drops: add, stock_gaps: addGaps, stock_part: part })[type](frame);
+      if (run === parts.run.number) ({ stock: begin, stock_drops: add, stock_gaps: addGaps, stock_part: part })[type](frame);
       return true;
     },
   };

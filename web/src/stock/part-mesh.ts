@@ -3,7 +3,7 @@
 
 import { BufferAttribute, BufferGeometry, DataTexture, DoubleSide, FloatType, GLSL3, Mesh, RedFormat, ShaderMaterial, UnsignedByteType, Vector3, Vector4 } from "three";
 import { ON_RAMP } from "./stock-shader";
-import type { Surface } from "./surface";
+import type { StockSurface } from "./surface";
 
 const VERTEX = `
 uniform float push;
@@ -56,13 +56,13 @@ void main() {
   drawn = vec4(own * light, 1.0);
 }`;
 
-export class Part {
+export class PartMesh {
   readonly object: Mesh<BufferGeometry, ShaderMaterial>;
   private slots: DataTexture;
   private heights: DataTexture;
 
   /** Of triangles, nine numbers each, mm in the frame of the run; `columns` are the uniforms of how columns are coloured. */
-  constructor(readonly corners: Float32Array, surface: Surface, columns: ShaderMaterial["uniforms"]) {
+  constructor(readonly corners: Float32Array, surface: StockSurface, columns: ShaderMaterial["uniforms"]) {
     const { stock, width, height } = surface;
     this.slots = new DataTexture(surface.slot, width, height, RedFormat, UnsignedByteType);
     this.slots.unpackAlignment = 1;

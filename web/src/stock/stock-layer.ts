@@ -20,77 +20,77 @@ import {
 import { CoarseSurface } from "./coarse-surface";
 import { type Palette, toolColor } from "../view/colors";
 import type { StockBefore } from "./stock-timeline";
-import { drawnAll } from "../view/gpu-fence";
-import { Fixtures } from "./fixtures";
+import { gpuFinished } from "../view/gpu-fence";
+import { FixtureMesh } from "./fixtures";
 import { GapMesh } from "./gap-mesh";
 import type { Gaps } from "./gaps";
-import type { Under } from "../view/painter";
-import { Part } from "./part-mesh";
+import type { PictureBelow } from "../view/painter";
+import { PartMesh } from "./part-mesh";
 import type { Bounds, Vec3 } from "../path/batch";
-import { pause } from "../view/event-loop";
+import { yieldToEventLoop } from "../view/event-loop";
 import { FRAGMENT, VERTEX } from "./stock-shader";
-import { Surface, type Touched } from "./surface";
+import { StockSurface, type TouchedBox } from "./surface";
 import { TILE } from "./tile";
-import { Tiles } from "./tile-meshes";
+import { TileMeshes } from "./tile-meshes";
 
 export type StockColor = "tool" | "depth" | "deviation" | "plain";
 
 /** Where the stock is cut open, mm in the frame of the run: what lies beyond is left out. */
-export interface Cut {
+export interface StockCut {
   axis: "x" | "y" | "z";
   at: number;
 }
 
 /** Triangles and tiles that are drawn in one go: in a fraction of a frame, with a graphics card and without. */
-const AT_ONCE = { card: { triangles: 4_000_000, tiles: 256 }, software: { triangles: 12_000, tiles: 64 } };
+const MAX_PER_DRAW = { card: { triangles: 4_000_000, tiles: 256 }, software: { triangles: 12_000, tiles: 64 } };
 /** Columns of the surface that stands for the stock while the view turns. */
-const COARSE = { card: 250_000, software: 9_000 };
+const COARSE_COLUMNS = { card: 250_000, software: 9_000 };
 /** Triangles of a part that are drawn in every frame while the view turns. */
-const PART = { card: 400_000, software: 60_000 };
+const PART_TRIANGLES = { card: 400_000, software: 60_000 };
 /** How long the view must be still before all of it is drawn again, ms; and how long at most where too much changes at once. */
-const STILL = 120;
-const MOST_STILL = 2_000;
+const STILL_MS = 120;
+const MAX_STILL_MS = 2_000;
 /** Colours that a material has room for: that of the stock, and tools. */
-const SLOTS = 24;
+const COLOR_SLOTS = 24;
 /** Around what has changed so many pixels are drawn anew. */
-const MARGIN = 3;
+const MARGIN_PIXELS = 3;
 /** Deviations beyond so many tolerances have one colour. */
-export const TOLERANCES = 10;
+export const MAX_TOLERANCES = 10;
 
 export class StockLayer {
-  surface: Surface | undefined;
+  surface: StockSurface | undefined;
   /** Triangles of the last frame: for tests and measurements. */
   drawnTriangles = 0;
   private shown = true;
-  private tiles: Tiles | undefined;
-  private coarse: { surface: CoarseSurface; tiles: Tiles; isStale: boolean } | undefined;
+  private tiles: TileMeshes | undefined;
+  private coarse: { surface: CoarseSurface; tiles: TileMeshes; isStale: boolean } | undefined;
   private material = material();
   private coarseMaterial = sibling(this.material);
   private whole: WebGLRenderTarget | undefined;
   private state: "stale" | "drawing" | "complete" = "stale";
-  private seenFrom = "";
+  private viewKey = "";
   private movedAt = 0;
-  private patience = STILL;
+  private stillMs = STILL_MS;
   private timer = 0;
   private number = 0;
   private origin: Vec3 = [0, 0, 0];
-  private cut: Cut | undefined;
+  private cut: StockCut | undefined;
   private by: StockColor = "tool";
-  private own: Touched | undefined;
-  private fixtures = new Fixtures();
+  private own: TouchedBox | undefined;
+  private fixtures = new FixtureMesh();
   /** What is left at the end, where heights do not show all of it, and whether it is that moment. */
-  private part: Part | undefined;
+  private part: PartMesh | undefined;
   private isEnd = false;
   private gaps: GapMesh | undefined;
 
   constructor(
     private palette: Palette,
     private isSoftware: boolean,
-    private wanted: () => void,
+    private requestFrame: () => void,
   ) {}
 
   private get atOnce() {
-    return this.isSoftware ? AT_ONCE.software : AT_ONCE.card;
+    return this.isSoftware ? MAX_PER_DRAW.software : MAX_PER_DRAW.card;
   }
 
   /** Another stock, or none. */
@@ -104,25 +104,25 @@ export class StockLayer {
     this.part = undefined;
     this.gaps?.dispose();
     this.gaps = undefined;
-    this.surface = stock && new Surface(stock);
+    this.surface = stock && new StockSurface(stock);
     if (this.surface) this.build(this.surface);
     this.fixtures.set(stock?.fixtures, this.palette);
     this.place(origin);
-    this.tellMaterial();
+    this.updateMaterial();
     this.changed();
   }
 
-  private build(surface: Surface): void {
-    this.tiles = new Tiles(surface, this.material);
-    const coarse = new CoarseSurface(surface, this.isSoftware ? COARSE.software : COARSE.card);
-    this.coarse = { surface: coarse, tiles: new Tiles(coarse.surface, this.coarseMaterial), isStale: true };
+  private build(surface: StockSurface): void {
+    this.tiles = new TileMeshes(surface, this.material);
+    const coarse = new CoarseSurface(surface, this.isSoftware ? COARSE_COLUMNS.software : COARSE_COLUMNS.card);
+    this.coarse = { surface: coarse, tiles: new TileMeshes(coarse.surface, this.coarseMaterial), isStale: true };
   }
 
   /** What is left at the end as triangles, nine numbers each, mm in the frame of the run. */
   setPart(corners: Float32Array): void {
     if (!this.surface) return;
     this.part?.dispose();
-    this.part = new Part(corners, this.surface, this.material.uniforms);
+    this.part = new PartMesh(corners, this.surface, this.material.uniforms);
     this.part.take();
     this.openPart();
     this.place(this.origin);
@@ -146,7 +146,7 @@ export class StockLayer {
   }
 
   /** The part, where it is drawn. */
-  get shownPart(): Part | undefined {
+  get shownPart(): PartMesh | undefined {
     return this.isEnd ? this.part : undefined;
   }
 
@@ -187,19 +187,19 @@ export class StockLayer {
   setPalette(palette: Palette): void {
     this.palette = palette;
     this.fixtures.setPalette(palette);
-    this.tellMaterial();
+    this.updateMaterial();
     this.changed();
   }
 
   setColor(by: StockColor): void {
     this.by = by;
-    this.tellMaterial();
+    this.updateMaterial();
     this.changed();
   }
 
-  setCut(cut: Cut | undefined): void {
+  setCut(cut: StockCut | undefined): void {
     this.cut = cut;
-    this.tellMaterial();
+    this.updateMaterial();
     this.changed();
   }
 
@@ -207,11 +207,11 @@ export class StockLayer {
   changed(): void {
     this.number++;
     this.state = "stale";
-    this.wanted();
+    this.requestFrame();
   }
 
   /** The picture with depth, or, until there is one, what draws the coarse surface. */
-  get under(): Under | undefined {
+  get under(): PictureBelow | undefined {
     if (!this.surface || !this.shown) return undefined;
     return this.state === "complete" ? this.whole : this.drawCoarse;
   }
@@ -233,12 +233,12 @@ export class StockLayer {
     if (this.shownPart) this.own = undefined;
     else if (touched && this.isLeap(touched)) void this.leap(renderer);
     const from = `${camera.matrixWorld.elements.join()} ${camera.projectionMatrix.elements.join()}`;
-    if (this.resize(renderer) || from !== this.seenFrom) {
-      this.seenFrom = from;
+    if (this.resize(renderer) || from !== this.viewKey) {
+      this.viewKey = from;
       this.wait();
     }
     this.material.uniforms.push!.value = 2 * (pushOf(camera, renderer) + 0.5 * surface.stock.pitch) / (camera.far - camera.near);
-    this.material.uniforms.eye!.value.set(...eyeOf(camera));
+    this.material.uniforms.eye!.value.set(...viewpointOf(camera));
     if (this.state === "complete" && this.own) this.repaint(renderer, camera, this.own);
     if (this.state === "complete") return;
     // All of it once it is still.
@@ -251,11 +251,11 @@ export class StockLayer {
 
   /** How long it must still be still, ms. */
   private get rest(): number {
-    return this.patience - (performance.now() - this.movedAt);
+    return this.stillMs - (performance.now() - this.movedAt);
   }
 
   private settle(): void {
-    this.timer = window.setTimeout(() => (this.rest > 0 ? this.settle() : this.wanted()), this.rest + 1);
+    this.timer = window.setTimeout(() => (this.rest > 0 ? this.settle() : this.requestFrame()), this.rest + 1);
   }
 
   /** Until it is still only the coarse surface is drawn. */
@@ -271,16 +271,16 @@ export class StockLayer {
     const { number } = this;
     // What is drawn in this frame is counted.
     await Promise.resolve();
-    await drawnAll(renderer);
+    await gpuFinished(renderer);
     if (number === this.number) this.movedAt = performance.now();
   }
 
   /** So much changes at once only where somebody looks for a moment: more of it is likely to come. */
-  private isLeap({ columns, rows }: Touched): boolean {
+  private isLeap({ columns, rows }: TouchedBox): boolean {
     return (columns[1] - columns[0]) * (rows[1] - rows[0]) > this.atOnce.tiles * TILE * TILE;
   }
 
-  private note(touched: Touched | undefined): void {
+  private note(touched: TouchedBox | undefined): void {
     if (!touched) return;
     this.coarse!.isStale = true;
     const { own } = this;
@@ -300,12 +300,12 @@ export class StockLayer {
   }
 
   /** Draws anew what has changed, where that is soon done. */
-  private repaint(renderer: WebGLRenderer, camera: Camera, own: Touched): void {
+  private repaint(renderer: WebGLRenderer, camera: Camera, own: TouchedBox): void {
     const surface = this.surface!;
     const tiles = this.tiles!;
     const { x, y, width, height } = this.rectangle(surface, camera, [
       [own.columns[0], own.rows[0]], [own.columns[1] + 2, own.rows[1] + 2],
-    ], own.heights, MARGIN);
+    ], own.heights, MARGIN_PIXELS);
     if (width <= 0 || height <= 0) {
       this.own = undefined;
       return;
@@ -322,7 +322,7 @@ export class StockLayer {
       if (sum > this.atOnce.triangles || chosen.length > this.atOnce.tiles) {
         // Too much for one frame: the coarse surface until it is still.
         this.wait();
-        this.patience = Math.min(MOST_STILL, 2 * this.patience);
+        this.stillMs = Math.min(MAX_STILL_MS, 2 * this.stillMs);
         return;
       }
     }
@@ -336,12 +336,12 @@ export class StockLayer {
     this.drawFixtures(renderer, camera);
     target.scissorTest = false;
     renderer.setRenderTarget(null);
-    this.patience = STILL;
+    this.stillMs = STILL_MS;
     this.own = undefined;
   }
 
   /** What of the picture corners and heights between two take: pixels from the lower left. */
-  private rectangle(surface: Surface, camera: Camera, [low, high]: [[number, number], [number, number]], heights: [number, number], margin: number) {
+  private rectangle(surface: StockSurface, camera: Camera, [low, high]: [[number, number], [number, number]], heights: [number, number], margin: number) {
     const m = camera.matrixWorldInverse.elements;
     const p = camera.projectionMatrix.elements;
     const { position } = this.tiles!.group;
@@ -362,7 +362,7 @@ export class StockLayer {
   }
 
   /** Where a corner is drawn, from the least corner of the stock, mm. */
-  private corner({ stock }: Surface, x: number, y: number): [number, number] {
+  private corner({ stock }: StockSurface, x: number, y: number): [number, number] {
     const place = (axis: 0 | 1, at: number) => {
       const size = stock.high[axis] - stock.low[axis];
       return at <= 1 ? 0 : at >= stock.columns[axis] ? size : (at - 0.5) * stock.pitch;
@@ -394,7 +394,7 @@ export class StockLayer {
     this.material.uniforms.isFlat!.value = false;
   }
 
-  private drawPart(renderer: WebGLRenderer, camera: Camera, part: Part): void {
+  private drawPart(renderer: WebGLRenderer, camera: Camera, part: PartMesh): void {
     renderer.render(part.object, camera);
     this.drawnTriangles += part.triangles;
     this.drawFixtures(renderer, camera);
@@ -402,7 +402,7 @@ export class StockLayer {
 
   private drawCoarse = (renderer: WebGLRenderer, camera: Camera): void => {
     const part = this.shownPart;
-    if (part && part.triangles <= PART[this.isSoftware ? "software" : "card"]) return this.drawPart(renderer, camera, part);
+    if (part && part.triangles <= PART_TRIANGLES[this.isSoftware ? "software" : "card"]) return this.drawPart(renderer, camera, part);
     const { surface, tiles, isStale } = this.coarse!;
     if (isStale) surface.take();
     this.coarse!.isStale = false;
@@ -423,7 +423,7 @@ export class StockLayer {
       this.drawPart(renderer, camera, this.shownPart);
       renderer.setRenderTarget(null);
       this.state = "complete";
-      this.wanted();
+      this.requestFrame();
       return;
     }
     let cleared = false;
@@ -432,7 +432,7 @@ export class StockLayer {
     for (const at of tiles.all) {
       tiles.take(at);
       if ((at + 1) % this.atOnce.tiles > 0) continue;
-      await pause();
+      await yieldToEventLoop();
       if (number !== this.number) return;
     }
     let tile = 0;
@@ -453,11 +453,11 @@ export class StockLayer {
       cleared = true;
       this.draw(renderer, camera, some);
       renderer.setRenderTarget(null);
-      if (tile < tiles.count) await drawnAll(renderer);
+      if (tile < tiles.count) await gpuFinished(renderer);
       if (number !== this.number) return;
     }
     this.state = "complete";
-    this.wanted();
+    this.requestFrame();
   }
 
   /** Where the part is cut open. */
@@ -465,11 +465,11 @@ export class StockLayer {
     const { cut, part } = this;
     // Largest X and Z are kept, and least Y.
     const sign = cut?.axis === "y" ? -1 : 1;
-    const along = (axis: Cut["axis"]) => (cut?.axis === axis ? sign : 0);
+    const along = (axis: StockCut["axis"]) => (cut?.axis === axis ? sign : 0);
     part?.setCut([along("x"), along("y"), along("z")], cut ? sign * cut.at : 1);
   }
 
-  private tellMaterial(): void {
+  private updateMaterial(): void {
     const { surface, palette, cut, by } = this;
     if (!surface) return;
     const { stock } = surface;
@@ -487,12 +487,12 @@ export class StockLayer {
     u.gapPitch!.value = stock.pitch;
     u.gapColumns!.value = stock.columns;
     u.by!.value = ["tool", "depth", "deviation", "plain"].indexOf(by === "deviation" && !surface.target ? "plain" : by);
-    u.colors!.value = [palette.stock, ...Array.from({ length: SLOTS - 1 }, (_, index) => toolColor(palette, index))].map((color) => new Color(color));
+    u.colors!.value = [palette.stock, ...Array.from({ length: COLOR_SLOTS - 1 }, (_, index) => toolColor(palette, index))].map((color) => new Color(color));
     u.ramp!.value = (by === "deviation" ? palette.deviation : palette.ramp).map((color) => new Color(color));
     u.inside!.value.set(palette.inside);
     u.uncut!.value.set(palette.stock);
     u.tolerance!.value = stock.toleranceMm;
-    u.farthest!.value = TOLERANCES * stock.toleranceMm;
+    u.farthest!.value = MAX_TOLERANCES * stock.toleranceMm;
     // At the middle of a column, so that the walls of the cut are straight.
     const column = (axis: 0 | 1) => {
       const at = ((cut?.at ?? 0) - stock.low[axis]) / stock.pitch;
@@ -503,23 +503,23 @@ export class StockLayer {
     surface.setOpen(cut?.axis === "x" ? { column: column(0) + 1 } : cut?.axis === "y" ? { row: column(1) + 1 } : {});
     this.openPart();
     u.keep!.value.set(
-      cut?.axis === "x" ? snapped(0) : Infinity_,
-      cut?.axis === "y" ? snapped(1) : -Infinity_,
-      cut?.axis === "z" ? cut.at - stock.high[2] : Infinity_,
+      cut?.axis === "x" ? snapped(0) : BEYOND_MACHINE_MM,
+      cut?.axis === "y" ? snapped(1) : -BEYOND_MACHINE_MM,
+      cut?.axis === "z" ? cut.at - stock.high[2] : BEYOND_MACHINE_MM,
       cut ? 1 : 0,
     );
   }
 }
 
 /** Beyond every machine, mm. */
-const Infinity_ = 1e9;
+const BEYOND_MACHINE_MM = 1e9;
 
 /** How far the stock is put back so that a path on it is seen, mm: a pixel and a half. */
 function pushOf(camera: OrthographicCamera, renderer: WebGLRenderer): number {
   return (1.5 * (camera.right - camera.left)) / camera.zoom / Math.max(1, renderer.domElement.width);
 }
 
-function eyeOf(camera: Camera): Vec3 {
+function viewpointOf(camera: Camera): Vec3 {
   const m = camera.matrixWorld.elements;
   return [m[8]!, m[9]!, m[10]!];
 }
@@ -544,7 +544,7 @@ function material(): ShaderMaterial {
       tolerance: { value: 0 },
       farthest: { value: 1 },
       push: { value: 0 },
-      eye: { value: new Vector3() },
+      viewpoint: { value: new Vector3() },
       isFlat: { value: false },
       gaps: { value: null },
       bands: { value: 0 },

@@ -9,7 +9,7 @@ export const ON_RAMP = `vec3 onRamp(float share) {
 `;
 
 /** Gaps of a column by which walls are open, at most. */
-export const MOST_BANDS = 8;
+export const MAX_BANDS = 8;
 
 export const VERTEX = `
 in vec2 at;
@@ -88,7 +88,7 @@ bool isOpen(vec2 at, float z, vec2 across) {
   vec2 off = most > 0.0 ? 0.49 * across / most : vec2(0.0);
   for (int side = -1; side < 2; side += 2) {
     ivec2 column = clamp(ivec2(floor(at / gapPitch + float(side) * off)), ivec2(0), gapColumns - 1);
-    for (int band = 0; band < ${MOST_BANDS}; band++) {
+    for (int band = 0; band < ${MAX_BANDS}; band++) {
       if (band >= bands) break;
       vec2 gap = texelFetch(gaps, ivec2(column.x, column.y * bands + band), 0).rg;
       if (z > gap.x && z < gap.y) return true;

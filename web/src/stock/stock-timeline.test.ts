@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { Drops } from "./stock-timeline";
+import { StockTimeline } from "./stock-timeline";
 
 /** Numbers from 0 to 1, the same each time. */
 function random(seed: number): () => number {
@@ -15,7 +15,7 @@ const COLUMNS = 300;
 /** A run of so many drops of random columns, in order, in batches; and the heights after each moment, by a plain loop. */
 function made(count: number, between: number) {
   const next = random(7);
-  const drops = new Drops(new Float32Array(COLUMNS).fill(0), between);
+  const drops = new StockTimeline(new Float32Array(COLUMNS).fill(0), between);
   const events: { column: number; row: number; share: number; height: number }[] = [];
   const now = new Float32Array(COLUMNS);
   for (let n = 0; n < count; n++) {
@@ -49,17 +49,17 @@ function made(count: number, between: number) {
 test("any moment has the heights and owners of a run up to it, whatever was shown before", () => {
   const { drops, at, rows } = made(4000, 500);
   const next = random(3);
-  const seen = new Float32Array(COLUMNS);
+  const followed = new Float32Array(COLUMNS);
   for (let round = 0; round < 400; round++) {
     // Near and far, to places within a row, before the beginning and after the end.
     const to = round % 3 === 0 ? rows * (1.2 * next() - 0.1) : Math.min(rows, round * 0.7 + next());
-    if (drops.leap(to)) seen.set(drops.heights);
-    else drops.seek(to, (column) => (seen[column] = drops.heights[column]!));
+    if (drops.leap(to)) followed.set(drops.heights);
+    else drops.seek(to, (column) => (followed[column] = drops.heights[column]!));
     const { heights, slots } = at(to);
     expect(drops.heights).toEqual(heights);
     expect(drops.slots).toEqual(slots);
     // And whoever follows the changes alone has the same.
-    expect(seen).toEqual(heights);
+    expect(followed).toEqual(heights);
   }
 });
 
@@ -79,7 +79,7 @@ test("a step costs what changes on it, and a jump no more than a keyframe and ha
 });
 
 test("what comes while the end is shown is seen, and a column that is not there is left out", () => {
-  const drops = new Drops(new Float32Array(4));
+  const drops = new StockTimeline(new Float32Array(4));
   const add = (column: number, row: number, height: number) =>
     drops.add(Uint32Array.of(column), Uint32Array.of(row), Float32Array.of(0.5), Float32Array.of(height), () => 2);
   add(1, 0, -1);

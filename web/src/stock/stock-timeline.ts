@@ -20,10 +20,10 @@ export interface StockBefore {
 }
 
 /** Drops between two keyframes, at least: so many are carried out in a few milliseconds. */
-const LEAST_BETWEEN = 1 << 17;
+const MIN_KEYFRAME_DROPS = 1 << 17;
 
 /** A moment is far that is as many drops away as one in so many columns. */
-const FAR = 16;
+const FAR_SHARE = 16;
 
 interface Keyframe {
   at: number;
@@ -32,7 +32,7 @@ interface Keyframe {
 }
 
 /** An array that doubles when it is full. */
-class Grown<A extends Uint32Array | Float32Array | Uint8Array> {
+class GrowingArray<A extends Uint32Array | Float32Array | Uint8Array> {
   constructor(public all: A) {}
 
   room(count: number): void {
@@ -43,26 +43,26 @@ class Grown<A extends Uint32Array | Float32Array | Uint8Array> {
   }
 }
 
-export class Drops {
+export class StockTimeline {
   /** The heights now, from the top, mm, and who cut each column last: 0 is nobody. */
   readonly heights: Float32Array;
   readonly slots: Uint8Array;
   count = 0;
   /** So many of them are carried out. */
   at = 0;
-  private column = new Grown(new Uint32Array(1024));
-  private row = new Grown(new Uint32Array(1024));
-  private share = new Grown(new Float32Array(1024));
-  private height = new Grown(new Float32Array(1024));
-  private before = new Grown(new Float32Array(1024));
-  private slot = new Grown(new Uint8Array(1024));
-  private slotBefore = new Grown(new Uint8Array(1024));
+  private column = new GrowingArray(new Uint32Array(1024));
+  private row = new GrowingArray(new Uint32Array(1024));
+  private share = new GrowingArray(new Float32Array(1024));
+  private height = new GrowingArray(new Float32Array(1024));
+  private before = new GrowingArray(new Float32Array(1024));
+  private slot = new GrowingArray(new Uint8Array(1024));
+  private slotBefore = new GrowingArray(new Uint8Array(1024));
   /** The heights after the last drop. */
   private last: Keyframe;
   private keyframes: Keyframe[];
   private between: number;
 
-  constructor(heights: Float32Array, between = Math.max(LEAST_BETWEEN, heights.length)) {
+  constructor(heights: Float32Array, between = Math.max(MIN_KEYFRAME_DROPS, heights.length)) {
     this.heights = heights.slice();
     this.slots = new Uint8Array(heights.length);
     this.last = { at: 0, heights: heights.slice(), slots: new Uint8Array(heights.length) };
@@ -141,7 +141,7 @@ export class Drops {
   leap(rows: number): boolean {
     const to = this.doneAt(rows);
     const steps = Math.abs(to - this.at);
-    if (steps < this.heights.length / FAR) return false;
+    if (steps < this.heights.length / FAR_SHARE) return false;
     const nearest = this.nearest(to);
     if (Math.abs(to - nearest.at) < steps) {
       this.heights.set(nearest.heights);

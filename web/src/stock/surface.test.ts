@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import type { StockBefore } from "./stock-timeline";
 import { floorOf } from "./tool-floor";
-import { Surface } from "./surface";
+import { StockSurface } from "./surface";
 import { SIDE } from "./tile";
 
 function stock(nx: number, ny: number): StockBefore {
@@ -9,7 +9,7 @@ function stock(nx: number, ny: number): StockBefore {
 }
 
 test("columns are corners within a ring at the bottom", () => {
-  const surface = new Surface(stock(3, 2));
+  const surface = new StockSurface(stock(3, 2));
   expect([surface.width, surface.height]).toEqual([5, 4]);
   expect([...surface.z.subarray(0, 5)]).toEqual([-10, -10, -10, -10, -10]);
   expect([...surface.z.subarray(5, 10)]).toEqual([-10, 0, 0, 0, -10]);
@@ -20,7 +20,7 @@ test("columns are corners within a ring at the bottom", () => {
 });
 
 test("a column on the edge of a tile changes both, and no other", () => {
-  const surface = new Surface(stock(100, 40));
+  const surface = new StockSurface(stock(100, 40));
   surface.stale.fill(0);
   // Column 31 is corner 32: the last of the first tile, and the first of the next.
   surface.set(31, -1, 1);
@@ -35,7 +35,7 @@ test("a column on the edge of a tile changes both, and no other", () => {
 });
 
 test("the light on walls follows the way the surface falls", () => {
-  const surface = new Surface(stock(100, 100));
+  const surface = new StockSurface(stock(100, 100));
   for (let y = 0; y < 100; y++) for (let x = 50; x < 100; x++) surface.set(y * 100 + x, -5, 1);
   const to = new Int8Array(2 * SIDE * SIDE);
   surface.falls(1 + surface.tiles[0], to);
@@ -47,20 +47,20 @@ test("the light on walls follows the way the surface falls", () => {
 });
 
 test("the tool cuts where it stands, and what it cut so is there again when it has gone", () => {
-  const surface = new Surface(stock(20, 20));
+  const surface = new StockSurface(stock(20, 20));
   const heights = new Float32Array(400);
   const slots = new Uint8Array(400);
   heights[210] = -5;
   surface.set(210, -5, 1);
   slots[210] = 1;
   const floor = floorOf({ shape: "ball", diameter_mm: 6 })!;
-  surface.stand({ floor, slot: 2, at: [10.5, 10.5, -2] }, heights, slots);
+  surface.cutUnderTool({ floor, slot: 2, at: [10.5, 10.5, -2] }, heights, slots);
   const at = (x: number, y: number) => surface.z[(y + 1) * surface.width + x + 1]!;
   // The tip is 2 mm below the top; 2 mm off the ball of 3 mm is 3 − √5 higher. What was deeper stays.
   expect(at(12, 10)).toBeCloseTo(-2 + 3 - Math.sqrt(5), 6);
   expect(at(10, 10)).toBe(-5);
   expect(at(14, 10)).toBe(0);
-  surface.stand(undefined, heights, slots);
+  surface.cutUnderTool(undefined, heights, slots);
   expect(at(12, 10)).toBe(0);
   expect(at(10, 10)).toBe(-5);
 });
@@ -78,7 +78,7 @@ test("the floor of each shape is that of its outline", () => {
 });
 
 test("all columns at once are the same as one by one", () => {
-  const [one, all] = [new Surface(stock(70, 40)), new Surface(stock(70, 40))];
+  const [one, all] = [new StockSurface(stock(70, 40)), new StockSurface(stock(70, 40))];
   for (const surface of [one, all]) surface.stale.fill(0);
   const heights = new Float32Array(2800);
   const slots = new Uint8Array(2800);

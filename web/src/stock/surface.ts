@@ -1,12 +1,12 @@
 // The surface of a stock as a grid of corners in tiles: what is drawn of it, and what has changed.
 
 import type { StockBefore } from "./stock-timeline";
-import type { Corners } from "./facets";
-import type { Floor } from "./tool-floor";
+import type { TileCorners } from "./facets";
+import type { ToolFloor } from "./tool-floor";
 import { SIDE, TILE } from "./tile";
 
 /** Columns and heights between which something has changed. */
-export interface Touched {
+export interface TouchedBox {
   columns: [number, number];
   rows: [number, number];
   heights: [number, number];
@@ -16,7 +16,7 @@ export interface Touched {
  * Corners are the middles of columns, and a ring around them at the bottom: that makes the walls. So column x
  * is corner x + 1.
  */
-export class Surface {
+export class StockSurface {
   readonly width: number;
   readonly height: number;
   /** From the top of the stock, mm. */
@@ -29,7 +29,7 @@ export class Surface {
   readonly tiles: [number, number];
   /** Tiles whose corners have changed since they were taken. */
   readonly stale: Uint8Array;
-  private touched: Touched | undefined;
+  private touched: TouchedBox | undefined;
   /** What the tool has cut where it stands. */
   private under: number[] = [];
 
@@ -149,14 +149,14 @@ export class Surface {
   }
 
   /** What has changed since the last time. */
-  takeTouched(): Touched | undefined {
+  takeTouched(): TouchedBox | undefined {
     const { touched } = this;
     this.touched = undefined;
     return touched;
   }
 
   /** The tool cuts where it stands, at a place in the frame of the run: until the next time. */
-  stand(tool: { floor: Floor; slot: number; at: [number, number, number] } | undefined, heights: Float32Array, slots: Uint8Array): void {
+  cutUnderTool(tool: { floor: ToolFloor; slot: number; at: [number, number, number] } | undefined, heights: Float32Array, slots: Uint8Array): void {
     for (const column of this.under) this.set(column, heights[column]!, slots[column]!);
     this.under = [];
     if (!tool) return;
@@ -219,7 +219,7 @@ export class Surface {
   }
 
   /** Copies the corners of a tile; beyond the ring they are repeated. Gives the lowest and the highest. */
-  copy(tile: number, { z, slot, target, shift }: Corners): [number, number] {
+  copy(tile: number, { z, slot, target, shift }: TileCorners): [number, number] {
     const [x0, y0] = this.firstCorner(tile);
     let [low, high] = [Infinity, -Infinity];
     for (let y = 0, to = 0; y < SIDE; y++) {

@@ -1,28 +1,28 @@
 // The surface of a stock as meshes, one for each tile: made anew where something of it has changed.
 
 import { BufferAttribute, BufferGeometry, Group, Mesh, type ShaderMaterial } from "three";
-import { BEYOND, type Edges, noEdges, triangles } from "./facets";
-import type { Surface } from "./surface";
+import { BEYOND, type TileEdges, noEdges, triangles } from "./facets";
+import type { StockSurface } from "./surface";
 import { SIDE, TILE } from "./tile";
 
-interface Part {
+interface TileMesh {
   mesh: Mesh<BufferGeometry, ShaderMaterial>;
   /** Lowest and highest corner, from the top, mm. */
   ends: [number, number];
   triangles: number;
   /** The corners that its squares have on its edges. */
-  edges: Edges;
+  edges: TileEdges;
   /** Those of a tile beside it have changed. */
-  isBeside: boolean;
+  hasStaleEdges: boolean;
 }
 
-export class Tiles {
+export class TileMeshes {
   readonly group = new Group();
   /** The numbers of all tiles. */
   readonly all: number[];
-  private parts: Part[] = [];
+  private parts: TileMesh[] = [];
 
-  constructor(readonly surface: Surface, material: ShaderMaterial) {
+  constructor(readonly surface: StockSurface, material: ShaderMaterial) {
     for (let tile = 0; tile < surface.stale.length; tile++) {
       const [x, y] = surface.firstCorner(tile);
       const places = new Uint16Array(2 * SIDE * SIDE);
@@ -30,7 +30,7 @@ export class Tiles {
       const mesh = new Mesh(geometryOf(places, surface), material);
       mesh.frustumCulled = false;
       this.group.add(mesh);
-      this.parts.push({ mesh, ends: [surface.bottom, 0], triangles: 0, edges: noEdges(), isBeside: false });
+      this.parts.push({ mesh, ends: [surface.bottom, 0], triangles: 0, edges: noEdges(), hasStaleEdges: false });
     }
     surface.stale.fill(1);
     this.all = [...surface.stale.keys()];
@@ -54,7 +54,7 @@ export class Tiles {
   take(tile: number): void {
     const { surface } = this;
     const part = this.parts[tile]!;
-    if (!surface.stale[tile] && !part.isBeside) return;
+    if (!surface.stale[tile] && !part.hasStaleEdges) return;
     const { attributes, index } = part.mesh.geometry;
     const corners = {
       z: attributes.z!.array as Float32Array,
@@ -68,12 +68,12 @@ export class Tiles {
       for (const attribute of [attributes.z, attributes.slot, attributes.lean, attributes.target, attributes.shift]) if (attribute) attribute.needsUpdate = true;
     }
     surface.stale[tile] = 0;
-    part.isBeside = false;
+    part.hasStaleEdges = false;
     const [x, y] = surface.firstCorner(tile);
     const open: [number, number] = [(surface.open.column ?? -1) - x, (surface.open.row ?? -1) - y];
     const own = noEdges();
-    const count = triangles(corners, index!.array as Uint16Array, surface.bottom, open, { own, beside: this.beside(tile) });
-    this.tellBeside(tile, part.edges, own);
+    const count = triangles(corners, index!.array as Uint16Array, surface.bottom, open, { own, neighbors: this.neighborEdges(tile) });
+    this.markNeighbors(tile, part.edges, own);
     part.edges = own;
     part.triangles = count / 3;
     part.mesh.geometry.setDrawRange(0, count);
@@ -83,7 +83,7 @@ export class Tiles {
   }
 
   /** The corners that the tiles beside one have on its edges. */
-  private beside(tile: number): Edges {
+  private neighborEdges(tile: number): TileEdges {
     const all = noEdges();
     BEYOND.forEach(([, , same], edge) => {
       const other = this.beyond(tile, edge);
@@ -92,14 +92,14 @@ export class Tiles {
     return all;
   }
 
-  private tellBeside(tile: number, before: Edges, after: Edges): void {
+  private markNeighbors(tile: number, before: TileEdges, after: TileEdges): void {
     for (let edge = 0; edge < BEYOND.length; edge++) {
       const other = this.beyond(tile, edge);
-      for (let at = edge * SIDE; other && at < (edge + 1) * SIDE; at++) if (before[at] !== after[at]) other.isBeside = true;
+      for (let at = edge * SIDE; other && at < (edge + 1) * SIDE; at++) if (before[at] !== after[at]) other.hasStaleEdges = true;
     }
   }
 
-  private beyond(tile: number, edge: number): Part | undefined {
+  private beyond(tile: number, edge: number): TileMesh | undefined {
     const [across, up] = this.surface.tiles;
     const [dx, dy] = BEYOND[edge]!;
     const [x, y] = [(tile % across) + dx, Math.floor(tile / across) + dy];
@@ -126,7 +126,7 @@ export class Tiles {
   }
 }
 
-function geometryOf(places: Uint16Array, { target, shift }: Surface): BufferGeometry {
+function geometryOf(places: Uint16Array, { target, shift }: StockSurface): BufferGeometry {
   const count = places.length / 2;
   const geometry = new BufferGeometry();
   geometry.setAttribute("at", new BufferAttribute(places, 2));

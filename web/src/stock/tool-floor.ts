@@ -1,15 +1,15 @@
 // The lowest place of a turning tool over a distance from its axis: what it cuts where it stands.
 
-import type { Drawn } from "../view/tool-shape";
+import type { DrawnTool } from "../view/tool-shape";
 
 /** Height over the tip by the distance from the axis, both mm. */
-export interface Floor {
+export interface ToolFloor {
   radius: number;
   at: (distance: number) => number;
 }
 
 /** `undefined` where the shape is not known, or is of no mill: such a tool cuts no stock. */
-export function floorOf(tool: Drawn | undefined): Floor | undefined {
+export function floorOf(tool: DrawnTool | undefined): ToolFloor | undefined {
   if (!tool?.shape || tool.shape === "insert") return undefined;
   if (tool.shape === "form") return formFloor(tool.profile_mm ?? []);
   const radius = Math.abs(tool.diameter_mm ?? 0) / 2;
@@ -43,7 +43,7 @@ export function floorOf(tool: Drawn | undefined): Floor | undefined {
 }
 
 /** The lower side of an outline of heights and radii from the tip up. */
-function formFloor(profile: [number, number][]): Floor | undefined {
+function formFloor(profile: [number, number][]): ToolFloor | undefined {
   if (profile.length < 2) return undefined;
   const radius = Math.max(...profile.map(([, r]) => r));
   return { radius, at: (distance) => {

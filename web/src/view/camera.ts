@@ -2,7 +2,7 @@
 
 import { Matrix4, OrthographicCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { type Edges, Extent } from "./extent";
+import { type ViewEdges, ViewExtent } from "./extent";
 import type { Bounds, Vec3 } from "../path/batch";
 
 export type ViewName = "top" | "front" | "right" | "iso";
@@ -16,10 +16,10 @@ const VIEWS: Record<ViewName, Vec3> = {
 };
 
 /** The side of the axis on which the turret of a lathe stands. */
-export type Turret = "rear" | "front";
+export type TurretSide = "rear" | "front";
 
 /** From where each view of a lathe looks, and what is up on the screen: Z to the right, X to the side of the turret. */
-function turning(turret: Turret, view: ViewName): { from: Vec3; up: Vec3 } {
+function turning(turret: TurretSide, view: ViewName): { from: Vec3; up: Vec3 } {
   const side = turret === "rear" ? 1 : -1;
   const up: Vec3 = [side, 0, 0];
   switch (view) {
@@ -42,11 +42,11 @@ const GROWING_ROOM = 0.55;
 /** How far before and behind the camera is seen, mm: beyond every machine, and depths are told apart to 0.01 mm. */
 const DEEP = 5e4;
 
-export class Eye {
+export class ViewCamera {
   readonly camera = new OrthographicCamera(-1, 1, 1, -1, -DEEP, DEEP);
   private controls: OrbitControls;
   private view: ViewName = "iso";
-  private turret: Turret | undefined;
+  private turret: TurretSide | undefined;
   /** Pixels from left to right. */
   private width = 1;
   /** The user has chosen what is seen: nothing is fitted any more. */
@@ -71,7 +71,7 @@ export class Eye {
   }
 
   /** The machine is a lathe whose turret stands on a side, or none; whether it was another before. */
-  setLathe(turret: Turret | undefined): boolean {
+  setLathe(turret: TurretSide | undefined): boolean {
     if (turret === this.turret) return false;
     this.turret = turret;
     this.look(turret ? "top" : "iso");
@@ -103,15 +103,15 @@ export class Eye {
   }
 
   /** A box fills the view, or what lies in it and takes the edges that are told. */
-  fit({ low, high }: Bounds, edgesOf: (inverse: ArrayLike<number>) => Edges, grows: boolean): void {
+  fit({ low, high }: Bounds, edgesOf: (inverse: ArrayLike<number>) => ViewEdges, grows: boolean): void {
     const { camera } = this;
     const center = new Vector3(...low).add(new Vector3(...high)).multiplyScalar(0.5);
     const reach = new Vector3(...high).sub(new Vector3(...low)).length() || 1;
-    const seen = this.turret ? turning(this.turret, this.view) : { from: VIEWS[this.view], up: [0, 0, 1] as Vec3 };
-    const from = new Vector3(...seen.from).normalize();
+    const direction = this.turret ? turning(this.turret, this.view) : { from: VIEWS[this.view], up: [0, 0, 1] as Vec3 };
+    const from = new Vector3(...direction.from).normalize();
     // Seen from exactly above the turn about Z would be undefined.
     if (!this.turret && this.view === "top") from.y -= 1e-5;
-    this.upright(seen.up);
+    this.upright(direction.up);
     const look = (at: Vector3) => {
       camera.position.copy(at).addScaledVector(from, reach * 4 + 10);
       this.controls.target.copy(at);
@@ -141,7 +141,7 @@ export class Eye {
     camera.position.sub(controls.target).add(center);
     controls.target.copy(center);
     camera.updateMatrixWorld();
-    const extent = new Extent(camera.matrixWorldInverse.elements);
+    const extent = new ViewExtent(camera.matrixWorldInverse.elements);
     extent.addBox(box);
     const [left, right, bottom, top] = extent.edges;
     const { left: l, right: r, top: t, bottom: b } = camera;
@@ -153,7 +153,7 @@ export class Eye {
 
   /** Whether places are in the view; every so many numbers of them one is looked at. */
   sees(points: Float32Array, step: number): boolean {
-    const extent = new Extent(this.camera.matrixWorldInverse.elements);
+    const extent = new ViewExtent(this.camera.matrixWorldInverse.elements);
     extent.add(points, step);
     const [left, right, bottom, top] = extent.edges;
     const { camera } = this;

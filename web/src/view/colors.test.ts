@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import { DARK, LIGHT, type Palette, type Scale, colorsOf, rampColor, rgb, toolColor } from "./colors";
+import { DARK, LIGHT, type Palette, type ColorScale, colorsOf, rampColor, rgb, toolColor } from "./colors";
 import type { Batch } from "../path/batch";
-import { PALE } from "./progress";
+import { PALE_SHARE } from "./progress";
 
 type Numbers = number[];
 
@@ -15,17 +15,17 @@ function contrast(one: Numbers, other: Numbers): number {
 }
 
 /** Who sees a colour: matrices of Machado, Oliveira and Fernandes (2009) for linear light. */
-const EYES = {
+const VISIONS = {
   normal: [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
   protanopia: [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
   deuteranopia: [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.01182, 0.04294, 0.968881]],
   tritanopia: [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.3039]],
 };
 /** How far any two colours are apart at least, hundredths of the lightness from black to white. */
-const APART = { normal: 15, protanopia: 9, deuteranopia: 9, tritanopia: 6 };
+const MIN_DIFFERENCE = { normal: 15, protanopia: 9, deuteranopia: 9, tritanopia: 6 };
 
 /** OKLab, times 100, of a colour as an eye sees it. */
-function seen(color: Numbers, matrix: Numbers[]): Numbers {
+function perceived(color: Numbers, matrix: Numbers[]): Numbers {
   const light = color.map(linear);
   const [r, g, b] = matrix.map((row) => Math.min(1, Math.max(0, row.reduce((sum, part, index) => sum + part * light[index]!, 0)))) as [number, number, number];
   const l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
@@ -38,27 +38,27 @@ function seen(color: Numbers, matrix: Numbers[]): Numbers {
   ];
 }
 
-function apart(one: Numbers, other: Numbers, eye: keyof typeof EYES): number {
-  const [a, b] = [seen(one, EYES[eye]), seen(other, EYES[eye])];
+function colorDifference(one: Numbers, other: Numbers, vision: keyof typeof VISIONS): number {
+  const [a, b] = [perceived(one, VISIONS[vision]), perceived(other, VISIONS[vision])];
   return Math.hypot(...a.map((value, index) => value - b[index]!));
 }
 
 const SHEETS: [string, Palette][] = [["light", LIGHT], ["dark", DARK]];
-const EYE_NAMES = Object.keys(EYES) as (keyof typeof EYES)[];
+const VISION_NAMES = Object.keys(VISIONS) as (keyof typeof VISIONS)[];
 
 test.each(SHEETS)("any two tools differ for every eye, and from rapids: %s", (_, palette) => {
-  for (const eye of EYE_NAMES) {
+  for (const vision of VISION_NAMES) {
     palette.tools.forEach((one, index) => {
       for (const other of palette.tools.slice(index + 1)) {
-        expect(apart(rgb(one), rgb(other), eye), `${one} ${other} ${eye}`).toBeGreaterThan(APART[eye]);
+        expect(colorDifference(rgb(one), rgb(other), vision), `${one} ${other} ${vision}`).toBeGreaterThan(MIN_DIFFERENCE[vision]);
       }
-      expect(apart(rgb(one), rgb(palette.rapid), eye), `${one} rapid ${eye}`).toBeGreaterThan(5);
+      expect(colorDifference(rgb(one), rgb(palette.rapid), vision), `${one} rapid ${vision}`).toBeGreaterThan(5);
     });
   }
 });
 
 test.each(SHEETS)("every line shows on the background: %s", (_, palette) => {
-  const { background, rapid, contour, other, chord, measure, apart: differs, toolShape, tools } = palette;
+  const { background, rapid, contour, other, chord, measure, difference: differs, toolShape, tools } = palette;
   for (const color of [rapid, contour, other, chord, measure, differs, toolShape, ...tools]) {
     expect(contrast(rgb(color), rgb(background)), color).toBeGreaterThan(3);
   }
@@ -69,18 +69,18 @@ test.each(SHEETS)("every line shows on the background: %s", (_, palette) => {
 });
 
 test.each(SHEETS)("the ramp goes from one lightness to another, so that it has an order without colours: %s", (_, palette) => {
-  for (const eye of EYE_NAMES) {
-    const lightness = palette.ramp.map((color) => seen(rgb(color), EYES[eye])[0]!);
+  for (const vision of VISION_NAMES) {
+    const lightness = palette.ramp.map((color) => perceived(rgb(color), VISIONS[vision])[0]!);
     const steps = lightness.slice(1).map((value, index) => value - lightness[index]!);
-    expect(Math.min(...steps), eye).toBeGreaterThan(4);
+    expect(Math.min(...steps), vision).toBeGreaterThan(4);
   }
 });
 
 test.each(SHEETS)("what is to come is told from what is done, and can still be seen: %s", (_, palette) => {
   const back = rgb(palette.background);
   for (const color of [...palette.tools, ...palette.ramp]) {
-    const pale = rgb(color).map((part, index) => back[index]! + (part - back[index]!) * PALE);
-    expect(apart(pale, rgb(color), "normal"), color).toBeGreaterThan(15);
+    const pale = rgb(color).map((part, index) => back[index]! + (part - back[index]!) * PALE_SHARE);
+    expect(colorDifference(pale, rgb(color), "normal"), color).toBeGreaterThan(15);
     expect(contrast(pale, back), color).toBeGreaterThan(1.25);
   }
 });
@@ -94,7 +94,7 @@ test("twenty tools have twenty colours", () => {
 
 const batch = { tool: Uint32Array.of(0, 9), feed: Float32Array.of(100, 200) } as Batch;
 const lines = { points: Float32Array.of(0, 0, 0, 10, 0, 0, 10, 0, 0, 10, 0, -4), rows: undefined, count: 2 };
-const scale: Scale = { by: "tool", tools: [9, 0], feeds: [100, 200], depths: [-4, 0], powers: [0, 1000] };
+const scale: ColorScale = { by: "tool", tools: [9, 0], feeds: [100, 200], depths: [-4, 0], powers: [0, 1000] };
 
 test("a tool has the colour of its place in the order of first cuts, not of its number", () => {
   const colors = colorsOf(LIGHT, scale, batch, lines);

@@ -1,6 +1,6 @@
 // Colours of the path, for a light and a dark page.
 
-import type { Lines } from "../path/lines";
+import type { LineArrays } from "../path/lines";
 import { DARK_SHEET, LIGHT_SHEET } from "./palette";
 import type { Batch } from "../path/batch";
 
@@ -13,7 +13,7 @@ export interface Palette {
   /** The path of the other program. */
   other: string;
   /** Where the two are apart. */
-  apart: string;
+  difference: string;
   chord: string;
   travel: string;
   /** A marked line, and the edges on both sides of it: no tool has them. */
@@ -41,7 +41,7 @@ export const LIGHT: Palette = {
   background: LIGHT_SHEET.sheet,
   contour: "#3a7d34",
   other: "#111a22",
-  apart: "#a34fe0",
+  difference: "#a34fe0",
   chord: "#c2185b",
   travel: "#7b8794",
   mark: "#ffd400",
@@ -59,7 +59,7 @@ export const DARK: Palette = {
   background: DARK_SHEET.sheet,
   contour: "#86d67f",
   other: "#ffffff",
-  apart: "#b57bf0",
+  difference: "#b57bf0",
   chord: "#ff7ab0",
   travel: "#6d7a86",
   mark: "#fff04d",
@@ -105,15 +105,15 @@ function hex(color: Rgb): string {
 }
 
 /** The colour of a value between the least and the most of the program. */
-export function rampColor({ ramp }: Palette, value: number, [least, most]: Range): Rgb {
+export function rampColor({ ramp }: Palette, value: number, [least, most]: ValueRange): Rgb {
   const at = shareOf(value, [least, most]) * (ramp.length - 1);
   const index = Math.min(ramp.length - 2, Math.floor(at));
   return mixed(rgb(ramp[index]!), rgb(ramp[index + 1]!), at - index);
 }
 
-export type Range = [number, number];
+export type ValueRange = [number, number];
 
-function shareOf(value: number, [least, most]: Range): number {
+function shareOf(value: number, [least, most]: ValueRange): number {
   return most > least ? Math.min(1, Math.max(0, (value - least) / (most - least))) : 0.5;
 }
 
@@ -121,23 +121,23 @@ function shareOf(value: number, [least, most]: Range): number {
 const RAMP_STEPS = 255;
 
 /** What of a path its colours depend on. */
-export interface Scale {
+export interface ColorScale {
   by: ColorBy;
   /** Tools in the order in which they cut first. */
   tools: number[];
   /** Slowest and fastest cut, mm/min. */
-  feeds: Range;
+  feeds: ValueRange;
   /** Lowest and highest place of a cut, relative to the origin, mm. */
-  depths: Range;
+  depths: ValueRange;
   /** From a laser that is off to the most S of a cut. */
-  powers: Range;
+  powers: ValueRange;
 }
 
 /** The colours of both ends of each line, by the tool, the feed or the power of its row, or by its height. */
-export function colorsOf(palette: Palette, { by, tools, feeds, depths, powers }: Scale, { tool, feed, power }: Batch, lines: Lines): Uint8Array {
+export function colorsOf(palette: Palette, { by, tools, feeds, depths, powers }: ColorScale, { tool, feed, power }: Batch, lines: LineArrays): Uint8Array {
   const steps: Rgb[] = [];
   for (let step = 0; step <= RAMP_STEPS && by !== "tool"; step++) steps.push(rampColor(palette, step, [0, RAMP_STEPS]));
-  const onRamp = (value: number, range: Range) => steps[Math.round(shareOf(value, range) * RAMP_STEPS)]!;
+  const onRamp = (value: number, range: ValueRange) => steps[Math.round(shareOf(value, range) * RAMP_STEPS)]!;
   const ofRow = (row: number) => (by === "power" ? onRamp(power?.[row] ?? 0, powers) : onRamp(feed[row]!, feeds));
   const ofTool = new Map(tools.map((number, index) => [number, rgb(toolColor(palette, index))]));
   const first = rgb(toolColor(palette, 0));

@@ -2,15 +2,15 @@
 
 import type { LineSegments, Object3D } from "three";
 import type { LineSegments2 } from "three/addons/lines/LineSegments2.js";
-import type { Lines } from "../path/lines";
+import type { LineArrays } from "../path/lines";
 import type { Batch } from "../path/batch";
 import { linesOnRows } from "./progress";
-import type { Strokes } from "./line-mesh";
+import type { LineMesh } from "./line-mesh";
 
 /** What a wide line costs more than one of a pixel. */
 const WIDE_COST = 8;
 /** Some lines of an object. */
-export interface Piece {
+export interface DrawGroup {
   object: LineSegments | LineSegments2;
   from: number;
   count: number;
@@ -19,21 +19,21 @@ export interface Piece {
 /** A batch, and what draws it. */
 export interface DrawnBatch {
   batch: Batch;
-  cuts: Strokes | undefined;
+  cuts: LineMesh | undefined;
   rapids: LineSegments | undefined;
-  lines: { cuts: Lines; rapids: Lines };
+  lines: { cuts: LineArrays; rapids: LineArrays };
 }
 
 /** Everything of an object that is to be seen. */
-export function pieces(root: Object3D): Piece[] {
-  const found: Piece[] = [];
+export function drawGroups(root: Object3D): DrawGroup[] {
+  const found: DrawGroup[] = [];
   root.traverseVisible((object) => {
-    if ("geometry" in object) found.push(whole(object as LineSegments));
+    if ("geometry" in object) found.push(wholeGroup(object as LineSegments));
   });
   return found;
 }
 
-export function whole(object: LineSegments | LineSegments2): Piece {
+export function wholeGroup(object: LineSegments | LineSegments2): DrawGroup {
   const { attributes, instanceCount } = object.geometry as LineSegments2["geometry"];
   const count = isWide(object) ? Math.min(instanceCount, attributes.instanceStart!.count) : attributes.position!.count / 2;
   return { object, from: 0, count };
@@ -43,24 +43,24 @@ export function isWide(object: LineSegments | LineSegments2): object is LineSegm
   return "isLineSegments2" in object;
 }
 
-export function cost(object: LineSegments | LineSegments2): number {
+export function drawCost(object: LineSegments | LineSegments2): number {
   return isWide(object) ? WIDE_COST : 1;
 }
 
 /** Lines, each counted as what it costs. */
-export function weight(pieces: Piece[]): number {
-  return pieces.reduce((sum, { object, count }) => sum + count * cost(object), 0);
+export function drawWeight(groups: DrawGroup[]): number {
+  return groups.reduce((sum, { object, count }) => sum + count * drawCost(object), 0);
 }
 
 /** What of the picture lies on rows, from and to, both counted. */
-export function piecesOn(parts: DrawnBatch[], from: number, to: number, withRapids: boolean): Piece[] {
-  const found: Piece[] = [];
+export function drawGroupsOn(parts: DrawnBatch[], from: number, to: number, withRapids: boolean): DrawGroup[] {
+  const found: DrawGroup[] = [];
   for (const { batch, lines, cuts, rapids } of parts) {
     if (batch.first > to || batch.first + batch.rows <= from) continue;
-    const on = (own: Lines, object: Piece["object"] | undefined) => {
+    const on = (own: LineArrays, object: DrawGroup["object"] | undefined) => {
       const [first, end] = linesOnRows(own, from - batch.first, to - batch.first);
       if (!object || end <= first) return;
-      found.push(isWide(object) ? whole(object) : { object, from: first, count: end - first });
+      found.push(isWide(object) ? wholeGroup(object) : { object, from: first, count: end - first });
     };
     on(lines.cuts, cuts?.object);
     if (withRapids) on(lines.rapids, rapids);

@@ -1,4 +1,4 @@
 /** Lets the page answer before long work goes on. */
-export function pause(): Promise<void> {
+export function yieldToEventLoop(): Promise<void> {
   return new Promise((next) => setTimeout(next));
 }

@@ -1,9 +1,9 @@
 import { expect, it } from "vitest";
-import { Extent, corner, longest } from "./extent";
+import { ViewExtent, corner, longest } from "./extent";
 
 it("takes what points take as the view sees them", () => {
   // From the front: X is right, Z is up.
-  const front = new Extent([1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1]);
+  const front = new ViewExtent([1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1]);
   expect(front.isEmpty).toBe(true);
   front.add([0, 5, 0, 3, -7, 2]);
   expect(front.edges).toEqual([0, 3, 0, 2]);

@@ -3,11 +3,11 @@
 import type { Bounds, Vec3 } from "../path/batch";
 
 /** Left, right, bottom and top, mm. */
-export type Edges = [number, number, number, number];
+export type ViewEdges = [number, number, number, number];
 
 /** What points take of a view whose matrix (column-major) takes them to its own axes. */
-export class Extent {
-  readonly edges: Edges = [Infinity, -Infinity, Infinity, -Infinity];
+export class ViewExtent {
+  readonly edges: ViewEdges = [Infinity, -Infinity, Infinity, -Infinity];
 
   constructor(private matrix: ArrayLike<number>) {}
 

@@ -8,7 +8,7 @@ import { geometryOf } from "./line-mesh";
 /** X red, Y green, Z blue, for both ends of each. */
 const AXES = [[1, 0.3, 0.3], [0.3, 0.8, 0.3], [0.4, 0.6, 1]].flatMap((color) => [...color, ...color]);
 
-export class Fixed {
+export class FixedObjects {
   readonly object = new Group();
   private travelMaterial = new LineBasicMaterial({ transparent: true, opacity: 0.5 });
   private zeroMaterial = new LineBasicMaterial({ vertexColors: true });

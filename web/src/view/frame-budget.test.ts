@@ -1,16 +1,16 @@
 import { describe, expect, it } from "vitest";
-import { Pace, QUALITIES, Slices } from "./frame-budget";
+import { FramePace, QUALITIES, DrawSlices } from "./frame-budget";
 
-function frames(pace: Pace, gap: number, count: number): void {
+function frames(pace: FramePace, gap: number, count: number): void {
   pace.begin();
   for (let at = 1; at <= count; at++) pace.frame(1 + at * gap);
 }
 
-const step = (pace: Pace) => QUALITIES.indexOf(pace.quality);
+const step = (pace: FramePace) => QUALITIES.indexOf(pace.quality);
 
 describe("the pace of a turning view", () => {
   it("draws less while frames are slow, down to the least", () => {
-    const pace = new Pace(false);
+    const pace = new FramePace(false);
     const before = step(pace);
     frames(pace, 100, 4);
     expect(step(pace)).toBe(before + 1);
@@ -19,7 +19,7 @@ describe("the pace of a turning view", () => {
   });
 
   it("draws more after many fast frames, and is in less of a hurry where that was too much", () => {
-    const pace = new Pace(true);
+    const pace = new FramePace(true);
     const before = step(pace);
     frames(pace, 16, 23);
     expect(step(pace)).toBe(before - 1);
@@ -32,7 +32,7 @@ describe("the pace of a turning view", () => {
   });
 
   it("takes no rest for a slow frame, nor one slow frame for many", () => {
-    const pace = new Pace(false);
+    const pace = new FramePace(false);
     const before = step(pace);
     frames(pace, 1500, 10);
     pace.begin();
@@ -43,7 +43,7 @@ describe("the pace of a turning view", () => {
 
 describe("slices of a long path", () => {
   it("grow and shrink with what they take", () => {
-    const slices = new Slices(true);
+    const slices = new DrawSlices(true);
     const first = slices.lines;
     slices.took(first, 5);
     expect(slices.lines).toBe(2 * first);

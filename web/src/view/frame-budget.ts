@@ -1,7 +1,7 @@
 // How much a frame may hold so that frames follow on each other fast enough, on whatever draws them.
 
 /** What a frame of a turning view is drawn with. */
-export interface Quality {
+export interface FrameQuality {
   /** Number of the coarse level; -1 is the path itself. */
   level: number;
   /** Samples of each pixel. */
@@ -11,7 +11,7 @@ export interface Quality {
 }
 
 /** From the best picture to the cheapest. */
-export const QUALITIES: Quality[] = [
+export const QUALITIES: FrameQuality[] = [
   { level: -1, samples: 4, scale: 1 },
   { level: 0, samples: 4, scale: 1 },
   { level: 0, samples: 0, scale: 1 },
@@ -29,13 +29,13 @@ const IN_A_ROW = 20;
 /** Whoever rests with the button down makes no frames: a gap as long says nothing. */
 const REST_MS = 1000;
 
-export class Pace {
+export class FramePace {
   private step: number;
   private before = 0;
   private slow = 0;
   private fast = 0;
   /** Fast frames before more is tried; twice as many each time that more was too much. */
-  private patience = IN_A_ROW;
+  private fastFramesNeeded = IN_A_ROW;
   private tried = false;
 
   /** Begins with what a machine of its kind is likely to draw. */
@@ -43,7 +43,7 @@ export class Pace {
     this.step = isSoftware ? 4 : 1;
   }
 
-  get quality(): Quality {
+  get quality(): FrameQuality {
     return QUALITIES[this.step]!;
   }
 
@@ -63,10 +63,10 @@ export class Pace {
     this.fast = gap < FAST_MS ? this.fast + 1 : 0;
     // One slow frame may be somebody else's.
     if (this.slow >= 2 && this.step < QUALITIES.length - 1) {
-      if (this.tried) this.patience = Math.min(1280, 2 * this.patience);
+      if (this.tried) this.fastFramesNeeded = Math.min(1280, 2 * this.fastFramesNeeded);
       this.choose(this.step + 1);
       this.tried = false;
-    } else if (this.fast > this.patience && this.step > 0) {
+    } else if (this.fast > this.fastFramesNeeded && this.step > 0) {
       this.choose(this.step - 1);
       this.tried = true;
     }
@@ -79,7 +79,7 @@ export class Pace {
 }
 
 /** How many lines are drawn in one go, so that none keeps the page from answering. */
-export class Slices {
+export class DrawSlices {
   lines: number;
 
   constructor(isSoftware: boolean) {

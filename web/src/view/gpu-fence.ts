@@ -2,7 +2,7 @@
 
 import type { WebGLRenderer } from "three";
 
-export async function drawnAll(renderer: WebGLRenderer): Promise<void> {
+export async function gpuFinished(renderer: WebGLRenderer): Promise<void> {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
   if (!fence) return;

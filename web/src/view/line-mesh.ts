@@ -4,27 +4,27 @@ import { BufferAttribute, BufferGeometry, InstancedBufferAttribute, InstancedInt
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
-import type { Progress } from "./progress";
+import type { PathProgress } from "./progress";
 
-export class StrokeMaterials {
+export class LineMaterials {
   thin = new LineBasicMaterial({ vertexColors: true });
   wide = new LineMaterial({ vertexColors: true, linewidth: 1.8 });
 
-  constructor(progress: Progress) {
+  constructor(progress: PathProgress) {
     progress.attach(this.thin);
     progress.attach(this.wide, true);
   }
 }
 
 /** Some lines with a colour each. */
-export class Strokes {
+export class LineMesh {
   readonly object: LineSegments | LineSegments2;
   constructor(
     private points: Float32Array,
     private colors: Uint8Array,
     /** The rows at both ends of each line. */
     private spans: Float32Array,
-    materials: StrokeMaterials,
+    materials: LineMaterials,
     readonly isWide: boolean,
   ) {
     if (isWide) {
@@ -56,7 +56,7 @@ export class Strokes {
     } else this.object.geometry.setAttribute("color", new BufferAttribute(colors, 3, true));
   }
 
-  remove(): void {
+  removeLines(): void {
     this.object.geometry.dispose();
     this.object.removeFromParent();
   }
@@ -70,12 +70,12 @@ export function geometryOf(points: Float32Array, spans?: Float32Array): BufferGe
   return geometry;
 }
 
-export function remove(object: LineSegments | undefined): void {
+export function removeLines(object: LineSegments | undefined): void {
   if (!object) return;
   object.geometry.dispose();
   object.removeFromParent();
 }
 
-export function empty(group: Group): void {
-  for (const object of [...group.children]) remove(object as LineSegments);
+export function emptyGroup(group: Group): void {
+  for (const object of [...group.children]) removeLines(object as LineSegments);
 }

@@ -1,12 +1,12 @@
 // Fewer lines, for while the view turns: levels of detail, made once for a path.
 
 import { Group, type LineDashedMaterial, LineSegments } from "three";
-import { type Strands, someStrands, strands } from "../path/simplification";
-import type { Lines } from "../path/lines";
+import { type PathStrands, someStrands, strands } from "../path/simplification";
+import type { LineArrays } from "../path/lines";
 import type { Batch } from "../path/batch";
-import { pause } from "./event-loop";
+import { yieldToEventLoop } from "./event-loop";
 import { spansOf } from "./progress";
-import { type StrokeMaterials, Strokes, geometryOf } from "./line-mesh";
+import { type LineMaterials, LineMesh, geometryOf } from "./line-mesh";
 
 /** Lines of each level, about. */
 export const LEVELS = [60_000, 20_000, 8_000, 3_000];
@@ -16,15 +16,15 @@ const RAPIDS = 1 / 4;
 const FINE = 1 / 2000;
 const ROUGH = 1 / 500;
 
-export interface Part {
+export interface PathPart {
   batch: Batch;
-  lines: { cuts: Lines; rapids: Lines };
+  lines: { cuts: LineArrays; rapids: LineArrays };
 }
 
-export class Coarse {
+export class PathLevels {
   readonly object = new Group();
   private levels: Group[] = [];
-  private strokes: Strokes[] = [];
+  private strokes: LineMesh[] = [];
   private rapids: LineSegments[] = [];
   private rapidsShown = true;
   /** Of two builds one after the other only the last counts. */
@@ -40,7 +40,7 @@ export class Coarse {
 
   clear(): void {
     this.builds++;
-    this.strokes.forEach((strokes) => strokes.remove());
+    this.strokes.forEach((strokes) => strokes.removeLines());
     this.rapids.forEach((rapids) => rapids.geometry.dispose());
     this.rapids = [];
     this.levels.forEach((level) => level.removeFromParent());
@@ -49,18 +49,18 @@ export class Coarse {
   }
 
   /** Makes the levels, a part of the path at a time; whether they were still wanted at the end. */
-  async build(parts: Part[], size: number, colors: (batch: Batch, lines: Lines) => Uint8Array, materials: StrokeMaterials, rapidMaterial: LineDashedMaterial): Promise<boolean> {
+  async build(parts: PathPart[], size: number, colors: (batch: Batch, lines: LineArrays) => Uint8Array, materials: LineMaterials, rapidMaterial: LineDashedMaterial): Promise<boolean> {
     const number = ++this.builds;
-    const fine: Strands[] = [];
-    const rough: Strands[] = [];
+    const fine: PathStrands[] = [];
+    const rough: PathStrands[] = [];
     for (const { lines } of parts) {
       fine.push(strands(lines.cuts, size * FINE));
       rough.push(strands(fine.at(-1)!.lines, size * ROUGH));
-      await pause();
+      await yieldToEventLoop();
       if (number !== this.builds) return false;
     }
     const levels: Group[] = [];
-    const made: Strokes[] = [];
+    const made: LineMesh[] = [];
     const rapids: LineSegments[] = [];
     for (const [index, most] of LEVELS.entries()) {
       const from = index < LEVELS.length / 2 ? fine : rough;
@@ -72,7 +72,7 @@ export class Coarse {
         before += part.starts.length;
         if (lines.count === 0) continue;
         const { batch } = parts[at]!;
-        const strokes = new Strokes(lines.points, colors(batch, lines), spansOf(batch.first, lines), materials, false);
+        const strokes = new LineMesh(lines.points, colors(batch, lines), spansOf(batch.first, lines), materials, false);
         made.push(strokes);
         level.add(strokes.object);
       }
@@ -80,9 +80,9 @@ export class Coarse {
       rapids.push(some);
       level.add(some);
       levels.push(level);
-      await pause();
+      await yieldToEventLoop();
       if (number !== this.builds) {
-        made.forEach((strokes) => strokes.remove());
+        made.forEach((strokes) => strokes.removeLines());
         rapids.forEach((some) => some.geometry.dispose());
         return false;
       }
@@ -109,7 +109,7 @@ export class Coarse {
 }
 
 /** About so many of the rapids, evenly along the path. */
-export function someRapids(parts: { batch: Pick<Batch, "first">; lines: Pick<Part["lines"], "rapids"> }[], most: number, material: LineDashedMaterial): LineSegments {
+export function someRapids(parts: { batch: Pick<Batch, "first">; lines: Pick<PathPart["lines"], "rapids"> }[], most: number, material: LineDashedMaterial): LineSegments {
   const total = parts.reduce((sum, { lines }) => sum + lines.rapids.count, 0);
   const every = Math.max(1, Math.ceil(total / most));
   const points: number[] = [];

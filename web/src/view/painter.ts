@@ -20,28 +20,28 @@ import {
   WebGLRenderer,
 } from "three";
 import type { LineSegments2 } from "three/addons/lines/LineSegments2.js";
-import { type Coarse, LEVELS } from "./lod";
-import { drawnAll } from "./gpu-fence";
-import { Pace, type Quality, Slices } from "./frame-budget";
-import { type Piece, cost, isWide, pieces, weight, whole } from "./draw-groups";
+import { type PathLevels, LEVELS } from "./lod";
+import { gpuFinished } from "./gpu-fence";
+import { FramePace, type FrameQuality, DrawSlices } from "./frame-budget";
+import { type DrawGroup, drawCost, isWide, drawGroups, drawWeight, wholeGroup } from "./draw-groups";
 
 /** Lines that any machine draws in a frame. */
-const SMALL = 8_000;
+const MIN_SLICE_LINES = 8_000;
 /** Lines that a machine must draw in one go before edges are smoothed in a picture that is kept. */
-const SMOOTH_FROM = 100_000;
+const SMOOTH_FROM_LINES = 100_000;
 /** While frames follow on each other, a picture is drawn in the gaps: so small a share of what is drawn at once, this long after each, ms. */
 const BUSY_SHARE = 4;
-const BUSY_PAUSE = 40;
+const BUSY_PAUSE_MS = 40;
 /** How often a picture that is being drawn is shown, ms. */
-const SHOW_EVERY = 150;
+const SHOW_INTERVAL_MS = 150;
 
 /** Frames that follow on each other as fast, ms, are of something that moves. */
 const BUSY_MS = 200;
 
 /** What lies under the path: a picture with depth, or what draws it, where it is another in each frame. */
-export type Under = WebGLRenderTarget | ((renderer: WebGLRenderer, camera: Camera) => void);
+export type PictureBelow = WebGLRenderTarget | ((renderer: WebGLRenderer, camera: Camera) => void);
 
-const STILL: Quality = { level: -1, samples: 4, scale: 1 };
+const STILL_QUALITY: FrameQuality = { level: -1, samples: 4, scale: 1 };
 
 export class Painter {
   readonly renderer: WebGLRenderer;
@@ -54,30 +54,30 @@ export class Painter {
   /** Of that, the rapids: while the view turns the coarse path has some of them. */
   readonly rapids = new Group();
   /** Of it, what may be missing while the view turns. */
-  readonly beside = new Group();
+  readonly extras = new Group();
   /** What is drawn anew in each frame, over the path. */
   readonly over = new Group();
-  readonly pace: Pace;
+  readonly pace: FramePace;
   /** What lies under all of it: the stock. */
-  under: () => Under | undefined = () => undefined;
+  under: () => PictureBelow | undefined = () => undefined;
   /** Lines of the last frame, those of the kept picture included. */
   drawnLines = 0;
   /** Whether a picture that is not complete is shown. */
   showsPart = true;
-  private slices: Slices;
+  private slices: DrawSlices;
   private scene = new Scene();
-  private copy = new Copy();
+  private copy = new PictureCopy();
   private pixelRatio = Math.min(2, window.devicePixelRatio);
   private scale = 1;
   private size = new Vector2();
   private targets = new Map<number, WebGLRenderTarget>();
-  private kept: WebGLRenderTarget | undefined;
-  private keptLines = 0;
+  private pictureTarget: WebGLRenderTarget | undefined;
+  private pictureLines = 0;
   private state: "stale" | "drawing" | "complete" = "stale";
   private drewAll = false;
-  private queue: Piece[] = [];
+  private queue: DrawGroup[] = [];
   /** What was given another colour while the picture was drawn. */
-  private late: Piece[] = [];
+  private late: DrawGroup[] = [];
   /** The number of the picture that is being drawn: what was begun for another is given up. */
   private picture = 0;
   private shownAt = 0;
@@ -90,8 +90,8 @@ export class Painter {
     canvas: HTMLCanvasElement,
     private camera: Camera,
     private cuts: Object3D,
-    private coarse: Coarse,
-    private wanted: () => void,
+    private coarse: PathLevels,
+    private requestFrame: () => void,
   ) {
     // Edges are smoothed in targets of our own, where the machine is fast enough for that.
     this.renderer = new WebGLRenderer({ canvas, antialias: false, preserveDrawingBuffer: false });
@@ -103,10 +103,10 @@ export class Painter {
     this.renderer.sortObjects = false;
     this.renderer.info.autoReset = false;
     this.isSoftware = drawsInSoftware(this.renderer.getContext());
-    this.pace = new Pace(this.isSoftware);
-    this.slices = new Slices(this.isSoftware);
+    this.pace = new FramePace(this.isSoftware);
+    this.slices = new DrawSlices(this.isSoftware);
     this.own.add(cuts, coarse.object, this.rapids);
-    this.path.add(this.own, this.beside);
+    this.path.add(this.own, this.extras);
     this.scene.add(this.path, this.over);
   }
 
@@ -129,28 +129,28 @@ export class Painter {
   /** An object was added to the path: a picture that is there or being drawn gets it, too. */
   added(object: LineSegments | LineSegments2): void {
     if (this.state === "stale" || !this.own.visible) return;
-    this.queue.push(whole(object));
+    this.queue.push(wholeGroup(object));
     if (this.state === "complete") void this.drawQueue();
   }
 
   /** Some of the path has another colour now: a picture that is there or being drawn gets it, too. */
-  repaint(pieces: Piece[]): void {
+  repaint(pieces: DrawGroup[]): void {
     if (this.state === "stale" || !this.own.visible || pieces.length === 0) return;
     this.late.push(...pieces);
     // A picture that is being drawn gets them at its end.
     if (this.state !== "complete") return;
     // So much is a new picture.
-    if (weight(this.late) > 2 * Math.max(SMALL, this.slices.lines)) return this.changed();
+    if (drawWeight(this.late) > 2 * Math.max(MIN_SLICE_LINES, this.slices.lines)) return this.changed();
     this.drawLate();
   }
 
   /** At once: while something plays there are some of them in each frame, and a queue would never end. */
   private drawLate(): void {
-    const { keptLines } = this;
+    const { pictureLines } = this;
     this.queue = this.late;
     this.late = [];
     while (this.queue.length > 0) this.drawSome();
-    this.keptLines = keptLines;
+    this.pictureLines = pictureLines;
   }
 
   /** Frames follow on each other. */
@@ -170,7 +170,7 @@ export class Painter {
     const gap = now - this.paintedAt;
     this.paintedAt = now;
     this.isBusy = gap <= BUSY_MS;
-    const lines = weight(pieces(this.path));
+    const lines = drawWeight(drawGroups(this.path));
     const isShort = lines <= this.slices.lines;
     const isRough = this.isRough();
     this.drewAll = !isTurning && !isRough && (isShort || this.state === "complete");
@@ -178,8 +178,8 @@ export class Painter {
     else if (isShort) {
       this.changed();
       const began = performance.now();
-      this.draw(isRough ? { ...STILL, samples: 0 } : STILL);
-      void drawnAll(this.renderer).then(() => this.slices.took(lines, performance.now() - began));
+      this.draw(isRough ? { ...STILL_QUALITY, samples: 0 } : STILL_QUALITY);
+      void gpuFinished(this.renderer).then(() => this.slices.took(lines, performance.now() - began));
     } else {
       if (this.state === "stale") this.begin();
       // Until the picture is there, the coarse path tells more than a part of the whole one.
@@ -195,28 +195,28 @@ export class Painter {
     if (!this.isSoftware || !under) return false;
     if (typeof under === "function") return true;
     if (!this.isBusy) return false;
-    this.smoothLater = window.setTimeout(this.wanted, BUSY_MS + 1);
+    this.smoothLater = window.setTimeout(this.requestFrame, BUSY_MS + 1);
     return true;
   }
 
   /** All at once. */
-  private draw({ level, samples, scale }: Quality): void {
-    const { renderer, coarse, cuts, rapids, beside, scene, camera } = this;
+  private draw({ level, samples, scale }: FrameQuality): void {
+    const { renderer, coarse, cuts, rapids, extras, scene, camera } = this;
     const rapidsShown = rapids.visible;
     const isCoarse = level >= 0 && coarse.isReady;
     coarse.show(isCoarse, level);
     cuts.visible = !isCoarse;
     rapids.visible = rapidsShown && !isCoarse;
     // With the own path hidden there would be nothing else to be seen.
-    beside.visible = !isCoarse || !this.own.visible || weight(pieces(beside)) <= LEVELS[level]!;
+    extras.visible = !isCoarse || !this.own.visible || drawWeight(drawGroups(extras)) <= LEVELS[level]!;
     this.setScale(scale);
     const target = samples > 0 ? this.target(samples) : null;
     renderer.setRenderTarget(target);
     renderer.clear();
-    this.lay();
+    this.drawUnder();
     renderer.render(scene, camera);
     coarse.show(false, level);
-    cuts.visible = beside.visible = true;
+    cuts.visible = extras.visible = true;
     rapids.visible = rapidsShown;
     this.drawnLines = renderer.info.render.lines;
     if (target) this.put(target);
@@ -235,11 +235,11 @@ export class Painter {
     this.setScale(1);
     this.renderer.setRenderTarget(null);
     this.renderer.clear();
-    this.lay();
+    this.drawUnder();
     // Where nothing of the path is, its depth is that of the background: the stock stays.
-    if (this.kept) this.copy.draw(this.renderer, this.kept, true);
+    if (this.pictureTarget) this.copy.draw(this.renderer, this.pictureTarget, true);
     this.renderer.render(this.over, this.camera);
-    this.drawnLines = this.keptLines;
+    this.drawnLines = this.pictureLines;
   }
 
   private put(target: WebGLRenderTarget): void {
@@ -249,7 +249,7 @@ export class Painter {
   }
 
   /** The stock, before what lies on it. */
-  private lay(): void {
+  private drawUnder(): void {
     const under = this.under();
     if (typeof under === "function") under(this.renderer, this.camera);
     else if (under) this.copy.draw(this.renderer, under, true);
@@ -257,12 +257,12 @@ export class Painter {
 
   private begin(): void {
     const { renderer } = this;
-    this.kept = this.target(this.slices.lines >= SMOOTH_FROM ? 4 : 0);
-    this.keptLines = 0;
-    renderer.setRenderTarget(this.kept);
+    this.pictureTarget = this.target(this.slices.lines >= SMOOTH_FROM_LINES ? 4 : 0);
+    this.pictureLines = 0;
+    renderer.setRenderTarget(this.pictureTarget);
     renderer.clear();
     renderer.setRenderTarget(null);
-    this.queue = pieces(this.path);
+    this.queue = drawGroups(this.path);
     void this.drawQueue();
   }
 
@@ -271,31 +271,31 @@ export class Painter {
     this.state = "drawing";
     const picture = ++this.picture;
     // The frame that has begun it is shown first.
-    await drawnAll(this.renderer);
+    await gpuFinished(this.renderer);
     if (picture !== this.picture) return;
-    while (this.queue.length > 0 || weight(this.late) > SMALL) {
+    while (this.queue.length > 0 || drawWeight(this.late) > MIN_SLICE_LINES) {
       if (this.queue.length === 0) [this.queue, this.late] = [this.late, []];
       const began = performance.now();
       const lines = this.drawSome();
-      await drawnAll(this.renderer);
+      await gpuFinished(this.renderer);
       this.slices.took(lines, performance.now() - began);
       if (picture !== this.picture) return;
       if (this.isBusyNow) {
-        await new Promise((next) => setTimeout(next, BUSY_PAUSE));
+        await new Promise((next) => setTimeout(next, BUSY_PAUSE_MS));
         if (picture !== this.picture) return;
       }
-      if (this.showsPart && performance.now() - this.shownAt > SHOW_EVERY) this.wanted();
+      if (this.showsPart && performance.now() - this.shownAt > SHOW_INTERVAL_MS) this.requestFrame();
     }
     this.state = "complete";
     this.drawLate();
-    this.wanted();
+    this.requestFrame();
   }
 
   private drawSome(): number {
     const { renderer, camera, queue } = this;
     const most = this.isBusyNow ? Math.max(2_000, this.slices.lines / BUSY_SHARE) : this.slices.lines;
     let drawn = 0;
-    renderer.setRenderTarget(this.kept!);
+    renderer.setRenderTarget(this.pictureTarget!);
     while (queue.length > 0 && drawn < most) {
       const piece = queue[0]!;
       const { object, from } = piece;
@@ -304,8 +304,8 @@ export class Painter {
       if (!isWide(object)) object.geometry.setDrawRange(2 * from, 2 * count);
       renderer.render(object, camera);
       object.geometry.setDrawRange(0, Infinity);
-      drawn += count * cost(object);
-      this.keptLines += count;
+      drawn += count * drawCost(object);
+      this.pictureLines += count;
       if (count === piece.count) queue.shift();
       else [piece.from, piece.count] = [from + count, piece.count - count];
     }
@@ -332,7 +332,7 @@ function drawsInSoftware(gl: WebGLRenderingContext | WebGL2RenderingContext): bo
 }
 
 /** Puts a picture onto the canvas, with the depth of what is on it or without. */
-class Copy {
+class PictureCopy {
   private camera = new OrthographicCamera(-1, 1, 1, -1, 0, 1);
   private plane = new Mesh(new PlaneGeometry(2, 2));
   private plain = material("");

@@ -11,70 +11,70 @@ import {
   Plane,
   Vector3,
 } from "three";
-import { Apart, type Apartness } from "../compare/difference-markers";
-import { Coarse } from "./lod";
+import { DifferenceMarkers, type DifferenceRows } from "../compare/difference-markers";
+import { PathLevels } from "./lod";
 import { type ColorBy, type Palette, colorsOf } from "./colors";
 import type { StockBefore } from "../stock/stock-timeline";
-import { Eye, type Turret, type ViewName } from "./camera";
-import { type Edges, Extent, difference, longest } from "./extent";
-import { Fixed } from "./fixed-objects";
-import { type Keep, type Lines, drawn } from "../path/lines";
-import { Marked } from "./row-highlight";
-import type { Feature } from "../measure/geometry";
-import { Measured } from "../measure/overlay";
-import { Overlay } from "../compare/other-path";
+import { ViewCamera, type TurretSide, type ViewName } from "./camera";
+import { type ViewEdges, ViewExtent, difference, longest } from "./extent";
+import { FixedObjects } from "./fixed-objects";
+import { type RowFilter, type LineArrays, linesOf } from "../path/lines";
+import { RowHighlight } from "./row-highlight";
+import type { PathFeature } from "../measure/geometry";
+import { MeasureOverlay } from "../measure/overlay";
+import { OtherPath } from "../compare/other-path";
 import { Painter } from "./painter";
-import { pause } from "./event-loop";
+import { yieldToEventLoop } from "./event-loop";
 import type { Batch, Bounds, Vec3 } from "../path/batch";
 import { Path } from "../path/path";
-import { type Picked, pick } from "./picking";
-import { type DrawnBatch, piecesOn } from "./draw-groups";
-import { Progress, spansOf } from "./progress";
-import { SectionLayer } from "../stock/half-section-layer";
-import type { Sections } from "../stock/half-sections";
+import { type PickedPoint, pick } from "./picking";
+import { type DrawnBatch, drawGroupsOn } from "./draw-groups";
+import { PathProgress, spansOf } from "./progress";
+import { HalfSectionLayer } from "../stock/half-section-layer";
+import type { HalfSections } from "../stock/half-sections";
 import { StockLayer } from "../stock/stock-layer";
-import { StrokeMaterials, Strokes, empty, geometryOf, remove } from "./line-mesh";
-import { type Tolerance, seenTolerance } from "./screen-tolerance";
-import { type Drawn, ToolShape } from "./tool-shape";
-import type { Section } from "./visible-section";
+import { LineMaterials, LineMesh, emptyGroup, geometryOf, removeLines } from "./line-mesh";
+import { type ArcTolerance, screenTolerance } from "./screen-tolerance";
+import { type DrawnTool, ToolShape } from "./tool-shape";
+import type { VisibleSection } from "./visible-section";
 
 /** Rows from which on fewer lines are drawn while the view turns. */
-const MANY = 20_000;
+const SIMPLIFIED_FROM_ROWS = 20_000;
 /** Rows from which on lines are drawn one pixel wide: wide ones are eight times the work. */
-const MOST_WIDE = 20_000;
-const MOST_WIDE_SOFTWARE = 2_000;
+const MAX_WIDE_ROWS = 20_000;
+const MAX_WIDE_ROWS_SOFTWARE = 2_000;
 /** How long the view must be still before all of it is drawn again, ms. */
-const STILL = 160;
+const STILL_MS = 160;
 
 // Colours are drawn as they are written: the page has no light that would need linear ones.
 ColorManagement.enabled = false;
 
 /** No lines. */
-const NONE: Lines = { points: new Float32Array(0), rows: undefined, count: 0 };
+const NONE: LineArrays = { points: new Float32Array(0), rows: undefined, count: 0 };
 
 export class PathView {
-  private eye: Eye;
+  private camera: ViewCamera;
   private painter: Painter;
   private path = new Path();
   private drawnBatches: DrawnBatch[] = [];
   private cuts = new Group();
   private rapids: Group;
-  private coarse = new Coarse();
+  private coarse = new PathLevels();
   private contour = new Group();
-  private apart = new Apart();
-  private other = new Overlay(() => this.painter.changed(), this.apart.other.object);
+  private differences = new DifferenceMarkers();
+  private other = new OtherPath(() => this.painter.changed(), this.differences.other.object);
   private chords = new Group();
-  private fixed = new Fixed();
-  private mark: Marked;
-  private progress = new Progress();
-  private cutMaterials = new StrokeMaterials(this.progress);
+  private fixed = new FixedObjects();
+  private mark: RowHighlight;
+  private progress = new PathProgress();
+  private cutMaterials = new LineMaterials(this.progress);
   private rapidMaterial = new LineDashedMaterial();
   private contourMaterial = new LineDashedMaterial({ transparent: true, opacity: 0.9 });
   private chordMaterial = new LineBasicMaterial({ depthTest: false });
   private tool: ToolShape;
   readonly stock: StockLayer;
   /** The half section of a lathe. */
-  readonly turned: SectionLayer;
+  readonly lathe: HalfSectionLayer;
   /** What the picture was made for, CSS pixels. */
   private width = 0;
   private height = 0;
@@ -85,15 +85,15 @@ export class PathView {
   private hasMoved = false;
   private marksMoved = false;
   private stillTimer = 0;
-  private wanted = false;
+  private isFrameRequested = false;
   /** Work that is done part by part is given up when newer work is asked for. */
   private refining = 0;
   private recoloring = 0;
   /** World length of a pixel when arcs were cut last. */
   private cutFor = 0;
-  private section: Section = {};
+  private section: VisibleSection = {};
   private planes = [new Plane(new Vector3(0, 0, 1)), new Plane(new Vector3(0, 0, -1))];
-  private measured = new Measured();
+  private measured = new MeasureOverlay();
   /** Frames that were drawn: for measurements. */
   drawnFrames = 0;
   onDrawn: () => void = () => {};
@@ -104,18 +104,18 @@ export class PathView {
   ) {
     this.palette = palette;
     this.progress.attach(this.rapidMaterial);
-    this.mark = new Marked(3, undefined, 1.5, this.progress);
-    this.eye = new Eye(canvas, () => this.moved());
-    this.painter = new Painter(canvas, this.eye.camera, this.cuts, this.coarse, () => this.render());
+    this.mark = new RowHighlight(3, undefined, 1.5, this.progress);
+    this.camera = new ViewCamera(canvas, () => this.moved());
+    this.painter = new Painter(canvas, this.camera.camera, this.cuts, this.coarse, () => this.render());
     this.rapids = this.painter.rapids;
     this.stock = new StockLayer(palette, this.painter.isSoftware, () => this.render());
-    this.turned = new SectionLayer(palette, () => this.render());
-    canvas.after(this.turned.over);
-    this.painter.under = () => this.turned.under ?? this.stock.under;
+    this.lathe = new HalfSectionLayer(palette, () => this.render());
+    canvas.after(this.lathe.over);
+    this.painter.under = () => this.lathe.under ?? this.stock.under;
     this.tool = new ToolShape(palette);
-    this.painter.beside.add(this.contour, this.chords, this.other.object);
-    this.painter.own.add(this.apart.own.object);
-    this.painter.over.add(this.fixed.object, this.apart.dots, this.mark.object, this.other.over, this.measured.object, this.tool.object);
+    this.painter.extras.add(this.contour, this.chords, this.other.object);
+    this.painter.own.add(this.differences.own.object);
+    this.painter.over.add(this.fixed.object, this.differences.dots, this.mark.object, this.other.over, this.measured.object, this.tool.object);
     this.setPalette(palette);
     this.setView("iso");
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
@@ -135,9 +135,9 @@ export class PathView {
   }
 
   private clearPath(): void {
-    for (const group of [this.cuts, this.rapids, this.contour, this.chords]) empty(group);
+    for (const group of [this.cuts, this.rapids, this.contour, this.chords]) emptyGroup(group);
     this.coarse.clear();
-    this.apart.clear();
+    this.differences.clear();
     this.drawnBatches = [];
     this.mark.clear();
   }
@@ -151,10 +151,10 @@ export class PathView {
       lines: { cuts: NONE, rapids: NONE },
     };
     this.drawnBatches.push(part);
-    part.lines = drawn(batch, this.tolerance(), this.keep(batch));
+    part.lines = linesOf(batch, this.tolerance(), this.keep(batch));
     this.put(part);
     if (isFirst) this.other.place(this.path.origin);
-    if (!this.eye.userMoved && (isFirst || !this.eye.sees(batch.points, 3 * 16))) this.fit(true);
+    if (!this.camera.userMoved && (isFirst || !this.camera.sees(batch.points, 3 * 16))) this.fit(true);
     for (const strokes of [part.cuts?.object, part.rapids]) if (strokes) this.painter.added(strokes);
     this.render();
   }
@@ -163,7 +163,7 @@ export class PathView {
   async finish(): Promise<void> {
     const { path } = this;
     this.other.place(path.origin);
-    if (path.rows > this.mostWide) {
+    if (path.rows > this.maxWideRows) {
       // The first batches did not know that there would be so many.
       for (const part of this.drawnBatches) if (part.cuts?.isWide) this.put(part);
     }
@@ -172,27 +172,27 @@ export class PathView {
     else await this.makeCoarse();
     if (path !== this.path) return;
     this.painter.showsPart = false;
-    if (!this.eye.userMoved) this.fit();
+    if (!this.camera.userMoved) this.fit();
     else await this.refine(true);
     this.changed();
   }
 
-  private get mostWide(): number {
-    return this.painter.isSoftware ? MOST_WIDE_SOFTWARE : MOST_WIDE;
+  private get maxWideRows(): number {
+    return this.painter.isSoftware ? MAX_WIDE_ROWS_SOFTWARE : MAX_WIDE_ROWS;
   }
 
   /** Puts the lines of a batch into the scene, instead of those before. */
   private put(part: DrawnBatch): void {
     // A picture that is being drawn must not ask for what goes.
     if (part.cuts || part.rapids) this.painter.changed();
-    part.cuts?.remove();
-    remove(part.rapids);
+    part.cuts?.removeLines();
+    removeLines(part.rapids);
     const { cuts, rapids } = part.lines;
     part.cuts = undefined;
     part.rapids = undefined;
     if (cuts.count > 0) {
-      const wide = this.path.rows <= this.mostWide && cuts.count <= this.mostWide;
-      part.cuts = new Strokes(cuts.points, this.colors(part.batch, cuts), spansOf(part.batch.first, cuts), this.cutMaterials, wide);
+      const wide = this.path.rows <= this.maxWideRows && cuts.count <= this.maxWideRows;
+      part.cuts = new LineMesh(cuts.points, this.colors(part.batch, cuts), spansOf(part.batch.first, cuts), this.cutMaterials, wide);
       this.cuts.add(part.cuts.object);
     }
     if (rapids.count > 0) {
@@ -204,15 +204,15 @@ export class PathView {
   }
 
   private async makeCoarse(): Promise<void> {
-    if (this.path.rows < MANY) return this.coarse.clear();
+    if (this.path.rows < SIMPLIFIED_FROM_ROWS) return this.coarse.clear();
     const size = longest(this.path.bounds, 1);
-    const colors = (batch: Batch, lines: Lines) => this.colors(batch, lines);
+    const colors = (batch: Batch, lines: LineArrays) => this.colors(batch, lines);
     const built = await this.coarse.build(this.drawnBatches, size, colors, this.cutMaterials, this.rapidMaterial);
     if (built) this.render();
   }
 
   /** The colours of both ends of each line. */
-  private colors(batch: Batch, lines: Lines): Uint8Array {
+  private colors(batch: Batch, lines: LineArrays): Uint8Array {
     const { cutters, minFeed, maxFeed, depths, maxPower } = this.path;
     return colorsOf(this.palette, { by: this.colorBy, tools: cutters, feeds: [minFeed, maxFeed], depths, powers: [0, maxPower] }, batch, lines);
   }
@@ -222,8 +222,8 @@ export class PathView {
     const number = ++this.recoloring;
     for (const part of [...this.drawnBatches]) {
       part.cuts?.setColors(this.colors(part.batch, part.lines.cuts));
-      if (part.batch.rows < MANY) continue;
-      await pause();
+      if (part.batch.rows < SIMPLIFIED_FROM_ROWS) continue;
+      await yieldToEventLoop();
       if (number !== this.recoloring) return;
     }
     this.changed();
@@ -243,14 +243,14 @@ export class PathView {
     this.rapidMaterial.color.set(palette.rapid);
     this.contourMaterial.color.set(palette.contour);
     this.other.setColor(palette.other);
-    this.apart.setColor(palette.apart);
+    this.differences.setColor(palette.difference);
     this.chordMaterial.color.set(palette.chord);
     this.fixed.setColor(palette.travel);
     this.mark.setColor(palette.mark, palette.markEdge);
     this.measured.setColor(palette.measure);
     this.tool.setPalette(palette);
     this.stock.setPalette(palette);
-    this.turned.setPalette(palette);
+    this.lathe.setPalette(palette);
     void this.recolor();
     this.changed();
   }
@@ -258,20 +258,20 @@ export class PathView {
   /** The stock of the path, or none; it comes after the path. */
   setStock(stock: StockBefore | undefined): void {
     this.stock.begin(stock, this.path.origin);
-    if (stock && !this.eye.userMoved) this.fit();
+    if (stock && !this.camera.userMoved) this.fit();
     this.render();
   }
 
   /** The sections of a lathe's stock, or none; `slot` gives the place of a tool among those that cut. */
-  setTurned(sections: Sections | undefined, slot: (tool: number) => number): void {
-    this.turned.begin(sections, this.path.origin, slot);
-    if (sections && !this.eye.userMoved) this.fit();
+  setHalfSections(sections: HalfSections | undefined, slot: (tool: number) => number): void {
+    this.lathe.begin(sections, this.path.origin, slot);
+    if (sections && !this.camera.userMoved) this.fit();
     this.render();
   }
 
   /** The machine is a lathe whose turret stands on a side of the axis, or none. */
-  setLathe(turret: Turret | undefined): void {
-    if (this.eye.setLathe(turret)) this.fit();
+  setLathe(turret: TurretSide | undefined): void {
+    if (this.camera.setLathe(turret)) this.fit();
   }
 
   /** Something that the view does not know of has changed: the stock. */
@@ -281,7 +281,7 @@ export class PathView {
 
   /** What compensation was programmed for, beside the path of the tool centre. */
   addContour(batch: Batch, origin: Vec3): void {
-    const lines = drawn(batch, this.tolerance());
+    const lines = linesOf(batch, this.tolerance());
     const object = new LineSegments(geometryOf(lines.cuts.points), this.contourMaterial);
     object.computeLineDistances();
     object.position.set(...difference(origin, this.path.origin));
@@ -291,21 +291,21 @@ export class PathView {
 
   /** The path of the other program begins; what is there of it is taken away. */
   beginOther(path: Path): void {
-    this.apart.clear();
+    this.differences.clear();
     this.other.begin(path);
     this.changed();
   }
 
   addOther(batch: Batch): void {
-    this.other.add(batch, this.tolerance(this.other.path), this.mostWide);
+    this.other.add(batch, this.tolerance(this.other.path), this.maxWideRows);
     this.other.place(this.path.origin);
     this.changed();
   }
 
   /** All of the other path is there. */
   async finishOther(): Promise<void> {
-    if (!this.eye.userMoved) return this.fit();
-    if (await this.other.refine(this.tolerance(this.other.path), this.mostWide)) this.changed();
+    if (!this.camera.userMoved) return this.fit();
+    if (await this.other.refine(this.tolerance(this.other.path), this.maxWideRows)) this.changed();
   }
 
   showOwn(shown: boolean): void {
@@ -319,22 +319,22 @@ export class PathView {
   }
 
   /** Marks where the two paths are apart. */
-  markApart(apart: Apartness): void {
+  markDifferences(differences: DifferenceRows): void {
     const { path, other } = this;
-    this.apart.set(apart, [path, other.path], [this.tolerance(), this.tolerance(other.path)]);
+    this.differences.set(differences, [path, other.path], [this.tolerance(), this.tolerance(other.path)]);
     this.changed();
   }
 
   /** Shows a box in the frame of the run, seen from where it is seen now. */
   zoomTo({ low, high }: Bounds): void {
     const own = this.path.origin;
-    this.eye.show({ low: difference(low, own), high: difference(high, own) }, 0.8);
+    this.camera.show({ low: difference(low, own), high: difference(high, own) }, 0.8);
     void this.refine();
     this.changed();
   }
 
   setChords(points: Float32Array | undefined, origin: Vec3): void {
-    empty(this.chords);
+    emptyGroup(this.chords);
     if (points && points.length > 0) {
       const object = new LineSegments(geometryOf(points), this.chordMaterial);
       object.position.set(...difference(origin, this.path.origin));
@@ -383,7 +383,7 @@ export class PathView {
     this.progress.set(rows);
     // Forward only what is done now has another colour.
     if (rows > before && rows !== Infinity) {
-      this.painter.repaint(piecesOn(this.drawnBatches, Math.floor(before), Math.floor(rows), this.rapids.visible));
+      this.painter.repaint(drawGroupsOn(this.drawnBatches, Math.floor(before), Math.floor(rows), this.rapids.visible));
     } else this.painter.changed();
     this.render();
   }
@@ -400,19 +400,19 @@ export class PathView {
   }
 
   /** Where the tool is, in the frame of the run, and along what it stands: for tests. */
-  toolStands(): { at: Vec3; up: Vec3; width: number; isShown: boolean } {
+  toolPose(): { at: Vec3; up: Vec3; width: number; isShown: boolean } {
     const { position, quaternion } = this.tool.object;
     const at = position.toArray().map((value, axis) => value + this.path.origin[axis]!) as Vec3;
     return { at, up: new Vector3(0, 0, 1).applyQuaternion(quaternion).toArray(), width: this.tool.width, isShown: this.tool.object.visible };
   }
 
-  shapeTool(tool: Drawn | undefined): void {
+  shapeTool(tool: DrawnTool | undefined): void {
     this.tool.shape(tool, longest(this.path.bounds, 50));
     this.render();
   }
 
   /** Shows a part of the path only. */
-  setSection(section: Section): void {
+  setSection(section: VisibleSection): void {
     const { tool, lines } = this.section;
     const isSame = section.tool === tool && String(section.lines) === String(lines);
     this.section = section;
@@ -420,7 +420,7 @@ export class PathView {
     if (!isSame) {
       const tolerance = this.tolerance();
       for (const part of this.drawnBatches) {
-        part.lines = drawn(part.batch, tolerance, this.keep(part.batch));
+        part.lines = linesOf(part.batch, tolerance, this.keep(part.batch));
         this.put(part);
       }
       void this.makeCoarse();
@@ -428,7 +428,7 @@ export class PathView {
     this.changed();
   }
 
-  private keep(batch: Batch): Keep | undefined {
+  private keep(batch: Batch): RowFilter | undefined {
     const { tool, lines } = this.section;
     if (tool === undefined && !lines) return undefined;
     const [from, to] = lines ?? [0, Infinity];
@@ -450,116 +450,116 @@ export class PathView {
       material.clippingPlanes = planes;
       material.needsUpdate = true;
     }
-    this.apart.clip(planes);
+    this.differences.clip(planes);
     this.other.clip(planes);
   }
 
   /** A line between two places, relative to the origin of the path. */
   showMeasured(from: Vec3 | undefined, to: Vec3 | undefined): void {
-    this.measured.show(from, to, this.eye.screen());
+    this.measured.show(from, to, this.camera.screen());
     this.render();
   }
 
   /** Marks what a click would take; none: nothing. */
-  showSnap(feature: Feature | undefined): void {
-    this.measured.showSnap(feature, this.eye.screen());
+  showSnap(feature: PathFeature | undefined): void {
+    this.measured.showSnap(feature, this.camera.screen());
     this.render();
   }
 
   /** What is marked so: for tests. */
-  get snapped(): Feature | undefined {
+  get snapped(): PathFeature | undefined {
     return this.measured.snapped;
   }
 
   /** The row at a place of the canvas. */
-  pick(x: number, y: number): Picked | undefined {
+  pick(x: number, y: number): PickedPoint | undefined {
     if (!this.painter.own.visible) return undefined;
     const [low, high] = this.section.depth ?? [-Infinity, Infinity];
-    return pick(this.drawnBatches, this.eye, this.canvas, [x, y], this.rapids.visible, (at) => {
+    return pick(this.drawnBatches, this.camera, this.canvas, [x, y], this.rapids.visible, (at) => {
       const z = at[2] + this.path.origin[2];
       return z >= low - 1e-3 && z <= high + 1e-3;
     });
   }
 
   /** The row of the other path at a place of the canvas. */
-  pickOther(x: number, y: number): Picked | undefined {
-    return this.other.pick(this.eye, this.canvas, [x, y]);
+  pickOther(x: number, y: number): PickedPoint | undefined {
+    return this.other.pick(this.camera, this.canvas, [x, y]);
   }
 
   /** Where a place, relative to the origin of the path, is on the canvas, pixels. */
   project(at: Vec3): [number, number] {
-    return this.eye.project(at);
+    return this.camera.project(at);
   }
 
   /** The directions of X, Y and Z on the screen: right, up and towards the eye. */
   axes(): Vec3[] {
-    return this.eye.axes();
+    return this.camera.axes();
   }
 
   setView(view: ViewName): void {
-    this.eye.look(view);
+    this.camera.look(view);
     this.fit();
   }
 
   /** Everything that is drawn fills the view; with room for more where it still grows. */
   fit(grows = false): void {
-    const box = this.seen();
-    this.eye.fit(box, (inverse) => this.edges(box, inverse), grows);
+    const box = this.drawnBox();
+    this.camera.fit(box, (inverse) => this.edges(box, inverse), grows);
     this.moved();
     // Arcs that were out of sight may be coarse.
     if (!grows) void this.refine(true);
   }
 
   /** The box of everything that is to be seen, relative to the origin. */
-  private seen(): Bounds {
+  private drawnBox(): Bounds {
     const box = new Box3();
     const { bounds } = this.path;
     if (bounds) box.set(new Vector3(...bounds.low), new Vector3(...bounds.high));
     const other = this.other.bounds(this.path.origin);
     if (other) box.union(new Box3(new Vector3(...other.low), new Vector3(...other.high)));
-    const stock = this.stock.bounds() ?? this.turned.bounds(bounds);
+    const stock = this.stock.bounds() ?? this.lathe.bounds(bounds);
     if (stock) box.union(new Box3(new Vector3(...stock.low), new Vector3(...stock.high)));
     if (box.isEmpty()) box.set(new Vector3(-10, -10, -10), new Vector3(10, 10, 10));
     return { low: box.min.toArray(), high: box.max.toArray() };
   }
 
   /** What is drawn takes of the view, mm from the camera's target. */
-  private edges(box: Bounds, inverse: ArrayLike<number>): Edges {
-    const extent = new Extent(inverse);
+  private edges(box: Bounds, inverse: ArrayLike<number>): ViewEdges {
+    const extent = new ViewExtent(inverse);
     // Of a long path some points tell enough.
     const step = 3 * Math.max(1, Math.floor(this.path.rows / 50_000));
     for (const { lines } of this.drawnBatches) {
       extent.add(lines.cuts.points, step);
       extent.add(lines.rapids.points);
     }
-    if (extent.isEmpty || this.other.isShown || this.stock.bounds() || this.turned.sections) extent.addBox(box);
+    if (extent.isEmpty || this.other.isShown || this.stock.bounds() || this.lathe.sections) extent.addBox(box);
     return extent.edges;
   }
 
   /** How far the pieces of an arc may be from it, as it is seen now. */
-  private tolerance(path = this.path): Tolerance {
-    return seenTolerance(this.eye, difference(path.origin, this.path.origin), path.rows > MANY);
+  private tolerance(path = this.path): ArcTolerance {
+    return screenTolerance(this.camera, difference(path.origin, this.path.origin), path.rows > SIMPLIFIED_FROM_ROWS);
   }
 
   /** Cuts arcs anew, a part at a time, when the zoom has changed so much that it shows. */
   private async refine(always = false): Promise<void> {
     const number = ++this.refining;
-    const pixel = this.eye.pixel();
+    const pixel = this.camera.pixel();
     const curved = this.drawnBatches.filter(({ batch }) => batch.arcRows.length > 0);
     const near = pixel < this.cutFor / 1.5 || pixel > this.cutFor * 4;
     // Where arcs out of sight were left coarse, another part of the path needs its own, too.
-    if (!(near || always || this.eye.userMoved)) return;
+    if (!(near || always || this.camera.userMoved)) return;
     this.mark.cut(this.tolerance());
-    this.apart.cut(this.tolerance(), this.tolerance(this.other.path));
-    if (await this.other.refine(this.tolerance(this.other.path), this.mostWide)) this.changed();
+    this.differences.cut(this.tolerance(), this.tolerance(this.other.path));
+    if (await this.other.refine(this.tolerance(this.other.path), this.maxWideRows)) this.changed();
     if (curved.length === 0 || number !== this.refining) return;
     this.cutFor = pixel;
     const tolerance = this.tolerance();
     for (const part of curved) {
-      part.lines = drawn(part.batch, tolerance, this.keep(part.batch));
+      part.lines = linesOf(part.batch, tolerance, this.keep(part.batch));
       this.put(part);
-      if (part.batch.rows < MANY) continue;
-      await pause();
+      if (part.batch.rows < SIMPLIFIED_FROM_ROWS) continue;
+      await yieldToEventLoop();
       if (number !== this.refining) return;
     }
     this.changed();
@@ -567,7 +567,7 @@ export class PathView {
 
   private moved(): void {
     this.hasMoved = this.marksMoved = true;
-    if (this.eye.userMoved && !this.turning) {
+    if (this.camera.userMoved && !this.turning) {
       this.turning = true;
       this.painter.pace.begin();
     }
@@ -587,8 +587,8 @@ export class PathView {
 
   /** The picture shows all of the path, and the coarse one is there for the next turn. */
   get isComplete(): boolean {
-    const isReady = this.path.rows < MANY || this.coarse.isReady;
-    return this.fillsItsPlace && !this.turning && isReady && this.painter.isComplete && this.stock.isComplete && this.turned.isComplete;
+    const isReady = this.path.rows < SIMPLIFIED_FROM_ROWS || this.coarse.isReady;
+    return this.fillsItsPlace && !this.turning && isReady && this.painter.isComplete && this.stock.isComplete && this.lathe.isComplete;
   }
 
   /** The window's last change of size has reached the picture. */
@@ -606,9 +606,9 @@ export class PathView {
     const parent = this.canvas.parentElement!;
     const [width, height] = [Math.max(1, parent.clientWidth), Math.max(1, parent.clientHeight)];
     [this.width, this.height] = [width, height];
-    this.eye.resize(width, height);
+    this.camera.resize(width, height);
     this.painter.resize(width, height);
-    if (!this.eye.userMoved) this.fit();
+    if (!this.camera.userMoved) this.fit();
     this.render();
   }
 
@@ -620,28 +620,28 @@ export class PathView {
 
   /** Draws the next frame. */
   private render(): void {
-    if (this.wanted) return;
-    this.wanted = true;
+    if (this.isFrameRequested) return;
+    this.isFrameRequested = true;
     requestAnimationFrame((now) => {
-      this.wanted = false;
+      this.isFrameRequested = false;
       if (this.turning && this.hasMoved) {
         this.hasMoved = false;
         this.painter.pace.frame(now);
         // Counted from a frame: one that took long must not look like rest.
         window.clearTimeout(this.stillTimer);
-        this.stillTimer = window.setTimeout(() => this.still(), STILL);
+        this.stillTimer = window.setTimeout(() => this.still(), STILL_MS);
       }
       // Dashes keep their length on the screen.
-      const pixel = this.eye.pixel();
+      const pixel = this.camera.pixel();
       this.rapidMaterial.dashSize = 6 * pixel;
       this.rapidMaterial.gapSize = 4 * pixel;
       this.contourMaterial.dashSize = 3 * pixel;
       this.contourMaterial.gapSize = 2 * pixel;
       this.other.dash(pixel);
-      if (this.marksMoved) this.measured.draw(this.eye.screen());
+      if (this.marksMoved) this.measured.draw(this.camera.screen());
       this.marksMoved = false;
-      this.stock.prepare(this.painter.renderer, this.eye.camera, this.turning);
-      this.turned.prepare(this.painter.renderer, this.eye.camera);
+      this.stock.prepare(this.painter.renderer, this.camera.camera, this.turning);
+      this.lathe.prepare(this.painter.renderer, this.camera.camera);
       this.painter.paint(this.turning);
       this.drawnFrames++;
       this.onDrawn();

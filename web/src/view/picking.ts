@@ -1,17 +1,17 @@
 // Which row of the path is meant by a place on the screen.
 
-import type { Eye } from "./camera";
-import { type Lines, nearest } from "../path/lines";
+import type { ViewCamera } from "./camera";
+import { type LineArrays, nearest } from "../path/lines";
 import type { Batch, Vec3 } from "../path/batch";
 
 /** How far from a line a click may be, pixels. */
-const REACH = 8;
+const REACH_PIXELS = 8;
 /** How near an end must be to be meant, pixels. */
-const SNAP = 9;
+const SNAP_PIXELS = 9;
 /** A cut is meant rather than the rapid over it: so much further the rapid counts, pixels. */
-const RAPID_HANDICAP = 3;
+const RAPID_HANDICAP_PIXELS = 3;
 
-export interface Picked {
+export interface PickedPoint {
   row: number;
   /** How far along the row, from 0 to 1. */
   share: number;
@@ -23,31 +23,31 @@ export interface Picked {
 
 export interface Pickable {
   batch: Batch;
-  lines: { cuts: Lines; rapids: Lines };
+  lines: { cuts: LineArrays; rapids: LineArrays };
 }
 
 /** How places, relative to the origin of a path, are seen. */
-export type Sight = Pick<Eye, "matrix" | "project">;
+export type PointProjection = Pick<ViewCamera, "matrix" | "project">;
 
 /** The row nearest to a place of the canvas, of those whose place there `counts`. */
 export function pick(
   parts: Pickable[],
-  eye: Sight,
+  camera: PointProjection,
   canvas: HTMLCanvasElement,
   [x, y]: [number, number],
   withRapids: boolean,
   counts: (at: Vec3) => boolean,
-): Picked | undefined {
-  const { elements } = eye.matrix();
-  let best: (Picked & { distance: number }) | undefined;
+): PickedPoint | undefined {
+  const { elements } = camera.matrix();
+  let best: (PickedPoint & { distance: number }) | undefined;
   for (const { batch, lines } of parts) {
-    for (const [own, handicap] of [[lines.cuts, 0], [lines.rapids, RAPID_HANDICAP]] as const) {
+    for (const [own, handicap] of [[lines.cuts, 0], [lines.rapids, RAPID_HANDICAP_PIXELS]] as const) {
       if (own === lines.rapids && !withRapids) continue;
-      const found = nearest(own, elements, canvas.clientWidth, canvas.clientHeight, x, y, REACH);
+      const found = nearest(own, elements, canvas.clientWidth, canvas.clientHeight, x, y, REACH_PIXELS);
       if (!found || (best && found.distance + handicap >= best.distance)) continue;
       const picked = pickedOn(batch, own, found, (at) => {
-        const [ex, ey] = eye.project(at);
-        return Math.hypot(ex - x, ey - y) < SNAP;
+        const [ex, ey] = camera.project(at);
+        return Math.hypot(ex - x, ey - y) < SNAP_PIXELS;
       });
       if (counts(picked.at)) best = { ...picked, distance: found.distance + handicap };
     }
@@ -55,7 +55,7 @@ export function pick(
   return best;
 }
 
-function pickedOn(batch: Batch, lines: Lines, { index, share }: { index: number; share: number }, isNear: (at: Vec3) => boolean): Picked {
+function pickedOn(batch: Batch, lines: LineArrays, { index, share }: { index: number; share: number }, isNear: (at: Vec3) => boolean): PickedPoint {
   const own = (at: number) => (lines.rows ? lines.rows[at]! : at);
   const row = own(index);
   let first = index;

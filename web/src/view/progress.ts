@@ -1,12 +1,12 @@
 // What of the path is done: the rest is drawn pale, in every material that draws the path.
 
 import { Color, type Material } from "three";
-import type { Lines } from "../path/lines";
+import type { LineArrays } from "../path/lines";
 
 /** How much of its colour what is still to come has; the rest is the background's. */
-export const PALE = 0.4;
+export const PALE_SHARE = 0.4;
 
-export class Progress {
+export class PathProgress {
   /** Rows that are done, with the share of the row that is being done; all of them while nothing plays. */
   done = Infinity;
   private doneRows = { value: 1e9 };
@@ -38,7 +38,7 @@ export class Progress {
         .replace("void main() {", "uniform float doneRows; uniform vec3 behindPath; varying float vRowAt;\nvoid main() {")
         .replace(
           "#include <color_fragment>",
-          `#include <color_fragment>\nif (vRowAt > doneRows) diffuseColor.rgb = mix(behindPath, diffuseColor.rgb, ${PALE});`,
+          `#include <color_fragment>\nif (vRowAt > doneRows) diffuseColor.rgb = mix(behindPath, diffuseColor.rgb, ${PALE_SHARE});`,
         );
     };
     material.customProgramCacheKey = () => `progress ${isWide}`;
@@ -46,7 +46,7 @@ export class Progress {
 }
 
 /** The rows at both ends of each line, with the share of the row; `first` is the row that the batch begins with. */
-export function spansOf(first: number, { rows, count }: Pick<Lines, "rows" | "count">): Float32Array {
+export function spansOf(first: number, { rows, count }: Pick<LineArrays, "rows" | "count">): Float32Array {
   const spans = new Float32Array(2 * count);
   for (let from = 0; from < count; ) {
     const row = rows ? rows[from]! : from;
@@ -62,7 +62,7 @@ export function spansOf(first: number, { rows, count }: Pick<Lines, "rows" | "co
 }
 
 /** From and to of the lines that lie on rows of a batch, from and to, both counted. */
-export function linesOnRows({ rows, count }: Pick<Lines, "rows" | "count">, from: number, to: number): [number, number] {
+export function linesOnRows({ rows, count }: Pick<LineArrays, "rows" | "count">, from: number, to: number): [number, number] {
   const before = (row: number): number => {
     let low = 0;
     let high = count;

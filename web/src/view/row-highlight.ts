@@ -4,15 +4,15 @@ import { Group, InstancedBufferAttribute, type Plane } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
-import { type Tolerance, someRows } from "../path/lines";
+import { type ArcTolerance, someRows } from "../path/lines";
 import type { Batch, Vec3 } from "../path/batch";
 import { Path } from "../path/path";
-import type { Progress } from "./progress";
+import type { PathProgress } from "./progress";
 
 /** Rows that are marked at most, where nothing else is said. */
-const MOST = 50_000;
+const MAX_ROWS = 50_000;
 
-export class Marked {
+export class RowHighlight {
   readonly object = new Group();
   private lines: LineSegments2;
   private material: LineMaterial;
@@ -27,9 +27,9 @@ export class Marked {
    */
   constructor(
     width: number,
-    private most = MOST,
+    private most = MAX_ROWS,
     edge = 0,
-    progress?: Progress,
+    progress?: PathProgress,
   ) {
     this.material = new LineMaterial({ linewidth: width, depthTest: false });
     progress?.attach(this.material, true);
@@ -50,7 +50,7 @@ export class Marked {
   }
 
   /** Marks ranges of rows of a path, and none of before. */
-  set(path: Path, ranges: [number, number][], tolerance: Tolerance): void {
+  set(path: Path, ranges: [number, number][], tolerance: ArcTolerance): void {
     [this.path, this.ranges] = [path, ranges];
     this.cut(tolerance);
   }
@@ -61,7 +61,7 @@ export class Marked {
   }
 
   /** Cuts arcs as fine as they must be now. */
-  cut(tolerance: Tolerance): void {
+  cut(tolerance: ArcTolerance): void {
     const points: number[] = [];
     const spans: number[] = [];
     let left = this.most;
@@ -85,7 +85,7 @@ export class Marked {
   }
 
   /** The lines of a row of a batch, and the share of the row at both ends of each. */
-  private row(batch: Batch, row: number, tolerance: Tolerance, points: number[], spans: number[]): void {
+  private row(batch: Batch, row: number, tolerance: ArcTolerance, points: number[], spans: number[]): void {
     const own = someRows(batch, row, row, tolerance);
     for (const value of own) points.push(value);
     const lines = own.length / 6;

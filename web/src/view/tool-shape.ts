@@ -2,7 +2,7 @@
 
 import { Group, LatheGeometry, Mesh, MeshBasicMaterial, Vector2, DoubleSide, EdgesGeometry, LineSegments, LineBasicMaterial, Vector3 } from "three";
 import type { Palette } from "./colors";
-import type { Tool } from "../protocol/messages";
+import type { ToolInfo } from "../protocol/messages";
 import type { Vec3 } from "../path/batch";
 
 const SPINDLE = new Vector3(0, 0, 1);
@@ -16,10 +16,10 @@ const CORNER_STEPS = 8;
 type Outline = [number, number][];
 
 /** What is drawn of a tool: its numbers as far as they are known. */
-export type Drawn = Partial<Omit<Tool, "number" | "kind" | "comment">>;
+export type DrawnTool = Partial<Omit<ToolInfo, "number" | "kind" | "comment">>;
 
 /** The end of the tool, from the tip to its full radius. */
-function end(tool: Drawn, radius: number): Outline {
+function end(tool: DrawnTool, radius: number): Outline {
   switch (tool.shape) {
     case "drill":
       return [[0, 0], [radius, radius / Math.tan((tool.point_angle_rad ?? DRILL_POINT) / 2)]];
@@ -35,8 +35,8 @@ function end(tool: Drawn, radius: number): Outline {
   }
 }
 
-function corner(radius: number, given: number): Outline {
-  const round = Math.min(Math.max(0, given), radius);
+function corner(radius: number, cornerRadius: number): Outline {
+  const round = Math.min(Math.max(0, cornerRadius), radius);
   if (round === 0) return [[0, 0], [radius, 0]];
   const points: Outline = [[0, 0]];
   for (let step = 0; step <= CORNER_STEPS; step++) {
@@ -47,7 +47,7 @@ function corner(radius: number, given: number): Outline {
 }
 
 /** The outline from the tip up, no higher than `most` where no part of it is. */
-export function outline(tool: Drawn, most: number): Outline {
+export function outline(tool: DrawnTool, most: number): Outline {
   if (tool.shape === "form" && (tool.profile_mm?.length ?? 0) > 1) {
     const form = tool.profile_mm!.map(([height, radius]): [number, number] => [radius, height]);
     return closed([[0, form[0]![1]], ...form], tool, most);
@@ -63,7 +63,7 @@ export function outline(tool: Drawn, most: number): Outline {
 }
 
 /** With the shank and the holder above, down to the axis at the top. */
-function closed(points: Outline, { shank_mm, shank_diameter_mm, holder_mm }: Drawn, most: number): Outline {
+function closed(points: Outline, { shank_mm, shank_diameter_mm, holder_mm }: DrawnTool, most: number): Outline {
   if (shank_diameter_mm && !shank_mm?.length && !holder_mm?.length) {
     // Where it ends is not known.
     const radius = shank_diameter_mm / 2;
@@ -96,7 +96,7 @@ export class ToolShape {
   }
 
   /** One without a known diameter is a thin pin; `size` is that of the part, mm. */
-  shape(tool: Drawn | undefined, size: number): void {
+  shape(tool: DrawnTool | undefined, size: number): void {
     for (const child of [...this.object.children]) {
       (child as Mesh).geometry.dispose();
       child.removeFromParent();

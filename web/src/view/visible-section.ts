@@ -1,7 +1,7 @@
 // Which part of the path is shown.
 
 /** What of the path is shown; what is not said is all. */
-export interface Section {
+export interface VisibleSection {
   tool?: number;
   /** Lines of the program, from and to, both counted. */
   lines?: [number, number];

@@ -80,7 +80,7 @@ function filesOf(file, options, scratch) {
 let session;
 
 /** One browser and one web server for all tests. */
-export function aloneSession() {
+export function standaloneSession() {
   return (session ??= begun());
 }
 
@@ -94,7 +94,7 @@ function begun() {
     own = await browser();
     own.context.on("request", (request) => asked.push(request.url()));
     server = await folderServer();
-    scratch = mkdtempSync(join(tmpdir(), "chordal-alone-"));
+    scratch = mkdtempSync(join(tmpdir(), "chordal-standalone-"));
   });
   after(async () => {
     server?.stop();
@@ -108,7 +108,7 @@ function begun() {
     return opened;
   };
   return {
-    isAlone: true,
+    isStandalone: true,
     asked,
     started,
     context: () => own.context,

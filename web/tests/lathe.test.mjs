@@ -18,7 +18,7 @@ async function show(program, setup) {
   // So wide that the line of the position never wraps: the picture keeps its size.
   await page.setViewportSize({ width: 1600, height: 800 });
   await page.waitForFunction(() => innerWidth === 1600);
-  await page.waitForFunction(() => window.chordal.setpoints() && window.chordal.turned.sections());
+  await page.waitForFunction(() => window.chordal.setpoints() && window.chordal.lathe.sections());
   await page.waitForFunction(() => /removed/.test(document.querySelector("#turned").textContent));
   await complete(page);
   return opened;
@@ -176,14 +176,14 @@ test("what is touched is a problem of its line and has a mark, and what is shown
 test("another machine keeps the tools and the stock, and is compared with the one before", async () => {
   const { page } = await show(PROGRAM, SETUP);
   const held = () => page.evaluate(() => {
-    const sections = window.chordal.turned.sections();
+    const sections = window.chordal.lathe.sections();
     return { tools: sections && [...sections.tools.keys()].sort((a, b) => a - b), before: sections?.before };
   });
   const before = await held();
   assert.deepEqual(before.tools, [1, 3, 5]);
   await page.locator("#machine").selectOption("haas-lathe");
   await page.waitForFunction(() => document.querySelector(".comparison").innerText !== "");
-  await page.waitForFunction(() => window.chordal.report() && window.chordal.turned.sections());
+  await page.waitForFunction(() => window.chordal.report() && window.chordal.lathe.sections());
   assert.deepEqual(await held(), before);
   await complete(page);
   await picture(page, "turned-other-machine");

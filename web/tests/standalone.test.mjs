@@ -6,8 +6,8 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
-process.env.CHORDAL_ALONE = "1";
-const { otherServer } = await import("./alone.mjs");
+process.env.CHORDAL_STANDALONE = "1";
+const { otherServer } = await import("./standalone.mjs");
 const { ROOT, picture, reported, session } = await import("./browser.mjs");
 await import("./page.test.mjs");
 await import("./readings.test.mjs");
@@ -34,7 +34,7 @@ test("a start shows examples with what each shows, and one is opened", async () 
   await page.locator(".examples summary", { hasText: "Stock" }).click();
   const card = page.locator(".examples .card", { hasText: "op1.nc" });
   assert.match(await card.innerText(), /Operation 1: pocket and round groove/);
-  await picture(page, "alone-start");
+  await picture(page, "standalone-start");
   await card.click();
   await reported(page);
   await page.waitForFunction(() => window.chordal.stock.shown?.() !== undefined || document.querySelector(".stock-slot").innerText !== "");
@@ -54,7 +54,7 @@ test("the dialog of the start has nothing serious against it, light and dark", a
     const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
     assert.deepEqual(serious.map(({ id, nodes }) => `${colorScheme} ${id}: ${nodes.map(({ html }) => html).join(" ").slice(0, 300)}`), []);
   }
-  await picture(page, "alone-start-dark");
+  await picture(page, "standalone-start-dark");
   await page.close();
 });
 
@@ -86,7 +86,7 @@ test("an address names programs elsewhere, which are loaded and compared", async
   await page.locator(".verdict.different").waitFor();
   assert.match(await page.locator(".verdict").innerText(), /0\.5 mm/);
   assert.match(await page.locator(".paths").innerText(), /part\.nc on Haas[^]*part \(2\)\.nc on Haas/);
-  await picture(page, "alone-address");
+  await picture(page, "standalone-address");
   assert.deepEqual(other.asked.sort(), ["/O2.nc", "/new/part.nc", "/old/part.nc"]);
   assert.deepEqual(complaints, []);
   // Nothing else is asked there, and nothing at another address.
@@ -122,7 +122,7 @@ test("a program that cannot be loaded from an address is told why, and the page 
     await page.locator(".start-message", { hasText: /\S/ }).waitFor();
     assert.equal(await page.locator(".start-message").innerText(), sentence);
   }
-  await picture(page, "alone-address-refused");
+  await picture(page, "standalone-address-refused");
   await page.locator("#paste").fill(OLD);
   await page.getByRole("button", { name: "Open the text" }).click();
   await reported(page);
@@ -133,7 +133,7 @@ test("a program that cannot be loaded from an address is told why, and the page 
 });
 
 test("another file is compared with the program, and follows what is typed", async () => {
-  const folder = mkdtempSync(join(tmpdir(), "chordal-alone-"));
+  const folder = mkdtempSync(join(tmpdir(), "chordal-standalone-"));
   const [a, b] = ["a.nc", "b.nc"].map((name) => join(folder, name));
   writeFileSync(a, OLD.replace("M98 P2\n", ""));
   writeFileSync(b, NEW.replace("M98 P2\n", ""));
@@ -145,7 +145,7 @@ test("another file is compared with the program, and follows what is typed", asy
   await page.locator(".verdict.different").waitFor();
   assert.equal(await page.locator("#against").evaluate((select) => select.selectedOptions[0].textContent), "b.nc");
   assert.match(await page.locator(".paths").innerText(), /a\.nc on Haas[^]*b\.nc on Haas/);
-  await picture(page, "alone-another");
+  await picture(page, "standalone-another");
   await page.evaluate(() => {
     const { view } = window.chordal.editor;
     const at = view.state.doc.toString().indexOf("X10.") + 4;
@@ -164,7 +164,7 @@ test("another file is compared with the program, and follows what is typed", asy
   await page.locator("#against").selectOption("named");
   await page.locator(".verdict.different").waitFor();
   // A part that fails, and a file that is no program.
-  await page.evaluate(() => window.alone.core.fail(2));
+  await page.evaluate(() => window.standalone.core.fail(2));
   await page.setInputFiles("#another", b);
   await page.waitForFunction(() => /same/.test(document.querySelector(".verdict").className));
   writeFileSync(b, Buffer.from(Array.from({ length: 10_000 }, (_, at) => (at * 7919) % 256)));
@@ -208,7 +208,7 @@ test("files are dropped, a text is pasted, and what is open lately is kept and f
 });
 
 test("a machine file that is chosen alone is the machine of the program", async () => {
-  const folder = mkdtempSync(join(tmpdir(), "chordal-alone-"));
+  const folder = mkdtempSync(join(tmpdir(), "chordal-standalone-"));
   writeFileSync(join(folder, "mine.toml"), 'inherits = "haas-vf2"\ntitle = "Mine"\n');
   writeFileSync(join(folder, "wrong.toml"), 'inherits = "haas-vf2"\ncolour = "red"\n');
   const { page } = await tests.open(PROFILE, "--machine", "fadal-4020");
@@ -253,7 +253,7 @@ test("a link holds the program, and one that is damaged says so", async () => {
 });
 
 test("whatever a file holds gets an answer, and the next one works", async () => {
-  const folder = mkdtempSync(join(tmpdir(), "chordal-alone-"));
+  const folder = mkdtempSync(join(tmpdir(), "chordal-standalone-"));
   const line = join(folder, "line.nc");
   writeFileSync(line, `${"G1 X1. Y2. ".repeat(90_000)}\n`);
   const binary = join(folder, "picture.nc");
@@ -273,7 +273,7 @@ test("whatever a file holds gets an answer, and the next one works", async () =>
 });
 
 test("an edit overtakes the run of the text before", async () => {
-  const folder = mkdtempSync(join(tmpdir(), "chordal-alone-"));
+  const folder = mkdtempSync(join(tmpdir(), "chordal-standalone-"));
   const path = join(folder, "long.ngc");
   const rows = Array.from({ length: 150_000 }, (_, at) => `X${(at % 1000) / 10}Y${Math.floor(at / 1000) / 10}`);
   writeFileSync(path, ["G21 G90 F1000", "G1 Z0", ...rows, "M30", ""].join("\n"));
@@ -302,11 +302,11 @@ test("an edit overtakes the run of the text before", async () => {
 test("a part of the interpreter that fails is told, and the page goes on", async () => {
   const { page } = await tests.open(PROFILE, "--machine", "fadal-4020");
   await page.waitForFunction(() => window.chordal.setpoints());
-  await page.evaluate(() => window.alone.core.fail(0));
+  await page.evaluate(() => window.standalone.core.fail(0));
   await page.waitForFunction(() => /asked to panic/.test(document.querySelector("#panel-problems").innerText));
   await type(page, "(A)");
   await page.waitForFunction(() => document.querySelector("#counts").innerText === "0 errors");
-  await page.evaluate(() => window.alone.core.fail("answers"));
+  await page.evaluate(() => window.standalone.core.fail("answers"));
   await toast(page, "asked to panic");
   await page.evaluate(() => (window.before = window.chordal.report()));
   await page.getByRole("button", { name: "Begin again with it" }).click();
@@ -344,7 +344,7 @@ test("nothing is asked of another address, the page works without a network, and
   await offline.locator(".examples .card", { hasText: "drilled-plate.nc" }).click();
   await reported(offline);
   await offline.waitForFunction(() => window.chordal.setpoints());
-  await picture(offline, "alone-offline");
+  await picture(offline, "standalone-offline");
   assert.deepEqual(complaints, []);
   await offline.close();
 });
