@@ -1,11 +1,11 @@
 // The view in a panel of an editor, next to the program: what is typed there is shown here, and both are at the same line.
 // A panel may load nothing: the editor gives it all its parts.
 
-import { WorkerConnection } from "./standalone/worker-connection";
-import type { ProgramFile, OpenedProgram } from "./standalone/engine";
-import { textDifference, withUnixEndings } from "./panels/text-difference";
 import type { FromPanel, ShownProgram, ToPanel } from "./editor-messages";
 import type { PageParts } from "./page-host";
+import { textDifference, withUnixEndings } from "./panels/text-difference";
+import type { OpenedProgram, ProgramFile } from "./standalone/engine";
+import { WorkerConnection } from "./standalone/worker-connection";
 
 declare function acquireVsCodeApi(): { postMessage(message: FromPanel): void };
 const host = acquireVsCodeApi();

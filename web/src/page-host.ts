@@ -1,8 +1,8 @@
 // What differs between the pages: the one that `chordal view` serves, the one that stands alone, and an editor's panel.
 
-import type { TextEditor } from "./panels/text-editor";
 import type { layout } from "./panels/layout";
-import type { TransportDialer, Connection } from "./protocol/connection";
+import type { TextEditor } from "./panels/text-editor";
+import type { Connection, TransportDialer } from "./protocol/connection";
 
 /** The parts of the page that a host may add to. */
 export interface PageParts {

@@ -134,8 +134,8 @@ test("a difference goes to its line and shows the place, and keys go on to the n
   assert.equal(await line(page), 9);
   // The two ends, 0.05 mm apart, are seen as two.
   const ends = await page.evaluate(() => {
-    const { view, against, path } = window.chordal;
-    const [a, b] = against().found.differences[1].at_mm;
+    const { view, compare, path } = window.chordal;
+    const [a, b] = compare().comparison.differences[1].at_mm;
     const [x, y] = view.project(a.map((value, axis) => value - path().origin[axis]));
     const [u, v] = view.project(b.map((value, axis) => value - path().origin[axis]));
     const { clientWidth, clientHeight } = document.querySelector("canvas.path");
@@ -157,9 +157,9 @@ test("a difference goes to its line and shows the place, and keys go on to the n
   assert.match(await page.locator(".which").innerText(), /^1 of 2$/);
   // The other program's line is read beside.
   await page.locator(".difference .read").nth(1).click();
-  await page.waitForSelector(".elsewhere:not([hidden])");
-  assert.match(await page.locator(".elsewhere .cm-activeLine").innerText(), /^N40 G1 X50\.05 Y40\.$/);
-  assert.equal(await page.locator(".elsewhere .cm-activeLineGutter").count(), 0);
+  await page.waitForSelector(".other-file:not([hidden])");
+  assert.match(await page.locator(".other-file .cm-activeLine").innerText(), /^N40 G1 X50\.05 Y40\.$/);
+  assert.equal(await page.locator(".other-file .cm-activeLineGutter").count(), 0);
   await page.keyboard.press("Escape");
   await page.close();
 });
@@ -169,16 +169,16 @@ test("a click on the other path shows its line, to be read", async () => {
   writeFileSync(files[1], RETURNED.replace("N20 X40.", "N15 Y-8.\nN20 X40.\nY0"));
   await page.waitForFunction(() => /8 mm/.test(document.querySelector(".verdict").innerText));
   const place = await page.evaluate(() => {
-    const { view, path, against } = window.chordal;
-    const other = against().path;
+    const { view, path, compare } = window.chordal;
+    const other = compare().path;
     const at = other.pointOn(other.rowsOfLine(10)[0], 0.5);
     const [x, y] = view.project(at.map((value, axis) => value + other.origin[axis] - path().origin[axis]));
     const box = document.querySelector("canvas.path").getBoundingClientRect();
     return { x: box.x + x, y: box.y + y };
   });
   await page.mouse.click(place.x, place.y);
-  await page.waitForSelector(".elsewhere:not([hidden])");
-  assert.match(await page.locator(".elsewhere .cm-activeLine").innerText(), /^N20 X40\.$/);
+  await page.waitForSelector(".other-file:not([hidden])");
+  assert.match(await page.locator(".other-file .cm-activeLine").innerText(), /^N20 X40\.$/);
   await page.close();
 });
 
@@ -266,8 +266,8 @@ test("a conversion is shown over its source before anything is written, on the m
   assert.deepEqual(categories, ["path-mode", "work-offset"]);
   assert.match(await page.locator(".paths").innerText(), /bracket\.nc on Fadal[^]*converted bracket\.nc on Haas/);
   await page.locator(".difference .read").first().click();
-  await page.waitForSelector(".elsewhere:not([hidden])");
-  assert.match(await page.locator(".elsewhere .cm-content").innerText(), /^\(L9601 R0\+20\. R1\+0 R2\+2\. R3\+1\.5\)$/m);
+  await page.waitForSelector(".other-file:not([hidden])");
+  assert.match(await page.locator(".other-file .cm-content").innerText(), /^\(L9601 R0\+20\. R1\+0 R2\+2\. R3\+1\.5\)$/m);
   await picture(page, "compare-convert");
   assert.deepEqual(complaints, []);
   await page.close();

@@ -62,7 +62,7 @@ async function pixel(page, z, r) {
 
 /** How much of the half plane is drawn as cut open, pixels. */
 const openPixels = (page) => page.evaluate(() => {
-  const { part } = window.chordal.view.turned;
+  const { part } = window.chordal.view.lathe;
   const copy = new OffscreenCanvas(part.width, part.height).getContext("2d", { willReadFrequently: true });
   copy.drawImage(part, 0, 0);
   const { data } = copy.getImageData(0, 0, part.width, part.height);
@@ -73,8 +73,8 @@ const openPixels = (page) => page.evaluate(() => {
 
 /** The lines and arcs of the section that is shown. */
 const shownLines = (page) => page.evaluate(() => {
-  const { sections, standing } = window.chordal.view.turned;
-  return sections.alive(standing.number).map((piece) => [...sections.numbers(piece)].join(" ")).sort();
+  const { sections, moment } = window.chordal.view.lathe;
+  return sections.alive(moment.number).map((piece) => [...sections.numbers(piece)].join(" ")).sort();
 });
 
 test("the half section is cut as the program plays, and is whole again backward", async () => {
@@ -123,7 +123,7 @@ test("while a pass is made the part goes where the tool has been", async () => {
     sizes.push(await openPixels(page));
   }
   assert.ok(sizes[0] > sizes[1] && sizes[1] > sizes[2], String(sizes));
-  const standing = await page.evaluate(() => window.chordal.view.turned.standing.cutting.length);
+  const standing = await page.evaluate(() => window.chordal.view.lathe.moment.cutting.length);
   assert.equal(standing, 2);
   // The tool is drawn with the section, not as a mill.
   assert.equal(await page.evaluate(() => window.chordal.view.tool.object.visible), false);
@@ -155,7 +155,7 @@ test("what is touched is a problem of its line and has a mark, and what is shown
   writeFileSync(program, readFileSync(PROGRAM, "utf8").replace("G0 X100. Z50.\n(T5", "G0 X20. Z-56.\nG0 X100. Z50.\n(T5"));
   const { page } = await show(program, SETUP);
   await page.locator("#panel-problems .problem", { hasText: "rapid" }).first().waitFor();
-  const marks = await page.evaluate(() => window.chordal.view.turned.marks.map(({ line }) => line));
+  const marks = await page.evaluate(() => window.chordal.view.lathe.marks.map(({ line }) => line));
   assert.ok(marks.length > 0, String(marks));
   await page.locator("#turned summary").click();
   assert.match(await page.locator("#turned").innerText(), /problems, see Problems; removed [\d.]+ cm³; 1 part cut off/);

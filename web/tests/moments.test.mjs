@@ -113,7 +113,7 @@ const shown = (page) => page.evaluate(() => {
     clock: document.querySelector("#clock").innerText,
     seconds: Number(document.querySelector("#scrubber").value),
     readout: document.querySelector(".readout").innerText,
-    tool: view.toolStands(),
+    tool: view.toolPose(),
     cursor: editor.line,
     marked: now ? doc.lineAt(editor.view.posAtDOM(now)).number : undefined,
     row: path().lineOf(playback().row).line,

@@ -357,14 +357,14 @@ test("a call into another file shows that file, to be read", async () => {
   await page.locator(".cm-line").nth(4).click();
   await page.keyboard.press("End");
   await page.keyboard.press("F12");
-  await page.waitForSelector(".elsewhere:not([hidden])");
-  assert.match(await page.locator(".elsewhere h2").innerText(), /O77\.nc/);
-  assert.match(await page.locator(".elsewhere .cm-activeLine").innerText(), /O77 \(A SQUARE\)/);
+  await page.waitForSelector(".other-file:not([hidden])");
+  assert.match(await page.locator(".other-file h2").innerText(), /O77\.nc/);
+  assert.match(await page.locator(".other-file .cm-activeLine").innerText(), /O77 \(A SQUARE\)/);
   await page.keyboard.type("X");
-  assert.doesNotMatch(await page.locator(".elsewhere .cm-content").innerText(), /X.*O77/);
-  await picture(page, "elsewhere");
+  assert.doesNotMatch(await page.locator(".other-file .cm-content").innerText(), /X.*O77/);
+  await picture(page, "other-file");
   await page.keyboard.press("Escape");
-  assert.equal(await page.locator(".elsewhere").isVisible(), false);
+  assert.equal(await page.locator(".other-file").isVisible(), false);
   assert.equal(await line(page), 5);
   assert.deepEqual(complaints, []);
   await page.close();
@@ -401,7 +401,7 @@ test("a rotary table turns the part: the path lies about it, and the tool stands
     return at * points.periodS;
   });
   await page.evaluate((seconds) => window.chordal.timeline.seek(seconds), time);
-  const tool = await page.evaluate(() => window.chordal.view.toolStands());
+  const tool = await page.evaluate(() => window.chordal.view.toolPose());
   assert.ok(tool.up[1] < -0.95 && tool.at[1] < -19, JSON.stringify(tool));
   await page.evaluate(() => window.chordal.view.fit());
   // What is read is what the program says.

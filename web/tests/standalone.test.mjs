@@ -157,7 +157,7 @@ test("another file is compared with the program, and follows what is typed", asy
   await page.setInputFiles("#another", a);
   await page.locator(".verdict.different").waitFor();
   await page.locator(".difference .read").first().click();
-  await page.locator(".elsewhere h2", { hasText: "a (2).nc, read only" }).waitFor();
+  await page.locator(".other-file h2", { hasText: "a (2).nc, read only" }).waitFor();
   await page.keyboard.press("Escape");
   await page.locator("#against").selectOption("machine fanuc-30i");
   await page.waitForFunction(() => /Fanuc/.test(document.querySelector(".paths").innerText));

@@ -203,7 +203,7 @@ test("the tool has its own diameter, and the picture does not lie under the lege
     const row = path().rowsOfLine(line)[0];
     const at = setpoints().row.findIndex((own) => own >= row);
     timeline.seek((at + 0.5) * setpoints().periodS);
-    return view.toolStands().width;
+    return view.toolPose().width;
   }, line);
   assert.ok(Math.abs((await width(84)) - 25.4) < 1e-6);
   const legend = await page.locator(".legend").innerText();

@@ -1,11 +1,11 @@
 // The pane "Compare": what the program is compared with, the answer, and the differences one by one.
 
-import { linesText } from "./difference-ranges";
-import { signButton } from "../panels/icons";
-import type { Comparison, Difference, HelloMessage, ComparedWith } from "../protocol/messages";
-import { element } from "../panels/dom";
 import { codeSpans, setCodeSpans } from "../panels/code-spans";
+import { element } from "../panels/dom";
+import { signButton } from "../panels/icons";
 import { type Units, count, countText } from "../panels/units";
+import type { ComparedWith, Comparison, Difference, HelloMessage } from "../protocol/messages";
+import { linesText } from "./difference-ranges";
 
 const MM_PER_INCH = 25.4;
 /** Differences that are listed; more are counted. */
@@ -213,7 +213,7 @@ export function pathLegend(root: HTMLElement, handlers: { own: (shown: boolean) 
   const [otherBox, , otherText] = made("other", handlers.other);
   const end = signButton("close", "Stop comparing", handlers.end);
   const differenceKey = element("span", "key");
-  differenceKey.append(element("span", "swatch apart"), "different");
+  differenceKey.append(element("span", "swatch difference"), "different");
   differenceKey.hidden = true;
   root.append(differenceKey, end);
   root.hidden = true;

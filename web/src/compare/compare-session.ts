@@ -1,18 +1,18 @@
 // The program held against another one: the path beside, the answer, and the way through the differences.
 
-import { boxAround, boxOf, differingLines, rowsOf, rowsOfLines, step, boxUnion } from "./difference-ranges";
-import { comparePanel, pathLegend } from "./compare-panel";
-import type { TextEditor } from "../panels/text-editor";
 import type { OtherFileView } from "../panels/other-file-view";
-import type { Frame } from "../protocol/frame";
-import type { Connection } from "../protocol/connection";
-import type { ComparedProgram, BlockRange, Comparison, Difference, HelloMessage, ComparedWith, ServerMessage } from "../protocol/messages";
-import { type Bounds, type Vec3, batchOf } from "../path/batch";
-import { Path } from "../path/path";
-import type { PathView } from "../view/path-view";
-import { Kinematics } from "../path/kinematics";
-import type { ShownRun } from "../session/shown-run";
+import type { TextEditor } from "../panels/text-editor";
 import { countText } from "../panels/units";
+import { type Bounds, type Vec3, batchOf } from "../path/batch";
+import { Kinematics } from "../path/kinematics";
+import { Path } from "../path/path";
+import type { Connection } from "../protocol/connection";
+import type { Frame } from "../protocol/frame";
+import type { BlockRange, ComparedProgram, ComparedWith, Comparison, Difference, HelloMessage, ServerMessage } from "../protocol/messages";
+import type { ShownRun } from "../session/shown-run";
+import type { PathView } from "../view/path-view";
+import { comparePanel, pathLegend } from "./compare-panel";
+import { boxAround, boxOf, boxUnion, differingLines, rowsOf, rowsOfLines, step } from "./difference-ranges";
 
 /** What is shown of a place without a distance is at least this share of the path. */
 const MIN_PATH_SHARE = 1 / 50;
@@ -41,7 +41,7 @@ export function compareSession(page: CompareParts) {
   let compared: ComparedProgram | undefined;
   let path = new Path();
   let hasBegun = false;
-  let found: Comparison | undefined;
+  let comparison: Comparison | undefined;
   let chosen = -1;
 
   const panel = comparePanel(page.panel, {
@@ -62,7 +62,7 @@ export function compareSession(page: CompareParts) {
 
   function begin(next: ComparedProgram): void {
     panel.chosen(next.other, next.own_text ? next.machine?.title : undefined);
-    found = undefined;
+    comparison = undefined;
     chosen = -1;
     compared = next.other === "nothing" ? undefined : next;
     path = new Path();
@@ -74,7 +74,7 @@ export function compareSession(page: CompareParts) {
 
   function end(message: string, isBad = false): void {
     compared = undefined;
-    found = undefined;
+    comparison = undefined;
     path = new Path();
     view.beginOther(path);
     legend.hide();
@@ -98,7 +98,7 @@ export function compareSession(page: CompareParts) {
   }
 
   function show(result: Comparison): void {
-    found = result;
+    comparison = result;
     chosen = -1;
     panel.show(result, page.run.units);
     editor.markLines("differs", differingLines(result.differences, 0));
@@ -125,7 +125,7 @@ export function compareSession(page: CompareParts) {
 
   /** Goes to a difference: its line, both paths there, large enough to be seen apart. */
   function choose(index: number): void {
-    const difference = found?.differences[index];
+    const difference = comparison?.differences[index];
     if (!difference) return;
     chosen = index;
     panel.select(index);
@@ -147,15 +147,15 @@ export function compareSession(page: CompareParts) {
   }
 
   function showFarthest(): void {
-    if (!found?.farthest) return;
-    const [a, b] = found.farthest.places.map(({ file, line }) => ({ file, from: line, to: line }));
+    if (!comparison?.farthest) return;
+    const [a, b] = comparison.farthest.places.map(({ file, line }) => ({ file, from: line, to: line }));
     if (a!.file === 0) page.goTo(a!.from);
-    place(found.farthest.at_mm, [a!, b!]);
+    place(comparison.farthest.at_mm, [a!, b!]);
     view.placeTool(undefined);
   }
 
   function walk(by: 1 | -1): void {
-    const next = step(chosen, by, found?.differences.length ?? 0);
+    const next = step(chosen, by, comparison?.differences.length ?? 0);
     if (next < 0) return;
     page.openPanel();
     choose(next);
@@ -225,6 +225,6 @@ export function compareSession(page: CompareParts) {
     },
     color: legend.color,
     /** For the browser's tests. */
-    shown: () => ({ path, found, chosen }),
+    shown: () => ({ path, found: comparison, chosen }),
   };
 }

@@ -1,12 +1,12 @@
 // Where two paths are apart: what of each, and a dot at each place, so that the smallest is seen in the largest.
 
-import { BufferGeometry, type Plane, Points, PointsMaterial } from "three";
-import { difference } from "../view/extent";
-import type { ArcTolerance } from "../path/lines";
-import { RowHighlight } from "../view/row-highlight";
+import { type Plane, BufferGeometry, Points, PointsMaterial } from "three";
 import type { Vec3 } from "../path/batch";
+import type { ArcTolerance } from "../path/lines";
 import type { Path } from "../path/path";
+import { difference } from "../view/extent";
 import { geometryOf } from "../view/line-mesh";
+import { RowHighlight } from "../view/row-highlight";
 
 /** Rows that are marked at most, of each path: wide lines must not keep the picture from turning. */
 const MAX_ROWS = 3_000;

@@ -1,8 +1,8 @@
 import { expect, it } from "vitest";
-import { boxAround, boxOf, differingLines, linesText, rowsOf, rowsOfLines, step, boxUnion } from "./difference-ranges";
-import type { Difference, DifferenceSide } from "../protocol/messages";
-import { ARC, KNOWN, type Vec3 } from "../path/batch";
+import { type Vec3, ARC, KNOWN } from "../path/batch";
 import { Path } from "../path/path";
+import type { Difference, DifferenceSide } from "../protocol/messages";
+import { boxAround, boxOf, boxUnion, differingLines, linesText, rowsOf, rowsOfLines, step } from "./difference-ranges";
 
 function path(origin: Vec3, lines: number[], points: number[], files = lines.map(() => 0)): Path {
   const made = new Path();

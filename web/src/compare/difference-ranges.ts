@@ -1,9 +1,9 @@
 // What the server found different between two programs: where that is on the page.
 
-import type { BlockRange, Difference } from "../protocol/messages";
 import { arcEighths, arcIndex, arcPoint } from "../path/arcs";
-import { type Bounds, KNOWN, type Vec3 } from "../path/batch";
+import { type Bounds, type Vec3, KNOWN } from "../path/batch";
 import type { Path } from "../path/path";
+import type { BlockRange, Difference } from "../protocol/messages";
 
 /** Lines of the program that are marked: what differs may be all of a long one. */
 const MAX_LINES = 10_000;

@@ -1,18 +1,18 @@
 // The path of another program, over that of the shown one: one colour, dashed, so that both are seen
 // where they are the same.
 
-import { Group, LineDashedMaterial, LineSegments, Matrix4, type Object3D, type Plane } from "three";
+import { type Object3D, type Plane, Group, LineDashedMaterial, LineSegments, Matrix4 } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
-import { difference } from "../view/extent";
-import { type LineArrays, type ArcTolerance, linesOf } from "../path/lines";
-import { RowHighlight } from "../view/row-highlight";
 import type { Batch, Bounds, Vec3 } from "../path/batch";
+import { type ArcTolerance, type LineArrays, linesOf } from "../path/lines";
 import { Path } from "../path/path";
 import { yieldToEventLoop } from "../view/event-loop";
-import { type Pickable, type PickedPoint, type PointProjection, pick } from "../view/picking";
+import { difference } from "../view/extent";
 import { geometryOf } from "../view/line-mesh";
+import { type Pickable, type PickedPoint, type PointProjection, pick } from "../view/picking";
+import { RowHighlight } from "../view/row-highlight";
 
 /** Rows of a part from which on others are let in before the next. */
 const UNINTERRUPTED_ROWS = 20_000;

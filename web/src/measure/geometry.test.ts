@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import { type PathFeature, featureText as words, distanceText, measuredDistance, featureAt } from "./geometry";
-import { type Batch, KNOWN, type Vec3 } from "../path/batch";
+import { type Batch, type Vec3, KNOWN } from "../path/batch";
 import { Path } from "../path/path";
+import { type PathFeature, distanceText, featureAt, featureText as words, measuredDistance } from "./geometry";
 
 /** A line along X, one along it 10 mm further in Y, and a quarter of a circle of 5 mm about X 30 Y 0. */
 function path(): Path {

@@ -1,10 +1,10 @@
 // What a measurement finds: what was chosen on the path, and the distance between two such things.
 
+import { type Units, length, programmed } from "../panels/units";
 import { arcIndex } from "../path/arcs";
-import { RAPID, type Vec3, kindOf } from "../path/batch";
+import { type Vec3, RAPID, kindOf } from "../path/batch";
 import type { Path } from "../path/path";
 import type { PickedPoint } from "../view/picking";
-import { type Units, length, programmed } from "../panels/units";
 
 /** What a click on the path means; places relative to the origin of the path, mm. */
 export type PathFeature =

@@ -4,8 +4,8 @@ import { Group } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
-import type { PathFeature } from "./geometry";
 import type { Vec3 } from "../path/batch";
+import type { PathFeature } from "./geometry";
 
 /** Of a mark from its middle, pixels. */
 const REACH = 6;

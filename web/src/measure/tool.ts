@@ -1,9 +1,9 @@
 // Measuring with the pointer: what it is over is marked, two clicks give a distance.
 
-import { type PathFeature, featureText, distanceText, measuredDistance, featureAt } from "./geometry";
-import type { PickedPoint } from "../view/picking";
-import type { PathView } from "../view/path-view";
 import type { ShownRun } from "../session/shown-run";
+import type { PathView } from "../view/path-view";
+import type { PickedPoint } from "../view/picking";
+import { type PathFeature, distanceText, featureAt, featureText, measuredDistance } from "./geometry";
 
 export interface MeasureTool {
   readonly isOn: boolean;

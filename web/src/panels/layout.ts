@@ -1,15 +1,15 @@
 // The frame of the page: bars, panes, panels, and what they tell.
 
-import { type ColorBy, type Palette, toolColor } from "../view/colors";
-import { icon } from "./icons";
-import type { MachineChoice, MachineInfo, RunReport, ToolInfo } from "../protocol/messages";
-import { element } from "./dom";
 import type { Path } from "../path/path";
-import { setCodeSpans } from "./code-spans";
-import type { VisibleSection } from "../view/visible-section";
-import type { ViewName } from "../view/camera";
-import { sectionControls } from "./section-controls";
 import type { PlaybackState } from "../path/playback-state";
+import type { MachineChoice, MachineInfo, RunReport, ToolInfo } from "../protocol/messages";
+import type { ViewName } from "../view/camera";
+import { type ColorBy, type Palette, toolColor } from "../view/colors";
+import type { VisibleSection } from "../view/visible-section";
+import { setCodeSpans } from "./code-spans";
+import { element } from "./dom";
+import { icon } from "./icons";
+import { sectionControls } from "./section-controls";
 import { type Units, angles, count, countText, length, position, speed } from "./units";
 
 export type PanelName = "problems" | "outline" | "state" | "times" | "compare";

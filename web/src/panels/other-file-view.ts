@@ -6,9 +6,9 @@ import type { DefinitionPlace } from "../protocol/messages";
 import { element } from "./dom";
 
 export class OtherFileView {
-  private root = element("section", "elsewhere");
+  private root = element("section", "other-file");
   private title = element("h2");
-  private body = element("div", "elsewhere-text");
+  private body = element("div", "other-file-text");
   private close = element("button", "", "Back to the program");
   private view: EditorView | undefined;
 

@@ -1,9 +1,9 @@
 // The panel of problems: by code, errors first, with a choice of severities.
 
 import type { Problem, RunReport } from "../protocol/messages";
+import { codeSpans } from "./code-spans";
 import { element } from "./dom";
 import { notVerified } from "./program-panels";
-import { codeSpans } from "./code-spans";
 import { count, countText } from "./units";
 
 type Severity = Problem["severity"];

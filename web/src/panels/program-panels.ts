@@ -1,10 +1,10 @@
 // The panels beside the path: outline, what is in force, times; problems stand in problems.ts.
 
-import type { OutlineEntry, MachineInfo, ModalState, RunReport, RunTimes } from "../protocol/messages";
 import type { Vec3 } from "../path/batch";
-import { element } from "./dom";
-import { codeSpans } from "./code-spans";
 import type { Coordinates } from "../path/playback-state";
+import type { MachineInfo, ModalState, OutlineEntry, RunReport, RunTimes } from "../protocol/messages";
+import { codeSpans } from "./code-spans";
+import { element } from "./dom";
 import { type Units, angles, count, countText, duration, length, position, speed } from "./units";
 
 /** From where on the path is not known; empty where the whole run was followed. */

@@ -2,8 +2,8 @@
 // each other. Nothing waits for an answer.
 
 import type { MachineChoice, ProgramReadings } from "../protocol/messages";
-import { element } from "./dom";
 import { codeSpans, setCodeSpans } from "./code-spans";
+import { element } from "./dom";
 import { count, countText } from "./units";
 
 /** What follows from the readings of a run. */

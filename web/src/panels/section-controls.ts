@@ -1,7 +1,7 @@
 // Which part of the path is shown: by tool, by lines, by depth.
 
-import { closesOnEscape, element } from "./dom";
 import type { VisibleSection } from "../view/visible-section";
+import { closesOnEscape, element } from "./dom";
 import { type Units, length } from "./units";
 
 const STEPS = 1000;

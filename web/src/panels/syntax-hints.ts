@@ -1,9 +1,9 @@
 // Colours of words and what they mean: asked of the server for the lines that are seen.
 
 import { type Extension, RangeSetBuilder, StateEffect } from "@codemirror/state";
-import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate, hoverTooltip } from "@codemirror/view";
-import { element } from "./dom";
+import { type DecorationSet, type ViewUpdate, Decoration, EditorView, ViewPlugin, hoverTooltip } from "@codemirror/view";
 import type { WordMeaning } from "../protocol/messages";
+import { element } from "./dom";
 
 /** Line (from 1), first and last column in UTF-16 code units, and the number of the class. */
 export type Tokens = number[];

@@ -1,6 +1,6 @@
 import { EditorState, Text } from "@codemirror/state";
 import { expect, it } from "vitest";
-import { changesOf, appendPiece, rangeOf } from "./text-editor";
+import { appendPiece, changesOf, rangeOf } from "./text-editor";
 
 it("puts a text together from pieces, cut anywhere", () => {
   const lines = Array.from({ length: 5_000 }, (_, at) => `N${at} X${at % 97}`);

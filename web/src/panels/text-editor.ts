@@ -14,9 +14,9 @@ import {
   keymap,
   lineNumbers,
 } from "@codemirror/view";
-import type { SourcePlace, Problem } from "../protocol/messages";
+import type { Problem, SourcePlace } from "../protocol/messages";
+import { codeSpans, plainText } from "./code-spans";
 import { element } from "./dom";
-import { plainText, codeSpans } from "./code-spans";
 import { markdown, unwrapParagraphs } from "./syntax-hints";
 
 export interface TextChange {

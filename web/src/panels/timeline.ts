@@ -1,8 +1,8 @@
 // The timeline: speed over time, a scrubber, and playback.
 
 import { type EngagementCurve, type EngagementMeasure, measureText } from "../path/engagement";
-import { type IconName, icon, signButton } from "./icons";
 import { type Setpoints, speedBands } from "../path/setpoints";
+import { type IconName, icon, signButton } from "./icons";
 import { type Units, duration, speed } from "./units";
 
 export const RATES = [0.1, 0.25, 0.5, 1, 2, 5, 10, 50, 200];

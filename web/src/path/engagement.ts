@@ -1,8 +1,8 @@
 // How hard the cuts are over time: the most of each part of it, and where it is too much.
 
+import { type Units, length, power } from "../panels/units";
 import { type Frame, f32, u32, u8 } from "../protocol/frame";
 import type { Setpoints } from "./setpoints";
-import { type Units, length, power } from "../panels/units";
 
 export type EngagementMeasure = "radial" | "chip" | "power";
 

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import type { Batch, Vec3 } from "./batch";
 import type { RotaryAxis } from "../protocol/messages";
+import type { Batch, Vec3 } from "./batch";
 import { Kinematics, curvePoint, rotated, unknownTurns } from "./kinematics";
 
 const none = (letter: string): RotaryAxis => ({ letter, turns: null, reversed: false, center_mm: [0, 0, 0] });

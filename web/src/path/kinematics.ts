@@ -1,9 +1,9 @@
 // Rotary axes: where on the part the tool is, and how it stands to it. The program's places are
 // those before the part turns; what is drawn is the part, which stands still.
 
+import type { RotaryAxis } from "../protocol/messages";
 import { arcIndex, arcPoint } from "./arcs";
 import type { Batch, Vec3 } from "./batch";
-import type { RotaryAxis } from "../protocol/messages";
 
 /** A move that turns is drawn in pieces of this angle, rad. */
 const STEP_RAD = Math.PI / 90;

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { linesOf, nearest, someRows } from "./lines";
 import { type Batch, KNOWN } from "./batch";
+import { linesOf, nearest, someRows } from "./lines";
 
 const CUT = 1 | KNOWN;
 const RAPID = 0 | KNOWN;

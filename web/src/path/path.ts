@@ -1,7 +1,7 @@
 // The path of a run, put together from the batches of the server, and the questions that the page asks of it.
 
-import { arcIndex, arcPoint, arcEighths } from "./arcs";
-import { RAPID, KNOWN, type Vec3, type Batch, type Bounds, kindOf, ALL_AXES, END_AXES } from "./batch";
+import { arcEighths, arcIndex, arcPoint } from "./arcs";
+import { type Batch, type Bounds, type Vec3, ALL_AXES, END_AXES, KNOWN, RAPID, kindOf } from "./batch";
 import { curvePoint } from "./kinematics";
 
 /** Places of a row that are looked at first to find how much of it is done. */

@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { KNOWN } from "./batch";
 import { Path } from "./path";
-import { type Setpoints, timeAfterRow, timeOfRow, timeOnRow } from "./setpoints";
 import { doneOf, playbackStateOf } from "./playback-state";
+import { type Setpoints, timeAfterRow, timeOfRow, timeOnRow } from "./setpoints";
 
 /** From nowhere to X10 Z5 on line 1, along X on line 2 with a wait after it, along Z on line 4; Y is never named. */
 function program(): [Path, Setpoints] {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { type PathStrands, someStrands, strands } from "./simplification";
 import type { LineArrays } from "./lines";
+import { type PathStrands, someStrands, strands } from "./simplification";
 
 /** Lines from place to place; a gap where a place is missing. */
 function chain(places: ([number, number, number] | undefined)[]): LineArrays {

@@ -1,16 +1,16 @@
 // Where the program is: line, clock, readout, tool, stock and text all show one position.
 
-import type { Vec3 } from "../path/batch";
-import { type PlaybackTarget, type PlaybackState, doneOf, playbackStateOf } from "../path/playback-state";
-import { stepRow } from "../path/setpoints";
-import type { TextEditor } from "../panels/text-editor";
 import type { layout } from "../panels/layout";
+import type { TextEditor } from "../panels/text-editor";
 import { ThrottledTask } from "../panels/throttled-task";
 import type { Timeline } from "../panels/timeline";
+import type { Vec3 } from "../path/batch";
+import { type PlaybackState, type PlaybackTarget, doneOf, playbackStateOf } from "../path/playback-state";
+import { stepRow } from "../path/setpoints";
 import type { latheStock } from "../stock/lathe-stock";
 import type { millStock } from "../stock/mill-stock";
-import type { PickedPoint } from "../view/picking";
 import type { PathView } from "../view/path-view";
+import type { PickedPoint } from "../view/picking";
 import type { ShownRun } from "./shown-run";
 import type { StatePanel } from "./state-panel";
 

@@ -1,10 +1,10 @@
 // The run of the program that the page shows: what has come of it so far.
 
+import type { Units } from "../panels/units";
 import type { Vec3 } from "../path/batch";
 import { Kinematics } from "../path/kinematics";
 import { Path } from "../path/path";
 import type { Setpoints } from "../path/setpoints";
-import type { Units } from "../panels/units";
 import { type Frame, f32, u32 } from "../protocol/frame";
 import type { MachineInfo, RunReport, RunTimes } from "../protocol/messages";
 

@@ -1,9 +1,9 @@
 // The panel that says what is active where the program is.
 
-import { kindOf } from "../path/batch";
-import { playbackStateOf } from "../path/playback-state";
 import type { layout } from "../panels/layout";
 import { showState } from "../panels/program-panels";
+import { kindOf } from "../path/batch";
+import { playbackStateOf } from "../path/playback-state";
 import type { Connection } from "../protocol/connection";
 import type { ShownRun } from "./shown-run";
 

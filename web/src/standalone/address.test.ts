@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { addressRequest, programQuery, fileOf } from "./address";
+import { addressRequest, fileOf, programQuery } from "./address";
 
 const PAGE = "https://shop.example/nc/";
 

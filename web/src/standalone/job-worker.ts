@@ -1,6 +1,6 @@
 // A worker that does what takes long, for the one that answers. It is ended when what it does is not wanted any more.
 
-import { Engine, type WorkOrder, type OpenedProgram } from "./engine";
+import { type OpenedProgram, type WorkOrder, Engine } from "./engine";
 import type { WorkerPort } from "./worker-port";
 
 export type ToJobWorker =

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { MAX_PROGRAM_BYTES, distinctName, nameOf, sortFiles, sizeComplaint } from "./opened-files";
+import { MAX_PROGRAM_BYTES, distinctName, nameOf, sizeComplaint, sortFiles } from "./opened-files";
 
 const files = (...names: string[]) => names.map((name) => ({ name }));
 

@@ -20,7 +20,7 @@ export interface RecentEntry {
 
 const MAX_ENTRIES = 20;
 /** A program of more is not kept, bytes. */
-export const MAX_KEPT_BYTES = 32 * 2 ** 20;
+export const MAX_RECENT_BYTES = 32 * 2 ** 20;
 const MAX_TOTAL_BYTES = 128 * 2 ** 20;
 
 /** Names of those that have no room any more; the newest stay. */
@@ -56,7 +56,7 @@ async function stores(mode: IDBTransactionMode): Promise<{ programs: IDBObjectSt
 /** Keeps a program; a browser that keeps nothing is no error. */
 export async function keepRecent(recent: RecentProgram): Promise<void> {
   const bytes = sizeOf(recent);
-  if (bytes > MAX_KEPT_BYTES) return;
+  if (bytes > MAX_RECENT_BYTES) return;
   try {
     const { programs, entries, close } = await stores("readwrite");
     await completed(programs.put(recent));

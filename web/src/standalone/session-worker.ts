@@ -1,8 +1,8 @@
 // The worker that answers the page, as a server would: it holds the text, and gives what takes long to other workers.
 
-import { type OtherProgram, COMPARE, CUT, Engine, type ProgramFile, type EngineEvents, type WorkOrder, type WorkKind, type OpenedProgram, PLAN, RUN } from "./engine";
-import { WorkerHandle, type JobWorker } from "./worker-handle";
+import { type EngineEvents, type OpenedProgram, type OtherProgram, type ProgramFile, type WorkKind, type WorkOrder, COMPARE, CUT, Engine, PLAN, RUN } from "./engine";
 import { Outbox } from "./outbox";
+import { type JobWorker, WorkerHandle } from "./worker-handle";
 import type { WorkerPort } from "./worker-port";
 
 export type ToSessionWorker =

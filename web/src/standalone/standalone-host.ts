@@ -1,16 +1,16 @@
 // The page that stands alone: opens and saves programs, shares them, and keeps those of before.
 
 import "./start-dialog.css";
-import type { PageParts, PageHost } from "../page-host";
+import type { PageHost, PageParts } from "../page-host";
 import { element } from "../panels/dom";
-import { type AddressRequest, addressRequest, programQuery, fetchFile, fileOf } from "./address";
-import type { OtherProgram, ProgramFile, OpenedProgram } from "./engine";
+import { type AddressRequest, addressRequest, fetchFile, fileOf, programQuery } from "./address";
+import type { OpenedProgram, OtherProgram, ProgramFile } from "./engine";
 import { openDroppedFiles } from "./file-drop";
-import { type Example, gallery, exampleAt } from "./gallery";
-import { distinctName, nameOf, sortFiles, sizeComplaint } from "./opened-files";
-import { MAX_KEPT_BYTES, findRecent, keepRecent, sizeOf } from "./recent-programs";
+import { type Example, exampleAt, gallery } from "./gallery";
+import { distinctName, nameOf, sizeComplaint, sortFiles } from "./opened-files";
+import { MAX_RECENT_BYTES, findRecent, keepRecent, sizeOf } from "./recent-programs";
 import { registerServiceWorker } from "./service-worker";
-import { MAX_LINK_CHARACTERS, type SharedProgram, fragmentOf, programInFragment } from "./share-link";
+import { type SharedProgram, MAX_LINK_CHARACTERS, fragmentOf, programInFragment } from "./share-link";
 import { StartDialog } from "./start-dialog";
 import { WorkerConnection } from "./worker-connection";
 
@@ -135,7 +135,7 @@ export class StandaloneHost implements PageHost {
   /** A program is put away at once, so that closing the page does not lose it; a long one when its path is there. */
   private remember(program: ArrayBuffer, machine?: string): void {
     const { name, files } = this;
-    if (sizeOf({ program, files }) > MAX_KEPT_BYTES) return;
+    if (sizeOf({ program, files }) > MAX_RECENT_BYTES) return;
     // A copy: the bytes go over to the worker.
     const recent = { name, program: program.slice(0), files, machine, at: Date.now() };
     if (program.byteLength > LONG_BYTES) setTimeout(() => void keepRecent(recent), KEEP_LONG_AFTER_MS);

@@ -1,8 +1,8 @@
 // The line of the page that stands alone: a worker with the interpreter, to which requests go as to a server.
 
 import type { Transport } from "../protocol/connection";
+import type { OpenedProgram, OtherProgram, ProgramFile, WorkKind } from "./engine";
 import type { ClosedMessage, ToSessionWorker } from "./session-worker";
-import type { OtherProgram, ProgramFile, WorkKind, OpenedProgram } from "./engine";
 
 /** How long a page that does not draw lets columns wait, ms. */
 const UNDRAWN_MS = 100;

@@ -1,6 +1,6 @@
 import { expect, test, vi } from "vitest";
-import { WorkerHandle, type JobWorker } from "./worker-handle";
 import type { FromJobWorker, ToJobWorker } from "./job-worker";
+import { type JobWorker, WorkerHandle } from "./worker-handle";
 
 /** A worker that does what the test says. */
 class Fake implements JobWorker {

@@ -1,7 +1,7 @@
 // One worker for one kind of work, as the worker that answers holds it: the newest job, and the questions that only
 // this worker can answer. What it does is ended when a newer job comes and it does not soon have time.
 
-import type { WorkOrder, OpenedProgram } from "./engine";
+import type { OpenedProgram, WorkOrder } from "./engine";
 import type { FromJobWorker, ToJobWorker } from "./job-worker";
 
 /** How long a job may go on when a newer one waits: as long as it takes to start another worker, ms. */

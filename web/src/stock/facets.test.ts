@@ -1,8 +1,8 @@
 import { type BufferGeometry, type Mesh, ShaderMaterial } from "three";
 import { expect, test } from "vitest";
 import { CoarseSurface } from "./coarse-surface";
-import type { StockBefore } from "./stock-timeline";
 import { type TileCorners, triangles } from "./facets";
+import type { StockBefore } from "./stock-timeline";
 import { StockSurface } from "./surface";
 import { SIDE, TILE } from "./tile";
 import { TileMeshes } from "./tile-meshes";

@@ -19,13 +19,13 @@ precision highp float;
 in vec3 place;
 uniform vec4 keep;
 uniform vec3 colors[24];
-uniform vec3 eye;
+uniform vec3 viewpoint;
 out vec4 drawn;
 
 void main() {
   if (keep.w > 0.5 && (place.x > keep.x || place.y < keep.y || place.z > keep.z)) discard;
   vec3 normal = normalize(cross(dFdx(place), dFdy(place)));
-  if (dot(normal, eye) < 0.0) normal = -normal;
+  if (dot(normal, viewpoint) < 0.0) normal = -normal;
   float light = 0.6 + 0.4 * max(0.0, dot(normal, normalize(vec3(-0.35, -0.55, 0.9)))) - 0.12 * max(0.0, normal.x);
   drawn = vec4(colors[0] * light, 1.0);
 }`;
@@ -42,7 +42,7 @@ export class GapMesh {
 
   /** `columns` are the uniforms of how columns are drawn; those of gaps are among them. */
   constructor(private surface: StockSurface, private gaps: Gaps, private columns: ShaderMaterial["uniforms"]) {
-    const { keep, colors, eye: viewpoint, push } = columns;
+    const { keep, colors, viewpoint, push } = columns;
     const material = new ShaderMaterial({ glslVersion: GLSL3, vertexShader: VERTEX, fragmentShader: FRAGMENT, side: DoubleSide });
     material.uniforms = { keep: keep!, colors: colors!, viewpoint: viewpoint!, push: push! };
     this.object = new Mesh(new BufferGeometry(), material);

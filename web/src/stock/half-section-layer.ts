@@ -1,10 +1,10 @@
 // The half section of a lathe's stock, drawn into a picture that lies under the path: a plane of lines and
 // arcs is drawn exactly, seen from wherever the path is.
 
-import { CanvasTexture, DepthTexture, LinearFilter, Mesh, type OrthographicCamera, OrthographicCamera as Flat, PlaneGeometry, ShaderMaterial, UnsignedIntType, Vector2, Vector3, type WebGLRenderer, WebGLRenderTarget } from "three";
-import { type Palette, toolColor } from "../view/colors";
+import { type OrthographicCamera, type WebGLRenderer, CanvasTexture, DepthTexture, LinearFilter, Mesh, OrthographicCamera as Flat, PlaneGeometry, ShaderMaterial, UnsignedIntType, Vector2, Vector3, WebGLRenderTarget } from "three";
 import type { Bounds, Vec3 } from "../path/batch";
-import { type Loops, type HalfSections, type SectionPoint, type TurnedTool, corners, draw, edges, hull, silhouette, trace } from "./half-sections";
+import { type Palette, toolColor } from "../view/colors";
+import { type HalfSections, type Loops, type SectionPoint, type TurnedTool, corners, draw, edges, hull, silhouette, trace } from "./half-sections";
 
 /** A bar that is longer than the path is seen so far beyond it, of the size of the path. */
 const BAR_ROOM_SHARE = 0.25;

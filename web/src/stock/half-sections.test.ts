@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { Frame } from "../protocol/frame";
-import { type Loops, type Pen, HalfSections, type SectionPoint, corners, edges, hull, silhouette, trace } from "./half-sections";
+import { type Loops, type Pen, type SectionPoint, HalfSections, corners, edges, hull, silhouette, trace } from "./half-sections";
 
 /** A bar of radius 10 from z 0 to 20, of which row 3 takes all above radius 8, and row 5 the upper corner. */
 const LINES = [

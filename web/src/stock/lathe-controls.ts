@@ -1,9 +1,9 @@
 // How the half section of a lathe is shown, and what was found.
 
-import type { TurnedReport } from "../protocol/messages";
 import { closesOnEscape, element } from "../panels/dom";
-import type { HalfSections } from "./half-sections";
 import { type Units, countText, volume } from "../panels/units";
+import type { TurnedReport } from "../protocol/messages";
+import type { HalfSections } from "./half-sections";
 
 const VERDICTS = { clean: "clean", problems: "problems, see Problems", "not-proved": "not proved, see Problems" } as const;
 

@@ -1,14 +1,14 @@
 // The stock of a lathe on the page: its half section at any moment, the tool in it, and what was found.
 
-import type { Frame } from "../protocol/frame";
-import type { Connection } from "../protocol/connection";
-import type { ServerMessage, TurnedReport } from "../protocol/messages";
 import { arcIndex } from "../path/arcs";
 import type { Vec3 } from "../path/batch";
-import type { PathView } from "../view/path-view";
-import { HalfSections, type SectionPoint } from "./half-sections";
-import { latheControls } from "./lathe-controls";
+import type { Connection } from "../protocol/connection";
+import type { Frame } from "../protocol/frame";
+import type { ServerMessage, TurnedReport } from "../protocol/messages";
 import type { ShownRun } from "../session/shown-run";
+import type { PathView } from "../view/path-view";
+import { type SectionPoint, HalfSections } from "./half-sections";
+import { latheControls } from "./lathe-controls";
 
 export interface LatheStockParts {
   view: PathView;

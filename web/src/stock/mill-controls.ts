@@ -1,10 +1,10 @@
 // How the stock is shown: colours, where it is cut open, how fine it is, and what was found.
 
-import type { StockBefore } from "./stock-timeline";
-import type { StockReport } from "../protocol/messages";
 import { closesOnEscape, element } from "../panels/dom";
-import { type StockCut, type StockColor, MAX_TOLERANCES } from "./stock-layer";
 import { type Units, count, length, volume } from "../panels/units";
+import type { StockReport } from "../protocol/messages";
+import { type StockColor, type StockCut, MAX_TOLERANCES } from "./stock-layer";
+import type { StockBefore } from "./stock-timeline";
 
 const STEPS = 1000;
 /** Columns to choose from, about. */

@@ -1,15 +1,15 @@
 // The stock of the page: what comes of it, where in time it is, and how it is shown.
 
-import { StockTimeline, type StockBefore } from "./stock-timeline";
-import { floorOf } from "./tool-floor";
-import { type Frame, f32, u32 } from "../protocol/frame";
-import { Gaps } from "./gaps";
+import { type Vec3, KNOWN, RAPID, kindOf } from "../path/batch";
 import type { Connection } from "../protocol/connection";
-import type { StockReport, ServerMessage } from "../protocol/messages";
-import { KNOWN, RAPID, type Vec3, kindOf } from "../path/batch";
-import type { PathView } from "../view/path-view";
-import { millControls } from "./mill-controls";
+import { type Frame, f32, u32 } from "../protocol/frame";
+import type { ServerMessage, StockReport } from "../protocol/messages";
 import type { ShownRun } from "../session/shown-run";
+import type { PathView } from "../view/path-view";
+import { Gaps } from "./gaps";
+import { millControls } from "./mill-controls";
+import { type StockBefore, StockTimeline } from "./stock-timeline";
+import { floorOf } from "./tool-floor";
 
 export interface MillStockParts {
   view: PathView;

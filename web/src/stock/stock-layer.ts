@@ -17,19 +17,19 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from "three";
-import { CoarseSurface } from "./coarse-surface";
+import type { Bounds, Vec3 } from "../path/batch";
 import { type Palette, toolColor } from "../view/colors";
-import type { StockBefore } from "./stock-timeline";
+import { yieldToEventLoop } from "../view/event-loop";
 import { gpuFinished } from "../view/gpu-fence";
+import type { PictureBelow } from "../view/painter";
+import { CoarseSurface } from "./coarse-surface";
 import { FixtureMesh } from "./fixtures";
 import { GapMesh } from "./gap-mesh";
 import type { Gaps } from "./gaps";
-import type { PictureBelow } from "../view/painter";
 import { PartMesh } from "./part-mesh";
-import type { Bounds, Vec3 } from "../path/batch";
-import { yieldToEventLoop } from "../view/event-loop";
 import { FRAGMENT, VERTEX } from "./stock-shader";
-import { StockSurface, type TouchedBox } from "./surface";
+import type { StockBefore } from "./stock-timeline";
+import { type TouchedBox, StockSurface } from "./surface";
 import { TILE } from "./tile";
 import { TileMeshes } from "./tile-meshes";
 
@@ -238,7 +238,7 @@ export class StockLayer {
       this.wait();
     }
     this.material.uniforms.push!.value = 2 * (pushOf(camera, renderer) + 0.5 * surface.stock.pitch) / (camera.far - camera.near);
-    this.material.uniforms.eye!.value.set(...viewpointOf(camera));
+    this.material.uniforms.viewpoint!.value.set(...viewpointOf(camera));
     if (this.state === "complete" && this.own) this.repaint(renderer, camera, this.own);
     if (this.state === "complete") return;
     // All of it once it is still.
@@ -387,7 +387,7 @@ export class StockLayer {
 
   private render(renderer: WebGLRenderer, camera: Camera, group: Group): void {
     renderer.render(group, camera);
-    if (this.material.uniforms.eye!.value.z >= 0) return;
+    if (this.material.uniforms.viewpoint!.value.z >= 0) return;
     // From below its underside is seen.
     this.material.uniforms.isFlat!.value = true;
     renderer.render(group, camera);

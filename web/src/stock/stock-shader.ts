@@ -72,7 +72,7 @@ uniform vec2 size;
 uniform vec3 uncut;
 uniform vec4 keep;
 uniform vec3 inside;
-uniform vec3 eye;
+uniform vec3 viewpoint;
 uniform bool isFlat;
 uniform float bottom;
 /** Floor and top of the gaps of each column, so many of each below each other, and the side of their columns. */
@@ -100,7 +100,7 @@ bool isOpen(vec2 at, float z, vec2 across) {
 void main() {
   vec3 normal = isFlat ? vec3(0.0, 0.0, -1.0) : normalize(cross(dFdx(place), dFdy(place)));
   if (bands > 0 && (isFlat || abs(normal.z) < 0.7) && isOpen(place.xy, isFlat ? bottom + 1e-3 : place.z, normal.xy)) discard;
-  if (dot(normal, eye) < 0.0) normal = -normal;
+  if (dot(normal, viewpoint) < 0.0) normal = -normal;
   vec3 own = color;
   bool isWall = abs(normal.z) < 0.02;
   // What the box had from the beginning is nobody's.

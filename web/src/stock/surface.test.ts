@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
 import type { StockBefore } from "./stock-timeline";
-import { floorOf } from "./tool-floor";
 import { StockSurface } from "./surface";
 import { SIDE } from "./tile";
+import { floorOf } from "./tool-floor";
 
 function stock(nx: number, ny: number): StockBefore {
   return { low: [0, 0, -10], high: [nx, ny, 0], pitch: 1, columns: [nx, ny], heights: new Float32Array(nx * ny), toleranceMm: 0 };

@@ -1,9 +1,9 @@
 // The surface of a stock as a grid of corners in tiles: what is drawn of it, and what has changed.
 
-import type { StockBefore } from "./stock-timeline";
 import type { TileCorners } from "./facets";
-import type { ToolFloor } from "./tool-floor";
+import type { StockBefore } from "./stock-timeline";
 import { SIDE, TILE } from "./tile";
+import type { ToolFloor } from "./tool-floor";
 
 /** Columns and heights between which something has changed. */
 export interface TouchedBox {

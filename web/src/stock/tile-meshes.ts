@@ -1,7 +1,7 @@
 // The surface of a stock as meshes, one for each tile: made anew where something of it has changed.
 
-import { BufferAttribute, BufferGeometry, Group, Mesh, type ShaderMaterial } from "three";
-import { BEYOND, type TileEdges, noEdges, triangles } from "./facets";
+import { type ShaderMaterial, BufferAttribute, BufferGeometry, Group, Mesh } from "three";
+import { type TileEdges, BEYOND, noEdges, triangles } from "./facets";
 import type { StockSurface } from "./surface";
 import { SIDE, TILE } from "./tile";
 

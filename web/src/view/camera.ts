@@ -2,8 +2,8 @@
 
 import { Matrix4, OrthographicCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { type ViewEdges, ViewExtent } from "./extent";
 import type { Bounds, Vec3 } from "../path/batch";
+import { type ViewEdges, ViewExtent } from "./extent";
 
 export type ViewName = "top" | "front" | "right" | "iso";
 

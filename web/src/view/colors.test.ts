@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { DARK, LIGHT, type Palette, type ColorScale, colorsOf, rampColor, rgb, toolColor } from "./colors";
 import type { Batch } from "../path/batch";
+import { type ColorScale, type Palette, DARK, LIGHT, colorsOf, rampColor, rgb, toolColor } from "./colors";
 import { PALE_SHARE } from "./progress";
 
 type Numbers = number[];

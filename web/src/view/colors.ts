@@ -1,8 +1,8 @@
 // Colours of the path, for a light and a dark page.
 
+import type { Batch } from "../path/batch";
 import type { LineArrays } from "../path/lines";
 import { DARK_SHEET, LIGHT_SHEET } from "./palette";
-import type { Batch } from "../path/batch";
 
 export type ColorBy = "tool" | "speed" | "depth" | "power";
 

@@ -2,10 +2,10 @@
 
 import type { LineSegments, Object3D } from "three";
 import type { LineSegments2 } from "three/addons/lines/LineSegments2.js";
-import type { LineArrays } from "../path/lines";
 import type { Batch } from "../path/batch";
-import { linesOnRows } from "./progress";
+import type { LineArrays } from "../path/lines";
 import type { LineMesh } from "./line-mesh";
+import { linesOnRows } from "./progress";
 
 /** What a wide line costs more than one of a pixel. */
 const WIDE_COST = 8;

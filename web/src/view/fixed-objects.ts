@@ -1,8 +1,8 @@
 // What stands still beside the path: zeros of work offsets, the box that the machine can reach.
 
 import { BufferAttribute, Group, LineBasicMaterial, LineSegments } from "three";
-import { corner } from "./extent";
 import type { Bounds, Vec3 } from "../path/batch";
+import { corner } from "./extent";
 import { geometryOf } from "./line-mesh";
 
 /** X red, Y green, Z blue, for both ends of each. */

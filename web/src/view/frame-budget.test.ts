@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { FramePace, QUALITIES, DrawSlices } from "./frame-budget";
+import { DrawSlices, FramePace, QUALITIES } from "./frame-budget";
 
 function frames(pace: FramePace, gap: number, count: number): void {
   pace.begin();

@@ -1,12 +1,12 @@
 // Fewer lines, for while the view turns: levels of detail, made once for a path.
 
-import { Group, type LineDashedMaterial, LineSegments } from "three";
-import { type PathStrands, someStrands, strands } from "../path/simplification";
-import type { LineArrays } from "../path/lines";
+import { type LineDashedMaterial, Group, LineSegments } from "three";
 import type { Batch } from "../path/batch";
+import type { LineArrays } from "../path/lines";
+import { type PathStrands, someStrands, strands } from "../path/simplification";
 import { yieldToEventLoop } from "./event-loop";
-import { spansOf } from "./progress";
 import { type LineMaterials, LineMesh, geometryOf } from "./line-mesh";
+import { spansOf } from "./progress";
 
 /** Lines of each level, about. */
 export const LEVELS = [60_000, 20_000, 8_000, 3_000];

@@ -20,10 +20,10 @@ import {
   WebGLRenderer,
 } from "three";
 import type { LineSegments2 } from "three/addons/lines/LineSegments2.js";
-import { type PathLevels, LEVELS } from "./lod";
+import { type DrawGroup, drawCost, drawGroups, drawWeight, isWide, wholeGroup } from "./draw-groups";
+import { type FrameQuality, DrawSlices, FramePace } from "./frame-budget";
 import { gpuFinished } from "./gpu-fence";
-import { FramePace, type FrameQuality, DrawSlices } from "./frame-budget";
-import { type DrawGroup, drawCost, isWide, drawGroups, drawWeight, wholeGroup } from "./draw-groups";
+import { type PathLevels, LEVELS } from "./lod";
 
 /** Lines that any machine draws in a frame. */
 const MIN_SLICE_LINES = 8_000;

@@ -11,55 +11,43 @@ import {
   Plane,
   Vector3,
 } from "three";
-import { DifferenceMarkers, type DifferenceRows } from "../compare/difference-markers";
-import { PathLevels } from "./lod";
-import { type ColorBy, type Palette, colorsOf } from "./colors";
-import type { StockBefore } from "../stock/stock-timeline";
-import { ViewCamera, type TurretSide, type ViewName } from "./camera";
-import { type ViewEdges, ViewExtent, difference, longest } from "./extent";
-import { FixedObjects } from "./fixed-objects";
-import { type RowFilter, type LineArrays, linesOf } from "../path/lines";
-import { RowHighlight } from "./row-highlight";
+import { type DifferenceRows, DifferenceMarkers } from "../compare/difference-markers";
+import { OtherPath } from "../compare/other-path";
 import type { PathFeature } from "../measure/geometry";
 import { MeasureOverlay } from "../measure/overlay";
-import { OtherPath } from "../compare/other-path";
-import { Painter } from "./painter";
-import { yieldToEventLoop } from "./event-loop";
 import type { Batch, Bounds, Vec3 } from "../path/batch";
+import { type RowFilter, linesOf } from "../path/lines";
 import { Path } from "../path/path";
-import { type PickedPoint, pick } from "./picking";
-import { type DrawnBatch, drawGroupsOn } from "./draw-groups";
-import { PathProgress, spansOf } from "./progress";
 import { HalfSectionLayer } from "../stock/half-section-layer";
 import type { HalfSections } from "../stock/half-sections";
 import { StockLayer } from "../stock/stock-layer";
-import { LineMaterials, LineMesh, emptyGroup, geometryOf, removeLines } from "./line-mesh";
+import type { StockBefore } from "../stock/stock-timeline";
+import { type TurretSide, type ViewName, ViewCamera } from "./camera";
+import type { ColorBy, Palette } from "./colors";
+import { drawGroupsOn } from "./draw-groups";
+import { DrawnPath, SIMPLIFIED_FROM_ROWS } from "./drawn-path";
+import { yieldToEventLoop } from "./event-loop";
+import { type ViewEdges, ViewExtent, difference, longest } from "./extent";
+import { FixedObjects } from "./fixed-objects";
+import { emptyGroup, geometryOf } from "./line-mesh";
+import { Painter } from "./painter";
+import { type PickedPoint, pick } from "./picking";
+import { PathProgress } from "./progress";
+import { RowHighlight } from "./row-highlight";
 import { type ArcTolerance, screenTolerance } from "./screen-tolerance";
 import { type DrawnTool, ToolShape } from "./tool-shape";
 import type { VisibleSection } from "./visible-section";
 
-/** Rows from which on fewer lines are drawn while the view turns. */
-const SIMPLIFIED_FROM_ROWS = 20_000;
-/** Rows from which on lines are drawn one pixel wide: wide ones are eight times the work. */
-const MAX_WIDE_ROWS = 20_000;
-const MAX_WIDE_ROWS_SOFTWARE = 2_000;
 /** How long the view must be still before all of it is drawn again, ms. */
 const STILL_MS = 160;
 
 // Colours are drawn as they are written: the page has no light that would need linear ones.
 ColorManagement.enabled = false;
 
-/** No lines. */
-const NONE: LineArrays = { points: new Float32Array(0), rows: undefined, count: 0 };
-
 export class PathView {
   private camera: ViewCamera;
   private painter: Painter;
-  private path = new Path();
-  private drawnBatches: DrawnBatch[] = [];
-  private cuts = new Group();
-  private rapids: Group;
-  private coarse = new PathLevels();
+  private drawn: DrawnPath;
   private contour = new Group();
   private differences = new DifferenceMarkers();
   private other = new OtherPath(() => this.painter.changed(), this.differences.other.object);
@@ -67,8 +55,6 @@ export class PathView {
   private fixed = new FixedObjects();
   private mark: RowHighlight;
   private progress = new PathProgress();
-  private cutMaterials = new LineMaterials(this.progress);
-  private rapidMaterial = new LineDashedMaterial();
   private contourMaterial = new LineDashedMaterial({ transparent: true, opacity: 0.9 });
   private chordMaterial = new LineBasicMaterial({ depthTest: false });
   private tool: ToolShape;
@@ -78,8 +64,6 @@ export class PathView {
   /** What the picture was made for, CSS pixels. */
   private width = 0;
   private height = 0;
-  private palette: Palette;
-  private colorBy: ColorBy = "tool";
   private turning = false;
   /** Since the last frame. */
   private hasMoved = false;
@@ -88,7 +72,6 @@ export class PathView {
   private isFrameRequested = false;
   /** Work that is done part by part is given up when newer work is asked for. */
   private refining = 0;
-  private recoloring = 0;
   /** World length of a pixel when arcs were cut last. */
   private cutFor = 0;
   private section: VisibleSection = {};
@@ -102,12 +85,11 @@ export class PathView {
     private canvas: HTMLCanvasElement,
     palette: Palette,
   ) {
-    this.palette = palette;
-    this.progress.attach(this.rapidMaterial);
+    this.drawn = new DrawnPath(this.progress, palette, () => this.render());
     this.mark = new RowHighlight(3, undefined, 1.5, this.progress);
     this.camera = new ViewCamera(canvas, () => this.moved());
-    this.painter = new Painter(canvas, this.camera.camera, this.cuts, this.coarse, () => this.render());
-    this.rapids = this.painter.rapids;
+    this.painter = new Painter(canvas, this.camera.camera, this.drawn.cuts, this.drawn.levels, () => this.render());
+    this.drawn.attach(this.painter);
     this.stock = new StockLayer(palette, this.painter.isSoftware, () => this.render());
     this.lathe = new HalfSectionLayer(palette, () => this.render());
     canvas.after(this.lathe.over);
@@ -126,36 +108,31 @@ export class PathView {
     return this.path.origin;
   }
 
+  private get path(): Path {
+    return this.drawn.path;
+  }
+
   /** A new path begins; the old one stays until the first batch of the new one is there. */
   begin(path: Path): void {
     this.clearPath();
-    this.path = path;
+    this.drawn.path = path;
     this.painter.showsPart = true;
     this.painter.changed();
   }
 
   private clearPath(): void {
-    for (const group of [this.cuts, this.rapids, this.contour, this.chords]) emptyGroup(group);
-    this.coarse.clear();
+    this.drawn.clear();
+    for (const group of [this.contour, this.chords]) emptyGroup(group);
     this.differences.clear();
-    this.drawnBatches = [];
     this.mark.clear();
   }
 
   add(batch: Batch): void {
-    const isFirst = this.drawnBatches.length === 0;
-    const part: DrawnBatch = {
-      batch,
-      cuts: undefined,
-      rapids: undefined,
-      lines: { cuts: NONE, rapids: NONE },
-    };
-    this.drawnBatches.push(part);
-    part.lines = linesOf(batch, this.tolerance(), this.keep(batch));
-    this.put(part);
+    const isFirst = this.drawn.batches.length === 0;
+    const drawn = this.drawn.add(batch, this.tolerance(), this.rowFilter(batch));
     if (isFirst) this.other.place(this.path.origin);
     if (!this.camera.userMoved && (isFirst || !this.camera.sees(batch.points, 3 * 16))) this.fit(true);
-    for (const strokes of [part.cuts?.object, part.rapids]) if (strokes) this.painter.added(strokes);
+    for (const lines of [drawn.cuts?.object, drawn.rapids]) if (lines) this.painter.added(lines);
     this.render();
   }
 
@@ -163,13 +140,10 @@ export class PathView {
   async finish(): Promise<void> {
     const { path } = this;
     this.other.place(path.origin);
-    if (path.rows > this.maxWideRows) {
-      // The first batches did not know that there would be so many.
-      for (const part of this.drawnBatches) if (part.cuts?.isWide) this.put(part);
-    }
+    this.drawn.thinFirstBatches();
     // The coarse path first: it is what shows until the picture of the whole one is drawn.
-    if (this.colorBy !== "tool") await this.recolor();
-    else await this.makeCoarse();
+    if (this.drawn.colorBy !== "tool") await this.drawn.recolor();
+    else await this.drawn.simplify();
     if (path !== this.path) return;
     this.painter.showsPart = false;
     if (!this.camera.userMoved) this.fit();
@@ -177,70 +151,16 @@ export class PathView {
     this.changed();
   }
 
-  private get maxWideRows(): number {
-    return this.painter.isSoftware ? MAX_WIDE_ROWS_SOFTWARE : MAX_WIDE_ROWS;
-  }
-
-  /** Puts the lines of a batch into the scene, instead of those before. */
-  private put(part: DrawnBatch): void {
-    // A picture that is being drawn must not ask for what goes.
-    if (part.cuts || part.rapids) this.painter.changed();
-    part.cuts?.removeLines();
-    removeLines(part.rapids);
-    const { cuts, rapids } = part.lines;
-    part.cuts = undefined;
-    part.rapids = undefined;
-    if (cuts.count > 0) {
-      const wide = this.path.rows <= this.maxWideRows && cuts.count <= this.maxWideRows;
-      part.cuts = new LineMesh(cuts.points, this.colors(part.batch, cuts), spansOf(part.batch.first, cuts), this.cutMaterials, wide);
-      this.cuts.add(part.cuts.object);
-    }
-    if (rapids.count > 0) {
-      part.rapids = new LineSegments(geometryOf(rapids.points, spansOf(part.batch.first, rapids)), this.rapidMaterial);
-      part.rapids.computeLineDistances();
-      part.rapids.frustumCulled = false;
-      this.rapids.add(part.rapids);
-    }
-  }
-
-  private async makeCoarse(): Promise<void> {
-    if (this.path.rows < SIMPLIFIED_FROM_ROWS) return this.coarse.clear();
-    const size = longest(this.path.bounds, 1);
-    const colors = (batch: Batch, lines: LineArrays) => this.colors(batch, lines);
-    const built = await this.coarse.build(this.drawnBatches, size, colors, this.cutMaterials, this.rapidMaterial);
-    if (built) this.render();
-  }
-
-  /** The colours of both ends of each line. */
-  private colors(batch: Batch, lines: LineArrays): Uint8Array {
-    const { cutters, minFeed, maxFeed, depths, maxPower } = this.path;
-    return colorsOf(this.palette, { by: this.colorBy, tools: cutters, feeds: [minFeed, maxFeed], depths, powers: [0, maxPower] }, batch, lines);
-  }
-
-  /** Gives all lines their colours anew, a part at a time. */
-  private async recolor(): Promise<void> {
-    const number = ++this.recoloring;
-    for (const part of [...this.drawnBatches]) {
-      part.cuts?.setColors(this.colors(part.batch, part.lines.cuts));
-      if (part.batch.rows < SIMPLIFIED_FROM_ROWS) continue;
-      await yieldToEventLoop();
-      if (number !== this.recoloring) return;
-    }
-    this.changed();
-    await this.makeCoarse();
-  }
-
   setColorBy(by: ColorBy): void {
-    this.colorBy = by;
-    void this.recolor();
+    this.drawn.colorBy = by;
+    void this.drawn.recolor();
     this.changed();
   }
 
   setPalette(palette: Palette): void {
-    this.palette = palette;
+    this.drawn.setPalette(palette);
     this.painter.renderer.setClearColor(new Color(palette.background));
     this.progress.setBackground(palette.background);
-    this.rapidMaterial.color.set(palette.rapid);
     this.contourMaterial.color.set(palette.contour);
     this.other.setColor(palette.other);
     this.differences.setColor(palette.difference);
@@ -251,7 +171,7 @@ export class PathView {
     this.tool.setPalette(palette);
     this.stock.setPalette(palette);
     this.lathe.setPalette(palette);
-    void this.recolor();
+    void this.drawn.recolor();
     this.changed();
   }
 
@@ -297,7 +217,7 @@ export class PathView {
   }
 
   addOther(batch: Batch): void {
-    this.other.add(batch, this.tolerance(this.other.path), this.maxWideRows);
+    this.other.add(batch, this.tolerance(this.other.path), this.drawn.maxWideRows);
     this.other.place(this.path.origin);
     this.changed();
   }
@@ -305,7 +225,7 @@ export class PathView {
   /** All of the other path is there. */
   async finishOther(): Promise<void> {
     if (!this.camera.userMoved) return this.fit();
-    if (await this.other.refine(this.tolerance(this.other.path), this.maxWideRows)) this.changed();
+    if (await this.other.refine(this.tolerance(this.other.path), this.drawn.maxWideRows)) this.changed();
   }
 
   showOwn(shown: boolean): void {
@@ -358,8 +278,8 @@ export class PathView {
   }
 
   showRapids(shown: boolean): void {
-    this.rapids.visible = shown;
-    this.coarse.showRapids(shown);
+    this.painter.rapids.visible = shown;
+    this.drawn.levels.showRapids(shown);
     this.other.showRapids(shown);
     this.changed();
   }
@@ -383,7 +303,7 @@ export class PathView {
     this.progress.set(rows);
     // Forward only what is done now has another colour.
     if (rows > before && rows !== Infinity) {
-      this.painter.repaint(drawGroupsOn(this.drawnBatches, Math.floor(before), Math.floor(rows), this.rapids.visible));
+      this.painter.repaint(drawGroupsOn(this.drawn.batches, Math.floor(before), Math.floor(rows), this.painter.rapids.visible));
     } else this.painter.changed();
     this.render();
   }
@@ -419,16 +339,13 @@ export class PathView {
     this.cutDepth();
     if (!isSame) {
       const tolerance = this.tolerance();
-      for (const part of this.drawnBatches) {
-        part.lines = linesOf(part.batch, tolerance, this.keep(part.batch));
-        this.put(part);
-      }
-      void this.makeCoarse();
+      for (const drawn of this.drawn.batches) this.drawn.cut(drawn, tolerance, this.rowFilter(drawn.batch));
+      void this.drawn.simplify();
     }
     this.changed();
   }
 
-  private keep(batch: Batch): RowFilter | undefined {
+  private rowFilter(batch: Batch): RowFilter | undefined {
     const { tool, lines } = this.section;
     if (tool === undefined && !lines) return undefined;
     const [from, to] = lines ?? [0, Infinity];
@@ -445,8 +362,8 @@ export class PathView {
       this.planes[0]!.constant = -(depth[0] - this.path.origin[2]);
       this.planes[1]!.constant = depth[1] - this.path.origin[2];
     }
-    const { thin, wide } = this.cutMaterials;
-    for (const material of [thin, wide, this.rapidMaterial, this.contourMaterial, this.chordMaterial]) {
+    const { thin, wide } = this.drawn.cutMaterials;
+    for (const material of [thin, wide, this.drawn.rapidMaterial, this.contourMaterial, this.chordMaterial]) {
       material.clippingPlanes = planes;
       material.needsUpdate = true;
     }
@@ -475,7 +392,7 @@ export class PathView {
   pick(x: number, y: number): PickedPoint | undefined {
     if (!this.painter.own.visible) return undefined;
     const [low, high] = this.section.depth ?? [-Infinity, Infinity];
-    return pick(this.drawnBatches, this.camera, this.canvas, [x, y], this.rapids.visible, (at) => {
+    return pick(this.drawn.batches, this.camera, this.canvas, [x, y], this.painter.rapids.visible, (at) => {
       const z = at[2] + this.path.origin[2];
       return z >= low - 1e-3 && z <= high + 1e-3;
     });
@@ -528,7 +445,7 @@ export class PathView {
     const extent = new ViewExtent(inverse);
     // Of a long path some points tell enough.
     const step = 3 * Math.max(1, Math.floor(this.path.rows / 50_000));
-    for (const { lines } of this.drawnBatches) {
+    for (const { lines } of this.drawn.batches) {
       extent.add(lines.cuts.points, step);
       extent.add(lines.rapids.points);
     }
@@ -545,20 +462,19 @@ export class PathView {
   private async refine(always = false): Promise<void> {
     const number = ++this.refining;
     const pixel = this.camera.pixel();
-    const curved = this.drawnBatches.filter(({ batch }) => batch.arcRows.length > 0);
+    const curved = this.drawn.batches.filter(({ batch }) => batch.arcRows.length > 0);
     const near = pixel < this.cutFor / 1.5 || pixel > this.cutFor * 4;
     // Where arcs out of sight were left coarse, another part of the path needs its own, too.
     if (!(near || always || this.camera.userMoved)) return;
     this.mark.cut(this.tolerance());
     this.differences.cut(this.tolerance(), this.tolerance(this.other.path));
-    if (await this.other.refine(this.tolerance(this.other.path), this.maxWideRows)) this.changed();
+    if (await this.other.refine(this.tolerance(this.other.path), this.drawn.maxWideRows)) this.changed();
     if (curved.length === 0 || number !== this.refining) return;
     this.cutFor = pixel;
     const tolerance = this.tolerance();
-    for (const part of curved) {
-      part.lines = linesOf(part.batch, tolerance, this.keep(part.batch));
-      this.put(part);
-      if (part.batch.rows < SIMPLIFIED_FROM_ROWS) continue;
+    for (const drawn of curved) {
+      this.drawn.cut(drawn, tolerance, this.rowFilter(drawn.batch));
+      if (drawn.batch.rows < SIMPLIFIED_FROM_ROWS) continue;
       await yieldToEventLoop();
       if (number !== this.refining) return;
     }
@@ -587,7 +503,7 @@ export class PathView {
 
   /** The picture shows all of the path, and the coarse one is there for the next turn. */
   get isComplete(): boolean {
-    const isReady = this.path.rows < SIMPLIFIED_FROM_ROWS || this.coarse.isReady;
+    const isReady = this.path.rows < SIMPLIFIED_FROM_ROWS || this.drawn.levels.isReady;
     return this.fillsItsPlace && !this.turning && isReady && this.painter.isComplete && this.stock.isComplete && this.lathe.isComplete;
   }
 
@@ -633,8 +549,8 @@ export class PathView {
       }
       // Dashes keep their length on the screen.
       const pixel = this.camera.pixel();
-      this.rapidMaterial.dashSize = 6 * pixel;
-      this.rapidMaterial.gapSize = 4 * pixel;
+      this.drawn.rapidMaterial.dashSize = 6 * pixel;
+      this.drawn.rapidMaterial.gapSize = 4 * pixel;
       this.contourMaterial.dashSize = 3 * pixel;
       this.contourMaterial.gapSize = 2 * pixel;
       this.other.dash(pixel);

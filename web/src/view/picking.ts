@@ -1,8 +1,8 @@
 // Which row of the path is meant by a place on the screen.
 
-import type { ViewCamera } from "./camera";
-import { type LineArrays, nearest } from "../path/lines";
 import type { Batch, Vec3 } from "../path/batch";
+import { type LineArrays, nearest } from "../path/lines";
+import type { ViewCamera } from "./camera";
 
 /** How far from a line a click may be, pixels. */
 const REACH_PIXELS = 8;

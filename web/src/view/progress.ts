@@ -1,6 +1,6 @@
 // What of the path is done: the rest is drawn pale, in every material that draws the path.
 
-import { Color, type Material } from "three";
+import { type Material, Color } from "three";
 import type { LineArrays } from "../path/lines";
 
 /** How much of its colour what is still to come has; the rest is the background's. */
@@ -29,16 +29,16 @@ export class PathProgress {
     const { doneRows, background } = this;
     material.onBeforeCompile = (shader) => {
       shader.uniforms.doneRows = doneRows;
-      shader.uniforms.behindPath = background;
+      shader.uniforms.pageBackground = background;
       shader.vertexShader = shader.vertexShader.replace(
         "void main() {",
         `${attribute} varying float vRowAt;\nvoid main() { vRowAt = ${row};`,
       );
       shader.fragmentShader = shader.fragmentShader
-        .replace("void main() {", "uniform float doneRows; uniform vec3 behindPath; varying float vRowAt;\nvoid main() {")
+        .replace("void main() {", "uniform float doneRows; uniform vec3 pageBackground; varying float vRowAt;\nvoid main() {")
         .replace(
           "#include <color_fragment>",
-          `#include <color_fragment>\nif (vRowAt > doneRows) diffuseColor.rgb = mix(behindPath, diffuseColor.rgb, ${PALE_SHARE});`,
+          `#include <color_fragment>\nif (vRowAt > doneRows) diffuseColor.rgb = mix(pageBackground, diffuseColor.rgb, ${PALE_SHARE});`,
         );
     };
     material.customProgramCacheKey = () => `progress ${isWide}`;

@@ -1,11 +1,11 @@
 // Rows of a path that are marked, cut anew as the zoom asks.
 
-import { Group, InstancedBufferAttribute, type Plane } from "three";
+import { type Plane, Group, InstancedBufferAttribute } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
-import { type ArcTolerance, someRows } from "../path/lines";
 import type { Batch, Vec3 } from "../path/batch";
+import { type ArcTolerance, someRows } from "../path/lines";
 import { Path } from "../path/path";
 import type { PathProgress } from "./progress";
 

@@ -1,10 +1,10 @@
 // How far from an arc the straight pieces that are drawn of it may be.
 
 import { Vector3 } from "three";
-import type { ViewCamera } from "./camera";
-import type { ArcTolerance } from "../path/lines";
 import { arcReach } from "../path/arcs";
 import type { Vec3 } from "../path/batch";
+import type { ArcTolerance } from "../path/lines";
+import type { ViewCamera } from "./camera";
 
 export type { ArcTolerance };
 

@@ -1,9 +1,9 @@
 // The tool as its shape: what the tool table or a comment of the program knows of it.
 
-import { Group, LatheGeometry, Mesh, MeshBasicMaterial, Vector2, DoubleSide, EdgesGeometry, LineSegments, LineBasicMaterial, Vector3 } from "three";
-import type { Palette } from "./colors";
-import type { ToolInfo } from "../protocol/messages";
+import { DoubleSide, EdgesGeometry, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Vector2, Vector3 } from "three";
 import type { Vec3 } from "../path/batch";
+import type { ToolInfo } from "../protocol/messages";
+import type { Palette } from "./colors";
 
 const SPINDLE = new Vector3(0, 0, 1);
 /** Whole angles of points that no table gives, rad: they only make the picture. */

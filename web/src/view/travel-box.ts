@@ -1,7 +1,7 @@
 // The box that a machine reaches, and why it is not known.
 
-import type { MachineInfo } from "../protocol/messages";
 import type { Bounds, Vec3 } from "../path/batch";
+import type { MachineInfo } from "../protocol/messages";
 
 /** For X, Y and Z: where the zero of the run is on the machine, mm; none: not known. */
 type Offsets = (number | null)[] | null;
