@@ -16,7 +16,7 @@ const filesOf = (texts: Record<string, string>): ProgramFile[] => Object.entries
 let core: WorkerConnection | undefined;
 let page: PageParts | undefined;
 let shown: ShownProgram | undefined;
-/** The text is on its way to the page. */
+/** The page has not taken the text of the editor yet. */
 let isTextPending = false;
 /** The page goes to a line that the editor named. */
 let isFollowingEditor = false;

@@ -1,4 +1,4 @@
-// What differs between the pages: the one that `chordal view` serves, the one that stands alone, and an editor's panel.
+// What differs between the pages: the one that `chordal view` serves, the standalone page, and an editor's panel.
 
 import type { layout } from "./panels/layout";
 import type { TextEditor } from "./panels/text-editor";

@@ -1,4 +1,4 @@
-// The page that stands alone, without a server of Chordal.
+// The standalone page, without a server of Chordal.
 
 import "./standalone/content-policy";
 import { Session } from "./session/session";

@@ -9,7 +9,10 @@ use chordal::machine::builtin_names;
 use chordal_compare::Options;
 use chordal_editor::Program;
 use chordal_load::{Files, Given, Input, LoadError, Loader, Text, reason};
-use chordal_server::{Against, MachineChoice, Programs, Refusal, ServeError, Server, save};
+use chordal_server::{
+    ComparedProgram, ListedMachine, PageServer, PageServerError, ProgramRefusal, ProgramSource,
+    save,
+};
 use chordal_view::{ChosenMachine, builtin_machines, refusal};
 
 use crate::compare::{length_mm, sides};
@@ -84,7 +87,11 @@ pub fn run(args: Args, terminal: Terminal) -> Result<Verdict, Failure> {
             let other =
                 if against.is_some() { Shown::new(b, &on_b)? } else { Shown::named(b, &on_b)? };
             let own_text = against.is_none();
-            Shown::new(a, &on_a)?.against(Against { programs: Arc::new(other), own_text, options })
+            Shown::new(a, &on_a)?.against(ComparedProgram {
+                programs: Arc::new(other),
+                own_text,
+                options,
+            })
         }
     };
     serve(program, !no_browser, port, terminal)?;
@@ -128,13 +135,14 @@ pub fn beside(
         new.title = Some(format!("{} {name}", made.how));
         new.held = Some(made.text);
     }
-    let against = Against { programs: Arc::new(new), own_text: false, options: made.options };
+    let against =
+        ComparedProgram { programs: Arc::new(new), own_text: false, options: made.options };
     serve(old.against(against), true, 0, terminal)
 }
 
 /// Shows a program until the process ends.
 fn serve(program: Shown, opens: bool, port: u16, terminal: Terminal) -> Result<(), Failure> {
-    let server = Server::listen(port).map_err(failed)?;
+    let server = PageServer::listen(port).map_err(failed)?;
     let url = server.url();
     say(&format!("{url}\n"))?;
     if opens && let Err(reason) = open_browser(&url) {
@@ -143,8 +151,8 @@ fn serve(program: Shown, opens: bool, port: u16, terminal: Terminal) -> Result<(
     server.serve(Arc::new(program)).map_err(failed)
 }
 
-fn failed(error: ServeError) -> Failure {
-    let help = matches!(error, ServeError::Listen { .. })
+fn failed(error: PageServerError) -> Failure {
+    let help = matches!(error, PageServerError::Listen { .. })
         .then(|| "leave --port out to use any free port".to_string());
     Failure::Use { message: error.to_string(), help }
 }
@@ -157,7 +165,7 @@ struct Shown {
     /// The name for people, where it is not that of the file.
     title: Option<String>,
     loader: Loader,
-    against: Option<Arc<Against>>,
+    against: Option<Arc<ComparedProgram>>,
 }
 
 impl Shown {
@@ -185,7 +193,7 @@ impl Shown {
         Ok(Shown { input, held: None, title: None, loader, against: None })
     }
 
-    fn against(self, against: Against) -> Shown {
+    fn against(self, against: ComparedProgram) -> Shown {
         Shown { against: Some(Arc::new(against)), ..self }
     }
 }
@@ -204,7 +212,7 @@ impl Shown {
     }
 }
 
-impl Programs for Shown {
+impl ProgramSource for Shown {
     fn path(&self) -> Option<PathBuf> {
         self.input.path.clone().filter(|_| self.held.is_none())
     }
@@ -213,7 +221,7 @@ impl Programs for Shown {
         self.title.clone().unwrap_or_else(|| self.input.name().into_owned())
     }
 
-    fn read(&self) -> Result<Vec<u8>, Refusal> {
+    fn read(&self) -> Result<Vec<u8>, ProgramRefusal> {
         match (&self.held, &self.input.path) {
             (Some(held), _) => Ok(held.clone()),
             (None, Some(path)) => Files::Disk
@@ -223,11 +231,11 @@ impl Programs for Shown {
         }
     }
 
-    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
+    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, ProgramRefusal> {
         let loader = match machine.map(ChosenMachine::of) {
             // The page may choose from what it was offered, and name no file.
             Some(chosen) if !builtin_names().contains(&chosen.name) => {
-                return Err(Refusal {
+                return Err(ProgramRefusal {
                     message: format!("{} is not a machine of the list", chosen.name),
                     help: Some(
                         "choose one from the list, or start `chordal view` with --machine".into(),
@@ -242,13 +250,13 @@ impl Programs for Shown {
         let loader = loader.map_err(|error| refusal(&error))?;
         let set_up = machine.is_some().then(|| self.loader.again());
         let named_in = |file: &Path| self.named_in(file);
-        chordal_view::open(loader, set_up, &self.input, &self.name(), text, named_in)
+        chordal_view::open_program(loader, set_up, &self.input, &self.name(), text, named_in)
     }
 
-    fn write(&self, bytes: &[u8]) -> Result<(), Refusal> {
-        match Programs::path(self) {
+    fn write(&self, bytes: &[u8]) -> Result<(), ProgramRefusal> {
+        match ProgramSource::path(self) {
             Some(path) => save(&path, bytes),
-            None => Err(Refusal { message: "there is no file to write".into(), help: None }),
+            None => Err(ProgramRefusal { message: "there is no file to write".into(), help: None }),
         }
     }
 
@@ -256,11 +264,11 @@ impl Programs for Shown {
         Files::Disk.bytes(Path::new(name)).map_err(|error| reason(&error))
     }
 
-    fn against(&self) -> Option<Arc<Against>> {
+    fn compared_program(&self) -> Option<Arc<ComparedProgram>> {
         self.against.clone()
     }
 
-    fn machines(&self) -> Vec<MachineChoice> {
+    fn machines(&self) -> Vec<ListedMachine> {
         builtin_machines()
     }
 }

@@ -2,40 +2,40 @@
 //!
 //! One row a piece of path, its two ends as single-precision offsets from a double-precision
 //! origin: that is what a graphics card takes, as it is. Arcs, helices, spirals and cones have
-//! their exact record beside, so that the page can draw them as fine as its zoom asks without
-//! asking again; it needs no rule of any control for that. Spans of splines have points along them,
+//! their exact record as well, so that the page can draw them as fine as its zoom needs without
+//! another request; it needs no rule of any control for that. Spans of splines have points along them,
 //! at even distances.
 
 use chordal::geometry::{Curve, ParamCurve, SplinePiece, Vec3};
 use chordal::{Segment, SegmentKind};
 use serde_json::{Value, json};
 
-use crate::frame::Frame;
+use crate::frame::ColumnFrame;
 
 /// The tool moves at rapid speed.
-const RAPID: u8 = 0;
+const RAPID_KIND: u8 = 0;
 /// Both ends have a place in the frame of the run, along every axis that the program names; others cannot be drawn.
-const KNOWN: u8 = 0x10;
+const KNOWN_FLAG: u8 = 0x10;
 /// Compensation made it.
-const INSERTED: u8 = 0x20;
+const INSERTED_FLAG: u8 = 0x20;
 /// A canned cycle made it.
-const CYCLE: u8 = 0x40;
+const CYCLE_FLAG: u8 = 0x40;
 
 /// The bits of X, Y and Z that are known at the end, above those that are at the start.
-const END_AXES: u8 = 3;
+const END_AXES_SHIFT: u8 = 3;
 
 /// Numbers of an arc's record: centre, towards the start, axis, both radii, sweep (rad), rise (mm).
-const ARC: usize = 13;
+const ARC_NUMBERS: usize = 13;
 
 /// How far the straight pieces between the points of a spline are from it at most, mm: below what a screen
 /// shows of a part.
-const SPLINE_MM: f64 = 0.001;
+const SPLINE_TOLERANCE_MM: f64 = 0.001;
 /// Most pieces of a span of a spline.
-const MOST_PIECES: f64 = 4096.0;
+const MAX_SPLINE_PIECES: f64 = 4096.0;
 
 /// Rows that are gathered.
 #[derive(Debug, Default)]
-pub struct Columns {
+pub struct PathRows {
     /// Taken off all places, mm: that of the first known place.
     origin: Option<Vec3>,
     points: Vec<f32>,
@@ -59,10 +59,10 @@ pub struct Columns {
     turns: Vec<f32>,
 }
 
-impl Columns {
+impl PathRows {
     /// With S of each row or without.
-    pub fn new(has_power: bool) -> Columns {
-        Columns { has_power, ..Columns::default() }
+    pub fn new(has_power: bool) -> PathRows {
+        PathRows { has_power, ..PathRows::default() }
     }
 
     /// How many rows there are.
@@ -70,7 +70,6 @@ impl Columns {
         self.kind.len()
     }
 
-    /// Adds a row.
     pub fn push(&mut self, segment: &Segment, inserted: bool) {
         let (start, end) = (segment.curve.start(), segment.curve.end());
         let origin = match self.origin {
@@ -86,7 +85,7 @@ impl Columns {
         self.points.extend(near(end));
         self.kind.push(kind_of(segment, inserted));
         let [from, to] = segment.places();
-        self.known.push(from.0 | to.0 << END_AXES);
+        self.known.push(from.0 | to.0 << END_AXES_SHIFT);
         self.tool.push(segment.tool);
         self.file.push(u8::try_from(segment.origin.span.file.0).unwrap_or(u8::MAX));
         self.line.push(segment.origin.line);
@@ -103,16 +102,16 @@ impl Columns {
         if let Curve::Spline(piece) = &segment.curve {
             self.spline_rows.push(self.kind.len() as u32 - 1);
             let before = self.spline_points.len();
-            along(piece, |point| self.spline_points.extend(near(point)));
+            spline_points(piece, |point| self.spline_points.extend(near(point)));
             self.spline_counts.push(((self.spline_points.len() - before) / 3) as u32);
         }
     }
 
     /// The rows as a frame, and none are left.
     pub fn take(&mut self, header: &Value) -> Vec<u8> {
-        let next = Columns { origin: self.origin, ..Columns::new(self.has_power) };
+        let next = PathRows { origin: self.origin, ..PathRows::new(self.has_power) };
         let rows = std::mem::replace(self, next);
-        let mut frame = Frame::default();
+        let mut frame = ColumnFrame::default();
         frame.column("points", &rows.points);
         frame.column("line", &rows.line);
         frame.column("tool", &rows.tool);
@@ -143,16 +142,16 @@ impl Columns {
 
 fn kind_of(segment: &Segment, inserted: bool) -> u8 {
     let kind = match segment.kind {
-        SegmentKind::Rapid => RAPID,
+        SegmentKind::Rapid => RAPID_KIND,
         SegmentKind::Line => 1,
         SegmentKind::Arc => 2,
         SegmentKind::Spiral => 3,
         SegmentKind::Spline => 4,
     };
     let flag = |is, flag| if is { flag } else { 0 };
-    kind | flag(segment.is_drawn(), KNOWN)
-        | flag(inserted, INSERTED)
-        | flag(segment.origin.cycle, CYCLE)
+    kind | flag(segment.is_drawn(), KNOWN_FLAG)
+        | flag(inserted, INSERTED_FLAG)
+        | flag(segment.origin.cycle, CYCLE_FLAG)
 }
 
 /// Along the path, mm/min; 0 where there is none.
@@ -163,17 +162,17 @@ fn feed_of(segment: &Segment) -> f32 {
 
 /// Points of a span at even distances. A piece of the length d leaves the curve by d²/8 of its largest
 /// curvature at most.
-fn along(piece: &SplinePiece, mut push: impl FnMut(Vec3)) {
+fn spline_points(piece: &SplinePiece, mut push: impl FnMut(Vec3)) {
     let length = piece.length();
-    let pieces = length * (piece.max_curvature() / (8.0 * SPLINE_MM)).sqrt();
+    let pieces = length * (piece.max_curvature() / (8.0 * SPLINE_TOLERANCE_MM)).sqrt();
     // A NaN is one piece, too.
-    let pieces = if pieces > 1.0 { pieces.ceil().min(MOST_PIECES) } else { 1.0 };
+    let pieces = if pieces > 1.0 { pieces.ceil().min(MAX_SPLINE_PIECES) } else { 1.0 };
     for index in 0..=pieces as u32 {
         push(piece.point_at(length * f64::from(index) / pieces));
     }
 }
 
-fn arc_record(curve: &Curve, near: impl Fn(Vec3) -> [f32; 3]) -> Option<[f32; ARC]> {
+fn arc_record(curve: &Curve, near: impl Fn(Vec3) -> [f32; 3]) -> Option<[f32; ARC_NUMBERS]> {
     let (center, u, w, radii, sweep, rise) = match curve {
         Curve::Line(_) | Curve::Spline(_) => return None,
         Curve::Arc(arc) => {
@@ -190,7 +189,7 @@ fn arc_record(curve: &Curve, near: impl Fn(Vec3) -> [f32; 3]) -> Option<[f32; AR
     };
     let [cx, cy, cz] = near(center);
     let rest = [u.x, u.y, u.z, w.x, w.y, w.z, radii.0, radii.1, sweep, rise].map(|v| v as f32);
-    let mut record = [0.0; ARC];
+    let mut record = [0.0; ARC_NUMBERS];
     record[..3].copy_from_slice(&[cx, cy, cz]);
     record[3..].copy_from_slice(&rest);
     Some(record)

@@ -12,7 +12,7 @@ const MM_PER_INCH = 25.4;
 const MAX_LISTED = 300;
 
 export interface CompareHandlers {
-  /** The program is to be held against something else. */
+  /** The program is to be compared with something else. */
   choose: (other: ComparedWith) => void;
   tolerance: (mm: number) => void;
   /** A difference is to be shown, by its number. */
@@ -143,7 +143,7 @@ export function comparePanel(root: HTMLElement, handlers: CompareHandlers) {
       verdict.textContent = "Comparing…";
       verdict.className = "verdict waiting";
     },
-    /** There is no answer; a message tells why. */
+    /** There is no answer; the message says why. */
     clear(message: string, isBad: boolean): void {
       setCodeSpans(verdict, message);
       verdict.className = `verdict ${isBad ? "different" : "waiting"}`;
@@ -228,7 +228,7 @@ export function pathLegend(root: HTMLElement, handlers: { own: (shown: boolean) 
       [ownText.textContent, otherText.textContent] = [own, other];
       handlers.other(otherBox.checked);
     },
-    /** Whether the two paths are apart anywhere. */
+    /** Whether the two paths differ anywhere. */
     showDifferenceKey: (is: boolean) => (differenceKey.hidden = !is),
     color: (color: string) => (ownSwatch.style.color = color),
   };

@@ -1,4 +1,4 @@
-// The program held against another one: the path beside, the answer, and the way through the differences.
+// The comparison with another program: its path, the answer, and stepping through the differences.
 
 import type { OtherFileView } from "../panels/other-file-view";
 import type { TextEditor } from "../panels/text-editor";
@@ -14,7 +14,7 @@ import type { PathView } from "../view/path-view";
 import { comparePanel, pathLegend } from "./compare-panel";
 import { boxAround, boxOf, boxUnion, differingLines, rowsOf, rowsOfLines, step } from "./difference-ranges";
 
-/** What is shown of a place without a distance is at least this share of the path. */
+/** The view of a difference without a distance is at least this share of the path's size. */
 const MIN_PATH_SHARE = 1 / 50;
 
 /** The page around. */
@@ -83,7 +83,7 @@ export function compareSession(page: CompareParts) {
     page.setMessage("");
   }
 
-  /** The first batch takes the place of the path before: until then that stays. */
+  /** The first batch replaces the path before; until it comes that path stays. */
   function startPath(): void {
     if (hasBegun) return;
     hasBegun = true;
@@ -123,7 +123,7 @@ export function compareSession(page: CompareParts) {
     return boxUnion(boxes, size * MIN_PATH_SHARE);
   }
 
-  /** Goes to a difference: its line, both paths there, large enough to be seen apart. */
+  /** Goes to a difference: its line, and both paths there, large enough to be distinguished. */
   function choose(index: number): void {
     const difference = comparison?.differences[index];
     if (!difference) return;
@@ -134,7 +134,7 @@ export function compareSession(page: CompareParts) {
     place(difference.at_mm, [a.blocks, b.blocks]);
     const mark = (blocks: BlockRange | null, lacks: boolean, own: Path) => (blocks && !lacks ? rowsOf(own, blocks) : []);
     view.markBoth(mark(a.blocks, a.lacks, page.run.path), mark(b.blocks, b.lacks, path));
-    // So near the tool would cover what is to be seen.
+    // From so near the tool would cover the difference.
     view.placeTool(undefined);
   }
 
@@ -177,7 +177,7 @@ export function compareSession(page: CompareParts) {
     /** There is more to choose from. */
     offerMore: panel.offer,
     walk,
-    /** Takes what is about the other program; false where it is about something else. */
+    /** Takes a message about the comparison; false where it is about something else. */
     take(message: ServerMessage): boolean {
       switch (message.type) {
         case "compared_program":
@@ -217,7 +217,7 @@ export function compareSession(page: CompareParts) {
       const found = picked && path.find(picked.row);
       if (found) void read(found[0].file[found[1]]!, found[0].line[found[1]]!);
     },
-    /** The program runs anew: what was found is of the text before. */
+    /** The program runs again: the comparison is of the text before. */
     began(): void {
       if (!compared) return;
       showLegend();

@@ -1,4 +1,4 @@
-// Where two paths are apart: what of each, and a dot at each place, so that the smallest is seen in the largest.
+// Marks where two paths differ: the rows of each, and a dot at each place, so that a small difference shows on a large path.
 
 import { type Plane, BufferGeometry, Points, PointsMaterial } from "three";
 import type { Vec3 } from "../path/batch";
@@ -8,7 +8,7 @@ import { difference } from "../view/extent";
 import { geometryOf } from "../view/line-mesh";
 import { RowHighlight } from "../view/row-highlight";
 
-/** Rows that are marked at most, of each path: wide lines must not keep the picture from turning. */
+/** Rows that are marked at most, of each path: more wide lines would make turning the view slow. */
 const MAX_ROWS = 3_000;
 const WIDTH_PIXELS = 3.4;
 /** Of a dot, pixels. */

@@ -9,7 +9,7 @@ import type { BlockRange, Difference } from "../protocol/messages";
 const MAX_LINES = 10_000;
 /** Ranges of rows of one difference: a loop makes one for each turn. */
 const MAX_RANGES = 1_000;
-/** How much larger than the distance what is shown is. */
+/** Half of the view that shows a difference, as a multiple of its distance. */
 const MARGIN_FACTOR = 2.5;
 /** And no smaller than this, mm: single precision shows no more. */
 const MIN_HALF_SIDE_MM = 0.02;
@@ -19,7 +19,7 @@ export function differingLines(differences: Difference[], side: 0 | 1): number[]
   const lines = new Set<number>();
   for (const { sides } of differences) {
     const { blocks, lacks } = sides[side];
-    // Where it lacks what the other has, the block only says behind what.
+    // Where it lacks what the other has, the block only says after which one that would come.
     if (!blocks || blocks.file !== 0 || lacks) continue;
     for (let line = blocks.from; line <= blocks.to && lines.size < MAX_LINES; line++) lines.add(line);
   }
@@ -82,7 +82,7 @@ export function boxOf(path: Path, ranges: [number, number][]): Bounds | undefine
   return low[0] <= high[0] ? { low, high } : undefined;
 }
 
-/** A box around two places so that both are seen apart. */
+/** A box around two points in which both can be distinguished. */
 export function boxAround([a, b]: [Vec3, Vec3]): Bounds {
   const distance = Math.hypot(...a.map((value, axis) => value - b[axis]!));
   const half = Math.max(MARGIN_FACTOR * distance, MIN_HALF_SIDE_MM);

@@ -14,7 +14,7 @@ import { geometryOf } from "../view/line-mesh";
 import { type Pickable, type PickedPoint, type PointProjection, pick } from "../view/picking";
 import { RowHighlight } from "../view/row-highlight";
 
-/** Rows of a part from which on others are let in before the next. */
+/** After a batch of more rows the page may do other work before the next. */
 const UNINTERRUPTED_ROWS = 20_000;
 /** Dashes and gaps on the screen, pixels. */
 const CUT_DASH_PIXELS: [number, number] = [6, 8];
@@ -25,11 +25,11 @@ interface OtherPathPart extends Pickable {
 }
 
 export class OtherPath {
-  /** Beside the path of the program. */
+  /** What is drawn with the path of the program. */
   readonly object = new Group();
-  /** What is chosen of it. */
+  /** The rows of the chosen difference. */
   readonly mark = new RowHighlight(2);
-  /** Its mark, which goes with the path where that is hidden. */
+  /** The mark, which is hidden with the path. */
   readonly over = new Group();
   path = new Path();
   private parts: OtherPathPart[] = [];
@@ -40,7 +40,7 @@ export class OtherPath {
   private rapid = new LineDashedMaterial({ depthTest: false, transparent: true, opacity: 0.7 });
   private refining = 0;
 
-  /** `changes` is called before what is drawn goes; what lies `under` the path goes with it. */
+  /** `changes` is called before lines are removed; `under` is shown and hidden with the path. */
   constructor(
     private changes: () => void,
     under: Object3D,
@@ -49,7 +49,7 @@ export class OtherPath {
     this.over.add(this.mark.object);
   }
 
-  /** There is something to be seen of it. */
+  /** Whether any of it is visible. */
   get isShown(): boolean {
     return this.object.visible && this.parts.length > 0;
   }
@@ -95,7 +95,7 @@ export class OtherPath {
     return object;
   }
 
-  /** Cuts arcs anew; whether it was still wanted at the end. */
+  /** Cuts arcs for the present zoom; false if a newer call has taken over. */
   async refine(tolerance: ArcTolerance, mostWide: number): Promise<boolean> {
     const number = ++this.refining;
     this.mark.cut(tolerance);

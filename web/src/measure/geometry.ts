@@ -22,9 +22,9 @@ export interface MeasuredDistance {
   angle?: number;
 }
 
-/** Sine of the angle up to which two lines are parallel: single precision knows no better. */
+/** Sine of the angle up to which two lines count as parallel: positions have single precision. */
 const PARALLEL_SINE = 1e-3;
-/** Radii of an arc that differ by less are one, mm. */
+/** A curve whose start and end radius differ by less is an arc, mm. */
 const CONSTANT_RADIUS_MM = 1e-3;
 
 const minus = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];

@@ -1,4 +1,4 @@
-// Measuring with the pointer: what it is over is marked, two clicks give a distance.
+// The tool that measures: marks what the pointer is over; two clicks give a distance.
 
 import type { ShownRun } from "../session/shown-run";
 import type { PathView } from "../view/path-view";

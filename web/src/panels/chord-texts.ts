@@ -1,4 +1,4 @@
-// What is said of the chords on the page.
+// The texts about chords on the page.
 
 import type { Frame } from "../protocol/frame";
 import { type Units, count, countText, length } from "./units";

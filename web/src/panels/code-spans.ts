@@ -1,6 +1,6 @@
-// Texts of the library: what stands between backticks is code.
+// Texts of the library, in which code is between backticks.
 
-/** The pieces of a text, and whether each is code. A backtick without a partner stands for itself. */
+/** The pieces of a text, and whether each is code. A backtick without a partner is text. */
 export function codePieces(text: string): [string, boolean][] {
   const pieces: [string, boolean][] = [];
   let last = 0;

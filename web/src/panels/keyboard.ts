@@ -7,7 +7,7 @@ export interface KeyTargets {
   timeline: Timeline;
   view: PathView;
   measure: { isOn: boolean; set(on: boolean): void };
-  /** To the next place where two programs are apart, or the one before. */
+  /** To the next difference of two programs, or the one before. */
   walk(direction: 1 | -1): void;
 }
 

@@ -1,4 +1,4 @@
-// The frame of the page: bars, panes, panels, and what they tell.
+// The frame of the page: bars, panes, panels, and the messages in them.
 
 import type { Path } from "../path/path";
 import type { PlaybackState } from "../path/playback-state";
@@ -49,10 +49,10 @@ function check(text: string, checked: boolean): [HTMLLabelElement, HTMLInputElem
 /** Tools that the legend names. */
 const MAX_LEGEND_KEYS = 24;
 
-/** Tools from which on the legend does not say what is not known of each. */
+/** With more tools the legend leaves out that a diameter is not known. */
 const MAX_DETAILED_KEYS = 6;
 
-/** What is known of the size of a tool: of an insert its nose, of a blade its width; none of what is not known of a mill. */
+/** The size of a tool: the nose radius of an insert, the width of a blade, else the diameter; undefined where a diameter is not known. */
 function sizeOf(tool: ToolInfo | undefined, units: Units): string | undefined {
   if (tool?.shape === "insert") return tool.nose_radius_mm === null ? "" : `R${length(units, tool.nose_radius_mm)}`;
   if (tool?.shape === "groove") return tool.width_mm === null ? "" : `${length(units, tool.width_mm)} wide`;
@@ -304,7 +304,7 @@ export function layout(root: HTMLElement) {
       showChordControls();
     },
     setChordText: (text: string) => (chordText.textContent = text),
-    /** Why the box of the machine is not shown; empty where it is, or where nobody asked for it. */
+    /** Why the box of the machine is not shown; empty where it is shown, or switched off. */
     setTravelHint(text: string): void {
       setCodeSpans(travelWhy, text);
       travelWhy.hidden = text === "";
@@ -316,7 +316,7 @@ export function layout(root: HTMLElement) {
     setDirty: (is: boolean) => (dirty.textContent = is ? "● Not saved" : ""),
     measured: (text: string) => (measured.textContent = text),
     comparison: (text: string) => (comparison.textContent = text),
-    /** What is told of rotary axes. */
+    /** The hint about axes that are drawn without being known. */
     turns(text: string): void {
       setCodeSpans(turns, text);
       turns.hidden = text === "";

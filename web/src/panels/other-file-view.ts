@@ -1,4 +1,4 @@
-// A text beside the program, to be read: where F12 leads into another file.
+// A read-only view of another file, over the program: where F12 leads to a subprogram.
 
 import { EditorState } from "@codemirror/state";
 import { EditorView, highlightActiveLine, lineNumbers } from "@codemirror/view";
@@ -31,7 +31,7 @@ export class OtherFileView {
     over.append(this.root);
   }
 
-  /** Shows a text at a line; nobody can type in it. `first` is the number of the first line that is there. */
+  /** Shows a text at a line. `first` is the number of the first line of the text, which may be a part of its file. */
   show(made: DefinitionPlace, first = 1): void {
     this.view?.destroy();
     const name = (made.file ?? "").split(/[\\/]/).pop()!;

@@ -96,7 +96,7 @@ export class ProblemPanel {
     return [row];
   }
 
-  /** The first problem in full, the other places behind it. */
+  /** The first problem in full, and after it the other places. */
   private group({ severity, code, problems }: ProblemGroup): HTMLElement {
     const item = element("li", `of-${severity}`);
     const [first, ...others] = problems;

@@ -1,4 +1,4 @@
-// The panels beside the path: outline, what is in force, times; problems stand in problems.ts.
+// The panels of outline, active state and times; problems have a file of their own.
 
 import type { Vec3 } from "../path/batch";
 import type { Coordinates } from "../path/playback-state";

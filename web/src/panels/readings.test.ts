@@ -21,7 +21,7 @@ test("a program is asked about once, however it is edited", () => {
   answered.opened();
   expect(answered.next("part.nc", null)).toEqual({ do: "nothing" });
   expect(answered.next("part.nc", READINGS)).toEqual({ do: "ask", readings: READINGS });
-  // Nobody has answered: an edit asks with what is true then.
+  // Without an answer, an edit asks again with the readings of then.
   const edited = { ...READINGS, line: 2 };
   expect(answered.next("part.nc", edited)).toEqual({ do: "ask", readings: edited });
   answered.answer(undefined);
@@ -35,7 +35,7 @@ test("a program that is opened again is read as it was answered", () => {
   answered.answer(MM);
   answered.opened();
   expect(answered.next("part.nc", READINGS)).toEqual({ do: "read", machine: MM });
-  // Only once: whoever then takes the recognized machine has it.
+  // Only once: after that the recognized machine can be chosen.
   expect(answered.next("part.nc", READINGS)).toEqual({ do: "nothing" });
   answered.opened();
   expect(answered.next("other.nc", READINGS).do).toBe("ask");

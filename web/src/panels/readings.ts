@@ -47,7 +47,7 @@ export function introduction({ message, line, block, more }: Pick<ProgramReading
   return `${sentence}${first}${more > 0 ? ` ${countText(more, "more reading")} not shown.` : ""}`;
 }
 
-/** The lines of a column: what is said, and of what. */
+/** The rows of a column: label and text. */
 export function columnRows({ size, motion }: ProgramReadings["shown"][number], line: number | null): [string, string][] {
   return [
     ["Cuts", size ?? "size not known"],
@@ -70,7 +70,7 @@ export function readingsPanel(root: HTMLElement, handlers: ReadingsHandlers) {
   title.tabIndex = -1;
   const text = element("p", "readings-text");
   text.id = "readings-text";
-  // It is said when it comes, without taking the focus from where somebody types.
+  // A screen reader reads it when it comes, without taking the focus from a text field.
   text.setAttribute("role", "status");
   const keep = element("button", "keep", "Keep the assumed one");
   Object.assign(keep, { type: "button", title: "The program stays not verified (Esc)" });
@@ -128,14 +128,14 @@ export function readingsPanel(root: HTMLElement, handlers: ReadingsHandlers) {
       answered.opened();
       close();
     },
-    /** The program has run: its readings are asked about, once. */
+    /** The program has run: its question is shown, once. */
     programRun(program: string, readings: ProgramReadings | null): void {
       const step = answered.next(program, readings);
       if (step.do === "ask") return show(step.readings);
       close();
       if (step.do === "read") handlers.read(step.machine);
     },
-    /** A machine was chosen elsewhere. */
+    /** A machine was chosen in the list of machines. */
     machineChosen(machine: MachineChoice | undefined): void {
       answered.answer(machine);
       close();

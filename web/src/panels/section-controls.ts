@@ -46,7 +46,7 @@ export function sectionControls(changed: (section: VisibleSection) => void, curs
       made.lines = [Number(from.value || 0), to.value === "" ? Number.MAX_SAFE_INTEGER : Number(to.value)];
     }
     if (low.value !== "0" || high.value !== String(STEPS)) {
-      // The whole way up or down means everything there, whatever rounding makes of the ends.
+      // A slider at its end means no limit, whatever rounding makes of the depth there.
       made.depth = [
         low.value === "0" ? -Number.MAX_VALUE : depthAt(low),
         high.value === String(STEPS) ? Number.MAX_VALUE : depthAt(high),
@@ -75,7 +75,7 @@ export function sectionControls(changed: (section: VisibleSection) => void, curs
 
   return {
     root,
-    /** What there is to choose from; what was chosen stays where it still is there. */
+    /** What there is to choose from; the tool that was chosen stays chosen if the new path has it. */
     offer(tools: number[], depth: [number, number], own: Units): void {
       const before = tool.value;
       tool.replaceChildren(new Option("all", ""));

@@ -1,4 +1,4 @@
-// Colours of words and what they mean: asked of the server for the lines that are seen.
+// Colours of words, for the visible lines, and their meanings under the pointer: both are answers of the server.
 
 import { type Extension, RangeSetBuilder, StateEffect } from "@codemirror/state";
 import { type DecorationSet, type ViewUpdate, Decoration, EditorView, ViewPlugin, hoverTooltip } from "@codemirror/view";
@@ -13,9 +13,9 @@ export interface WordQueries {
   meaning: (line: number, column: number) => Promise<WordMeaning | undefined>;
 }
 
-/** Lines beyond the seen ones that are coloured, too. */
+/** Lines before and after the visible ones that are coloured, too. */
 const MARGIN_LINES = 60;
-/** How long scrolling or typing must rest before the server is asked, ms. */
+/** Tokens are requested once nothing was scrolled or typed for so long, ms. */
 const REST_MS = 60;
 
 const setTokens = StateEffect.define<DecorationSet>();
@@ -67,7 +67,7 @@ export function syntaxHints(queries: WordQueries): Extension {
         const from = Math.max(1, doc.lineAt(view.viewport.from).number - MARGIN_LINES);
         const to = Math.min(doc.lines, doc.lineAt(view.viewport.to).number + MARGIN_LINES) + 1;
         const answer = await queries.tokens(from, to);
-        // What was told of an older text may lie elsewhere; the run of the newer asks again.
+        // The answer about an older text does not fit; the run of the newer one requests tokens again.
         if (!answer || version !== this.version) return;
         view.dispatch({ effects: setTokens.of(this.build(answer.classes, answer.tokens)) });
       }
@@ -105,7 +105,7 @@ export function syntaxHints(queries: WordQueries): Extension {
   return [plugin, hover];
 }
 
-/** The text has been run: its words are asked anew. */
+/** The text has been run: its tokens are requested again. */
 export function refreshWords(view: EditorView): void {
   view.dispatch({ effects: refreshEffect.of(null) });
 }
@@ -118,10 +118,10 @@ export function unwrapParagraphs(text: string): string {
   return text.replace(/^(.*)\n(?=[^\s\-*`|>])/gm, (whole, line: string) => (line.length >= BROKEN ? `${line} ` : whole));
 }
 
-/** Paragraphs, code and bold of Markdown; the rest as it stands. */
+/** Paragraphs, code and bold of Markdown; everything else stays text. */
 export function markdown(text: string): HTMLElement {
   const root = element("div", "meaning");
-  // A fence is a paragraph of its own, whatever stands before it.
+  // A fence is a paragraph of its own, whatever comes before it.
   text = text.replace(/\n*(```\w*\n[\s\S]*?\n?```)\n*/g, "\n\n$1\n\n");
   for (const paragraph of text.split(/\n{2,}/)) {
     const fenced = /^```\w*\n([\s\S]*?)\n?```$/.exec(paragraph.trim());

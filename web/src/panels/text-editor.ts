@@ -34,7 +34,7 @@ export function changesOf(set: ChangeSet): TextChange[] {
   return changes;
 }
 
-/** From and to in a text, of a place that a run told; a text that changed since may have moved it. */
+/** The range of a place that a run has reported, cut off where the text has become shorter since. */
 export function rangeOf(doc: Text, place: SourcePlace): { from: number; to: number } {
   const at = (line: number, column: number) => {
     const own = doc.line(Math.max(1, Math.min(doc.lines, line)));
@@ -49,16 +49,16 @@ export interface EditorHandlers {
   /** The cursor is on a line, put there by the user or by [`Editor.goTo`]. */
   cursor: (line: number, byUser: boolean) => void;
   save: () => void;
-  /** Where what stands at a line and a column is made is to be shown. */
+  /** The definition of the name at a line and a column is to be shown. */
   definition: (line: number, column: number) => void;
 }
 
-/** A text with a piece more behind it, wherever the piece was cut off. */
+/** The text with one more piece after it; pieces may end within a line. */
 export function appendPiece(before: Text, piece: string): Text {
   return before.append(Text.of(piece.split("\n")));
 }
 
-/** How long nobody must type before the text is run, ms. */
+/** The text is run once nothing was typed for so long, ms. */
 const QUIET_MS = 120;
 
 const setLines = StateEffect.define<{ kind: "differs" | "now"; lines: number[] }>();
@@ -180,7 +180,7 @@ export class TextEditor {
     this.onDirty(dirty);
   }
 
-  /** A piece of the server's text, which takes the place of what is here once the last is there. */
+  /** Adds a piece of the server's text, which replaces the text of the editor once the last piece has come. */
   addText(piece: string, isFirst: boolean, isLast: boolean): void {
     this.pendingText = appendPiece(isFirst ? Text.empty : this.pendingText, piece);
     if (isLast) this.setText(this.pendingText);

@@ -1,6 +1,6 @@
-// Work that can wait until the picture is there, and that need not be done for each picture.
+// A task that may run after the picture is drawn, and not for each picture: scrolling the text while the program plays.
 
-/** However long newer work keeps coming, some of it is done after so long, ms. */
+/** While newer tasks keep coming, the newest runs after so long at the latest, ms. */
 const LONGEST_MS = 600;
 
 export class ThrottledTask {
@@ -10,10 +10,10 @@ export class ThrottledTask {
   private dueAt = 0;
   private doneAt = -Infinity;
 
-  /** Done at most once in so many ms. */
+  /** Tasks run at most once in `everyMs`. */
   constructor(private everyMs: number) {}
 
-  /** Does this after the next frame, or after so many ms in which nothing newer comes. */
+  /** Runs the task after the next frame, or once no newer one has come for `quietMs`. It replaces one that waits. */
   schedule(what: () => void, quietMs = 0): void {
     const now = performance.now();
     if (!this.next) this.requestedAt = now;
@@ -22,7 +22,7 @@ export class ThrottledTask {
     if (!this.isWaiting) this.wait();
   }
 
-  /** What waits is not done. */
+  /** Drops the task that waits. */
   cancel(): void {
     this.next = undefined;
   }

@@ -102,7 +102,7 @@ export class Timeline {
     this.show();
   }
 
-  /** How hard the cuts are, once that is known. */
+  /** Cutting loads, once they are known. */
   setEngagement(engagement: EngagementCurve | undefined): void {
     const { value } = this.choice;
     this.engagement = engagement;
@@ -157,7 +157,7 @@ export class Timeline {
     this.onTime(this.now, this.playing);
   }
 
-  /** Shows a time that was found elsewhere; nobody is told of it. */
+  /** Shows a time without calling `onTime`. */
   put(seconds: number): void {
     this.now = Math.min(this.points?.totalS ?? 0, Math.max(0, seconds));
     this.show();

@@ -44,7 +44,7 @@ export function volume({ inch }: Units, leastMm3: number, mostMm3: number): stri
   return `${least === most ? least : `${least} to ${most}`} ${inch ? "in³" : "cm³"}`;
 }
 
-/** A coordinate with all its digits, so that columns stand still. */
+/** A coordinate with a fixed number of digits, so that the readout does not jump. */
 export function coordinate({ inch }: Units, mm: number): string {
   const text = inch ? (mm / MM_PER_INCH).toFixed(4) : mm.toFixed(3);
   return /^-0\.0*$/.test(text) ? text.slice(1) : text;

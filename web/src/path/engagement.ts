@@ -1,4 +1,4 @@
-// How hard the cuts are over time: the most of each part of it, and where it is too much.
+// Cutting loads over time: the maximum of each part of it, and where it is too much.
 
 import { type Units, length, power } from "../panels/units";
 import { type Frame, f32, u32, u8 } from "../protocol/frame";

@@ -1,5 +1,5 @@
-// Rotary axes: where on the part the tool is, and how it stands to it. The program's places are
-// those before the part turns; what is drawn is the part, which stands still.
+// Rotary axes: where on the part the tool is, and its direction there. The program's positions are
+// those before the part turns; the picture shows the part without motion.
 
 import type { RotaryAxis } from "../protocol/messages";
 import { arcIndex, arcPoint } from "./arcs";
@@ -98,7 +98,7 @@ export class Kinematics {
 
   private curve(batch: Batch, row: number, arc: number, steps: number): Float32Array {
     const turns = batch.turns!;
-    // An arc that turns is round in two ways.
+    // An arc on a turning part is curved twice: by itself and by the rotation.
     const pieces = arc >= 0 ? Math.max(steps, 64) : steps;
     const curve = new Float32Array(3 * (pieces + 1));
     for (let step = 0; step <= pieces; step++) {
@@ -145,7 +145,7 @@ export function curvePoint(curve: Float32Array, share: number): Vec3 {
   return [mix(0), mix(1), mix(2)];
 }
 
-/** What is told of rotary axes that the program moves and the machine file says nothing of. */
+/** The hint about rotary axes that the program moves and the machine file does not describe. */
 export function unknownTurns(axes: { letter: string; range: [number, number] }[], rotary: RotaryAxis[]): string {
   const unknown = rotary.filter((own) => {
     const moved = axes.find((axis) => axis.letter === own.letter);

@@ -114,7 +114,7 @@ class Gatherer {
   }
 }
 
-/** The segments of some rows of a batch, for what is drawn apart. */
+/** The segments of some rows of a batch, for marks. */
 export function someRows(batch: Batch, from: number, to: number, tolerance: ArcTolerance): number[] {
   const points: number[] = [];
   for (let row = from; row <= to; row++) {

@@ -4,7 +4,7 @@ import { arcEighths, arcIndex, arcPoint } from "./arcs";
 import { type Batch, type Bounds, type Vec3, ALL_AXES, END_AXES, KNOWN, RAPID, kindOf } from "./batch";
 import { curvePoint } from "./kinematics";
 
-/** Places of a row that are looked at first to find how much of it is done. */
+/** Points of a row that are compared first to find how much of it is done. */
 const SHARE_SAMPLES = 32;
 
 /** A path that grows batch by batch. */

@@ -4,13 +4,13 @@ import { type Vec3, axisBits } from "./batch";
 import type { Path } from "./path";
 import { type Setpoints, momentAt, timeAfterRow, timeOfRow, timeOnRow } from "./setpoints";
 
-/** What was asked for. */
+/** The position that was requested. */
 export type PlaybackTarget =
   /** The beginning. */
   | { to: "start" }
   /** What a line does is done. */
   | { to: "line"; line: number }
-  /** A share of a row is done; `looks`: a place is looked at, and all of the path is shown as it is. */
+  /** A share of a row is done; `looks`: a point of the path was clicked, and all of the path stays drawn in full. */
   | { to: "row"; row: number; share: number; isInspection?: boolean }
   | { to: "time"; seconds: number };
 
@@ -33,12 +33,12 @@ export interface PlaybackState {
   seconds: number | undefined;
 }
 
-/** A place that is nearer to an end of its row is that end, mm. */
+/** A position closer to an end of its row counts as that end, mm. */
 const AT_END_MM = 1e-3;
-/** Shares of a row that closes within which its start and its end are told apart by the time. */
+/** Within this share of the ends of a closed row, the time decides whether the tool is at its start or its end. */
 const CLOSED_END_SHARE = 0.02;
 
-/** Where the program is when something is asked for. */
+/** The state at a requested position. */
 export function playbackStateOf(target: PlaybackTarget, path: Path, setpoints: Setpoints | undefined): PlaybackState {
   switch (target.to) {
     case "start":

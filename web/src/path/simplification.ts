@@ -1,8 +1,8 @@
-// Fewer lines that show the same path: each as long as a tolerance allows, and of many passes some.
+// Fewer lines that show the same path: lines are joined within a tolerance, and of many passes some are left out.
 
 import type { LineArrays } from "./lines";
 
-/** Lines that one line may stand for: each is looked at again whenever one more is tried. */
+/** Lines that one line may replace: each is checked again whenever one more is tried. */
 const MAX_MERGED_LINES = 64;
 /** Lines of a strand at most, so that a path without corners has strands to choose from, too. */
 const MAX_STRAND_LINES = 2048;
@@ -20,7 +20,7 @@ export interface PathStrands {
 
 /**
  * Joins lines that follow on each other while no end between is further than `tolerance`, mm, from
- * the line that stands for them. Costs time in proportion to the lines.
+ * the line that replaces them. The time is proportional to the number of lines.
  */
 export function strands(source: LineArrays, tolerance: number): PathStrands {
   const { points: p, count, rows } = source;
@@ -48,7 +48,7 @@ export function strands(source: LineArrays, tolerance: number): PathStrands {
   return { lines, starts: Uint32Array.from(starts) };
 }
 
-/** The last line that the one from the start of `first` may stand for. */
+/** The last line that the one from the start of `first` may replace. */
 function lastJoined(p: Float32Array, count: number, first: number, square: number): number {
   const most = Math.min(count, first + MAX_MERGED_LINES);
   let last = first;

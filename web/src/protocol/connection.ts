@@ -3,7 +3,7 @@
 import { type Frame, readFrame } from "./frame";
 import type { ServerMessage } from "./messages";
 
-/** The way to what answers: requests go out as text; answers come in as text, columns as bytes. */
+/** Carries requests as text, answers as text and columns as bytes. */
 export interface Transport {
   readonly isOpen: boolean;
   send(text: string): void;
@@ -49,7 +49,7 @@ export class Connection {
     this.transport.send(JSON.stringify({ id: ++this.lastId, request, ...fields }));
   }
 
-  /** Another program is opened: nobody waits for answers about the one before. */
+  /** Another program is opened: answers about the one before are no longer expected. */
   dropQueries(): void {
     this.queries.clear();
   }

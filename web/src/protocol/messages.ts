@@ -94,7 +94,7 @@ export interface RunReport {
   never_named: string[];
   /** The same of axes that are not known in any cut. */
   named_in_no_cut: string[];
-  /** Of moves in work offsets that are not given, which have no place in the picture, and what to do about it. */
+  /** About moves in work offsets whose zero is not known, which cannot be drawn, and what to do about it. */
   moves_left_out: string[];
   inch: boolean;
   /** How far the segments may be from arcs that the control itself cuts them into; null where it does not. */
@@ -114,7 +114,7 @@ export interface RunReport {
 }
 
 export interface ModalState {
-  /** The codes in force by the control's own numbers. */
+  /** The active codes, as the control numbers them. */
   codes?: string[];
   inch: boolean;
   plane: string;
@@ -154,7 +154,7 @@ export interface RunTimes {
   assumed: number;
 }
 
-/** Where something is made; in a file beside, with its text. */
+/** Where a name is defined; with the text where that is another file. */
 export interface DefinitionPlace {
   line: number;
   column: number;
@@ -172,7 +172,7 @@ export interface OutlineEntry {
   children: OutlineEntry[];
 }
 
-/** What the program is held against. */
+/** What the program is compared with: nothing, the program that the command line names, or its own text on another machine. */
 export type ComparedWith = "nothing" | "named" | { machine: string | null };
 
 /** Lines of a file, from and to, both counted; file 0 is the program itself. */
@@ -188,7 +188,7 @@ export interface DifferenceSide {
   steps: number;
   value: string | null;
   words: string;
-  /** It has nothing of what the other one has; its block is the one behind which it would be. */
+  /** It lacks what the other program has; `blocks` is then the block after which that would come. */
   lacks: boolean;
 }
 
@@ -196,7 +196,7 @@ export interface Difference {
   category: string;
   head: string;
   distance_mm: number | null;
-  /** A place on each path where they are about furthest apart, in the frame of the run. */
+  /** A point of each path, about where their distance is largest, in the frame of the run. */
   at_mm: [[number, number, number], [number, number, number]] | null;
   sides: [DifferenceSide, DifferenceSide];
 }
@@ -214,7 +214,7 @@ export interface Comparison {
   dropped: number;
 }
 
-/** The other program; none where `other` is nothing. */
+/** The other program; `other` is "nothing" where there is none. */
 export interface ComparedProgram {
   version: number;
   other: ComparedWith;
@@ -238,16 +238,16 @@ export interface MachineChoice {
   title: string;
 }
 
-/** As what a program may be read that names no control for certain, where that makes a difference. */
+/** The controls that a program may be for, where it names none for certain and they would move the tool differently. */
 export interface ProgramReadings {
   /** What is not known. */
   message: string;
   /** The first block that differs. */
   line: number | null;
   block: string | null;
-  /** The likeliest, of which the first is assumed: the controls, the size of what is cut, what that block does there. */
+  /** The likeliest, the first of which is assumed: the control, the size of what is cut, and what that block does on it. */
   shown: { title: string; size: string | null; motion: string; machine: MachineChoice }[];
-  /** So many more are not shown. */
+  /** How many more readings there are that are not shown. */
   more: number;
 }
 
@@ -259,7 +259,7 @@ export interface HelloMessage {
   tolerance_mm: number;
 }
 
-/** What is touched, with all problems of the run. */
+/** What the simulation of the stock has found, with all problems of the run. */
 export interface StockReport {
   run: number;
   verdict: "clean" | "problems" | "not-proved";
@@ -273,10 +273,10 @@ export interface StockReport {
   notes: number;
 }
 
-/** The same of a lathe, whose stock is exact. */
+/** The same for a lathe, whose stock is exact. */
 export interface TurnedReport extends Omit<StockReport, "resolution_mm"> {
   parts_off: number;
-  /** Where they are: z and radius, mm. */
+  /** `at`: z and radius, mm. */
   problems: { code: string; line: number; at: [number, number] }[];
 }
 

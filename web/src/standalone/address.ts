@@ -96,7 +96,7 @@ async function read(response: Response, name: string): Promise<ArrayBuffer> {
   return new Blob(parts).arrayBuffer();
 }
 
-/** A browser does not say why it could not load: it is asked whether anything answers at all. */
+/** A browser does not say why it could not load a file; a second request shows whether the server answers at all. */
 async function whyNot(url: URL, name: string): Promise<string> {
   const end = new AbortController();
   const isThere = await fetch(url, { mode: "no-cors", signal: end.signal }).then(() => true, () => false);

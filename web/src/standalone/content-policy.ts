@@ -1,6 +1,6 @@
-// What the page may load: nothing from elsewhere, but what its own address names.
+// What the page may load from other servers: only what its own address names.
 //
-// The rules in the head allow any address to be asked, and whatever is added here narrows them: a page can make its rules
+// The rules in the head allow any address, and whatever is added here narrows them: a page can make its rules
 // stricter, not weaker. So this comes before everything else.
 
 import { addressRequest } from "./address";

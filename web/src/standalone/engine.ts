@@ -16,14 +16,14 @@ interface EngineExports {
   page_panic(): void;
 }
 
-/** What takes long, as the interface numbers it. */
+/** The kinds of work that take long, as `interface.rs` numbers them. */
 export const RUN = 0;
 export const PLAN = 1;
 export const COMPARE = 2;
 export const CUT = 3;
 export type WorkKind = typeof RUN | typeof PLAN | typeof COMPARE | typeof CUT;
 
-/** What comes out while it works. */
+/** Is called while the module works. */
 export interface EngineEvents {
   /** An answer, or columns; `later`: the first picture need not wait for them. */
   send(data: string | ArrayBuffer, later: boolean): void;
@@ -69,7 +69,7 @@ function openMessage({ name, program, files, machine, against }: OpenRequest): U
     program: program !== undefined,
     files: files.map(({ path, bytes }) => ({ path, bytes: bytes.byteLength })),
     machine: machine ?? null,
-    against: against ? { name: against.name, bytes: against.program.byteLength, machine: against.machine ?? null } : null,
+    compared: against ? { name: against.name, bytes: against.program.byteLength, machine: against.machine ?? null } : null,
   };
   // The program comes last: it keeps the memory of the message.
   const rest = [...files.map(({ bytes }) => bytes), against?.program, program].filter((bytes) => bytes !== undefined);
@@ -117,12 +117,12 @@ export class Engine {
     this.module.call([encoder.encode(text)], (own) => own.page_request());
   }
 
-  /** A view elsewhere has run the program. */
+  /** Another worker has run the program: its report. */
   runFinished(remoteRun: string): void {
     this.module.call([encoder.encode(remoteRun)], (own) => own.page_run_finished());
   }
 
-  /** What a view elsewhere needs; nothing where nobody wants the work any more. */
+  /** What another worker needs for a piece of work; undefined where the work is out of date. */
   dispatch(kind: WorkKind, number: number): WorkOrder | undefined {
     return this.module.call([], (own) => {
       if (own.page_dispatch(kind, number) === 0) return undefined;
@@ -130,7 +130,7 @@ export class Engine {
     });
   }
 
-  /** Does the work of another view; after a run gives what that one is to be told. */
+  /** Does the work of another view; after a run gives the report for that view. */
   execute({ order, text }: WorkOrder): string {
     const json = new TextDecoder().decode(order);
     return this.module.call(messageOf(json, [new Uint8Array(text)]), (own) => {

@@ -1,4 +1,4 @@
-// A worker that does what takes long, for the one that answers. It is ended when what it does is not wanted any more.
+// A worker that does what takes long, for the session worker. It is ended when its result is no longer needed.
 
 import { type OpenedProgram, type WorkOrder, Engine } from "./engine";
 import type { WorkerPort } from "./worker-port";
@@ -12,7 +12,7 @@ export type ToJobWorker =
 
 export type FromJobWorker =
   | { out: string | ArrayBuffer }
-  /** A job is done; of a run with what the view that answers is to be told. */
+  /** A work order is done; after a run with the report for the session's own view. */
   | { done: string }
   | { answered: number }
   | { failed: string };
@@ -25,7 +25,7 @@ export function jobWorker(port: WorkerPort): void {
     if ("module" in message) {
       engine = Engine.start(message.module, {
         send: (out) => post({ out }, typeof out === "string" ? [] : [out]),
-        // What follows is the business of the view that answers.
+        // The session's own view decides what follows.
         want: () => {},
       });
       return;

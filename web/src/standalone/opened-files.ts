@@ -1,4 +1,4 @@
-// Files that somebody gives: which of them is the program, and what lies next to it.
+// Files that were chosen or dropped: which of them is the program, and which lie next to it.
 
 export interface SortedFiles<T> {
   program: T | undefined;
@@ -18,7 +18,7 @@ export function nameOf(path: string): string {
   return plain === "" || /^\.+$/.test(plain) ? "program.nc" : plain;
 }
 
-/** The name of a second program that can be told from the first: `part (2).nc`. */
+/** A name for a second program that differs from that of the first: `part (2).nc`. */
 export function distinctName(name: string, first: string): string {
   return name === first ? name.replace(/(\.\w+)?$/, " (2)$1") : name;
 }

@@ -1,5 +1,5 @@
-// What goes to the page, no faster than it takes it: otherwise its own work, drawing and keys, would wait behind a
-// long path. A long text waits for the first picture, and then takes turns with the path.
+// Messages to the page, no faster than it takes them: otherwise its own work, drawing and keys, would wait after a
+// long path. A long text waits for the first picture, and then alternates with the path.
 
 /** Messages with columns that the page has not taken yet. */
 const MAX_IN_FLIGHT = 8;
@@ -29,7 +29,7 @@ export class Outbox {
     this.go();
   }
 
-  /** What may wait does so, until a picture is on its way or [`Outgoing.release`]. */
+  /** What may wait does so, until a picture is sent or [`Outbox.release`]. */
   pause(): void {
     this.isPaused = true;
   }

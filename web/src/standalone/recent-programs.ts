@@ -1,4 +1,4 @@
-// Programs that were open lately, kept in this browser alone: so many of them, and so large together.
+// Recently opened programs, stored in this browser only, with limits on their number and their total size.
 
 import type { ProgramFile } from "./engine";
 
@@ -19,11 +19,11 @@ export interface RecentEntry {
 }
 
 const MAX_ENTRIES = 20;
-/** A program of more is not kept, bytes. */
+/** A larger program is not stored, bytes. */
 export const MAX_RECENT_BYTES = 32 * 2 ** 20;
 const MAX_TOTAL_BYTES = 128 * 2 ** 20;
 
-/** Names of those that have no room any more; the newest stay. */
+/** Names of those beyond the limits; the newest stay. */
 export function namesWithoutRoom(entries: RecentEntry[]): string[] {
   let bytes = 0;
   const newest = [...entries].sort((a, b) => b.at - a.at);
@@ -53,7 +53,7 @@ async function stores(mode: IDBTransactionMode): Promise<{ programs: IDBObjectSt
   return { programs: transaction.objectStore("programs"), entries: transaction.objectStore("entries"), close: () => base.close() };
 }
 
-/** Keeps a program; a browser that keeps nothing is no error. */
+/** Stores a program; a browser that stores nothing is no error. */
 export async function keepRecent(recent: RecentProgram): Promise<void> {
   const bytes = sizeOf(recent);
   if (bytes > MAX_RECENT_BYTES) return;
@@ -71,7 +71,7 @@ export async function keepRecent(recent: RecentProgram): Promise<void> {
   }
 }
 
-/** Those that are kept, the newest first. */
+/** The stored programs, the newest first. */
 export async function listRecent(): Promise<RecentEntry[]> {
   try {
     const { entries, close } = await stores("readonly");

@@ -1,6 +1,6 @@
-// The page without a network: a service worker keeps its files, version by version.
+// Registers the service worker that keeps the files of the page, version by version, so that it works without a network.
 
-/** Registers the service worker once the page is at rest; `renew` is called when a newer version waits. */
+/** Registers it after the first picture; `renew` is called when a newer version waits. */
 export function registerServiceWorker(renew: (load: () => void) => void): void {
   const { serviceWorker } = navigator;
   // Only of a secure origin, or of this computer.

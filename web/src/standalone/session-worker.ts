@@ -1,4 +1,4 @@
-// The worker that answers the page, as a server would: it holds the text, and gives what takes long to other workers.
+// The worker that answers the page, as a server would: it has the text, and gives what takes long to other workers.
 
 import { type EngineEvents, type OpenedProgram, type OtherProgram, type ProgramFile, type WorkKind, type WorkOrder, COMPARE, CUT, Engine, PLAN, RUN } from "./engine";
 import { Outbox } from "./outbox";
@@ -8,11 +8,11 @@ import type { WorkerPort } from "./worker-port";
 export type ToSessionWorker =
   | { module: WebAssembly.Module }
   | { open: OpenedProgram }
-  /** What lies next to the program now. */
+  /** The files next to the program now. */
   | { files: ProgramFile[] }
   /** What it is compared with now. */
   | { against: OtherProgram }
-  /** So many more messages with columns were taken by the page. */
+  /** How many more messages with columns the page has taken. */
   | { taken: number }
   /** For tests: one of the workers fails. */
   | { fail: WorkKind | "answers" }
@@ -24,16 +24,16 @@ export interface ClosedMessage {
   closed: string;
 }
 
-/** Questions that are about a run: the worker that has it answers. */
+/** Requests about a run, which the worker that has it answers. */
 const ROUTES: Record<string, WorkKind> = { state: RUN, chords: RUN, other_text: COMPARE };
-/** Questions about words, for which this worker reads the whole text: they wait while the path comes through it. */
+/** Requests about words, for which this worker reads the whole text: they wait until the path has come through it. */
 const WORDS = new Set(["tokens", "hover", "definition", "outline"]);
 /** How long a long text waits for the first lines of the path, ms. */
 const TEXT_PAUSE_MS = 1000;
 
 const NAMES: Record<WorkKind, string> = { [RUN]: "paths", [PLAN]: "times", [COMPARE]: "others", [CUT]: "stocks" };
 
-/** Only the worker that compares reads the other program: the rest need its name. */
+/** Only the worker that compares reads the other program: the others need its name. */
 function withoutText(opened: Omit<OpenedProgram, "program">): Omit<OpenedProgram, "program"> {
   const { against } = opened;
   return against ? { ...opened, against: { ...against, program: new ArrayBuffer(0) } } : opened;
@@ -74,7 +74,7 @@ export function sessionWorker(port: WorkerPort): void {
 
   const handles: Record<WorkKind, WorkerHandle> = { [RUN]: handleOf(RUN), [PLAN]: handleOf(PLAN), [COMPARE]: handleOf(COMPARE), [CUT]: handleOf(CUT) };
 
-  /** A worker has ended: the page hears of it, and the next job gets another one. */
+  /** A worker has failed: the page is informed, and the next work order gets another worker. */
   function failed(kind: WorkKind, why: string, queries: number[]): void {
     const message = `Chordal failed: ${why}`;
     const help = "Please report it with the program";
@@ -94,7 +94,7 @@ export function sessionWorker(port: WorkerPort): void {
     for (const each of queries) guarded(() => engine.request(each));
   }
 
-  /** Gives out what is wanted, the newest of each kind. */
+  /** Dispatches the newest work of each kind. */
   function dispatchAll(): void {
     for (const [kind, number] of wants) {
       if (kind === RUN) run = number;
@@ -110,13 +110,13 @@ export function sessionWorker(port: WorkerPort): void {
     const order = JSON.parse(new TextDecoder().decode(job.order)) as { other: unknown; is_shown?: boolean };
     const isNothing = order.other === "nothing";
     if (isNothing && !isComparisonShown) return;
-    // A worker that begins anew does not know what the page was shown before.
+    // A new worker does not know which program the page shows.
     const bytes = new TextEncoder().encode(JSON.stringify({ ...order, is_shown: isComparisonShown }));
     isComparisonShown = !isNothing;
     handles[COMPARE].assign({ ...job, order: bytes.buffer as ArrayBuffer });
   }
 
-  /** Calls the module; a failure of it ends this worker, and the page begins anew. */
+  /** Calls the module; a failure of it ends this worker, and the page starts another one. */
   function guarded(act: () => void): void {
     try {
       act();

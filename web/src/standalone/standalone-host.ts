@@ -1,4 +1,4 @@
-// The page that stands alone: opens and saves programs, shares them, and keeps those of before.
+// What only the standalone page does: opens and saves programs, shares them, and stores recent ones.
 
 import "./start-dialog.css";
 import type { PageHost, PageParts } from "../page-host";

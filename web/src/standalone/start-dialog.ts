@@ -1,4 +1,4 @@
-// Where a program is chosen: files, a text that is pasted, those of before, the examples.
+// The dialog to choose a program: files, a pasted text, recent programs, examples.
 
 import { element } from "../panels/dom";
 import { type Example, type ExampleGroup, gallery } from "./gallery";
@@ -23,7 +23,7 @@ function size(bytes: number): string {
   return bytes < 1024 ? `${bytes} bytes` : bytes < 2 ** 20 ? `${(bytes / 1024).toFixed(0)} KiB` : `${(bytes / 2 ** 20).toFixed(1)} MiB`;
 }
 
-/** Programs of before that are seen at once. */
+/** Recent programs that are shown at first; the others are folded. */
 const VISIBLE_RECENTS = 6;
 
 export class StartDialog {

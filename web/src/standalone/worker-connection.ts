@@ -1,4 +1,4 @@
-// The line of the page that stands alone: a worker with the interpreter, to which requests go as to a server.
+// The connection of the standalone page: a worker with the interpreter, which gets the requests as a server would.
 
 import type { Transport } from "../protocol/connection";
 import type { OpenedProgram, OtherProgram, ProgramFile, WorkKind } from "./engine";
@@ -7,7 +7,7 @@ import type { ClosedMessage, ToSessionWorker } from "./session-worker";
 /** How long a page that does not draw lets columns wait, ms. */
 const UNDRAWN_MS = 100;
 
-/** Counts what was taken, and tells it once the page has drawn and heard what was pressed; in the background it does not draw. */
+/** Counts what was taken, and reports it after the page has drawn and handled its input; in the background it does not draw. */
 function counted(report: (count: number) => void): () => void {
   let count = 0;
   const flush = () => {
@@ -25,7 +25,7 @@ export class WorkerConnection {
   private worker: Worker;
   private isUsed = false;
   private take: (data: string | ArrayBuffer) => void = () => {};
-  /** Nothing answers any more, and why. */
+  /** Is called when the worker has ended, with the reason. */
   onLost: (why: string) => void = () => {};
 
   /** `make` starts a worker of `worker-entry.ts` under a name. */
@@ -83,7 +83,7 @@ export class WorkerConnection {
     if (this.isUsed) {
       this.end();
       this.worker = this.start();
-      // Behind the module.
+      // After the module was posted.
       await Promise.resolve();
     }
     this.isUsed = true;

@@ -1,4 +1,4 @@
-// What runs in the workers of the page that stands alone: one answers, one for each kind of work does what takes long.
+// The script of the workers of the standalone page: one answers requests, one for each kind of work does what takes long.
 
 import { jobWorker } from "./job-worker";
 import { sessionWorker } from "./session-worker";

@@ -33,14 +33,14 @@ test("a newer job waits a moment, and then ends the one before", () => {
   const { workers, events, handle } = made();
   handle.assign(job());
   expect(workers[0].kinds).toEqual(["serve", "job"]);
-  // Soon done: the same worker goes on, and what it found of the older text is not told.
+  // Soon done: the same worker goes on, and its result for the older text is dropped.
   handle.assign(job());
   workers[0].say({ done: "old" });
   expect(events.done).not.toHaveBeenCalled();
   expect(workers[0].kinds).toEqual(["serve", "job", "job"]);
   workers[0].say({ done: "new" });
   expect(events.done).toHaveBeenCalledWith("new");
-  // Not soon done: another worker, which is asked again what nobody has answered.
+  // Not soon done: another worker, which gets the open requests again.
   handle.assign(job());
   handle.query(7, "{}");
   handle.assign(job());

@@ -1,13 +1,13 @@
-// One worker for one kind of work, as the worker that answers holds it: the newest job, and the questions that only
-// this worker can answer. What it does is ended when a newer job comes and it does not soon have time.
+// The session worker's handle of one worker for one kind of work: the newest work order, and the requests that only
+// this worker can answer. The worker is ended when a newer order comes and it does not finish soon.
 
 import type { OpenedProgram, WorkOrder } from "./engine";
 import type { FromJobWorker, ToJobWorker } from "./job-worker";
 
-/** How long a job may go on when a newer one waits: as long as it takes to start another worker, ms. */
+/** How long an order may go on when a newer one waits: as long as it takes to start another worker, ms. */
 const OVERTAKE_AFTER_MS = 60;
 
-/** The side of a worker that a hand needs. */
+/** What the handle uses of a worker. */
 export interface JobWorker {
   postMessage(message: ToJobWorker, transfer?: Transferable[]): void;
   onmessage: ((event: MessageEvent<FromJobWorker>) => void) | null;
@@ -71,7 +71,7 @@ export class WorkerHandle {
     this.worker!.postMessage({ fail: true });
   }
 
-  /** Whether the worker begins anew with this. */
+  /** Makes the worker ready; true if it is a new one. */
   private serve(): boolean {
     this.warm();
     if (this.isServing) return false;
@@ -85,11 +85,11 @@ export class WorkerHandle {
     this.isBusy = true;
     this.since = performance.now();
     this.worker!.postMessage({ job }, [job.order, job.text]);
-    // What the worker before was asked nobody else answers.
+    // The requests that the worker before has not answered.
     if (isNew) for (const [id, request] of this.queries) this.worker!.postMessage({ request, id });
   }
 
-  /** A newer job comes before what is done now. */
+  /** Ends the present order for a newer one. */
   private overtake(): void {
     const { next } = this;
     if (!next) return;

@@ -1,4 +1,4 @@
-// How a worker of the page that stands alone reaches the other side.
+// How a worker of the standalone page sends and receives messages.
 
 /** The other side: the page, or the worker that answers. */
 export interface WorkerPort {

@@ -1,4 +1,4 @@
-// A coarser surface that stands for the stock while the view turns, and while too much of it changes at once.
+// A coarser surface that replaces the stock while the view turns, and while too much of it changes at once.
 
 import type { StockBefore } from "./stock-timeline";
 import { StockSurface } from "./surface";

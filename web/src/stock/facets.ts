@@ -20,7 +20,7 @@ export const BEYOND = [[0, -1, 1], [0, 1, 0], [-1, 0, 3], [1, 0, 2]] as const;
 
 /** Squares of a tile are halved so often until they are cells. */
 const HALVINGS = Math.log2(TILE);
-/** As near to the bottom nothing is left, mm. */
+/** Below this height over the bottom nothing is left, mm. */
 export const NOTHING_LEFT = 1e-4;
 
 /** For each size of a square, cells first, which of them are flat and of one owner. */
@@ -33,7 +33,7 @@ const large = new Uint16Array(2 * TILE * TILE);
 /**
  * Writes the triangles of a tile to `index` and gives how many numbers they take. A square that is flat and of one owner
  * is two; where smaller ones lie next to it, its edge has their corners too, so that no pixel is missed between them:
- * also those of the tiles beside, and its own are written to `own`. Nothing is drawn where nothing is left, and no square
+ * also those of the adjacent tiles, and its own are written to `own`. Nothing is drawn where nothing is left, and no square
  * lies across the column or row of corners `open`.
  */
 export function triangles(
@@ -106,7 +106,7 @@ export function triangles(
   return count;
 }
 
-/** Tells the corners on the edges of the tile, and takes those of the tiles beside. */
+/** Writes the corners on the edges of the tile, and takes those of the adjacent tiles. */
 function meet({ own, neighbors }: { own: TileEdges; neighbors: TileEdges }): void {
   for (let at = 0; at < SIDE; at++) {
     const places = [at, TILE * SIDE + at, at * SIDE, at * SIDE + TILE];

@@ -1,4 +1,4 @@
-// Fixtures: triangles that stand still, drawn into the picture of the stock.
+// Fixtures: triangles that do not move, drawn into the picture of the stock.
 
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Vector3 } from "three";
 import type { Palette } from "../view/colors";

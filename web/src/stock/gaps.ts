@@ -4,7 +4,7 @@
 export type Bands = readonly number[];
 
 const NONE: Bands = [];
-/** A gap that ends so near below its height is none, mm. */
+/** A gap that ends less than this below the top of its column is none, mm. */
 const MIN_BELOW_TOP_MM = 1e-4;
 
 export class Gaps {
@@ -40,7 +40,7 @@ export class Gaps {
     }
   }
 
-  /** Goes to the moment when so much of the path is done, and tells which columns have other gaps. */
+  /** Goes to the moment when so much of the path is done, and reports which columns have other gaps. */
   seek(rows: number, changed: (column: number, bands: Bands) => void): void {
     const put = (at: number, bands: Bands) => {
       const column = this.column[at]!;
@@ -99,7 +99,7 @@ class Corners {
 
 /**
  * The surfaces of gaps as triangles, nine numbers each, from the least corner and the top: floors, roofs, and the walls between a
- * gap and what stands next to it. Equal ones along X are one.
+ * gap and the columns next to it. Equal ones along X are one.
  */
 export function gapSurfaces(gaps: Gaps, grid: ColumnGrid): Float32Array {
   const { columns: [nx, ny], pitch, size, overlap } = grid;
@@ -169,7 +169,7 @@ export function gapSurfaces(gaps: Gaps, grid: ColumnGrid): Float32Array {
   return corners.all.subarray(0, corners.count);
 }
 
-/** What of a stretch is in none of some others, which rise. */
+/** The parts of an interval that are in none of some others, which are in rising order. */
 function without(from: number, to: number, others: Bands): [number, number][] {
   const left: [number, number][] = [];
   let at = from;

@@ -6,9 +6,9 @@ import type { Bounds, Vec3 } from "../path/batch";
 import { type Palette, toolColor } from "../view/colors";
 import { type HalfSections, type Loops, type SectionPoint, type TurnedTool, corners, draw, edges, hull, silhouette, trace } from "./half-sections";
 
-/** A bar that is longer than the path is seen so far beyond it, of the size of the path. */
+/** A bar that is longer than the path is drawn so far beyond it, as a share of the path's size. */
 const BAR_ROOM_SHARE = 0.25;
-/** A view that sees the plane so much from the side shows nothing of it, as a share of its area. */
+/** Where the plane is seen almost from its edge it is not drawn: below this share of its area. */
 const EDGE_ON_SHARE = 1e-3;
 /** Marks of problems with their line; more would lie over each other. */
 const MAX_MARKS = 40;
@@ -377,7 +377,7 @@ function moved(path: Path2D, matrix: DOMMatrix): Path2D {
   return made;
 }
 
-/** Puts the picture behind everything else, and before where nothing is. */
+/** Draws the picture with depth: it is behind everything else, and nowhere where it is empty. */
 function picture(): ShaderMaterial {
   return new ShaderMaterial({
     uniforms: { picture: { value: null } },

@@ -69,7 +69,7 @@ export class HalfSections {
     return low;
   }
 
-  /** The piece of path that is being cut. */
+  /** The row that is being cut; undefined between two rows. */
   rowInProgress(done: number): number | undefined {
     const row = Math.floor(done);
     return done > row && this.rows[this.numberAt(done)] === row ? row : undefined;
@@ -138,7 +138,7 @@ export function trace(pen: Pen, loops: Loops): void {
   }
 }
 
-/** A line or an arc walked the other way. */
+/** A line or an arc in the other direction. */
 function back(n: ArrayLike<number>): number[] {
   return [n[2]!, n[3]!, n[0]!, n[1]!, n[4]!, n[5]!, -n[6]!];
 }

@@ -63,7 +63,7 @@ export function latheStock(parts: LatheStockParts) {
       view.setHalfSections(undefined, () => 0);
       controls.none();
     },
-    /** To a moment: so much of the path is done, and the tool stands at a place, relative to the origin of the path. */
+    /** To a moment: so much of the path is done, and the tool is at a position, relative to the origin of the path. */
     goTo(rows: number, place: Vec3 | undefined): void {
       [done, at] = [rows, place];
       show();

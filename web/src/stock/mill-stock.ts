@@ -20,7 +20,7 @@ export interface MillStockParts {
   notify: (kind: "warning", text: string) => void;
 }
 
-/** Where the program is: so much of the path is done, and the tool stands there. */
+/** Where the program is: so much of the path is done, and the tool is there. */
 interface Moment {
   rows: number;
   at: Vec3 | undefined;
@@ -93,7 +93,7 @@ export function millStock(parts: MillStockParts) {
     show();
   }
 
-  /** The tool cuts where it stands, but for rapids. */
+  /** The tool at its present position, where it cuts: not in a rapid. */
   function toolInCut() {
     const { rows, at } = moment;
     if (!at || !Number.isFinite(rows)) return undefined;
@@ -133,7 +133,7 @@ export function millStock(parts: MillStockParts) {
       moment = END;
       controls.none();
     },
-    /** To a moment: so much of the path is done, and the tool stands at a place, relative to the origin of the path. */
+    /** To a moment: so much of the path is done, and the tool is at a position, relative to the origin of the path. */
     goTo(rows: number, at: Vec3 | undefined): void {
       moment = { rows, at };
       show();

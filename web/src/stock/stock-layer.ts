@@ -1,5 +1,5 @@
-// The stock in space. Its picture is kept: while a program plays only what changes is drawn anew in it. While the view
-// turns, and while too much changes at once, a coarser surface stands for it.
+// The stock in space. Its picture is reused: while a program plays only what changes is drawn again. While the view
+// turns, and while too much changes at once, a coarser surface replaces it.
 
 import {
   type Camera,
@@ -43,7 +43,7 @@ export interface StockCut {
 
 /** Triangles and tiles that are drawn in one go: in a fraction of a frame, with a graphics card and without. */
 const MAX_PER_DRAW = { card: { triangles: 4_000_000, tiles: 256 }, software: { triangles: 12_000, tiles: 64 } };
-/** Columns of the surface that stands for the stock while the view turns. */
+/** Columns of the surface that replaces the stock while the view turns. */
 const COARSE_COLUMNS = { card: 250_000, software: 9_000 };
 /** Triangles of a part that are drawn in every frame while the view turns. */
 const PART_TRIANGLES = { card: 400_000, software: 60_000 };
@@ -229,7 +229,7 @@ export class StockLayer {
     const touched = surface.takeTouched();
     this.note(touched);
     if (touched) this.gaps?.take();
-    // The part stands for all columns.
+    // The mesh of the part replaces all columns.
     if (this.shownPart) this.own = undefined;
     else if (touched && this.isLeap(touched)) void this.leap(renderer);
     const from = `${camera.matrixWorld.elements.join()} ${camera.projectionMatrix.elements.join()}`;
@@ -275,7 +275,7 @@ export class StockLayer {
     if (number === this.number) this.movedAt = performance.now();
   }
 
-  /** So much changes at once only where somebody looks for a moment: more of it is likely to come. */
+  /** So much changes at once only while the time is dragged: more of it is likely to come. */
   private isLeap({ columns, rows }: TouchedBox): boolean {
     return (columns[1] - columns[0]) * (rows[1] - rows[0]) > this.atOnce.tiles * TILE * TILE;
   }
@@ -428,7 +428,7 @@ export class StockLayer {
     }
     let cleared = false;
     const tiles = this.tiles!;
-    // All corners first: a tile has on its edges those of the tiles beside it.
+    // All corners first: a tile has on its edges those of the adjacent tiles.
     for (const at of tiles.all) {
       tiles.take(at);
       if ((at + 1) % this.atOnce.tiles > 0) continue;
@@ -514,7 +514,7 @@ export class StockLayer {
 /** Beyond every machine, mm. */
 const BEYOND_MACHINE_MM = 1e9;
 
-/** How far the stock is put back so that a path on it is seen, mm: a pixel and a half. */
+/** How far the stock is pushed back so that a path on it is visible, mm: a pixel and a half. */
 function pushOf(camera: OrthographicCamera, renderer: WebGLRenderer): number {
   return (1.5 * (camera.right - camera.left)) / camera.zoom / Math.max(1, renderer.domElement.width);
 }

@@ -16,9 +16,9 @@ in vec2 at;
 in float z;
 in float slot;
 in float target;
-/** Which way the surface falls there. */
+/** The direction in which the surface falls there. */
 in vec2 lean;
-/** How far the corner is moved, in columns; nothing where it is not given. */
+/** How far the corner is moved, in columns; zero where there is no such attribute. */
 in vec2 shift;
 uniform vec2 columns;
 uniform vec2 size;
@@ -103,10 +103,10 @@ void main() {
   if (dot(normal, viewpoint) < 0.0) normal = -normal;
   vec3 own = color;
   bool isWall = abs(normal.z) < 0.02;
-  // What the box had from the beginning is nobody's.
+  // The walls of the box were cut by no tool.
   if (isWall && (place.x < 1e-3 || place.y < 1e-3 || place.x > size.x - 1e-3 || place.y > size.y - 1e-3)) own = uncut;
   if (keep.w > 0.5 && (place.x >= keep.x - 1e-3 || place.y <= keep.y + 1e-3 || place.z >= keep.z - 1e-3)) own = inside;
-  // Columns make stairs of a round wall: it has the light of the way it falls.
+  // Columns make stairs of a round wall: it is lit by the direction in which the surface falls.
   else if (abs(normal.z) < 0.35 && dot(falls, falls) > 0.2) normal = vec3(normalize(falls) * sqrt(1.0 - normal.z * normal.z), normal.z);
   float light = 0.6 + 0.4 * max(0.0, dot(normal, normalize(vec3(-0.35, -0.55, 0.9))));
   // Walls that look right are darker than those that look forward.

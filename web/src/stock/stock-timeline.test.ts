@@ -58,7 +58,7 @@ test("any moment has the heights and owners of a run up to it, whatever was show
     const { heights, slots } = at(to);
     expect(drops.heights).toEqual(heights);
     expect(drops.slots).toEqual(slots);
-    // And whoever follows the changes alone has the same.
+    // Following the changes alone gives the same.
     expect(followed).toEqual(heights);
   }
 });

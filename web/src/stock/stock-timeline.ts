@@ -1,4 +1,4 @@
-// Stock that is cut, as a list of what is lowered when: any moment is reached forward and backward with no more
+// The cutting of a stock as a list of which column is lowered when: any moment is reached forward and backward with no more
 // work than what is different there.
 
 /** The stock before the first cut. */
@@ -22,7 +22,7 @@ export interface StockBefore {
 /** Drops between two keyframes, at least: so many are carried out in a few milliseconds. */
 const MIN_KEYFRAME_DROPS = 1 << 17;
 
-/** A moment is far that is as many drops away as one in so many columns. */
+/** A moment is far if it is more drops away than one in so many columns. */
 const FAR_SHARE = 16;
 
 interface Keyframe {
@@ -44,7 +44,7 @@ class GrowingArray<A extends Uint32Array | Float32Array | Uint8Array> {
 }
 
 export class StockTimeline {
-  /** The heights now, from the top, mm, and who cut each column last: 0 is nobody. */
+  /** The heights now, from the top, mm, and the slot of the tool that cut each column last: 0 where none did. */
   readonly heights: Float32Array;
   readonly slots: Uint8Array;
   count = 0;
@@ -111,7 +111,7 @@ export class StockTimeline {
     return low;
   }
 
-  /** Goes to the moment when so much of the path is done, and tells which columns are other ones; gives the work: columns that were set or compared. */
+  /** Goes to the moment when so much of the path is done, and calls `changed` for each column that differs; returns the work: how many columns were set or compared. */
   seek(rows: number, changed: (column: number) => void): number {
     const to = this.doneAt(rows);
     const nearest = this.nearest(to);

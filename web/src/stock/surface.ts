@@ -30,7 +30,7 @@ export class StockSurface {
   /** Tiles whose corners have changed since they were taken. */
   readonly stale: Uint8Array;
   private touched: TouchedBox | undefined;
-  /** What the tool has cut where it stands. */
+  /** The columns that the tool lowers at its present position. */
   private under: number[] = [];
 
   /** Its corners stay in the middles of columns unless they may be moved. */
@@ -155,7 +155,7 @@ export class StockSurface {
     return touched;
   }
 
-  /** The tool cuts where it stands, at a place in the frame of the run: until the next time. */
+  /** Lowers what the tool cuts at a position in the frame of the run; the next call takes it back. */
   cutUnderTool(tool: { floor: ToolFloor; slot: number; at: [number, number, number] } | undefined, heights: Float32Array, slots: Uint8Array): void {
     for (const column of this.under) this.set(column, heights[column]!, slots[column]!);
     this.under = [];
@@ -194,7 +194,7 @@ export class StockSurface {
     this.stale.fill(1);
   }
 
-  /** Which way the surface falls at the corners of a tile, from -127 to 127 along X and Y: for the light on walls. */
+  /** The direction in which the surface falls at the corners of a tile, from -127 to 127 along X and Y: for the light on walls. */
   falls(tile: number, to: Int8Array): void {
     const { z, width, height } = this;
     const [x0, y0] = this.firstCorner(tile);

@@ -1,4 +1,4 @@
-// The surface of a stock as meshes, one for each tile: made anew where something of it has changed.
+// The surface of a stock as meshes, one for each tile: made again where it has changed.
 
 import { type ShaderMaterial, BufferAttribute, BufferGeometry, Group, Mesh } from "three";
 import { type TileEdges, BEYOND, noEdges, triangles } from "./facets";
@@ -12,7 +12,7 @@ interface TileMesh {
   triangles: number;
   /** The corners that its squares have on its edges. */
   edges: TileEdges;
-  /** Those of a tile beside it have changed. */
+  /** Those of an adjacent tile have changed. */
   hasStaleEdges: boolean;
 }
 
@@ -82,7 +82,7 @@ export class TileMeshes {
     index!.needsUpdate = true;
   }
 
-  /** The corners that the tiles beside one have on its edges. */
+  /** The corners that the adjacent tiles have on its edges. */
   private neighborEdges(tile: number): TileEdges {
     const all = noEdges();
     BEYOND.forEach(([, , same], edge) => {

@@ -1,4 +1,4 @@
-// The lowest place of a turning tool over a distance from its axis: what it cuts where it stands.
+// The lowest point of a rotating tool over a distance from its axis: what it cuts without moving.
 
 import type { DrawnTool } from "../view/tool-shape";
 
@@ -35,7 +35,7 @@ export function floorOf(tool: DrawnTool | undefined): ToolFloor | undefined {
     case "thread mill":
     case "t-slot":
     case "lollipop":
-      // What they cut lies below a neck, or is a core whose diameter is not told: it is there once they have passed.
+      // What they cut lies below a neck, or is a core whose diameter is not known: it is there once they have passed.
       return undefined;
     default:
       return { radius, at: () => 0 };

@@ -15,7 +15,7 @@ const VIEWS: Record<ViewName, Vec3> = {
   iso: [1, -1, 1],
 };
 
-/** The side of the axis on which the turret of a lathe stands. */
+/** The side of the axis on which a lathe has its turret. */
 export type TurretSide = "rear" | "front";
 
 /** From where each view of a lathe looks, and what is up on the screen: Z to the right, X to the side of the turret. */
@@ -39,7 +39,7 @@ const ROOM = 0.86;
 /** And one that grows: it would be fitted, and drawn, again and again. */
 const GROWING_ROOM = 0.55;
 
-/** How far before and behind the camera is seen, mm: beyond every machine, and depths are told apart to 0.01 mm. */
+/** How far in front of and behind the camera is visible, mm: beyond every machine, and depths are distinguished to 0.01 mm. */
 const DEEP = 5e4;
 
 export class ViewCamera {
@@ -70,7 +70,7 @@ export class ViewCamera {
     return controls;
   }
 
-  /** The machine is a lathe whose turret stands on a side, or none; whether it was another before. */
+  /** Sets the side of a lathe's turret, undefined for a mill; true if that is a change. */
   setLathe(turret: TurretSide | undefined): boolean {
     if (turret === this.turret) return false;
     this.turret = turret;
@@ -102,7 +102,7 @@ export class ViewCamera {
     this.camera.updateProjectionMatrix();
   }
 
-  /** A box fills the view, or what lies in it and takes the edges that are told. */
+  /** Fits a box into the view, or rather its content, whose edges `edgesOf` gives. */
   fit({ low, high }: Bounds, edgesOf: (inverse: ArrayLike<number>) => ViewEdges, grows: boolean): void {
     const { camera } = this;
     const center = new Vector3(...low).add(new Vector3(...high)).multiplyScalar(0.5);
@@ -193,7 +193,7 @@ export class ViewCamera {
     return [((v.x + 1) / 2) * clientWidth, ((1 - v.y) / 2) * clientHeight];
   }
 
-  /** The directions of X, Y and Z on the screen: right, up and towards the eye. */
+  /** The directions of X, Y and Z on the screen: right, up and towards the viewer. */
   axes(): Vec3[] {
     const { elements } = this.camera.matrixWorldInverse;
     return [0, 4, 8].map((at) => [elements[at]!, elements[at + 1]!, elements[at + 2]!] as Vec3);

@@ -21,10 +21,10 @@ const VISIONS = {
   deuteranopia: [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.01182, 0.04294, 0.968881]],
   tritanopia: [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.3039]],
 };
-/** How far any two colours are apart at least, hundredths of the lightness from black to white. */
+/** The least difference of any two colours, in hundredths of the lightness from black to white. */
 const MIN_DIFFERENCE = { normal: 15, protanopia: 9, deuteranopia: 9, tritanopia: 6 };
 
-/** OKLab, times 100, of a colour as an eye sees it. */
+/** OKLab, times 100, of a colour as that vision perceives it. */
 function perceived(color: Numbers, matrix: Numbers[]): Numbers {
   const light = color.map(linear);
   const [r, g, b] = matrix.map((row) => Math.min(1, Math.max(0, row.reduce((sum, part, index) => sum + part * light[index]!, 0)))) as [number, number, number];

@@ -12,7 +12,7 @@ export interface Palette {
   contour: string;
   /** The path of the other program. */
   other: string;
-  /** Where the two are apart. */
+  /** Where the two paths differ. */
   difference: string;
   chord: string;
   travel: string;
@@ -117,7 +117,7 @@ function shareOf(value: number, [least, most]: ValueRange): number {
   return most > least ? Math.min(1, Math.max(0, (value - least) / (most - least))) : 0.5;
 }
 
-/** Steps of the ramp: as many as can be told apart. */
+/** Steps of the ramp: as many as can be distinguished. */
 const RAMP_STEPS = 255;
 
 /** What of a path its colours depend on. */

@@ -1,4 +1,4 @@
-/** Lets the page answer before long work goes on. */
+/** Lets the page handle its input before long work goes on. */
 export function yieldToEventLoop(): Promise<void> {
   return new Promise((next) => setTimeout(next));
 }

@@ -1,4 +1,4 @@
-// What stands still beside the path: zeros of work offsets, the box that the machine can reach.
+// What does not move: zeros of work offsets, the box that the machine can reach.
 
 import { BufferAttribute, Group, LineBasicMaterial, LineSegments } from "three";
 import type { Bounds, Vec3 } from "../path/batch";

@@ -26,7 +26,7 @@ const SLOW_MS = 40;
 /** Frames that are faster, many in a row, allow for more, ms. */
 const FAST_MS = 20;
 const IN_A_ROW = 20;
-/** Whoever rests with the button down makes no frames: a gap as long says nothing. */
+/** While the pointer does not move there are no frames: a longer gap is no slow frame. */
 const REST_MS = 1000;
 
 export class FramePace {
@@ -61,7 +61,7 @@ export class FramePace {
     if (isFirst || gap > REST_MS) return;
     this.slow = gap > SLOW_MS ? this.slow + 1 : 0;
     this.fast = gap < FAST_MS ? this.fast + 1 : 0;
-    // One slow frame may be somebody else's.
+    // One slow frame may have another cause.
     if (this.slow >= 2 && this.step < QUALITIES.length - 1) {
       if (this.tried) this.fastFramesNeeded = Math.min(1280, 2 * this.fastFramesNeeded);
       this.choose(this.step + 1);
@@ -88,7 +88,7 @@ export class DrawSlices {
 
   /** So many lines took so long, ms. */
   took(lines: number, ms: number): void {
-    // A few lines tell about what surrounds them, not about themselves.
+    // The time of few lines is mostly that of the surroundings.
     if (lines < this.lines / 2) return;
     if (ms < 16) this.lines = Math.min(16_000_000, this.lines * 2);
     else if (ms > 40) this.lines = Math.max(2_000, this.lines / 2);

@@ -1,4 +1,4 @@
-// When the machine has drawn what it was told.
+// Waits until the graphics card has carried out its commands.
 
 import type { WebGLRenderer } from "three";
 

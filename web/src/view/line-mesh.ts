@@ -62,7 +62,7 @@ export class LineMesh {
   }
 }
 
-/** Lines, and the rows at both ends of each where what is to come of them is drawn pale. */
+/** Geometry of lines; `spans` are the rows at both ends of each, where what is not done yet is drawn pale. */
 export function geometryOf(points: Float32Array, spans?: Float32Array): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(points, 3));

@@ -48,7 +48,7 @@ export class PathLevels {
     this.levels = [];
   }
 
-  /** Makes the levels, a part of the path at a time; whether they were still wanted at the end. */
+  /** Makes the levels, a batch at a time; false if a newer build has taken over. */
   async build(parts: PathPart[], size: number, colors: (batch: Batch, lines: LineArrays) => Uint8Array, materials: LineMaterials, rapidMaterial: LineDashedMaterial): Promise<boolean> {
     const number = ++this.builds;
     const fine: PathStrands[] = [];
@@ -87,7 +87,7 @@ export class PathLevels {
         return false;
       }
     }
-    // The levels before served until now.
+    // The levels before are replaced only now.
     this.clear();
     this.levels = levels;
     this.strokes = made;

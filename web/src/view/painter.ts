@@ -1,5 +1,5 @@
 // Draws the path and what lies over it. A path that is too long for one frame is drawn piece by
-// piece into a picture that is kept: what lies over it, the tool above all, then costs no more than
+// piece into a picture that is reused: what lies over it, the tool above all, then costs no more than
 // with a short path, and the page answers in between.
 
 import {
@@ -60,7 +60,7 @@ export class Painter {
   readonly pace: FramePace;
   /** What lies under all of it: the stock. */
   under: () => PictureBelow | undefined = () => undefined;
-  /** Lines of the last frame, those of the kept picture included. */
+  /** Lines of the last frame, those of the reused picture included. */
   drawnLines = 0;
   /** Whether a picture that is not complete is shown. */
   showsPart = true;
@@ -76,9 +76,9 @@ export class Painter {
   private state: "stale" | "drawing" | "complete" = "stale";
   private drewAll = false;
   private queue: DrawGroup[] = [];
-  /** What was given another colour while the picture was drawn. */
+  /** What has changed its colour while the picture was drawn. */
   private late: DrawGroup[] = [];
-  /** The number of the picture that is being drawn: what was begun for another is given up. */
+  /** The number of the picture that is being drawn: work for an older one stops. */
   private picture = 0;
   private shownAt = 0;
   private paintedAt = -Infinity;
@@ -182,13 +182,13 @@ export class Painter {
       void gpuFinished(this.renderer).then(() => this.slices.took(lines, performance.now() - began));
     } else {
       if (this.state === "stale") this.begin();
-      // Until the picture is there, the coarse path tells more than a part of the whole one.
+      // Until the picture is complete, the coarse path shows more than a part of the whole one.
       if (this.state === "complete" || !this.coarse.isReady) this.show();
       else this.draw({ ...this.pace.quality, samples: 0 });
     }
   }
 
-  /** Over a stock the processor smooths no edges while it is not complete or something moves, but once it stands. */
+  /** Without a graphics card, edges over a stock are smoothed only when the picture is complete and nothing moves. */
   private isRough(): boolean {
     window.clearTimeout(this.smoothLater);
     const under = this.under();

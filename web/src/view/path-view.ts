@@ -70,7 +70,7 @@ export class PathView {
   private marksMoved = false;
   private stillTimer = 0;
   private isFrameRequested = false;
-  /** Work that is done part by part is given up when newer work is asked for. */
+  /** The number of the newest refinement: an older one stops between two batches. */
   private refining = 0;
   /** World length of a pixel when arcs were cut last. */
   private cutFor = 0;
@@ -189,17 +189,17 @@ export class PathView {
     this.render();
   }
 
-  /** The machine is a lathe whose turret stands on a side of the axis, or none. */
+  /** The side of the turret where the machine is a lathe; undefined for a mill. */
   setLathe(turret: TurretSide | undefined): void {
     if (this.camera.setLathe(turret)) this.fit();
   }
 
-  /** Something that the view does not know of has changed: the stock. */
+  /** The stock has changed, which draws itself. */
   redraw(): void {
     this.render();
   }
 
-  /** What compensation was programmed for, beside the path of the tool centre. */
+  /** The programmed contour of compensated moves, next to the path of the tool centre. */
   addContour(batch: Batch, origin: Vec3): void {
     const lines = linesOf(batch, this.tolerance());
     const object = new LineSegments(geometryOf(lines.cuts.points), this.contourMaterial);
@@ -209,7 +209,7 @@ export class PathView {
     this.changed();
   }
 
-  /** The path of the other program begins; what is there of it is taken away. */
+  /** The path of the other program begins; the one before is removed. */
   beginOther(path: Path): void {
     this.differences.clear();
     this.other.begin(path);
@@ -238,7 +238,7 @@ export class PathView {
     this.changed();
   }
 
-  /** Marks where the two paths are apart. */
+  /** Marks where the two paths differ. */
   markDifferences(differences: DifferenceRows): void {
     const { path, other } = this;
     this.differences.set(differences, [path, other.path], [this.tolerance(), this.tolerance(other.path)]);
@@ -301,7 +301,7 @@ export class PathView {
     const before = this.progress.done;
     if (rows === before) return;
     this.progress.set(rows);
-    // Forward only what is done now has another colour.
+    // Going forward only changes the colour of what was done in between.
     if (rows > before && rows !== Infinity) {
       this.painter.repaint(drawGroupsOn(this.drawn.batches, Math.floor(before), Math.floor(rows), this.painter.rapids.visible));
     } else this.painter.changed();
@@ -319,7 +319,7 @@ export class PathView {
     this.render();
   }
 
-  /** Where the tool is, in the frame of the run, and along what it stands: for tests. */
+  /** Position of the tool in the frame of the run, and the direction of its axis: for tests. */
   toolPose(): { at: Vec3; up: Vec3; width: number; isShown: boolean } {
     const { position, quaternion } = this.tool.object;
     const at = position.toArray().map((value, axis) => value + this.path.origin[axis]!) as Vec3;
@@ -383,7 +383,7 @@ export class PathView {
     this.render();
   }
 
-  /** What is marked so: for tests. */
+  /** The feature that is marked: for tests. */
   get snapped(): PathFeature | undefined {
     return this.measured.snapped;
   }
@@ -408,7 +408,7 @@ export class PathView {
     return this.camera.project(at);
   }
 
-  /** The directions of X, Y and Z on the screen: right, up and towards the eye. */
+  /** The directions of X, Y and Z on the screen: right, up and towards the viewer. */
   axes(): Vec3[] {
     return this.camera.axes();
   }
@@ -440,10 +440,10 @@ export class PathView {
     return { low: box.min.toArray(), high: box.max.toArray() };
   }
 
-  /** What is drawn takes of the view, mm from the camera's target. */
+  /** The extent of what is drawn in the view, mm from the camera's target. */
   private edges(box: Bounds, inverse: ArrayLike<number>): ViewEdges {
     const extent = new ViewExtent(inverse);
-    // Of a long path some points tell enough.
+    // Of a long path some points are enough.
     const step = 3 * Math.max(1, Math.floor(this.path.rows / 50_000));
     for (const { lines } of this.drawn.batches) {
       extent.add(lines.cuts.points, step);
@@ -458,7 +458,7 @@ export class PathView {
     return screenTolerance(this.camera, difference(path.origin, this.path.origin), path.rows > SIMPLIFIED_FROM_ROWS);
   }
 
-  /** Cuts arcs anew, a part at a time, when the zoom has changed so much that it shows. */
+  /** Cuts arcs again, a batch at a time, when the zoom has changed so much that it shows. */
   private async refine(always = false): Promise<void> {
     const number = ++this.refining;
     const pixel = this.camera.pixel();
@@ -528,7 +528,7 @@ export class PathView {
     this.render();
   }
 
-  /** What the picture of the path holds is another, or seen from elsewhere. */
+  /** The content of the picture has changed, or the camera has moved. */
   private changed(): void {
     this.painter.changed();
     this.render();
@@ -543,7 +543,7 @@ export class PathView {
       if (this.turning && this.hasMoved) {
         this.hasMoved = false;
         this.painter.pace.frame(now);
-        // Counted from a frame: one that took long must not look like rest.
+        // Counted from a frame: a slow frame must not count as standstill.
         window.clearTimeout(this.stillTimer);
         this.stillTimer = window.setTimeout(() => this.still(), STILL_MS);
       }

@@ -1,4 +1,4 @@
-// Which row of the path is meant by a place on the screen.
+// Finds the row of the path at a position on the screen.
 
 import type { Batch, Vec3 } from "../path/batch";
 import { type LineArrays, nearest } from "../path/lines";
@@ -6,9 +6,9 @@ import type { ViewCamera } from "./camera";
 
 /** How far from a line a click may be, pixels. */
 const REACH_PIXELS = 8;
-/** How near an end must be to be meant, pixels. */
+/** An end within this distance is picked, pixels. */
 const SNAP_PIXELS = 9;
-/** A cut is meant rather than the rapid over it: so much further the rapid counts, pixels. */
+/** A cut is picked rather than the rapid over it: the rapid counts as so much further away, pixels. */
 const RAPID_HANDICAP_PIXELS = 3;
 
 export interface PickedPoint {
@@ -26,7 +26,7 @@ export interface Pickable {
   lines: { cuts: LineArrays; rapids: LineArrays };
 }
 
-/** How places, relative to the origin of a path, are seen. */
+/** Projects points, relative to the origin of a path, onto the screen. */
 export type PointProjection = Pick<ViewCamera, "matrix" | "project">;
 
 /** The row nearest to a place of the canvas, of those whose place there `counts`. */

@@ -1,9 +1,9 @@
-// What of the path is done: the rest is drawn pale, in every material that draws the path.
+// How much of the path is done: the remainder is drawn pale, in every material that draws the path.
 
 import { type Material, Color } from "three";
 import type { LineArrays } from "../path/lines";
 
-/** How much of its colour what is still to come has; the rest is the background's. */
+/** The share of its own colour that the remaining path has; the other share is the background's. */
 export const PALE_SHARE = 0.4;
 
 export class PathProgress {

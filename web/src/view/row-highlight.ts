@@ -1,4 +1,4 @@
-// Rows of a path that are marked, cut anew as the zoom asks.
+// Marked rows of a path, whose arcs are cut again when the zoom changes.
 
 import { type Plane, Group, InstancedBufferAttribute } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
@@ -9,7 +9,7 @@ import { type ArcTolerance, someRows } from "../path/lines";
 import { Path } from "../path/path";
 import type { PathProgress } from "./progress";
 
-/** Rows that are marked at most, where nothing else is said. */
+/** Rows that are marked at most by default. */
 const MAX_ROWS = 50_000;
 
 export class RowHighlight {

@@ -9,7 +9,7 @@ import type { ViewCamera } from "./camera";
 export type { ArcTolerance };
 
 /**
- * A quarter of a pixel, for arcs that can be seen; the others stay as coarse as they may. `shift` is how far the
+ * A quarter of a pixel for visible arcs; others may be coarser. `shift` is how far the
  * origin of their path is from that of the shown one.
  */
 export function screenTolerance(camera: ViewCamera, [dx, dy, dz]: Vec3, isLong: boolean): ArcTolerance {

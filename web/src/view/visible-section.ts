@@ -1,6 +1,6 @@
 // Which part of the path is shown.
 
-/** What of the path is shown; what is not said is all. */
+/** Limits of what is shown; a limit that is left out does not apply. */
 export interface VisibleSection {
   tool?: number;
   /** Lines of the program, from and to, both counted. */

@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
-use chordal_ask::{Failure, Files, Program, ProgramOptions, Request, options};
+use chordal_ask::{
+    Files, ProgramOptions, QuestionFailure, QuestionProgram, QuestionRequest, options,
+};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
@@ -62,11 +64,11 @@ const FORM: &str =
 /// A line that is not a question: its `id`, as far as it can be read, and what is wrong.
 pub struct Refused {
     pub id: Value,
-    pub told: Failure,
+    pub told: QuestionFailure,
 }
 
 impl Refused {
-    fn of(id: &Value, told: Failure) -> Box<Refused> {
+    fn of(id: &Value, told: QuestionFailure) -> Box<Refused> {
         Box::new(Refused { id: id.clone(), told })
     }
 }
@@ -74,7 +76,7 @@ impl Refused {
 impl Message {
     /// Reads a line.
     pub fn read(line: &[u8]) -> Result<Message, Box<Refused>> {
-        let wrong = |message: String| Failure::wrong(message, FORM);
+        let wrong = |message: String| QuestionFailure::wrong(message, FORM);
         let value: Value = serde_json::from_slice(line).map_err(|error| {
             Refused::of(&Value::Null, wrong(format!("the line is not JSON: {error}")))
         })?;
@@ -93,7 +95,7 @@ impl Message {
                 let options = Value::Object(object.options);
                 let is_watched = object.watch;
                 if is_watched && programs.iter().all(|program| program.file.is_none()) {
-                    let told = Failure::wrong("there is no file to watch", FORM);
+                    let told = QuestionFailure::wrong("there is no file to watch", FORM);
                     return Err(Refused::of(&id, told));
                 }
                 let question = Question { id, ask, programs, options, is_watched, times: 0 };
@@ -106,15 +108,17 @@ impl Message {
 }
 
 impl Asked {
-    fn of(mut object: Map<String, Value>) -> Result<Asked, Failure> {
+    fn of(mut object: Map<String, Value>) -> Result<Asked, QuestionFailure> {
         let mut take = |key: &str| match object.remove(key) {
             None => Ok(None),
             Some(Value::String(text)) => Ok(Some(text)),
-            Some(_) => Err(Failure::wrong(format!("`{key}` of a program is not a text"), FORM)),
+            Some(_) => {
+                Err(QuestionFailure::wrong(format!("`{key}` of a program is not a text"), FORM))
+            }
         };
         let (file, text) = (take("file")?, take("text")?);
         if file.is_none() && text.is_none() {
-            return Err(Failure::wrong("a program needs a `file` or its `text`", FORM));
+            return Err(QuestionFailure::wrong("a program needs a `file` or its `text`", FORM));
         }
         Ok(Asked { file, text, options: Value::Object(object) })
     }
@@ -122,16 +126,16 @@ impl Asked {
 
 impl Question {
     /// The request, with the files of the disk.
-    pub fn request(&self) -> Result<Request, Failure> {
+    pub fn request(&self) -> Result<QuestionRequest, QuestionFailure> {
         let program = |asked: &Asked| {
             let mut given: ProgramOptions = options(&self.ask, asked.options.clone())?;
             given.name = asked.file.clone().or(given.name);
             let text = asked.text.clone().map(String::into_bytes);
-            Ok(Program { options: given, text })
+            Ok(QuestionProgram { options: given, text })
         };
-        Ok(Request {
-            ask: self.ask.clone(),
-            programs: self.programs.iter().map(program).collect::<Result<_, Failure>>()?,
+        Ok(QuestionRequest {
+            question: self.ask.clone(),
+            programs: self.programs.iter().map(program).collect::<Result<_, QuestionFailure>>()?,
             files: Files::Disk,
             options: self.options.clone(),
         })

@@ -14,7 +14,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::Duration;
 
-use chordal_ask::{Failure as Unanswered, ask, inline};
+use chordal_ask::{QuestionFailure as Unanswered, inline};
 use serde_json::{Value, json};
 
 use crate::failure::{Failure, Verdict};
@@ -142,7 +142,7 @@ impl Serving {
 
 /// A panic ends the answer, not the service.
 fn answer(question: &Question) -> Result<Value, Unanswered> {
-    let asked = || question.request().and_then(ask).map(inline);
+    let asked = || question.request().and_then(chordal_ask::answer).map(inline);
     catch_unwind(AssertUnwindSafe(asked)).unwrap_or_else(|payload| {
         let told = payload.downcast_ref::<String>().map(String::as_str);
         let told = told.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("a panic");

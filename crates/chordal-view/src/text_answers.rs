@@ -1,4 +1,4 @@
-//! What the words of a text are and mean, for the lines that a page shows.
+//! Classes, meanings and definitions of the words of a text, and its outline.
 
 use chordal::Source;
 use chordal::diagnostics::FileId;
@@ -6,20 +6,20 @@ use chordal_editor::{Class, Entry, EntryKind, Places, Program, byte_of, line_and
 use serde_json::{Value, json};
 
 /// Entries of an outline that are sent.
-const MOST_ENTRIES: usize = 2_000;
+const MAX_ENTRIES: usize = 2_000;
 
-/// Words of a screen that are coloured: of a line without an end the rest is plain.
-const MOST_TOKENS: usize = 20_000;
+/// Words of one answer that are coloured: the end of a very long line stays plain.
+const MAX_TOKENS: usize = 20_000;
 
 /// Bytes of another text that are sent to be shown: subprograms are short.
-const MOST_TEXT: usize = 1 << 20;
+const MAX_TEXT_BYTES: usize = 1 << 20;
 
 /// The words of the lines from `from` up to, not including, `to`: four numbers each, which are
 /// line (from 1), first and last column (from 0, UTF-16), and the place of its class.
 pub fn tokens(program: &Program, from: u32, to: u32) -> Value {
     let mut places = Places::of(program.source());
     let mut numbers: Vec<u32> = Vec::new();
-    for token in program.tokens(from, to).into_iter().take(MOST_TOKENS) {
+    for token in program.tokens(from, to).into_iter().take(MAX_TOKENS) {
         let (line, start) = places.at(token.range.start);
         let (end_line, end) = places.at(token.range.end);
         if end_line == line {
@@ -41,8 +41,8 @@ pub fn hover(program: &Program, line: u32, column: u32) -> Value {
     json!({ "type": "hover", "hover": hover })
 }
 
-/// Where the program, the label or the variable that stands at a line and a column is made; null
-/// where nothing makes it. One that is made in another text comes with that text.
+/// Where the program, the label or the variable at a line and a column is defined; null
+/// where it is not defined. A definition in another text comes with that text.
 pub fn definition(program: &Program, line: u32, column: u32) -> Value {
     let name = program.name_at(byte_of(program.source(), line, column));
     let made = name.and_then(|found| program.definitions(&found.name).into_iter().next());
@@ -53,7 +53,7 @@ pub fn definition(program: &Program, line: u32, column: u32) -> Value {
             return json!({ "line": line, "column": column });
         }
         let text = program.file_text(found.file);
-        let shown = &text[..text.len().min(MOST_TEXT)];
+        let shown = &text[..text.len().min(MAX_TEXT_BYTES)];
         let (line, column) = line_and_column(&Source::new("", text), start);
         json!({
             "line": line,
@@ -68,16 +68,16 @@ pub fn definition(program: &Program, line: u32, column: u32) -> Value {
 
 /// Programs, in them tools, in those operations.
 pub fn outline(program: &Program) -> Value {
-    let mut left = MOST_ENTRIES;
+    let mut left = MAX_ENTRIES;
     json!({ "type": "outline", "entries": entries(&program.outline(), &mut left) })
 }
 
 fn entries(of: &[Entry], left: &mut usize) -> Vec<Value> {
-    let mut told = Vec::new();
+    let mut values = Vec::new();
     for entry in of {
         let Some(less) = left.checked_sub(1) else { break };
         *left = less;
-        told.push(json!({
+        values.push(json!({
             "name": entry.name,
             "detail": entry.detail,
             "kind": match entry.kind {
@@ -91,5 +91,5 @@ fn entries(of: &[Entry], left: &mut usize) -> Vec<Value> {
             "children": entries(&entry.children, left),
         }));
     }
-    told
+    values
 }

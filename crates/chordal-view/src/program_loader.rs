@@ -7,7 +7,7 @@ use chordal::control::table;
 use chordal_editor::{Program, Setup};
 use chordal_load::{Chosen, Input, LoadError, Loader, Text};
 
-use crate::program::Refusal;
+use crate::program::ProgramRefusal;
 
 /// Opens a text as the program of an input. `named_in` says in words where a machine file is that its folder names.
 /// Where another machine was chosen on the page, `set_up` loads the one that the program has without that: its tools,
@@ -15,23 +15,23 @@ use crate::program::Refusal;
 ///
 /// # Errors
 /// A machine that cannot be used, a program that is not there.
-pub fn open(
+pub fn open_program(
     mut loader: Loader,
     set_up: Option<Loader>,
     input: &Input,
     name: &str,
     text: Vec<u8>,
     named_in: impl Fn(&Path) -> String,
-) -> Result<Program, Refusal> {
+) -> Result<Program, ProgramRefusal> {
     let own = set_up.and_then(|mut loader| {
         let text = Text::of(name, text.clone()).ok()?;
-        // What is wrong with its machine is said where that is used.
+        // Errors of its machine are reported where that is used.
         loader.load_text(text, input).ok().map(|loaded| loaded.into_parts().1)
     });
     let text = Text::of(name, text).map_err(|error| refusal(&error))?;
     let loaded = loader.load_text(text, input).map_err(|error| refusal(&error))?;
-    // Of a machine that nobody named only the control is known: its axes and its maker are those of the
-    // file that stands in for it.
+    // Of a machine that is not named only the control is known: its axes and its maker are those of the
+    // file that is used instead.
     let is_guess = loaded.chosen.is_guess();
     let foreign = loaded.not_read().and(loaded.chosen.recognition());
     let title = match foreign {
@@ -54,11 +54,11 @@ pub fn open(
     if let Some(own) = own {
         keep_setup(&mut machine, own);
     }
-    // The first is the text itself.
-    let beside = texts.split_off(1);
+    // The first text is the program, the others are its subprograms.
+    let others = texts.split_off(1);
     let (name, text) = texts.pop().unwrap_or_default();
-    let setup = Setup { machine, why, readings, options, program, beside };
-    Program::set_up(name, text, setup).map_err(|errors| Refusal {
+    let setup = Setup { machine, why, readings, options, program, beside: others };
+    Program::set_up(name, text, setup).map_err(|errors| ProgramRefusal {
         message: "the control does not know settings of the machine".into(),
         help: Some(format!("{errors:?}")),
     })
@@ -79,18 +79,18 @@ fn keep_setup(machine: &mut Machine, own: Machine) {
 }
 
 /// Why nothing was loaded, as a page shows it.
-pub fn refusal(error: &LoadError) -> Refusal {
+pub fn refusal(error: &LoadError) -> ProgramRefusal {
     match error {
         LoadError::Machine(errors) => {
-            let told: Vec<String> = errors
+            let texts_of_errors: Vec<String> = errors
                 .iter()
                 .map(|error| chordal_export::machine_error_text(error, false))
                 .collect();
-            Refusal { message: told.concat().trim_end().to_string(), help: None }
+            ProgramRefusal { message: texts_of_errors.concat().trim_end().to_string(), help: None }
         }
         LoadError::Request { message, help } => {
-            Refusal { message: message.clone(), help: help.clone() }
+            ProgramRefusal { message: message.clone(), help: help.clone() }
         }
-        other @ LoadError::Read { .. } => Refusal { message: other.to_string(), help: None },
+        other @ LoadError::Read { .. } => ProgramRefusal { message: other.to_string(), help: None },
     }
 }

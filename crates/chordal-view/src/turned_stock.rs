@@ -12,12 +12,12 @@ use chordal::stock::{
 use serde_json::{Value, json};
 
 use crate::answer;
-use crate::frame::Frame;
-use crate::outbox::Outbox;
-use crate::program::Programs;
+use crate::frame::ColumnFrame;
+use crate::outbox::PageOutbox;
+use crate::program::ProgramSource;
 
 /// Sends the sections of a run, its problems, and how hard its cuts are.
-pub fn run(job: &Job, run: u64, programs: &dyn Programs, out: &Outbox) {
+pub fn run(job: &Job, run: u64, programs: &dyn ProgramSource, out: &PageOutbox) {
     let files = |name: &str| programs.named_file(name);
     let options = TurnedOptions { replay: true, ..TurnedOptions::default() };
     match job.turned_stock(&options, &files) {
@@ -25,7 +25,7 @@ pub fn run(job: &Job, run: u64, programs: &dyn Programs, out: &Outbox) {
             if let Some(replay) = &found.replay {
                 out.binary(sections(run, &found, replay));
             }
-            out.json(&told(run, &found, job));
+            out.json(&report_json(run, &found, job));
             out.binary(engagement(run, &found));
         }
         Err(StockRunError::Interrupted) => {}
@@ -34,7 +34,7 @@ pub fn run(job: &Job, run: u64, programs: &dyn Programs, out: &Outbox) {
 }
 
 /// A line or an arc: both ends and the centre, as z and radius, and how it turns: 0 straight, 1 from z to the
-/// radius, −1 the other way.
+/// radius, −1 the other direction.
 fn numbers(segment: &Segment) -> [f64; 7] {
     let Segment { start, end, bend, .. } = segment;
     let (center, turn) = match bend {
@@ -59,7 +59,7 @@ fn tools(tools: &BTreeMap<u32, TurnedShape>) -> Value {
 }
 
 fn sections(run: u64, found: &TurnedReport, replay: &TurnedReplay) -> Vec<u8> {
-    let mut frame = Frame::default();
+    let mut frame = ColumnFrame::default();
     let pieces = &replay.pieces;
     let lines: Vec<f32> =
         pieces.iter().flat_map(|piece| numbers(&piece.segment)).map(|each| each as f32).collect();
@@ -91,21 +91,21 @@ fn sections(run: u64, found: &TurnedReport, replay: &TurnedReplay) -> Vec<u8> {
 }
 
 /// What is left, and what is touched and where; with the problems of the run, as they are listed together.
-fn told(run: u64, found: &TurnedReport, job: &Job) -> Value {
+fn report_json(run: u64, found: &TurnedReport, job: &Job) -> Value {
     let between =
         |amount: chordal::stock::Amount| json!({ "least": amount.least, "most": amount.most });
     let problems = found.problems.iter().map(|problem| {
         json!({ "code": problem.code.info().id, "line": problem.line, "at": [problem.at.z, problem.at.x] })
     });
-    let mut told = answer::report(&found.report, job);
-    told["type"] = json!("turned_report");
-    told["run"] = json!(run);
-    told["verdict"] = json!(found.verdict.as_str());
-    told["removed_mm3"] = between(found.removed_mm3);
-    told["left_mm3"] = between(found.left_mm3);
-    told["parts_off"] = json!(found.loose.len());
-    told["problems"] = problems.collect();
-    told
+    let mut message = answer::report(&found.report, job);
+    message["type"] = json!("turned_report");
+    message["run"] = json!(run);
+    message["verdict"] = json!(found.verdict.as_str());
+    message["removed_mm3"] = between(found.removed_mm3);
+    message["left_mm3"] = between(found.left_mm3);
+    message["parts_off"] = json!(found.loose.len());
+    message["problems"] = problems.collect();
+    message
 }
 
 /// The moves that cut; what is not known is below zero.
@@ -120,7 +120,7 @@ fn engagement(run: u64, found: &TurnedReport) -> Vec<u8> {
         Some(Code::SpindleOverloaded) => 3u8,
         Some(_) => 1,
     };
-    let mut frame = Frame::default();
+    let mut frame = ColumnFrame::default();
     frame.column("row", &cuts.iter().map(|each| each.row).collect::<Vec<_>>());
     frame.column("radial", &column(&|each| each.depth_mm));
     frame.column("chip", &column(&|each| each.chip_mm.unwrap_or(-1.0)));

@@ -11,49 +11,49 @@ use chordal_export::{comparison_headline, comparison_names, difference_words};
 use serde_json::{Value, json};
 
 use crate::answer;
-use crate::columns::Columns;
-use crate::content::Content;
-use crate::outbox::Outbox;
-use crate::program::{Against, Programs, Refusal};
-use crate::request::Other;
-use crate::run::Ran;
+use crate::cancel_token::CancelToken;
+use crate::columns::PathRows;
+use crate::content_hash::ContentHash;
+use crate::outbox::PageOutbox;
+use crate::program::{ComparedProgram, ProgramRefusal, ProgramSource};
+use crate::request::ComparedWith;
+use crate::run::FinishedRun;
 use crate::stream::PathStream;
-use crate::wanted::Wanted;
 
 /// Moves of both programs that are compared in a page: each takes about 350 bytes meanwhile.
-const MOST_MOVES: u64 = 4_000_000;
+const MAX_COMPARED_MOVES: u64 = 4_000_000;
 
 /// Characters of a block that are sent.
-const MOST_WORDS: usize = 200;
+const MAX_BLOCK_CHARACTERS: usize = 200;
 
-/// Of what the other program was made: the same need not be sent again.
+/// Where the other program comes from: the same one is not sent again.
 #[derive(Clone, Debug, PartialEq)]
-enum Origin {
-    File(Content),
-    Own { run: u64, on: Other },
+enum ComparedSource {
+    File(ContentHash),
+    Own { run: u64, on: ComparedWith },
 }
 
 /// The other program as the page shows it.
-struct Shown {
-    origin: Origin,
+struct ShownProgram {
+    origin: ComparedSource,
     program: Arc<Program>,
     version: u64,
     rows: u64,
 }
 
 /// Shows the other program, and says what differs.
-pub struct Comparing {
-    programs: Arc<dyn Programs>,
-    out: Outbox,
-    shown: Option<Shown>,
-    /// The page was told of another program.
-    pub is_told: bool,
+pub struct ComparisonSession {
+    programs: Arc<dyn ProgramSource>,
+    out: PageOutbox,
+    shown: Option<ShownProgram>,
+    /// The page knows of another program.
+    pub is_shown: bool,
 }
 
-impl Comparing {
-    /// Nothing is shown yet.
-    pub fn new(programs: Arc<dyn Programs>, out: Outbox) -> Comparing {
-        Comparing { programs, out, shown: None, is_told: false }
+impl ComparisonSession {
+    /// A session that shows no other program yet.
+    pub fn new(programs: Arc<dyn ProgramSource>, out: PageOutbox) -> ComparisonSession {
+        ComparisonSession { programs, out, shown: None, is_shown: false }
     }
 
     /// The other program that is shown.
@@ -62,31 +62,31 @@ impl Comparing {
     }
 
     /// There is no other program any more. `version` is the number of the comparison, here and everywhere.
-    pub fn nothing(&mut self, version: u64) {
+    pub fn clear(&mut self, version: u64) {
         self.shown = None;
-        if !std::mem::take(&mut self.is_told) {
+        if !std::mem::take(&mut self.is_shown) {
             return;
         }
         self.out.json(&json!({
-            "type": "against",
+            "type": "compared_program",
             "version": version,
-            "other": Other::Nothing,
+            "other": ComparedWith::Nothing,
         }));
     }
 
     /// Shows the other program, where it is another than before.
-    pub fn show(&mut self, ran: &Ran, other: &Other, wanted: &Wanted) {
-        self.is_told = true;
-        match self.open(ran, other) {
+    pub fn show(&mut self, finished: &FinishedRun, other: &ComparedWith, cancel: &CancelToken) {
+        self.is_shown = true;
+        match self.open(finished, other) {
             Ok(None) => {}
             Ok(Some((origin, program))) => {
-                self.shown = self.send(origin, Arc::new(program), other, wanted);
+                self.shown = self.send(origin, Arc::new(program), other, cancel);
             }
             Err(refusal) => {
                 self.shown = None;
                 self.out.json(&json!({
-                    "type": "against_refused",
-                    "version": wanted.number,
+                    "type": "compared_program_refused",
+                    "version": cancel.number,
                     "other": other,
                     "message": refusal.message,
                     "help": refusal.help,
@@ -95,108 +95,121 @@ impl Comparing {
         }
     }
 
-    /// Holds a run against the other program that is shown.
-    pub fn compare(&self, ran: &Ran, other: &Other, tolerance_mm: f64, wanted: &Wanted) {
-        let Some(shown) = self.shown.as_ref().filter(|_| wanted.is_wanted()) else { return };
-        let moves = ran.rows + shown.rows;
-        if moves > MOST_MOVES {
+    /// Compares a run with the other program that is shown, and sends the result.
+    pub fn compare(
+        &self,
+        finished: &FinishedRun,
+        other: &ComparedWith,
+        tolerance_mm: f64,
+        cancel: &CancelToken,
+    ) {
+        let Some(shown) = self.shown.as_ref().filter(|_| cancel.is_current()) else { return };
+        let moves = finished.rows + shown.rows;
+        if moves > MAX_COMPARED_MOVES {
             return self.out.json(&json!({
                 "type": "no_comparison",
-                "run": ran.number,
+                "run": finished.number,
                 "version": shown.version,
                 "message": format!(
-                    "the two programs have {moves} moves; at most {MOST_MOVES} are compared here; \
+                    "the two programs have {moves} moves; at most {MAX_COMPARED_MOVES} are compared here; \
                      `chordal compare` has no such limit"
                 ),
             }));
         }
         let options = Options { tolerance_mm, ..self.options(other) };
-        let jobs = [&ran.program, &shown.program].map(|it| it.job().interrupt(wanted.interrupt()));
+        let jobs =
+            [&finished.program, &shown.program].map(|it| it.job().interrupt(cancel.interrupt()));
         let found = compare(&jobs[0], &jobs[1], &options);
-        if wanted.is_wanted() {
-            let names = [&ran.program, &shown.program].map(|program| program.name());
+        if cancel.is_current() {
+            let names = [&finished.program, &shown.program].map(|program| program.name());
             let mut told = comparison(&found, names, [&jobs[0], &jobs[1]], tolerance_mm);
-            told["run"] = json!(ran.number);
+            told["run"] = json!(finished.number);
             told["version"] = json!(shown.version);
             self.out.json(&told);
         }
     }
 
-    fn options(&self, other: &Other) -> Options {
-        let against = self.programs.against().filter(|_| *other == Other::Named);
-        against.map(|against| against.options.clone()).unwrap_or_default()
+    fn options(&self, other: &ComparedWith) -> Options {
+        let compared = self.programs.compared_program().filter(|_| *other == ComparedWith::Named);
+        compared.map(|compared| compared.options.clone()).unwrap_or_default()
     }
 
-    /// The other program; nothing where it is the one that is shown.
-    fn open(&self, ran: &Ran, other: &Other) -> Result<Option<(Origin, Program)>, Refusal> {
-        let is_new = |origin: &Origin| self.shown.as_ref().is_none_or(|it| it.origin != *origin);
-        let named = self.programs.against().filter(|_| *other == Other::Named);
-        if let Some(Against { programs, own_text: false, .. }) = named.as_deref() {
+    /// The other program; `None` if it is the one that is shown already.
+    fn open(
+        &self,
+        finished: &FinishedRun,
+        other: &ComparedWith,
+    ) -> Result<Option<(ComparedSource, Program)>, ProgramRefusal> {
+        let is_new =
+            |origin: &ComparedSource| self.shown.as_ref().is_none_or(|it| it.origin != *origin);
+        let named = self.programs.compared_program().filter(|_| *other == ComparedWith::Named);
+        if let Some(ComparedProgram { programs, own_text: false, .. }) = named.as_deref() {
             let bytes = programs.read()?;
-            let origin = Origin::File(Content::of(&bytes));
+            let origin = ComparedSource::File(ContentHash::of(&bytes));
             if !is_new(&origin) {
                 return Ok(None);
             }
             return Ok(Some((origin, programs.open(bytes, None)?)));
         }
-        let origin = Origin::Own { run: ran.number, on: other.clone() };
+        let origin = ComparedSource::Own { run: finished.number, on: other.clone() };
         if !is_new(&origin) {
             return Ok(None);
         }
-        let text = ran.program.text().to_vec();
+        let text = finished.program.text().to_vec();
         let program = match (named, other) {
             (Some(named), _) => named.programs.open(text, None)?,
-            (None, Other::Machine(name)) => self.programs.open(text, name.as_deref())?,
+            (None, ComparedWith::Machine(name)) => self.programs.open(text, name.as_deref())?,
             (None, _) => self.programs.open(text, None)?,
         };
         Ok(Some((origin, program)))
     }
 
-    /// Sends the path; nothing where it is given up.
+    /// Sends the path; `None` if that was canceled.
     fn send(
         &self,
-        origin: Origin,
+        origin: ComparedSource,
         program: Arc<Program>,
-        other: &Other,
-        wanted: &Wanted,
-    ) -> Option<Shown> {
-        let version = wanted.number;
-        let job = program.job().interrupt(wanted.interrupt());
+        other: &ComparedWith,
+        cancel: &CancelToken,
+    ) -> Option<ShownProgram> {
+        let version = cancel.number;
+        let job = program.job().interrupt(cancel.interrupt());
         self.out.json(&json!({
-            "type": "against",
+            "type": "compared_program",
             "version": version,
             "other": other,
-            "own_text": matches!(origin, Origin::Own { .. }),
+            "own_text": matches!(origin, ComparedSource::Own { .. }),
             "name": program.name(),
             "machine": answer::machine(&job),
             "why": program.setup().why,
         }));
-        let header = json!({ "type": "against_path", "version": version });
+        let header = json!({ "type": "compared_path", "version": version });
         let size = program.text().len();
-        let mut rows = Rows(PathStream::new(header, size, Columns::default(), &self.out, wanted));
+        let mut rows =
+            PathForwarder(PathStream::new(header, size, PathRows::default(), &self.out, cancel));
         job.report_watched(&mut rows);
-        if !wanted.is_wanted() {
+        if !cancel.is_current() {
             return None;
         }
         rows.0.send(1.0);
-        let Rows(path) = rows;
+        let PathForwarder(path) = rows;
         let rows = u64::from(path.sent()) + path.left_out();
         self.out.json(&json!({
-            "type": "against_end",
+            "type": "compared_path_end",
             "version": version,
             "rows": path.sent(),
             "rows_left_out": path.left_out(),
         }));
-        Some(Shown { origin, program: program.clone(), version, rows })
+        Some(ShownProgram { origin, program: program.clone(), version, rows })
     }
 }
 
-/// The path alone.
-struct Rows<'m>(PathStream<'m>);
+/// Passes the path on, and drops everything else of the run.
+struct PathForwarder<'m>(PathStream<'m>);
 
-impl Watch for Rows<'_> {
+impl Watch for PathForwarder<'_> {
     fn path(&mut self, path: PathCommand<'_>, segments: &[Segment]) {
-        if !self.0.is_given_up() {
+        if !self.0.is_canceled() {
             segments.iter().for_each(|segment| self.0.push(segment, path.inserted));
         }
     }
@@ -238,7 +251,7 @@ fn difference(one: &Difference, jobs: [&Job; 2], units: Units) -> Value {
             "blocks": one.blocks[side].as_ref().map(blocks),
             "steps": one.steps[side],
             "value": told.value,
-            "words": told.words.chars().take(MOST_WORDS).collect::<String>(),
+            "words": told.words.chars().take(MAX_BLOCK_CHARACTERS).collect::<String>(),
             "lacks": told.lacks,
         })
     });
@@ -263,16 +276,15 @@ fn place(at: Place) -> Value {
 /// Lines of the other program around one, to be read.
 pub fn text_around(program: &Program, file: u32, line: u32) -> Value {
     /// Lines before and after that are sent.
-    const BESIDE: usize = 2_000;
-    /// Bytes that are sent.
-    const MOST_TEXT: usize = 1 << 20;
+    const CONTEXT_LINES: usize = 2_000;
+    const MAX_TEXT_BYTES: usize = 1 << 20;
     let file = FileId(file);
     let text = String::from_utf8_lossy(program.file_text(file));
     let line = line.max(1) as usize;
-    let first = line.saturating_sub(BESIDE).max(1);
+    let first = line.saturating_sub(CONTEXT_LINES).max(1);
     let mut shown = String::new();
-    for each in text.lines().skip(first - 1).take(2 * BESIDE) {
-        if shown.len() + each.len() > MOST_TEXT {
+    for each in text.lines().skip(first - 1).take(2 * CONTEXT_LINES) {
+        if shown.len() + each.len() > MAX_TEXT_BYTES {
             break;
         }
         shown += each;

@@ -8,37 +8,37 @@ use chordal_editor::meaning::View;
 use chordal_load::machine::own_file;
 use serde_json::{Value, json};
 
-use crate::answer::{Answer, Failure};
-use crate::loading::Asked;
-use crate::options::{ExplainOptions, MachineOptions, Nothing};
+use crate::answer::{QuestionAnswer, QuestionFailure};
+use crate::load_request::LoadRequest;
+use crate::options::{ExplainOptions, MachineOptions, NoOptions};
 
-pub fn explained(asked: &mut Asked) -> Result<Answer, Failure> {
-    let ExplainOptions { word, machine } = asked.options()?;
+pub fn explanation(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
+    let ExplainOptions { word, machine } = request.options()?;
     let views = match machine {
-        Some(name) => vec![View::of(&Control::of(&asked.machine(&name)?).0)],
+        Some(name) => vec![View::of(&Control::of(&request.machine(&name)?).0)],
         None => View::all(),
     };
     match explain(&word, &views) {
-        Ok(text) => Ok(Answer::text(text)),
-        Err(Unexplained { message, help }) => Err(Failure::plain(message, help)),
+        Ok(text) => Ok(QuestionAnswer::text(text)),
+        Err(Unexplained { message, help }) => Err(QuestionFailure::plain(message, help)),
     }
 }
 
-pub fn machines(asked: &mut Asked) -> Result<Answer, Failure> {
-    let Nothing {} = asked.options()?;
+pub fn machines(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
+    let NoOptions {} = request.options()?;
     let machines = builtin_names().iter();
     let machines = machines.filter_map(|name| Machine::from_builtin(name).ok());
     let list: Value = machines.map(|machine| about(&machine)).collect();
-    Ok(Answer::text(list.to_string()))
+    Ok(QuestionAnswer::text(list.to_string()))
 }
 
-pub fn machine(asked: &mut Asked) -> Result<Answer, Failure> {
-    let MachineOptions { name } = asked.options()?;
-    let machine = asked.machine(&name)?;
+pub fn machine(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
+    let MachineOptions { name } = request.options()?;
+    let machine = request.machine(&name)?;
     let mut found = about(&machine);
     found["notes"] = json!(machine.notes);
     found["toml"] = json!(own_file(machine));
-    Ok(Answer::text(found.to_string()))
+    Ok(QuestionAnswer::text(found.to_string()))
 }
 
 fn about(machine: &Machine) -> Value {

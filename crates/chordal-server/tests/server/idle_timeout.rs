@@ -4,28 +4,28 @@ use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
-use chordal_server::Server;
+use chordal_server::PageServer;
 
-use crate::common::{Shown, Site, Told, serve_by};
+use crate::common::{PageMessage, Shown, Site, serve_by};
 
 const IDLE: Duration = Duration::from_millis(400);
 
 fn site() -> Site {
     let shown = Shown::text("G21 G90\nG0 X1.\nM30\n");
-    serve_by(Server::listen(0).unwrap().closing_after(IDLE), shown)
+    serve_by(PageServer::listen(0).unwrap().closing_after(IDLE), shown)
 }
 
 #[test]
 fn whoever_says_nothing_or_half_a_request_is_closed() {
     let site = site();
-    for said in ["", "GET / HTTP/1.1\r\nHost: ", "GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"] {
+    for received in ["", "GET / HTTP/1.1\r\nHost: ", "GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"] {
         let mut socket = TcpStream::connect(("127.0.0.1", site.port)).unwrap();
         socket.set_read_timeout(Some(Duration::from_secs(30))).unwrap();
-        socket.write_all(said.as_bytes()).unwrap();
+        socket.write_all(received.as_bytes()).unwrap();
         // It ends, and not because of our own patience.
         let mut all = Vec::new();
         let ended = socket.read_to_end(&mut all);
-        assert!(ended.is_ok(), "{said:?}: the connection is still open");
+        assert!(ended.is_ok(), "{received:?}: the connection is still open");
     }
 }
 
@@ -41,7 +41,7 @@ fn a_page_that_is_there_stays() {
         let _ = live.socket.read();
     }
     live.socket.get_ref().set_read_timeout(Some(Duration::from_secs(30))).unwrap();
-    live.send(r#"{ "id": 3, "ask": "outline" }"#);
+    live.send(r#"{ "id": 3, "request": "outline" }"#);
     assert_eq!(live.json("outline")["id"], 3);
 }
 
@@ -58,6 +58,6 @@ fn a_page_that_does_not_answer_makes_room() {
         assert!(begun.elapsed() < Duration::from_secs(30), "no place was given back");
         std::thread::sleep(IDLE / 4);
     };
-    assert!(matches!(live.next(), Told::Json(_)));
+    assert!(matches!(live.next(), PageMessage::Json(_)));
     drop(lost);
 }

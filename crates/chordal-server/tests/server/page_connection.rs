@@ -3,7 +3,7 @@
 use std::f32::consts::FRAC_PI_2;
 use std::fs;
 
-use crate::common::{Shown, Told, serve};
+use crate::common::{PageMessage, Shown, serve};
 
 /// A quarter circle about (0, 0) and a line, in millimetres.
 const QUARTER: &str =
@@ -72,7 +72,7 @@ fn the_axes_that_are_known_come_with_each_end() {
 }
 
 #[test]
-fn moves_in_a_work_offset_that_is_not_given_have_no_place() {
+fn moves_in_a_work_offset_without_a_zero_have_no_place() {
     let text = "G21 G90\nS1000 M3\nG54 G0 X0 Y0 Z5.\nG1 X20. F100.\nG55 G0 X0 Y0 Z5.\nG1 X30. F100.\nM30\n";
     let mut live = serve(Shown::text(text)).live();
     let path = live.columns("path");
@@ -81,9 +81,9 @@ fn moves_in_a_work_offset_that_is_not_given_have_no_place() {
         rows.map(|((line, kind), known)| (line, kind & 0x10 != 0, known >> 3)).collect();
     assert_eq!(found, [(3, false, 7), (4, true, 7), (5, false, 0), (6, false, 0)]);
     let report = live.json("report");
-    let said = report["moves_left_out"].as_array().expect("texts");
-    assert_eq!(said[0], "moves in G55 are left out: where it lies from G54 is not given");
-    assert_eq!(said.len(), 2, "and what to do");
+    let texts = report["moves_left_out"].as_array().expect("texts");
+    assert_eq!(texts[0], "moves in G55 are left out: where it lies from G54 is not given");
+    assert_eq!(texts.len(), 2, "and what to do");
     let zeros: Vec<&str> = report["places"]["zeros"]
         .as_array()
         .expect("zeros")
@@ -121,9 +121,11 @@ fn the_text_is_the_files_and_edits_are_run() {
     let (mut text, mut report) = (None, None);
     while text.is_none() || report.is_none() {
         match live.next() {
-            Told::Columns(columns) if columns.header["type"] == "text" => text = Some(columns),
-            Told::Json(told) if told["type"] == "report" => report = Some(told),
-            Told::Closed => panic!("closed before text and report"),
+            PageMessage::Columns(columns) if columns.header["type"] == "text" => {
+                text = Some(columns)
+            }
+            PageMessage::Json(received) if received["type"] == "report" => report = Some(received),
+            PageMessage::Closed => panic!("closed before text and report"),
             _ => {}
         }
     }
@@ -134,7 +136,7 @@ fn the_text_is_the_files_and_edits_are_run() {
     let problem = problems.find(|problem| problem["severity"] == "error").unwrap();
     assert_eq!((&problem["place"]["line"], &problem["place"]["column"]), (&3.into(), &0.into()));
     // `G7` becomes `G1`; the text before it is 17 characters.
-    live.send(r#"{"ask":"edit","changes":[{"from":18,"to":20,"insert":"G1"}]}"#);
+    live.send(r#"{"request":"edit","changes":[{"from":18,"to":20,"insert":"G1"}]}"#);
     assert_eq!(live.json("run")["run"], 2);
     let lines = live.columns("path").u32("line");
     assert_eq!(lines, [2, 3]);
@@ -186,11 +188,11 @@ fn arc_row(program: &str) -> u32 {
 }
 
 #[test]
-fn what_is_in_force_is_told_for_a_line_that_moves_nothing_too() {
+fn the_active_state_is_reported_for_a_line_that_moves_nothing_too() {
     let mut live = serve(Shown::text(QUARTER)).live();
     let rows = live.columns("path").u32("line");
     live.json("report");
-    live.send(r#"{"id":1,"ask":"state","done":0,"line":3}"#);
+    live.send(r#"{"id":1,"request":"state","done":0,"line":3}"#);
     let state = &live.json("state")["state"];
     assert_eq!(
         (&state["tool"], &state["spindle"], &state["rpm"]),
@@ -198,11 +200,11 @@ fn what_is_in_force_is_told_for_a_line_that_moves_nothing_too() {
     );
     assert_eq!(state["feed"], serde_json::Value::Null);
     let done = rows.iter().filter(|line| **line <= 5).count();
-    live.send(&format!(r#"{{"id":2,"ask":"state","done":{done},"line":5}}"#));
+    live.send(&format!(r#"{{"id":2,"request":"state","done":{done},"line":5}}"#));
     let state = &live.json("state")["state"];
     assert!((state["feed"].as_f64().unwrap() - 100.0).abs() < 1e-9);
     assert_eq!(state["plane"], "XY");
-    live.send(r#"{"id":3,"ask":"state","done":0,"line":1}"#);
+    live.send(r#"{"id":3,"request":"state","done":0,"line":1}"#);
     assert_eq!(live.json("state")["state"]["tool"], 0);
 }
 
@@ -210,10 +212,10 @@ fn what_is_in_force_is_told_for_a_line_that_moves_nothing_too() {
 fn another_machine_runs_the_same_text() {
     let mut live = serve(Shown::text(QUARTER)).live();
     live.json("report");
-    live.send(r#"{"ask":"machine","name":"linuxcnc-mill"}"#);
+    live.send(r#"{"request":"machine","name":"linuxcnc-mill"}"#);
     assert_eq!(live.json("run")["machine"]["name"], "linuxcnc-mill");
     assert_eq!(live.json("report")["run"], 2);
-    live.send(r#"{"ask":"machine","name":"no-such-machine"}"#);
+    live.send(r#"{"request":"machine","name":"no-such-machine"}"#);
     let refused = live.json("refused");
     assert!(refused["message"].as_str().unwrap().contains("no-such-machine"), "{refused}");
 }
@@ -223,7 +225,7 @@ fn chords_are_as_the_library_cuts_them() {
     let mut live = serve(Shown::text(QUARTER)).live();
     live.json("report");
     for tolerance in [1.0, 0.01] {
-        live.send(&format!(r#"{{"ask":"chords","tolerance_mm":{tolerance}}}"#));
+        live.send(&format!(r#"{{"request":"chords","tolerance_mm":{tolerance}}}"#));
         let chords = live.columns("chords");
         // A chord over the angle a is off by R (1 − cos a/2).
         let step = 2.0 * (1.0 - tolerance / 10.0_f64).acos();
@@ -250,7 +252,7 @@ fn an_empty_and_a_binary_file_say_so() {
     *shown.text.lock().unwrap() = (0..4000u32).map(|at| (at * 7 % 32) as u8).collect();
     let mut live = serve(shown).live();
     assert_eq!(live.columns("text").header["binary"], true);
-    live.send(r#"{"id":1,"ask":"save"}"#);
+    live.send(r#"{"id":1,"request":"save"}"#);
     live.json("error");
 }
 
@@ -259,8 +261,8 @@ fn typing_faster_than_it_runs_ends_with_the_last_text() {
     let mut live = serve(Shown::text("G21\nG1 X1. F100.\n")).live();
     live.json("report");
     for _ in 0..200 {
-        live.send(r#"{"ask":"edit","changes":[{"from":7,"to":7,"insert":"1"},{"from":8,"to":8,"insert":""}]}"#);
-        live.send(r#"{"ask":"edit","changes":[{"from":7,"to":8,"insert":""}]}"#);
+        live.send(r#"{"request":"edit","changes":[{"from":7,"to":7,"insert":"1"},{"from":8,"to":8,"insert":""}]}"#);
+        live.send(r#"{"request":"edit","changes":[{"from":7,"to":8,"insert":""}]}"#);
     }
     loop {
         let report = live.json("report");
@@ -278,20 +280,20 @@ fn a_file_is_watched_and_written_whole() {
     fs::write(&path, "G21\r\nG1 X1. F100.\r\n").unwrap();
     let mut live = serve(Shown::file(path.clone())).live();
     live.json("report");
-    live.send(r#"{"ask":"edit","changes":[{"from":9,"to":9,"insert":"0"}]}"#);
-    live.send(r#"{"id":5,"ask":"save"}"#);
+    live.send(r#"{"request":"edit","changes":[{"from":9,"to":9,"insert":"0"}]}"#);
+    live.send(r#"{"id":5,"request":"save"}"#);
     assert_eq!(live.json("saved")["id"], 5);
     assert_eq!(fs::read(&path).unwrap(), b"G21\r\nG1 X10. F100.\r\n");
     // Somebody else writes it: that is reported, and not written over unasked.
     fs::write(&path, "G21\nG1 X77. F100.\n").unwrap();
     live.json("changed");
-    live.send(r#"{"id":6,"ask":"save"}"#);
+    live.send(r#"{"id":6,"request":"save"}"#);
     assert_eq!(live.json("conflict")["id"], 6);
     assert_eq!(fs::read(&path).unwrap(), b"G21\nG1 X77. F100.\n");
-    live.send(r#"{"id":7,"ask":"reload"}"#);
+    live.send(r#"{"id":7,"request":"reload"}"#);
     assert_eq!(live.columns("text").u8("text"), b"G21\nG1 X77. F100.\n");
-    live.send(r#"{"ask":"edit","changes":[{"from":0,"to":3,"insert":"G20"}]}"#);
-    live.send(r#"{"id":8,"ask":"save","force":true}"#);
+    live.send(r#"{"request":"edit","changes":[{"from":0,"to":3,"insert":"G20"}]}"#);
+    live.send(r#"{"id":8,"request":"save","force":true}"#);
     assert_eq!(live.json("saved")["id"], 8);
     assert_eq!(fs::read(&path).unwrap(), b"G20\nG1 X77. F100.\n");
     let files: Vec<_> = fs::read_dir(folder.path()).unwrap().collect();
@@ -301,12 +303,12 @@ fn a_file_is_watched_and_written_whole() {
 }
 
 #[test]
-fn words_have_classes_and_meanings_where_they_stand() {
+fn words_have_classes_and_meanings_at_their_place() {
     let mut live = serve(Shown::text("(ä😀 part)\nG21 G1 X10. F100.\nT1 M6\nM30\n")).live();
     live.json("report");
-    live.send(r#"{"id":1,"ask":"tokens","from":1,"to":3}"#);
-    let told = live.json("tokens");
-    let numbers: Vec<usize> = told["tokens"]
+    live.send(r#"{"id":1,"request":"tokens","from":1,"to":3}"#);
+    let received = live.json("tokens");
+    let numbers: Vec<usize> = received["tokens"]
         .as_array()
         .unwrap()
         .iter()
@@ -314,26 +316,26 @@ fn words_have_classes_and_meanings_where_they_stand() {
         .collect();
     let words: Vec<(usize, usize, usize, &str)> = numbers
         .chunks(4)
-        .map(|four| (four[0], four[1], four[2], told["classes"][four[3]].as_str().unwrap()))
+        .map(|four| (four[0], four[1], four[2], received["classes"][four[3]].as_str().unwrap()))
         .collect();
     // The face is two units.
     assert_eq!(words[0], (1, 0, 10, "comment"));
     assert_eq!(words[1], (2, 0, 3, "gcode"));
     assert!(words.contains(&(2, 7, 11, "axis")), "{words:?}");
     assert!(words.iter().all(|(line, ..)| *line < 3));
-    live.send(r#"{"id":2,"ask":"hover","line":2,"column":1}"#);
+    live.send(r#"{"id":2,"request":"hover","line":2,"column":1}"#);
     let hover = &live.json("hover")["hover"];
     assert_eq!(
         (&hover["line"], &hover["column"], &hover["end_column"]),
         (&2.into(), &0.into(), &3.into())
     );
     assert!(hover["text"].as_str().unwrap().to_lowercase().contains("millimet"), "{hover}");
-    live.send(r#"{"id":3,"ask":"hover","line":9999,"column":4}"#);
+    live.send(r#"{"id":3,"request":"hover","line":9999,"column":4}"#);
     assert_eq!(live.json("hover")["hover"], serde_json::Value::Null);
-    live.send(r#"{"id":4,"ask":"outline"}"#);
+    live.send(r#"{"id":4,"request":"outline"}"#);
     let outline = live.json("outline")["entries"].to_string();
     assert!(outline.contains("T1"), "{outline}");
-    live.send(r#"{"id":5,"ask":"state","done":1,"line":2}"#);
+    live.send(r#"{"id":5,"request":"state","done":1,"line":2}"#);
     let codes = live.json("state")["state"]["codes"].to_string();
     assert!(codes.contains("G21") && codes.contains("G1"), "{codes}");
 }
@@ -343,10 +345,10 @@ fn a_call_leads_to_its_program() {
     let text = "O1\nM97 P100\nM30\nN100 G0 X1.\nM99\n";
     let mut live = serve(Shown::text(text)).live();
     live.json("report");
-    live.send(r#"{"id":1,"ask":"definition","line":2,"column":5}"#);
+    live.send(r#"{"id":1,"request":"definition","line":2,"column":5}"#);
     let place = &live.json("definition")["place"];
     assert_eq!(place, &serde_json::json!({ "line": 4, "column": 0 }));
-    live.send(r#"{"id":2,"ask":"definition","line":3,"column":0}"#);
+    live.send(r#"{"id":2,"request":"definition","line":3,"column":0}"#);
     assert_eq!(live.json("definition")["place"], serde_json::Value::Null);
 }
 
@@ -354,7 +356,7 @@ fn a_call_leads_to_its_program() {
 fn a_program_in_another_file_comes_with_its_text() {
     let mut live = serve(Shown::text("O1\nM98 P77\nM30\n")).live();
     live.json("report");
-    live.send(r#"{"id":1,"ask":"definition","line":2,"column":5}"#);
+    live.send(r#"{"id":1,"request":"definition","line":2,"column":5}"#);
     let place = &live.json("definition")["place"];
     assert_eq!((&place["file"], &place["line"]), (&"O77.nc".into(), &2.into()));
     assert_eq!(place["text"], "(BESIDE)\nO77\nM99\n");

@@ -1,78 +1,79 @@
-//! The program and the files that the page was given: nothing is looked for anywhere else.
+//! The program and the files that the page has opened: no others are read.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use chordal_editor::Program;
 use chordal_load::{Files, Given as GivenMachine, Input, Loader, Request, machine};
-use chordal_memory::{Message, TornMessage};
+use chordal_memory::{MemoryMessage, TornMessage};
 use chordal_view::{
-    Against, ChosenMachine, MachineChoice, Outbox, Programs, Refusal, builtin_machines, refusal,
+    ChosenMachine, ComparedProgram, ListedMachine, PageOutbox, ProgramRefusal, ProgramSource,
+    builtin_machines, refusal,
 };
 use serde_json::json;
 
-use crate::begin::{self, Begin};
+use crate::open_message::{self, OpenMessage};
 
 /// A program and its files.
-pub struct Given {
+pub struct OpenedProgram {
     name: String,
-    /// Until it is read: from then on the view has the text.
+    /// `None` once it was read: from then on the view has the text.
     program: Mutex<Option<Vec<u8>>>,
     machine: Option<String>,
-    beside: Mutex<Beside>,
-    out: Outbox,
+    files: Mutex<OpenedFiles>,
+    out: PageOutbox,
 }
 
 /// What lies next to a program.
-struct Beside {
+struct OpenedFiles {
     files: Files,
-    machines: Vec<MachineChoice>,
-    against: Option<Arc<Against>>,
+    machines: Vec<ListedMachine>,
+    compared: Option<Arc<ComparedProgram>>,
 }
 
 /// The program that is compared with.
-struct Second {
+struct SecondProgram {
     name: String,
     bytes: Vec<u8>,
     machine: Option<String>,
     files: Files,
 }
 
-impl Given {
-    /// Out of a message.
-    pub fn read(bytes: Vec<u8>, out: Outbox) -> Result<Given, TornMessage> {
-        let (begin, mut rest) = Message::read(bytes)?;
-        let Begin { name, program, files, machine, against } = begin;
-        let beside = Mutex::new(Beside::read(files, against, &mut rest)?);
+impl OpenedProgram {
+    /// Reads a program and its files out of a message.
+    pub fn read(bytes: Vec<u8>, out: PageOutbox) -> Result<OpenedProgram, TornMessage> {
+        let (begin, mut rest) = MemoryMessage::read(bytes)?;
+        let OpenMessage { name, program, files, machine, compared } = begin;
+        let nearby = Mutex::new(OpenedFiles::read(files, compared, &mut rest)?);
         // The program comes last: it keeps the memory of the message.
         let program = Mutex::new(program.then(|| rest.rest()));
-        Ok(Given { name, program, machine, beside, out })
+        Ok(OpenedProgram { name, program, machine, files: nearby, out })
     }
 
-    /// Other files lie next to the program now, or it has another one to be compared with; the page is told of both.
+    /// Replaces the files next to the program and the program that it is compared with, and sends the page the new lists.
     pub fn renew(&self, bytes: Vec<u8>) -> Result<(), TornMessage> {
-        let (Begin { files, against, .. }, mut rest) = Message::read(bytes)?;
-        let beside = Beside::read(files, against, &mut rest)?;
-        let against = beside.against.as_ref().map(|against| against.told());
-        let machines = beside.machines.iter();
+        let (OpenMessage { files, compared, .. }, mut rest) = MemoryMessage::read(bytes)?;
+        let nearby = OpenedFiles::read(files, compared, &mut rest)?;
+        let compared = nearby.compared.as_ref().map(|compared| compared.to_json());
+        let machines = nearby.machines.iter();
         let machines: Vec<_> =
             machines.map(|each| json!({ "name": each.name, "title": each.title })).collect();
-        *self.beside() = beside;
-        self.out.json(&json!({ "type": "machines", "machines": machines, "against": against }));
+        *self.files() = nearby;
+        self.out.json(&json!({ "type": "machines", "machines": machines, "compared": compared }));
         Ok(())
     }
 
-    fn beside(&self) -> MutexGuard<'_, Beside> {
-        self.beside.lock().unwrap_or_else(PoisonError::into_inner)
+    fn files(&self) -> MutexGuard<'_, OpenedFiles> {
+        self.files.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-impl Beside {
+impl OpenedFiles {
     fn read(
-        named: Vec<begin::File>,
-        other: Option<begin::Other>,
-        rest: &mut Message,
-    ) -> Result<Beside, TornMessage> {
+        named: Vec<open_message::FileHeader>,
+        other: Option<open_message::OtherProgramHeader>,
+        rest: &mut MemoryMessage,
+    ) -> Result<OpenedFiles, TornMessage> {
         let mut files = Vec::new();
         let mut names = Vec::new();
         for file in named {
@@ -85,30 +86,30 @@ impl Beside {
         let files = Files::given(files);
         let mut machines = builtin_machines();
         machines.extend(names.into_iter().map(|name| {
-            // What is wrong with a file is said when it is chosen.
+            // Errors in a machine file are reported when it is chosen.
             let title = machine::named_of(&files, &name)
                 .map_or_else(|_| name.clone(), |it| format!("{} ({name})", it.title));
-            MachineChoice { name, title }
+            ListedMachine { name, title }
         }));
-        let mut against = None;
-        if let Some(begin::Other { name, bytes, machine }) = other {
+        let mut compared = None;
+        if let Some(open_message::OtherProgramHeader { name, bytes, machine }) = other {
             let bytes = rest.take(bytes)?;
-            let programs = Arc::new(Second { name, bytes, machine, files: files.clone() });
+            let programs = Arc::new(SecondProgram { name, bytes, machine, files: files.clone() });
             let options = Default::default();
-            against = Some(Arc::new(Against { programs, own_text: false, options }));
+            compared = Some(Arc::new(ComparedProgram { programs, own_text: false, options }));
         }
-        Ok(Beside { files, machines, against })
+        Ok(OpenedFiles { files, machines, compared })
     }
 }
 
 /// A text with what lies next to it, on the machine that was chosen, or on its own.
-fn opened(
+fn open_text(
     files: Files,
     chosen: Option<&str>,
     own: Option<&str>,
     name: &str,
     text: Vec<u8>,
-) -> Result<Program, Refusal> {
+) -> Result<Program, ProgramRefusal> {
     let loader_on = |machine: Option<&str>| {
         let chosen = machine.map(ChosenMachine::of);
         let set = chosen.map_or_else(Vec::new, |chosen| chosen.assignments());
@@ -123,7 +124,7 @@ fn opened(
         format!("named in {name} next to it")
     };
     let loader = loader.map_err(|error| refusal(&error))?;
-    chordal_view::open(loader, set_up, &input, name, text, named_in)
+    chordal_view::open_program(loader, set_up, &input, name, text, named_in)
 }
 
 /// A file that a machine or a setup may be in. That of a folder counts without being chosen.
@@ -132,7 +133,7 @@ fn is_machine_file(name: &str) -> bool {
     file.ends_with(".toml") && file != "chordal.toml"
 }
 
-impl Programs for Given {
+impl ProgramSource for OpenedProgram {
     fn name(&self) -> String {
         self.name.clone()
     }
@@ -141,63 +142,63 @@ impl Programs for Given {
         true
     }
 
-    fn write(&self, bytes: &[u8]) -> Result<(), Refusal> {
+    fn write(&self, bytes: &[u8]) -> Result<(), ProgramRefusal> {
         self.out.file(&self.name, bytes);
         Ok(())
     }
 
-    fn read(&self) -> Result<Vec<u8>, Refusal> {
+    fn read(&self) -> Result<Vec<u8>, ProgramRefusal> {
         let program = self.program.lock().unwrap_or_else(PoisonError::into_inner).take();
-        program.ok_or_else(|| Refusal {
+        program.ok_or_else(|| ProgramRefusal {
             message: "the file was read already".into(),
             help: Some("open it again".into()),
         })
     }
 
-    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
-        let beside = self.beside();
+    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, ProgramRefusal> {
+        let nearby = self.files();
         if let Some(ChosenMachine { name, .. }) = machine.map(ChosenMachine::of)
-            && !beside.machines.iter().any(|choice| choice.name == name)
+            && !nearby.machines.iter().any(|choice| choice.name == name)
         {
-            return Err(Refusal {
+            return Err(ProgramRefusal {
                 message: format!("{name} is not a machine of the list"),
                 help: Some("choose one from the list, or open its machine file".into()),
             });
         }
-        let files = beside.files.clone();
-        drop(beside);
-        opened(files, machine, self.machine.as_deref(), &self.name, text)
+        let files = nearby.files.clone();
+        drop(nearby);
+        open_text(files, machine, self.machine.as_deref(), &self.name, text)
     }
 
-    fn machines(&self) -> Vec<MachineChoice> {
-        self.beside().machines.clone()
+    fn machines(&self) -> Vec<ListedMachine> {
+        self.files().machines.clone()
     }
 
     fn named_file(&self, name: &str) -> Result<Vec<u8>, String> {
-        let beside = self.beside();
-        let bytes = beside.files.bytes(Path::new(name));
+        let nearby = self.files();
+        let bytes = nearby.files.bytes(Path::new(name));
         bytes.map_err(|_| "open it together with the setup file".to_string())
     }
 
-    fn against(&self) -> Option<Arc<Against>> {
-        self.beside().against.clone()
+    fn compared_program(&self) -> Option<Arc<ComparedProgram>> {
+        self.files().compared.clone()
     }
 }
 
-impl Programs for Second {
+impl ProgramSource for SecondProgram {
     fn name(&self) -> String {
         self.name.clone()
     }
 
-    fn read(&self) -> Result<Vec<u8>, Refusal> {
+    fn read(&self) -> Result<Vec<u8>, ProgramRefusal> {
         Ok(self.bytes.clone())
     }
 
-    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, Refusal> {
-        opened(self.files.clone(), machine, self.machine.as_deref(), &self.name, text)
+    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<Program, ProgramRefusal> {
+        open_text(self.files.clone(), machine, self.machine.as_deref(), &self.name, text)
     }
 
-    fn machines(&self) -> Vec<MachineChoice> {
+    fn machines(&self) -> Vec<ListedMachine> {
         Vec::new()
     }
 }

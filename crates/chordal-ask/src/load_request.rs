@@ -6,32 +6,32 @@ use chordal::Machine;
 use chordal_editor::Setup;
 use chordal_load::{Files, Given, Input, Loaded, Loader, Text, machine, unsaved};
 
-use crate::answer::Failure;
-use crate::request::{Program, Request};
+use crate::answer::QuestionFailure;
+use crate::request::{QuestionProgram, QuestionRequest};
 
-/// A request whose files are in their place.
-pub struct Asked {
-    pub ask: String,
+/// A request whose programs are loaded one after the other.
+pub struct LoadRequest {
+    pub question: String,
     pub files: Files,
     pub options: serde_json::Value,
-    programs: std::vec::IntoIter<Program>,
+    programs: std::vec::IntoIter<QuestionProgram>,
 }
 
-impl Asked {
-    pub fn of(request: Request) -> Asked {
-        let Request { ask, programs, files, options } = request;
-        Asked { ask, files, options, programs: programs.into_iter() }
+impl LoadRequest {
+    pub fn of(request: QuestionRequest) -> LoadRequest {
+        let QuestionRequest { question: ask, programs, files, options } = request;
+        LoadRequest { question: ask, files, options, programs: programs.into_iter() }
     }
 
     /// The options of the question.
-    pub fn options<T: serde::de::DeserializeOwned>(&mut self) -> Result<T, Failure> {
-        crate::request::options(&self.ask, self.options.take())
+    pub fn options<T: serde::de::DeserializeOwned>(&mut self) -> Result<T, QuestionFailure> {
+        crate::request::options(&self.question, self.options.take())
     }
 
     /// Loads the next program.
-    pub fn load(&mut self) -> Result<Loaded, Failure> {
-        let Some(Program { options, text }) = self.programs.next() else {
-            return Err(Failure::wrong("there is no program", "give its text"));
+    pub fn load(&mut self) -> Result<Loaded, QuestionFailure> {
+        let Some(QuestionProgram { options, text }) = self.programs.next() else {
+            return Err(QuestionFailure::wrong("there is no program", "give its text"));
         };
         let name = options.name.unwrap_or_else(|| "program".into());
         let request = chordal_load::Request {
@@ -53,14 +53,14 @@ impl Asked {
         }
     }
 
-    /// What is said of a form that the question does not have.
-    pub fn no_form(&self, forms: &[&str]) -> Failure {
-        let message = format!("{} does not have this format", self.ask);
-        Failure::wrong(message, format!("its formats are {}", forms.join(", ")))
+    /// The error about a format that the question does not have.
+    pub fn no_form(&self, forms: &[&str]) -> QuestionFailure {
+        let message = format!("{} does not have this format", self.question);
+        QuestionFailure::wrong(message, format!("its formats are {}", forms.join(", ")))
     }
 
     /// A machine by its name, or of a file of the request.
-    pub fn machine(&self, name: &str) -> Result<Machine, Failure> {
+    pub fn machine(&self, name: &str) -> Result<Machine, QuestionFailure> {
         Ok(machine::named_of(&self.files, name)?)
     }
 }
@@ -82,7 +82,7 @@ pub fn setup_of(
     let loaded = loaded.map_err(|failure| failure.to_string())?;
     let (why, program, readings) = (loaded.why(), loaded.program, loaded.choices());
     let (mut texts, machine, options) = loaded.into_parts();
-    // The first is the text itself.
-    let beside = texts.split_off(1);
-    Ok(Setup { machine, why, readings, options, program, beside })
+    // The first text is the program, the others are its subprograms.
+    let others = texts.split_off(1);
+    Ok(Setup { machine, why, readings, options, program, beside: others })
 }

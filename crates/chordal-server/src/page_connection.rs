@@ -5,40 +5,41 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::extract::ws::{CloseFrame, Message, WebSocket, close_code};
-use chordal_view::{Outbox, Programs, Request};
+use chordal_view::{PageOutbox, PageRequest, ProgramSource};
 use serde_json::json;
 use tokio::sync::mpsc;
 
-use crate::outbox::Channels;
-use crate::session::Session;
+use crate::outbox::PageChannels;
+use crate::session::PageSession;
 
-/// The longest message that a page may send: what somebody may paste.
-pub const LARGEST_MESSAGE: usize = 32 << 20;
+/// The longest message that a page may send, bytes: room for a long pasted program.
+pub const MAX_MESSAGE_BYTES: usize = 32 << 20;
 
-/// Messages that wait for a page. A page that is slow makes the run wait, not the memory grow.
-const WAITING: usize = 16;
+/// Messages that may wait for a page. A slow page makes the run wait, instead of using more memory.
+const MAX_WAITING_MESSAGES: usize = 16;
 
 /// How long a long text waits for the first lines of the path.
-const HOLD: Duration = Duration::from_secs(1);
+const TEXT_DELAY: Duration = Duration::from_secs(1);
 
-/// A page is asked so often, in the time that its connection may be idle, whether it is still there.
-const LOOKS: u32 = 4;
+/// How many pings a page gets in the time that its connection may be idle.
+const PINGS_PER_IDLE_LIMIT: u32 = 4;
 
-/// Talks with a page until it goes.
-pub async fn talk(mut socket: WebSocket, programs: Arc<dyn Programs>, idle: Duration) {
-    let (soon, mut outgoing) = mpsc::channel(WAITING);
+/// Serves a page until it is closed.
+pub async fn serve_page(mut socket: WebSocket, programs: Arc<dyn ProgramSource>, idle: Duration) {
+    let (soon, mut outgoing) = mpsc::channel(MAX_WAITING_MESSAGES);
     let (later, mut outgoing_later) = mpsc::channel(1);
-    let session = match Session::begin(programs, Outbox::new(Channels { soon, later })) {
+    let session = match PageSession::begin(programs, PageOutbox::new(PageChannels { soon, later }))
+    {
         Ok(session) => session,
         Err(error) => {
-            let told = json!({ "type": "error", "id": 0, "message": error.to_string() });
-            let _ = socket.send(Message::Text(told.to_string().into())).await;
+            let reply = json!({ "type": "error", "id": 0, "message": error.to_string() });
+            let _ = socket.send(Message::Text(reply.to_string().into())).await;
             return;
         }
     };
     let mut is_drawn = false;
-    let mut hold = pin!(tokio::time::sleep(HOLD));
-    let mut look = tokio::time::interval(idle / LOOKS);
+    let mut hold = pin!(tokio::time::sleep(TEXT_DELAY));
+    let mut look = tokio::time::interval(idle / PINGS_PER_IDLE_LIMIT);
     loop {
         tokio::select! {
             message = socket.recv() => {
@@ -56,8 +57,8 @@ pub async fn talk(mut socket: WebSocket, programs: Arc<dyn Programs>, idle: Dura
                     }
                 };
                 if let Err(reason) = refused {
-                    let told = json!({ "type": "error", "id": 0, "message": reason });
-                    if socket.send(Message::Text(told.to_string().into())).await.is_err() {
+                    let reply = json!({ "type": "error", "id": 0, "message": reason });
+                    if socket.send(Message::Text(reply.to_string().into())).await.is_err() {
                         break;
                     }
                 }
@@ -76,7 +77,7 @@ pub async fn talk(mut socket: WebSocket, programs: Arc<dyn Programs>, idle: Dura
             }
             () = &mut hold, if !hold.is_elapsed() => {}
             _ = look.tick() => {
-                // Whoever does not answer is idle, and its connection ends.
+                // A page that does not answer counts as idle, and its connection ends.
                 if socket.send(Message::Ping(Default::default())).await.is_err() {
                     break;
                 }
@@ -84,14 +85,14 @@ pub async fn talk(mut socket: WebSocket, programs: Arc<dyn Programs>, idle: Dura
         }
     }
     session.end();
-    // Whoever waits for room in the outbox is let go.
+    // Threads that wait for room in the outbox go on.
     outgoing.close();
     outgoing_later.close();
 }
 
-fn take(session: &Session, text: &str) -> Result<(), String> {
-    let request: Request = serde_json::from_str(text)
+fn take(session: &PageSession, text: &str) -> Result<(), String> {
+    let request: PageRequest = serde_json::from_str(text)
         .map_err(|error| format!("the request cannot be read: {error}"))?;
-    session.ask(request);
+    session.send(request);
     Ok(())
 }

@@ -129,7 +129,7 @@ fn what_is_touched_has_its_place_and_the_page_knows_a_lathe() {
     let place: Vec<f64> =
         rapid["at"].as_array().unwrap().iter().map(|each| each.as_f64().unwrap()).collect();
     // The blade is 3 mm wide and goes down to X30.
-    let near = |found: f64, wanted: f64| (found - wanted).abs() < 1e-6;
+    let near = |found: f64, expected: f64| (found - expected).abs() < 1e-6;
     assert!(near(place[0], -38.5) && near(place[1], 20.0), "{place:?}");
     let listed = report["diagnostics"].as_array().unwrap();
     assert!(listed.iter().any(|problem| problem["code"] == "CH620"));
@@ -142,12 +142,12 @@ fn what_is_touched_has_its_place_and_the_page_knows_a_lathe() {
 }
 
 #[test]
-fn without_stock_a_lathe_says_nothing_of_it_and_a_wrong_setup_is_said() {
+fn without_stock_a_lathe_sends_nothing_about_it_and_a_wrong_setup_is_reported() {
     let bare = "machine = \"fanuc-lathe\"\n";
     let mut live = serve(Shown::text(FIRST).set_up(bare)).live();
     assert_eq!(live.json("no_stock")["message"], serde_json::Value::Null);
     let wrong = "machine = \"fanuc-lathe\"\n[stock]\nshape = \"box\"\n";
     let mut live = serve(Shown::text(FIRST).set_up(wrong)).live();
-    let told = live.json("no_stock");
-    assert!(told["message"].is_string() && told["help"].is_string(), "{told}");
+    let received = live.json("no_stock");
+    assert!(received["message"].is_string() && received["help"].is_string(), "{received}");
 }

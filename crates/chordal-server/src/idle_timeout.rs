@@ -1,4 +1,4 @@
-//! Connections that say nothing are closed: otherwise each takes a place for ever.
+//! Closes idle connections: otherwise each would take one of the limited places for ever.
 
 use std::io::{self, ErrorKind};
 use std::net::SocketAddr;
@@ -11,20 +11,20 @@ use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
 use tokio::net::{TcpListener, TcpStream};
 use tokio::time::{Instant, Sleep, sleep};
 
-/// Gives connections that are closed when nothing passes through them for a time.
-pub struct Closing {
+/// Accepts connections that end when they receive nothing for a time.
+pub struct IdleListener {
     pub listener: TcpListener,
     pub after: Duration,
 }
 
-impl Listener for Closing {
-    type Io = Connection;
+impl Listener for IdleListener {
+    type Io = IdleConnection;
     type Addr = SocketAddr;
 
-    async fn accept(&mut self) -> (Connection, SocketAddr) {
+    async fn accept(&mut self) -> (IdleConnection, SocketAddr) {
         let (stream, address) = Listener::accept(&mut self.listener).await;
         let (after, end) = (self.after, Box::pin(sleep(self.after)));
-        (Connection { stream, after, end }, address)
+        (IdleConnection { stream, after, end }, address)
     }
 
     fn local_addr(&self) -> io::Result<SocketAddr> {
@@ -33,14 +33,14 @@ impl Listener for Closing {
 }
 
 /// A connection that ends when it is idle for too long.
-pub struct Connection {
+pub struct IdleConnection {
     stream: TcpStream,
     after: Duration,
     end: Pin<Box<Sleep>>,
 }
 
-impl Connection {
-    /// What was done, or the end of an idle connection.
+impl IdleConnection {
+    /// The result of an operation, or the end of an idle connection.
     fn watched<T>(
         &mut self,
         context: &mut Context<'_>,
@@ -56,7 +56,7 @@ impl Connection {
     }
 }
 
-impl AsyncRead for Connection {
+impl AsyncRead for IdleConnection {
     fn poll_read(
         mut self: Pin<&mut Self>,
         context: &mut Context<'_>,
@@ -64,7 +64,7 @@ impl AsyncRead for Connection {
     ) -> Poll<io::Result<()>> {
         let done = Pin::new(&mut self.stream).poll_read(context, into);
         if done.is_ready() {
-            // Only who says something puts the end off: what is written may lie unread.
+            // Only received bytes postpone the end: what is written may stay unread.
             let end = Instant::now() + self.after;
             self.end.as_mut().reset(end);
         }
@@ -72,7 +72,7 @@ impl AsyncRead for Connection {
     }
 }
 
-impl AsyncWrite for Connection {
+impl AsyncWrite for IdleConnection {
     fn poll_write(
         mut self: Pin<&mut Self>,
         context: &mut Context<'_>,
