@@ -17,7 +17,7 @@ import { boxAround, boxOf, boxUnion, differingLines, rowsOf, rowsOfLines, step }
 /** The view of a difference without a distance is at least this share of the path's size. */
 const MIN_PATH_SHARE = 1 / 50;
 
-/** The page around. */
+/** What the comparison uses of the page. */
 export interface CompareParts {
   panel: HTMLElement;
   legend: HTMLElement;
@@ -30,9 +30,9 @@ export interface CompareParts {
   goTo: (line: number) => void;
   /** How to compare with a program of another file. */
   anotherHint: string;
-  /** A line for the picture. */
+  /** Shows a line of text over the picture. */
   setMessage: (text: string) => void;
-  /** The pane is to be seen. */
+  /** Opens the pane of the comparison. */
   openPanel: () => void;
 }
 
@@ -211,7 +211,7 @@ export function compareSession(page: CompareParts) {
       path.add(batch, origin);
       view.addOther(batch);
     },
-    /** The line of the other program whose path is at a place of the canvas is to be read. */
+    /** The line of the other program whose path is at a position on the canvas is to be read. */
     readAt(x: number, y: number): void {
       const picked = view.pickOther(x, y);
       const found = picked && path.find(picked.row);

@@ -11,10 +11,10 @@ import { RowHighlight } from "../view/row-highlight";
 /** Rows that are marked at most, of each path: more wide lines would make turning the view slow. */
 const MAX_ROWS = 3_000;
 const WIDTH_PIXELS = 3.4;
-/** Of a dot, pixels. */
+/** The size of a dot, pixels. */
 const DOT_PIXELS = 7;
 
-/** Ranges of rows of both paths, and a place of each difference in the frame of the run. */
+/** Ranges of rows of both paths, and a point of each difference in the frame of the run. */
 export interface DifferenceRows {
   own: [number, number][];
   other: [number, number][];

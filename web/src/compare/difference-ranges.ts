@@ -1,4 +1,4 @@
-// What the server found different between two programs: where that is on the page.
+// Where the differences of two programs are: lines of the text, rows of the paths, boxes in the view.
 
 import { arcEighths, arcIndex, arcPoint } from "../path/arcs";
 import { type Bounds, type Vec3, KNOWN } from "../path/batch";
@@ -11,7 +11,7 @@ const MAX_LINES = 10_000;
 const MAX_RANGES = 1_000;
 /** Half of the view that shows a difference, as a multiple of its distance. */
 const MARGIN_FACTOR = 2.5;
-/** And no smaller than this, mm: single precision shows no more. */
+/** Half of that view is no smaller than this, mm: positions in the page have single precision. */
 const MIN_HALF_SIDE_MM = 0.02;
 
 /** The lines of a side that differ, in order, each once. */
@@ -90,7 +90,7 @@ export function boxAround([a, b]: [Vec3, Vec3]): Bounds {
   return { low: middle.map((value) => value - half) as Vec3, high: middle.map((value) => value + half) as Vec3 };
 }
 
-/** A box that holds all of some, no side smaller than a length. */
+/** The box around some boxes, with no side smaller than a length. */
 export function boxUnion(boxes: (Bounds | undefined)[], least: number): Bounds | undefined {
   const all = boxes.filter((box) => box !== undefined);
   if (all.length === 0) return undefined;

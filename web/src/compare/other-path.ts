@@ -1,4 +1,4 @@
-// The path of another program, over that of the shown one: one colour, dashed, so that both are seen
+// The path of another program, over that of the shown one: one colour, dashed, so that both are visible
 // where they are the same.
 
 import { type Object3D, type Plane, Group, LineDashedMaterial, LineSegments, Matrix4 } from "three";
@@ -127,7 +127,7 @@ export class OtherPath {
     return { low: moved(bounds.low), high: moved(bounds.high) };
   }
 
-  /** Its row at a place of the canvas, as the shown path is seen. */
+  /** Its row at a position on the canvas, as the shown path is seen. */
   pick(camera: PointProjection, canvas: HTMLCanvasElement, at: [number, number]): PickedPoint | undefined {
     if (!this.object.visible) return undefined;
     const by = this.object.position;

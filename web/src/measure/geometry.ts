@@ -1,4 +1,4 @@
-// What a measurement finds: what was chosen on the path, and the distance between two such things.
+// Features of the path that can be measured, and the distance between two of them.
 
 import { type Units, length, programmed } from "../panels/units";
 import { arcIndex } from "../path/arcs";
@@ -6,7 +6,7 @@ import { type Vec3, RAPID, kindOf } from "../path/batch";
 import type { Path } from "../path/path";
 import type { PickedPoint } from "../view/picking";
 
-/** What a click on the path means; places relative to the origin of the path, mm. */
+/** What a click on the path selects; points relative to the origin of the path, mm. */
 export type PathFeature =
   | { kind: "point"; at: Vec3; of: "end" | "path" }
   | { kind: "line"; at: Vec3; from: Vec3; to: Vec3 }
@@ -32,7 +32,7 @@ const plus = (a: Vec3, b: Vec3, by = 1): Vec3 => [a[0] + by * b[0], a[1] + by * 
 const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const size = (a: Vec3): number => Math.hypot(...a);
 
-/** What was chosen: an end where one is near, else the arc or the line that was hit. */
+/** The feature at a picked point: an end where one is near, else the arc or the line that was hit. */
 export function featureAt(path: Path, { row, share, at, snapped }: PickedPoint): PathFeature {
   const found = path.find(row);
   if (snapped || !found) return { kind: "point", at, of: snapped ? "end" : "path" };
@@ -46,17 +46,17 @@ export function featureAt(path: Path, { row, share, at, snapped }: PickedPoint):
   const numbers = (from: number): Vec3 => [record[from]!, record[from + 1]!, record[from + 2]!];
   const [first, last, sweep, rise] = [record[9]!, record[10]!, record[11]!, record[12]!];
   if (kindOf(batch.kind[own]!) === RAPID || Math.abs(first - last) > CONSTANT_RADIUS_MM) return { kind: "point", at, of: "path" };
-  // The centre at the height of the place that was hit.
+  // The centre at the height of the point that was hit.
   const axis = numbers(6);
   return { kind: "arc", at, center: plus(numbers(0), axis, rise * share), axis, radius: first, sweep };
 }
 
-/** Where the middle of a thing is that distances are taken from. */
+/** The point of a feature that distances are taken from. */
 function reference(feature: PathFeature): Vec3 {
   return feature.kind === "arc" ? feature.center : feature.at;
 }
 
-/** The foot of a place on a line without ends. */
+/** The foot of a point on a line without ends. */
 function foot(at: Vec3, { from, to }: { from: Vec3; to: Vec3 }): Vec3 {
   const along = minus(to, from);
   const square = dot(along, along);
@@ -65,7 +65,7 @@ function foot(at: Vec3, { from, to }: { from: Vec3; to: Vec3 }): Vec3 {
 
 const NAMES = { point: "point", line: "line", arc: "centre" } as const;
 
-/** The distance between two things: along the shortest line where one of them is a line, else between points and centres. */
+/** The distance between two features: the shortest one where one of them is a line, else between points and centres. */
 export function measuredDistance(one: PathFeature, other: PathFeature): MeasuredDistance {
   const between = `${NAMES[one.kind]} to ${NAMES[other.kind]}`;
   if (one.kind === "line" && other.kind === "line") return betweenLines(one, other);
@@ -89,13 +89,13 @@ function betweenLines(one: Extract<PathFeature, { kind: "line" }>, other: Extrac
 
 const degrees = (rad: number): string => `${Number(((rad * 180) / Math.PI).toFixed(3))}°`;
 
-/** X, Y and Z of a place or of a distance, with the unit. */
+/** X, Y and Z of a point or of a distance, with the unit. */
 export function parts(units: Units, at: Vec3): string {
   const named = ["X", "Y", "Z"].map((name, axis) => `${name} ${length(units, at[axis]!, false)}`);
   return `${named.join("  ")} ${units.inch ? "in" : "mm"}`;
 }
 
-/** A thing in words; `origin` is that of the path. */
+/** A feature as text; `origin` is that of the path. */
 export function featureText(feature: PathFeature, origin: Vec3, units: Units): string {
   const at = (place: Vec3) => parts(units, programmed(units, plus(place, origin)));
   switch (feature.kind) {
@@ -109,7 +109,7 @@ export function featureText(feature: PathFeature, origin: Vec3, units: Units): s
   }
 }
 
-/** A distance in words. */
+/** A distance as text. */
 export function distanceText({ mm, from, to, between, angle }: MeasuredDistance, units: Units): string {
   const bent = angle === undefined ? "" : `, the lines are not parallel: ${degrees(angle)}`;
   return `${length(units, mm)} ${between}   (${parts(units, minus(to, from))})${bent}`;

@@ -1,4 +1,4 @@
-// Two places, each with a cross, and the line between them; and a mark where the pointer would take one.
+// Two points, each with a cross, and the line between them; and a mark at what the pointer would measure.
 
 import { Group } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
@@ -7,7 +7,7 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 import type { Vec3 } from "../path/batch";
 import type { PathFeature } from "./geometry";
 
-/** Of a mark from its middle, pixels. */
+/** The arm of a mark, from its middle, pixels. */
 const REACH = 6;
 /** Sides of the ring at the centre of an arc. */
 const RING = 12;
@@ -40,24 +40,24 @@ export class MeasureOverlay {
     this.material.color.set(color);
   }
 
-  /** Places relative to the origin of the path. */
+  /** Points relative to the origin of the path. */
   show(from: Vec3 | undefined, to: Vec3 | undefined, screen: ScreenFrame): void {
     this.places = from ? (to ? [from, to] : [from]) : [];
     this.draw(screen);
   }
 
-  /** What a click would take; none: nothing. */
+  /** Marks what a click would measure; undefined marks nothing. */
   showSnap(feature: PathFeature | undefined, screen: ScreenFrame): void {
     this.feature = feature;
     this.draw(screen);
   }
 
-  /** What a click would take: for tests. */
+  /** What a click would measure: for tests. */
   get snapped(): PathFeature | undefined {
     return this.snap.visible ? this.feature : undefined;
   }
 
-  /** The marks as large as before, whatever the zoom. */
+  /** Draws the marks with the same size on the screen at any zoom. */
   draw(screen: ScreenFrame): void {
     const [from, to] = this.places;
     const crosses = this.places.flatMap((at) => cross(at, screen));
@@ -73,7 +73,7 @@ function put(object: LineSegments2, points: number[]): void {
   object.geometry = new LineSegmentsGeometry().setPositions(points);
 }
 
-/** A place so many pixels to the right and up of another. */
+/** A point so many pixels to the right and up of another. */
 function shiftedBy(at: Vec3, { right, up, pixel }: ScreenFrame, x: number, y: number): Vec3 {
   return at.map((value, axis) => value + pixel * (x * right[axis]! + y * up[axis]!)) as Vec3;
 }

@@ -8,7 +8,7 @@ import { type PathFeature, distanceText, featureAt, featureText, measuredDistanc
 export interface MeasureTool {
   readonly isOn: boolean;
   set: (on: boolean) => void;
-  /** A place of the path was clicked. */
+  /** A point of the path was clicked. */
   click: (picked: PickedPoint) => void;
 }
 

@@ -1,4 +1,4 @@
-// Elements of the page.
+// Helpers to make elements of the page.
 
 export function element<K extends keyof HTMLElementTagNameMap>(
   name: K,

@@ -1,4 +1,4 @@
-// Signs of buttons, drawn: fonts do not have them all.
+// Icons of buttons, as SVG: fonts do not have them all.
 
 const SVG = "http://www.w3.org/2000/svg";
 

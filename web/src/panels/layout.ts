@@ -298,7 +298,7 @@ export function layout(root: HTMLElement) {
     chordTolerance: () => 10 ** Number(tolerance.value),
     /** Whether the chords are those that the control itself cuts. */
     ownChords: () => !ownLabel.hidden && ownChords.checked,
-    /** The control itself cuts arcs, or it does not. */
+    /** Offers the control's own chords where it cuts arcs itself. */
     offerOwnChords(is: boolean): void {
       ownLabel.hidden = !is;
       showChordControls();
@@ -321,7 +321,7 @@ export function layout(root: HTMLElement) {
       setCodeSpans(turns, text);
       turns.hidden = text === "";
     },
-    /** From where on the path is not known. */
+    /** Shows from where on the path is not known. */
     unverified(text: string): void {
       unverified.textContent = text;
       unverified.hidden = text === "";
@@ -364,7 +364,7 @@ export function layout(root: HTMLElement) {
           ? [countText(report.errors, "error"), ...(report.warnings > 0 ? [countText(report.warnings, "warning")] : [])].join(", ")
           : "";
     },
-    /** S of the cuts differs, or it does not. */
+    /** Offers the colours by power where S of the cuts differs. */
     offerPower(is: boolean): void {
       if (is) color.append(byPower);
       else if (color.value === "power") {
@@ -373,7 +373,7 @@ export function layout(root: HTMLElement) {
       }
       if (!is) byPower.remove();
     },
-    /** What the colours of the cuts mean. */
+    /** Shows what the colours of the cuts mean. */
     legend(by: ColorBy, path: Path, report: RunReport | undefined, machine: MachineInfo | undefined, palette: Palette): void {
       const units = { inch: report?.inch ?? false };
       legend.replaceChildren();

@@ -29,7 +29,7 @@ export function leftOutText(report: Pick<RunReport, "moves_left_out">): string {
   return report.moves_left_out.map((text) => `${text[0]!.toUpperCase()}${text.slice(1)}.`).join(" ");
 }
 
-/** Entries that are shown; a text with more is one of numbers. */
+/** Entries that are shown at most. */
 const MAX_ENTRIES = 2_000;
 
 /** Programs, in them tools, in those operations: each goes to its line. */

@@ -1,4 +1,4 @@
-// The question how a program is to be read, where nothing in it names its control for certain: its readings next to
+// The question which control a program is for, where nothing in it is certain: the candidates next to
 // each other. Nothing waits for an answer.
 
 import type { MachineChoice, ProgramReadings } from "../protocol/messages";

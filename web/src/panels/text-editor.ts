@@ -46,7 +46,7 @@ export function rangeOf(doc: Text, place: SourcePlace): { from: number; to: numb
 
 export interface EditorHandlers {
   typed: (changes: TextChange[]) => void;
-  /** The cursor is on a line, put there by the user or by [`Editor.goTo`]. */
+  /** The cursor is on a line, put there by the user or by [`TextEditor.goTo`]. */
   cursor: (line: number, byUser: boolean) => void;
   save: () => void;
   /** The definition of the name at a line and a column is to be shown. */
@@ -101,9 +101,9 @@ export class TextEditor {
     private handlers: EditorHandlers,
     private more: import("@codemirror/state").Extension = [],
   ) {
-    // Nothing may be typed before the text is there.
+    // Nothing may be typed before the text has come.
     this.view = new EditorView({ parent, state: this.stateOf(Text.empty, true) });
-    // A long line is scrolled to with the keyboard, too.
+    // The pane can be scrolled with the keyboard, too.
     this.view.scrollDOM.tabIndex = 0;
   }
 
@@ -166,7 +166,7 @@ export class TextEditor {
     this.timer = window.setTimeout(() => this.flush(), QUIET_MS);
   }
 
-  /** What was typed goes to the server now. */
+  /** Sends the server what was typed, now. */
   flush(): void {
     window.clearTimeout(this.timer);
     if (!this.pending) return;

@@ -2,18 +2,18 @@
 
 export interface Units {
   inch: boolean;
-  /** What places on X, Y and Z are multiplied by: 2 of what is programmed as a diameter; without it 1. */
+  /** What coordinates of X, Y and Z are multiplied by: 2 of what is programmed as a diameter; without it 1. */
   factors?: readonly number[];
   /** Whether the machine has X, Y and Z; without it all. */
   has?: readonly boolean[];
 }
 
-/** A place as it is programmed. */
+/** A position as it is programmed. */
 export function programmed({ factors }: Units, at: readonly [number, number, number]): [number, number, number] {
   return at.map((value, axis) => value * (factors?.[axis] ?? 1)) as [number, number, number];
 }
 
-/** `X 10.000  Y –  Z -5.000 mm`: a place as it is programmed; a dash for a coordinate that is not known, none for an axis that is not there. */
+/** `X 10.000  Y –  Z -5.000 mm`: a position as it is programmed; a dash for a coordinate that is not known, none for an axis that is not there. */
 export function position(units: Units, at: readonly (number | undefined)[]): string {
   const texts = at.map((value, axis) =>
     `${"XYZ"[axis]} ${value === undefined ? "–" : coordinate(units, value * (units.factors?.[axis] ?? 1))}`);
@@ -37,7 +37,7 @@ export function length({ inch }: Units, mm: number, unit = true, figures = 0): s
   return unit ? `${text} ${inch ? "in" : "mm"}` : text;
 }
 
-/** A volume that lies between two, in cm³ or in³. */
+/** A volume between two bounds, in cm³ or in³. */
 export function volume({ inch }: Units, leastMm3: number, mostMm3: number): string {
   const own = (mm3: number) => (inch ? mm3 / MM_PER_INCH ** 3 : mm3 / 1000).toFixed(2);
   const [least, most] = [own(leastMm3), own(mostMm3)];

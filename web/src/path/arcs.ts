@@ -19,7 +19,7 @@ export function arcIndex(batch: Batch, row: number): number {
 /** Numbers of an arc's record: centre, towards the start, axis, both radii, sweep, rise. */
 const RECORD = 13;
 
-/** A place on an arc, a helix, a spiral or a cone, relative to the origin, mm. */
+/** A point on an arc, a helix, a spiral or a cone, relative to the origin, mm. */
 export function arcPoint(arcs: Float32Array, index: number, share: number): Vec3 {
   const at = index * RECORD;
   const [ux, uy, uz] = [arcs[at + 3]!, arcs[at + 4]!, arcs[at + 5]!];

@@ -18,7 +18,7 @@ export const END_AXES = 3;
 
 export type Vec3 = [number, number, number];
 
-/** One batch: rows that follow on each other. */
+/** Consecutive rows of a path. */
 export interface Batch {
   first: number;
   rows: number;
@@ -35,13 +35,13 @@ export interface Batch {
   /** Rows of the batch that are arcs or spirals, in order, and 13 numbers for each. */
   arcRows: Uint32Array;
   arcs: Float32Array;
-  /** What the program says, where the part turns and `points` is as it lies on the part. */
+  /** The programmed positions, where the part turns: `points` are then positions on the part. */
   programmed?: Float32Array;
   /** A, B and C at both ends of each row, rad, where one of them is not zero. */
   turns?: Float32Array;
   /** S of each row, where it may be the power of a laser. */
   power?: Float32Array;
-  /** Splines, and rows that a turning part bends: points along them. */
+  /** Points along splines, and along rows that are curved because the part turns. */
   curves?: Map<number, Float32Array>;
 }
 

@@ -12,7 +12,7 @@ const TURNING: [EngagementMeasure, string][] = [["radial", "Depth of cut"], ["ch
 /** What is wrong with a move: a chip too thick or a spindle without the power, or a tool that rubs. */
 export type EngagementFault = "none" | "overload" | "rubs";
 
-/** By row of the path, from zero on: nothing is cut, or it is not known. */
+/** By row of the path; zero where nothing is cut or the load is not known. */
 export class EngagementCurve {
   private values: Record<EngagementMeasure, Float32Array>;
   private faults: Uint8Array;
@@ -31,12 +31,12 @@ export class EngagementCurve {
     this.known = MEASURES.map(([measure]) => measure).filter((measure) => by[measure].some((value) => value > 0));
   }
 
-  /** What is known, with its name. */
+  /** The measures that are known, with their names. */
   get named(): [EngagementMeasure, string][] {
     return (this.isTurning ? TURNING : MEASURES).filter(([measure]) => this.known.includes(measure));
   }
 
-  /** The most of a measure in each of so many equal parts of the time, and what is wrong there. */
+  /** The maximum of a measure in each of `parts` equal parts of the time, and what is wrong there. */
   bands(measure: EngagementMeasure | undefined, points: Setpoints, parts: number): { most: Float32Array; faults: EngagementFault[] } {
     const most = new Float32Array(parts);
     const faults: EngagementFault[] = new Array(parts).fill("none");

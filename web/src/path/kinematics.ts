@@ -25,7 +25,7 @@ export class Kinematics {
     return this.known;
   }
 
-  /** A place, relative to the origin, on the part. */
+  /** A point, relative to the origin, as it is on the part. */
   place(at: Vec3, turn: ArrayLike<number>, from = 0): Vec3 {
     let placed = at;
     this.axes.forEach((axis, index) => {
@@ -50,7 +50,7 @@ export class Kinematics {
     return pointed;
   }
 
-  /** A batch as it lies on the part; one without rotary moves as it is. */
+  /** A batch as it is on the part; one without rotary moves is returned unchanged. */
   batch(batch: Batch): Batch {
     const { turns } = batch;
     if (!turns || !this.known) return batch;
@@ -72,7 +72,7 @@ export class Kinematics {
     return { ...batch, points, programmed: batch.points, arcs, curves };
   }
 
-  /** Pieces of a row: one where nothing turns that carries the part. */
+  /** In how many pieces a row is drawn: one where no axis turns that carries the part. */
   private steps(turns: Float32Array, row: number): number {
     let most = 0;
     this.axes.forEach((axis, index) => {
@@ -82,7 +82,7 @@ export class Kinematics {
     return Math.max(1, Math.min(MAX_PIECES, Math.ceil(most / STEP_RAD)));
   }
 
-  /** The points of a spline, each as it lies on the part. */
+  /** The points of a spline, each as it is on the part. */
   private spline(points: Float32Array, turns: Float32Array, row: number): Float32Array {
     const curve = new Float32Array(points.length);
     for (let at = 0; at < points.length; at += 3) {
@@ -120,7 +120,7 @@ export class Kinematics {
     arcs.set(this.direction(pointOf(arcs, at + 6), turns, from, "move"), at + 6);
   }
 
-  /** Setpoints as they lie on the part. */
+  /** Setpoints as they are on the part. */
   places(places: Float32Array, turns: Float32Array): Float32Array {
     const turnedPlaces = new Float32Array(places.length);
     for (let at = 0; at < places.length; at += 3) {
@@ -132,7 +132,7 @@ export class Kinematics {
   }
 }
 
-/** Where on a curve of points a share of it is. */
+/** The point at a share of a curve of points at even distances. */
 export function curvePoint(curve: Float32Array, share: number): Vec3 {
   const last = curve.length / 3 - 1;
   const exact = Math.min(last, Math.max(0, share * last));
@@ -164,7 +164,7 @@ function pointOf(points: ArrayLike<number>, at: number): Vec3 {
   return [points[at]!, points[at + 1]!, points[at + 2]!];
 }
 
-/** Turned about X, Y or Z as a right-hand screw goes. */
+/** Rotated about X, Y or Z by the right-hand rule. */
 export function rotated(at: Vec3, about: number, angle: number): Vec3 {
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   const [u, v] = [(about + 1) % 3, (about + 2) % 3];

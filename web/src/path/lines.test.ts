@@ -45,7 +45,7 @@ describe("what is drawn", () => {
     expect(cuts.rows![0]).toBe(1);
     expect(cuts.rows![cuts.count - 1]).toBe(3);
     expect([...cuts.points].includes(9)).toBe(false);
-    // Every place of the arc is on it, and it ends where the program says.
+    // Every point of the arc is on it, and it ends where the program says.
     for (let at = 0; at < cuts.count - 1; at++) {
       const [x, y] = [cuts.points[6 * at]!, cuts.points[6 * at + 1]!];
       expect(Math.hypot(x, y)).toBeCloseTo(1, 5);

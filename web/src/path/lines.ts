@@ -145,7 +145,7 @@ export function someRows(batch: Batch, from: number, to: number, tolerance: ArcT
 }
 
 /**
- * The segment nearest to a place on the screen, in pixels, no further away than `reach`; the
+ * The segment nearest to a point on the screen, in pixels, no further away than `reach`; the
  * matrix (column-major) takes points to the cube from -1 to 1 without perspective.
  */
 export function nearest(

@@ -15,7 +15,7 @@ export class Path {
   tools: number[] = [];
   /** Tools that cut, in the order of their first cut. */
   cutters: number[] = [];
-  /** Lowest and highest place of all cuts, and the highest of those that move across, relative to the origin, mm. */
+  /** Lowest and highest point of all cuts, and the highest of those that move across, relative to the origin, mm. */
   private heights: [number, number] = [Infinity, -Infinity];
   private highestAcross = -Infinity;
   /** The bits of axes that the program does not name: they are drawn at zero. */
@@ -106,15 +106,15 @@ export class Path {
   }
 
   /**
-   * Lowest and highest place of the cuts, relative to the origin, mm; the highest that moves across, if there is
-   * one above the lowest: the feed down from the clearance plane would take most of a scale.
+   * Lowest and highest point of the cuts, relative to the origin, mm; the highest one that also moves in XY, if there is
+   * one above the lowest: otherwise the feed down from the clearance plane would take most of the scale.
    */
   get depths(): [number, number] {
     const [low, high] = this.heights;
     return [low, this.highestAcross > low ? this.highestAcross : high];
   }
 
-  /** The place of a tool in the order in which the tools cut first; the first for one that never cuts. */
+  /** The number of a tool in the order in which the tools cut first; the first for one that never cuts. */
   cutterIndex(tool: number): number {
     return Math.max(0, this.cutters.indexOf(tool));
   }
@@ -141,7 +141,7 @@ export class Path {
     return first === 0 ? undefined : [first - 1, this.lastRow[line]! - 1];
   }
 
-  /** The rows that are done once a line has run: those of it, or of the nearest line before. */
+  /** How many rows are done once a line has run; of a line without rows, the nearest line before counts. */
   doneAfterLine(line: number): number {
     for (let at = Math.min(line, this.lines); at > 0; at--) {
       const rows = this.rowsOfLine(at);
@@ -160,7 +160,7 @@ export class Path {
     return share <= 0 ? from : share >= 1 ? to : from & to;
   }
 
-  /** Whether the place where so much of a row is done can be drawn; within a row only where that is drawn. */
+  /** Whether the position where so much of a row is done can be drawn; within a row only where that is drawn. */
   isPlace(row: number, share: number): boolean {
     const isEnd = share <= 0 || share >= 1;
     return isEnd ? (this.knownOn(row, share) | this.notNamed) === ALL_AXES : this.isDrawn(row);
@@ -192,7 +192,7 @@ export class Path {
     return { line: batch.line[at]!, own: batch.file[at] === 0 };
   }
 
-  /** A place on a row as the program says it, relative to the origin, mm; within a row that turns the part, about. */
+  /** A point on a row as it is programmed, relative to the origin, mm; approximate within a row that turns the part. */
   programmedOn(row: number, share: number): Vec3 | undefined {
     const found = this.find(row);
     if (!found) return undefined;
@@ -215,7 +215,7 @@ export class Path {
     return [mix(0), mix(1), mix(2)];
   }
 
-  /** How much of a row is done where the tool is at a place, relative to the origin, mm: from 0 to 1. */
+  /** The share of a row, from 0 to 1, that is done when the tool is at a position, relative to the origin, mm. */
   shareOf(row: number, at: Vec3): number {
     const far = (share: number) => {
       const point = this.pointOn(row, share);
@@ -238,7 +238,7 @@ export class Path {
     return (low + high) / 2;
   }
 
-  /** A place on a row, relative to the origin, mm. */
+  /** A point on a row, relative to the origin, mm. */
   pointOn(row: number, share: number): Vec3 | undefined {
     const found = this.find(row);
     if (!found) return undefined;

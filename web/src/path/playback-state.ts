@@ -8,9 +8,9 @@ import { type Setpoints, momentAt, timeAfterRow, timeOfRow, timeOnRow } from "./
 export type PlaybackTarget =
   /** The beginning. */
   | { to: "start" }
-  /** What a line does is done. */
+  /** The end of what a line does. */
   | { to: "line"; line: number }
-  /** A share of a row is done; `looks`: a point of the path was clicked, and all of the path stays drawn in full. */
+  /** A share of a row is done; `isInspection`: a point of the path was clicked, and all of the path stays drawn in full. */
   | { to: "row"; row: number; share: number; isInspection?: boolean }
   | { to: "time"; seconds: number };
 
@@ -23,7 +23,7 @@ export interface PlaybackState {
   share: number;
   /** Where the tool is on the part, relative to the origin of the path; none where that is not known. */
   at: Vec3 | undefined;
-  /** The same as the program says it, in the frame of the run. */
+  /** The programmed position, in the frame of the run. */
   coordinates: Coordinates;
   /** A, B and C, rad. */
   turn: Vec3;
@@ -54,7 +54,7 @@ export function playbackStateOf(target: PlaybackTarget, path: Path, setpoints: S
   }
 }
 
-/** So many rows are done. */
+/** How many rows are done, with the share of the last one. */
 export function doneOf({ row, share }: PlaybackState): number {
   return row + share;
 }
@@ -72,7 +72,7 @@ function onRow(path: Path, setpoints: Setpoints | undefined, row: number, share:
   return { row, share, ...known(path, row, share, relative(moment!.at, path), planned), turn: moment!.turn, speed: moment!.speed, seconds };
 }
 
-/** How far the tool goes between the setpoints around a time, mm: a time is not known better. */
+/** How far the tool moves between the setpoints around a time, mm: the time of a position is known no better. */
 function stepAt(setpoints: Setpoints, seconds: number): number {
   const { periodS } = setpoints;
   const [before, after] = [seconds - periodS, seconds + periodS].map((at) => momentAt(setpoints, at)!.programmed);
@@ -88,7 +88,7 @@ function atTime(path: Path, setpoints: Setpoints, seconds: number): PlaybackStat
   return { row, share, ...known(path, row, share, own, relative(moment.programmed, path)), turn, speed, seconds };
 }
 
-/** How much of a row is done where the tool is at a place at a time. */
+/** The share of a row that is done when the tool is at a position at a time. */
 function shareAt(path: Path, setpoints: Setpoints, row: number, at: Vec3, seconds: number): number {
   const far = (share: number) => {
     const point = path.pointOn(row, share);
@@ -111,7 +111,7 @@ function closes(path: Path, row: number): boolean {
   return distance(path.pointOn(row, 0)!, path.pointOn(row, 1)!) < AT_END_MM;
 }
 
-/** What is known of a place: where the tool is drawn, and its coordinates. */
+/** Where the tool is drawn, and its coordinates, as far as both are known. */
 function known(path: Path, row: number, share: number, at: Vec3 | undefined, programmed: Vec3 | undefined): Pick<PlaybackState, "at" | "coordinates"> {
   const axes = path.knownOn(row, share);
   const coordinates = axisBits.map((bit, axis) =>

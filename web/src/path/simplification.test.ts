@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { LineArrays } from "./lines";
 import { type PathStrands, someStrands, strands } from "./simplification";
 
-/** Lines from place to place; a gap where a place is missing. */
+/** Lines from point to point; a gap where a point is missing. */
 function chain(places: ([number, number, number] | undefined)[]): LineArrays {
   const points: number[] = [];
   for (let at = 1; at < places.length; at++) {
@@ -24,7 +24,7 @@ function raster(passes: number, steps: number): LineArrays {
   return chain(places);
 }
 
-/** How far a place is from the nearest line. */
+/** How far a point is from the nearest line. */
 function distance(lines: LineArrays, [x, y, z]: number[]): number {
   let best = Infinity;
   for (let line = 0; line < lines.count; line++) {

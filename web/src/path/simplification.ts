@@ -6,7 +6,7 @@ import type { LineArrays } from "./lines";
 const MAX_MERGED_LINES = 64;
 /** Lines of a strand at most, so that a path without corners has strands to choose from, too. */
 const MAX_STRAND_LINES = 2048;
-/** Lines of a strand that a corner may end: a step over to the next pass is none of its own. */
+/** A corner ends a strand only after so many lines: a step over to the next pass is no strand of its own. */
 const MIN_STRAND_LINES = 8;
 /** Cosine of the turn at which a strand ends. */
 const CORNER_COSINE = 0.5;

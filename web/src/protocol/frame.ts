@@ -1,4 +1,4 @@
-// Binary frames of the server: a JSON header, then columns that are looked at where they lie.
+// Binary frames of the server: a JSON header, then columns, which are typed arrays over the same buffer.
 // See crates/chordal-view/src/frame.rs.
 
 export type FrameColumn = Float32Array | Float64Array | Uint32Array | Uint8Array;

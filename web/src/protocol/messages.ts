@@ -1,4 +1,4 @@
-// What the page and what answers it, a server or a worker, say to each other as JSON.
+// The JSON messages between the page and what answers it, a server or a worker.
 
 /** A, B or C, as the machine file has it. */
 export interface RotaryAxis {
@@ -38,7 +38,7 @@ export interface Problem {
   help: string | null;
   explanation: string;
   fix: ProblemFix | null;
-  /** Others that would do as well, the likeliest first. */
+  /** Alternatives, the likeliest first. */
   other_fixes: ProblemFix[];
 }
 
@@ -50,14 +50,14 @@ export interface ToolInfo {
   shape: "flat" | "ball" | "bull" | "chamfer" | "drill" | "tap" | "thread mill" | "t-slot" | "lollipop" | "form" | "insert" | "groove" | null;
   point_angle_rad: number | null;
   tip_diameter_mm: number | null;
-  /** Of an insert. */
+  /** Only for inserts. */
   nose_radius_mm: number | null;
-  /** Of a blade for grooves. */
+  /** Only for grooving blades. */
   width_mm: number | null;
   flute_length_mm: number | null;
-  /** Height over the tip and radius, from the tip up. */
+  /** Outline of a form tool: height over the tip and radius, from the tip up. */
   profile_mm: [number, number][];
-  /** Of a shank without parts. */
+  /** Only for a shank that is one cylinder. */
   shank_diameter_mm: number | null;
   /** Height, lower and upper diameter of each part, from the edges up. */
   shank_mm: [number, number, number][];
@@ -69,7 +69,7 @@ export interface ToolInfo {
 export interface MachineInfo {
   /** Of a lathe: the side of the axis on which its turret stands. */
   turret: "rear" | "front" | null;
-  /** What places on X, Y and Z are multiplied by to be programmed: 2 of a diameter. */
+  /** What coordinates of X, Y and Z are multiplied by to be programmed: 2 of a diameter. */
   factors: [number, number, number];
   /** Whether it has X, Y and Z: a lathe of two axes has no Y. */
   has: [boolean, boolean, boolean];
@@ -92,12 +92,12 @@ export interface RunReport {
   not_verified_from: { file: string; line: number; own: boolean } | null;
   /** Axes that the program never names, and that are drawn at zero. */
   never_named: string[];
-  /** The same of axes that are not known in any cut. */
+  /** Axes that are not known in any cut. */
   named_in_no_cut: string[];
   /** About moves in work offsets whose zero is not known, which cannot be drawn, and what to do about it. */
   moves_left_out: string[];
   inch: boolean;
-  /** How far the segments may be from arcs that the control itself cuts them into; null where it does not. */
+  /** The tolerance of the segments that the control itself cuts arcs into, mm; null where it cuts none. */
   own_chords_mm: number | null;
   output: string[];
   cut_length_mm: number;
@@ -182,7 +182,7 @@ export interface BlockRange {
   to: number;
 }
 
-/** What one of two programs has. */
+/** One program's side of a difference. */
 export interface DifferenceSide {
   blocks: BlockRange | null;
   steps: number;
@@ -240,7 +240,7 @@ export interface MachineChoice {
 
 /** The controls that a program may be for, where it names none for certain and they would move the tool differently. */
 export interface ProgramReadings {
-  /** What is not known. */
+  /** What is not known about the program, in a sentence. */
   message: string;
   /** The first block that differs. */
   line: number | null;

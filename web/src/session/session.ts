@@ -415,7 +415,7 @@ export class Session {
     if (ui.chordsOn.checked) this.requestChords();
   }
 
-  /** All problems of the run, those of the stock among them. */
+  /** Replaces the problems of the run by those that include the stock. */
   private addStockDiagnostics({ diagnostics, left_out, errors, warnings, notes }: StockDiagnostics): void {
     if (!this.run.report) return;
     this.run.report = { ...this.run.report, diagnostics, left_out, errors, warnings, notes };

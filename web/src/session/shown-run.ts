@@ -30,7 +30,7 @@ export class ShownRun {
   /** The planned motion; undefined while it is planned, and where it cannot be. */
   setpoints: Setpoints | undefined;
 
-  /** Another program is opened: its runs are counted anew. */
+  /** Another program is opened: its runs are counted again. */
   open(programName: string): void {
     this.programName = programName;
     this.number = 0;
@@ -58,7 +58,7 @@ export class ShownRun {
     return { ...this.units, ...(machine && { factors: machine.factors, has: machine.has }) };
   }
 
-  /** What turns the positions of a message, relative to its origin, onto the part. */
+  /** The kinematics for positions relative to an origin. */
   kinematicsAt(origin: Vec3): Kinematics {
     return new Kinematics(this.machine?.rotary ?? [], origin);
   }

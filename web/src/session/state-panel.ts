@@ -7,7 +7,7 @@ import { playbackStateOf } from "../path/playback-state";
 import type { Connection } from "../protocol/connection";
 import type { ShownRun } from "./shown-run";
 
-/** Where the program is: so many rows are done, after a line, which may be one of a subprogram in another file. */
+/** A position: how many rows are done, after which line; `subprogramLine` is that of a subprogram in another file. */
 interface StateQuery {
   done: number;
   line: number;

@@ -1,17 +1,17 @@
-// A program in the fragment of an address: compressed, and sent to nobody. Whoever has the link has the program.
+// A program in the fragment of an address: compressed, and not sent to any server. Everyone with the link has the program.
 
 export interface SharedProgram {
   name: string;
   text: string;
   /** The machine that was chosen. */
   machine: string | null;
-  /** What lies next to it: path and text. */
+  /** The files next to it: path and text. */
   files: [string, string][];
 }
 
-/** Characters of a link: more do not survive mail and chat. */
+/** Characters of a link: longer ones are often cut by mail and chat programs. */
 export const MAX_LINK_CHARACTERS = 16_000;
-/** What a fragment may become: a small one can hold very much, bytes. */
+/** The largest program in a link, bytes: a short compressed text could expand to very much. */
 const MAX_TEXT_BYTES = 4 * 2 ** 20;
 
 const KEY = "#p=";

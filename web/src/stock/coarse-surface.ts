@@ -7,7 +7,7 @@ export class CoarseSurface {
   readonly surface: StockSurface;
   /** The column of the fine surface that each of its columns has the height of, and the row. */
   private places: [number[], number[]];
-  /** So many columns of the fine surface, and rows, are one of it. */
+  /** How many columns, and rows, of the fine surface make one. */
   private step: number;
 
   /** With so many columns at most. */
@@ -40,7 +40,7 @@ export class CoarseSurface {
       for (const x of across) surface.set(column++, fine.z[row + x]!, fine.slot[row + x]!);
     }
     if (surface.shift) this.moveToWalls();
-    // A corner is a column and one.
+    // Corner x + 1 is column x.
     const nearest = (places: number[], corner: number | undefined) =>
       corner === undefined ? {} : { at: 1 + Math.max(0, places.findLastIndex((place) => place <= corner - 1)) };
     const [column_, row_] = [nearest(across, fine.open.column).at, nearest(up, fine.open.row).at];
@@ -77,7 +77,7 @@ export class CoarseSurface {
       if (next === undefined) continue;
       const count = Math.abs(next - places[axis][number]!);
       const other = fine.z[from + side * count * along]!;
-      // No steeper than that it is a slope.
+      // If it is not steeper than that, it is a slope and no wall.
       if (Math.abs(other - own) <= step * fine.stock.pitch) continue;
       let columns = 1;
       while (columns < count && isNearer(fine.z[from + side * columns * along]!, own, other)) columns++;

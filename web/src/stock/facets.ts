@@ -1,13 +1,13 @@
-// The triangles of a tile: as large as the surface is flat.
+// The triangles of a tile: large ones where the surface is flat.
 
 import { SIDE, TILE } from "./tile";
 
-/** Corners of a tile: heights, who has cut them, those of the target where there is one. */
+/** Corners of a tile: heights, slots of the tools that cut them, and heights of the target where there is one. */
 export interface TileCorners {
   z: Float32Array;
   slot: Uint8Array;
   target?: Float32Array | undefined;
-  /** How far they are moved, where they are. */
+  /** How far corners are moved, if they may be. */
   shift?: Int8Array | undefined;
 }
 

@@ -1,4 +1,4 @@
-// The surfaces of gaps in space, and a texture by which the walls of the stock are open where gaps reach them.
+// The surfaces of gaps, and a texture that makes the walls of the stock open where gaps reach them.
 
 import { BufferAttribute, BufferGeometry, DataTexture, DoubleSide, FloatType, GLSL3, Mesh, RGFormat, ShaderMaterial } from "three";
 import { type Gaps, gapSurfaces } from "./gaps";

@@ -8,7 +8,7 @@ const NONE: Bands = [];
 const MIN_BELOW_TOP_MM = 1e-4;
 
 export class Gaps {
-  /** So many changes are carried out. */
+  /** How many changes are carried out. */
   at = 0;
   private column: number[] = [];
   private moment: number[] = [];

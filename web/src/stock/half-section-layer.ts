@@ -1,5 +1,5 @@
 // The half section of a lathe's stock, drawn into a picture that lies under the path: a plane of lines and
-// arcs is drawn exactly, seen from wherever the path is.
+// arcs is drawn exactly, from the direction of the camera.
 
 import { type OrthographicCamera, type WebGLRenderer, CanvasTexture, DepthTexture, LinearFilter, Mesh, OrthographicCamera as Flat, PlaneGeometry, ShaderMaterial, UnsignedIntType, Vector2, Vector3, WebGLRenderTarget } from "three";
 import type { Bounds, Vec3 } from "../path/batch";
@@ -25,7 +25,7 @@ export interface SectionMoment {
   number: number;
   /** The pieces of path that are done. */
   done: number;
-  /** The places of the tool on the move that is being cut, from its start. */
+  /** The positions of the tool on the move that is being cut, from its start. */
   cutting: SectionPoint[];
 }
 
@@ -78,7 +78,7 @@ export class HalfSectionLayer {
     this.over.setAttribute("aria-hidden", "true");
   }
 
-  /** Other sections, or none; `slot` gives the place of a tool among those that cut. */
+  /** Other sections, or none; `slot` gives the number of a tool among those that cut. */
   begin(sections: HalfSections | undefined, origin: Vec3, slot: (tool: number) => number): void {
     this.sections = sections;
     this.origin = origin;
@@ -95,7 +95,7 @@ export class HalfSectionLayer {
     this.changed();
   }
 
-  /** The tool at a place of the plane, where it is to be seen; whether it has a shape. */
+  /** The tool at a position of the plane, where it is to be seen; whether it has a shape. */
   place(number: number, at: SectionPoint | undefined): boolean {
     const shape = this.sections?.tools.get(number);
     this.tool = shape && { shape, at, color: toolColor(this.palette, this.slot(number)) };
@@ -263,7 +263,7 @@ export class HalfSectionLayer {
     const { at } = tool;
     const [z, r] = at;
     const by = new DOMMatrix([1, 0, 0, 1, z, r]);
-    // A tool on the axis is seen whole.
+    // A tool on the axis is drawn with both halves.
     const isOnAxis = tool.shape.edges.every((loop) => corners(loop, at).every((spot) => spot[1] > -1e-6));
     const touches = tool.shape.edges.some((loop) => corners(loop, at).some((spot) => Math.abs(spot[1]) < 1e-6));
     for (const side of isOnAxis && touches && Math.abs(r) < 1e-6 ? [matrix, mirrored] : [matrix]) {

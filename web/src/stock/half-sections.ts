@@ -10,7 +10,7 @@ export type Loops = ArrayLike<number>[];
 
 export interface TurnedTool {
   number: number;
-  /** What cuts: convex loops about the programmed point. */
+  /** The cutting edges: convex loops about the programmed point. */
   edges: number[][];
   /** Shank and holder. */
   body: number[][];
@@ -19,7 +19,7 @@ export interface TurnedTool {
 /** What draws a loop: a `Path2D`. */
 export type Pen = Pick<Path2D, "moveTo" | "lineTo" | "arc" | "closePath">;
 
-/** A place of the half plane: z and radius, mm. */
+/** A point of the half plane: z and radius, mm. */
 export type SectionPoint = [number, number];
 
 export class HalfSections {
@@ -58,7 +58,7 @@ export class HalfSections {
     return this.rows.length;
   }
 
-  /** Which section there is when so many pieces of path are done. */
+  /** The number of the section when so many pieces of path are done. */
   numberAt(done: number): number {
     let [low, high] = [0, this.rows.length];
     while (low < high) {
@@ -146,7 +146,7 @@ function back(n: ArrayLike<number>): number[] {
 /** What is below lines and arcs, down to the axis: the part as it is seen from outside. */
 export function silhouette(pen: Pen, pieces: ArrayLike<number>[]): void {
   for (const piece of pieces) {
-    // All the same way round, so that none takes from another.
+    // All in the same direction, so that overlapping areas add up.
     const n = piece[0]! <= piece[2]! ? piece : back(piece);
     pen.moveTo(n[0]!, 0);
     pen.lineTo(n[0]!, n[1]!);
@@ -187,7 +187,7 @@ export function edges(pieces: ArrayLike<number>[]): SectionPoint[] {
 /** Chords of an arc of a tool turn by so much at most, rad. */
 const TOOL_STEP = Math.PI / 24;
 
-/** The corners of a convex loop, arcs as chords, moved to a place. */
+/** The corners of a convex loop, arcs as chords, moved to a point. */
 export function corners(loop: ArrayLike<number>, [z, r]: SectionPoint): SectionPoint[] {
   const found: SectionPoint[] = [];
   for (let at = 0; at < loop.length; at += STRIDE) {
@@ -207,7 +207,7 @@ export function corners(loop: ArrayLike<number>, [z, r]: SectionPoint): SectionP
   return found;
 }
 
-/** The convex outline of places. */
+/** The convex hull of points. */
 export function hull(spots: SectionPoint[]): SectionPoint[] {
   const sorted = [...spots].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
   const half = (from: SectionPoint[]) => {

@@ -68,7 +68,7 @@ export function latheStock(parts: LatheStockParts) {
       [done, at] = [rows, place];
       show();
     },
-    /** The tool at a place, relative to the origin of the path; whether it is drawn here. */
+    /** The tool at a position, relative to the origin of the path; whether it is drawn here. */
     place(tool: number, place: Vec3 | undefined): boolean {
       return sections !== undefined && view.lathe.place(tool, place && spot(place));
     },

@@ -20,7 +20,7 @@ interface MillHandlers {
   columns: (columns: number) => void;
 }
 
-/** What the picture shows less than all of. */
+/** What the picture does not show in full. */
 interface Less {
   coarser: boolean;
   late: boolean;

@@ -1,4 +1,4 @@
-// The stock of the page: what comes of it, where in time it is, and how it is shown.
+// The stock of a milled program on the page: its messages, its moment, and how it is shown.
 
 import { type Vec3, KNOWN, RAPID, kindOf } from "../path/batch";
 import type { Connection } from "../protocol/connection";

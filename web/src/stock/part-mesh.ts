@@ -17,8 +17,8 @@ void main() {
   gl_Position.z += push;
 }`;
 
-// What is seen from inside is where the part is cut open: it has one colour, without light. What is the top of its column
-// has the colour that the column has; gaps and other sides have none.
+// Faces seen from inside are where the part is cut open: they have one colour, without light. The top of a column
+// has the colour of the column; gaps and other sides have no colour of a tool.
 const FRAGMENT = `
 precision highp float;
 uniform vec4 keep;

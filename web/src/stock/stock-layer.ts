@@ -41,7 +41,7 @@ export interface StockCut {
   at: number;
 }
 
-/** Triangles and tiles that are drawn in one go: in a fraction of a frame, with a graphics card and without. */
+/** Triangles and tiles that are drawn in one go, in a fraction of a frame: with a graphics card and without. */
 const MAX_PER_DRAW = { card: { triangles: 4_000_000, tiles: 256 }, software: { triangles: 12_000, tiles: 64 } };
 /** Columns of the surface that replaces the stock while the view turns. */
 const COARSE_COLUMNS = { card: 250_000, software: 9_000 };
@@ -52,7 +52,7 @@ const STILL_MS = 120;
 const MAX_STILL_MS = 2_000;
 /** Colours that a material has room for: that of the stock, and tools. */
 const COLOR_SLOTS = 24;
-/** Around what has changed so many pixels are drawn anew. */
+/** Around what has changed so many pixels are drawn again. */
 const MARGIN_PIXELS = 3;
 /** Deviations beyond so many tolerances have one colour. */
 export const MAX_TOLERANCES = 10;
@@ -78,7 +78,7 @@ export class StockLayer {
   private by: StockColor = "tool";
   private own: TouchedBox | undefined;
   private fixtures = new FixtureMesh();
-  /** What is left at the end, where heights do not show all of it, and whether it is that moment. */
+  /** The part at the end, where heights do not show all of it; `isEnd` says whether it is shown. */
   private part: PartMesh | undefined;
   private isEnd = false;
   private gaps: GapMesh | undefined;
@@ -203,7 +203,7 @@ export class StockLayer {
     this.changed();
   }
 
-  /** Everything of it is to be drawn anew. */
+  /** Everything of it is to be drawn again. */
   changed(): void {
     this.number++;
     this.state = "stale";
@@ -241,7 +241,7 @@ export class StockLayer {
     this.material.uniforms.viewpoint!.value.set(...viewpointOf(camera));
     if (this.state === "complete" && this.own) this.repaint(renderer, camera, this.own);
     if (this.state === "complete") return;
-    // All of it once it is still.
+    // Everything is drawn once the view is at rest.
     window.clearTimeout(this.timer);
     if (this.state === "drawing") return;
     if (isTurning) return;
@@ -249,7 +249,7 @@ export class StockLayer {
     else this.settle();
   }
 
-  /** How long it must still be still, ms. */
+  /** How long the view must still be at rest, ms. */
   private get rest(): number {
     return this.stillMs - (performance.now() - this.movedAt);
   }
@@ -258,14 +258,14 @@ export class StockLayer {
     this.timer = window.setTimeout(() => (this.rest > 0 ? this.settle() : this.requestFrame()), this.rest + 1);
   }
 
-  /** Until it is still only the coarse surface is drawn. */
+  /** Until the view is at rest only the coarse surface is drawn. */
   private wait(): void {
     this.number++;
     this.state = "stale";
     this.movedAt = performance.now();
   }
 
-  /** To another moment: it is still once that one is drawn, however long it takes. */
+  /** Goes to another moment: the waiting time begins when that one is drawn. */
   private async leap(renderer: WebGLRenderer): Promise<void> {
     this.wait();
     const { number } = this;
@@ -299,7 +299,7 @@ export class StockLayer {
     return true;
   }
 
-  /** Draws anew what has changed, where that is soon done. */
+  /** Draws again what has changed, where that is soon done. */
   private repaint(renderer: WebGLRenderer, camera: Camera, own: TouchedBox): void {
     const surface = this.surface!;
     const tiles = this.tiles!;
@@ -340,7 +340,7 @@ export class StockLayer {
     this.own = undefined;
   }
 
-  /** What of the picture corners and heights between two take: pixels from the lower left. */
+  /** The part of the picture between two corners and two heights: pixels from the lower left. */
   private rectangle(surface: StockSurface, camera: Camera, [low, high]: [[number, number], [number, number]], heights: [number, number], margin: number) {
     const m = camera.matrixWorldInverse.elements;
     const p = camera.projectionMatrix.elements;
@@ -388,7 +388,7 @@ export class StockLayer {
   private render(renderer: WebGLRenderer, camera: Camera, group: Group): void {
     renderer.render(group, camera);
     if (this.material.uniforms.viewpoint!.value.z >= 0) return;
-    // From below its underside is seen.
+    // From below the underside is visible.
     this.material.uniforms.isFlat!.value = true;
     renderer.render(group, camera);
     this.material.uniforms.isFlat!.value = false;

@@ -12,10 +12,10 @@ export interface StockBefore {
   columns: [number, number];
   /** From the top of the box, mm: row by row from the least Y on, in each by X. */
   heights: Float32Array;
-  /** Those of the part as it should be, and how near to it cuts must be, mm. */
+  /** The heights of the target, and the tolerance of cuts, mm. */
   target?: Float32Array | undefined;
   toleranceMm: number;
-  /** Triangles of what holds it, in the frame of the run, mm: nine numbers each. */
+  /** Triangles of fixtures, in the frame of the run, mm: nine numbers each. */
   fixtures?: Float32Array | undefined;
 }
 
@@ -48,7 +48,7 @@ export class StockTimeline {
   readonly heights: Float32Array;
   readonly slots: Uint8Array;
   count = 0;
-  /** So many of them are carried out. */
+  /** How many drops are carried out. */
   at = 0;
   private column = new GrowingArray(new Uint32Array(1024));
   private row = new GrowingArray(new Uint32Array(1024));
@@ -135,8 +135,8 @@ export class StockTimeline {
   }
 
   /**
-   * Goes to a moment when so many columns are other ones that all of them are best looked at; whether it was so.
-   * Nothing is done where it is near.
+   * Goes to a moment where so many columns differ that the caller should compare all of them; returns whether it went.
+   * Does nothing if the moment is near.
    */
   leap(rows: number): boolean {
     const to = this.doneAt(rows);

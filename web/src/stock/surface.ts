@@ -1,4 +1,4 @@
-// The surface of a stock as a grid of corners in tiles: what is drawn of it, and what has changed.
+// The surface of a stock as a grid of corners in tiles, and which of it has changed.
 
 import type { TileCorners } from "./facets";
 import type { StockBefore } from "./stock-timeline";
@@ -13,7 +13,7 @@ export interface TouchedBox {
 }
 
 /**
- * Corners are the middles of columns, and a ring around them at the bottom: that makes the walls. So column x
+ * The corners are at the middles of columns, with a ring around them at the bottom, which makes the walls. So column x
  * is corner x + 1.
  */
 export class StockSurface {
@@ -33,7 +33,7 @@ export class StockSurface {
   /** The columns that the tool lowers at its present position. */
   private under: number[] = [];
 
-  /** Its corners stay in the middles of columns unless they may be moved. */
+  /** The corners stay in the middles of columns unless `isMoved`. */
   constructor(readonly stock: StockBefore, isMoved = false) {
     const [nx, ny] = stock.columns;
     [this.width, this.height] = [nx + 2, ny + 2];
@@ -55,7 +55,7 @@ export class StockSurface {
     return (row + 1) * this.width + column + 1;
   }
 
-  /** A column has another height or another owner. */
+  /** Sets the height of a column, and the slot of the tool that cut it last. */
   set(column: number, z: number, slot: number): void {
     const nx = this.stock.columns[0];
     const [x, y] = [column % nx, Math.floor(column / nx)];
@@ -84,7 +84,7 @@ export class StockSurface {
     this.outdate(x, y);
   }
 
-  /** What is drawn of a column has changed. */
+  /** The tiles of a column must be drawn again. */
   private outdate(x: number, y: number): void {
     // Corner x + 1 is of the tile of cell x, too.
     const [across] = this.tiles;
@@ -96,7 +96,7 @@ export class StockSurface {
     this.stale[high * across + right] = 1;
   }
 
-  /** Every column has the height and the owner of these: quicker than one by one where many are others. */
+  /** Sets all columns: faster than one by one where many have changed. */
   setAll(heights: Float32Array, slots: Uint8Array): void {
     const [nx, ny] = this.stock.columns;
     const { z, slot, stale, tiles: [across] } = this;
@@ -127,7 +127,7 @@ export class StockSurface {
     }
   }
 
-  /** What a column has between two heights is other than it was. */
+  /** A column has changed between two heights. */
   mark(column: number, low: number, high: number): void {
     const nx = this.stock.columns[0];
     this.touch(column % nx, Math.floor(column / nx), low, high);
@@ -184,7 +184,7 @@ export class StockSurface {
     return [(tile % across) * TILE, Math.floor(tile / across) * TILE];
   }
 
-  /** No square is one piece across this column or row of corners: the stock is cut open there. */
+  /** No flat square crosses this column or row of corners: the stock is cut open there. */
   open: { column?: number; row?: number } = {};
 
   /** Opens the stock along a column or a row of corners, or nowhere. */

@@ -50,7 +50,7 @@ export class TileMeshes {
     return this.parts[tile]!.ends;
   }
 
-  /** What has changed of a tile goes to the card; edges it has in common with others may then still be theirs alone. */
+  /** Uploads what has changed of a tile; its edges may then differ from those of adjacent tiles until these are uploaded. */
   take(tile: number): void {
     const { surface } = this;
     const part = this.parts[tile]!;
@@ -106,7 +106,7 @@ export class TileMeshes {
     return x >= 0 && y >= 0 && x < across && y < up ? this.parts[y * across + x] : undefined;
   }
 
-  /** Only these are drawn, as they are now; gives their triangles. */
+  /** Draws only these tiles, in their present state; returns the number of their triangles. */
   choose(tiles: readonly number[]): number {
     for (const { mesh } of this.parts) mesh.visible = false;
     let sum = 0;

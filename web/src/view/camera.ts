@@ -1,4 +1,4 @@
-// From where the path is seen: the camera, how the pointer moves it, and how it fits what there is.
+// The camera: its views, how the pointer moves it, and how it fits the path.
 
 import { Matrix4, OrthographicCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -7,7 +7,7 @@ import { type ViewEdges, ViewExtent } from "./extent";
 
 export type ViewName = "top" | "front" | "right" | "iso";
 
-/** From where each view looks. */
+/** The direction from which each view looks. */
 const VIEWS: Record<ViewName, Vec3> = {
   top: [0, 0, 1],
   front: [0, -1, 0],
@@ -36,7 +36,7 @@ function turning(turret: TurretSide, view: ViewName): { from: Vec3; up: Vec3 } {
 
 /** How much of the view a fitted path takes. */
 const ROOM = 0.86;
-/** And one that grows: it would be fitted, and drawn, again and again. */
+/** The same for a path that still grows: with more room it is not fitted and drawn for each batch. */
 const GROWING_ROOM = 0.55;
 
 /** How far in front of and behind the camera is visible, mm: beyond every machine, and depths are distinguished to 0.01 mm. */
@@ -49,7 +49,7 @@ export class ViewCamera {
   private turret: TurretSide | undefined;
   /** Pixels from left to right. */
   private width = 1;
-  /** The user has chosen what is seen: nothing is fitted any more. */
+  /** The user has moved the camera: the path is not fitted automatically any more. */
   userMoved = false;
 
   constructor(
@@ -109,7 +109,7 @@ export class ViewCamera {
     const reach = new Vector3(...high).sub(new Vector3(...low)).length() || 1;
     const direction = this.turret ? turning(this.turret, this.view) : { from: VIEWS[this.view], up: [0, 0, 1] as Vec3 };
     const from = new Vector3(...direction.from).normalize();
-    // Seen from exactly above the turn about Z would be undefined.
+    // From exactly above, the rotation about Z would be undefined.
     if (!this.turret && this.view === "top") from.y -= 1e-5;
     this.upright(direction.up);
     const look = (at: Vector3) => {
@@ -151,7 +151,7 @@ export class ViewCamera {
     controls.update();
   }
 
-  /** Whether places are in the view; every so many numbers of them one is looked at. */
+  /** Whether points are in the view; only every `step / 3`-th of them is checked. */
   sees(points: Float32Array, step: number): boolean {
     const extent = new ViewExtent(this.camera.matrixWorldInverse.elements);
     extent.add(points, step);
@@ -175,18 +175,18 @@ export class ViewCamera {
     return { right: [m[0]!, m[1]!, m[2]!], up: [m[4]!, m[5]!, m[6]!], pixel: this.pixel() };
   }
 
-  /** World length of the shorter side of what is seen, mm. */
+  /** World length of the shorter side of the view, mm. */
   shorterSide(): number {
     const { left, right, top, bottom, zoom } = this.camera;
     return Math.min(right - left, top - bottom) / zoom;
   }
 
-  /** Takes places to the cube from -1 to 1. */
+  /** Takes points to the cube from -1 to 1. */
   matrix(): Matrix4 {
     return new Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse);
   }
 
-  /** Where a place, relative to the origin of the path, is on the canvas, pixels. */
+  /** Where a point, relative to the origin of the path, is on the canvas, pixels. */
   project(at: Vec3): [number, number] {
     const v = new Vector3(...at).project(this.camera);
     const { clientWidth, clientHeight } = this.canvas;

@@ -26,7 +26,7 @@ export interface Palette {
   /** What holds the stock. */
   fixture: string;
   inside: string;
-  /** From too deep by much to too high by much, in the middle where it is right. */
+  /** From much too deep to much too high; the middle is within the tolerance. */
   deviation: string[];
   /** In the order in which the tools cut first. */
   tools: string[];
@@ -89,7 +89,7 @@ export function rgb(color: string): Rgb {
 /** The share of the text's colour that tools beyond the last colour get. */
 const SECOND_ROUND = 0.5;
 
-/** The colour of a tool, by its place in the order in which the tools cut first. */
+/** The colour of a tool, by its number in the order in which the tools cut first. */
 export function toolColor({ tools, text }: Palette, index: number): string {
   const own = tools[Math.max(0, index) % tools.length]!;
   const isFirstRound = Math.floor(Math.max(0, index) / tools.length) % 2 === 0;
@@ -120,14 +120,14 @@ function shareOf(value: number, [least, most]: ValueRange): number {
 /** Steps of the ramp: as many as can be distinguished. */
 const RAMP_STEPS = 255;
 
-/** What of a path its colours depend on. */
+/** What the colours of a path depend on. */
 export interface ColorScale {
   by: ColorBy;
   /** Tools in the order in which they cut first. */
   tools: number[];
   /** Slowest and fastest cut, mm/min. */
   feeds: ValueRange;
-  /** Lowest and highest place of a cut, relative to the origin, mm. */
+  /** Lowest and highest point of a cut, relative to the origin, mm. */
   depths: ValueRange;
   /** From a laser that is off to the most S of a cut. */
   powers: ValueRange;

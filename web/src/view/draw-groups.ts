@@ -1,4 +1,4 @@
-// What of the path is drawn with which objects, and what that costs.
+// Which lines of the path are drawn with which objects, and what that costs.
 
 import type { LineSegments, Object3D } from "three";
 import type { LineSegments2 } from "three/addons/lines/LineSegments2.js";
@@ -24,7 +24,7 @@ export interface DrawnBatch {
   lines: { cuts: LineArrays; rapids: LineArrays };
 }
 
-/** Everything of an object that is to be seen. */
+/** All visible lines below an object. */
 export function drawGroups(root: Object3D): DrawGroup[] {
   const found: DrawGroup[] = [];
   root.traverseVisible((object) => {
@@ -52,7 +52,7 @@ export function drawWeight(groups: DrawGroup[]): number {
   return groups.reduce((sum, { object, count }) => sum + count * drawCost(object), 0);
 }
 
-/** What of the picture lies on rows, from and to, both counted. */
+/** The lines of the picture that are on rows, from and to, both counted. */
 export function drawGroupsOn(parts: DrawnBatch[], from: number, to: number, withRapids: boolean): DrawGroup[] {
   const found: DrawGroup[] = [];
   for (const { batch, lines, cuts, rapids } of parts) {

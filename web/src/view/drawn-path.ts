@@ -1,4 +1,4 @@
-// The lines of the path as they are drawn, batch by batch, and the fewer lines that stand for them while the view turns.
+// The lines of the path as they are drawn, batch by batch, and the fewer lines that are drawn instead while the view turns.
 
 import { Group, LineDashedMaterial, LineSegments } from "three";
 import type { Batch } from "../path/batch";
@@ -32,7 +32,7 @@ export class DrawnPath {
   readonly cutMaterials: LineMaterials;
   readonly rapidMaterial = new LineDashedMaterial();
   private painter!: Painter;
-  /** Of two that run one after the other only the last goes on. */
+  /** The number of the newest recolouring: an older one stops between two batches. */
   private recoloring = 0;
 
   /** `render` draws the next frame. */
@@ -71,7 +71,7 @@ export class DrawnPath {
     for (const drawn of this.batches) if (drawn.cuts?.isWide) this.put(drawn);
   }
 
-  /** Cuts the arcs of a batch anew and puts its lines into the scene. */
+  /** Cuts the arcs of a batch again and puts its lines into the scene. */
   cut(drawn: DrawnBatch, tolerance: ArcTolerance, filter: RowFilter | undefined): void {
     drawn.lines = linesOf(drawn.batch, tolerance, filter);
     this.put(drawn);
@@ -119,7 +119,7 @@ export class DrawnPath {
     this.rapidMaterial.color.set(palette.rapid);
   }
 
-  /** Gives all lines their colours anew, a batch at a time. */
+  /** Gives all lines their colours again, a batch at a time. */
   async recolor(): Promise<void> {
     const number = ++this.recoloring;
     for (const drawn of [...this.batches]) {

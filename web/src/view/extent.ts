@@ -1,11 +1,11 @@
-// How much of a view things take: for fitting them into it.
+// The extent of points in the view, for fitting them into it.
 
 import type { Bounds, Vec3 } from "../path/batch";
 
 /** Left, right, bottom and top, mm. */
 export type ViewEdges = [number, number, number, number];
 
-/** What points take of a view whose matrix (column-major) takes them to its own axes. */
+/** Gathers points; the matrix (column-major) takes them to the axes of the view. */
 export class ViewExtent {
   readonly edges: ViewEdges = [Infinity, -Infinity, Infinity, -Infinity];
 
@@ -15,7 +15,7 @@ export class ViewExtent {
     return this.edges[0] > this.edges[1];
   }
 
-  /** Every so many numbers a point. */
+  /** Adds a point every `step` numbers. */
   add(points: ArrayLike<number>, step = 3): void {
     const { edges, matrix: m } = this;
     for (let at = 0; at + 2 < points.length; at += step) {
@@ -43,7 +43,7 @@ export function difference(a: Vec3, b: Vec3): Vec3 {
   return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 }
 
-/** The longest side of a box; what it is where there is none. */
+/** The longest side of a box; `otherwise` where there is none. */
 export function longest(box: Bounds | undefined, otherwise: number): number {
   return box ? Math.max(...difference(box.high, box.low)) || otherwise : otherwise;
 }

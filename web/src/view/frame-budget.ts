@@ -1,4 +1,4 @@
-// How much a frame may hold so that frames follow on each other fast enough, on whatever draws them.
+// Adapts what a frame draws to the speed of the machine, so that frames follow each other fast enough.
 
 /** What a frame of a turning view is drawn with. */
 export interface FrameQuality {
@@ -21,9 +21,9 @@ export const QUALITIES: FrameQuality[] = [
   { level: 3, samples: 0, scale: 0.5 },
 ];
 
-/** A frame that takes longer asks for less, ms: 25 a second. */
+/** A slower frame lowers the quality, ms: 25 a second. */
 const SLOW_MS = 40;
-/** Frames that are faster, many in a row, allow for more, ms. */
+/** Many faster frames in a row raise the quality, ms. */
 const FAST_MS = 20;
 const IN_A_ROW = 20;
 /** While the pointer does not move there are no frames: a longer gap is no slow frame. */
@@ -34,11 +34,11 @@ export class FramePace {
   private before = 0;
   private slow = 0;
   private fast = 0;
-  /** Fast frames before more is tried; twice as many each time that more was too much. */
+  /** Fast frames before a higher quality is tried; doubled each time that it was too slow. */
   private fastFramesNeeded = IN_A_ROW;
   private tried = false;
 
-  /** Begins with what a machine of its kind is likely to draw. */
+  /** Begins with what a machine of this kind can probably draw. */
   constructor(isSoftware: boolean) {
     this.step = isSoftware ? 4 : 1;
   }
@@ -78,7 +78,7 @@ export class FramePace {
   }
 }
 
-/** How many lines are drawn in one go, so that none keeps the page from answering. */
+/** How many lines are drawn in one go, so that the page stays responsive. */
 export class DrawSlices {
   lines: number;
 
@@ -86,7 +86,7 @@ export class DrawSlices {
     this.lines = isSoftware ? 8_000 : 250_000;
   }
 
-  /** So many lines took so long, ms. */
+  /** Reports how long a number of lines took, ms. */
   took(lines: number, ms: number): void {
     // The time of few lines is mostly that of the surroundings.
     if (lines < this.lines / 2) return;

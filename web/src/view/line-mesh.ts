@@ -1,4 +1,4 @@
-// Lines in colours of their own: wide ones where there are few, the card's own where there are many.
+// Coloured lines: wide ones where there are few, lines of one pixel where there are many.
 
 import { type Group, BufferAttribute, BufferGeometry, InstancedBufferAttribute, InstancedInterleavedBuffer, InterleavedBufferAttribute, LineBasicMaterial, LineSegments } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
@@ -34,7 +34,7 @@ export class LineMesh {
       geometry.setAttribute("color", new BufferAttribute(colors, 3, true));
       this.object = new LineSegments(geometry, materials.thin);
     }
-    // Nearly all of a path is in sight, and to find its sphere costs more than it saves.
+    // Nearly all of a path is visible, and computing its bounding sphere costs more than culling saves.
     this.object.frustumCulled = false;
   }
 

@@ -27,7 +27,7 @@ export class PathLevels {
   private strokes: LineMesh[] = [];
   private rapids: LineSegments[] = [];
   private rapidsShown = true;
-  /** Of two builds one after the other only the last counts. */
+  /** The number of the newest build: an older one stops between two batches. */
   private builds = 0;
 
   constructor() {

@@ -27,42 +27,42 @@ import { type PathLevels, LEVELS } from "./lod";
 
 /** Lines that any machine draws in a frame. */
 const MIN_SLICE_LINES = 8_000;
-/** Lines that a machine must draw in one go before edges are smoothed in a picture that is kept. */
+/** Edges in a reused picture are smoothed on machines that draw so many lines in one go. */
 const SMOOTH_FROM_LINES = 100_000;
-/** While frames follow on each other, a picture is drawn in the gaps: so small a share of what is drawn at once, this long after each, ms. */
+/** While frames follow each other, the picture is drawn in the gaps: a quarter of the usual slice, and a pause after each, ms. */
 const BUSY_SHARE = 4;
 const BUSY_PAUSE_MS = 40;
 /** How often a picture that is being drawn is shown, ms. */
 const SHOW_INTERVAL_MS = 150;
 
-/** Frames that follow on each other as fast, ms, are of something that moves. */
+/** Frames that follow each other faster than this, ms, mean that something moves. */
 const BUSY_MS = 200;
 
-/** What lies under the path: a picture with depth, or what draws it, where it is another in each frame. */
+/** What is drawn below the path: a picture with depth, or a function that draws it where it changes in each frame. */
 export type PictureBelow = WebGLRenderTarget | ((renderer: WebGLRenderer, camera: Camera) => void);
 
 const STILL_QUALITY: FrameQuality = { level: -1, samples: 4, scale: 1 };
 
 export class Painter {
   readonly renderer: WebGLRenderer;
-  /** No graphics card: the processor draws. */
+  /** There is no graphics card: the processor draws. */
   readonly isSoftware: boolean;
-  /** What is to be drawn once for each place of the camera. */
+  /** What is drawn once for each position of the camera. */
   readonly path = new Group();
-  /** Of it, the program's own, which may be hidden. */
+  /** The part of `path` that is the program's own path, which may be hidden. */
   readonly own = new Group();
-  /** Of that, the rapids: while the view turns the coarse path has some of them. */
+  /** The rapids in `own`; while the view turns, the simplified path has some of them. */
   readonly rapids = new Group();
-  /** Of it, what may be missing while the view turns. */
+  /** The part of `path` that may be missing while the view turns. */
   readonly extras = new Group();
-  /** What is drawn anew in each frame, over the path. */
+  /** What is drawn again in each frame, over the path. */
   readonly over = new Group();
   readonly pace: FramePace;
-  /** What lies under all of it: the stock. */
+  /** What is drawn below everything: the stock. */
   under: () => PictureBelow | undefined = () => undefined;
   /** Lines of the last frame, those of the reused picture included. */
   drawnLines = 0;
-  /** Whether a picture that is not complete is shown. */
+  /** Whether an incomplete picture is shown. */
   showsPart = true;
   private slices: DrawSlices;
   private scene = new Scene();
@@ -82,7 +82,7 @@ export class Painter {
   private picture = 0;
   private shownAt = 0;
   private paintedAt = -Infinity;
-  /** The last frame followed soon on the one before. */
+  /** The last frame came soon after the one before. */
   private isBusy = false;
   private smoothLater = 0;
 
@@ -99,7 +99,7 @@ export class Painter {
     this.renderer.setPixelRatio(this.pixelRatio);
     this.renderer.localClippingEnabled = true;
     this.renderer.autoClear = false;
-    // The order is that in which things were added; to sort them would ask for the extent of each.
+    // Objects are drawn in the order in which they were added; sorting would need the extent of each.
     this.renderer.sortObjects = false;
     this.renderer.info.autoReset = false;
     this.isSoftware = drawsInSoftware(this.renderer.getContext());
@@ -118,7 +118,7 @@ export class Painter {
     this.changed();
   }
 
-  /** The path or the camera is another: the kept picture no longer holds. */
+  /** The path or the camera has changed: the picture is out of date. */
   changed(): void {
     this.picture++;
     this.state = "stale";
@@ -126,25 +126,25 @@ export class Painter {
     this.late = [];
   }
 
-  /** An object was added to the path: a picture that is there or being drawn gets it, too. */
+  /** An object was added to the path: it is drawn into the present picture, too. */
   added(object: LineSegments | LineSegments2): void {
     if (this.state === "stale" || !this.own.visible) return;
     this.queue.push(wholeGroup(object));
     if (this.state === "complete") void this.drawQueue();
   }
 
-  /** Some of the path has another colour now: a picture that is there or being drawn gets it, too. */
+  /** Some of the path has another colour now: it is drawn into the present picture, too. */
   repaint(pieces: DrawGroup[]): void {
     if (this.state === "stale" || !this.own.visible || pieces.length === 0) return;
     this.late.push(...pieces);
-    // A picture that is being drawn gets them at its end.
+    // While the picture is being drawn, they are drawn at its end.
     if (this.state !== "complete") return;
-    // So much is a new picture.
+    // With so many lines a new picture is cheaper.
     if (drawWeight(this.late) > 2 * Math.max(MIN_SLICE_LINES, this.slices.lines)) return this.changed();
     this.drawLate();
   }
 
-  /** At once: while something plays there are some of them in each frame, and a queue would never end. */
+  /** Draws them at once: during playback each frame adds some, and a queue would never be empty. */
   private drawLate(): void {
     const { pictureLines } = this;
     this.queue = this.late;
@@ -153,7 +153,7 @@ export class Painter {
     this.pictureLines = pictureLines;
   }
 
-  /** Frames follow on each other. */
+  /** Whether frames follow each other. */
   private get isBusyNow(): boolean {
     return this.isBusy && performance.now() - this.paintedAt < BUSY_MS;
   }
@@ -163,7 +163,7 @@ export class Painter {
     return this.drewAll;
   }
 
-  /** Draws a frame; while the view turns, with what keeps the pace. */
+  /** Draws a frame; while the view turns, with a quality that is fast enough. */
   paint(isTurning: boolean): void {
     this.renderer.info.reset();
     const now = performance.now();
@@ -199,7 +199,7 @@ export class Painter {
     return true;
   }
 
-  /** All at once. */
+  /** Draws everything in one frame. */
   private draw({ level, samples, scale }: FrameQuality): void {
     const { renderer, coarse, cuts, rapids, extras, scene, camera } = this;
     const rapidsShown = rapids.visible;
@@ -207,7 +207,7 @@ export class Painter {
     coarse.show(isCoarse, level);
     cuts.visible = !isCoarse;
     rapids.visible = rapidsShown && !isCoarse;
-    // With the own path hidden there would be nothing else to be seen.
+    // If the program's own path is hidden, nothing else would be visible.
     extras.visible = !isCoarse || !this.own.visible || drawWeight(drawGroups(extras)) <= LEVELS[level]!;
     this.setScale(scale);
     const target = samples > 0 ? this.target(samples) : null;
@@ -222,21 +222,21 @@ export class Painter {
     if (target) this.put(target);
   }
 
-  /** Pixels of the canvas itself, not of a target: to make a small picture large costs as much again. */
+  /** Scales the canvas itself, not a target: enlarging a small picture would cost as much again. */
   private setScale(scale: number): void {
     if (scale === this.scale) return;
     this.scale = scale;
     this.renderer.setPixelRatio(this.pixelRatio * scale);
   }
 
-  /** The kept picture and what lies over it. */
+  /** Shows the reused picture and what lies over it. */
   private show(): void {
     this.shownAt = performance.now();
     this.setScale(1);
     this.renderer.setRenderTarget(null);
     this.renderer.clear();
     this.drawUnder();
-    // Where nothing of the path is, its depth is that of the background: the stock stays.
+    // Where the picture is empty, its depth is that of the background, so that the stock stays visible.
     if (this.pictureTarget) this.copy.draw(this.renderer, this.pictureTarget, true);
     this.renderer.render(this.over, this.camera);
     this.drawnLines = this.pictureLines;
@@ -248,7 +248,7 @@ export class Painter {
     this.copy.draw(this.renderer, target, false);
   }
 
-  /** The stock, before what lies on it. */
+  /** Draws the stock, before what lies on it. */
   private drawUnder(): void {
     const under = this.under();
     if (typeof under === "function") under(this.renderer, this.camera);
@@ -266,7 +266,7 @@ export class Painter {
     void this.drawQueue();
   }
 
-  /** Draws what waits into the kept picture, so much at a time that each is done soon. */
+  /** Draws the queue into the reused picture, in slices that are done soon. */
   private async drawQueue(): Promise<void> {
     this.state = "drawing";
     const picture = ++this.picture;
@@ -299,7 +299,7 @@ export class Painter {
     while (queue.length > 0 && drawn < most) {
       const piece = queue[0]!;
       const { object, from } = piece;
-      // Wide lines are not cut: there are never many.
+      // Wide lines are not divided: there are never many.
       const count = isWide(object) ? piece.count : Math.min(piece.count, most - drawn);
       if (!isWide(object)) object.geometry.setDrawRange(2 * from, 2 * count);
       renderer.render(object, camera);
@@ -324,7 +324,7 @@ export class Painter {
   }
 }
 
-/** By the name it gives itself: a guess to begin with, the pace is measured. */
+/** Guesses by the name of the renderer; later the speed is measured. */
 function drawsInSoftware(gl: WebGLRenderingContext | WebGL2RenderingContext): boolean {
   const names = gl.getExtension("WEBGL_debug_renderer_info");
   const name = String(gl.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));

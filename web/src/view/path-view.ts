@@ -61,11 +61,11 @@ export class PathView {
   readonly stock: StockLayer;
   /** The half section of a lathe. */
   readonly lathe: HalfSectionLayer;
-  /** What the picture was made for, CSS pixels. */
+  /** The size of the picture, CSS pixels. */
   private width = 0;
   private height = 0;
   private turning = false;
-  /** Since the last frame. */
+  /** The camera has moved since the last frame. */
   private hasMoved = false;
   private marksMoved = false;
   private stillTimer = 0;
@@ -182,7 +182,7 @@ export class PathView {
     this.render();
   }
 
-  /** The sections of a lathe's stock, or none; `slot` gives the place of a tool among those that cut. */
+  /** The sections of a lathe's stock, or none; `slot` gives the number of a tool among those that cut. */
   setHalfSections(sections: HalfSections | undefined, slot: (tool: number) => number): void {
     this.lathe.begin(sections, this.path.origin, slot);
     if (sections && !this.camera.userMoved) this.fit();
@@ -313,7 +313,7 @@ export class PathView {
     return this.progress.done;
   }
 
-  /** Shows the tool at a place, relative to the origin of the path, its shank along a direction. */
+  /** Shows the tool at a position, relative to the origin of the path, its shank along a direction. */
   placeTool(at: Vec3 | undefined, up: Vec3 = [0, 0, 1]): void {
     this.tool.place(at, up);
     this.render();
@@ -354,7 +354,7 @@ export class PathView {
       (!lines || (batch.file[row] === 0 && batch.line[row]! >= from && batch.line[row]! <= to));
   }
 
-  /** Two planes cut off what is below and above. */
+  /** Sets the two planes that cut off what is below and above. */
   private cutDepth(): void {
     const { depth } = this.section;
     const planes = depth ? this.planes : [];
@@ -371,13 +371,13 @@ export class PathView {
     this.other.clip(planes);
   }
 
-  /** A line between two places, relative to the origin of the path. */
+  /** A line between two points, relative to the origin of the path. */
   showMeasured(from: Vec3 | undefined, to: Vec3 | undefined): void {
     this.measured.show(from, to, this.camera.screen());
     this.render();
   }
 
-  /** Marks what a click would take; none: nothing. */
+  /** Marks what a click would measure; undefined marks nothing. */
   showSnap(feature: PathFeature | undefined): void {
     this.measured.showSnap(feature, this.camera.screen());
     this.render();
@@ -388,7 +388,7 @@ export class PathView {
     return this.measured.snapped;
   }
 
-  /** The row at a place of the canvas. */
+  /** The row at a position on the canvas. */
   pick(x: number, y: number): PickedPoint | undefined {
     if (!this.painter.own.visible) return undefined;
     const [low, high] = this.section.depth ?? [-Infinity, Infinity];
@@ -398,12 +398,12 @@ export class PathView {
     });
   }
 
-  /** The row of the other path at a place of the canvas. */
+  /** The row of the other path at a position on the canvas. */
   pickOther(x: number, y: number): PickedPoint | undefined {
     return this.other.pick(this.camera, this.canvas, [x, y]);
   }
 
-  /** Where a place, relative to the origin of the path, is on the canvas, pixels. */
+  /** Where a point, relative to the origin of the path, is on the canvas, pixels. */
   project(at: Vec3): [number, number] {
     return this.camera.project(at);
   }
@@ -453,7 +453,7 @@ export class PathView {
     return extent.edges;
   }
 
-  /** How far the pieces of an arc may be from it, as it is seen now. */
+  /** How far the pieces of an arc may be from it at the present zoom. */
   private tolerance(path = this.path): ArcTolerance {
     return screenTolerance(this.camera, difference(path.origin, this.path.origin), path.rows > SIMPLIFIED_FROM_ROWS);
   }
@@ -464,7 +464,7 @@ export class PathView {
     const pixel = this.camera.pixel();
     const curved = this.drawn.batches.filter(({ batch }) => batch.arcRows.length > 0);
     const near = pixel < this.cutFor / 1.5 || pixel > this.cutFor * 4;
-    // Where arcs out of sight were left coarse, another part of the path needs its own, too.
+    // Arcs out of sight are coarse, so that moving the view needs a new cut, too.
     if (!(near || always || this.camera.userMoved)) return;
     this.mark.cut(this.tolerance());
     this.differences.cut(this.tolerance(), this.tolerance(this.other.path));
@@ -507,7 +507,7 @@ export class PathView {
     return this.fillsItsPlace && !this.turning && isReady && this.painter.isComplete && this.stock.isComplete && this.lathe.isComplete;
   }
 
-  /** The window's last change of size has reached the picture. */
+  /** Whether the picture has the size of the window. */
   private get fillsItsPlace(): boolean {
     const { clientWidth, clientHeight } = this.canvas.parentElement!;
     return this.width === Math.max(1, clientWidth) && this.height === Math.max(1, clientHeight);

@@ -17,7 +17,7 @@ export interface PickedPoint {
   share: number;
   /** Relative to the origin of the path, mm; an end of the row where one is near. */
   at: Vec3;
-  /** It is an end of the row. */
+  /** Whether it is an end of the row. */
   snapped: boolean;
 }
 
@@ -29,7 +29,7 @@ export interface Pickable {
 /** Projects points, relative to the origin of a path, onto the screen. */
 export type PointProjection = Pick<ViewCamera, "matrix" | "project">;
 
-/** The row nearest to a place of the canvas, of those whose place there `counts`. */
+/** The row nearest to a position on the canvas, of those whose place there `counts`. */
 export function pick(
   parts: Pickable[],
   camera: PointProjection,

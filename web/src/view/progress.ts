@@ -21,7 +21,7 @@ export class PathProgress {
     this.background.value.set(color);
   }
 
-  /** Makes a material draw pale what is to come. Its geometries need `rowAt`, wide ones `rowSpan`. */
+  /** Makes a material draw pale what is not done yet. Its geometries need `rowAt`, wide ones `rowSpan`. */
   attach(material: Material, isWide = false): void {
     const [attribute, row] = isWide
       ? ["attribute vec2 rowSpan;", "position.y < 0.5 ? rowSpan.x : rowSpan.y"]

@@ -22,8 +22,8 @@ export class RowHighlight {
   private ranges: [number, number][] = [];
 
   /**
-   * Lines of a width in pixels, for so many rows at most, with edges of a width on both sides;
-   * what is to come is pale where there is a progress.
+   * Lines of a width in pixels, for `most` rows at most, with edges of a width on both sides;
+   * what is not done yet is pale where a progress is given.
    */
   constructor(
     width: number,
@@ -49,7 +49,7 @@ export class RowHighlight {
     return lines;
   }
 
-  /** Marks ranges of rows of a path, and none of before. */
+  /** Marks ranges of rows of a path instead of those before. */
   set(path: Path, ranges: [number, number][], tolerance: ArcTolerance): void {
     [this.path, this.ranges] = [path, ranges];
     this.cut(tolerance);

@@ -1,4 +1,4 @@
-// The tool as its shape: what the tool table or a comment of the program knows of it.
+// The shape of the tool, from the tool table or a comment of the program.
 
 import { DoubleSide, EdgesGeometry, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Vector2, Vector3 } from "three";
 import type { Vec3 } from "../path/batch";
@@ -6,7 +6,7 @@ import type { ToolInfo } from "../protocol/messages";
 import type { Palette } from "./colors";
 
 const SPINDLE = new Vector3(0, 0, 1);
-/** Whole angles of points that no table gives, rad: they only make the picture. */
+/** Point angles where the table gives none, rad: they are only used for the picture. */
 const DRILL_POINT = (118 * Math.PI) / 180;
 const CHAMFER_POINT = Math.PI / 2;
 /** Pieces of a quarter of a corner. */
@@ -15,7 +15,7 @@ const CORNER_STEPS = 8;
 /** Radius and height over the tip, mm. */
 type Outline = [number, number][];
 
-/** What is drawn of a tool: its numbers as far as they are known. */
+/** The dimensions of a tool, as far as they are known. */
 export type DrawnTool = Partial<Omit<ToolInfo, "number" | "kind" | "comment">>;
 
 /** The end of the tool, from the tip to its full radius. */
@@ -65,7 +65,7 @@ export function outline(tool: DrawnTool, most: number): Outline {
 /** With the shank and the holder above, down to the axis at the top. */
 function closed(points: Outline, { shank_mm, shank_diameter_mm, holder_mm }: DrawnTool, most: number): Outline {
   if (shank_diameter_mm && !shank_mm?.length && !holder_mm?.length) {
-    // Where it ends is not known.
+    // The length of the last part is not known.
     const radius = shank_diameter_mm / 2;
     const top = points.at(-1)![1];
     points.push([radius, top], [radius, Math.max(top + 2 * radius, most)]);
@@ -112,7 +112,7 @@ export class ToolShape {
     this.object.add(new LineSegments(new EdgesGeometry(geometry, 30), this.edge));
   }
 
-  /** Its tip at a place, its shank along a direction. */
+  /** Its tip at a position, its shank along a direction. */
   place(at: Vec3 | undefined, up: Vec3): void {
     this.object.visible = at !== undefined;
     if (at) this.object.position.set(...at);

@@ -5,6 +5,6 @@ export interface VisibleSection {
   tool?: number;
   /** Lines of the program, from and to, both counted. */
   lines?: [number, number];
-  /** Lowest and highest place, in the frame of the run, mm. */
+  /** Lowest and highest point, in the frame of the run, mm. */
   depth?: [number, number];
 }
