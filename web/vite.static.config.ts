@@ -14,7 +14,7 @@ const examples = JSON.stringify(gallery(resolve("../examples")));
 const MODULE = `chordal-${hashOf(wasm)}.wasm`;
 const EXAMPLES = `examples-${hashOf(examples)}.json`;
 
-/** The page may load nothing from elsewhere but a program that its own address names: `policy.ts` narrows `connect-src`
+/** The page may load nothing from other servers but a program that its own address names: `content-policy.ts` narrows `connect-src`
 to that. A server that sends these rules as a header may add `frame-ancestors`. */
 const POLICY = [
   "default-src 'none'", "script-src 'self' 'wasm-unsafe-eval'", "worker-src 'self'", "connect-src 'self' https: http:",

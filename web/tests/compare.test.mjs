@@ -98,11 +98,11 @@ function pixels(page, [r, g, b]) {
 test("both paths are drawn, each with a switch, and the differences are told as the command tells them", async () => {
   const { page, complaints } = await show("both");
   assert.match(await verdict(page), /^different: 2 differences; the paths are at most 0\.05 mm apart$/);
-  const told = await page.locator(".difference").allInnerTexts();
-  assert.equal(told.length, 2);
-  assert.match(told[0], /^feed/);
-  assert.match(told[0], /lines 7–11[^]*600 mm\/min[^]*lines 8–13[^]*650 mm\/min/);
-  assert.match(told[1], /^path: at most 0\.05 mm apart[^]*lines 9–10[^]*lines 11–12[^]*X50\.05 Y40/);
+  const texts = await page.locator(".difference").allInnerTexts();
+  assert.equal(texts.length, 2);
+  assert.match(texts[0], /^feed/);
+  assert.match(texts[0], /lines 7–11[^]*600 mm\/min[^]*lines 8–13[^]*650 mm\/min/);
+  assert.match(texts[1], /^path: at most 0\.05 mm apart[^]*lines 9–10[^]*lines 11–12[^]*X50\.05 Y40/);
   assert.match(await page.locator(".notes").innerText(), /Furthest apart at line 9 of both-released\.nc and line 11 of both-returned\.nc/);
   const [own, other] = await page.locator(".paths label").allInnerTexts();
   assert.match(own, /both-released\.nc on Haas/);
@@ -139,9 +139,9 @@ test("a difference goes to its line and shows the place, and keys go on to the n
     const [x, y] = view.project(a.map((value, axis) => value - path().origin[axis]));
     const [u, v] = view.project(b.map((value, axis) => value - path().origin[axis]));
     const { clientWidth, clientHeight } = document.querySelector("canvas.path");
-    return { apart: Math.hypot(x - u, y - v), x, y, clientWidth, clientHeight, a, b };
+    return { pixels: Math.hypot(x - u, y - v), x, y, clientWidth, clientHeight, a, b };
   });
-  assert.ok(ends.apart > 30, JSON.stringify(ends));
+  assert.ok(ends.pixels > 30, JSON.stringify(ends));
   assert.ok(ends.x > 0 && ends.x < ends.clientWidth && ends.y > 0 && ends.y < ends.clientHeight, JSON.stringify(ends));
   assert.deepEqual([ends.a.slice(0, 2), ends.b.slice(0, 2)], [[50, 40], [50.05, 40]]);
   await picture(page, "compare-place");
@@ -211,7 +211,7 @@ test("the page can choose a machine of the list, and read no file", async () => 
   servers.push(server);
   const { page } = await open(chromium.context, server.url);
   // Another connection than the page's own, which may ask anything.
-  const [refused, against] = await page.evaluate(async (file) => {
+  const [refused, refusedComparison] = await page.evaluate(async (file) => {
     const live = new WebSocket(new URL("live", location.href).href.replace(/^http/, "ws"));
     const answer = (type) => new Promise((done) => {
       live.addEventListener("message", ({ data }) => {
@@ -220,16 +220,16 @@ test("the page can choose a machine of the list, and read no file", async () => 
     });
     await answer("report");
     const refused = answer("refused");
-    live.send(JSON.stringify({ ask: "machine", name: file }));
+    live.send(JSON.stringify({ request: "machine", name: file }));
     await refused;
-    const against = answer("against_refused");
-    live.send(JSON.stringify({ ask: "machine", name: null }));
-    live.send(JSON.stringify({ ask: "against", other: { machine: file } }));
-    return [await refused, await against];
+    const refusedComparison = answer("compared_program_refused");
+    live.send(JSON.stringify({ request: "machine", name: null }));
+    live.send(JSON.stringify({ request: "compare_with", other: { machine: file } }));
+    return [await refused, await refusedComparison];
   }, file);
-  for (const told of [refused, against]) {
-    assert.match(told, /not a machine of the list/);
-    assert.doesNotMatch(told, /4711/);
+  for (const message of [refused, refusedComparison]) {
+    assert.match(message, /not a machine of the list/);
+    assert.doesNotMatch(message, /4711/);
   }
   await page.close();
 });

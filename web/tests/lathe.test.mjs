@@ -123,8 +123,8 @@ test("while a pass is made the part goes where the tool has been", async () => {
     sizes.push(await openPixels(page));
   }
   assert.ok(sizes[0] > sizes[1] && sizes[1] > sizes[2], String(sizes));
-  const standing = await page.evaluate(() => window.chordal.view.lathe.moment.cutting.length);
-  assert.equal(standing, 2);
+  const points = await page.evaluate(() => window.chordal.view.lathe.moment.cutting.length);
+  assert.equal(points, 2);
   // The tool is drawn with the section, not as a mill.
   assert.equal(await page.evaluate(() => window.chordal.view.tool.object.visible), false);
   await page.close();
@@ -175,16 +175,16 @@ test("what is touched is a problem of its line and has a mark, and what is shown
 
 test("another machine keeps the tools and the stock, and is compared with the one before", async () => {
   const { page } = await show(PROGRAM, SETUP);
-  const held = () => page.evaluate(() => {
+  const sectionState = () => page.evaluate(() => {
     const sections = window.chordal.lathe.sections();
     return { tools: sections && [...sections.tools.keys()].sort((a, b) => a - b), before: sections?.before };
   });
-  const before = await held();
+  const before = await sectionState();
   assert.deepEqual(before.tools, [1, 3, 5]);
   await page.locator("#machine").selectOption("haas-lathe");
   await page.waitForFunction(() => document.querySelector(".comparison").innerText !== "");
   await page.waitForFunction(() => window.chordal.report() && window.chordal.lathe.sections());
-  assert.deepEqual(await held(), before);
+  assert.deepEqual(await sectionState(), before);
   await complete(page);
   await picture(page, "turned-other-machine");
   await page.close();

@@ -41,9 +41,9 @@ export async function folderServer(folder = folderOf()) {
 
 /** A server elsewhere: paths with texts that any page may read, but for those that begin with `/closed`. */
 export async function otherServer(texts) {
-  const asked = [];
+  const requested = [];
   const server = createServer((request, response) => {
-    asked.push(request.url);
+    requested.push(request.url);
     const open = request.url.startsWith("/closed") ? {} : { "access-control-allow-origin": "*" };
     const found = texts[request.url];
     if (found === undefined) return response.writeHead(404, open).end("<h1>none</h1>");
@@ -89,10 +89,10 @@ function begun() {
   let server;
   let scratch;
   /** Addresses that were asked for. */
-  const asked = [];
+  const requested = [];
   before(async () => {
     own = await browser();
-    own.context.on("request", (request) => asked.push(request.url()));
+    own.context.on("request", (request) => requested.push(request.url()));
     server = await folderServer();
     scratch = mkdtempSync(join(tmpdir(), "chordal-standalone-"));
   });
@@ -109,7 +109,7 @@ function begun() {
   };
   return {
     isStandalone: true,
-    asked,
+    requested,
     started,
     context: () => own.context,
     url: () => server.url,

@@ -87,17 +87,17 @@ test("an address names programs elsewhere, which are loaded and compared", async
   assert.match(await page.locator(".verdict").innerText(), /0\.5 mm/);
   assert.match(await page.locator(".paths").innerText(), /part\.nc on Haas[^]*part \(2\)\.nc on Haas/);
   await picture(page, "standalone-address");
-  assert.deepEqual(other.asked.sort(), ["/O2.nc", "/new/part.nc", "/old/part.nc"]);
+  assert.deepEqual(other.requested.sort(), ["/O2.nc", "/new/part.nc", "/old/part.nc"]);
   assert.deepEqual(complaints, []);
   // Nothing else is asked there, and nothing at another address.
   const byName = other.url.replace("127.0.0.1", "localhost");
   linked.push(byName);
-  const isAsked = (address) => page.evaluate((address) => fetch(address).then(() => true, () => false), address);
-  assert.equal(await isAsked(`${byName}/old/part.nc`), false);
+  const canFetch = (address) => page.evaluate((address) => fetch(address).then(() => true, () => false), address);
+  assert.equal(await canFetch(`${byName}/old/part.nc`), false);
   await page.goto(tests.url());
   await page.locator("#start-title").waitFor();
-  assert.equal(await isAsked(`${other.url}/old/part.nc`), false);
-  assert.equal(other.asked.length, 3);
+  assert.equal(await canFetch(`${other.url}/old/part.nc`), false);
+  assert.equal(other.requested.length, 3);
   other.stop();
   await page.close();
 });
@@ -303,7 +303,7 @@ test("a part of the interpreter that fails is told, and the page goes on", async
   const { page } = await tests.open(PROFILE, "--machine", "fadal-4020");
   await page.waitForFunction(() => window.chordal.setpoints());
   await page.evaluate(() => window.standalone.core.fail(0));
-  await page.waitForFunction(() => /asked to panic/.test(document.querySelector("#panel-problems").innerText));
+  await page.waitForFunction(() => /requested to panic/.test(document.querySelector("#panel-problems").innerText));
   await type(page, "(A)");
   await page.waitForFunction(() => document.querySelector("#counts").innerText === "0 errors");
   await page.evaluate(() => window.standalone.core.fail("answers"));
@@ -335,7 +335,7 @@ test("nothing is asked of another address, the page works without a network, and
   await page.waitForFunction(() => caches.keys().then((names) => names.length === 1 && names[0].endsWith(" newer")));
   assert.ok(!before.endsWith(" newer"), before);
   await page.close();
-  const foreign = tests.asked.filter((address) => !/^(blob:|data:|about:)/.test(address) && !address.startsWith(tests.url()));
+  const foreign = tests.requested.filter((address) => !/^(blob:|data:|about:)/.test(address) && !address.startsWith(tests.url()));
   assert.deepEqual(foreign.filter((address) => !linked.some((url) => address.startsWith(url))), []);
   tests.server().stop();
   await tests.context().setOffline(true);

@@ -213,7 +213,7 @@ export function pathLegend(root: HTMLElement, handlers: { own: (shown: boolean) 
   const [otherBox, , otherText] = made("other", handlers.other);
   const end = signButton("close", "Stop comparing", handlers.end);
   const differenceKey = element("span", "key");
-  differenceKey.append(element("span", "swatch difference"), "different");
+  differenceKey.append(element("span", "swatch differs"), "different");
   differenceKey.hidden = true;
   root.append(differenceKey, end);
   root.hidden = true;

@@ -225,6 +225,6 @@ export function compareSession(page: CompareParts) {
     },
     color: legend.color,
     /** For the browser's tests. */
-    shown: () => ({ path, found: comparison, chosen }),
+    shown: () => ({ path, comparison, chosen }),
   };
 }
