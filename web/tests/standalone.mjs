@@ -53,7 +53,7 @@ export async function otherServer(texts) {
   // A test that fails leaves nothing that keeps it from ending.
   server.unref();
   await new Promise((ready) => server.listen(0, "127.0.0.1", ready));
-  return { url: `http://127.0.0.1:${server.address().port}`, asked, stop: () => server.close() };
+  return { url: `http://127.0.0.1:${server.address().port}`, requested, stop: () => server.close() };
 }
 
 /** The files that `chordal view` would find: the program, what lies next to it, and what the options name. */

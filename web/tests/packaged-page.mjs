@@ -1,6 +1,6 @@
 // The page that stands alone, out of its package: opens an example in Chromium, and asks nobody else.
 //
-// usage: node tests/opens.mjs FOLDER
+// usage: node tests/packaged-page.mjs FOLDER
 
 import assert from "node:assert/strict";
 import { folderServer } from "./standalone.mjs";
