@@ -303,7 +303,7 @@ test("a part of the interpreter that fails is told, and the page goes on", async
   const { page } = await tests.open(PROFILE, "--machine", "fadal-4020");
   await page.waitForFunction(() => window.chordal.setpoints());
   await page.evaluate(() => window.standalone.core.fail(0));
-  await page.waitForFunction(() => /requested to panic/.test(document.querySelector("#panel-problems").innerText));
+  await page.waitForFunction(() => /asked to panic/.test(document.querySelector("#panel-problems").innerText));
   await type(page, "(A)");
   await page.waitForFunction(() => document.querySelector("#counts").innerText === "0 errors");
   await page.evaluate(() => window.standalone.core.fail("answers"));

@@ -44,6 +44,7 @@ mod motion;
 mod offset;
 mod quantity;
 mod read;
+mod rotary;
 mod schema;
 mod setup;
 mod suggest;
@@ -69,6 +70,7 @@ pub use machine::{
 pub use motion::Motion;
 pub use offset::work_offset_name;
 pub use quantity::{Dimension, QuantityError, parse_quantity};
+pub use rotary::{ToolRotation, part_transform, tool_rotations};
 pub use schema::{SchemaKey, schema_keys, schema_reference};
 pub use setup::{Body, BodyShape, ContourPoint, CuttingForce, MeshUnit, Setup};
 pub use tool::{Cutter, Solid, Tool, ToolShape};

@@ -3,7 +3,7 @@
 use chordal::control::AxisMask;
 use chordal::diagnostics::{Applicability, FileId, Fix, Span};
 use chordal::geometry::Vec3;
-use chordal::machine::{Axis, Solid, ToolShape, Turns};
+use chordal::machine::{Axis, Solid, ToolShape, Turns, tool_rotations};
 use chordal::stock::StockRunError;
 use chordal::time::{TimeReport, Times};
 use chordal::tool_comments::known_tools;
@@ -154,11 +154,14 @@ pub fn machine(job: &Job) -> Value {
         json!({
             "letter": axis.letter().to_string(),
             "turns": own.turns.map(Turns::as_str),
-            "reversed": own.reversed,
-            "center_mm": own.center_mm.map(|mm| mm.unwrap_or(0.0)),
         })
     });
     let rotary: Vec<_> = rotary.collect();
+    let rotations = tool_rotations(&machine.rotary);
+    let rotations: Vec<_> = rotations
+        .iter()
+        .map(|rotation| json!({ "axis": rotation.axis, "about": point(rotation.about) }))
+        .collect();
     // A tool that only a comment describes is drawn from that.
     let known = known_tools(job);
     let tools = known.iter().map(|(number, known)| {
@@ -196,6 +199,7 @@ pub fn machine(job: &Job) -> Value {
         "control": job.control().table.title,
         "travel": travel,
         "rotary": rotary,
+        "tool_rotations": rotations,
         "tools": tools.collect::<Vec<_>>(),
     })
 }

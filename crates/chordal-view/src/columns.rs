@@ -6,11 +6,12 @@
 //! another request; it needs no rule of any control for that. Spans of splines have points along them,
 //! at even distances.
 
-use chordal::geometry::{Curve, ParamCurve, SplinePiece, Vec3};
-use chordal::{Segment, SegmentKind};
+use chordal::geometry::{Curve, ParamCurve, SplinePiece, Transform, Vec3};
+use chordal::{Job, Segment, SegmentKind};
 use serde_json::{Value, json};
 
 use crate::frame::ColumnFrame;
+use crate::part_path::{AngleRange, PartKinematics};
 
 /// The tool moves at rapid speed.
 const RAPID_KIND: u8 = 0;
@@ -38,7 +39,12 @@ const MAX_SPLINE_PIECES: f64 = 4096.0;
 pub struct PathRows {
     /// Taken off all places, mm: that of the first known place.
     origin: Option<Vec3>,
+    /// What the rotary axes do, where that is known.
+    kinematics: Option<PartKinematics>,
+    /// Both ends of each row, on the part.
     points: Vec<f32>,
+    /// The same as it is programmed; sent where the part turns.
+    programmed: Vec<f32>,
     kind: Vec<u8>,
     /// Which of X, Y and Z have a known place at both ends of each row.
     known: Vec<u8>,
@@ -51,18 +57,26 @@ pub struct PathRows {
     has_power: bool,
     arc_rows: Vec<u32>,
     arcs: Vec<f32>,
-    spline_rows: Vec<u32>,
+    /// Rows that are splines, or that a turning part bends.
+    curve_rows: Vec<u32>,
     /// How many points each of them has.
-    spline_counts: Vec<u32>,
-    spline_points: Vec<f32>,
+    curve_counts: Vec<u32>,
+    curve_points: Vec<f32>,
     /// A, B and C at both ends of each row, rad; sent where one of them is not zero.
     turns: Vec<f32>,
 }
 
 impl PathRows {
-    /// With S of each row or without.
-    pub fn new(has_power: bool) -> PathRows {
-        PathRows { has_power, ..PathRows::default() }
+    /// Rows of a job, with S of each row where it may be the power of a laser.
+    pub fn of(job: &Job) -> PathRows {
+        let has_power = job.control().parameters.rules.spindle_by_hand;
+        PathRows { has_power, ..PathRows::without_power(job) }
+    }
+
+    /// Rows of a job, without S.
+    pub fn without_power(job: &Job) -> PathRows {
+        let kinematics = PartKinematics::of(&job.machine().rotary);
+        PathRows { kinematics, ..PathRows::default() }
     }
 
     /// How many rows there are.
@@ -81,8 +95,17 @@ impl PathRows {
             let d = point - origin;
             [d.x as f32, d.y as f32, d.z as f32]
         };
-        self.points.extend(near(start));
-        self.points.extend(near(end));
+        let angles = AngleRange::of(segment);
+        let kinematics = self.kinematics.filter(|_| !angles.is_zero());
+        let [at_start, at_end] = [0.0, 1.0].map(|share| {
+            kinematics.map_or_else(Transform::identity, |own| own.along(angles, share))
+        });
+        self.points.extend(near(at_start.apply_point(start)));
+        self.points.extend(near(at_end.apply_point(end)));
+        if self.kinematics.is_some() {
+            self.programmed.extend(near(start));
+            self.programmed.extend(near(end));
+        }
         self.kind.push(kind_of(segment, inserted));
         let [from, to] = segment.places();
         self.known.push(from.0 | to.0 << END_AXES_SHIFT);
@@ -95,21 +118,39 @@ impl PathRows {
         }
         let turns = segment.rotary_from.into_iter().chain(segment.rotary_to);
         self.turns.extend(turns.map(|angle| angle as f32));
-        if let Some(record) = arc_record(&segment.curve, near) {
-            self.arc_rows.push(self.kind.len() as u32 - 1);
-            self.arcs.extend(record);
+        let row = self.kind.len() as u32 - 1;
+        let before = self.curve_points.len();
+        let mut push = |point: Vec3| self.curve_points.extend(near(point));
+        if let Some(own) = kinematics {
+            own.curve(&segment.curve, angles, &mut push);
         }
         if let Curve::Spline(piece) = &segment.curve {
-            self.spline_rows.push(self.kind.len() as u32 - 1);
-            let before = self.spline_points.len();
-            spline_points(piece, |point| self.spline_points.extend(near(point)));
-            self.spline_counts.push(((self.spline_points.len() - before) / 3) as u32);
+            spline_points(piece, |point, share| {
+                let to_part = kinematics.map(|own| own.along(angles, share));
+                push(to_part.map_or(point, |to_part| to_part.apply_point(point)));
+            });
+        }
+        let count = (self.curve_points.len() - before) / 3;
+        if count > 0 {
+            self.curve_rows.push(row);
+            self.curve_counts.push(count as u32);
+        }
+        // An arc that the part bends is drawn as a curve; its record stays as it is programmed.
+        let to_part = if count > 0 { Transform::identity() } else { at_start };
+        if let Some(record) = arc_record(&segment.curve, &to_part, near) {
+            self.arc_rows.push(row);
+            self.arcs.extend(record);
         }
     }
 
     /// The rows as a frame, and none are left.
     pub fn take(&mut self, header: &Value) -> Vec<u8> {
-        let next = PathRows { origin: self.origin, ..PathRows::new(self.has_power) };
+        let next = PathRows {
+            origin: self.origin,
+            kinematics: self.kinematics,
+            has_power: self.has_power,
+            ..PathRows::default()
+        };
         let rows = std::mem::replace(self, next);
         let mut frame = ColumnFrame::default();
         frame.column("points", &rows.points);
@@ -121,13 +162,16 @@ impl PathRows {
         }
         frame.column("arc_rows", &rows.arc_rows);
         frame.column("arcs", &rows.arcs);
-        if !rows.spline_rows.is_empty() {
-            frame.column("spline_rows", &rows.spline_rows);
-            frame.column("spline_counts", &rows.spline_counts);
-            frame.column("spline_points", &rows.spline_points);
+        if !rows.curve_rows.is_empty() {
+            frame.column("curve_rows", &rows.curve_rows);
+            frame.column("curve_counts", &rows.curve_counts);
+            frame.column("curve_points", &rows.curve_points);
         }
         if rows.turns.iter().any(|angle| *angle != 0.0) {
             frame.column("turns", &rows.turns);
+            if rows.kinematics.is_some() {
+                frame.column("programmed", &rows.programmed);
+            }
         }
         frame.column("kind", &rows.kind);
         frame.column("known", &rows.known);
@@ -160,19 +204,24 @@ fn feed_of(segment: &Segment) -> f32 {
     if known { (segment.length_mm / segment.duration_s * 60.0) as f32 } else { 0.0 }
 }
 
-/// Points of a span at even distances. A piece of the length d leaves the curve by d²/8 of its largest
+/// Points of a span at even distances, each with its share of the length. A piece of the length d leaves the curve by d²/8 of its largest
 /// curvature at most.
-fn spline_points(piece: &SplinePiece, mut push: impl FnMut(Vec3)) {
+fn spline_points(piece: &SplinePiece, mut push: impl FnMut(Vec3, f64)) {
     let length = piece.length();
     let pieces = length * (piece.max_curvature() / (8.0 * SPLINE_TOLERANCE_MM)).sqrt();
     // A NaN is one piece, too.
     let pieces = if pieces > 1.0 { pieces.ceil().min(MAX_SPLINE_PIECES) } else { 1.0 };
     for index in 0..=pieces as u32 {
-        push(piece.point_at(length * f64::from(index) / pieces));
+        push(piece.point_at(length * f64::from(index) / pieces), f64::from(index) / pieces);
     }
 }
 
-fn arc_record(curve: &Curve, near: impl Fn(Vec3) -> [f32; 3]) -> Option<[f32; ARC_NUMBERS]> {
+/// The record of an arc; `to_part` is how the part lies, without motion.
+fn arc_record(
+    curve: &Curve,
+    to_part: &Transform,
+    near: impl Fn(Vec3) -> [f32; 3],
+) -> Option<[f32; ARC_NUMBERS]> {
     let (center, u, w, radii, sweep, rise) = match curve {
         Curve::Line(_) | Curve::Spline(_) => return None,
         Curve::Arc(arc) => {
@@ -187,7 +236,8 @@ fn arc_record(curve: &Curve, near: impl Fn(Vec3) -> [f32; 3]) -> Option<[f32; AR
             spiral.rise,
         ),
     };
-    let [cx, cy, cz] = near(center);
+    let [cx, cy, cz] = near(to_part.apply_point(center));
+    let [u, w] = [u, w].map(|direction| to_part.apply_vector(direction));
     let rest = [u.x, u.y, u.z, w.x, w.y, w.z, radii.0, radii.1, sweep, rise].map(|v| v as f32);
     let mut record = [0.0; ARC_NUMBERS];
     record[..3].copy_from_slice(&[cx, cy, cz]);

@@ -185,8 +185,13 @@ impl ComparisonSession {
         }));
         let header = json!({ "type": "compared_path", "version": version });
         let size = program.text().len();
-        let mut rows =
-            PathForwarder(PathStream::new(header, size, PathRows::default(), &self.out, cancel));
+        let mut rows = PathForwarder(PathStream::new(
+            header,
+            size,
+            PathRows::without_power(&job),
+            &self.out,
+            cancel,
+        ));
         job.report_watched(&mut rows);
         if !cancel.is_current() {
             return None;

@@ -24,6 +24,7 @@ mod failure;
 mod frame;
 mod modal;
 mod outbox;
+mod part_path;
 mod program;
 mod program_loader;
 mod reading;

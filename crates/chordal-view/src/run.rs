@@ -39,12 +39,12 @@ pub fn run(
 ) -> Option<(FinishedRun, Value)> {
     let (offset, known) = initial_offset(job.machine(), job.control());
     let header = json!({ "type": "path", "run": number });
-    let rows = PathRows::new(job.control().parameters.rules.spindle_by_hand);
+    let rows = PathRows::of(job);
     let mut sending = PathSender {
         number,
         out,
         rows: PathStream::new(header, program.text().len(), rows, out, cancel),
-        contour: PathRows::default(),
+        contour: PathRows::without_power(job),
         programmed: job.path_builder(),
         compensated: false,
         modal: ModalTrack::new(job.control(), Frame::new(offset, known)),

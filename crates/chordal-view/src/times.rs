@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 
 use chordal::Job;
+use chordal::geometry::Vec3;
 use chordal::machine::{AXES, PerAxis};
 use chordal::motion::{
     LimitError, MotionOptions, PlanSink, Sample, Sampler, Sources, Step, StepSource,
@@ -13,6 +14,7 @@ use serde_json::{Value, json};
 use crate::answer;
 use crate::cancel_token::CancelToken;
 use crate::frame::ColumnFrame;
+use crate::part_path::PartKinematics;
 
 /// Setpoints that are sent at most; beyond, every second is left out, and again.
 const MAX_SETPOINTS: usize = 200_000;
@@ -58,8 +60,16 @@ pub fn times(
     message["cuts_without_feed"] = json!(timed.motion.cuts_without_feed);
     message["assumed"] = json!(timed.motion.limits.assumed.len());
     let mut frame = ColumnFrame::default();
-    frame.column("places", &thinned.places);
-    if thinned.turns.iter().any(|angle| *angle != 0.0) {
+    let does_turn = thinned.turns.iter().any(|angle| *angle != 0.0);
+    let kinematics = PartKinematics::of(&job.machine().rotary).filter(|_| does_turn);
+    match kinematics {
+        Some(kinematics) => {
+            frame.column("places", &thinned.on_part(&kinematics));
+            frame.column("programmed", &thinned.places);
+        }
+        None => frame.column("places", &thinned.places),
+    }
+    if does_turn {
         frame.column("turns", &thinned.turns);
     }
     frame.column("speed", &thinned.speed);
@@ -114,6 +124,17 @@ impl ThinnedSetpoints {
         if self.row.len() >= MAX_SETPOINTS {
             self.thin_out();
         }
+    }
+
+    /// The positions on the part.
+    fn on_part(&self, kinematics: &PartKinematics) -> Vec<f32> {
+        let (positions, turns) = (self.places.as_chunks::<3>().0, self.turns.as_chunks::<3>().0);
+        let placed = positions.iter().zip(turns).flat_map(|(position, angles)| {
+            let [x, y, z] = position.map(f64::from);
+            let on_part = kinematics.at(angles.map(f64::from)).apply_point(Vec3::new(x, y, z));
+            on_part.to_array().map(|mm| mm as f32)
+        });
+        placed.collect()
     }
 
     /// Leaves out every second one.

@@ -33,6 +33,9 @@ use crate::{answer, chords, reading, text_answers, times};
 /// Bytes of text that are sent in one message, about: a page is busy with each without a break.
 const TEXT_PIECE_BYTES: usize = 1 << 20;
 
+/// The version of the messages between a page and its view; it changes with every key or type that is renamed or removed.
+const PROTOCOL_VERSION: u32 = 2;
+
 /// What takes long, and the number that says whether it is the newest of its kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -253,6 +256,7 @@ impl ProgramView {
         let compared = self.programs.compared_program().map(|compared| compared.to_json());
         self.out.json(&json!({
             "type": "hello",
+            "protocol": PROTOCOL_VERSION,
             "name": self.programs.name(),
             "writable": self.programs.is_writable(),
             "machines": machines,

@@ -4,7 +4,6 @@ import type { OtherFileView } from "../panels/other-file-view";
 import type { TextEditor } from "../panels/text-editor";
 import { countText } from "../panels/units";
 import { type Bounds, type Vec3, batchOf } from "../path/batch";
-import { Kinematics } from "../path/kinematics";
 import { Path } from "../path/path";
 import type { Connection } from "../protocol/connection";
 import type { Frame } from "../protocol/frame";
@@ -207,7 +206,7 @@ export function compareSession(page: CompareParts) {
       if (header.version !== compared?.version) return;
       startPath();
       const origin = header.origin as Vec3;
-      const batch = new Kinematics(compared?.machine?.rotary ?? [], origin).batch(batchOf(frame));
+      const batch = batchOf(frame);
       path.add(batch, origin);
       view.addOther(batch);
     },

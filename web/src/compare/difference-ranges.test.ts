@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { type Vec3, ARC, KNOWN } from "../path/batch";
+import { type Vec3, ARC, KNOWN_BIT } from "../path/batch";
 import { Path } from "../path/path";
 import type { Difference, DifferenceSide } from "../protocol/messages";
 import { boxAround, boxOf, boxUnion, differingLines, linesText, rowsOf, rowsOfLines, step } from "./difference-ranges";
@@ -11,7 +11,7 @@ function path(origin: Vec3, lines: number[], points: number[], files = lines.map
     first: 0,
     rows,
     points: new Float32Array(points),
-    kind: new Uint8Array(rows).fill(1 | KNOWN),
+    kind: new Uint8Array(rows).fill(1 | KNOWN_BIT),
     tool: new Uint32Array(rows),
     line: new Uint32Array(lines),
     file: new Uint8Array(files),
@@ -56,7 +56,7 @@ it("boxes rows in the frame of the run, the bulge of an arc included", () => {
   // A half circle about the origin from (1, 0) over (0, 1) to (-1, 0), its origin at X10.
   const arc = path([10, 0, 0], [1], [1, 0, 0, -1, 0, 0]);
   const batch = arc.batches[0]!;
-  batch.kind[0] = ARC | KNOWN;
+  batch.kind[0] = ARC | KNOWN_BIT;
   batch.arcRows = new Uint32Array([0]);
   batch.arcs = new Float32Array([0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1, Math.PI, 0]);
   const box = boxOf(arc, [[0, 0]])!;

@@ -1,7 +1,7 @@
 // Where the differences of two programs are: lines of the text, rows of the paths, boxes in the view.
 
 import { arcEighths, arcIndex, arcPoint } from "../path/arcs";
-import { type Bounds, type Vec3, KNOWN } from "../path/batch";
+import { type Bounds, type Vec3, KNOWN_BIT } from "../path/batch";
 import type { Path } from "../path/path";
 import type { BlockRange, Difference } from "../protocol/messages";
 
@@ -69,7 +69,7 @@ export function boxOf(path: Path, ranges: [number, number][]): Bounds | undefine
       const found = path.find(row);
       if (!found) break;
       const [batch, at] = found;
-      if (!(batch.kind[at]! & KNOWN)) continue;
+      if (!(batch.kind[at]! & KNOWN_BIT)) continue;
       grow(batch.points, 6 * at);
       grow(batch.points, 6 * at + 3);
       const curve = batch.curves?.get(at);

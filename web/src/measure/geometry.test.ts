@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { type Batch, type Vec3, KNOWN } from "../path/batch";
+import { type Batch, type Vec3, KNOWN_BIT } from "../path/batch";
 import { Path } from "../path/path";
 import { type PathFeature, distanceText, featureAt, featureText as words, measuredDistance } from "./geometry";
 
@@ -9,7 +9,7 @@ function path(): Path {
     first: 0,
     rows: 3,
     points: Float32Array.of(0, 0, 0, 20, 0, 0, 20, 10, 0, 0, 10, 0, 35, 0, 0, 30, 5, 0),
-    kind: Uint8Array.of(1 | KNOWN, 1 | KNOWN, 2 | KNOWN),
+    kind: Uint8Array.of(1 | KNOWN_BIT, 1 | KNOWN_BIT, 2 | KNOWN_BIT),
     tool: Uint32Array.of(1, 1, 1),
     line: Uint32Array.of(1, 2, 3),
     file: Uint8Array.of(0, 0, 0),

@@ -63,11 +63,11 @@ function foot(at: Vec3, { from, to }: { from: Vec3; to: Vec3 }): Vec3 {
   return square > 0 ? plus(from, along, dot(minus(at, from), along) / square) : from;
 }
 
-const NAMES = { point: "point", line: "line", arc: "centre" } as const;
+const FEATURE_NAMES = { point: "point", line: "line", arc: "centre" } as const;
 
 /** The distance between two features: the shortest one where one of them is a line, else between points and centres. */
 export function measuredDistance(one: PathFeature, other: PathFeature): MeasuredDistance {
-  const between = `${NAMES[one.kind]} to ${NAMES[other.kind]}`;
+  const between = `${FEATURE_NAMES[one.kind]} to ${FEATURE_NAMES[other.kind]}`;
   if (one.kind === "line" && other.kind === "line") return betweenLines(one, other);
   const [from, to] = [reference(one), reference(other)];
   if (one.kind === "line") return distanceFrom(foot(to, one), to, between);

@@ -8,9 +8,9 @@ import type { Vec3 } from "../path/batch";
 import type { PathFeature } from "./geometry";
 
 /** The arm of a mark, from its middle, pixels. */
-const REACH = 6;
+const MARK_ARM_PIXELS = 6;
 /** Sides of the ring at the centre of an arc. */
-const RING = 12;
+const RING_SIDES = 12;
 
 /** The directions to the right and up on the screen, and how long a pixel is, mm. */
 export interface ScreenFrame {
@@ -89,18 +89,18 @@ function figure(at: Vec3, screen: ScreenFrame, corners: [number, number][], isCl
 
 function cross(at: Vec3, screen: ScreenFrame): number[] {
   const arm = (x: number, y: number) => figure(at, screen, [[-x, -y], [x, y]], false);
-  return [...arm(REACH, REACH), ...arm(REACH, -REACH)];
+  return [...arm(MARK_ARM_PIXELS, MARK_ARM_PIXELS), ...arm(MARK_ARM_PIXELS, -MARK_ARM_PIXELS)];
 }
 
 /** A square at an end, a cross on a line, and a ring at the centre of an arc. */
 function markOf(feature: PathFeature, screen: ScreenFrame): number[] {
   if (feature.kind === "point" && feature.of === "end") {
-    return figure(feature.at, screen, [[-REACH, -REACH], [REACH, -REACH], [REACH, REACH], [-REACH, REACH]], true);
+    return figure(feature.at, screen, [[-MARK_ARM_PIXELS, -MARK_ARM_PIXELS], [MARK_ARM_PIXELS, -MARK_ARM_PIXELS], [MARK_ARM_PIXELS, MARK_ARM_PIXELS], [-MARK_ARM_PIXELS, MARK_ARM_PIXELS]], true);
   }
   if (feature.kind !== "arc") return cross(feature.at, screen);
-  const ring = Array.from({ length: RING }, (_, index): [number, number] => {
-    const angle = (2 * Math.PI * index) / RING;
-    return [REACH * Math.cos(angle), REACH * Math.sin(angle)];
+  const ring = Array.from({ length: RING_SIDES }, (_, index): [number, number] => {
+    const angle = (2 * Math.PI * index) / RING_SIDES;
+    return [MARK_ARM_PIXELS * Math.cos(angle), MARK_ARM_PIXELS * Math.sin(angle)];
   });
   return [...figure(feature.center, screen, ring, true), ...feature.center, ...feature.at, ...cross(feature.at, screen)];
 }

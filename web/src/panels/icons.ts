@@ -1,9 +1,9 @@
 // Icons of buttons, as SVG: fonts do not have them all.
 
-const SVG = "http://www.w3.org/2000/svg";
+const SVG_NAMESPACE = "http://www.w3.org/2000/svg";
 
 /** Paths in a square of 16. */
-const SIGNS = {
+const ICON_PATHS = {
   play: "M4 2.5 13 8 4 13.5Z",
   pause: "M3.5 2.5h3v11h-3ZM9.5 2.5h3v11h-3Z",
   start: "M3 2.5h2v11H3ZM13 2.5v11L6 8Z",
@@ -16,17 +16,17 @@ const SIGNS = {
   close: "M3.6 4.7 4.7 3.6 8 6.9l3.3-3.3 1.1 1.1L9.1 8l3.3 3.3-1.1 1.1L8 9.1l-3.3 3.3-1.1-1.1L6.9 8Z",
 } as const;
 
-export type IconName = keyof typeof SIGNS;
+export type IconName = keyof typeof ICON_PATHS;
 
 export function icon(sign: IconName): SVGSVGElement {
-  const made = document.createElementNS(SVG, "svg");
+  const made = document.createElementNS(SVG_NAMESPACE, "svg");
   made.setAttribute("viewBox", "0 0 16 16");
   made.setAttribute("width", "14");
   made.setAttribute("height", "14");
   made.setAttribute("aria-hidden", "true");
   made.dataset.sign = sign;
-  const path = document.createElementNS(SVG, "path");
-  path.setAttribute("d", SIGNS[sign]);
+  const path = document.createElementNS(SVG_NAMESPACE, "path");
+  path.setAttribute("d", ICON_PATHS[sign]);
   path.setAttribute("fill", "currentColor");
   path.setAttribute("fill-rule", "evenodd");
   made.append(path);

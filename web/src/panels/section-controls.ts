@@ -4,7 +4,7 @@ import type { VisibleSection } from "../view/visible-section";
 import { closesOnEscape, element } from "./dom";
 import { type Units, length } from "./units";
 
-const STEPS = 1000;
+const SLIDER_STEPS = 1000;
 
 export function sectionControls(changed: (section: VisibleSection) => void, cursor: () => number) {
   const root = element("details", "section");
@@ -18,7 +18,7 @@ export function sectionControls(changed: (section: VisibleSection) => void, curs
   here.type = "button";
   here.title = "Up to the line of the cursor";
   const low = slider("Lowest depth", 0);
-  const high = slider("Highest depth", STEPS);
+  const high = slider("Highest depth", SLIDER_STEPS);
   const depthText = element("output");
   const all = element("button", "", "Show all");
   all.type = "button";
@@ -38,18 +38,18 @@ export function sectionControls(changed: (section: VisibleSection) => void, curs
   row("", depthText, all);
   root.append(summary, choices);
 
-  const depthAt = (input: HTMLInputElement) => range[0] + ((range[1] - range[0]) * Number(input.value)) / STEPS;
+  const depthAt = (input: HTMLInputElement) => range[0] + ((range[1] - range[0]) * Number(input.value)) / SLIDER_STEPS;
   function section(): VisibleSection {
     const made: VisibleSection = {};
     if (tool.value !== "") made.tool = Number(tool.value);
     if (from.value !== "" || to.value !== "") {
       made.lines = [Number(from.value || 0), to.value === "" ? Number.MAX_SAFE_INTEGER : Number(to.value)];
     }
-    if (low.value !== "0" || high.value !== String(STEPS)) {
+    if (low.value !== "0" || high.value !== String(SLIDER_STEPS)) {
       // A slider at its end means no limit, whatever rounding makes of the depth there.
       made.depth = [
         low.value === "0" ? -Number.MAX_VALUE : depthAt(low),
-        high.value === String(STEPS) ? Number.MAX_VALUE : depthAt(high),
+        high.value === String(SLIDER_STEPS) ? Number.MAX_VALUE : depthAt(high),
       ];
     }
     return made;
@@ -68,7 +68,7 @@ export function sectionControls(changed: (section: VisibleSection) => void, curs
   all.addEventListener("click", () => {
     tool.value = from.value = to.value = "";
     low.value = "0";
-    high.value = String(STEPS);
+    high.value = String(SLIDER_STEPS);
     update();
   });
   closesOnEscape(root, summary);
@@ -101,7 +101,7 @@ function slider(label: string, value: number): HTMLInputElement {
   const made = element("input");
   made.type = "range";
   made.min = "0";
-  made.max = String(STEPS);
+  made.max = String(SLIDER_STEPS);
   made.value = String(value);
   made.setAttribute("aria-label", label);
   return made;

@@ -16,7 +16,7 @@ export interface WordQueries {
 /** Lines before and after the visible ones that are coloured, too. */
 const MARGIN_LINES = 60;
 /** Tokens are requested once nothing was scrolled or typed for so long, ms. */
-const REST_MS = 60;
+const QUIET_MS = 60;
 
 const setTokens = StateEffect.define<DecorationSet>();
 const refreshEffect = StateEffect.define<null>();
@@ -58,7 +58,7 @@ export function syntaxHints(queries: WordQueries): Extension {
 
       private later(): void {
         window.clearTimeout(this.timer);
-        this.timer = window.setTimeout(() => void this.request(), REST_MS);
+        this.timer = window.setTimeout(() => void this.request(), QUIET_MS);
       }
 
       private async request(): Promise<void> {
@@ -111,11 +111,11 @@ export function refreshWords(view: EditorView): void {
 }
 
 /** Lines as long as this were broken to fit a terminal. */
-const BROKEN = 70;
+const MIN_WRAPPED_CHARACTERS = 70;
 
 /** A text that was broken into lines for a terminal, with its paragraphs in one line each. */
 export function unwrapParagraphs(text: string): string {
-  return text.replace(/^(.*)\n(?=[^\s\-*`|>])/gm, (whole, line: string) => (line.length >= BROKEN ? `${line} ` : whole));
+  return text.replace(/^(.*)\n(?=[^\s\-*`|>])/gm, (whole, line: string) => (line.length >= MIN_WRAPPED_CHARACTERS ? `${line} ` : whole));
 }
 
 /** Paragraphs, code and bold of Markdown; everything else stays text. */

@@ -1,7 +1,7 @@
 // A task that may run after the picture is drawn, and not for each picture: scrolling the text while the program plays.
 
 /** While newer tasks keep coming, the newest runs after so long at the latest, ms. */
-const LONGEST_MS = 600;
+const MAX_DELAY_MS = 600;
 
 export class ThrottledTask {
   private next: (() => void) | undefined;
@@ -18,7 +18,7 @@ export class ThrottledTask {
     const now = performance.now();
     if (!this.next) this.requestedAt = now;
     this.next = what;
-    this.dueAt = Math.max(this.doneAt + this.everyMs, Math.min(now + quietMs, this.requestedAt + LONGEST_MS));
+    this.dueAt = Math.max(this.doneAt + this.everyMs, Math.min(now + quietMs, this.requestedAt + MAX_DELAY_MS));
     if (!this.isWaiting) this.wait();
   }
 

@@ -5,14 +5,14 @@ import { type Setpoints, speedBands } from "../path/setpoints";
 import { type IconName, icon, signButton } from "./icons";
 import { type Units, duration, speed } from "./units";
 
-export const RATES = [0.1, 0.25, 0.5, 1, 2, 5, 10, 50, 200];
+export const PLAYBACK_RATES = [0.1, 0.25, 0.5, 1, 2, 5, 10, 50, 200];
 
 export class Timeline {
   private points: Setpoints | undefined;
   private units: Units = { inch: false };
   private now = 0;
   private playing = false;
-  private rate = RATES.indexOf(1);
+  private rate = PLAYBACK_RATES.indexOf(1);
   private before = 0;
   private canvas: HTMLCanvasElement;
   private slider: HTMLInputElement;
@@ -136,7 +136,7 @@ export class Timeline {
   }
 
   faster(by: number): void {
-    this.rate = Math.min(RATES.length - 1, Math.max(0, this.rate + by));
+    this.rate = Math.min(PLAYBACK_RATES.length - 1, Math.max(0, this.rate + by));
     this.show();
   }
 
@@ -144,7 +144,7 @@ export class Timeline {
     if (!this.playing || !this.points) return;
     const passed = Math.max(0, at - this.before) / 1000;
     this.before = at;
-    const next = this.now + passed * RATES[this.rate]!;
+    const next = this.now + passed * PLAYBACK_RATES[this.rate]!;
     if (next >= this.points.totalS) this.playing = false;
     this.seek(next);
     if (this.playing) requestAnimationFrame((then) => this.tick(then));
@@ -166,7 +166,7 @@ export class Timeline {
   private show(): void {
     const total = this.points?.totalS ?? 0;
     this.showSign();
-    this.rateText.textContent = `${RATES[this.rate]}×`;
+    this.rateText.textContent = `${PLAYBACK_RATES[this.rate]}×`;
     this.clock.textContent = this.points ? `${duration(this.now)} / ${duration(total)}` : "planning…";
     this.slider.disabled = !this.points;
     this.slider.value = String(this.now);

@@ -1,4 +1,4 @@
-// The exact arcs of a batch: places on them, and into how many straight pieces they are cut.
+// The exact arcs of a batch, and curves of points: points on them, and into how many straight pieces arcs are cut.
 
 import type { Batch, Vec3 } from "./batch";
 
@@ -17,11 +17,11 @@ export function arcIndex(batch: Batch, row: number): number {
 }
 
 /** Numbers of an arc's record: centre, towards the start, axis, both radii, sweep, rise. */
-const RECORD = 13;
+const ARC_NUMBERS = 13;
 
 /** A point on an arc, a helix, a spiral or a cone, relative to the origin, mm. */
 export function arcPoint(arcs: Float32Array, index: number, share: number): Vec3 {
-  const at = index * RECORD;
+  const at = index * ARC_NUMBERS;
   const [ux, uy, uz] = [arcs[at + 3]!, arcs[at + 4]!, arcs[at + 5]!];
   const [wx, wy, wz] = [arcs[at + 6]!, arcs[at + 7]!, arcs[at + 8]!];
   const radius = arcs[at + 9]! + (arcs[at + 10]! - arcs[at + 9]!) * share;
@@ -39,13 +39,13 @@ export function arcPoint(arcs: Float32Array, index: number, share: number): Vec3
 
 /** Eighths of a turn that an arc has, about: between them its box is found. */
 export function arcEighths(arcs: Float32Array, index: number): number {
-  const eighths = Math.ceil((8 * Math.abs(arcs[index * RECORD + 11]!)) / (2 * Math.PI));
+  const eighths = Math.ceil((8 * Math.abs(arcs[index * ARC_NUMBERS + 11]!)) / (2 * Math.PI));
   return Math.max(8, Math.min(512, eighths));
 }
 
 /** How many straight pieces an arc takes so that none is further from it than a tolerance, mm. */
 export function arcPieces(arcs: Float32Array, index: number, tolerance: number): number {
-  const at = index * RECORD;
+  const at = index * ARC_NUMBERS;
   const radius = Math.max(arcs[at + 9]!, arcs[at + 10]!);
   const sweep = Math.abs(arcs[at + 11]!);
   if (!(radius > 0) || !(sweep > 0)) return 1;
@@ -56,6 +56,19 @@ export function arcPieces(arcs: Float32Array, index: number, tolerance: number):
 
 /** Greatest distance of an arc from its centre along it, mm: what a view must see to show it. */
 export function arcReach(arcs: Float32Array, index: number): number {
-  const at = index * RECORD;
+  const at = index * ARC_NUMBERS;
   return Math.max(arcs[at + 9]!, arcs[at + 10]!) + Math.abs(arcs[at + 12]!);
+}
+
+/** The point at a share of a curve of points at even distances. */
+export function curvePoint(curve: Float32Array, share: number): Vec3 {
+  const last = curve.length / 3 - 1;
+  const exact = Math.min(last, Math.max(0, share * last));
+  const index = Math.min(last - 1, Math.floor(exact));
+  const part = exact - index;
+  const mix = (axis: number) => {
+    const from = curve[3 * index + axis]!;
+    return from + (curve[3 * index + 3 + axis]! - from) * part;
+  };
+  return [mix(0), mix(1), mix(2)];
 }

@@ -6,15 +6,15 @@ export const RAPID = 0;
 export const ARC = 2;
 export const SPIRAL = 3;
 export const SPLINE = 4;
-const KIND = 0x0f;
-export const KNOWN = 0x10;
-export const INSERTED = 0x20;
+const KIND_BITS = 0x0f;
+export const KNOWN_BIT = 0x10;
+export const INSERTED_BIT = 0x20;
 
 /** The bits of X, Y and Z. */
 export const axisBits = [1, 2, 4] as const;
-export const ALL_AXES = 7;
+export const ALL_AXES_BITS = 7;
 /** The bits of the axes that are known at the end of a row are above those at its start. */
-export const END_AXES = 3;
+export const END_AXES_SHIFT = 3;
 
 export type Vec3 = [number, number, number];
 
@@ -22,7 +22,7 @@ export type Vec3 = [number, number, number];
 export interface Batch {
   first: number;
   rows: number;
-  /** Both ends of each row, relative to the origin, mm: six numbers a row. */
+  /** Both ends of each row on the part, relative to the origin, mm: six numbers a row. */
   points: Float32Array;
   kind: Uint8Array;
   /** Which of X, Y and Z are known at both ends of each row; without it those of rows that are drawn. */
@@ -35,7 +35,7 @@ export interface Batch {
   /** Rows of the batch that are arcs or spirals, in order, and 13 numbers for each. */
   arcRows: Uint32Array;
   arcs: Float32Array;
-  /** The programmed positions, where the part turns: `points` are then positions on the part. */
+  /** Both ends of each row as they are programmed, where the part turns. */
   programmed?: Float32Array;
   /** A, B and C at both ends of each row, rad, where one of them is not zero. */
   turns?: Float32Array;
@@ -64,18 +64,19 @@ export function batchOf(frame: Frame): Batch {
     ...("power" in frame.columns ? { power: f32(frame, "power") } : {}),
     arcRows: u32(frame, "arc_rows"),
     arcs: f32(frame, "arcs"),
-    ...("spline_rows" in frame.columns ? { curves: splinesOf(frame) } : {}),
+    ...("curve_rows" in frame.columns ? { curves: curvesOf(frame) } : {}),
+    ...("programmed" in frame.columns ? { programmed: f32(frame, "programmed") } : {}),
     ...("turns" in frame.columns ? { turns: f32(frame, "turns") } : {}),
   };
 }
 
-/** The points along each row that is a spline. */
-function splinesOf(frame: Frame): Map<number, Float32Array> {
-  const counts = u32(frame, "spline_counts");
-  const points = f32(frame, "spline_points");
+/** The points along each row that is neither a line nor an arc. */
+function curvesOf(frame: Frame): Map<number, Float32Array> {
+  const counts = u32(frame, "curve_counts");
+  const points = f32(frame, "curve_points");
   const curves = new Map<number, Float32Array>();
   let from = 0;
-  u32(frame, "spline_rows").forEach((row, index) => {
+  u32(frame, "curve_rows").forEach((row, index) => {
     const to = from + 3 * counts[index]!;
     curves.set(row, points.subarray(from, to));
     from = to;
@@ -84,5 +85,5 @@ function splinesOf(frame: Frame): Map<number, Float32Array> {
 }
 
 export function kindOf(flags: number): number {
-  return flags & KIND;
+  return flags & KIND_BITS;
 }

@@ -6,8 +6,8 @@ import type { Setpoints } from "./setpoints";
 
 export type EngagementMeasure = "radial" | "chip" | "power";
 
-const MEASURES: [EngagementMeasure, string][] = [["radial", "Radial depth"], ["chip", "Chip"], ["power", "Power"]];
-const TURNING: [EngagementMeasure, string][] = [["radial", "Depth of cut"], ["chip", "Chip"], ["power", "Power"]];
+const MILLING_MEASURES: [EngagementMeasure, string][] = [["radial", "Radial depth"], ["chip", "Chip"], ["power", "Power"]];
+const TURNING_MEASURES: [EngagementMeasure, string][] = [["radial", "Depth of cut"], ["chip", "Chip"], ["power", "Power"]];
 
 /** What is wrong with a move: a chip too thick or a spindle without the power, or a tool that rubs. */
 export type EngagementFault = "none" | "overload" | "rubs";
@@ -28,12 +28,12 @@ export class EngagementCurve {
     this.values = { radial: dense(by.radial), chip: dense(by.chip), power: dense(by.power) };
     this.faults = new Uint8Array(count);
     rows.forEach((row, at) => (this.faults[row] = problems[at] === 2 ? 1 : problems[at] ? 2 : 0));
-    this.known = MEASURES.map(([measure]) => measure).filter((measure) => by[measure].some((value) => value > 0));
+    this.known = MILLING_MEASURES.map(([measure]) => measure).filter((measure) => by[measure].some((value) => value > 0));
   }
 
   /** The measures that are known, with their names. */
   get named(): [EngagementMeasure, string][] {
-    return (this.isTurning ? TURNING : MEASURES).filter(([measure]) => this.known.includes(measure));
+    return (this.isTurning ? TURNING_MEASURES : MILLING_MEASURES).filter(([measure]) => this.known.includes(measure));
   }
 
   /** The maximum of a measure in each of `parts` equal parts of the time, and what is wrong there. */

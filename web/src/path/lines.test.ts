@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
-import { type Batch, KNOWN } from "./batch";
+import { type Batch, KNOWN_BIT } from "./batch";
 import { linesOf, nearest, someRows } from "./lines";
 
-const CUT = 1 | KNOWN;
-const RAPID = 0 | KNOWN;
-const ARC = 2 | KNOWN;
+const CUT = 1 | KNOWN_BIT;
+const RAPID = 0 | KNOWN_BIT;
+const ARC = 2 | KNOWN_BIT;
 
 function batch(kinds: number[], points: number[], arcs: [number, number[]][] = []): Batch {
   const rows = kinds.length;

@@ -2,7 +2,7 @@
 // as fine as the view needs; a straight path is drawn from the server's own array.
 
 import { arcIndex, arcPieces, arcPoint } from "./arcs";
-import { type Batch, KNOWN, RAPID, kindOf } from "./batch";
+import { type Batch, KNOWN_BIT, RAPID, kindOf } from "./batch";
 
 /** Line segments: six numbers each, relative to the origin. */
 export interface LineArrays {
@@ -29,7 +29,7 @@ export type RowFilter = (row: number) => boolean;
 export function linesOf(batch: Batch, tolerance: ArcTolerance, keep?: RowFilter): DrawnLines {
   const { rows, kind, arcRows, arcs, points } = batch;
   const pieces = new Uint32Array(arcRows.length);
-  const isShown = (row: number) => (kind[row]! & KNOWN) !== 0 && (!keep || keep(row));
+  const isShown = (row: number) => (kind[row]! & KNOWN_BIT) !== 0 && (!keep || keep(row));
   let extra = 0;
   for (let at = 0; at < arcRows.length; at++) {
     pieces[at] = arcPieces(arcs, at, tolerance(arcs, at));
@@ -118,7 +118,7 @@ class Gatherer {
 export function someRows(batch: Batch, from: number, to: number, tolerance: ArcTolerance): number[] {
   const points: number[] = [];
   for (let row = from; row <= to; row++) {
-    if (!(batch.kind[row]! & KNOWN)) continue;
+    if (!(batch.kind[row]! & KNOWN_BIT)) continue;
     const curve = batch.curves?.get(row);
     if (curve) {
       for (let at = 0; at + 6 <= curve.length; at += 3) points.push(...curve.subarray(at, at + 6));

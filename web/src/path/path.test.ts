@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { arcIndex, arcPieces, arcPoint } from "./arcs";
-import { type Batch, KNOWN } from "./batch";
+import { type Batch, KNOWN_BIT } from "./batch";
 import { Path } from "./path";
 
 const quarter = new Float32Array([
@@ -14,7 +14,7 @@ function batch(first: number, lines: number[], points: number[], extra: Partial<
     first,
     rows,
     points: new Float32Array(points),
-    kind: new Uint8Array(rows).fill(1 | KNOWN),
+    kind: new Uint8Array(rows).fill(1 | KNOWN_BIT),
     tool: new Uint32Array(rows).fill(1),
     line: new Uint32Array(lines),
     file: new Uint8Array(rows),
@@ -43,7 +43,7 @@ it("the axes that are known are those of the end where the tool is", () => {
   const path = new Path();
   // From nowhere to X and Z, then along X.
   const known = Uint8Array.of(0b101_000, 0b101_101);
-  path.add(batch(0, [1, 2], new Array(12).fill(0), { known, kind: Uint8Array.of(1, 1 | KNOWN) }), [0, 0, 0]);
+  path.add(batch(0, [1, 2], new Array(12).fill(0), { known, kind: Uint8Array.of(1, 1 | KNOWN_BIT) }), [0, 0, 0]);
   expect([0, 0.5, 1].map((share) => path.knownOn(0, share))).toEqual([0, 0, 0b101]);
   expect([0, 0.5, 1].map((share) => path.knownOn(1, share))).toEqual([0b101, 0b101, 0b101]);
   expect(path.knownOn(2, 0)).toBe(0);

@@ -1,8 +1,7 @@
 // The path of a run, put together from the batches of the server, and the questions that the page asks of it.
 
-import { arcEighths, arcIndex, arcPoint } from "./arcs";
-import { type Batch, type Bounds, type Vec3, ALL_AXES, END_AXES, KNOWN, RAPID, kindOf } from "./batch";
-import { curvePoint } from "./kinematics";
+import { arcEighths, arcIndex, arcPoint, curvePoint } from "./arcs";
+import { type Batch, type Bounds, type Vec3, ALL_AXES_BITS, END_AXES_SHIFT, KNOWN_BIT, RAPID, kindOf } from "./batch";
 
 /** Points of a row that are compared first to find how much of it is done. */
 const SHARE_SAMPLES = 32;
@@ -58,7 +57,7 @@ export class Path {
         this.maxPower = Math.max(this.maxPower, power[row]!);
         this.minPower = Math.min(this.minPower, power[row]!);
       }
-      if (!(kind[row]! & KNOWN)) continue;
+      if (!(kind[row]! & KNOWN_BIT)) continue;
       if (kindOf(kind[row]!) !== RAPID) {
         if (tool[row] !== lastCutter) {
           lastCutter = tool[row]!;
@@ -78,7 +77,7 @@ export class Path {
     }
     // An arc bulges out of the box of its ends.
     for (let at = 0; at < batch.arcRows.length; at++) {
-      if (!(kind[batch.arcRows[at]!]! & KNOWN)) continue;
+      if (!(kind[batch.arcRows[at]!]! & KNOWN_BIT)) continue;
       const steps = arcEighths(batch.arcs, at);
       for (let step = 1; step < steps; step++) {
         const point = arcPoint(batch.arcs, at, step / steps);
@@ -155,20 +154,20 @@ export class Path {
     const found = this.find(row);
     if (!found) return 0;
     const [batch, at] = found;
-    if (!batch.known) return batch.kind[at]! & KNOWN ? ALL_AXES : 0;
-    const [from, to] = [batch.known[at]! & ALL_AXES, (batch.known[at]! >> END_AXES) & ALL_AXES];
+    if (!batch.known) return batch.kind[at]! & KNOWN_BIT ? ALL_AXES_BITS : 0;
+    const [from, to] = [batch.known[at]! & ALL_AXES_BITS, (batch.known[at]! >> END_AXES_SHIFT) & ALL_AXES_BITS];
     return share <= 0 ? from : share >= 1 ? to : from & to;
   }
 
   /** Whether the position where so much of a row is done can be drawn; within a row only where that is drawn. */
   isPlace(row: number, share: number): boolean {
     const isEnd = share <= 0 || share >= 1;
-    return isEnd ? (this.knownOn(row, share) | this.notNamed) === ALL_AXES : this.isDrawn(row);
+    return isEnd ? (this.knownOn(row, share) | this.notNamed) === ALL_AXES_BITS : this.isDrawn(row);
   }
 
   private isDrawn(row: number): boolean {
     const found = this.find(row);
-    return found !== undefined && (found[0].kind[found[1]]! & KNOWN) !== 0;
+    return found !== undefined && (found[0].kind[found[1]]! & KNOWN_BIT) !== 0;
   }
 
   /** The batch that has a row, and its place in it. */

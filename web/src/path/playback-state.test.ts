@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { KNOWN } from "./batch";
+import { KNOWN_BIT } from "./batch";
 import { Path } from "./path";
 import { doneOf, playbackStateOf } from "./playback-state";
 import { type Setpoints, timeAfterRow, timeOfRow, timeOnRow } from "./setpoints";
@@ -11,7 +11,7 @@ function program(): [Path, Setpoints] {
     first: 0,
     rows: 3,
     points: new Float32Array([-10, 0, -5, 0, 0, 0, 0, 0, 0, 20, 0, 0, 20, 0, 0, 20, 0, 10]),
-    kind: Uint8Array.of(0, 1 | KNOWN, 1 | KNOWN),
+    kind: Uint8Array.of(0, 1 | KNOWN_BIT, 1 | KNOWN_BIT),
     known: Uint8Array.of(0b101_000, 0b101_101, 0b101_101),
     tool: new Uint32Array(3).fill(1),
     line: Uint32Array.of(1, 2, 4),

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { KNOWN } from "./batch";
+import { KNOWN_BIT } from "./batch";
 import { Path } from "./path";
 import { momentAt, speedBands, stepRow, timeOfRow } from "./setpoints";
 
@@ -39,7 +39,7 @@ describe("playback", () => {
       first: 0,
       rows: 5,
       points: new Float32Array(30),
-      kind: new Uint8Array(5).fill(1 | KNOWN),
+      kind: new Uint8Array(5).fill(1 | KNOWN_BIT),
       tool: new Uint32Array(5),
       line: new Uint32Array(lines),
       file: new Uint8Array(5),

@@ -103,7 +103,7 @@ function isNear(p: Float32Array, first: number, last: number, square: number): b
 }
 
 /** The golden ratio: its multiples lie evenly, and fall in step with no pattern of a path. */
-const GOLDEN = (Math.sqrt(5) - 1) / 2;
+const GOLDEN_RATIO = (Math.sqrt(5) - 1) / 2;
 
 /** A share of the strands; `before` of them were in the parts of the path before. */
 export function someStrands({ lines, starts }: PathStrands, share: number, before: number): LineArrays {
@@ -112,7 +112,7 @@ export function someStrands({ lines, starts }: PathStrands, share: number, befor
   const ranges: [number, number][] = [];
   let total = 0;
   for (let strand = 0; strand < starts.length; strand++) {
-    if (((before + strand) * GOLDEN) % 1 >= share) continue;
+    if (((before + strand) * GOLDEN_RATIO) % 1 >= share) continue;
     const from = starts[strand]!;
     const to = strand + 1 < starts.length ? starts[strand + 1]! : count;
     ranges.push([from, to]);

@@ -5,8 +5,14 @@ export interface RotaryAxis {
   letter: string;
   /** `null`: not known. */
   turns: "table" | "head" | null;
-  reversed: boolean;
-  center_mm: [number, number, number];
+}
+
+/** A rotation by the angle of a rotary axis. */
+export interface ToolRotation {
+  /** 0, 1 and 2 for A, B and C. */
+  axis: number;
+  /** A unit vector; a positive angle turns about it by the right-hand rule. */
+  about: [number, number, number];
 }
 
 export interface SourcePlace {
@@ -78,6 +84,8 @@ export interface MachineInfo {
   control: string;
   travel: ([number, number] | null)[];
   rotary: RotaryAxis[];
+  /** What takes the direction of a tool on the machine to that on the part, in this order. */
+  tool_rotations: ToolRotation[];
   tools: ToolInfo[];
 }
 
@@ -252,6 +260,8 @@ export interface ProgramReadings {
 }
 
 export interface HelloMessage {
+  /** The version of these messages: `PROTOCOL_VERSION` in crates/chordal-view/src/view.rs. */
+  protocol: number;
   name: string;
   writable: boolean;
   machines: MachineChoice[];

@@ -6,6 +6,7 @@ import { ThrottledTask } from "../panels/throttled-task";
 import type { Timeline } from "../panels/timeline";
 import type { Vec3 } from "../path/batch";
 import { type PlaybackState, type PlaybackTarget, doneOf, playbackStateOf } from "../path/playback-state";
+import { toolDirection } from "../path/rotation";
 import { stepRow } from "../path/setpoints";
 import type { latheStock } from "../stock/lathe-stock";
 import type { millStock } from "../stock/mill-stock";
@@ -117,7 +118,7 @@ export class PlaybackController {
     const found = run.path.find(row);
     const number = found ? found[0].tool[found[1]]! : 0;
     this.shapeTool(number);
-    const up = run.kinematics.direction(this.isAcross(number) ? [1, 0, 0] : [0, 0, 1], turn);
+    const up = toolDirection(run.machine?.tool_rotations ?? [], this.isAcross(number) ? [1, 0, 0] : [0, 0, 1], turn);
     const position = ui.toolOn.checked && run.path.bounds ? at : undefined;
     view.placeTool(lathe.place(number, position) ? undefined : position, up);
   }

@@ -16,7 +16,7 @@ import { TextEditor } from "../panels/text-editor";
 import { Timeline } from "../panels/timeline";
 import { type Vec3, axisBits, batchOf } from "../path/batch";
 import { engagementOf } from "../path/engagement";
-import { unknownTurns } from "../path/kinematics";
+import { unknownTurns } from "../path/rotation";
 import { Connection } from "../protocol/connection";
 import { type Frame, f32, u8 } from "../protocol/frame";
 import type { RunReport, ServerMessage } from "../protocol/messages";
@@ -335,10 +335,7 @@ export class Session {
         this.host.keepFile?.(String(header.name), u8(frame, "bytes"));
         break;
       case "contour":
-        if (isOfRun) {
-          const origin = header.origin as Vec3;
-          view.addContour(run.kinematicsAt(origin).batch(batchOf(frame)), origin);
-        }
+        if (isOfRun) view.addContour(batchOf(frame), header.origin as Vec3);
         break;
       case "compared_path":
         this.compare.takePath(frame);
@@ -369,8 +366,7 @@ export class Session {
     const { run } = this;
     this.showPath();
     const origin = frame.header.origin as Vec3;
-    run.kinematics = run.kinematicsAt(origin);
-    const batch = run.kinematics.batch(batchOf(frame));
+    const batch = batchOf(frame);
     run.path.add(batch, origin);
     this.view.add(batch);
     this.ui.progress(Number(frame.header.progress));

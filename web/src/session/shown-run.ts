@@ -1,8 +1,6 @@
 // The run of the program that the page shows: what has come of it so far.
 
 import type { Units } from "../panels/units";
-import type { Vec3 } from "../path/batch";
-import { Kinematics } from "../path/kinematics";
 import { Path } from "../path/path";
 import type { Setpoints } from "../path/setpoints";
 import { type Frame, f32, u32 } from "../protocol/frame";
@@ -21,7 +19,6 @@ export class ShownRun {
   programName = "";
   machine: MachineInfo | undefined;
   path = new Path();
-  kinematics = new Kinematics([], [0, 0, 0]);
   report: RunReport | undefined;
   refusal: Refusal | undefined;
   times: RunTimes | undefined;
@@ -58,18 +55,12 @@ export class ShownRun {
     return { ...this.units, ...(machine && { factors: machine.factors, has: machine.has }) };
   }
 
-  /** The kinematics for positions relative to an origin. */
-  kinematicsAt(origin: Vec3): Kinematics {
-    return new Kinematics(this.machine?.rotary ?? [], origin);
-  }
-
   takeSetpoints(frame: Frame): Setpoints {
-    const turns = "turns" in frame.columns ? f32(frame, "turns") : undefined;
-    const places = f32(frame, "places");
+    const optional = (name: string) => (name in frame.columns ? f32(frame, name) : undefined);
     this.setpoints = {
-      places: turns ? this.kinematics.places(places, turns) : places,
-      programmed: turns && places,
-      turns,
+      places: f32(frame, "places"),
+      programmed: optional("programmed"),
+      turns: optional("turns"),
       speed: f32(frame, "speed"),
       row: u32(frame, "row"),
       periodS: Number(frame.header.period_s),

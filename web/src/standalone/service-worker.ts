@@ -30,8 +30,8 @@ export function registerServiceWorker(renew: (load: () => void) => void): void {
       .catch(() => {
         // A browser that keeps nothing: the page works while there is a network.
       });
-  }, REST_MS);
+  }, REGISTER_AFTER_MS);
 }
 
 /** What the first picture needs comes first, ms. */
-const REST_MS = 1500;
+const REGISTER_AFTER_MS = 1500;

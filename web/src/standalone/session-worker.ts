@@ -25,13 +25,13 @@ export interface ClosedMessage {
 }
 
 /** Requests about a run, which the worker that has it answers. */
-const ROUTES: Record<string, WorkKind> = { state: RUN, chords: RUN, other_text: COMPARE };
+const RUN_REQUESTS: Record<string, WorkKind> = { state: RUN, chords: RUN, other_text: COMPARE };
 /** Requests about words, for which this worker reads the whole text: they wait until the path has come through it. */
-const WORDS = new Set(["tokens", "hover", "definition", "outline"]);
+const WORD_REQUESTS = new Set(["tokens", "hover", "definition", "outline"]);
 /** How long a long text waits for the first lines of the path, ms. */
 const TEXT_PAUSE_MS = 1000;
 
-const NAMES: Record<WorkKind, string> = { [RUN]: "paths", [PLAN]: "times", [COMPARE]: "others", [CUT]: "stocks" };
+const WORKER_NAMES: Record<WorkKind, string> = { [RUN]: "paths", [PLAN]: "times", [COMPARE]: "others", [CUT]: "stocks" };
 
 /** Only the worker that compares reads the other program: the others need its name. */
 function withoutText(opened: Omit<OpenedProgram, "program">): Omit<OpenedProgram, "program"> {
@@ -57,7 +57,7 @@ export function sessionWorker(port: WorkerPort): void {
 
   function handleOf(kind: WorkKind): WorkerHandle {
     const start = () => {
-      const worker = new Worker(self.location.href, { type: "module", name: NAMES[kind] }) as unknown as JobWorker;
+      const worker = new Worker(self.location.href, { type: "module", name: WORKER_NAMES[kind] }) as unknown as JobWorker;
       worker.postMessage({ module });
       return worker;
     };
@@ -129,9 +129,9 @@ export function sessionWorker(port: WorkerPort): void {
   function take(message: ToSessionWorker): void {
     if (typeof message === "string") {
       const { request, id } = JSON.parse(message) as { request: string; id: number };
-      const kind = ROUTES[request];
+      const kind = RUN_REQUESTS[request];
       if (kind !== undefined) handles[kind].query(id, message);
-      else if (isRunning && WORDS.has(request)) waiting.push(message);
+      else if (isRunning && WORD_REQUESTS.has(request)) waiting.push(message);
       else guarded(() => engine.request(message));
     } else if ("open" in message) {
       const { program, ...rest } = message.open;

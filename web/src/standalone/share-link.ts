@@ -14,7 +14,7 @@ export const MAX_LINK_CHARACTERS = 16_000;
 /** The largest program in a link, bytes: a short compressed text could expand to very much. */
 const MAX_TEXT_BYTES = 4 * 2 ** 20;
 
-const KEY = "#p=";
+const FRAGMENT_PREFIX = "#p=";
 
 function base64(bytes: Uint8Array): string {
   let text = "";
@@ -53,16 +53,16 @@ async function through(bytes: Uint8Array<ArrayBuffer>, stream: CompressionStream
 /** The fragment of a program. */
 export async function fragmentOf(shared: SharedProgram): Promise<string> {
   const bytes = new TextEncoder().encode(JSON.stringify([shared.name, shared.text, shared.machine, shared.files]));
-  return KEY + base64(await through(bytes, new CompressionStream("deflate-raw"), Infinity));
+  return FRAGMENT_PREFIX + base64(await through(bytes, new CompressionStream("deflate-raw"), Infinity));
 }
 
 /** The program of a fragment; nothing where it has none, an error where it is damaged. */
 export async function programInFragment(fragment: string): Promise<SharedProgram | undefined> {
-  if (!fragment.startsWith(KEY)) return undefined;
+  if (!fragment.startsWith(FRAGMENT_PREFIX)) return undefined;
   const damaged = () => new Error("The link is damaged or incomplete: it holds no program.");
   let read: unknown;
   try {
-    const bytes = await through(bytesOf(fragment.slice(KEY.length)), new DecompressionStream("deflate-raw"), MAX_TEXT_BYTES);
+    const bytes = await through(bytesOf(fragment.slice(FRAGMENT_PREFIX.length)), new DecompressionStream("deflate-raw"), MAX_TEXT_BYTES);
     read = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
   } catch {
     throw damaged();

@@ -24,7 +24,7 @@ function size(bytes: number): string {
 }
 
 /** Recent programs that are shown at first; the others are folded. */
-const VISIBLE_RECENTS = 6;
+const MAX_VISIBLE_RECENTS = 6;
 
 export class StartDialog {
   private root = element("dialog", "start");
@@ -123,10 +123,10 @@ export class StartDialog {
       all.append(...of);
       return all;
     };
-    this.recents.replaceChildren(element("h3", "", "Open lately, kept in this browser"), cards(rows.slice(0, VISIBLE_RECENTS)));
-    if (rows.length <= VISIBLE_RECENTS) return;
+    this.recents.replaceChildren(element("h3", "", "Open lately, kept in this browser"), cards(rows.slice(0, MAX_VISIBLE_RECENTS)));
+    if (rows.length <= MAX_VISIBLE_RECENTS) return;
     const more = element("details");
-    more.append(element("summary", "", `${rows.length - VISIBLE_RECENTS} more`), cards(rows.slice(VISIBLE_RECENTS)));
+    more.append(element("summary", "", `${rows.length - MAX_VISIBLE_RECENTS} more`), cards(rows.slice(MAX_VISIBLE_RECENTS)));
     this.recents.append(more);
   }
 

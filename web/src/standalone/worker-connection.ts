@@ -5,7 +5,7 @@ import type { OpenedProgram, OtherProgram, ProgramFile, WorkKind } from "./engin
 import type { ClosedMessage, ToSessionWorker } from "./session-worker";
 
 /** How long a page that does not draw lets columns wait, ms. */
-const UNDRAWN_MS = 100;
+const MAX_WITHOUT_FRAME_MS = 100;
 
 /** Counts what was taken, and reports it after the page has drawn and handled its input; in the background it does not draw. */
 function counted(report: (count: number) => void): () => void {
@@ -17,7 +17,7 @@ function counted(report: (count: number) => void): () => void {
   return () => {
     if (count++ > 0) return;
     requestAnimationFrame(() => setTimeout(flush));
-    setTimeout(flush, UNDRAWN_MS);
+    setTimeout(flush, MAX_WITHOUT_FRAME_MS);
   };
 }
 

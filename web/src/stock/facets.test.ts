@@ -4,17 +4,17 @@ import { CoarseSurface } from "./coarse-surface";
 import { type TileCorners, triangles } from "./facets";
 import type { StockBefore } from "./stock-timeline";
 import { StockSurface } from "./surface";
-import { SIDE, TILE } from "./tile";
+import { TILE_CORNERS, TILE_CELLS } from "./tile";
 import { TileMeshes } from "./tile-meshes";
 
-const corners = (): TileCorners => ({ z: new Float32Array(SIDE * SIDE), slot: new Uint8Array(SIDE * SIDE) });
-const index = new Uint16Array(6 * TILE * TILE);
-const at = (x: number, y: number) => y * SIDE + x;
+const corners = (): TileCorners => ({ z: new Float32Array(TILE_CORNERS * TILE_CORNERS), slot: new Uint8Array(TILE_CORNERS * TILE_CORNERS) });
+const index = new Uint16Array(6 * TILE_CELLS * TILE_CELLS);
+const at = (x: number, y: number) => y * TILE_CORNERS + x;
 
 /** The triangles as corners in the tile. */
 function drawn(of: TileCorners, ...more: [number?, [number, number]?]) {
   const count = triangles(of, index, ...more);
-  return Array.from({ length: count / 3 }, (_, n) => [...index.subarray(3 * n, 3 * n + 3)].map((corner) => [corner % SIDE, Math.floor(corner / SIDE)] as const));
+  return Array.from({ length: count / 3 }, (_, n) => [...index.subarray(3 * n, 3 * n + 3)].map((corner) => [corner % TILE_CORNERS, Math.floor(corner / TILE_CORNERS)] as const));
 }
 
 const area = (all: ReturnType<typeof drawn>) => all.reduce((sum, [a, b, c]) => {
@@ -48,16 +48,16 @@ test("around what is not flat squares are small, and no corner lies within the e
   const some = corners();
   some.z[at(11, 11)] = -2;
   let all = drawn(some);
-  expect(area(all)).toBe(TILE * TILE);
+  expect(area(all)).toBe(TILE_CELLS * TILE_CELLS);
   expect(loose(all)).toBe(0);
   expect(all.length).toBeLessThan(120);
   // A pocket with an island, and a target and owners of their own.
   for (let y = 3; y < 29; y++) for (let x = 5; x < 30; x++) if (Math.hypot(x - 16, y - 15) > 5) some.z[at(x, y)] = -3;
-  for (let x = 0; x < SIDE; x++) some.slot[at(x, 2)] = 1;
-  some.target = new Float32Array(SIDE * SIDE);
+  for (let x = 0; x < TILE_CORNERS; x++) some.slot[at(x, 2)] = 1;
+  some.target = new Float32Array(TILE_CORNERS * TILE_CORNERS);
   some.target[at(20, 31)] = 1;
   all = drawn(some);
-  expect(area(all)).toBe(TILE * TILE);
+  expect(area(all)).toBe(TILE_CELLS * TILE_CELLS);
   expect(loose(all)).toBe(0);
 });
 
@@ -71,23 +71,23 @@ test("a flat tile has on its edge the corners of the tile beside it", () => {
     const { geometry } = tiles.group.children[tile] as Mesh<BufferGeometry>;
     return new Set(geometry.index!.array.subarray(0, geometry.drawRange.count) as Uint16Array);
   });
-  const rows = [...Array(SIDE).keys()];
+  const rows = [...Array(TILE_CORNERS).keys()];
   const shared = rows.filter((y) => right!.has(at(0, y)));
   expect(shared.length).toBeGreaterThan(5);
-  expect(rows.filter((y) => left!.has(at(TILE, y)))).toEqual(shared);
+  expect(rows.filter((y) => left!.has(at(TILE_CELLS, y)))).toEqual(shared);
 });
 
 test("a hole is left out, its walls are not", () => {
   const some = corners();
   for (let y = 8; y <= 16; y++) for (let x = 8; x <= 16; x++) some.z[at(x, y)] = -10;
-  expect(area(drawn(some, -10))).toBe(TILE * TILE - 64);
+  expect(area(drawn(some, -10))).toBe(TILE_CELLS * TILE_CELLS - 64);
 });
 
 test("no square is one piece where the stock is cut open", () => {
   const all = drawn(corners(), undefined, [12, -1]);
   expect(loose(all)).toBe(0);
   const column = all.filter((three) => three.every(([x]) => x >= 11 && x <= 13));
-  expect(area(column)).toBe(2 * TILE);
+  expect(area(column)).toBe(2 * TILE_CELLS);
 });
 
 test("the coarse surface has heights of the stock, and both its edges", () => {

@@ -1,6 +1,6 @@
 // The triangles of a tile: large ones where the surface is flat.
 
-import { SIDE, TILE } from "./tile";
+import { TILE_CORNERS, TILE_CELLS } from "./tile";
 
 /** Corners of a tile: heights, slots of the tools that cut them, and heights of the target where there is one. */
 export interface TileCorners {
@@ -13,22 +13,22 @@ export interface TileCorners {
 
 /** Which corners squares have on the four edges of a tile, after each other: least and largest Y, least and largest X. */
 export type TileEdges = Uint8Array;
-export const noEdges = (): TileEdges => new Uint8Array(4 * SIDE);
+export const noEdges = (): TileEdges => new Uint8Array(4 * TILE_CORNERS);
 
 /** The tile that lies beyond each edge, in tiles along X and Y, and the edge of it that is the same. */
-export const BEYOND = [[0, -1, 1], [0, 1, 0], [-1, 0, 3], [1, 0, 2]] as const;
+export const ADJACENT_TILES = [[0, -1, 1], [0, 1, 0], [-1, 0, 3], [1, 0, 2]] as const;
 
 /** Squares of a tile are halved so often until they are cells. */
-const HALVINGS = Math.log2(TILE);
+const HALVINGS = Math.log2(TILE_CELLS);
 /** Below this height over the bottom nothing is left, mm. */
-export const NOTHING_LEFT = 1e-4;
+export const MIN_HEIGHT_MM = 1e-4;
 
 /** For each size of a square, cells first, which of them are flat and of one owner. */
-const flat = Array.from({ length: HALVINGS + 1 }, (_, halving) => new Uint8Array((TILE >> halving) ** 2));
+const flat = Array.from({ length: HALVINGS + 1 }, (_, halving) => new Uint8Array((TILE_CELLS >> halving) ** 2));
 /** Which corners some square has. */
-const used = new Uint8Array(SIDE * SIDE);
+const used = new Uint8Array(TILE_CORNERS * TILE_CORNERS);
 /** The first corners of squares that are larger than a cell, and their sizes: of each two numbers. */
-const large = new Uint16Array(2 * TILE * TILE);
+const large = new Uint16Array(2 * TILE_CELLS * TILE_CELLS);
 
 /**
  * Writes the triangles of a tile to `index` and gives how many numbers they take. A square that is flat and of one owner
@@ -53,11 +53,11 @@ export function triangles(
     index[count++] = c;
   };
   let squares = 0;
-  const isThere = (a: number) => z[a]! > bottom + NOTHING_LEFT;
+  const isThere = (a: number) => z[a]! > bottom + MIN_HEIGHT_MM;
   const divide = (halving: number, x: number, y: number) => {
     const size = 1 << halving;
-    const a = y * SIDE + x;
-    const isFlat = flat[halving]![(y >> halving) * (TILE >> halving) + (x >> halving)];
+    const a = y * TILE_CORNERS + x;
+    const isFlat = flat[halving]![(y >> halving) * (TILE_CELLS >> halving) + (x >> halving)];
     if (!isFlat && halving > 0) {
       const half = size >> 1;
       divide(halving - 1, x, y);
@@ -66,7 +66,7 @@ export function triangles(
       divide(halving - 1, x + half, y + half);
       return;
     }
-    const [b, c, d] = [a + size, a + size * SIDE, a + size * SIDE + size];
+    const [b, c, d] = [a + size, a + size * TILE_CORNERS, a + size * TILE_CORNERS + size];
     used[a] = used[b] = used[c] = used[d] = 1;
     if (isFlat && !isThere(a)) return;
     if (halving > 0) {
@@ -85,14 +85,14 @@ export function triangles(
   if (edges) meet(edges);
   for (let at = 0; at < squares; at += 2) {
     const [a, size] = [large[at]!, large[at + 1]!];
-    const [b, c, d] = [a + size, a + size * SIDE, a + size * SIDE + size];
-    const edges = [[a, b, 1], [b, d, SIDE], [d, c, -1], [c, a, -SIDE]] as const;
+    const [b, c, d] = [a + size, a + size * TILE_CORNERS, a + size * TILE_CORNERS + size];
+    const edges = [[a, b, 1], [b, d, TILE_CORNERS], [d, c, -1], [c, a, -TILE_CORNERS]] as const;
     if (!edges.some(([from, to, step]) => isDivided(from, to, step))) {
       put(a, b, d);
       put(a, d, c);
       continue;
     }
-    const middle = a + (size >> 1) * (SIDE + 1);
+    const middle = a + (size >> 1) * (TILE_CORNERS + 1);
     for (const [from, to, step] of edges) {
       let before: number = from;
       for (let corner = from + step; ; corner += step) {
@@ -108,13 +108,13 @@ export function triangles(
 
 /** Writes the corners on the edges of the tile, and takes those of the adjacent tiles. */
 function meet({ own, neighbors }: { own: TileEdges; neighbors: TileEdges }): void {
-  for (let at = 0; at < SIDE; at++) {
-    const places = [at, TILE * SIDE + at, at * SIDE, at * SIDE + TILE];
-    places.forEach((place, edge) => (own[edge * SIDE + at] = used[place]!));
+  for (let at = 0; at < TILE_CORNERS; at++) {
+    const places = [at, TILE_CELLS * TILE_CORNERS + at, at * TILE_CORNERS, at * TILE_CORNERS + TILE_CELLS];
+    places.forEach((place, edge) => (own[edge * TILE_CORNERS + at] = used[place]!));
   }
-  for (let at = 0; at < SIDE; at++) {
-    const places = [at, TILE * SIDE + at, at * SIDE, at * SIDE + TILE];
-    places.forEach((place, edge) => (used[place]! |= neighbors[edge * SIDE + at]!));
+  for (let at = 0; at < TILE_CORNERS; at++) {
+    const places = [at, TILE_CELLS * TILE_CORNERS + at, at * TILE_CORNERS, at * TILE_CORNERS + TILE_CELLS];
+    places.forEach((place, edge) => (used[place]! |= neighbors[edge * TILE_CORNERS + at]!));
   }
 }
 
@@ -125,10 +125,10 @@ function isDivided(from: number, to: number, step: number): boolean {
 
 function findFlat({ z, slot, target }: TileCorners, open: [number, number]): void {
   const cells = flat[0]!;
-  for (let y = 0, cell = 0; y < TILE; y++) {
-    for (let x = 0; x < TILE; x++, cell++) {
-      const a = y * SIDE + x;
-      const c = a + SIDE;
+  for (let y = 0, cell = 0; y < TILE_CELLS; y++) {
+    for (let x = 0; x < TILE_CELLS; x++, cell++) {
+      const a = y * TILE_CORNERS + x;
+      const c = a + TILE_CORNERS;
       cells[cell] = Number(
         z[a] === z[a + 1] && z[a] === z[c] && z[a] === z[c + 1] &&
         slot[a] === slot[a + 1] && slot[a] === slot[c] && slot[a] === slot[c + 1] &&
@@ -137,7 +137,7 @@ function findFlat({ z, slot, target }: TileCorners, open: [number, number]): voi
     }
   }
   for (let halving = 1; halving <= HALVINGS; halving++) {
-    const [across, size] = [TILE >> halving, 1 << halving];
+    const [across, size] = [TILE_CELLS >> halving, 1 << halving];
     const [own, parts] = [flat[halving]!, flat[halving - 1]!];
     const isOpen = (from: number, at: number) => at >= from && at <= from + size;
     for (let y = 0; y < across; y++) {

@@ -4,8 +4,8 @@ import { BufferAttribute, BufferGeometry, Color, DoubleSide, EdgesGeometry, Grou
 import type { Palette } from "../view/colors";
 
 /** Faces that meet at a smaller angle have no line between them, degrees. */
-const EDGE = 20;
-const LIGHT = new Vector3(-0.35, -0.55, 0.9).normalize();
+const EDGE_ANGLE_DEGREES = 20;
+const LIGHT_DIRECTION = new Vector3(-0.35, -0.55, 0.9).normalize();
 
 export class FixtureMesh {
   readonly object = new Group();
@@ -29,7 +29,7 @@ export class FixtureMesh {
     geometry.setAttribute("position", new BufferAttribute(corners, 3));
     geometry.setAttribute("color", new BufferAttribute(new Float32Array(corners.length), 3));
     this.mesh = new Mesh(geometry, this.faces);
-    const edges = new LineSegments(new EdgesGeometry(geometry, EDGE), this.lines);
+    const edges = new LineSegments(new EdgesGeometry(geometry, EDGE_ANGLE_DEGREES), this.lines);
     for (const object of [this.mesh, edges]) {
       object.frustumCulled = false;
       this.object.add(object);
@@ -46,7 +46,7 @@ export class FixtureMesh {
     for (let at = 0; at + 2 < position.count; at += 3) {
       [a, b, c].forEach((corner, n) => corner.fromBufferAttribute(position, at + n));
       const normal = b.sub(a).cross(c.sub(a)).normalize();
-      const light = 0.6 + 0.4 * Math.max(0, normal.dot(LIGHT)) - 0.12 * Math.max(0, normal.x);
+      const light = 0.6 + 0.4 * Math.max(0, normal.dot(LIGHT_DIRECTION)) - 0.12 * Math.max(0, normal.x);
       for (let n = 0; n < 3; n++) color.setXYZ(at + n, own.r * light, own.g * light, own.b * light);
     }
     color.needsUpdate = true;

@@ -31,7 +31,7 @@ void main() {
 }`;
 
 /** No gap: above everything. */
-const NOWHERE = 1;
+const NO_GAP_HEIGHT = 1;
 
 export class GapMesh {
   readonly object: Mesh<BufferGeometry, ShaderMaterial>;
@@ -80,14 +80,14 @@ export class GapMesh {
     if (bands > this.bands) {
       this.texture?.dispose();
       this.bands = bands;
-      this.texture = new DataTexture(new Float32Array(2 * nx * ny * bands).fill(NOWHERE), nx, ny * bands, RGFormat, FloatType);
+      this.texture = new DataTexture(new Float32Array(2 * nx * ny * bands).fill(NO_GAP_HEIGHT), nx, ny * bands, RGFormat, FloatType);
       this.written = [];
     }
     const { texture } = this;
     if (!texture) return;
     const data = texture.image.data as Float32Array;
     const at = (column: number, band: number) => 2 * ((Math.floor(column / nx) * bands + band) * nx + (column % nx));
-    for (const column of this.written) for (let band = 0; band < bands; band++) data.fill(NOWHERE, at(column, band), at(column, band) + 2);
+    for (const column of this.written) for (let band = 0; band < bands; band++) data.fill(NO_GAP_HEIGHT, at(column, band), at(column, band) + 2);
     this.written = [];
     for (const [column, own] of this.gaps.columns) {
       this.written.push(column);

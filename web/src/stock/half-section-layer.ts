@@ -30,7 +30,7 @@ export interface SectionMoment {
 }
 
 /** To the other side of the axis. */
-const MIRROR = new DOMMatrix([1, 0, 0, -1, 0, 0]);
+const MIRROR_MATRIX = new DOMMatrix([1, 0, 0, -1, 0, 0]);
 
 interface Shown {
   stock: boolean;
@@ -197,7 +197,7 @@ export class HalfSectionLayer {
     context.fillStyle = palette.background;
     context.fillRect(0, 0, canvas.width, canvas.height);
     if (!matrix) return;
-    const mirrored = matrix.multiply(MIRROR);
+    const mirrored = matrix.multiply(MIRROR_MATRIX);
     const ratio = Math.min(2, window.devicePixelRatio);
     const pen = new Brush(context, ratio);
     if (shown.stock) {
@@ -232,7 +232,7 @@ export class HalfSectionLayer {
     context.clearRect(0, 0, over.width, over.height);
     if (!matrix) return;
     const pen = new Brush(context, Math.min(2, window.devicePixelRatio));
-    this.paintTool(pen, matrix, matrix.multiply(MIRROR));
+    this.paintTool(pen, matrix, matrix.multiply(MIRROR_MATRIX));
     for (const { line, at } of this.shown.stock ? this.marks : []) pen.mark(matrix, at, `line ${line}`, palette.deviation[0]!, palette.background);
   }
 

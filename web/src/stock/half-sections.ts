@@ -3,7 +3,7 @@
 import { type Frame, f32, u32, u8 } from "../protocol/frame";
 
 /** Numbers of a line or an arc: z and radius of its ends and its centre, mm, and how it turns: 0 straight, 1 from z to the radius, -1 back. */
-export const STRIDE = 7;
+export const SEGMENT_NUMBERS = 7;
 
 /** Loops, each as the numbers of its lines and arcs. */
 export type Loops = ArrayLike<number>[];
@@ -90,12 +90,12 @@ export class HalfSections {
   }
 
   numbers(piece: number): Float32Array {
-    return this.lines.subarray(STRIDE * piece, STRIDE * (piece + 1));
+    return this.lines.subarray(SEGMENT_NUMBERS * piece, SEGMENT_NUMBERS * (piece + 1));
   }
 
   /** The loops of some lines and arcs: each goes on where the one before ends. */
   loops(pieces: number[]): Loops {
-    const key = (piece: number, at: number) => `${this.lines[STRIDE * piece + at]} ${this.lines[STRIDE * piece + at + 1]}`;
+    const key = (piece: number, at: number) => `${this.lines[SEGMENT_NUMBERS * piece + at]} ${this.lines[SEGMENT_NUMBERS * piece + at + 1]}`;
     const starts = new Map<string, number[]>();
     for (const piece of pieces) {
       const here = starts.get(key(piece, 0));
@@ -133,7 +133,7 @@ export function draw(pen: Pen, n: ArrayLike<number>, at = 0): void {
 export function trace(pen: Pen, loops: Loops): void {
   for (const loop of loops) {
     pen.moveTo(loop[0]!, loop[1]!);
-    for (let at = 0; at < loop.length; at += STRIDE) draw(pen, loop, at);
+    for (let at = 0; at < loop.length; at += SEGMENT_NUMBERS) draw(pen, loop, at);
     pen.closePath();
   }
 }
@@ -185,12 +185,12 @@ export function edges(pieces: ArrayLike<number>[]): SectionPoint[] {
 }
 
 /** Chords of an arc of a tool turn by so much at most, rad. */
-const TOOL_STEP = Math.PI / 24;
+const TOOL_STEP_RAD = Math.PI / 24;
 
 /** The corners of a convex loop, arcs as chords, moved to a point. */
 export function corners(loop: ArrayLike<number>, [z, r]: SectionPoint): SectionPoint[] {
   const found: SectionPoint[] = [];
-  for (let at = 0; at < loop.length; at += STRIDE) {
+  for (let at = 0; at < loop.length; at += SEGMENT_NUMBERS) {
     found.push([loop[at]! + z, loop[at + 1]! + r]);
     if (loop[at + 6] === 0) continue;
     const [zc, rc] = [loop[at + 4]!, loop[at + 5]!];
@@ -198,7 +198,7 @@ export function corners(loop: ArrayLike<number>, [z, r]: SectionPoint): SectionP
     const turned = Math.atan2(loop[at + 3]! - rc, loop[at + 2]! - zc) - from;
     const sweep = turned > 0 ? turned : turned + 2 * Math.PI;
     const radius = Math.hypot(loop[at]! - zc, loop[at + 1]! - rc);
-    const steps = Math.ceil(sweep / TOOL_STEP);
+    const steps = Math.ceil(sweep / TOOL_STEP_RAD);
     for (let step = 1; step < steps; step++) {
       const angle = from + (sweep * step) / steps;
       found.push([zc + radius * Math.cos(angle) + z, rc + radius * Math.sin(angle) + r]);

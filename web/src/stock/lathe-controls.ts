@@ -5,7 +5,7 @@ import { type Units, countText, volume } from "../panels/units";
 import type { TurnedReport } from "../protocol/messages";
 import type { HalfSections } from "./half-sections";
 
-const VERDICTS = { clean: "clean", problems: "problems, see Problems", "not-proved": "not proved, see Problems" } as const;
+const VERDICT_TEXTS = { clean: "clean", problems: "problems, see Problems", "not-proved": "not proved, see Problems" } as const;
 
 type Shown = "stock" | "fixtures" | "target";
 
@@ -51,7 +51,7 @@ export function latheControls(show: (what: Shown, shown: boolean) => void) {
     },
     report({ verdict, removed_mm3: { least, most }, parts_off }: TurnedReport, units: Units): void {
       const off = parts_off > 0 ? `; ${countText(parts_off, "part")} cut off` : "";
-      found.textContent = `${VERDICTS[verdict]}; removed ${volume(units, least, most)}${off}`;
+      found.textContent = `${VERDICT_TEXTS[verdict]}; removed ${volume(units, least, most)}${off}`;
     },
   };
 }

@@ -6,11 +6,11 @@ import type { StockReport } from "../protocol/messages";
 import { type StockColor, type StockCut, MAX_TOLERANCES } from "./stock-layer";
 import type { StockBefore } from "./stock-timeline";
 
-const STEPS = 1000;
+const SLIDER_STEPS = 1000;
 /** Columns to choose from, about. */
-const COLUMNS: [number, string][] = [[60_000, "60,000"], [250_000, "250,000"], [500_000, "500,000"], [1_000_000, "1,000,000"]];
-const USUAL_COLUMNS = 250_000;
-const VERDICTS = { clean: "clean", problems: "problems, see Problems", "not-proved": "not proved, see Problems" } as const;
+const COLUMN_CHOICES: [number, string][] = [[60_000, "60,000"], [250_000, "250,000"], [500_000, "500,000"], [1_000_000, "1,000,000"]];
+const DEFAULT_COLUMNS = 250_000;
+const VERDICT_TEXTS = { clean: "clean", problems: "problems, see Problems", "not-proved": "not proved, see Problems" } as const;
 
 interface MillHandlers {
   show: (shown: boolean) => void;
@@ -48,11 +48,11 @@ export function millControls(handlers: MillHandlers) {
   const place = element("input");
   place.type = "range";
   place.id = "stock-cut";
-  Object.assign(place, { min: "0", max: String(STEPS), value: String(STEPS / 2) });
+  Object.assign(place, { min: "0", max: String(SLIDER_STEPS), value: String(SLIDER_STEPS / 2) });
   place.setAttribute("aria-label", "Where the stock is cut open");
   const placeText = element("output");
-  const columns = select("stock-columns", "Number of columns", COLUMNS.map(([value, text]) => [String(value), text]));
-  columns.value = String(USUAL_COLUMNS);
+  const columns = select("stock-columns", "Number of columns", COLUMN_CHOICES.map(([value, text]) => [String(value), text]));
+  columns.value = String(DEFAULT_COLUMNS);
   const about = element("output", "about");
   const found = element("output", "about");
   found.setAttribute("aria-live", "polite");
@@ -89,7 +89,7 @@ export function millControls(handlers: MillHandlers) {
     }
     const number = ["x", "y", "z"].indexOf(chosen);
     const [low, high] = [stock.low[number]!, stock.high[number]!];
-    const at = low + ((high - low) * Number(place.value)) / STEPS;
+    const at = low + ((high - low) * Number(place.value)) / SLIDER_STEPS;
     placeText.textContent = `${chosen.toUpperCase()} ${length(units, at)}`;
     handlers.cut({ axis: chosen, at });
   }
@@ -146,7 +146,7 @@ export function millControls(handlers: MillHandlers) {
       updateSummary();
     },
     report({ verdict, removed_mm3: { least, most } }: StockReport, its: Units): void {
-      found.textContent = `${VERDICTS[verdict]}; removed ${volume(its, least, most)}`;
+      found.textContent = `${VERDICT_TEXTS[verdict]}; removed ${volume(its, least, most)}`;
     },
   };
 }

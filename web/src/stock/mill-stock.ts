@@ -1,6 +1,6 @@
 // The stock of a milled program on the page: its messages, its moment, and how it is shown.
 
-import { type Vec3, KNOWN, RAPID, kindOf } from "../path/batch";
+import { type Vec3, KNOWN_BIT, RAPID, kindOf } from "../path/batch";
 import type { Connection } from "../protocol/connection";
 import { type Frame, f32, u32 } from "../protocol/frame";
 import type { ServerMessage, StockReport } from "../protocol/messages";
@@ -27,13 +27,13 @@ interface Moment {
 }
 
 /** All of the program. */
-const END: Moment = { rows: Infinity, at: undefined };
+const PROGRAM_END: Moment = { rows: Infinity, at: undefined };
 
 export function millStock(parts: MillStockParts) {
   const { view } = parts;
   let drops: StockTimeline | undefined;
   let gaps = new Gaps();
-  let moment = END;
+  let moment = PROGRAM_END;
   let progress = 1;
   const controls = millControls({
     show: (shown) => view.stock.show(shown),
@@ -101,7 +101,7 @@ export function millStock(parts: MillStockParts) {
     const found = path.find(Math.min(Math.floor(rows), path.rows - 1));
     if (!found) return undefined;
     const [batch, row] = found;
-    if (kindOf(batch.kind[row]!) === RAPID || !(batch.kind[row]! & KNOWN)) return undefined;
+    if (kindOf(batch.kind[row]!) === RAPID || !(batch.kind[row]! & KNOWN_BIT)) return undefined;
     const number = batch.tool[row]!;
     const floor = floorOf(parts.run.machine?.tools.find((tool) => tool.number === number));
     const place = at.map((value, axis) => value + path.origin[axis]!) as Vec3;
@@ -130,7 +130,7 @@ export function millStock(parts: MillStockParts) {
     began(): void {
       if (drops) view.setStock(undefined);
       drops = undefined;
-      moment = END;
+      moment = PROGRAM_END;
       controls.none();
     },
     /** To a moment: so much of the path is done, and the tool is at a position, relative to the origin of the path. */

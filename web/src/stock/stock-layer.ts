@@ -30,7 +30,7 @@ import { PartMesh } from "./part-mesh";
 import { FRAGMENT, VERTEX } from "./stock-shader";
 import type { StockBefore } from "./stock-timeline";
 import { type TouchedBox, StockSurface } from "./surface";
-import { TILE } from "./tile";
+import { TILE_CELLS } from "./tile";
 import { TileMeshes } from "./tile-meshes";
 
 export type StockColor = "tool" | "depth" | "deviation" | "plain";
@@ -277,7 +277,7 @@ export class StockLayer {
 
   /** So much changes at once only while the time is dragged: more of it is likely to come. */
   private isLeap({ columns, rows }: TouchedBox): boolean {
-    return (columns[1] - columns[0]) * (rows[1] - rows[0]) > this.atOnce.tiles * TILE * TILE;
+    return (columns[1] - columns[0]) * (rows[1] - rows[0]) > this.atOnce.tiles * TILE_CELLS * TILE_CELLS;
   }
 
   private note(touched: TouchedBox | undefined): void {
@@ -315,7 +315,7 @@ export class StockLayer {
     for (let tile = 0; tile < tiles.count; tile++) {
       tiles.take(tile);
       const [x0, y0] = surface.firstCorner(tile);
-      const own = this.rectangle(surface, camera, [[x0, y0], [x0 + TILE, y0 + TILE]], tiles.ends(tile), 1);
+      const own = this.rectangle(surface, camera, [[x0, y0], [x0 + TILE_CELLS, y0 + TILE_CELLS]], tiles.ends(tile), 1);
       if (own.x > x + width || own.x + own.width < x || own.y > y + height || own.y + own.height < y) continue;
       chosen.push(tile);
       sum += tiles.triangles(tile);

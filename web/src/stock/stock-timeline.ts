@@ -23,7 +23,7 @@ export interface StockBefore {
 const MIN_KEYFRAME_DROPS = 1 << 17;
 
 /** A moment is far if it is more drops away than one in so many columns. */
-const FAR_SHARE = 16;
+const FAR_DIVISOR = 16;
 
 interface Keyframe {
   at: number;
@@ -141,7 +141,7 @@ export class StockTimeline {
   leap(rows: number): boolean {
     const to = this.doneAt(rows);
     const steps = Math.abs(to - this.at);
-    if (steps < this.heights.length / FAR_SHARE) return false;
+    if (steps < this.heights.length / FAR_DIVISOR) return false;
     const nearest = this.nearest(to);
     if (Math.abs(to - nearest.at) < steps) {
       this.heights.set(nearest.heights);

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import type { StockBefore } from "./stock-timeline";
 import { StockSurface } from "./surface";
-import { SIDE } from "./tile";
+import { TILE_CORNERS } from "./tile";
 import { floorOf } from "./tool-floor";
 
 function stock(nx: number, ny: number): StockBefore {
@@ -37,10 +37,10 @@ test("a column on the edge of a tile changes both, and no other", () => {
 test("the light on walls follows the way the surface falls", () => {
   const surface = new StockSurface(stock(100, 100));
   for (let y = 0; y < 100; y++) for (let x = 50; x < 100; x++) surface.set(y * 100 + x, -5, 1);
-  const to = new Int8Array(2 * SIDE * SIDE);
+  const to = new Int8Array(2 * TILE_CORNERS * TILE_CORNERS);
   surface.falls(1 + surface.tiles[0], to);
   // Column 49 is corner 50, 18 after the first of the tile.
-  const at = (column: number) => [to[2 * (10 * SIDE + column)], to[2 * (10 * SIDE + column) + 1]];
+  const at = (column: number) => [to[2 * (10 * TILE_CORNERS + column)], to[2 * (10 * TILE_CORNERS + column) + 1]];
   expect(at(18)).toEqual([127, 0]);
   expect(at(19)).toEqual([127, 0]);
   expect(at(25)).toEqual([0, 0]);

@@ -2,7 +2,7 @@
 
 import type { TileCorners } from "./facets";
 import type { StockBefore } from "./stock-timeline";
-import { SIDE, TILE } from "./tile";
+import { TILE_CORNERS, TILE_CELLS } from "./tile";
 import type { ToolFloor } from "./tool-floor";
 
 /** Columns and heights between which something has changed. */
@@ -47,7 +47,7 @@ export class StockSurface {
       this.z.set(stock.heights.subarray(from, from + nx), to);
       this.target?.set(stock.target!.subarray(from, from + nx), to);
     }
-    this.tiles = [Math.ceil((nx + 1) / TILE), Math.ceil((ny + 1) / TILE)];
+    this.tiles = [Math.ceil((nx + 1) / TILE_CELLS), Math.ceil((ny + 1) / TILE_CELLS)];
     this.stale = new Uint8Array(this.tiles[0] * this.tiles[1]).fill(1);
   }
 
@@ -88,8 +88,8 @@ export class StockSurface {
   private outdate(x: number, y: number): void {
     // Corner x + 1 is of the tile of cell x, too.
     const [across] = this.tiles;
-    const [left, right] = [Math.floor(x / TILE), Math.floor((x + 1) / TILE)];
-    const [low, high] = [Math.floor(y / TILE), Math.floor((y + 1) / TILE)];
+    const [left, right] = [Math.floor(x / TILE_CELLS), Math.floor((x + 1) / TILE_CELLS)];
+    const [low, high] = [Math.floor(y / TILE_CELLS), Math.floor((y + 1) / TILE_CELLS)];
     this.stale[low * across + left] = 1;
     this.stale[low * across + right] = 1;
     this.stale[high * across + left] = 1;
@@ -102,9 +102,9 @@ export class StockSurface {
     const { z, slot, stale, tiles: [across] } = this;
     for (let y = 0; y < ny; y++) {
       const [from, to] = [y * nx, this.corner(0, y)];
-      const [below, above] = [Math.floor(y / TILE) * across, Math.floor((y + 1) / TILE) * across];
-      for (let x0 = 0, tile = 0; x0 < nx; x0 += TILE, tile++) {
-        const end = Math.min(nx, x0 + TILE);
+      const [below, above] = [Math.floor(y / TILE_CELLS) * across, Math.floor((y + 1) / TILE_CELLS) * across];
+      for (let x0 = 0, tile = 0; x0 < nx; x0 += TILE_CELLS, tile++) {
+        const end = Math.min(nx, x0 + TILE_CELLS);
         let [first, last, low, high] = [-1, -1, Infinity, -Infinity];
         for (let x = x0; x < end; x++) {
           const before = z[to + x]!;
@@ -121,7 +121,7 @@ export class StockSurface {
         this.touch(first, y, low, high);
         this.touch(last, y, low, high);
         // Corner x + 1 is of the tile of cell x, too.
-        const right = last === x0 + TILE - 1 ? tile + 1 : tile;
+        const right = last === x0 + TILE_CELLS - 1 ? tile + 1 : tile;
         stale[below + tile] = stale[below + right] = stale[above + tile] = stale[above + right] = 1;
       }
     }
@@ -181,7 +181,7 @@ export class StockSurface {
   /** The first corner of a tile. */
   firstCorner(tile: number): [number, number] {
     const [across] = this.tiles;
-    return [(tile % across) * TILE, Math.floor(tile / across) * TILE];
+    return [(tile % across) * TILE_CELLS, Math.floor(tile / across) * TILE_CELLS];
   }
 
   /** No flat square crosses this column or row of corners: the stock is cut open there. */
@@ -199,10 +199,10 @@ export class StockSurface {
     const { z, width, height } = this;
     const [x0, y0] = this.firstCorner(tile);
     let at = 0;
-    for (let row = 0; row < SIDE; row++) {
+    for (let row = 0; row < TILE_CORNERS; row++) {
       const y = Math.min(height - 1, y0 + row);
       const [below, above] = [Math.max(0, y - 1) * width, Math.min(height - 1, y + 1) * width];
-      for (let column = 0; column < SIDE; column++, at += 2) {
+      for (let column = 0; column < TILE_CORNERS; column++, at += 2) {
         const x = Math.min(width - 1, x0 + column);
         const [left, right] = [Math.max(0, x - 1), Math.min(width - 1, x + 1)];
         const own = y * width;
@@ -222,9 +222,9 @@ export class StockSurface {
   copy(tile: number, { z, slot, target, shift }: TileCorners): [number, number] {
     const [x0, y0] = this.firstCorner(tile);
     let [low, high] = [Infinity, -Infinity];
-    for (let y = 0, to = 0; y < SIDE; y++) {
+    for (let y = 0, to = 0; y < TILE_CORNERS; y++) {
       const row = Math.min(this.height - 1, y0 + y) * this.width;
-      for (let x = 0; x < SIDE; x++, to++) {
+      for (let x = 0; x < TILE_CORNERS; x++, to++) {
         const from = row + Math.min(this.width - 1, x0 + x);
         const value = this.z[from]!;
         z[to] = value;

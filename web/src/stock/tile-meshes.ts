@@ -1,9 +1,9 @@
 // The surface of a stock as meshes, one for each tile: made again where it has changed.
 
 import { type ShaderMaterial, BufferAttribute, BufferGeometry, Group, Mesh } from "three";
-import { type TileEdges, BEYOND, noEdges, triangles } from "./facets";
+import { type TileEdges, ADJACENT_TILES, noEdges, triangles } from "./facets";
 import type { StockSurface } from "./surface";
-import { SIDE, TILE } from "./tile";
+import { TILE_CORNERS, TILE_CELLS } from "./tile";
 
 interface TileMesh {
   mesh: Mesh<BufferGeometry, ShaderMaterial>;
@@ -25,8 +25,8 @@ export class TileMeshes {
   constructor(readonly surface: StockSurface, material: ShaderMaterial) {
     for (let tile = 0; tile < surface.stale.length; tile++) {
       const [x, y] = surface.firstCorner(tile);
-      const places = new Uint16Array(2 * SIDE * SIDE);
-      for (let at = 0; at < SIDE * SIDE; at++) places.set([x + (at % SIDE), y + Math.floor(at / SIDE)], 2 * at);
+      const places = new Uint16Array(2 * TILE_CORNERS * TILE_CORNERS);
+      for (let at = 0; at < TILE_CORNERS * TILE_CORNERS; at++) places.set([x + (at % TILE_CORNERS), y + Math.floor(at / TILE_CORNERS)], 2 * at);
       const mesh = new Mesh(geometryOf(places, surface), material);
       mesh.frustumCulled = false;
       this.group.add(mesh);
@@ -85,23 +85,23 @@ export class TileMeshes {
   /** The corners that the adjacent tiles have on its edges. */
   private neighborEdges(tile: number): TileEdges {
     const all = noEdges();
-    BEYOND.forEach(([, , same], edge) => {
+    ADJACENT_TILES.forEach(([, , same], edge) => {
       const other = this.beyond(tile, edge);
-      if (other) all.set(other.edges.subarray(same * SIDE, (same + 1) * SIDE), edge * SIDE);
+      if (other) all.set(other.edges.subarray(same * TILE_CORNERS, (same + 1) * TILE_CORNERS), edge * TILE_CORNERS);
     });
     return all;
   }
 
   private markNeighbors(tile: number, before: TileEdges, after: TileEdges): void {
-    for (let edge = 0; edge < BEYOND.length; edge++) {
+    for (let edge = 0; edge < ADJACENT_TILES.length; edge++) {
       const other = this.beyond(tile, edge);
-      for (let at = edge * SIDE; other && at < (edge + 1) * SIDE; at++) if (before[at] !== after[at]) other.hasStaleEdges = true;
+      for (let at = edge * TILE_CORNERS; other && at < (edge + 1) * TILE_CORNERS; at++) if (before[at] !== after[at]) other.hasStaleEdges = true;
     }
   }
 
   private beyond(tile: number, edge: number): TileMesh | undefined {
     const [across, up] = this.surface.tiles;
-    const [dx, dy] = BEYOND[edge]!;
+    const [dx, dy] = ADJACENT_TILES[edge]!;
     const [x, y] = [(tile % across) + dx, Math.floor(tile / across) + dy];
     return x >= 0 && y >= 0 && x < across && y < up ? this.parts[y * across + x] : undefined;
   }
@@ -135,6 +135,6 @@ function geometryOf(places: Uint16Array, { target, shift }: StockSurface): Buffe
   geometry.setAttribute("lean", new BufferAttribute(new Int8Array(2 * count), 2, true));
   if (target) geometry.setAttribute("target", new BufferAttribute(new Float32Array(count), 1));
   if (shift) geometry.setAttribute("shift", new BufferAttribute(new Int8Array(2 * count), 2, true));
-  geometry.setIndex(new BufferAttribute(new Uint16Array(6 * TILE * TILE), 1));
+  geometry.setIndex(new BufferAttribute(new Uint16Array(6 * TILE_CELLS * TILE_CELLS), 1));
   return geometry;
 }

@@ -2,7 +2,7 @@
 
 import type { Vec3 } from "../path/batch";
 
-const NAMES = ["X", "Y", "Z"];
+const AXIS_NAMES = ["X", "Y", "Z"];
 
 export function drawAxes(canvas: HTMLCanvasElement, axes: Vec3[]): void {
   const scale = Math.min(2, window.devicePixelRatio);
@@ -21,12 +21,12 @@ export function drawAxes(canvas: HTMLCanvasElement, axes: Vec3[]): void {
   const order = [0, 1, 2].sort((a, b) => axes[a]![2] - axes[b]![2]);
   for (const axis of order) {
     const [x, y] = axes[axis]!;
-    const color = style.getPropertyValue(`--axis-${NAMES[axis]!.toLowerCase()}`);
+    const color = style.getPropertyValue(`--axis-${AXIS_NAMES[axis]!.toLowerCase()}`);
     context.strokeStyle = context.fillStyle = color;
     context.beginPath();
     context.moveTo(middle, middle);
     context.lineTo(middle + x * middle * 0.62, middle - y * middle * 0.62);
     context.stroke();
-    if (Math.hypot(x, y) > 0.05) context.fillText(NAMES[axis]!, middle + x * middle * 0.84, middle - y * middle * 0.84);
+    if (Math.hypot(x, y) > 0.05) context.fillText(AXIS_NAMES[axis]!, middle + x * middle * 0.84, middle - y * middle * 0.84);
   }
 }

@@ -8,7 +8,7 @@ import { type ViewEdges, ViewExtent } from "./extent";
 export type ViewName = "top" | "front" | "right" | "iso";
 
 /** The direction from which each view looks. */
-const VIEWS: Record<ViewName, Vec3> = {
+const VIEW_DIRECTIONS: Record<ViewName, Vec3> = {
   top: [0, 0, 1],
   front: [0, -1, 0],
   right: [1, 0, 0],
@@ -35,15 +35,15 @@ function turning(turret: TurretSide, view: ViewName): { from: Vec3; up: Vec3 } {
 }
 
 /** How much of the view a fitted path takes. */
-const ROOM = 0.86;
+const FIT_SHARE = 0.86;
 /** The same for a path that still grows: with more room it is not fitted and drawn for each batch. */
-const GROWING_ROOM = 0.55;
+const GROWING_FIT_SHARE = 0.55;
 
 /** How far in front of and behind the camera is visible, mm: beyond every machine, and depths are distinguished to 0.01 mm. */
-const DEEP = 5e4;
+const DEPTH_MM = 5e4;
 
 export class ViewCamera {
-  readonly camera = new OrthographicCamera(-1, 1, 1, -1, -DEEP, DEEP);
+  readonly camera = new OrthographicCamera(-1, 1, 1, -1, -DEPTH_MM, DEPTH_MM);
   private controls: OrbitControls;
   private view: ViewName = "iso";
   private turret: TurretSide | undefined;
@@ -107,7 +107,7 @@ export class ViewCamera {
     const { camera } = this;
     const center = new Vector3(...low).add(new Vector3(...high)).multiplyScalar(0.5);
     const reach = new Vector3(...high).sub(new Vector3(...low)).length() || 1;
-    const direction = this.turret ? turning(this.turret, this.view) : { from: VIEWS[this.view], up: [0, 0, 1] as Vec3 };
+    const direction = this.turret ? turning(this.turret, this.view) : { from: VIEW_DIRECTIONS[this.view], up: [0, 0, 1] as Vec3 };
     const from = new Vector3(...direction.from).normalize();
     // From exactly above, the rotation about Z would be undefined.
     if (!this.turret && this.view === "top") from.y -= 1e-5;
@@ -126,7 +126,7 @@ export class ViewCamera {
       .addScaledVector(new Vector3(m[4]!, m[5]!, m[6]!), (bottom + top) / 2);
     look(center);
     const least = reach * 1e-3;
-    camera.zoom = (grows ? GROWING_ROOM : ROOM) * Math.min(
+    camera.zoom = (grows ? GROWING_FIT_SHARE : FIT_SHARE) * Math.min(
       (camera.right - camera.left) / Math.max(right - left, least),
       (camera.top - camera.bottom) / Math.max(top - bottom, least),
     );

@@ -87,13 +87,13 @@ export function rgb(color: string): Rgb {
 }
 
 /** The share of the text's colour that tools beyond the last colour get. */
-const SECOND_ROUND = 0.5;
+const SECOND_ROUND_SHARE = 0.5;
 
 /** The colour of a tool, by its number in the order in which the tools cut first. */
 export function toolColor({ tools, text }: Palette, index: number): string {
   const own = tools[Math.max(0, index) % tools.length]!;
   const isFirstRound = Math.floor(Math.max(0, index) / tools.length) % 2 === 0;
-  return isFirstRound ? own : hex(mixed(rgb(own), rgb(text), SECOND_ROUND));
+  return isFirstRound ? own : hex(mixed(rgb(own), rgb(text), SECOND_ROUND_SHARE));
 }
 
 function mixed(a: Rgb, b: Rgb, share: number): Rgb {

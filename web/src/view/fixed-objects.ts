@@ -6,7 +6,7 @@ import { corner } from "./extent";
 import { geometryOf } from "./line-mesh";
 
 /** X red, Y green, Z blue, for both ends of each. */
-const AXES = [[1, 0.3, 0.3], [0.3, 0.8, 0.3], [0.4, 0.6, 1]].flatMap((color) => [...color, ...color]);
+const AXIS_COLORS = [[1, 0.3, 0.3], [0.3, 0.8, 0.3], [0.4, 0.6, 1]].flatMap((color) => [...color, ...color]);
 
 export class FixedObjects {
   readonly object = new Group();
@@ -26,7 +26,7 @@ export class FixedObjects {
     }
     for (const [x, y, z] of zeros) {
       const geometry = geometryOf(new Float32Array([x, y, z, x + size, y, z, x, y, z, x, y + size, z, x, y, z, x, y, z + size]));
-      geometry.setAttribute("color", new BufferAttribute(new Float32Array(AXES), 3));
+      geometry.setAttribute("color", new BufferAttribute(new Float32Array(AXIS_COLORS), 3));
       this.object.add(new LineSegments(geometry, this.zeroMaterial));
     }
     this.box = undefined;

@@ -25,9 +25,9 @@ export const QUALITIES: FrameQuality[] = [
 const SLOW_MS = 40;
 /** Many faster frames in a row raise the quality, ms. */
 const FAST_MS = 20;
-const IN_A_ROW = 20;
+const FAST_FRAMES_IN_A_ROW = 20;
 /** While the pointer does not move there are no frames: a longer gap is no slow frame. */
-const REST_MS = 1000;
+const MAX_GAP_MS = 1000;
 
 export class FramePace {
   private step: number;
@@ -35,7 +35,7 @@ export class FramePace {
   private slow = 0;
   private fast = 0;
   /** Fast frames before a higher quality is tried; doubled each time that it was too slow. */
-  private fastFramesNeeded = IN_A_ROW;
+  private fastFramesNeeded = FAST_FRAMES_IN_A_ROW;
   private tried = false;
 
   /** Begins with what a machine of this kind can probably draw. */
@@ -58,7 +58,7 @@ export class FramePace {
     const gap = now - this.before;
     const isFirst = this.before === 0;
     this.before = now;
-    if (isFirst || gap > REST_MS) return;
+    if (isFirst || gap > MAX_GAP_MS) return;
     this.slow = gap > SLOW_MS ? this.slow + 1 : 0;
     this.fast = gap < FAST_MS ? this.fast + 1 : 0;
     // One slow frame may have another cause.

@@ -9,12 +9,12 @@ import { type LineMaterials, LineMesh, geometryOf } from "./line-mesh";
 import { spansOf } from "./progress";
 
 /** Lines of each level, about. */
-export const LEVELS = [60_000, 20_000, 8_000, 3_000];
+export const LEVEL_LINES = [60_000, 20_000, 8_000, 3_000];
 /** Rapids of a level, as a share of its lines. */
-const RAPIDS = 1 / 4;
+const RAPIDS_SHARE = 1 / 4;
 /** How far a line may be from the path, as a share of the path's size. */
-const FINE = 1 / 2000;
-const ROUGH = 1 / 500;
+const FINE_SHARE = 1 / 2000;
+const ROUGH_SHARE = 1 / 500;
 
 export interface PathPart {
   batch: Batch;
@@ -54,16 +54,16 @@ export class PathLevels {
     const fine: PathStrands[] = [];
     const rough: PathStrands[] = [];
     for (const { lines } of parts) {
-      fine.push(strands(lines.cuts, size * FINE));
-      rough.push(strands(fine.at(-1)!.lines, size * ROUGH));
+      fine.push(strands(lines.cuts, size * FINE_SHARE));
+      rough.push(strands(fine.at(-1)!.lines, size * ROUGH_SHARE));
       await yieldToEventLoop();
       if (number !== this.builds) return false;
     }
     const levels: Group[] = [];
     const made: LineMesh[] = [];
     const rapids: LineSegments[] = [];
-    for (const [index, most] of LEVELS.entries()) {
-      const from = index < LEVELS.length / 2 ? fine : rough;
+    for (const [index, most] of LEVEL_LINES.entries()) {
+      const from = index < LEVEL_LINES.length / 2 ? fine : rough;
       const level = new Group();
       const share = most / from.reduce((sum, { lines }) => sum + lines.count, 0);
       let before = 0;
@@ -76,7 +76,7 @@ export class PathLevels {
         made.push(strokes);
         level.add(strokes.object);
       }
-      const some = someRapids(parts, most * RAPIDS, rapidMaterial);
+      const some = someRapids(parts, most * RAPIDS_SHARE, rapidMaterial);
       rapids.push(some);
       level.add(some);
       levels.push(level);

@@ -23,14 +23,14 @@ import type { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { type DrawGroup, drawCost, drawGroups, drawWeight, isWide, wholeGroup } from "./draw-groups";
 import { type FrameQuality, DrawSlices, FramePace } from "./frame-budget";
 import { gpuFinished } from "./gpu-fence";
-import { type PathLevels, LEVELS } from "./lod";
+import { type PathLevels, LEVEL_LINES } from "./lod";
 
 /** Lines that any machine draws in a frame. */
 const MIN_SLICE_LINES = 8_000;
 /** Edges in a reused picture are smoothed on machines that draw so many lines in one go. */
 const SMOOTH_FROM_LINES = 100_000;
 /** While frames follow each other, the picture is drawn in the gaps: a quarter of the usual slice, and a pause after each, ms. */
-const BUSY_SHARE = 4;
+const BUSY_DIVISOR = 4;
 const BUSY_PAUSE_MS = 40;
 /** How often a picture that is being drawn is shown, ms. */
 const SHOW_INTERVAL_MS = 150;
@@ -208,7 +208,7 @@ export class Painter {
     cuts.visible = !isCoarse;
     rapids.visible = rapidsShown && !isCoarse;
     // If the program's own path is hidden, nothing else would be visible.
-    extras.visible = !isCoarse || !this.own.visible || drawWeight(drawGroups(extras)) <= LEVELS[level]!;
+    extras.visible = !isCoarse || !this.own.visible || drawWeight(drawGroups(extras)) <= LEVEL_LINES[level]!;
     this.setScale(scale);
     const target = samples > 0 ? this.target(samples) : null;
     renderer.setRenderTarget(target);
@@ -293,7 +293,7 @@ export class Painter {
 
   private drawSome(): number {
     const { renderer, camera, queue } = this;
-    const most = this.isBusyNow ? Math.max(2_000, this.slices.lines / BUSY_SHARE) : this.slices.lines;
+    const most = this.isBusyNow ? Math.max(2_000, this.slices.lines / BUSY_DIVISOR) : this.slices.lines;
     let drawn = 0;
     renderer.setRenderTarget(this.pictureTarget!);
     while (queue.length > 0 && drawn < most) {

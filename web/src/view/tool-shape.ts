@@ -5,10 +5,10 @@ import type { Vec3 } from "../path/batch";
 import type { ToolInfo } from "../protocol/messages";
 import type { Palette } from "./colors";
 
-const SPINDLE = new Vector3(0, 0, 1);
+const SPINDLE_AXIS = new Vector3(0, 0, 1);
 /** Point angles where the table gives none, rad: they are only used for the picture. */
-const DRILL_POINT = (118 * Math.PI) / 180;
-const CHAMFER_POINT = Math.PI / 2;
+const DRILL_POINT_RAD = (118 * Math.PI) / 180;
+const CHAMFER_POINT_RAD = Math.PI / 2;
 /** Pieces of a quarter of a corner. */
 const CORNER_STEPS = 8;
 
@@ -22,10 +22,10 @@ export type DrawnTool = Partial<Omit<ToolInfo, "number" | "kind" | "comment">>;
 function end(tool: DrawnTool, radius: number): Outline {
   switch (tool.shape) {
     case "drill":
-      return [[0, 0], [radius, radius / Math.tan((tool.point_angle_rad ?? DRILL_POINT) / 2)]];
+      return [[0, 0], [radius, radius / Math.tan((tool.point_angle_rad ?? DRILL_POINT_RAD) / 2)]];
     case "chamfer": {
       const tip = Math.min(radius, (tool.tip_diameter_mm ?? 0) / 2);
-      return [[0, 0], [tip, 0], [radius, (radius - tip) / Math.tan((tool.point_angle_rad ?? CHAMFER_POINT) / 2)]];
+      return [[0, 0], [tip, 0], [radius, (radius - tip) / Math.tan((tool.point_angle_rad ?? CHAMFER_POINT_RAD) / 2)]];
     }
     case "tap":
       // The lead of a tap is narrower than its thread.
@@ -116,6 +116,6 @@ export class ToolShape {
   place(at: Vec3 | undefined, up: Vec3): void {
     this.object.visible = at !== undefined;
     if (at) this.object.position.set(...at);
-    this.object.quaternion.setFromUnitVectors(SPINDLE, new Vector3(...up).normalize());
+    this.object.quaternion.setFromUnitVectors(SPINDLE_AXIS, new Vector3(...up).normalize());
   }
 }
