@@ -97,11 +97,10 @@ impl PathRows {
         };
         let angles = AngleRange::of(segment);
         let kinematics = self.kinematics.filter(|_| !angles.is_zero());
-        let [at_start, at_end] = [0.0, 1.0].map(|share| {
-            kinematics.map_or_else(Transform::identity, |own| own.along(angles, share))
-        });
-        self.points.extend(near(at_start.apply_point(start)));
-        self.points.extend(near(at_end.apply_point(end)));
+        let [at_start, at_end] =
+            [0.0, 1.0].map(|share| kinematics.map(|own| own.along(angles, share)));
+        self.points.extend(near(placed(at_start.as_ref(), start)));
+        self.points.extend(near(placed(at_end.as_ref(), end)));
         if self.kinematics.is_some() {
             self.programmed.extend(near(start));
             self.programmed.extend(near(end));
@@ -127,7 +126,7 @@ impl PathRows {
         if let Curve::Spline(piece) = &segment.curve {
             spline_points(piece, |point, share| {
                 let to_part = kinematics.map(|own| own.along(angles, share));
-                push(to_part.map_or(point, |to_part| to_part.apply_point(point)));
+                push(placed(to_part.as_ref(), point));
             });
         }
         let count = (self.curve_points.len() - before) / 3;
@@ -136,8 +135,8 @@ impl PathRows {
             self.curve_counts.push(count as u32);
         }
         // An arc that the part bends is drawn as a curve; its record stays as it is programmed.
-        let to_part = if count > 0 { Transform::identity() } else { at_start };
-        if let Some(record) = arc_record(&segment.curve, &to_part, near) {
+        let to_part = at_start.filter(|_| count == 0);
+        if let Some(record) = arc_record(&segment.curve, to_part.as_ref(), near) {
             self.arc_rows.push(row);
             self.arcs.extend(record);
         }
@@ -216,10 +215,15 @@ fn spline_points(piece: &SplinePiece, mut push: impl FnMut(Vec3, f64)) {
     }
 }
 
+/// A point on the part; where nothing is turned it stays as it is, to the bit.
+fn placed(to_part: Option<&Transform>, point: Vec3) -> Vec3 {
+    to_part.map_or(point, |to_part| to_part.apply_point(point))
+}
+
 /// The record of an arc; `to_part` is how the part lies, without motion.
 fn arc_record(
     curve: &Curve,
-    to_part: &Transform,
+    to_part: Option<&Transform>,
     near: impl Fn(Vec3) -> [f32; 3],
 ) -> Option<[f32; ARC_NUMBERS]> {
     let (center, u, w, radii, sweep, rise) = match curve {
@@ -236,8 +240,9 @@ fn arc_record(
             spiral.rise,
         ),
     };
-    let [cx, cy, cz] = near(to_part.apply_point(center));
-    let [u, w] = [u, w].map(|direction| to_part.apply_vector(direction));
+    let [cx, cy, cz] = near(placed(to_part, center));
+    let [u, w] = [u, w]
+        .map(|direction| to_part.map_or(direction, |to_part| to_part.apply_vector(direction)));
     let rest = [u.x, u.y, u.z, w.x, w.y, w.z, radii.0, radii.1, sweep, rise].map(|v| v as f32);
     let mut record = [0.0; ARC_NUMBERS];
     record[..3].copy_from_slice(&[cx, cy, cz]);
