@@ -2,7 +2,7 @@
 
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
-import type { Group } from "./src/alone/gallery";
+import type { ExampleGroup } from "./src/standalone/gallery";
 
 const TITLES: Record<string, string> = {
   "fadal": "Fadal", "fanuc": "Fanuc", "fanuc-lathe": "Fanuc, lathe", "fluidnc": "FluidNC", "grbl": "GRBL", "grblhal": "grblHAL",
@@ -27,19 +27,19 @@ function sentence(text: string): string {
 
 /** What a program says of itself: the first comment that is not for the tests, up to the end of its sentence. */
 function shows(text: string): string {
-  const told: string[] = [];
+  const sentences: string[] = [];
   for (const line of text.split("\n")) {
     const comment = /^[^(;]*(?:\(([^)]*)\)?|;(.*))/.exec(line.trim());
     const words = (comment?.[1] ?? comment?.[2] ?? "").trim();
     // After a semicolon as well: `;(machine: marlin-router)`.
     if (words === "" || /^\(?(machine|set|units|tools|settings): /.test(words)) {
-      if (told.length > 0) break;
+      if (sentences.length > 0) break;
       continue;
     }
-    told.push(words);
-    if (/\.$/.test(words) || !/[a-z]/.test(words) || told.length === 3) break;
+    sentences.push(words);
+    if (/\.$/.test(words) || !/[a-z]/.test(words) || sentences.length === 3) break;
   }
-  return sentence(told.join(" "));
+  return sentence(sentences.join(" "));
 }
 
 /** What the comments for the tests say: the machine, and what is set of it. */
@@ -48,7 +48,7 @@ function machineOf(text: string): { name: string | null; set: string[] } {
   return { name: /\(machine: ([\w-]+)\)/.exec(text)?.[1] ?? null, set };
 }
 
-export function gallery(root: string): Group[] {
+export function gallery(root: string): ExampleGroup[] {
   const folders = readdirSync(root, { withFileTypes: true }).filter((entry) => entry.isDirectory());
   return folders.map(({ name: folder }) => {
     const names = readdirSync(join(root, folder)).sort();
@@ -57,14 +57,14 @@ export function gallery(root: string): Group[] {
       const text = read(name);
       const setup = SETUPS[`${folder}/${name}`] ?? name.replace(/\.\w+$/, ".toml");
       const files: [string, string][] = [];
-      const said = machineOf(text);
-      let machine = said.name;
+      const commented = machineOf(text);
+      let machine = commented.name;
       if (existsSync(join(root, folder, setup)) && !/\.stl"/.test(read(setup))) {
         files.push([setup, read(setup)]);
         machine = setup;
-      } else if (machine && said.set.length > 0) {
+      } else if (machine && commented.set.length > 0) {
         const own = name.replace(/\.\w+$/, "-machine.toml");
-        files.push([own, `inherits = "${machine}"\n${said.set.join("\n")}\n`]);
+        files.push([own, `inherits = "${machine}"\n${commented.set.join("\n")}\n`]);
         machine = own;
       }
       return { name, shows: shows(text), text, files, machine };

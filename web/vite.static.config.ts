@@ -14,7 +14,7 @@ const examples = JSON.stringify(gallery(resolve("../examples")));
 const MODULE = `chordal-${hashOf(wasm)}.wasm`;
 const EXAMPLES = `examples-${hashOf(examples)}.json`;
 
-/** The page may load nothing from elsewhere but a program that its own address names: `policy.ts` narrows `connect-src`
+/** The page may load nothing from other servers but a program that its own address names: `content-policy.ts` narrows `connect-src`
 to that. A server that sends these rules as a header may add `frame-ancestors`. */
 const POLICY = [
   "default-src 'none'", "script-src 'self' 'wasm-unsafe-eval'", "worker-src 'self'", "connect-src 'self' https: http:",
@@ -30,7 +30,7 @@ function page(): Plugin {
       order: "pre",
       handler: (html) =>
         html
-          .replace("/src/served.ts", "/src/alone.ts")
+          .replace("/src/server-page.ts", "/src/standalone-page.ts")
           .replace("NONCE-OF-THE-PAGE", "chordal")
           .replace('<meta name="viewport"', `<meta http-equiv="Content-Security-Policy" content="${POLICY}" />\n    <meta name="viewport"`)
           .replace("<title>", '<meta name="description" content="Runs NC programs as their control would, in the browser" />\n    <meta name="referrer" content="no-referrer" />\n    <title>')
@@ -46,7 +46,7 @@ function page(): Plugin {
         const built = Object.values(bundle).map((file) => [file.fileName, file.type === "chunk" ? file.code : file.source] as const);
         const own = built.filter(([name]) => name !== "index.html").map(([name]) => name);
         const files = ["./", "icon.svg", MODULE, EXAMPLES, ...own].sort();
-        const worker = readFileSync("src/alone/sw.js", "utf8");
+        const worker = readFileSync("src/standalone/sw.js", "utf8");
         const all = [...built.map(([, content]) => hashOf(content)).sort(), hashOf(icon), MODULE, EXAMPLES, hashOf(worker)];
         const head = `const VERSION = "${hashOf(all.join(" "))}";\nconst FILES = ${JSON.stringify(files)};\n`;
         this.emitFile({ type: "asset", fileName: "sw.js", source: head + worker });

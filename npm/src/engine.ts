@@ -4,7 +4,7 @@ import type { Answer, Question } from "./question.js";
 
 /** What the module offers. */
 interface Exports {
-  chordal_ask(): number;
+  chordal_answer(): number;
 }
 
 /** Where the module comes from: its bytes, its address, a response, or itself. */
@@ -72,7 +72,7 @@ async function compile(response: Response): Promise<WebAssembly.Module> {
 
 function askOf(used: Module<Exports>, question: Question): Answer {
   const { failed, text, parts } = used.call(question, (own) => {
-    const failed = own.chordal_ask() !== 0;
+    const failed = own.chordal_answer() !== 0;
     const parts: ArrayBuffer[] = [];
     for (let index = 1; index < used.parts; index++) parts.push(used.part(index));
     return { failed, text: used.text(0), parts };

@@ -8,7 +8,7 @@ import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 import { removeProfile } from "../../tools/profile.mjs";
-import { aloneSession } from "./alone.mjs";
+import { standaloneSession } from "./standalone.mjs";
 
 export const ROOT = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
 export const CHORDAL = process.env.CHORDAL ?? join(ROOT, "target/debug/chordal");
@@ -131,9 +131,9 @@ export function memoryOfPages() {
   return [...processesOf("renderer")].reduce((sum, [pid]) => sum + memoryOf(pid), 0);
 }
 
-/** One browser for the tests of a file, and the servers that end with it. With CHORDAL_ALONE they are of the page that stands alone. */
+/** One browser for the tests of a file, and the servers that end with it. With CHORDAL_STANDALONE they are of the page that stands alone. */
 export function session() {
-  return process.env.CHORDAL_ALONE ? aloneSession() : servedSession();
+  return process.env.CHORDAL_STANDALONE ? standaloneSession() : servedSession();
 }
 
 function servedSession() {
@@ -152,7 +152,7 @@ function servedSession() {
     return server;
   };
   return {
-    isAlone: false,
+    isStandalone: false,
     /** A page whose program is on its way. */
     async begin(file) {
       const server = await started(file);

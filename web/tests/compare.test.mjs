@@ -98,11 +98,11 @@ function pixels(page, [r, g, b]) {
 test("both paths are drawn, each with a switch, and the differences are told as the command tells them", async () => {
   const { page, complaints } = await show("both");
   assert.match(await verdict(page), /^different: 2 differences; the paths are at most 0\.05 mm apart$/);
-  const told = await page.locator(".difference").allInnerTexts();
-  assert.equal(told.length, 2);
-  assert.match(told[0], /^feed/);
-  assert.match(told[0], /lines 7–11[^]*600 mm\/min[^]*lines 8–13[^]*650 mm\/min/);
-  assert.match(told[1], /^path: at most 0\.05 mm apart[^]*lines 9–10[^]*lines 11–12[^]*X50\.05 Y40/);
+  const texts = await page.locator(".difference").allInnerTexts();
+  assert.equal(texts.length, 2);
+  assert.match(texts[0], /^feed/);
+  assert.match(texts[0], /lines 7–11[^]*600 mm\/min[^]*lines 8–13[^]*650 mm\/min/);
+  assert.match(texts[1], /^path: at most 0\.05 mm apart[^]*lines 9–10[^]*lines 11–12[^]*X50\.05 Y40/);
   assert.match(await page.locator(".notes").innerText(), /Furthest apart at line 9 of both-released\.nc and line 11 of both-returned\.nc/);
   const [own, other] = await page.locator(".paths label").allInnerTexts();
   assert.match(own, /both-released\.nc on Haas/);
@@ -134,14 +134,14 @@ test("a difference goes to its line and shows the place, and keys go on to the n
   assert.equal(await line(page), 9);
   // The two ends, 0.05 mm apart, are seen as two.
   const ends = await page.evaluate(() => {
-    const { view, against, path } = window.chordal;
-    const [a, b] = against().found.differences[1].at_mm;
+    const { view, compare, path } = window.chordal;
+    const [a, b] = compare().comparison.differences[1].at_mm;
     const [x, y] = view.project(a.map((value, axis) => value - path().origin[axis]));
     const [u, v] = view.project(b.map((value, axis) => value - path().origin[axis]));
     const { clientWidth, clientHeight } = document.querySelector("canvas.path");
-    return { apart: Math.hypot(x - u, y - v), x, y, clientWidth, clientHeight, a, b };
+    return { pixels: Math.hypot(x - u, y - v), x, y, clientWidth, clientHeight, a, b };
   });
-  assert.ok(ends.apart > 30, JSON.stringify(ends));
+  assert.ok(ends.pixels > 30, JSON.stringify(ends));
   assert.ok(ends.x > 0 && ends.x < ends.clientWidth && ends.y > 0 && ends.y < ends.clientHeight, JSON.stringify(ends));
   assert.deepEqual([ends.a.slice(0, 2), ends.b.slice(0, 2)], [[50, 40], [50.05, 40]]);
   await picture(page, "compare-place");
@@ -157,9 +157,9 @@ test("a difference goes to its line and shows the place, and keys go on to the n
   assert.match(await page.locator(".which").innerText(), /^1 of 2$/);
   // The other program's line is read beside.
   await page.locator(".difference .read").nth(1).click();
-  await page.waitForSelector(".elsewhere:not([hidden])");
-  assert.match(await page.locator(".elsewhere .cm-activeLine").innerText(), /^N40 G1 X50\.05 Y40\.$/);
-  assert.equal(await page.locator(".elsewhere .cm-activeLineGutter").count(), 0);
+  await page.waitForSelector(".other-file:not([hidden])");
+  assert.match(await page.locator(".other-file .cm-activeLine").innerText(), /^N40 G1 X50\.05 Y40\.$/);
+  assert.equal(await page.locator(".other-file .cm-activeLineGutter").count(), 0);
   await page.keyboard.press("Escape");
   await page.close();
 });
@@ -169,16 +169,16 @@ test("a click on the other path shows its line, to be read", async () => {
   writeFileSync(files[1], RETURNED.replace("N20 X40.", "N15 Y-8.\nN20 X40.\nY0"));
   await page.waitForFunction(() => /8 mm/.test(document.querySelector(".verdict").innerText));
   const place = await page.evaluate(() => {
-    const { view, path, against } = window.chordal;
-    const other = against().path;
+    const { view, path, compare } = window.chordal;
+    const other = compare().path;
     const at = other.pointOn(other.rowsOfLine(10)[0], 0.5);
     const [x, y] = view.project(at.map((value, axis) => value + other.origin[axis] - path().origin[axis]));
     const box = document.querySelector("canvas.path").getBoundingClientRect();
     return { x: box.x + x, y: box.y + y };
   });
   await page.mouse.click(place.x, place.y);
-  await page.waitForSelector(".elsewhere:not([hidden])");
-  assert.match(await page.locator(".elsewhere .cm-activeLine").innerText(), /^N20 X40\.$/);
+  await page.waitForSelector(".other-file:not([hidden])");
+  assert.match(await page.locator(".other-file .cm-activeLine").innerText(), /^N20 X40\.$/);
   await page.close();
 });
 
@@ -211,7 +211,7 @@ test("the page can choose a machine of the list, and read no file", async () => 
   servers.push(server);
   const { page } = await open(chromium.context, server.url);
   // Another connection than the page's own, which may ask anything.
-  const [refused, against] = await page.evaluate(async (file) => {
+  const [refused, refusedComparison] = await page.evaluate(async (file) => {
     const live = new WebSocket(new URL("live", location.href).href.replace(/^http/, "ws"));
     const answer = (type) => new Promise((done) => {
       live.addEventListener("message", ({ data }) => {
@@ -220,16 +220,16 @@ test("the page can choose a machine of the list, and read no file", async () => 
     });
     await answer("report");
     const refused = answer("refused");
-    live.send(JSON.stringify({ ask: "machine", name: file }));
+    live.send(JSON.stringify({ request: "machine", name: file }));
     await refused;
-    const against = answer("against_refused");
-    live.send(JSON.stringify({ ask: "machine", name: null }));
-    live.send(JSON.stringify({ ask: "against", other: { machine: file } }));
-    return [await refused, await against];
+    const refusedComparison = answer("compared_program_refused");
+    live.send(JSON.stringify({ request: "machine", name: null }));
+    live.send(JSON.stringify({ request: "compare_with", other: { machine: file } }));
+    return [await refused, await refusedComparison];
   }, file);
-  for (const told of [refused, against]) {
-    assert.match(told, /not a machine of the list/);
-    assert.doesNotMatch(told, /4711/);
+  for (const message of [refused, refusedComparison]) {
+    assert.match(message, /not a machine of the list/);
+    assert.doesNotMatch(message, /4711/);
   }
   await page.close();
 });
@@ -266,8 +266,8 @@ test("a conversion is shown over its source before anything is written, on the m
   assert.deepEqual(categories, ["path-mode", "work-offset"]);
   assert.match(await page.locator(".paths").innerText(), /bracket\.nc on Fadal[^]*converted bracket\.nc on Haas/);
   await page.locator(".difference .read").first().click();
-  await page.waitForSelector(".elsewhere:not([hidden])");
-  assert.match(await page.locator(".elsewhere .cm-content").innerText(), /^\(L9601 R0\+20\. R1\+0 R2\+2\. R3\+1\.5\)$/m);
+  await page.waitForSelector(".other-file:not([hidden])");
+  assert.match(await page.locator(".other-file .cm-content").innerText(), /^\(L9601 R0\+20\. R1\+0 R2\+2\. R3\+1\.5\)$/m);
   await picture(page, "compare-convert");
   assert.deepEqual(complaints, []);
   await page.close();

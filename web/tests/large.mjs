@@ -2,11 +2,11 @@
 //
 // Prints when the first lines of the path were drawn, when all of them were, how long a key press
 // waited meanwhile, how long a frame takes while the view turns, what the page holds, and how long it
-// was busy without a break. With CHORDAL_ALONE of the page that stands alone (`tools/wasm page`), which is open when
+// was busy without a break. With CHORDAL_STANDALONE of the page that stands alone (`tools/wasm page`), which is open when
 // the program is given to it. CHROMIUM_FLAGS chooses what draws (see `browser.mjs`).
 
 import { performance } from "node:perf_hooks";
-import { folderServer } from "./alone.mjs";
+import { folderServer } from "./standalone.mjs";
 import { browser, memoryOf, memoryOfPages, picture, processorSeconds, serve } from "./browser.mjs";
 
 const file = process.argv[2];
@@ -30,8 +30,8 @@ await session.send("Tracing.start", {
   traceConfig: { includedCategories: ["toplevel", "__metadata"], excludedCategories: ["*"] },
   transferMode: "ReportEvents",
 });
-const isAlone = Boolean(process.env.CHORDAL_ALONE);
-const folder = isAlone ? await folderServer() : undefined;
+const isStandalone = Boolean(process.env.CHORDAL_STANDALONE);
+const folder = isStandalone ? await folderServer() : undefined;
 if (folder) {
   await page.goto(folder.url);
   await page.waitForSelector("#files");
@@ -42,7 +42,7 @@ const begun = performance.now();
 const since = () => `${((performance.now() - begun) / 1000).toFixed(2)} s`;
 const server = folder ?? (await serve(file));
 console.log(`address        ${since()}`);
-if (isAlone) {
+if (isStandalone) {
   await page.setInputFiles("#files", file);
   console.log(`given          ${since()}`);
 }
@@ -136,7 +136,7 @@ await session.send("HeapProfiler.collectGarbage");
 const metrics = await session.send("Runtime.getHeapUsage");
 const mib = (bytes) => (bytes / 2 ** 20).toFixed(0);
 console.log(`page           ${mib(metrics.usedSize)} MiB of objects, ${mib(metrics.backingStorageSize ?? 0)} MiB of arrays`);
-const [ofPages, ofServer] = [memoryOfPages(), isAlone ? 0 : memoryOf(server.process.pid)];
+const [ofPages, ofServer] = [memoryOfPages(), isStandalone ? 0 : memoryOf(server.process.pid)];
 console.log(`memory         ${mib(ofPages + ofServer)} MiB: ${mib(ofPages)} of the browser's pages, ${mib(ofServer)} of the server`);
 await chromium.stop();
 server.stop();

@@ -113,7 +113,7 @@ const shown = (page) => page.evaluate(() => {
     clock: document.querySelector("#clock").innerText,
     seconds: Number(document.querySelector("#scrubber").value),
     readout: document.querySelector(".readout").innerText,
-    tool: view.toolStands(),
+    tool: view.toolPose(),
     cursor: editor.line,
     marked: now ? doc.lineAt(editor.view.posAtDOM(now)).number : undefined,
     row: path().lineOf(playback().row).line,
@@ -137,7 +137,7 @@ function secondsOf(text) {
 
 for (const { name, axes, text, machine, factorX, moving, known } of PROGRAMS) {
   test(`at ${MOMENTS} random moments of a ${name} program line, clock, readout and tool agree`, async (context) => {
-    if (tests.isAlone) return context.skip("the command prints what this page is compared with");
+    if (tests.isStandalone) return context.skip("the command prints what this page is compared with");
     const file = join(folder, `${name}.nc`);
     writeFileSync(file, text);
     const setpoints = setpointsOf(file, machine);

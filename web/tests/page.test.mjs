@@ -91,7 +91,7 @@ test("an edit makes an error and clears it, and only a save writes the file", as
   assert.equal(readFileSync(path, "utf8"), before);
   assert.equal(await tests.save(page, path), before + "(DONE)");
   assert.equal(await page.locator(".dirty").innerText(), "");
-  if (!tests.isAlone) await followsTheFile(page, path, before);
+  if (!tests.isStandalone) await followsTheFile(page, path, before);
   await page.close();
   remove();
 });
@@ -163,13 +163,13 @@ test("the slider draws chords, fewer with a larger tolerance", async () => {
 test("a control that cuts arcs itself has its own chords", async () => {
   const { page } = await show(join(ROOT, "examples/grbl/sign.nc"));
   await page.locator("#chords").check();
-  const told = (pattern) => page.waitForFunction(
+  const chordText = (pattern) => page.waitForFunction(
     (text) => new RegExp(text).test(document.querySelector(".chord-text").innerText), pattern);
-  await told("0.002 mm: [\\d,]+ chords? on .*chord error 0.00\\d+ mm");
+  await chordText("0.002 mm: [\\d,]+ chords? on .*chord error 0.00\\d+ mm");
   assert.equal(await page.locator("#tolerance").isVisible(), false);
   await picture(page, "chords-own");
   await page.locator("#own-chords").uncheck();
-  await told("Tolerance 0.32");
+  await chordText("Tolerance 0.32");
   assert.ok(await page.locator("#tolerance").isVisible());
   await page.close();
   const other = await show(PROFILE);
@@ -238,7 +238,7 @@ test("a distance between two places of the path is told in the program's units",
 
 test("a section shows the lines, the tool or the depth that is chosen", async () => {
   const { page } = await show(join(ROOT, "examples/haas/drilled-plate.nc"));
-  const seen = (row) => placeOfRow(page, row).then(({ x, y }) =>
+  const visible = (row) => placeOfRow(page, row).then(({ x, y }) =>
     page.evaluate(([x, y]) => {
       const box = document.querySelector("canvas.path").getBoundingClientRect();
       return window.chordal.view.pick(x - box.x, y - box.y)?.row ?? null;
@@ -251,14 +251,14 @@ test("a section shows the lines, the tool or the depth that is chosen", async ()
     }
     return 0;
   }, rows);
-  assert.notEqual(await seen(cut), null);
+  assert.notEqual(await visible(cut), null);
   await page.locator(".section summary", { hasText: "Section" }).click();
   await page.getByLabel("Last line").fill("3");
   await page.waitForTimeout(100);
-  assert.equal(await seen(cut), null);
+  assert.equal(await visible(cut), null);
   await picture(page, "section");
   await page.getByRole("button", { name: "Show all" }).click();
-  assert.notEqual(await seen(cut), null);
+  assert.notEqual(await visible(cut), null);
   await page.getByLabel("Lowest depth").fill("999");
   await picture(page, "section-depth");
   await page.keyboard.press("Escape");
@@ -300,8 +300,8 @@ test("an accessibility check finds nothing serious, light and dark", async () =>
       await page.locator(`#tab-${panel}`).click();
       const { violations } = await page.evaluate(() => window.axe.run());
       const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
-      const told = serious.map(({ id, nodes }) => `${colorScheme} ${id}: ${nodes.map(({ html }) => html).join(" ").slice(0, 300)}`);
-      assert.deepEqual(told, []);
+      const texts = serious.map(({ id, nodes }) => `${colorScheme} ${id}: ${nodes.map(({ html }) => html).join(" ").slice(0, 300)}`);
+      assert.deepEqual(texts, []);
     }
   }
   await page.close();
@@ -314,8 +314,8 @@ test("words have colours, a hover tells what one does, the outline goes to a too
   assert.notEqual(await color(".word-gcode"), await color(".word-comment"));
   await page.locator(".word-gcode", { hasText: "G83" }).first().hover();
   await page.waitForSelector(".cm-tooltip .meaning");
-  const told = await page.locator(".cm-tooltip .meaning").innerText();
-  assert.match(told, /peck/i);
+  const meaning = await page.locator(".cm-tooltip .meaning").innerText();
+  assert.match(meaning, /peck/i);
   await picture(page, "hover");
   await page.mouse.move(900, 300);
   await page.locator("#tab-outline").click();
@@ -357,14 +357,14 @@ test("a call into another file shows that file, to be read", async () => {
   await page.locator(".cm-line").nth(4).click();
   await page.keyboard.press("End");
   await page.keyboard.press("F12");
-  await page.waitForSelector(".elsewhere:not([hidden])");
-  assert.match(await page.locator(".elsewhere h2").innerText(), /O77\.nc/);
-  assert.match(await page.locator(".elsewhere .cm-activeLine").innerText(), /O77 \(A SQUARE\)/);
+  await page.waitForSelector(".other-file:not([hidden])");
+  assert.match(await page.locator(".other-file h2").innerText(), /O77\.nc/);
+  assert.match(await page.locator(".other-file .cm-activeLine").innerText(), /O77 \(A SQUARE\)/);
   await page.keyboard.type("X");
-  assert.doesNotMatch(await page.locator(".elsewhere .cm-content").innerText(), /X.*O77/);
-  await picture(page, "elsewhere");
+  assert.doesNotMatch(await page.locator(".other-file .cm-content").innerText(), /X.*O77/);
+  await picture(page, "other-file");
   await page.keyboard.press("Escape");
-  assert.equal(await page.locator(".elsewhere").isVisible(), false);
+  assert.equal(await page.locator(".other-file").isVisible(), false);
   assert.equal(await line(page), 5);
   assert.deepEqual(complaints, []);
   await page.close();
@@ -401,7 +401,7 @@ test("a rotary table turns the part: the path lies about it, and the tool stands
     return at * points.periodS;
   });
   await page.evaluate((seconds) => window.chordal.timeline.seek(seconds), time);
-  const tool = await page.evaluate(() => window.chordal.view.toolStands());
+  const tool = await page.evaluate(() => window.chordal.view.toolPose());
   assert.ok(tool.up[1] < -0.95 && tool.at[1] < -19, JSON.stringify(tool));
   await page.evaluate(() => window.chordal.view.fit());
   // What is read is what the program says.
@@ -433,13 +433,13 @@ test("a long program answers while it loads, and turns at a detail that is soon 
   assert.ok((await drawn()) >= 200_000, `${await drawn()} lines`);
   await page.waitForFunction((lines) => window.chordal.editor.view.state.doc.lines === lines, 200_000 + 8);
   // The tool moves over the picture that is there: the path is not drawn anew.
-  const kept = await page.evaluate(async () => {
+  const isUnchanged = await page.evaluate(async () => {
     const { view } = window.chordal;
     view.placeTool([10, 10, 10]);
     await new Promise((next) => requestAnimationFrame(() => requestAnimationFrame(next)));
     return view.isComplete;
   });
-  assert.ok(kept);
+  assert.ok(isUnchanged);
   await picture(page, "long");
   const box = await page.locator("canvas.path").boundingBox();
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];

@@ -20,7 +20,7 @@ function written(name, text) {
   return path;
 }
 
-const asked = (page) => page.waitForSelector(".readings:not([hidden])");
+const questionShown = (page) => page.waitForSelector(".readings:not([hidden])");
 const problems = (page) => page.locator("#panel-problems").innerText();
 /** How far the path goes along X, mm. */
 const lengthX = (page) => page.evaluate(() => {
@@ -34,7 +34,7 @@ const pathIs = (page, mm) => page.waitForFunction((mm) => {
 
 test("the readings of an unclear program stand next to each other, and one is picked", async () => {
   const { page, complaints } = await tests.open(written("unclear.nc", UNCLEAR));
-  await asked(page);
+  await questionShown(page);
   await page.waitForFunction(() => window.chordal.setpoints());
   const panel = page.getByRole("region", { name: "How should this program be read?" });
   assert.match(await panel.innerText(), /line 1, G0 X0 Y0 Z5/);
@@ -65,7 +65,7 @@ test("the readings of an unclear program stand next to each other, and one is pi
 
 test("the assumed reading can be kept by the keyboard, and edits do not ask again", async () => {
   const { page } = await tests.open(written("kept.nc", UNCLEAR));
-  await asked(page);
+  await questionShown(page);
   await page.locator(".readings h2").focus();
   await page.keyboard.press("Tab");
   assert.equal(await page.evaluate(() => document.activeElement.innerText), "Keep the assumed one");
@@ -91,7 +91,7 @@ test("a program that names its units and its control is not asked about", async 
 test("the question has nothing serious against it, light and dark, wide and narrow", async () => {
   const axe = readFileSync(join(ROOT, "web/node_modules/axe-core/axe.min.js"), "utf8");
   const { page } = await tests.open(written("axe.nc", UNCLEAR));
-  await asked(page);
+  await questionShown(page);
   await page.evaluate(axe);
   for (const colorScheme of ["light", "dark"]) {
     await page.emulateMedia({ colorScheme });

@@ -117,8 +117,8 @@ test("an accessibility check finds nothing serious, light, dark and narrow", asy
       await page.setViewportSize({ width, height: 720 });
       const { violations } = await page.evaluate(() => window.axe.run());
       const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
-      const told = serious.map(({ id, nodes }) => `${name} ${colorScheme} ${width} ${id}: ${nodes.map(({ html }) => html).join(" ").slice(0, 300)}`);
-      assert.deepEqual(told, []);
+      const texts = serious.map(({ id, nodes }) => `${name} ${colorScheme} ${width} ${id}: ${nodes.map(({ html }) => html).join(" ").slice(0, 300)}`);
+      assert.deepEqual(texts, []);
     }
     await page.close();
   }

@@ -56,12 +56,12 @@ const seeks = (count, near) => page.evaluate(async ([count, near]) => {
     const mean = all.reduce((sum, one) => sum + one, 0) / all.length;
     return [["median", all[all.length >> 1]], ["mean", mean], ["worst", all.at(-1)]].map(([name, ms]) => `${name} ${ms.toFixed(1)}`).join(", ");
   };
-  return { seek: of(times), told: of(frames), drawn: of(drawn) };
+  return { seek: of(times), handled: of(frames), drawn: of(drawn) };
 }, [count, near]);
 for (const near of [false, true]) {
   const before = used();
-  const told = await seeks(100, near);
-  console.log(near ? "near" : "far", told, `${((used() - before) * 10).toFixed(0)} ms of a processor each`);
+  const handled = await seeks(100, near);
+  console.log(near ? "near" : "far", handled, `${((used() - before) * 10).toFixed(0)} ms of a processor each`);
 }
 
 /** Frames of playback at a rate. */

@@ -139,15 +139,15 @@ test("what is active follows the line that plays", async () => {
   await page.getByRole("button", { name: /Faster/ }).click({ clickCount: 2 });
   await page.locator("#play").click();
   const lines = await page.evaluate(async () => {
-    const seen = new Set();
+    const visible = new Set();
     const { timeline, setpoints } = window.chordal;
-    while (timeline.isPlaying && seen.size < 3) {
+    while (timeline.isPlaying && visible.size < 3) {
       await new Promise((next) => setTimeout(next, 30));
       const cell = document.querySelector("#panel-state td");
-      if (cell) seen.add(Number(cell.innerText.replace(",", "")));
+      if (cell) visible.add(Number(cell.innerText.replace(",", "")));
       timeline.seek(timeline.time + setpoints().totalS / 60);
     }
-    return [...seen];
+    return [...visible];
   });
   assert.ok(lines.length >= 3, String(lines));
   await page.locator("#play").click();
@@ -170,11 +170,11 @@ test("the program pane is never blank while a long program plays fast", async ()
     for (let frame = 0; frame < 40; frame++) {
       await new Promise((next) => requestAnimationFrame(next));
       const pane = document.querySelector(".code .cm-scroller").getBoundingClientRect();
-      const seen = [...document.querySelectorAll(".code .cm-line")].filter((line) => {
+      const visible = [...document.querySelectorAll(".code .cm-line")].filter((line) => {
         const box = line.getBoundingClientRect();
         return box.bottom > pane.top && box.top < pane.bottom;
       });
-      fewest = Math.min(fewest, seen.length);
+      fewest = Math.min(fewest, visible.length);
     }
     return timeline.time > from ? fewest : -1;
   });
@@ -203,7 +203,7 @@ test("the tool has its own diameter, and the picture does not lie under the lege
     const row = path().rowsOfLine(line)[0];
     const at = setpoints().row.findIndex((own) => own >= row);
     timeline.seek((at + 0.5) * setpoints().periodS);
-    return view.toolStands().width;
+    return view.toolPose().width;
   }, line);
   assert.ok(Math.abs((await width(84)) - 25.4) < 1e-6);
   const legend = await page.locator(".legend").innerText();

@@ -8,12 +8,15 @@ use arrow_schema::DataType;
 use chordal_export::columns::RowBatcher;
 use serde_json::{Map, Value, json};
 
-use crate::answer::{Answer, Failure};
+use crate::answer::{QuestionAnswer, QuestionFailure};
 
-/// Rows as an answer; `about` is what stands next to them.
-pub fn table(rows: &mut impl RowBatcher, mut about: Value) -> Result<Answer, Failure> {
-    let batch = rows.take().map_err(|error| Failure::plain(error.to_string(), None))?;
-    let mut parts = Parts(Vec::new());
+/// Rows as an answer; `about` is the object that the columns are added to.
+pub fn table(
+    rows: &mut impl RowBatcher,
+    mut about: Value,
+) -> Result<QuestionAnswer, QuestionFailure> {
+    let batch = rows.take().map_err(|error| QuestionFailure::plain(error.to_string(), None))?;
+    let mut parts = AnswerParts(Vec::new());
     let schema = batch.schema();
     let mut metadata: Vec<(&String, &String)> = schema.metadata().iter().collect();
     metadata.sort();
@@ -22,10 +25,10 @@ pub fn table(rows: &mut impl RowBatcher, mut about: Value) -> Result<Answer, Fai
     }
     about["rows"] = json!(batch.num_rows());
     about["columns"] = columns(&batch, &mut parts);
-    Ok(Answer { text: about.to_string(), parts: parts.0 })
+    Ok(QuestionAnswer { text: about.to_string(), parts: parts.0 })
 }
 
-fn columns(batch: &RecordBatch, parts: &mut Parts) -> Value {
+fn columns(batch: &RecordBatch, parts: &mut AnswerParts) -> Value {
     let schema = batch.schema();
     let columns = schema.fields().iter().zip(batch.columns()).map(|(field, column)| {
         let mut object = Map::new();
@@ -41,7 +44,7 @@ fn columns(batch: &RecordBatch, parts: &mut Parts) -> Value {
 }
 
 /// The kind of a column, the part of its values, and its words.
-fn values(column: &dyn Array, parts: &mut Parts, object: &mut Map<String, Value>) {
+fn values(column: &dyn Array, parts: &mut AnswerParts, object: &mut Map<String, Value>) {
     let (kind, part, words) = match column.data_type() {
         DataType::Float64 => {
             let values = column.as_primitive::<Float64Type>().values();
@@ -80,8 +83,8 @@ fn texts(column: &StringArray) -> Vec<Option<&str>> {
 
 /// An answer as one JSON value: the columns of a table with their values in them. A text that is no JSON is a
 /// string.
-pub fn inline(answer: Answer) -> Value {
-    let Answer { text, parts } = answer;
+pub fn inline(answer: QuestionAnswer) -> Value {
+    let QuestionAnswer { text, parts } = answer;
     let Ok(mut about) = serde_json::from_str::<Value>(&text) else { return Value::String(text) };
     let Some(columns) = about.get_mut("columns").and_then(Value::as_array_mut) else {
         return about;
@@ -94,20 +97,20 @@ pub fn inline(answer: Answer) -> Value {
             let index = column[key].as_u64().and_then(|index| usize::try_from(index).ok());
             index.and_then(|index| parts.get(index.checked_sub(1)?)).map(Vec::as_slice)
         };
-        let mut values = written(column, part("part"));
+        let mut values = column_values(column, part("part"));
         if let Some(valid) = part("valid") {
             for (value, _) in values.iter_mut().zip(valid).filter(|(_, valid)| **valid == 0) {
                 *value = Value::Null;
             }
         }
-        let told = json!({ "name": column["name"], "unit": column["unit"], "values": values });
-        *column = told;
+        let object = json!({ "name": column["name"], "unit": column["unit"], "values": values });
+        *column = object;
     }
     about
 }
 
 /// The values of a column out of their bytes. A number that JSON does not have is null.
-fn written(column: &Value, part: Option<&[u8]>) -> Vec<Value> {
+fn column_values(column: &Value, part: Option<&[u8]>) -> Vec<Value> {
     let words = column["words"].as_array();
     let Some(part) = part else { return words.cloned().unwrap_or_default() };
     let word = |key: usize| words.and_then(|words| words.get(key)).cloned().unwrap_or_default();
@@ -128,9 +131,9 @@ fn written(column: &Value, part: Option<&[u8]>) -> Vec<Value> {
 }
 
 /// The parts of an answer, numbered from 1.
-struct Parts(Vec<Vec<u8>>);
+struct AnswerParts(Vec<Vec<u8>>);
 
-impl Parts {
+impl AnswerParts {
     fn put<const N: usize>(
         &mut self,
         values: impl ExactSizeIterator<Item = [u8; N]>,

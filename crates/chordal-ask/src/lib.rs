@@ -1,23 +1,23 @@
-//! Questions about programs and their answers: what shells that speak in messages have in common, the npm package
+//! Questions about programs and their answers: what the shells that exchange messages have in common, the npm package
 //! and `chordal serve`.
 //!
-//! A [`Request`] names the question, the programs and what else is said; an [`Answer`] is text, and columns of
+//! A [`QuestionRequest`] names the question, the programs and options; a [`QuestionAnswer`] is text, and columns of
 //! numbers. The texts are those that the command prints, by the same writers. No file, clock or thread is used but
 //! for the files of a request that are on the disk.
 
 mod answer;
-mod ask;
 mod columns;
-mod loading;
+mod load_request;
+mod meanings;
 mod motion;
 mod options;
 mod programs;
+mod questions;
 mod request;
-mod words;
 
-pub use answer::{Answer, Failure};
-pub use ask::ask;
+pub use answer::{QuestionAnswer, QuestionFailure};
 pub use chordal_load::FileAccess;
 pub use columns::inline;
-pub use loading::setup_of;
-pub use request::{Program, ProgramOptions, Request, options};
+pub use load_request::setup_of;
+pub use questions::answer;
+pub use request::{ProgramOptions, QuestionProgram, QuestionRequest, options};

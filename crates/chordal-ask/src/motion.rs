@@ -13,75 +13,75 @@ use chordal_export::{
 use chordal_load::Loaded;
 use serde_json::{Value, json};
 
-use crate::answer::{Answer, Failure};
+use crate::answer::{QuestionAnswer, QuestionFailure};
 use crate::columns::table;
-use crate::loading::Asked;
-use crate::options::{Format, OnlyFormat, SampleOptions, TimeOptions};
+use crate::load_request::LoadRequest;
+use crate::options::{OnlyFormat, QuestionFormat, SampleOptions, TimeOptions};
 
-pub fn commands(asked: &mut Asked) -> Result<Answer, Failure> {
-    let OnlyFormat { format } = asked.options()?;
-    let loaded = asked.load()?;
+pub fn commands(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
+    let OnlyFormat { format } = request.options()?;
+    let loaded = request.load()?;
     let job = loaded.job()?;
     match format {
-        Format::Object => {
+        QuestionFormat::Object => {
             let mut rows = CommandColumns::new(&job);
             let found = job.report_of_commands(|command| rows.command(command));
             table(&mut rows, about(&found, &job, &loaded))
         }
-        Format::Jsonl => {
+        QuestionFormat::Jsonl => {
             let mut out = CommandJsonLines::new(Vec::new(), &job).map_err(broken)?;
             let mut done = Ok(());
             job.report_of_commands(|command| keep(&mut done, || out.command(command)));
             text(done.and_then(|()| out.finish()))
         }
-        Format::Csv => {
+        QuestionFormat::Csv => {
             let mut out = CommandCsv::new(Vec::new(), &job).map_err(broken)?;
             let mut done = Ok(());
             job.report_of_commands(|command| keep(&mut done, || out.command(command)));
             text(done.and_then(|()| out.finish()))
         }
-        Format::Canon => {
+        QuestionFormat::Canon => {
             let mut out = CanonWriter::new(Vec::new(), &job).map_err(broken)?;
             let mut done = Ok(());
             job.report_of_commands(|command| keep(&mut done, || out.command(command)));
             text(done.and_then(|()| out.finish()))
         }
-        _ => Err(asked.no_form(&["object", "jsonl", "csv", "canon"])),
+        _ => Err(request.no_form(&["object", "jsonl", "csv", "canon"])),
     }
 }
 
-pub fn path(asked: &mut Asked) -> Result<Answer, Failure> {
-    let OnlyFormat { format } = asked.options()?;
-    let loaded = asked.load()?;
+pub fn path(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
+    let OnlyFormat { format } = request.options()?;
+    let loaded = request.load()?;
     let job = loaded.job()?;
     match format {
-        Format::Object => {
+        QuestionFormat::Object => {
             let mut rows = CommandColumns::of_path(&job);
             let found = job.report_of_path(|path, _| rows.path_command(path));
             table(&mut rows, about(&found, &job, &loaded))
         }
-        Format::Jsonl => {
+        QuestionFormat::Jsonl => {
             let mut out = CommandJsonLines::new(Vec::new(), &job).map_err(broken)?;
             let mut done = Ok(());
             job.report_of_path(|path, _| keep(&mut done, || out.path_command(path)));
             text(done.and_then(|()| out.finish()))
         }
-        Format::Csv => {
+        QuestionFormat::Csv => {
             let mut out = CommandCsv::of_path(Vec::new(), &job).map_err(broken)?;
             let mut done = Ok(());
             job.report_of_path(|path, _| keep(&mut done, || out.path_command(path)));
             text(done.and_then(|()| out.finish()))
         }
-        _ => Err(asked.no_form(&["object", "jsonl", "csv"])),
+        _ => Err(request.no_form(&["object", "jsonl", "csv"])),
     }
 }
 
-pub fn curves(asked: &mut Asked) -> Result<Answer, Failure> {
-    let OnlyFormat { format } = asked.options()?;
-    if format != Format::Object {
-        return Err(asked.no_form(&["object"]));
+pub fn curves(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
+    let OnlyFormat { format } = request.options()?;
+    if format != QuestionFormat::Object {
+        return Err(request.no_form(&["object"]));
     }
-    let loaded = asked.load()?;
+    let loaded = request.load()?;
     let job = loaded.job()?;
     let mut rows = PathColumns::new(&job);
     let found = job.report_of_path(|_, segments| {
@@ -90,12 +90,12 @@ pub fn curves(asked: &mut Asked) -> Result<Answer, Failure> {
     table(&mut rows, about(&found, &job, &loaded))
 }
 
-pub fn time(asked: &mut Asked) -> Result<Answer, Failure> {
-    let options: TimeOptions = asked.options()?;
+pub fn time(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
+    let options: TimeOptions = request.options()?;
     if !options.format.is_json() {
-        return Err(asked.no_form(&["object", "json"]));
+        return Err(request.no_form(&["object", "json"]));
     }
-    let loaded = asked.load()?;
+    let loaded = request.load()?;
     let job = loaded.job()?;
     let question = TimeQuestion {
         options: MotionOptions {
@@ -108,29 +108,32 @@ pub fn time(asked: &mut Asked) -> Result<Answer, Failure> {
     };
     let (found, study) = job.time_study(&question);
     match study? {
-        Some(study) => Ok(Answer::text(time_json(&study, &found, &job))),
-        None => Err(Failure::plain("the program has more moves than can be counted", None)),
+        Some(study) => Ok(QuestionAnswer::text(time_json(&study, &found, &job))),
+        None => Err(QuestionFailure::plain("the program has more moves than can be counted", None)),
     }
 }
 
-pub fn sample(asked: &mut Asked) -> Result<Answer, Failure> {
-    let options: SampleOptions = asked.options()?;
+pub fn sample(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
+    let options: SampleOptions = request.options()?;
     let period_s = options.period;
     if !(period_s > 0.0 && period_s.is_finite()) {
         let message = format!("`period` is {period_s}");
-        return Err(Failure::wrong(message, "give seconds above zero: 0.001 is a millisecond"));
+        return Err(QuestionFailure::wrong(
+            message,
+            "give seconds above zero: 0.001 is a millisecond",
+        ));
     }
-    let loaded = asked.load()?;
+    let loaded = request.load()?;
     let job = loaded.job()?;
     let found = job.report();
     let head = SampleHead::of(&job, &found, period_s);
     let sampling =
         SamplingRequest { period_s, level: options.level.level(), most: options.max_samples };
     let text_format = match options.format {
-        Format::Object => None,
-        Format::Csv => Some(SampleFormat::Csv),
-        Format::Jsonl => Some(SampleFormat::Jsonl),
-        _ => return Err(asked.no_form(&["object", "csv", "jsonl"])),
+        QuestionFormat::Object => None,
+        QuestionFormat::Csv => Some(SampleFormat::Csv),
+        QuestionFormat::Jsonl => Some(SampleFormat::Jsonl),
+        _ => return Err(request.no_form(&["object", "csv", "jsonl"])),
     };
     if let Some(format) = text_format {
         let mut out = SampleWriter::new(Vec::new(), format, &head).map_err(broken)?;
@@ -151,10 +154,10 @@ pub fn sample(asked: &mut Asked) -> Result<Answer, Failure> {
     table(&mut rows, about)
 }
 
-fn sampling_failure(error: SamplingError, sampling: &SamplingRequest) -> Failure {
+fn sampling_failure(error: SamplingError, sampling: &SamplingRequest) -> QuestionFailure {
     match error {
         SamplingError::Limit(error) => error.into(),
-        SamplingError::TooMany(seconds) => Failure::wrong(
+        SamplingError::TooMany(seconds) => QuestionFailure::wrong(
             format!(
                 "more than {} setpoints: the run takes at least {seconds:.3} s, with a setpoint every {} s",
                 sampling.most, sampling.period_s
@@ -164,7 +167,7 @@ fn sampling_failure(error: SamplingError, sampling: &SamplingRequest) -> Failure
     }
 }
 
-/// What stands next to the columns of a program: its problems.
+/// What comes with the columns of a program: its problems.
 fn about(found: &Report, job: &Job<'_>, loaded: &Loaded) -> Value {
     let report = report::json(found, job.sources(), loaded.name(), &loaded.reading());
     json!({ "report": serde_json::from_str::<Value>(&report).unwrap_or_default() })
@@ -177,12 +180,12 @@ fn keep(first: &mut io::Result<()>, next: impl FnOnce() -> io::Result<()>) {
     }
 }
 
-fn text(written: io::Result<Vec<u8>>) -> Result<Answer, Failure> {
+fn text(written: io::Result<Vec<u8>>) -> Result<QuestionAnswer, QuestionFailure> {
     let text = written.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
-    text.map(Answer::text).map_err(broken)
+    text.map(QuestionAnswer::text).map_err(broken)
 }
 
 /// Memory takes every byte: this does not happen.
-fn broken(error: io::Error) -> Failure {
-    Failure::plain(format!("the answer could not be written: {error}"), None)
+fn broken(error: io::Error) -> QuestionFailure {
+    QuestionFailure::plain(format!("the answer could not be written: {error}"), None)
 }

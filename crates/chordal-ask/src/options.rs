@@ -1,12 +1,12 @@
-//! What the questions take in addition to a program.
+//! The options of the questions.
 
 use chordal::motion::{OperationStart, PlannerLevel};
 use serde::Deserialize;
 
-/// In which form an answer is wanted.
+/// The format of an answer.
 #[derive(Deserialize, Clone, Copy, PartialEq, Eq, Default)]
 #[serde(rename_all = "lowercase")]
-pub enum Format {
+pub enum QuestionFormat {
     /// What JavaScript makes an object or a table of.
     #[default]
     Object,
@@ -20,56 +20,56 @@ pub enum Format {
     Canon,
 }
 
-impl Format {
+impl QuestionFormat {
     /// An object is what JavaScript reads, and JSON the text that it is read from.
     pub fn is_json(self) -> bool {
-        matches!(self, Format::Object | Format::Json)
+        matches!(self, QuestionFormat::Object | QuestionFormat::Json)
     }
 }
 
-/// Nothing but the form.
+/// Only the format.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct OnlyFormat {
     #[serde(default)]
-    pub format: Format,
+    pub format: QuestionFormat,
 }
 
-/// Nothing at all.
+/// No options.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Nothing {}
+pub struct NoOptions {}
 
 #[derive(Deserialize, Clone, Copy, Default)]
 #[serde(rename_all = "lowercase")]
-pub enum Effort {
+pub enum PlanQuality {
     #[default]
     Fast,
     Best,
 }
 
-impl Effort {
+impl PlanQuality {
     pub fn level(self) -> PlannerLevel {
         match self {
-            Effort::Fast => PlannerLevel::Fast,
-            Effort::Best => PlannerLevel::Best,
+            PlanQuality::Fast => PlannerLevel::Fast,
+            PlanQuality::Best => PlannerLevel::Best,
         }
     }
 }
 
 #[derive(Deserialize, Clone, Copy, Default)]
 #[serde(rename_all = "lowercase")]
-pub enum Operations {
+pub enum OperationSplit {
     #[default]
     Tool,
     Comment,
 }
 
-impl Operations {
+impl OperationSplit {
     pub fn start(self) -> OperationStart {
         match self {
-            Operations::Tool => OperationStart::ToolChange,
-            Operations::Comment => OperationStart::Comment,
+            OperationSplit::Tool => OperationStart::ToolChange,
+            OperationSplit::Comment => OperationStart::Comment,
         }
     }
 }
@@ -78,18 +78,18 @@ impl Operations {
 #[serde(rename_all = "camelCase", deny_unknown_fields, default)]
 #[derive(Default)]
 pub struct TimeOptions {
-    pub format: Format,
-    pub level: Effort,
+    pub format: QuestionFormat,
+    pub level: PlanQuality,
     pub what_if: bool,
     pub bound: bool,
-    pub operations: Operations,
+    pub operations: OperationSplit,
 }
 
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields, default)]
 pub struct SampleOptions {
-    pub format: Format,
-    pub level: Effort,
+    pub format: QuestionFormat,
+    pub level: PlanQuality,
     /// Seconds.
     pub period: f64,
     pub max_samples: u64,
@@ -97,7 +97,7 @@ pub struct SampleOptions {
 
 impl Default for SampleOptions {
     fn default() -> SampleOptions {
-        let (format, level) = (Format::default(), Effort::default());
+        let (format, level) = (QuestionFormat::default(), PlanQuality::default());
         // Eighty minutes; what they take in memory has room in a page.
         SampleOptions { format, level, period: 1e-3, max_samples: 5_000_000 }
     }
@@ -106,7 +106,7 @@ impl Default for SampleOptions {
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields, default)]
 pub struct CompareOptions {
-    pub format: Format,
+    pub format: QuestionFormat,
     /// Millimetres.
     pub tolerance: f64,
     pub feed_tolerance: f64,
@@ -115,7 +115,7 @@ pub struct CompareOptions {
 
 impl Default for CompareOptions {
     fn default() -> CompareOptions {
-        let format = Format::default();
+        let format = QuestionFormat::default();
         CompareOptions { format, tolerance: 0.0, feed_tolerance: 1e-6, ignore: Vec::new() }
     }
 }
@@ -125,7 +125,7 @@ impl Default for CompareOptions {
 pub struct ConvertOptions {
     pub to: String,
     #[serde(default)]
-    pub format: Format,
+    pub format: QuestionFormat,
     /// Millimetres.
     pub tolerance: Option<f64>,
     pub digits: Option<usize>,

@@ -1,25 +1,25 @@
-//! A request: what is asked, of which programs.
+//! A request: a question about programs.
 
 use chordal_load::FileAccess;
 use serde::Deserialize;
 use serde_json::Value;
 
-use crate::answer::Failure;
+use crate::answer::QuestionFailure;
 
-/// What is asked.
-pub struct Request {
+/// A question about programs.
+pub struct QuestionRequest {
     /// The question: `check`, `time`.
-    pub ask: String,
+    pub question: String,
     /// The programs: one of most questions, two of a comparison, none of some.
-    pub programs: Vec<Program>,
+    pub programs: Vec<QuestionProgram>,
     /// Where subprograms, machine files and tool tables are looked for.
     pub files: FileAccess,
-    /// What else is said, as the question takes it.
+    /// The options of the question.
     pub options: Value,
 }
 
-/// A program that something is asked of.
-pub struct Program {
+/// A program that a question is about.
+pub struct QuestionProgram {
     /// How it is run.
     pub options: ProgramOptions,
     /// Its text; without it, it is the file of its name.
@@ -52,11 +52,14 @@ pub struct ProgramOptions {
 ///
 /// # Errors
 /// What is wrong with them, in words.
-pub fn options<T: serde::de::DeserializeOwned>(ask: &str, options: Value) -> Result<T, Failure> {
+pub fn options<T: serde::de::DeserializeOwned>(
+    question: &str,
+    options: Value,
+) -> Result<T, QuestionFailure> {
     serde_json::from_value(options).map_err(|error| {
         let message = error.to_string().replace("unknown field", "unknown option");
-        Failure::wrong(
-            format!("an option of {ask} is wrong: {message}"),
+        QuestionFailure::wrong(
+            format!("an option of {question} is wrong: {message}"),
             "the options are in docs/npm.md",
         )
     })

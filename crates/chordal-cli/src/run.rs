@@ -91,7 +91,7 @@ pub fn run(mut args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Com
                 first = false;
             }
             RunFormat::Json => {
-                let FinishedRun { report, timed, stock, .. } = &done;
+                let ReportedRun { report, timed, stock, .. } = &done;
                 let reading = loaded.reading();
                 let run = report::RunOf { report, timed: timed.as_ref(), stock: stock.as_ref() };
                 let object = report::summary_json(&run, &job, loaded.name(), &reading);
@@ -109,7 +109,7 @@ pub fn run(mut args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Com
 }
 
 /// What a run came to, and the files it wrote.
-struct FinishedRun {
+struct ReportedRun {
     /// With the problems of the stock.
     report: Report,
     timed: Option<TimedRun>,
@@ -122,7 +122,7 @@ fn carry_out(
     job: &Job,
     setup: Option<&Path>,
     targets: &[output::OutputTarget],
-) -> Result<FinishedRun, CommandFailure> {
+) -> Result<ReportedRun, CommandFailure> {
     let mut outputs = RunOutputs::open(targets, job)?;
     let most = max_summarized_moves(loaded.size());
     let (report, timed) = job.report_timed(&MotionOptions::default(), most, &mut outputs);
@@ -145,17 +145,17 @@ fn carry_out(
             found.take_times(&timed.time.tools);
         }
     }
-    Ok(FinishedRun { report, timed, stock, written })
+    Ok(ReportedRun { report, timed, stock, written })
 }
 
 fn text(
     loaded: &Loaded,
     job: &Job,
-    done: &FinishedRun,
+    done: &ReportedRun,
     showing: ProblemDisplay,
     terminal: TerminalSupport,
 ) -> String {
-    let FinishedRun { report, timed, stock, written } = done;
+    let ReportedRun { report, timed, stock, written } = done;
     let mut text = summary::text(loaded, job, report, timed.as_ref(), terminal.out);
     if let Some(found) = stock {
         text.push('\n');

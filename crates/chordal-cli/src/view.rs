@@ -11,7 +11,10 @@ use chordal_editor::EditorProgram;
 use chordal_load::{
     FileAccess, LoadError, Loader, ProgramInput, ProgramText, RequestedMachine, reason,
 };
-use chordal_server::{Against, MachineChoice, Programs, Refusal, ServeError, Server, save};
+use chordal_server::{
+    ComparedProgram, ListedMachine, PageServer, PageServerError, ProgramRefusal, ProgramSource,
+    save,
+};
 use chordal_view::{ChosenMachine, builtin_machines, refusal};
 
 use crate::compare::{length_mm, sides};
@@ -72,7 +75,7 @@ pub fn run(args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Command
     let Args { file, setup, against, machines, tolerance, no_browser, port, mut common } = args;
     common.set_up(setup.as_deref());
     let program = match sides(&file, against.as_ref(), &machines, &common)? {
-        None => ShownProgram::new(&file, &common)?,
+        None => ViewedProgram::new(&file, &common)?,
         Some([_, (other, _)])
             if against.is_some() && [&file, other].iter().all(|it| is_stdin(it)) =>
         {
@@ -85,12 +88,12 @@ pub fn run(args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Command
             let options =
                 ComparisonOptions { tolerance_mm: tolerance, ..ComparisonOptions::default() };
             let other = if against.is_some() {
-                ShownProgram::new(b, &on_b)?
+                ViewedProgram::new(b, &on_b)?
             } else {
-                ShownProgram::named(b, &on_b)?
+                ViewedProgram::named(b, &on_b)?
             };
             let own_text = against.is_none();
-            ShownProgram::new(a, &on_a)?.against(Against {
+            ViewedProgram::new(a, &on_a)?.against(ComparedProgram {
                 programs: Arc::new(other),
                 own_text,
                 options,
@@ -127,29 +130,30 @@ pub fn show_pair(
     made: GeneratedProgram<'_>,
     terminal: TerminalSupport,
 ) -> Result<(), CommandFailure> {
-    let mut old = ShownProgram::named(file, common)?;
+    let mut old = ViewedProgram::named(file, common)?;
     if is_stdin(file) {
         old.bytes = Some(text.to_vec());
     }
-    let mut new = ShownProgram::named(made.file.unwrap_or(file), common)?;
+    let mut new = ViewedProgram::named(made.file.unwrap_or(file), common)?;
     new.loader = new.loader.on_exactly(made.machine);
     if made.file.is_none() {
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         new.title = Some(format!("{} {name}", made.how));
         new.bytes = Some(made.text);
     }
-    let against = Against { programs: Arc::new(new), own_text: false, options: made.options };
+    let against =
+        ComparedProgram { programs: Arc::new(new), own_text: false, options: made.options };
     serve(old.against(against), true, 0, terminal)
 }
 
 /// Shows a program until the process ends.
 fn serve(
-    program: ShownProgram,
+    program: ViewedProgram,
     opens: bool,
     port: u16,
     terminal: TerminalSupport,
 ) -> Result<(), CommandFailure> {
-    let server = Server::listen(port).map_err(failed)?;
+    let server = PageServer::listen(port).map_err(failed)?;
     let url = server.url();
     say(&format!("{url}\n"))?;
     if opens && let Err(reason) = open_browser(&url) {
@@ -159,30 +163,30 @@ fn serve(
     server.serve(Arc::new(program)).map_err(failed)
 }
 
-fn failed(error: ServeError) -> CommandFailure {
-    let help = matches!(error, ServeError::Listen { .. })
+fn failed(error: PageServerError) -> CommandFailure {
+    let help = matches!(error, PageServerError::Listen { .. })
         .then(|| "leave --port out to use any free port".to_string());
     CommandFailure::Use { message: error.to_string(), help }
 }
 
 /// The program of the command line, with what the command line says of it.
-struct ShownProgram {
+struct ViewedProgram {
     input: ProgramInput,
     /// What standard input held, or what has no file yet; a file is read anew each time.
     bytes: Option<Vec<u8>>,
     /// The name for people, where it is not that of the file.
     title: Option<String>,
     loader: Loader,
-    against: Option<Arc<Against>>,
+    against: Option<Arc<ComparedProgram>>,
 }
 
-impl ShownProgram {
+impl ViewedProgram {
     /// Reads the program once, so that what is wrong is reported before a browser opens.
-    fn new(file: &Path, common: &CommonArgs) -> Result<ShownProgram, CommandFailure> {
+    fn new(file: &Path, common: &CommonArgs) -> Result<ViewedProgram, CommandFailure> {
         if is_stdin(file) {
-            let shown = ShownProgram::named(file, common)?;
+            let shown = ViewedProgram::named(file, common)?;
             let retained = Some(ProgramText::read(&shown.input)?.bytes().to_vec());
-            return Ok(ShownProgram { bytes: retained, ..shown });
+            return Ok(ViewedProgram { bytes: retained, ..shown });
         }
         if file.is_dir() {
             return Err(load_one(&file.to_path_buf(), common).err().unwrap_or_else(|| {
@@ -191,23 +195,23 @@ impl ShownProgram {
         }
         std::fs::File::open(file)
             .map_err(|error| CommandFailure::read(file.to_string_lossy(), &error))?;
-        ShownProgram::named(file, common)
+        ViewedProgram::named(file, common)
     }
 
     /// A program whose text comes from elsewhere.
-    fn named(file: &Path, common: &CommonArgs) -> Result<ShownProgram, CommandFailure> {
+    fn named(file: &Path, common: &CommonArgs) -> Result<ViewedProgram, CommandFailure> {
         let loader = Loader::new(common.request())?;
         let path = (!is_stdin(file)).then(|| file.to_path_buf());
         let input = ProgramInput { path, root: None };
-        Ok(ShownProgram { input, bytes: None, title: None, loader, against: None })
+        Ok(ViewedProgram { input, bytes: None, title: None, loader, against: None })
     }
 
-    fn against(self, against: Against) -> ShownProgram {
-        ShownProgram { against: Some(Arc::new(against)), ..self }
+    fn against(self, against: ComparedProgram) -> ViewedProgram {
+        ViewedProgram { against: Some(Arc::new(against)), ..self }
     }
 }
 
-impl ShownProgram {
+impl ViewedProgram {
     /// Where the machine is named: a file of the program's own folder without the folder.
     fn named_in(&self, file: &Path) -> String {
         let folder = self.input.path.as_deref().and_then(|path| path.canonicalize().ok());
@@ -221,7 +225,7 @@ impl ShownProgram {
     }
 }
 
-impl Programs for ShownProgram {
+impl ProgramSource for ViewedProgram {
     fn path(&self) -> Option<PathBuf> {
         self.input.path.clone().filter(|_| self.bytes.is_none())
     }
@@ -230,7 +234,7 @@ impl Programs for ShownProgram {
         self.title.clone().unwrap_or_else(|| self.input.name().into_owned())
     }
 
-    fn read(&self) -> Result<Vec<u8>, Refusal> {
+    fn read(&self) -> Result<Vec<u8>, ProgramRefusal> {
         match (&self.bytes, &self.input.path) {
             (Some(bytes), _) => Ok(bytes.clone()),
             (None, Some(path)) => FileAccess::Disk
@@ -240,11 +244,11 @@ impl Programs for ShownProgram {
         }
     }
 
-    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<EditorProgram, Refusal> {
+    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<EditorProgram, ProgramRefusal> {
         let loader = match machine.map(ChosenMachine::of) {
             // The page may choose from what it was offered, and name no file.
             Some(chosen) if !builtin_names().contains(&chosen.name) => {
-                return Err(Refusal {
+                return Err(ProgramRefusal {
                     message: format!("{} is not a machine of the list", chosen.name),
                     help: Some(
                         "choose one from the list, or start `chordal view` with --machine".into(),
@@ -259,13 +263,13 @@ impl Programs for ShownProgram {
         let loader = loader.map_err(|error| refusal(&error))?;
         let set_up = machine.is_some().then(|| self.loader.again());
         let named_in = |file: &Path| self.named_in(file);
-        chordal_view::open(loader, set_up, &self.input, &self.name(), text, named_in)
+        chordal_view::open_program(loader, set_up, &self.input, &self.name(), text, named_in)
     }
 
-    fn write(&self, bytes: &[u8]) -> Result<(), Refusal> {
-        match Programs::path(self) {
+    fn write(&self, bytes: &[u8]) -> Result<(), ProgramRefusal> {
+        match ProgramSource::path(self) {
             Some(path) => save(&path, bytes),
-            None => Err(Refusal { message: "there is no file to write".into(), help: None }),
+            None => Err(ProgramRefusal { message: "there is no file to write".into(), help: None }),
         }
     }
 
@@ -273,11 +277,11 @@ impl Programs for ShownProgram {
         FileAccess::Disk.bytes(Path::new(name)).map_err(|error| reason(&error))
     }
 
-    fn against(&self) -> Option<Arc<Against>> {
+    fn compared_program(&self) -> Option<Arc<ComparedProgram>> {
         self.against.clone()
     }
 
-    fn machines(&self) -> Vec<MachineChoice> {
+    fn machines(&self) -> Vec<ListedMachine> {
         builtin_machines()
     }
 }

@@ -1,4 +1,4 @@
-//! Prints web/src/palette.ts.
+//! Prints web/src/view/palette.ts.
 
 fn main() {
     print!("{}", chordal_export::palette_typescript());

@@ -20,7 +20,7 @@ pub enum CornerForm {
 
 /// What a block asks for at its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct CornerRequest {
+pub struct ProgrammedCorner {
     /// The word.
     pub word: Span,
     /// How the language calls it: `,R`.
@@ -45,7 +45,7 @@ pub(crate) enum QueuedItem {
 /// A move that waits for the next one.
 #[derive(Debug)]
 pub(crate) struct QueuedMove {
-    pub corner: CornerRequest,
+    pub corner: ProgrammedCorner,
     pub kind: CommandKind,
     pub origin: Origin,
     pub call: CallPath,
@@ -63,7 +63,7 @@ pub(crate) struct QueuedMove {
 /// The corners that wait.
 #[derive(Default, Debug)]
 pub(crate) struct CornerQueue {
-    pub request: Option<CornerRequest>,
+    pub request: Option<ProgrammedCorner>,
     pub queued: Option<Box<QueuedMove>>,
 }
 

@@ -45,7 +45,7 @@ mod turning;
 
 pub use checkpoint::{Checkpoint, CheckpointMemory};
 pub use coordinates::ToolValue;
-pub use corner_queue::{CornerForm, CornerRequest};
+pub use corner_queue::{CornerForm, ProgrammedCorner};
 pub use cycles::HoleWords;
 pub use frames::{FrameKinds, Frames, PolarReading, PolarWords};
 pub use kernel::{Alarms, Kernel, KernelMemory, KernelReports};

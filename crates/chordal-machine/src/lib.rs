@@ -44,6 +44,7 @@ mod motion;
 mod offset;
 mod quantity;
 mod read;
+mod rotary;
 mod schema;
 mod setup;
 mod suggest;
@@ -70,6 +71,7 @@ pub use machine::{
 pub use motion::MotionSettings;
 pub use offset::work_offset_name;
 pub use quantity::{QuantityDimension, QuantityError, parse_quantity};
+pub use rotary::{ToolRotation, part_transform, tool_rotations};
 pub use schema::{SchemaKey, schema_keys, schema_reference};
 pub use setup::{Body, BodyShape, ContourPoint, CuttingForce, MeshUnit, Setup};
 pub use tool::{Cutter, HolderSegment, Tool, ToolShape};

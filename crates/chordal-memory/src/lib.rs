@@ -1,7 +1,7 @@
 //! How messages lie in the memory of a module of WebAssembly; the other half is `npm/src/memory.ts`.
 //!
-//! `memory_input(n)` gives the place for a message of so many bytes. A function of the module takes it ([`input`]) and
-//! leaves what comes of it ([`leave`]), which JavaScript finds part by part: `memory_parts()`, `memory_part(i)` and
+//! `memory_input(n)` gives the place for a message of so many bytes. A function of the module takes it ([`take_input`]) and
+//! leaves what comes of it ([`put_output`]), which JavaScript finds part by part: `memory_parts()`, `memory_part(i)` and
 //! `memory_part_length(i)`. The parts stay until the next message or `memory_forget()`.
 //! Pointers only go out: nothing here reads memory by a number that JavaScript gives.
 
@@ -12,7 +12,7 @@ mod message;
 use std::cell::RefCell;
 use std::panic;
 
-pub use message::{Message, TornMessage};
+pub use message::{MemoryMessage, TornMessage};
 
 thread_local! {
     static INPUT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
@@ -21,12 +21,12 @@ thread_local! {
 
 /// The message that JavaScript has written; it is taken once.
 #[must_use]
-pub fn input() -> Vec<u8> {
+pub fn take_input() -> Vec<u8> {
     INPUT.take()
 }
 
 /// Leaves what came of a message.
-pub fn leave(parts: Vec<Vec<u8>>) {
+pub fn put_output(parts: Vec<Vec<u8>>) {
     OUTPUT.set(parts);
 }
 
@@ -38,7 +38,7 @@ unsafe extern "C" {
 }
 
 /// Gives the words of a panic to JavaScript.
-fn tell_of_panics() {
+fn report_panics() {
     #[cfg(target_family = "wasm")]
     panic::set_hook(Box::new(|info| {
         let text = info.to_string();
@@ -52,7 +52,7 @@ fn tell_of_panics() {
 /// The place for a message; null where there is no memory for it.
 #[unsafe(no_mangle)]
 pub extern "C" fn memory_input(length: usize) -> *mut u8 {
-    tell_of_panics();
+    report_panics();
     memory_forget();
     INPUT.with_borrow_mut(|input| {
         if input.try_reserve_exact(length).is_err() {

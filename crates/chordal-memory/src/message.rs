@@ -6,13 +6,13 @@ use serde::de::DeserializeOwned;
 
 /// A message as it is read.
 #[derive(Debug)]
-pub struct Message {
+pub struct MemoryMessage {
     bytes: Vec<u8>,
-    /// Where what was not read yet begins.
+    /// The first byte that was not read yet.
     at: usize,
 }
 
-/// What is wrong with a message, to be said of it: it does not come from our JavaScript, or from that of another version.
+/// What is wrong with a message: it does not come from our JavaScript, or from that of another version.
 #[derive(Debug, PartialEq, Eq)]
 pub struct TornMessage(String);
 
@@ -28,18 +28,18 @@ impl TornMessage {
     }
 }
 
-impl Message {
+impl MemoryMessage {
     /// Reads the object of a message.
     ///
     /// # Errors
     /// Bytes that are no message.
-    pub fn read<T: DeserializeOwned>(bytes: Vec<u8>) -> Result<(T, Message), TornMessage> {
+    pub fn read<T: DeserializeOwned>(bytes: Vec<u8>) -> Result<(T, MemoryMessage), TornMessage> {
         let (length, rest) = bytes.split_first_chunk::<4>().ok_or_else(TornMessage::too_short)?;
         let length = u32::from_le_bytes(*length) as usize;
         let object = rest.get(..length).ok_or_else(TornMessage::too_short)?;
         let object = serde_json::from_slice(object)
             .map_err(|error| TornMessage(format!("cannot be read: {error}")))?;
-        Ok((object, Message { bytes, at: 4 + length }))
+        Ok((object, MemoryMessage { bytes, at: 4 + length }))
     }
 
     /// The next bytes.
@@ -72,21 +72,23 @@ mod tests {
 
     #[test]
     fn an_object_and_the_bytes_that_it_names_are_read_in_order() {
-        let (lengths, mut read) = Message::read::<Vec<usize>>(message("[2,0,3]", "G0X1.")).unwrap();
+        let (lengths, mut read) =
+            MemoryMessage::read::<Vec<usize>>(message("[2,0,3]", "G0X1.")).unwrap();
         let taken: Vec<_> = lengths.into_iter().map(|length| read.take(length).unwrap()).collect();
         assert_eq!(taken, [b"G0".to_vec(), Vec::new(), b"X1.".to_vec()]);
         assert_eq!(read.take(1), Err(TornMessage::too_short()));
         assert_eq!(read.take(usize::MAX), Err(TornMessage::too_short()));
         assert_eq!(read.rest(), b"");
-        let (_, mut read) = Message::read::<Vec<usize>>(message("[2]", "G0X1.")).unwrap();
+        let (_, mut read) = MemoryMessage::read::<Vec<usize>>(message("[2]", "G0X1.")).unwrap();
         read.take(2).unwrap();
         assert_eq!(read.rest(), b"X1.");
     }
 
     #[test]
     fn bytes_that_are_no_message_are_refused() {
-        let read =
-            |bytes: &[u8]| Message::read::<Vec<usize>>(bytes.to_vec()).map(|(object, _)| object);
+        let read = |bytes: &[u8]| {
+            MemoryMessage::read::<Vec<usize>>(bytes.to_vec()).map(|(object, _)| object)
+        };
         for bytes in [&b""[..], b"\x01", b"\xff\xff\xff\xff[]", b"\x03\0\0\0[]"] {
             assert_eq!(read(bytes), Err(TornMessage::too_short()), "{bytes:?}");
         }

@@ -1,8 +1,8 @@
-//! What JavaScript calls, and what it hears.
+//! The functions that JavaScript calls, and those of JavaScript that are called.
 //!
-//! Messages lie in memory as `chordal-memory` says. The view of a page takes `page_begin()`, from then on its requests
-//! (`page_ask()`), and is told of runs (`page_ran()`). What is to be done elsewhere goes out through `want`; `page_hand_over()`
-//! gives what a view elsewhere needs for it, which takes `page_serve()` and then `page_take_over()`. Answers and columns go
+//! Messages lie in memory as `chordal-memory` says. `page_open()` begins the view of a page, which from then on takes requests
+//! (`page_request()`) and reports of runs (`page_run_finished()`). Work for other workers goes out through `want`; `page_dispatch()`
+//! gives what another worker needs for it, which takes `page_serve()` and then `page_execute()`. Answers and columns go
 //! out through `send`, while it works.
 
 #![allow(unsafe_code, reason = "names that JavaScript calls, and the functions that it offers")]
@@ -10,15 +10,17 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use chordal_memory::{Message, input, leave};
-use chordal_view::{Handed, Outbox, Port, Request, View, Work, builtin_machines};
+use chordal_memory::{MemoryMessage, put_output, take_input};
+use chordal_view::{
+    PageOutbox, PagePort, PageRequest, ProgramView, WorkItem, WorkOrder, builtin_machines,
+};
 use serde_json::json;
 
-use crate::given::Given;
+use crate::opened_files::OpenedProgram;
 
 thread_local! {
-    static VIEW: RefCell<Option<Arc<View>>> = const { RefCell::new(None) };
-    static GIVEN: RefCell<Option<Arc<Given>>> = const { RefCell::new(None) };
+    static VIEW: RefCell<Option<Arc<ProgramView>>> = const { RefCell::new(None) };
+    static OPENED: RefCell<Option<Arc<OpenedProgram>>> = const { RefCell::new(None) };
 }
 
 #[cfg(target_family = "wasm")]
@@ -30,7 +32,7 @@ unsafe extern "C" {
     fn want(kind: u32, number: f64);
 }
 
-/// Natively nobody listens.
+/// In native builds, for tests, there is no receiver.
 #[cfg(not(target_family = "wasm"))]
 mod nobody {
     pub unsafe fn send(_kind: u32, _bytes: *const u8, _length: usize) {}
@@ -39,15 +41,15 @@ mod nobody {
 #[cfg(not(target_family = "wasm"))]
 use nobody::{send, want};
 
-/// The way to the page.
-struct Page;
+/// Sends to the page through JavaScript.
+struct JavaScriptPort;
 
 fn send_bytes(kind: u32, bytes: &[u8]) {
     // SAFETY: JavaScript copies so many bytes at the pointer before it returns.
     unsafe { send(kind, bytes.as_ptr(), bytes.len()) }
 }
 
-impl Port for Page {
+impl PagePort for JavaScriptPort {
     fn text(&self, text: String) {
         send_bytes(0, text.as_bytes());
     }
@@ -61,45 +63,45 @@ impl Port for Page {
     }
 }
 
-/// Says what is to be done.
-fn tell_work(work: Work) {
+/// Passes a work item on to JavaScript.
+fn request_work(work: WorkItem) {
     let kind = match work {
-        Work::Run(_) => 0,
-        Work::Plan(_) => 1,
-        Work::Compare(_) => 2,
-        Work::Cut(_) => 3,
+        WorkItem::Run(_) => 0,
+        WorkItem::Plan(_) => 1,
+        WorkItem::Compare(_) => 2,
+        WorkItem::Cut(_) => 3,
     };
     // SAFETY: two numbers.
     unsafe { want(kind, work.number() as f64) }
 }
 
-fn work_of(kind: u32, number: f64) -> Work {
+fn work_of(kind: u32, number: f64) -> WorkItem {
     // Whole numbers that `tell_work` gave.
     let number = number as u64;
     match kind {
-        0 => Work::Run(number),
-        1 => Work::Plan(number),
-        2 => Work::Compare(number),
-        _ => Work::Cut(number),
+        0 => WorkItem::Run(number),
+        1 => WorkItem::Plan(number),
+        2 => WorkItem::Compare(number),
+        _ => WorkItem::Cut(number),
     }
 }
 
-fn view() -> Option<Arc<View>> {
+fn view() -> Option<Arc<ProgramView>> {
     VIEW.with_borrow(Clone::clone)
 }
 
-/// Says that something went wrong, where the page sees it.
+/// Sends the page an error.
 fn refuse(id: u64, message: &str, help: Option<&str>) {
-    Outbox::new(Page).refuse(id, message, help);
+    PageOutbox::new(JavaScriptPort).refuse(id, message, help);
 }
 
-fn made() -> Option<Arc<View>> {
-    let out = Outbox::new(Page);
-    match Given::read(input(), out.clone()) {
-        Ok(given) => {
-            let given = Arc::new(given);
-            let view = Arc::new(View::new(given.clone(), out));
-            GIVEN.set(Some(given));
+fn open_view() -> Option<Arc<ProgramView>> {
+    let out = PageOutbox::new(JavaScriptPort);
+    match OpenedProgram::read(take_input(), out.clone()) {
+        Ok(opened) => {
+            let opened = Arc::new(opened);
+            let view = Arc::new(ProgramView::new(opened.clone(), out));
+            OPENED.set(Some(opened));
             VIEW.set(Some(view.clone()));
             Some(view)
         }
@@ -110,18 +112,18 @@ fn made() -> Option<Arc<View>> {
     }
 }
 
-/// Does what every program needs before there is one.
+/// Prepares what every program needs, before one is opened.
 #[unsafe(no_mangle)]
 pub extern "C" fn page_prepare() {
     builtin_machines();
 }
 
-/// Begins the view of a page: the message is a [`crate::begin::Begin`] with a program. 1 where `page_text()` is due next.
+/// Begins the view of a page: the message is a [`crate::open_message::OpenMessage`] with a program. 1 where `page_text()` is due next.
 #[unsafe(no_mangle)]
-pub extern "C" fn page_begin() -> u32 {
-    let Some(view) = made() else { return 0 };
-    view.works_elsewhere();
-    u32::from(view.begin(&mut tell_work))
+pub extern "C" fn page_open() -> u32 {
+    let Some(view) = open_view() else { return 0 };
+    view.delegate_work();
+    u32::from(view.begin(&mut request_work))
 }
 
 /// Sends the page the text.
@@ -132,65 +134,65 @@ pub extern "C" fn page_text() {
     }
 }
 
-/// Other files lie next to the program from now on: the message is a [`crate::begin::Begin`] without a program.
+/// Other files lie next to the program from now on: the message is a [`crate::open_message::OpenMessage`] without a program.
 #[unsafe(no_mangle)]
 pub extern "C" fn page_files() {
-    let given = GIVEN.with_borrow(Clone::clone);
-    if let Some(Err(error)) = given.map(|given| given.renew(input())) {
+    let opened = OPENED.with_borrow(Clone::clone);
+    if let Some(Err(error)) = opened.map(|opened| opened.renew(take_input())) {
         refuse(0, &format!("the message {error}"), Some("load the page again"));
     }
 }
 
-/// Begins a view that works for another one: the message is a [`crate::begin::Begin`] without a program.
+/// Begins a view that works for another one: the message is a [`crate::open_message::OpenMessage`] without a program.
 #[unsafe(no_mangle)]
 pub extern "C" fn page_serve() {
-    made();
+    open_view();
 }
 
 /// Answers the request of a page.
 #[unsafe(no_mangle)]
-pub extern "C" fn page_ask() {
-    let text = input();
+pub extern "C" fn page_request() {
+    let text = take_input();
     let Some(view) = view() else { return refuse(0, "no program is open", None) };
-    match serde_json::from_slice::<Request>(&text) {
-        Ok(request) => view.answer(request, &mut tell_work),
+    match serde_json::from_slice::<PageRequest>(&text) {
+        Ok(request) => view.answer(request, &mut request_work),
         Err(error) => refuse(0, &format!("the request cannot be read: {error}"), None),
     }
 }
 
-/// A view elsewhere has run the program: the message is the output of its `page_take_over`.
+/// Another worker has run the program: the message is the output of its `page_execute`.
 #[unsafe(no_mangle)]
-pub extern "C" fn page_ran() {
-    let told = String::from_utf8_lossy(&input()).into_owned();
+pub extern "C" fn page_run_finished() {
+    let report = String::from_utf8_lossy(&take_input()).into_owned();
     if let Some(view) = view()
-        && let Err(error) = view.ran_elsewhere(&told, &mut tell_work)
+        && let Err(error) = view.remote_run_finished(&report, &mut request_work)
     {
         refuse(0, &error.to_string(), None);
     }
 }
 
-/// What a view elsewhere needs to do this work: parts 0 and 1 go into its message. 0 where nobody wants it any more.
+/// What another worker needs for a work item: parts 0 and 1 go into its message. Returns 0 if the item is out of date.
 #[unsafe(no_mangle)]
-pub extern "C" fn page_hand_over(kind: u32, number: f64) -> u32 {
-    let handed = view().and_then(|view| view.hand_over(work_of(kind, number)));
-    let Some((handed, text)) = handed else { return 0 };
-    let handed = json!(handed).to_string().into_bytes();
-    leave(vec![handed, text.into_bytes()]);
+pub extern "C" fn page_dispatch(kind: u32, number: f64) -> u32 {
+    let order = view().and_then(|view| view.dispatch(work_of(kind, number)));
+    let Some((order, text)) = order else { return 0 };
+    let order = json!(order).to_string().into_bytes();
+    put_output(vec![order, text.into_bytes()]);
     1
 }
 
-/// Does the work of another view: the message is a [`Handed`] and the text. Part 0 is for its `page_ran`, where it has bytes.
+/// Does the work of another view: the message is a [`WorkOrder`] and the text. Part 0, if it is not empty, is for its `page_run_finished`.
 #[unsafe(no_mangle)]
-pub extern "C" fn page_take_over() {
-    let message = input();
+pub extern "C" fn page_execute() {
+    let message = take_input();
     let Some(view) = view() else { return };
-    let (handed, text) = match Message::read::<Handed>(message) {
-        Ok((handed, rest)) => (handed, String::from_utf8(rest.rest())),
+    let (order, text) = match MemoryMessage::read::<WorkOrder>(message) {
+        Ok((order, rest)) => (order, String::from_utf8(rest.rest())),
         Err(error) => return refuse(0, &format!("the message {error}"), None),
     };
     let Ok(text) = text else { return refuse(0, "the text is not UTF-8", None) };
-    match view.take_over(handed, text) {
-        Ok(told) => leave(vec![told.unwrap_or_default().into_bytes()]),
+    match view.execute(order, text) {
+        Ok(report) => put_output(vec![report.unwrap_or_default().into_bytes()]),
         Err(refusal) => refuse(0, &refusal.message, refusal.help.as_deref()),
     }
 }

@@ -19,20 +19,20 @@ use crate::table::Table;
 /// A planned motion: stretches of path with their velocity profile. It never changes.
 #[pyclass(frozen, module = "chordal._chordal")]
 pub struct Motion {
-    steps: Vec<PlannedStep>,
+    steps: Vec<MotionStepData>,
     duration_s: f64,
 }
 
-enum PlannedStep {
+enum MotionStepData {
     Planned(PlannedTrajectory),
     Wait { seconds: f64, tag: u64 },
 }
 
-impl PlannedStep {
+impl MotionStepData {
     fn step(&self) -> PlannerStep<'_> {
         match self {
-            PlannedStep::Planned(trajectory) => PlannerStep::Trajectory(trajectory),
-            PlannedStep::Wait { seconds, tag } => {
+            MotionStepData::Planned(trajectory) => PlannerStep::Trajectory(trajectory),
+            MotionStepData::Wait { seconds, tag } => {
                 PlannerStep::Wait { seconds: *seconds, tag: *tag }
             }
         }
@@ -80,11 +80,11 @@ fn planned(
     level: PlannerLevel,
 ) -> Result<Motion, (usize, MoveError)> {
     let mut planner = MotionPlanner::new(limits, PlannerOptions::new(level));
-    let mut steps: Vec<PlannedStep> = Vec::new();
+    let mut steps: Vec<MotionStepData> = Vec::new();
     let mut keep = |step: PlannerStep<'_>| {
         steps.push(match step {
-            PlannerStep::Trajectory(trajectory) => PlannedStep::Planned(trajectory.clone()),
-            PlannerStep::Wait { seconds, tag } => PlannedStep::Wait { seconds, tag },
+            PlannerStep::Trajectory(trajectory) => MotionStepData::Planned(trajectory.clone()),
+            PlannerStep::Wait { seconds, tag } => MotionStepData::Wait { seconds, tag },
         });
     };
     let mut at: Option<PerAxis<f64>> = None;

@@ -1,4 +1,4 @@
-//! The file on disk: whether somebody may have changed it, and how it is written whole or not at all.
+//! The file on disk: whether it may have changed, and writing it whole or not at all.
 
 use std::fs;
 use std::io::{self, Write};
@@ -6,29 +6,29 @@ use std::path::Path;
 use std::time::SystemTime;
 
 use chordal_files::FileDraft;
-use chordal_view::Refusal;
+use chordal_view::ProgramRefusal;
 
-/// What a look at a file gives for nothing.
+/// Length and time of change of a file: cheap to read, and enough to notice most changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Stamp {
+pub struct ServedFileStamp {
     length: u64,
     modified: Option<SystemTime>,
 }
 
-impl Stamp {
-    /// Of the file as it is; `None` where there is none.
-    pub fn of(path: &Path) -> Option<Stamp> {
+impl ServedFileStamp {
+    /// The present stamp of a file; `None` where there is no file.
+    pub fn of(path: &Path) -> Option<ServedFileStamp> {
         let about = fs::metadata(path).ok()?;
-        Some(Stamp { length: about.len(), modified: about.modified().ok() })
+        Some(ServedFileStamp { length: about.len(), modified: about.modified().ok() })
     }
 }
 
 /// Saves a program of [`chordal_view::Programs`] in its file.
 ///
 /// # Errors
-/// Why it is as before.
-pub fn save(path: &Path, bytes: &[u8]) -> Result<(), Refusal> {
-    write(path, bytes).map_err(|error| Refusal {
+/// The system's reason; the file is then as before.
+pub fn save(path: &Path, bytes: &[u8]) -> Result<(), ProgramRefusal> {
+    write(path, bytes).map_err(|error| ProgramRefusal {
         message: format!("cannot write {}: {error}", path.display()),
         help: Some("the file was not changed".into()),
     })
@@ -54,10 +54,10 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("part.nc");
         fs::write(&path, "old").unwrap();
-        let before = Stamp::of(&path);
+        let before = ServedFileStamp::of(&path);
         write(&path, b"new text").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"new text");
-        assert_ne!(Stamp::of(&path), before);
+        assert_ne!(ServedFileStamp::of(&path), before);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
         assert!(write(folder.path(), b"x").is_err());
     }

@@ -1,56 +1,55 @@
-//! Whom the page is for: who knows its address, from this machine, from the page itself.
+//! Which requests are answered: those that know the address, from this machine, from the page itself.
 //!
 //! Any web site may send requests to loopback, and a name of its own may be made to point there.
 //! So a request must name this server (`Host`), must not come from another page (`Origin`), and
-//! must know the token. Whoever does not gets no content.
+//! must know the token. Other requests get no content.
 
 use axum::http::header::{HOST, ORIGIN};
 use axum::http::{HeaderMap, StatusCode};
 use subtle::ConstantTimeEq;
 
-/// Bytes of a token.
-const BYTES: usize = 24;
+const TOKEN_BYTES: usize = 24;
 
 /// The secret part of the address.
 #[derive(Clone, Debug)]
-pub struct Token(String);
+pub struct AccessToken(String);
 
-impl Token {
+impl AccessToken {
     /// A new one: 192 random bits in hexadecimal.
     ///
     /// # Errors
     /// When the system gives no random numbers.
-    pub fn random() -> Result<Token, getrandom::Error> {
-        let mut bytes = [0; BYTES];
+    pub fn random() -> Result<AccessToken, getrandom::Error> {
+        let mut bytes = [0; TOKEN_BYTES];
         getrandom::fill(&mut bytes)?;
-        Ok(Token(bytes.iter().map(|byte| format!("{byte:02x}")).collect()))
+        Ok(AccessToken(bytes.iter().map(|byte| format!("{byte:02x}")).collect()))
     }
 
-    /// As it stands in the address.
+    /// As it is written in the address.
     pub fn text(&self) -> &str {
         &self.0
     }
 
-    /// Whether it is this one; how long that takes does not say how much of it is right.
-    pub fn is(&self, given: &str) -> bool {
-        self.0.as_bytes().ct_eq(given.as_bytes()).into()
+    /// Compares in constant time, so that the time does not reveal how much of it is right.
+    pub fn is(&self, candidate: &str) -> bool {
+        self.0.as_bytes().ct_eq(candidate.as_bytes()).into()
     }
 }
 
 /// The names that a browser may know this server by.
 #[derive(Clone, Debug)]
-pub struct Hosts([String; 2]);
+pub struct AllowedHosts([String; 2]);
 
-impl Hosts {
-    /// Of a port.
-    pub fn of(port: u16) -> Hosts {
-        Hosts([format!("127.0.0.1:{port}"), format!("localhost:{port}")])
+impl AllowedHosts {
+    /// The names with a port.
+    pub fn of(port: u16) -> AllowedHosts {
+        AllowedHosts([format!("127.0.0.1:{port}"), format!("localhost:{port}")])
     }
 
     /// Refuses a request that names another server, or comes from another page.
     ///
     /// # Errors
-    /// What it is refused with.
+    /// The status of the refusal.
     pub fn check(&self, headers: &HeaderMap) -> Result<(), StatusCode> {
         let only = |name| {
             let mut values = headers.get_all(name).iter();
@@ -83,7 +82,7 @@ mod tests {
             let name: axum::http::HeaderName = name.parse().unwrap();
             headers.append(name, value.parse().unwrap());
         }
-        Hosts::of(8080).check(&headers).is_ok()
+        AllowedHosts::of(8080).check(&headers).is_ok()
     }
 
     #[test]
@@ -107,7 +106,7 @@ mod tests {
 
     #[test]
     fn tokens_are_long_and_differ() {
-        let (one, other) = (Token::random().unwrap(), Token::random().unwrap());
+        let (one, other) = (AccessToken::random().unwrap(), AccessToken::random().unwrap());
         assert_eq!(one.text().len(), 48);
         assert_ne!(one.text(), other.text());
         assert!(one.is(one.text()) && !one.is(other.text()) && !one.is("") && !one.is(&one.0[1..]));

@@ -1,20 +1,20 @@
-//! The way of what goes to a page, from any thread to its connection.
+//! Passes messages for a page from any thread to its connection.
 
 use axum::extract::ws::Message;
-use chordal_view::Port;
+use chordal_view::PagePort;
 use tokio::sync::mpsc;
 
-/// Messages on their way.
+/// The channels to the connection.
 #[derive(Clone, Debug)]
-pub struct Channels {
+pub struct PageChannels {
     /// What goes out in its order.
     pub soon: mpsc::Sender<Message>,
     /// What waits for the first picture.
     pub later: mpsc::Sender<Message>,
 }
 
-// A page that has gone is noticed where its requests are read.
-impl Port for Channels {
+// A closed page is noticed where its requests are read.
+impl PagePort for PageChannels {
     fn text(&self, text: String) {
         let _ = self.soon.blocking_send(Message::Text(text.into()));
     }

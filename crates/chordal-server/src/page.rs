@@ -10,14 +10,14 @@ use axum::http::{HeaderMap, HeaderValue, StatusCode};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
-use chordal_view::Programs;
+use chordal_view::ProgramSource;
 use tokio::sync::Semaphore;
 
-use crate::guard::{Hosts, Token};
-use crate::live;
+use crate::guard::{AccessToken, AllowedHosts};
+use crate::page_connection;
 
 /// Built from `web/`; nothing else is ever served.
-const FILES: &[(&str, &str, &[u8])] = &[
+const PAGE_FILES: &[(&str, &str, &[u8])] = &[
     ("", "text/html; charset=utf-8", include_bytes!("../page/index.html")),
     ("app.js", "text/javascript; charset=utf-8", include_bytes!("../page/app.js")),
     ("app.css", "text/css; charset=utf-8", include_bytes!("../page/app.css")),
@@ -25,25 +25,30 @@ const FILES: &[(&str, &str, &[u8])] = &[
 ];
 
 /// Pages that may be open at once: each has threads of its own.
-const MOST_PAGES: usize = 16;
+const MAX_PAGES: usize = 16;
 
 /// Where the page says with which nonce its editor may add styles.
-const NONCE: &str = "NONCE-OF-THE-PAGE";
+const NONCE_PLACEHOLDER: &str = "NONCE-OF-THE-PAGE";
 
-/// What every answer is made with.
+/// The state that every route uses.
 #[derive(Clone)]
-pub struct Site {
-    token: Token,
-    hosts: Hosts,
-    programs: Arc<dyn Programs>,
+pub struct PageSite {
+    token: AccessToken,
+    hosts: AllowedHosts,
+    programs: Arc<dyn ProgramSource>,
     room: Arc<Semaphore>,
     idle: Duration,
 }
 
 /// The routes after their guard.
-pub fn router(token: Token, port: u16, programs: Arc<dyn Programs>, idle: Duration) -> Router {
-    let room = Arc::new(Semaphore::new(MOST_PAGES));
-    let site = Site { token, hosts: Hosts::of(port), programs, room, idle };
+pub fn router(
+    token: AccessToken,
+    port: u16,
+    programs: Arc<dyn ProgramSource>,
+    idle: Duration,
+) -> Router {
+    let room = Arc::new(Semaphore::new(MAX_PAGES));
+    let site = PageSite { token, hosts: AllowedHosts::of(port), programs, room, idle };
     Router::new()
         .route("/{token}/", get(index))
         .route("/{token}/live", get(connect))
@@ -53,26 +58,26 @@ pub fn router(token: Token, port: u16, programs: Arc<dyn Programs>, idle: Durati
 }
 
 /// Refuses before anything is looked at, and says on every answer what the page may do.
-async fn guard(State(site): State<Site>, request: Request, next: Next) -> Response {
+async fn guard(State(site): State<PageSite>, request: Request, next: Next) -> Response {
     if let Err(status) = site.hosts.check(request.headers()) {
         return status.into_response();
     }
-    let given = request.uri().path().split('/').nth(1).unwrap_or("");
-    if !site.token.is(given) {
+    let candidate = request.uri().path().split('/').nth(1).unwrap_or("");
+    if !site.token.is(candidate) {
         return StatusCode::NOT_FOUND.into_response();
     }
     let mut response = next.run(request).await;
     let headers = response.headers_mut();
-    for (name, value) in PROTECTION {
+    for (name, value) in PROTECTION_HEADERS {
         headers.entry(name).or_insert(HeaderValue::from_static(value));
     }
     response
 }
 
-const PROTECTION: [(HeaderName, &str); 6] = [
+const PROTECTION_HEADERS: [(HeaderName, &str); 6] = [
     (header::CONTENT_SECURITY_POLICY, "default-src 'none'; frame-ancestors 'none'"),
     (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
-    // The address holds the token: it goes nowhere.
+    // The address contains the token, and must not be sent to other servers.
     (header::REFERRER_POLICY, "no-referrer"),
     (header::CACHE_CONTROL, "no-store"),
     (HeaderName::from_static("cross-origin-resource-policy"), "same-origin"),
@@ -80,11 +85,11 @@ const PROTECTION: [(HeaderName, &str); 6] = [
 ];
 
 async fn index() -> Response {
-    let Ok(nonce) = Token::random() else {
+    let Ok(nonce) = AccessToken::random() else {
         return StatusCode::INTERNAL_SERVER_ERROR.into_response();
     };
-    let (_, kind, bytes) = FILES[0];
-    let text = String::from_utf8_lossy(bytes).replace(NONCE, nonce.text());
+    let (_, kind, bytes) = PAGE_FILES[0];
+    let text = String::from_utf8_lossy(bytes).replace(NONCE_PLACEHOLDER, nonce.text());
     let policy = format!(
         "default-src 'none'; script-src 'self'; connect-src 'self'; img-src 'self' data:; \
          style-src 'self' 'nonce-{}'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
@@ -99,21 +104,21 @@ async fn index() -> Response {
 }
 
 async fn asset(Path((_, name)): Path<(String, String)>) -> Response {
-    match FILES[1..].iter().find(|(own, ..)| *own == name) {
+    match PAGE_FILES[1..].iter().find(|(own, ..)| *own == name) {
         Some((_, kind, bytes)) => ([(header::CONTENT_TYPE, *kind)], *bytes).into_response(),
         None => StatusCode::NOT_FOUND.into_response(),
     }
 }
 
-async fn connect(State(site): State<Site>, upgrade: WebSocketUpgrade) -> Response {
+async fn connect(State(site): State<PageSite>, upgrade: WebSocketUpgrade) -> Response {
     let Ok(place) = site.room.try_acquire_owned() else {
         return StatusCode::SERVICE_UNAVAILABLE.into_response();
     };
     upgrade
-        .max_message_size(live::LARGEST_MESSAGE)
-        .max_frame_size(live::LARGEST_MESSAGE)
+        .max_message_size(page_connection::MAX_MESSAGE_BYTES)
+        .max_frame_size(page_connection::MAX_MESSAGE_BYTES)
         .on_upgrade(move |socket| async move {
-            live::talk(socket, site.programs, site.idle).await;
+            page_connection::serve_page(socket, site.programs, site.idle).await;
             drop(place);
         })
 }

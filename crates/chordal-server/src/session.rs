@@ -13,91 +13,94 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
 use std::time::Duration;
 
-use chordal_view::{Outbox, Programs, Request, View, Work};
+use chordal_view::{PageOutbox, PageRequest, ProgramSource, ProgramView, WorkItem};
 use serde_json::json;
 
-use crate::file::Stamp;
+use crate::file::ServedFileStamp;
 
 /// How often the file is looked at.
-const LOOK_EVERY: Duration = Duration::from_millis(400);
+const POLL_INTERVAL: Duration = Duration::from_millis(400);
 
 /// The page's end of the threads.
-pub struct Session {
-    view: Arc<View>,
-    requests: Sender<Request>,
+pub struct PageSession {
+    view: Arc<ProgramView>,
+    requests: Sender<PageRequest>,
 }
 
-/// Where work goes, by its kind. A thread has no way to itself: it ends when nobody else can send it work.
+/// A queue for each kind of work. A thread has no sender of its own queue: it ends when all others are dropped.
 #[derive(Clone)]
-struct Queues {
-    runs: Option<Sender<Work>>,
-    plans: Sender<Work>,
-    comparisons: Sender<Work>,
-    stocks: Sender<Work>,
+struct WorkQueues {
+    runs: Option<Sender<WorkItem>>,
+    plans: Sender<WorkItem>,
+    comparisons: Sender<WorkItem>,
+    stocks: Sender<WorkItem>,
 }
 
-impl Queues {
-    fn put(&self, work: Work) {
+impl WorkQueues {
+    fn put(&self, work: WorkItem) {
         let queue = match work {
-            Work::Run(_) => self.runs.as_ref(),
-            Work::Plan(_) => Some(&self.plans),
-            Work::Compare(_) => Some(&self.comparisons),
-            Work::Cut(_) => Some(&self.stocks),
+            WorkItem::Run(_) => self.runs.as_ref(),
+            WorkItem::Plan(_) => Some(&self.plans),
+            WorkItem::Compare(_) => Some(&self.comparisons),
+            WorkItem::Cut(_) => Some(&self.stocks),
         };
         if let Some(queue) = queue {
-            // The thread behind it ends with the session only.
+            // The thread that receives ends with the session only.
             let _ = queue.send(work);
         }
     }
 }
 
-impl Session {
+impl PageSession {
     /// Starts the threads, which begin with the file as it is.
     ///
     /// # Errors
     /// When the system gives no threads.
-    pub fn begin(programs: Arc<dyn Programs>, out: Outbox) -> std::io::Result<Session> {
+    pub fn begin(
+        programs: Arc<dyn ProgramSource>,
+        out: PageOutbox,
+    ) -> std::io::Result<PageSession> {
         // Before anything is read: what changes from here on is a change.
-        let watched = Watched::of(&*programs);
-        let view = Arc::new(View::new(programs.clone(), out));
-        let (requests, asked) = channel();
+        let watched = WatchedFiles::of(&*programs);
+        let view = Arc::new(ProgramView::new(programs.clone(), out));
+        let (requests, incoming) = channel();
         let (runs, to_run) = channel();
         let (plans, to_plan) = channel();
         let (comparisons, to_compare) = channel();
         let (stocks, to_cut) = channel();
-        let after_runs = Queues { runs: None, plans, comparisons, stocks };
-        let queues = Queues { runs: Some(runs), ..after_runs.clone() };
+        let after_runs = WorkQueues { runs: None, plans, comparisons, stocks };
+        let queues = WorkQueues { runs: Some(runs), ..after_runs.clone() };
         let on_change = after_runs.comparisons.clone();
-        spawn("answers", &view, move |view| answer_all(view, &asked, &queues))?;
+        spawn("answers", &view, move |view| answer_all(view, &incoming, &queues))?;
         spawn("paths", &view, move |view| work_all(view, &to_run, |next| after_runs.put(next)))?;
         for (name, queue) in [("times", to_plan), ("others", to_compare), ("stocks", to_cut)] {
             spawn(name, &view, move |view| work_all(view, &queue, |_| {}))?;
         }
         spawn("watch", &view, move |view| watch(view, &*programs, watched, &on_change))?;
-        Ok(Session { view, requests })
+        Ok(PageSession { view, requests })
     }
 
-    /// Hands a request on.
-    pub fn ask(&self, request: Request) {
+    /// Passes a request to the thread that answers.
+    pub fn send(&self, request: PageRequest) {
         // The thread that answers ends with the session only.
         let _ = self.requests.send(request);
     }
 
     /// The page has gone.
     pub fn end(self) {
-        self.view.end();
+        self.view.close();
     }
 }
 
 fn spawn(
     name: &str,
-    view: &Arc<View>,
-    work: impl FnOnce(&View) + Send + 'static,
+    view: &Arc<ProgramView>,
+    work: impl FnOnce(&ProgramView) + Send + 'static,
 ) -> std::io::Result<()> {
     let view = view.clone();
     thread::Builder::new().name(name.into()).spawn(move || {
-        // What one question or one run fails on is caught where it is answered. Should a thread end even so, the
-        // page must not wait forever without a word.
+        // A panic of one request or one run is caught where it is answered. If a thread ends even so, the
+        // page must not wait for ever without a message.
         if catch_unwind(AssertUnwindSafe(|| work(&view))).is_err() {
             view.out().refuse(
                 0,
@@ -109,37 +112,37 @@ fn spawn(
     Ok(())
 }
 
-fn answer_all(view: &View, asked: &Receiver<Request>, queues: &Queues) {
+fn answer_all(view: &ProgramView, incoming: &Receiver<PageRequest>, queues: &WorkQueues) {
     let mut want = |work| queues.put(work);
     // The run first: its picture is made while the text goes over.
-    let begun = caught(|| {
+    let begun = catch_panic(|| {
         if view.begin(&mut want) {
             view.send_text();
         }
     });
     if let Err(why) = begun {
-        view.failed_to_answer(0, &why);
+        view.answer_failed(0, &why);
     }
-    while let Ok(request) = asked.recv() {
+    while let Ok(request) = incoming.recv() {
         let id = request.id;
-        if let Err(why) = caught(|| view.answer(request, &mut want)) {
-            view.failed_to_answer(id, &why);
+        if let Err(why) = catch_panic(|| view.answer(request, &mut want)) {
+            view.answer_failed(id, &why);
         }
     }
 }
 
-/// A failure of ours ends one answer, not the view: the words of the panic.
-fn caught(work: impl FnOnce()) -> Result<(), String> {
-    catch_unwind(AssertUnwindSafe(work)).map_err(|told| {
-        let words = told.downcast_ref::<String>().map(String::as_str);
-        words.or_else(|| told.downcast_ref::<&str>().copied()).unwrap_or("a panic").to_string()
+/// A panic ends one answer, not the view; returns its message.
+fn catch_panic(work: impl FnOnce()) -> Result<(), String> {
+    catch_unwind(AssertUnwindSafe(work)).map_err(|payload| {
+        let words = payload.downcast_ref::<String>().map(String::as_str);
+        words.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("a panic").to_string()
     })
 }
 
-fn work_all(view: &View, queue: &Receiver<Work>, mut want: impl FnMut(Work)) {
+fn work_all(view: &ProgramView, queue: &Receiver<WorkItem>, mut want: impl FnMut(WorkItem)) {
     while let Some(work) = newest(queue) {
-        if let Err(why) = caught(|| view.work(work, &mut want)) {
-            view.failed(work, &why);
+        if let Err(why) = catch_panic(|| view.work(work, &mut want)) {
+            view.work_failed(work, &why);
         }
     }
 }
@@ -151,48 +154,54 @@ fn newest<T>(queue: &Receiver<T>) -> Option<T> {
 }
 
 /// The files that may change, as they were at the beginning.
-struct Watched {
+struct WatchedFiles {
     path: Option<PathBuf>,
     other: Option<PathBuf>,
-    seen: Option<Stamp>,
-    other_seen: Option<Stamp>,
+    stamp: Option<ServedFileStamp>,
+    other_stamp: Option<ServedFileStamp>,
 }
 
-fn stamp(path: &Option<PathBuf>) -> Option<Stamp> {
-    path.as_deref().and_then(Stamp::of)
+fn stamp_of(path: &Option<PathBuf>) -> Option<ServedFileStamp> {
+    path.as_deref().and_then(ServedFileStamp::of)
 }
 
-impl Watched {
-    fn of(programs: &dyn Programs) -> Watched {
+impl WatchedFiles {
+    fn of(programs: &dyn ProgramSource) -> WatchedFiles {
         let path = programs.path();
-        let against = programs.against().filter(|against| !against.own_text);
-        let other = against.and_then(|against| against.programs.path());
-        let (seen, other_seen) = (stamp(&path), stamp(&other));
-        Watched { path, other, seen, other_seen }
+        let compared = programs.compared_program().filter(|compared| !compared.own_text);
+        let other = compared.and_then(|compared| compared.programs.path());
+        let (last_stamp, last_other_stamp) = (stamp_of(&path), stamp_of(&other));
+        WatchedFiles { path, other, stamp: last_stamp, other_stamp: last_other_stamp }
     }
 }
 
-/// Says when the file holds something else than was read or written last, and compares anew when the
+/// Reports when the content of the file is another than was read or written last, and compares again when the
 /// other one does.
-fn watch(view: &View, programs: &dyn Programs, watched: Watched, comparisons: &Sender<Work>) {
-    let Watched { path, other, mut seen, mut other_seen } = watched;
+fn watch(
+    view: &ProgramView,
+    programs: &dyn ProgramSource,
+    watched: WatchedFiles,
+    comparisons: &Sender<WorkItem>,
+) {
+    let WatchedFiles { path, other, stamp: mut last_stamp, other_stamp: mut last_other_stamp } =
+        watched;
     if path.is_none() && other.is_none() {
         return;
     }
-    while !view.is_over() {
-        thread::sleep(LOOK_EVERY);
-        let other_now = stamp(&other);
-        if other_now != other_seen {
-            other_seen = other_now;
+    while !view.is_closed() {
+        thread::sleep(POLL_INTERVAL);
+        let other_now = stamp_of(&other);
+        if other_now != last_other_stamp {
+            last_other_stamp = other_now;
             view.other_changed(&mut |work| {
                 let _ = comparisons.send(work);
             });
         }
-        let now = stamp(&path);
-        if now == seen {
+        let now = stamp_of(&path);
+        if now == last_stamp {
             continue;
         }
-        seen = now;
+        last_stamp = now;
         match programs.read() {
             Ok(bytes) if view.is_changed(&bytes) => view.out().json(&json!({ "type": "changed" })),
             Ok(_) => {}

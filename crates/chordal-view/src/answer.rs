@@ -3,7 +3,7 @@
 use chordal::control::AxisMask;
 use chordal::diagnostics::{Applicability, FileId, Fix, Span};
 use chordal::geometry::Vec3;
-use chordal::machine::{Axis, HolderSegment, RotaryTarget, ToolShape};
+use chordal::machine::{Axis, HolderSegment, RotaryTarget, ToolShape, tool_rotations};
 use chordal::stock::StockRunError;
 use chordal::time::{TimeReport, TimeShares};
 use chordal::tool_comments::known_tools;
@@ -12,8 +12,8 @@ use chordal_editor::LineColumnIndex;
 use chordal_export::{GIVE_OFFSETS, left_out_texts};
 use serde_json::{Value, json};
 
-/// Diagnostics that are sent; the rest is counted.
-const MOST: usize = 2_000;
+/// Diagnostics that are sent; more are only counted.
+const MAX_DIAGNOSTICS: usize = 2_000;
 
 /// Why there is no stock. A machine without stock is nothing to speak of.
 pub fn no_stock(run: u64, failed: &StockRunError) -> Value {
@@ -29,15 +29,15 @@ pub fn no_stock(run: u64, failed: &StockRunError) -> Value {
     json!({ "type": "no_stock", "run": run, "message": message, "help": help })
 }
 
-/// What a run came to, apart from its path.
+/// The report of a run, apart from its path.
 pub fn report(report: &Report, job: &Job) -> Value {
     let sources = job.sources();
-    let mut spots = Spots { sources, last: None };
-    let told = report.diagnostics.iter().take(MOST);
+    let mut spots = SourcePlaces { sources, last: None };
+    let sent = report.diagnostics.iter().take(MAX_DIAGNOSTICS);
     let dropped: u64 = report.dropped.iter().map(|(_, count)| count).sum();
-    let more = report.diagnostics.len().saturating_sub(MOST) as u64;
+    let more = report.diagnostics.len().saturating_sub(MAX_DIAGNOSTICS) as u64;
     json!({
-        "diagnostics": told.map(|each| diagnostic(each, &mut spots)).collect::<Vec<_>>(),
+        "diagnostics": sent.map(|each| diagnostic(each, &mut spots)).collect::<Vec<_>>(),
         "left_out": dropped + more,
         "errors": report.counts.errors,
         "warnings": report.counts.warnings,
@@ -52,7 +52,7 @@ pub fn report(report: &Report, job: &Job) -> Value {
         "moves_left_out": moves_left_out(report, job),
         "inch": report.summary.inch,
         "own_chords_mm": job.own_chords().map(|(tolerance_mm, _)| tolerance_mm),
-        "output": report.output.iter().take(MOST).collect::<Vec<_>>(),
+        "output": report.output.iter().take(MAX_DIAGNOSTICS).collect::<Vec<_>>(),
         "cut_length_mm": report.summary.feed_length_mm,
         "rapid_length_mm": report.summary.rapid_length_mm,
         "tools": report.summary.tools.iter().map(|tool| json!({
@@ -69,7 +69,7 @@ pub fn report(report: &Report, job: &Job) -> Value {
     })
 }
 
-/// Of moves in work offsets that are not given, and what to do about it; empty where all are drawn.
+/// Sentences about moves in work offsets whose zero is not known, and what to do about it; empty where all are drawn.
 fn moves_left_out(report: &Report, job: &Job) -> Vec<String> {
     let zeros = &report.summary.unrelated_zeros;
     let mut texts = left_out_texts(zeros, job.control().table.work_names);
@@ -83,7 +83,7 @@ fn letters(axes: AxisMask) -> Vec<String> {
     axes.iter().map(|axis| axis.letter().to_string()).collect()
 }
 
-fn diagnostic(diagnostic: &Diagnostic, spots: &mut Spots<'_, '_>) -> Value {
+fn diagnostic(diagnostic: &Diagnostic, spots: &mut SourcePlaces<'_, '_>) -> Value {
     let info = diagnostic.code.info();
     let place = spots.place(diagnostic.primary.span);
     let secondary = diagnostic
@@ -108,7 +108,7 @@ fn diagnostic(diagnostic: &Diagnostic, spots: &mut Spots<'_, '_>) -> Value {
     })
 }
 
-fn fix(fix: &Fix, spots: &mut Spots<'_, '_>) -> Value {
+fn fix(fix: &Fix, spots: &mut SourcePlaces<'_, '_>) -> Value {
     json!({
         "title": fix.title,
         "replacement": fix.replacement,
@@ -118,12 +118,12 @@ fn fix(fix: &Fix, spots: &mut Spots<'_, '_>) -> Value {
 }
 
 /// Places of problems, which mostly follow one another.
-struct Spots<'s, 't> {
+struct SourcePlaces<'s, 't> {
     sources: &'s SourceMap<'t>,
     last: Option<(FileId, LineColumnIndex<'s, 't>)>,
 }
 
-impl Spots<'_, '_> {
+impl SourcePlaces<'_, '_> {
     /// File, lines from 1 and columns from 0 in UTF-16 code units; null for the program as a whole.
     fn place(&mut self, span: Span) -> Value {
         let source = self.sources.get(span.file).filter(|_| span != Span::default());
@@ -154,12 +154,15 @@ pub fn machine(job: &Job) -> Value {
         json!({
             "letter": axis.letter().to_string(),
             "turns": own.turns.map(RotaryTarget::as_str),
-            "reversed": own.reversed,
-            "center_mm": own.center_mm.map(|mm| mm.unwrap_or(0.0)),
         })
     });
     let rotary: Vec<_> = rotary.collect();
-    // What a comment says of a tool serves for its picture.
+    let rotations = tool_rotations(&machine.rotary);
+    let rotations: Vec<_> = rotations
+        .iter()
+        .map(|rotation| json!({ "axis": rotation.axis, "about": point(rotation.about) }))
+        .collect();
+    // A tool that only a comment describes is drawn from that.
     let known = known_tools(job);
     let tools = known.iter().map(|(number, known)| {
         let tool = &known.tool;
@@ -186,9 +189,9 @@ pub fn machine(job: &Job) -> Value {
     let has = [Axis::X, Axis::Y, Axis::Z].map(|axis| !machine.lacks(axis));
     let factors = [0, 1, 2].map(|axis| machine.written_factor(axis));
     json!({
-        // X is up at a turret behind the axis and down at one in front of it.
+        // X is up for a turret at the rear of the axis and down for one at the front.
         "turret": turns.then(|| machine.turret.as_str()),
-        // What is programmed as a diameter is said as one.
+        // What is programmed as a diameter is shown as one.
         "factors": factors,
         "has": has,
         "name": machine.name,
@@ -196,6 +199,7 @@ pub fn machine(job: &Job) -> Value {
         "control": job.control().table.title,
         "travel": travel,
         "rotary": rotary,
+        "tool_rotations": rotations,
         "tools": tools.collect::<Vec<_>>(),
     })
 }
@@ -205,7 +209,7 @@ fn solid(solid: &HolderSegment) -> [f64; 3] {
     [solid.height_mm, solid.lower_mm, solid.upper_mm]
 }
 
-/// Where the time goes.
+/// Times of the run, its tools and its longest blocks, s.
 pub fn times(time: &TimeReport) -> Value {
     let of = |times: &TimeShares| {
         json!({
@@ -233,7 +237,6 @@ pub fn times(time: &TimeReport) -> Value {
     })
 }
 
-/// A point, mm.
 pub fn point(at: Vec3) -> Value {
     json!([at.x, at.y, at.z])
 }

@@ -1,31 +1,31 @@
-//! The chords that stand for arcs within a tolerance, as the library cuts them.
+//! The chords that replace arcs within a tolerance, as the library cuts them.
 
 use chordal::Job;
 use chordal::geometry::{Arc, ChordError, Curve, ParamCurve, Placement, Vec3};
 use serde_json::{Value, json};
 
-use crate::frame::Frame;
-use crate::request::AskedChords;
+use crate::frame::ColumnFrame;
+use crate::request::ChordRequest;
 
 /// Chords that are sent at most.
-const MOST: u64 = 1_000_000;
+const MAX_CHORDS: u64 = 1_000_000;
 
 /// Cuts every arc of a job into chords within a tolerance.
 ///
 /// # Errors
 /// A tolerance that is not above zero.
-pub fn chords(job: &Job, asked: &AskedChords) -> Result<Vec<u8>, ChordError> {
-    let placement = if asked.balanced { Placement::Balanced } else { Placement::Inscribed };
-    let own = job.own_chords().filter(|_| asked.as_control);
-    let (tolerance_mm, placement) = own.unwrap_or((asked.tolerance_mm, placement));
+pub fn chords(job: &Job, request: &ChordRequest) -> Result<Vec<u8>, ChordError> {
+    let placement = if request.balanced { Placement::Balanced } else { Placement::Inscribed };
+    let own = job.own_chords().filter(|_| request.as_control);
+    let (tolerance_mm, placement) = own.unwrap_or((request.tolerance_mm, placement));
     let is_positive = tolerance_mm > 0.0;
     if !is_positive {
         return Err(ChordError::Tolerance(tolerance_mm));
     }
-    let mut gathered = Gathered::default();
+    let mut gathered = ChordCollector::default();
     job.path(|segment| {
         if !matches!(segment.curve, Curve::Line(_)) && segment.is_drawn() {
-            // One curve that cannot be cut says nothing of the others.
+            // A curve that cannot be cut does not keep the others from being shown.
             if gathered.curve(&segment.curve, tolerance_mm, placement).is_err() {
                 gathered.left_out += 1;
             }
@@ -35,7 +35,7 @@ pub fn chords(job: &Job, asked: &AskedChords) -> Result<Vec<u8>, ChordError> {
 }
 
 #[derive(Default)]
-struct Gathered {
+struct ChordCollector {
     origin: Option<Vec3>,
     points: Vec<f32>,
     curves: u64,
@@ -44,10 +44,10 @@ struct Gathered {
     /// How far a chord of an arc is from it at most, mm.
     error_mm: f64,
     /// There are curves that are no arcs: their chords are within the tolerance, and how far is not known.
-    others: u64,
+    inexact_curves: u64,
 }
 
-impl Gathered {
+impl ChordCollector {
     fn curve(
         &mut self,
         curve: &Curve,
@@ -58,14 +58,14 @@ impl Gathered {
         let count = corners.chord_count();
         self.curves += 1;
         self.chords += count;
-        if self.points.len() as u64 / 6 + count > MOST {
+        if self.points.len() as u64 / 6 + count > MAX_CHORDS {
             self.left_out += count;
             return Ok(());
         }
         let origin = *self.origin.get_or_insert(curve.start());
         match curve {
             Curve::Arc(arc) => self.error_mm = self.error_mm.max(error_of(arc, corners.clone())),
-            _ => self.others += 1,
+            _ => self.inexact_curves += 1,
         }
         let mut before: Option<[f32; 3]> = None;
         for corner in corners {
@@ -81,7 +81,7 @@ impl Gathered {
 
     fn frame(self, tolerance_mm: f64) -> Vec<u8> {
         let origin = self.origin.unwrap_or(Vec3::ZERO);
-        let mut frame = Frame::default();
+        let mut frame = ColumnFrame::default();
         frame.column("points", &self.points);
         let header: Value = json!({
             "type": "chords",
@@ -89,7 +89,7 @@ impl Gathered {
             "curves": self.curves,
             "chords": self.chords,
             "left_out": self.left_out,
-            "error_mm": (self.others == 0 && self.curves > 0).then_some(self.error_mm),
+            "error_mm": (self.inexact_curves == 0 && self.curves > 0).then_some(self.error_mm),
             "origin": crate::answer::point(origin),
         });
         frame.finish(header)

@@ -1,6 +1,6 @@
 //! The text as it is edited, and how the file on disk is written.
 //!
-//! The page knows lines only by their order, so the text is held with LF alone; the ending and the
+//! The page knows lines only by their order, so the text is stored with LF alone; the ending and the
 //! encoding of the file come back when it is saved. Places in changes are UTF-16 code units, as a
 //! browser counts.
 
@@ -8,11 +8,11 @@ use chordal::diagnostics::line_ends;
 use chordal::syntax;
 use encoding_rs::mem::{decode_latin1, encode_latin1_lossy, is_str_latin1};
 
-use crate::request::Change;
+use crate::request::TextChange;
 
 /// How the characters of a file are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Encoding {
+enum FileEncoding {
     Utf8,
     /// Some 8-bit encoding: every byte is kept as the character of its number.
     Bytes,
@@ -22,11 +22,11 @@ enum Encoding {
 
 /// How a file is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Form {
-    encoding: Encoding,
+pub struct TextFileForm {
+    encoding: FileEncoding,
     mark: bool,
     ending: &'static str,
-    /// Lines end in several ways; a save makes them one.
+    /// Lines end in different ways; saving writes one of them.
     pub mixed: bool,
 }
 
@@ -35,7 +35,7 @@ pub struct Form {
 #[error(
     "line {line} has the character `{character}`, which the file's 8-bit encoding does not have"
 )]
-pub struct Unwritable {
+pub struct UnencodableCharacter {
     /// From 1.
     pub line: usize,
     /// The first such character.
@@ -45,7 +45,7 @@ pub struct Unwritable {
 /// A change that does not fit the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the change from {from} to {to} does not fit the text of {length} characters")]
-pub struct Misfit {
+pub struct ChangeMismatch {
     from: usize,
     to: usize,
     length: usize,
@@ -53,36 +53,41 @@ pub struct Misfit {
 
 /// A text and how its file is written.
 #[derive(Clone, Debug)]
-pub struct Document {
+pub struct EditedText {
     text: String,
-    form: Form,
-    /// The file holds something else than a program: nothing of it is shown or saved.
+    form: TextFileForm,
+    /// The file is not text: nothing of it is shown or saved.
     pub binary: bool,
 }
 
-impl Document {
+impl EditedText {
     /// Reads the bytes of a file.
-    pub fn read(bytes: &[u8]) -> Document {
+    pub fn read(bytes: &[u8]) -> EditedText {
         let decoded = syntax::decode(bytes);
         let wide = matches!(bytes, [0xff, 0xfe, ..] | [0xfe, 0xff, ..]);
         let mark = wide || bytes.starts_with(b"\xEF\xBB\xBF");
         let text = if decoded.binary { &b""[..] } else { &decoded.text };
         let (encoding, text) = match (decoded.encoding, std::str::from_utf8(text)) {
-            (syntax::Encoding::Utf16Le, _) => (Encoding::Utf16Le, String::from_utf8_lossy(text)),
-            (syntax::Encoding::Utf16Be, _) => (Encoding::Utf16Be, String::from_utf8_lossy(text)),
-            (syntax::Encoding::Bytes, Ok(text)) => (Encoding::Utf8, text.into()),
-            (syntax::Encoding::Bytes, Err(_)) => (Encoding::Bytes, decode_latin1(text)),
+            (syntax::Encoding::Utf16Le, _) => {
+                (FileEncoding::Utf16Le, String::from_utf8_lossy(text))
+            }
+            (syntax::Encoding::Utf16Be, _) => {
+                (FileEncoding::Utf16Be, String::from_utf8_lossy(text))
+            }
+            (syntax::Encoding::Bytes, Ok(text)) => (FileEncoding::Utf8, text.into()),
+            (syntax::Encoding::Bytes, Err(_)) => (FileEncoding::Bytes, decode_latin1(text)),
         };
         let (ending, mixed) = ending_of(&text);
         let text = with_lf(&text);
-        let form = Form { encoding, mark, ending, mixed };
-        Document { text, form, binary: decoded.binary }
+        let form = TextFileForm { encoding, mark, ending, mixed };
+        EditedText { text, form, binary: decoded.binary }
     }
 
-    /// A text that is looked at and not saved.
-    pub fn of(text: String) -> Document {
-        let form = Form { encoding: Encoding::Utf8, mark: false, ending: "\n", mixed: false };
-        Document { text, form, binary: false }
+    /// A text that is only shown, never saved.
+    pub fn of(text: String) -> EditedText {
+        let form =
+            TextFileForm { encoding: FileEncoding::Utf8, mark: false, ending: "\n", mixed: false };
+        EditedText { text, form, binary: false }
     }
 
     /// The text, its lines ended by LF.
@@ -91,84 +96,84 @@ impl Document {
     }
 
     /// How the file is written.
-    pub fn form(&self) -> Form {
+    pub fn form(&self) -> TextFileForm {
         self.form
     }
 
-    /// The bytes of the file.
+    /// The text as it is written to the file, in its encoding and with its line ends.
     ///
     /// # Errors
     /// A character that the file's encoding lacks.
-    pub fn bytes(&self) -> Result<Vec<u8>, Unwritable> {
+    pub fn bytes(&self) -> Result<Vec<u8>, UnencodableCharacter> {
         let text = match self.form.ending {
             "\n" => self.text.clone(),
             ending => self.text.replace('\n', ending),
         };
         let mark = |bytes: &[u8]| if self.form.mark { bytes.to_vec() } else { Vec::new() };
         Ok(match self.form.encoding {
-            Encoding::Utf8 => [mark(b"\xEF\xBB\xBF"), text.into_bytes()].concat(),
-            Encoding::Bytes => match is_str_latin1(&text) {
+            FileEncoding::Utf8 => [mark(b"\xEF\xBB\xBF"), text.into_bytes()].concat(),
+            FileEncoding::Bytes => match is_str_latin1(&text) {
                 true => encode_latin1_lossy(&text).into_owned(),
                 false => return Err(self.unwritable()),
             },
-            Encoding::Utf16Le => {
+            FileEncoding::Utf16Le => {
                 [mark(b"\xFF\xFE"), text.encode_utf16().flat_map(u16::to_le_bytes).collect()]
                     .concat()
             }
-            Encoding::Utf16Be => {
+            FileEncoding::Utf16Be => {
                 [mark(b"\xFE\xFF"), text.encode_utf16().flat_map(u16::to_be_bytes).collect()]
                     .concat()
             }
         })
     }
 
-    fn unwritable(&self) -> Unwritable {
+    fn unwritable(&self) -> UnencodableCharacter {
         let wide = |line: &str| line.chars().find(|character| *character as u32 > 0xff);
         let mut lines = self.text.split('\n').enumerate();
         let found = lines.find_map(|(index, line)| Some((index + 1, wide(line)?)));
         let (line, character) = found.unwrap_or((1, '?'));
-        Unwritable { line, character }
+        UnencodableCharacter { line, character }
     }
 
     /// Carries out changes, whose places are those of the text before all of them, in order.
     ///
     /// # Errors
     /// A change that does not fit; the text is then as before.
-    pub fn apply(&mut self, changes: &[Change]) -> Result<(), Misfit> {
-        let mut places = Places::new(&self.text);
+    pub fn apply(&mut self, changes: &[TextChange]) -> Result<(), ChangeMismatch> {
+        let mut places = Utf16Offsets::new(&self.text);
         let mut changed = String::with_capacity(self.text.len() + 64);
-        let mut kept = 0;
+        let mut copied = 0;
         for change in changes {
             let misfit = || {
                 let length = self.text.encode_utf16().count();
-                Misfit { from: change.from, to: change.to, length }
+                ChangeMismatch { from: change.from, to: change.to, length }
             };
             let from = places.byte_of(change.from).ok_or_else(misfit)?;
             let to = places.byte_of(change.to).ok_or_else(misfit)?;
-            if from < kept || to < from {
+            if from < copied || to < from {
                 return Err(misfit());
             }
-            changed.push_str(&self.text[kept..from]);
+            changed.push_str(&self.text[copied..from]);
             changed.push_str(&with_lf(&change.insert));
-            kept = to;
+            copied = to;
         }
-        changed.push_str(&self.text[kept..]);
+        changed.push_str(&self.text[copied..]);
         self.text = changed;
         Ok(())
     }
 }
 
-/// Bytes of UTF-16 places that grow.
-struct Places<'a> {
+/// Converts UTF-16 positions, in rising order, to bytes.
+struct Utf16Offsets<'a> {
     text: &'a str,
     ascii: bool,
     byte: usize,
     unit: usize,
 }
 
-impl<'a> Places<'a> {
-    fn new(text: &'a str) -> Places<'a> {
-        Places { text, ascii: text.is_ascii(), byte: 0, unit: 0 }
+impl<'a> Utf16Offsets<'a> {
+    fn new(text: &'a str) -> Utf16Offsets<'a> {
+        Utf16Offsets { text, ascii: text.is_ascii(), byte: 0, unit: 0 }
     }
 
     fn byte_of(&mut self, unit: usize) -> Option<usize> {
@@ -215,8 +220,8 @@ fn with_lf(text: &str) -> String {
 mod tests {
     use super::*;
 
-    fn change(from: usize, to: usize, insert: &str) -> Change {
-        Change { from, to, insert: insert.into() }
+    fn change(from: usize, to: usize, insert: &str) -> TextChange {
+        TextChange { from, to, insert: insert.into() }
     }
 
     #[test]
@@ -234,17 +239,17 @@ mod tests {
             b"no end",
             &utf16,
         ] {
-            let document = Document::read(bytes);
+            let document = EditedText::read(bytes);
             assert!(!document.text().contains('\r'));
             assert!(!document.form().mixed);
             assert_eq!(document.bytes().unwrap(), bytes);
         }
-        assert!(Document::read(b"G0\r\nX1\n").form().mixed);
+        assert!(EditedText::read(b"G0\r\nX1\n").form().mixed);
     }
 
     #[test]
     fn changes_count_as_a_browser_does() {
-        let mut document = Document::read("(😀ä)\nX1\n".as_bytes());
+        let mut document = EditedText::read("(😀ä)\nX1\n".as_bytes());
         // The face is two units.
         document.apply(&[change(3, 4, "b"), change(6, 8, "Y2\r\nZ3")]).unwrap();
         assert_eq!(document.text(), "(😀b)\nY2\nZ3\n");
@@ -254,7 +259,7 @@ mod tests {
 
     #[test]
     fn changes_that_do_not_fit_change_nothing() {
-        let mut document = Document::read("(😀)".as_bytes());
+        let mut document = EditedText::read("(😀)".as_bytes());
         for changes in [
             &[change(0, 5, "x")][..],
             &[change(2, 2, "x")],
@@ -265,14 +270,14 @@ mod tests {
             assert!(document.apply(changes).is_err());
             assert_eq!(document.text(), "(😀)");
         }
-        let mut document = Document::read(b"X1");
+        let mut document = EditedText::read(b"X1");
         assert!(document.apply(&[change(1, 3, "")]).is_err());
         assert!(document.apply(&[change(2, 1, "")]).is_err());
     }
 
     #[test]
-    fn a_character_that_the_file_cannot_hold_is_told() {
-        let mut document = Document::read(b"G0\n(\xE4)\n");
+    fn a_character_that_the_file_cannot_hold_is_reported() {
+        let mut document = EditedText::read(b"G0\n(\xE4)\n");
         document.apply(&[change(4, 4, "ß→")]).unwrap();
         let error = document.bytes().unwrap_err();
         assert_eq!((error.line, error.character), (2, '→'));

@@ -1,13 +1,13 @@
-//! How hard the cuts of a run are, as columns: for the time line.
+//! The cutting loads of a run as columns, for the time line.
 
 use chordal::diagnostics::Code;
 use chordal::stock::{EngagementOptions, EngagementReport, MoveEngagement};
 use serde_json::json;
 
-use crate::frame::Frame;
+use crate::frame::ColumnFrame;
 
-/// Pieces of path of a run of which it is asked: of more it takes minutes.
-pub const MOST_ROWS: u64 = 300_000;
+/// With more pieces of path the loads are not computed: it would take minutes.
+pub const MAX_ROWS: u64 = 300_000;
 
 /// The options of a page: those of the command.
 pub fn options() -> EngagementOptions {
@@ -31,7 +31,7 @@ pub fn frame(run: u64, found: &EngagementReport) -> Vec<u8> {
     let column = |of: &dyn Fn(&MoveEngagement) -> f64| -> Vec<f32> {
         cuts.iter().map(|each| of(each) as f32).collect()
     };
-    let mut frame = Frame::default();
+    let mut frame = ColumnFrame::default();
     let rows: Vec<u32> = cuts.iter().map(|each| each.row).collect();
     let problems: Vec<u8> = cuts.iter().map(|each| problem(each.problem)).collect();
     frame.column("row", &rows);

@@ -12,20 +12,20 @@ use serde_json::{Map, Value, json};
 
 /// Columns that are gathered.
 #[derive(Debug, Default)]
-pub struct Frame {
+pub struct ColumnFrame {
     columns: Map<String, Value>,
     data: Vec<u8>,
 }
 
-/// A number that a column may hold.
-pub trait Cell: Copy {
-    /// Its type's word.
+/// A type of number that a column may have.
+pub trait ColumnNumber: Copy {
+    /// The name of the type in the header: `f32`.
     const WORD: &'static str;
     /// Appends the bytes of a column.
     fn put(column: &[Self], out: &mut Vec<u8>);
 }
 
-impl Cell for u8 {
+impl ColumnNumber for u8 {
     const WORD: &'static str = "u8";
     fn put(column: &[u8], out: &mut Vec<u8>) {
         out.extend_from_slice(column);
@@ -34,7 +34,7 @@ impl Cell for u8 {
 
 macro_rules! cells {
     ($($cell:ty, $word:literal);*) => {$(
-        impl Cell for $cell {
+        impl ColumnNumber for $cell {
             const WORD: &'static str = $word;
             fn put(column: &[$cell], out: &mut Vec<u8>) {
                 out.extend(column.iter().flat_map(|value| value.to_le_bytes()));
@@ -45,9 +45,8 @@ macro_rules! cells {
 
 cells!(u32, "u32"; f32, "f32"; f64, "f64");
 
-impl Frame {
-    /// Adds a column.
-    pub fn column<C: Cell>(&mut self, name: &str, values: &[C]) {
+impl ColumnFrame {
+    pub fn column<C: ColumnNumber>(&mut self, name: &str, values: &[C]) {
         let place = json!({ "type": C::WORD, "offset": self.data.len(), "count": values.len() });
         self.columns.insert(name.into(), place);
         self.data.reserve(size_of_val(values) + 8);
@@ -79,7 +78,7 @@ mod tests {
 
     #[test]
     fn columns_lie_where_the_header_says() {
-        let mut frame = Frame::default();
+        let mut frame = ColumnFrame::default();
         frame.column("kind", &[1u8, 2, 3]);
         frame.column("x", &[1.5f32, -2.0]);
         let bytes = frame.finish(json!({ "type": "path" }));

@@ -9,15 +9,15 @@ use chordal::path::ProgramFrame;
 use chordal::{PathCommand, Segment};
 use serde_json::{Value, json};
 
-/// Changes that are kept; a program with more is reported as its last kept one.
-const MOST: usize = 500_000;
+/// Changes of state that are stored; after them the last one stays active.
+const MAX_MARKS: usize = 500_000;
 
 /// A shift below this is rounding, mm.
-const SAME_MM: f64 = 1e-9;
+const MIN_SHIFT_MM: f64 = 1e-9;
 
 /// What a control remembers from block to block, as far as its commands show.
 #[derive(Clone, Debug, PartialEq)]
-struct Modal {
+struct ModalState {
     units: Units,
     plane: Plane,
     feed_mode: FeedMode,
@@ -35,26 +35,26 @@ struct Modal {
     overrides: Overrides,
     /// Added to program coordinates to get the frame of the run, mm.
     shift: Vec3,
-    /// What of it is known.
+    /// Which axes of the shift are known.
     frame: ProgramFrame,
 }
 
 #[derive(Clone, Debug)]
-struct Mark {
+struct ModalMark {
     /// Pieces of path before it.
     after: u32,
     line: u32,
     /// Of the program itself, not of a called one.
     main: bool,
-    modal: Modal,
+    modal: ModalState,
 }
 
 /// Notes what is active while commands go by.
 #[derive(Clone, Debug)]
 pub struct ModalTrack {
-    now: Modal,
-    marks: Vec<Mark>,
-    /// The way to the frame of the run must be found again.
+    now: ModalState,
+    marks: Vec<ModalMark>,
+    /// The shift to the frame of the run must be computed again.
     moved: bool,
     /// The frame of the first cut: that of the run.
     base: Option<ProgramFrame>,
@@ -66,7 +66,7 @@ pub struct ModalTrack {
 impl ModalTrack {
     /// Before the first command.
     pub fn new(control: &Control, frame: ProgramFrame) -> ModalTrack {
-        let now = Modal {
+        let now = ModalState {
             units: control.parameters.rules.units,
             plane: control.parameters.rules.starts_in,
             feed_mode: control.parameters.rules.starting_feed_mode(),
@@ -85,7 +85,7 @@ impl ModalTrack {
             shift: Vec3::ZERO,
             frame,
         };
-        let first = Mark { after: 0, line: 0, main: true, modal: now.clone() };
+        let first = ModalMark { after: 0, line: 0, main: true, modal: now.clone() };
         let naming = control.table.work_names;
         ModalTrack { now, marks: vec![first], moved: true, base: None, zeros: Vec::new(), naming }
     }
@@ -97,9 +97,9 @@ impl ModalTrack {
             Some(_) => self.motion(command, segments),
             None => self.set(command),
         };
-        if changed && self.marks.len() < MOST {
+        if changed && self.marks.len() < MAX_MARKS {
             let (line, main) = (command.origin.line, command.origin.span.file.0 == 0);
-            self.marks.push(Mark { after: before, line, main, modal: self.now.clone() });
+            self.marks.push(ModalMark { after: before, line, main, modal: self.now.clone() });
         }
     }
 
@@ -116,7 +116,7 @@ impl ModalTrack {
         };
         let to = Vec3::new(motion.to[0], motion.to[1], motion.to[2]);
         let shift = last.curve.end() - to;
-        let shift = if shift.length() < SAME_MM { Vec3::ZERO } else { shift };
+        let shift = if shift.length() < MIN_SHIFT_MM { Vec3::ZERO } else { shift };
         self.moved = false;
         if cuts
             && last.unrelated_zero.is_none()
@@ -190,8 +190,8 @@ impl ModalTrack {
         self.text(&self.marks[(reached + beyond).saturating_sub(1)].modal)
     }
 
-    fn text(&self, modal: &Modal) -> Value {
-        let Modal { shift, feed, .. } = modal;
+    fn text(&self, modal: &ModalState) -> Value {
+        let ModalState { shift, feed, .. } = modal;
         let state = |state: SpindleState| match state {
             SpindleState::Off => "off",
             SpindleState::Cw => "clockwise",

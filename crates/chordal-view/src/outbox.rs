@@ -5,15 +5,15 @@ use std::sync::Arc;
 
 use serde_json::{Value, json};
 
-use crate::frame::Frame;
+use crate::frame::ColumnFrame;
 
-/// The way to a page, from any thread. It may hold up whoever sends until there is room; what is for a page that has
-/// gone is lost.
-pub trait Port: Send + Sync + 'static {
-    /// Takes an object.
+/// Sends to a page, from any thread. It may block the sender until there is room; what is for a page that has
+/// been closed is dropped.
+pub trait PagePort: Send + Sync + 'static {
+    /// Takes a JSON object.
     fn text(&self, text: String);
 
-    /// Takes columns.
+    /// Takes a [`ColumnFrame`].
     fn binary(&self, frame: Vec<u8>);
 
     /// Takes columns that the first picture need not wait for.
@@ -22,26 +22,26 @@ pub trait Port: Send + Sync + 'static {
 
 /// Takes what is for the page.
 #[derive(Clone)]
-pub struct Outbox(Arc<dyn Port>);
+pub struct PageOutbox(Arc<dyn PagePort>);
 
-impl fmt::Debug for Outbox {
+impl fmt::Debug for PageOutbox {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("Outbox")
     }
 }
 
-impl Outbox {
-    /// By this way.
-    pub fn new(port: impl Port) -> Outbox {
-        Outbox(Arc::new(port))
+impl PageOutbox {
+    /// Sends through a port.
+    pub fn new(port: impl PagePort) -> PageOutbox {
+        PageOutbox(Arc::new(port))
     }
 
-    /// Sends an object.
+    /// Sends a JSON object.
     pub fn json(&self, object: &Value) {
         self.0.text(object.to_string());
     }
 
-    /// Sends columns.
+    /// Sends a [`ColumnFrame`].
     pub fn binary(&self, frame: Vec<u8>) {
         self.0.binary(frame);
     }
@@ -53,7 +53,7 @@ impl Outbox {
 
     /// Sends the bytes of a file that the page is to keep.
     pub fn file(&self, name: &str, bytes: &[u8]) {
-        let mut frame = Frame::default();
+        let mut frame = ColumnFrame::default();
         frame.column("bytes", bytes);
         self.binary(frame.finish(json!({ "type": "file", "name": name })));
     }

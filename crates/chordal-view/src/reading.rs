@@ -1,4 +1,4 @@
-//! The readings of a program that names no control for certain, as a page asks about them, and the machine that
+//! The readings of a program that names no control for certain, as a page shows them, and the machine that
 //! such an answer names.
 
 use chordal::{Machine, ReadingChoices, SourceMap};
@@ -14,7 +14,7 @@ pub struct ChosenMachine<'n> {
 }
 
 impl<'n> ChosenMachine<'n> {
-    /// Of what the page says.
+    /// Splits the choice of a page into the machine and its units.
     pub fn of(choice: &'n str) -> ChosenMachine<'n> {
         let with_units = ["inch", "mm"].into_iter().find_map(|units| {
             let name = choice.strip_suffix(units)?.strip_suffix(" in ")?;
@@ -23,7 +23,7 @@ impl<'n> ChosenMachine<'n> {
         with_units.unwrap_or(ChosenMachine { name: choice, units: None })
     }
 
-    /// The assignments that the choice stands for.
+    /// The machine settings that the choice means.
     pub fn assignments(&self) -> Vec<String> {
         self.units.iter().map(|units| format!("settings.units={units:?}")).collect()
     }

@@ -1,24 +1,24 @@
-//! What the page asks.
+//! The requests of the page.
 
 use serde::{Deserialize, Serialize};
 
 /// A piece of the text that is replaced; places are UTF-16 code units of the text before.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Change {
-    /// Where it begins.
+pub struct TextChange {
+    /// First code unit that is replaced.
     pub from: usize,
-    /// Where it ends.
+    /// First code unit after it.
     pub to: usize,
-    /// What stands there instead.
+    /// The text that replaces it.
     pub insert: String,
 }
 
 /// What the program is compared with.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Other {
-    /// Nothing.
+pub enum ComparedWith {
+    /// It is not compared.
     #[default]
     Nothing,
     /// What the command line names.
@@ -28,60 +28,60 @@ pub enum Other {
     Machine(Option<String>),
 }
 
-/// Which chords are to stand for arcs.
+/// Which chords replace the arcs.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-pub struct AskedChords {
-    /// mm.
+pub struct ChordRequest {
+    /// Largest distance of a chord from its curve, mm; above 0.
     pub tolerance_mm: f64,
     /// Corners on both sides of the curve.
     #[serde(default)]
     pub balanced: bool,
-    /// Those that the control itself cuts, where it does; whatever the tolerance.
+    /// The chords that the control itself cuts, if it does; the tolerance is then not used.
     #[serde(default)]
     pub as_control: bool,
 }
 
-/// A request and the number that its answer bears.
+/// A request with its number.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
-pub struct Request {
-    /// Given back with the answer.
+pub struct PageRequest {
+    /// The answer has the same number.
     #[serde(default)]
     pub id: u64,
-    /// What is asked.
+    /// What is requested.
     #[serde(flatten)]
-    pub ask: Ask,
+    pub kind: RequestKind,
 }
 
-/// What the page may ask.
+/// The kinds of requests.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(tag = "ask", rename_all = "snake_case")]
-pub enum Ask {
-    /// The text has changed: it is run anew.
+#[serde(tag = "request", rename_all = "snake_case")]
+pub enum RequestKind {
+    /// The text has changed, and runs again.
     Edit {
         /// In order, none over another.
-        changes: Vec<Change>,
+        changes: Vec<TextChange>,
     },
     /// Another machine; `None` is the one that the command line, the folder or the text says.
     Machine {
         /// As `chordal machines` lists it, and the units at power-on where they are chosen, too: `haas-vf2 in inch`.
         name: Option<String>,
-        /// It answers as what the program is read, and is not compared with the machine before.
+        /// It answers the question of the reading: it is not compared with the machine before.
         #[serde(default)]
         is_answer: bool,
     },
     /// What the program is compared with.
-    Against {
+    CompareWith {
         /// Nothing, what the command line names, or the same text on another machine.
-        other: Other,
+        other: ComparedWith,
     },
-    /// What the two paths may be apart.
+    /// Paths within this distance are the same.
     Tolerance {
-        /// mm.
+        /// Zero or more, mm.
         tolerance_mm: f64,
     },
     /// How finely the stock is cut.
     Stock {
-        /// About so many columns.
+        /// About this number of columns; it is limited to what a page can draw.
         columns: u32,
     },
     /// Lines of the other program, to be read.
@@ -92,8 +92,8 @@ pub enum Ask {
         /// From 1.
         line: u32,
     },
-    /// The chords that stand for arcs.
-    Chords(AskedChords),
+    /// The chords that replace arcs.
+    Chords(ChordRequest),
     /// What is active once so many pieces of path are done and a line is reached.
     State {
         /// Pieces of path that are done.
@@ -115,7 +115,7 @@ pub enum Ask {
         /// A column in it, from 0, in UTF-16 code units.
         column: u32,
     },
-    /// Where the name at a place is made.
+    /// Where the name at a position is defined.
     Definition {
         /// Its line, from 1.
         line: u32,
@@ -126,7 +126,7 @@ pub enum Ask {
     Outline,
     /// The text goes to its file.
     Save {
-        /// Even if the file has changed meanwhile.
+        /// Even if the file has changed since it was read.
         #[serde(default)]
         force: bool,
     },
@@ -140,29 +140,30 @@ mod tests {
 
     #[test]
     fn requests_are_objects_with_a_verb() {
-        let read = |text| serde_json::from_str::<Request>(text);
-        let edit =
-            read(r#"{"id":3,"ask":"edit","changes":[{"from":1,"to":2,"insert":"x"}]}"#).unwrap();
-        let change = Change { from: 1, to: 2, insert: "x".into() };
-        assert_eq!(edit, Request { id: 3, ask: Ask::Edit { changes: vec![change] } });
-        assert_eq!(read(r#"{"ask":"reload"}"#).unwrap().ask, Ask::Reload);
-        let machine = read(r#"{"ask":"against","other":{"machine":"haas-vf2"}}"#).unwrap().ask;
-        let other = Other::Machine(Some("haas-vf2".into()));
-        assert_eq!(machine, Ask::Against { other });
-        let named = read(r#"{"ask":"against","other":"named"}"#).unwrap().ask;
-        assert_eq!(named, Ask::Against { other: Other::Named });
+        let read = |text| serde_json::from_str::<PageRequest>(text);
+        let edit = read(r#"{"id":3,"request":"edit","changes":[{"from":1,"to":2,"insert":"x"}]}"#)
+            .unwrap();
+        let change = TextChange { from: 1, to: 2, insert: "x".into() };
+        assert_eq!(edit, PageRequest { id: 3, kind: RequestKind::Edit { changes: vec![change] } });
+        assert_eq!(read(r#"{"request":"reload"}"#).unwrap().kind, RequestKind::Reload);
+        let machine =
+            read(r#"{"request":"compare_with","other":{"machine":"haas-vf2"}}"#).unwrap().kind;
+        let other = ComparedWith::Machine(Some("haas-vf2".into()));
+        assert_eq!(machine, RequestKind::CompareWith { other });
+        let named = read(r#"{"request":"compare_with","other":"named"}"#).unwrap().kind;
+        assert_eq!(named, RequestKind::CompareWith { other: ComparedWith::Named });
         for wrong in [
             "",
             "[]",
             "{}",
-            r#"{"ask":"format"}"#,
-            r#"{"ask":"edit"}"#,
-            r#"{"ask":"edit","changes":[{"from":-1,"to":0,"insert":""}]}"#,
-            r#"{"ask":"state","done":1e99,"line":1}"#,
-            r#"{"id":"x","ask":"reload"}"#,
-            r#"{"ask":"against","other":"/etc/passwd"}"#,
-            r#"{"ask":"against","other":{"file":"other.nc"}}"#,
-            r#"{"ask":"tolerance","tolerance_mm":"0.1"}"#,
+            r#"{"request":"format"}"#,
+            r#"{"request":"edit"}"#,
+            r#"{"request":"edit","changes":[{"from":-1,"to":0,"insert":""}]}"#,
+            r#"{"request":"state","done":1e99,"line":1}"#,
+            r#"{"id":"x","request":"reload"}"#,
+            r#"{"request":"compare_with","other":"/etc/passwd"}"#,
+            r#"{"request":"compare_with","other":{"file":"other.nc"}}"#,
+            r#"{"request":"tolerance","tolerance_mm":"0.1"}"#,
         ] {
             assert!(read(wrong).is_err(), "{wrong}");
         }

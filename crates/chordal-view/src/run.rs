@@ -1,4 +1,4 @@
-//! A run: its path goes out in batches while it is made, then what it came to.
+//! A run: its path is sent in batches while it is computed, then its report.
 
 use std::sync::Arc;
 
@@ -9,65 +9,64 @@ use chordal_editor::EditorProgram;
 use serde_json::{Value, json};
 
 use crate::answer;
-use crate::columns::Columns;
+use crate::cancel_token::CancelToken;
+use crate::columns::PathRows;
 use crate::modal::ModalTrack;
-use crate::outbox::Outbox;
-use crate::stream::{MOST_ROWS, PathStream};
-use crate::wanted::Wanted;
+use crate::outbox::PageOutbox;
+use crate::stream::{MAX_ROWS, PathStream};
 
 /// A run that is over, for questions about it.
 #[derive(Debug)]
-pub struct Ran {
-    /// What was run.
+pub struct FinishedRun {
     pub program: Arc<EditorProgram>,
-    /// What was active where.
+    /// The active state by position.
     pub modal: ModalTrack,
-    /// Its number.
+    /// The number that its messages have.
     pub number: u64,
-    /// Pieces of path.
+    /// Pieces of path, including those that were not sent.
     pub rows: u64,
     /// How long it takes without acceleration, s.
     pub about_s: f64,
 }
 
-/// Runs a job and sends its path; gives what else the page is to be reported; `None` when nobody wants it any more.
+/// Runs a job and sends its path; returns the run and its report for the page; `None` if it was canceled.
 pub fn run(
     number: u64,
     program: &Arc<EditorProgram>,
     job: &Job,
-    out: &Outbox,
-    wanted: &Wanted,
-) -> Option<(Ran, Value)> {
+    out: &PageOutbox,
+    cancel: &CancelToken,
+) -> Option<(FinishedRun, Value)> {
     let (offset, known) = initial_offset(job.machine(), job.control());
     let header = json!({ "type": "path", "run": number });
-    let rows = Columns::new(job.control().parameters.rules.spindle_by_hand);
-    let mut sending = Sending {
+    let rows = PathRows::of(job);
+    let mut sending = PathSender {
         number,
         out,
-        rows: PathStream::new(header, program.text().len(), rows, out, wanted),
-        contour: Columns::default(),
+        rows: PathStream::new(header, program.text().len(), rows, out, cancel),
+        contour: PathRows::without_power(job),
         programmed: job.path_builder(),
         compensated: false,
         modal: ModalTrack::new(job.control(), ProgramFrame::new(offset, known)),
     };
     let report = job.report_watched(&mut sending);
-    if !wanted.is_wanted() {
+    if !cancel.is_current() {
         return None;
     }
     sending.rows.send(1.0);
     sending.send_contour();
-    let Sending { modal, rows, .. } = sending;
+    let PathSender { modal, rows, .. } = sending;
     let (sent, left_out) = (rows.sent(), rows.left_out());
-    let mut told = answer::report(&report, job);
-    told["type"] = json!("report");
-    told["run"] = json!(number);
-    told["rows"] = json!(sent);
-    told["rows_left_out"] = json!(left_out);
-    told["places"] = modal.places();
-    told["end"] = end_of(&report.outcomes);
+    let mut message = answer::report(&report, job);
+    message["type"] = json!("report");
+    message["run"] = json!(number);
+    message["rows"] = json!(sent);
+    message["rows_left_out"] = json!(left_out);
+    message["places"] = modal.places();
+    message["end"] = end_of(&report.outcomes);
     let rows = u64::from(sent) + left_out;
     let about_s = report.summary.total_time_s();
-    Some((Ran { program: program.clone(), modal, number, rows, about_s }, told))
+    Some((FinishedRun { program: program.clone(), modal, number, rows, about_s }, message))
 }
 
 /// How the programs of the file ended.
@@ -90,18 +89,18 @@ fn end_of(outcomes: &[chordal::Outcome]) -> Value {
 }
 
 /// Sends rows on as they come.
-struct Sending<'m> {
+struct PathSender<'m> {
     number: u64,
-    out: &'m Outbox,
+    out: &'m PageOutbox,
     rows: PathStream<'m>,
-    contour: Columns,
+    contour: PathRows,
     programmed: PathBuilder<'m>,
     /// Compensation is on, or about to end with the next move.
     compensated: bool,
     modal: ModalTrack,
 }
 
-impl Sending<'_> {
+impl PathSender<'_> {
     fn send_contour(&mut self) {
         if self.contour.rows() > 0 {
             // In the frame of the path, so that the two lie over each other.
@@ -111,14 +110,14 @@ impl Sending<'_> {
     }
 }
 
-impl RunWatch for Sending<'_> {
+impl RunWatch for PathSender<'_> {
     fn programmed(&mut self, command: &Command) {
-        if self.rows.is_given_up() {
+        if self.rows.is_canceled() {
             return;
         }
         let was = self.compensated;
         let contour = &mut self.contour;
-        let most = MOST_ROWS as usize;
+        let most = MAX_ROWS as usize;
         self.programmed.command(command, |segment| {
             if was && contour.rows() < most {
                 contour.push(segment, false);
@@ -134,7 +133,7 @@ impl RunWatch for Sending<'_> {
     }
 
     fn path(&mut self, path: PathCommand<'_>, segments: &[Segment]) {
-        if self.rows.is_given_up() {
+        if self.rows.is_canceled() {
             return;
         }
         self.modal.follow(&path, segments, self.rows.sent());

@@ -9,61 +9,61 @@ use chordal::stock::{
 use serde_json::{Value, json};
 
 use crate::answer;
+use crate::cancel_token::CancelToken;
 use crate::engagement;
-use crate::frame::Frame;
-use crate::outbox::Outbox;
-use crate::program::Programs;
-use crate::run::Ran;
-use crate::turned;
-use crate::wanted::Wanted;
+use crate::frame::ColumnFrame;
+use crate::outbox::PageOutbox;
+use crate::program::ProgramSource;
+use crate::run::FinishedRun;
+use crate::turned_stock;
 
 /// Columns of a stock where the page asks for no other number: as many as a page without a graphics card draws.
-pub const USUAL_COLUMNS: u32 = 250_000;
+pub const DEFAULT_COLUMNS: u32 = 250_000;
 /// The most that the page may ask for.
-pub const MOST_COLUMNS: u32 = 1_000_000;
+pub const MAX_COLUMNS: u32 = 1_000_000;
 /// The fewest: coarser nothing is seen.
-const LEAST_COLUMNS: u32 = 1_000;
+const MIN_COLUMNS: u32 = 1_000;
 /// Drops that are sent at most: a page keeps 19 bytes of each, and as much again of keyframes and of what is free.
-const MOST_DROPS: usize = 6_000_000;
+const MAX_DROPS: usize = 6_000_000;
 /// Where there would be more, columns may seem this share of their side too high for a while; where that is not
 /// enough there are fewer columns.
-const LAG: f64 = 0.5;
+const LAG_SHARE: f64 = 0.5;
 /// Triangles of the part at most, 36 bytes each.
-const MOST_TRIANGLES: usize = 400_000;
+const MAX_TRIANGLES: usize = 400_000;
 /// Tops and undersides are joined that differ by no more than this share of a column: the next where it is too much.
-const JOINED: [f64; 3] = [0.1, 0.5, 2.0];
+const JOIN_SHARES: [f64; 3] = [0.1, 0.5, 2.0];
 /// Drops of a message, about: a page is busy with each without a break.
-const BATCH: usize = 65_536;
+const BATCH_DROPS: usize = 65_536;
 
 /// What a stock is made of.
-pub struct Cutting<'a> {
+pub struct StockCutting<'a> {
     /// The run whose moves cut it.
-    pub ran: &'a Ran,
+    pub finished: &'a FinishedRun,
     /// About so many columns.
     pub columns: u32,
     /// The least number of drops that is too many.
     pub most_drops: usize,
 }
 
-impl<'a> Cutting<'a> {
+impl<'a> StockCutting<'a> {
     /// The stock of a run with about so many columns.
-    pub fn new(ran: &'a Ran, columns: u32) -> Cutting<'a> {
-        let columns = columns.clamp(LEAST_COLUMNS, MOST_COLUMNS);
-        Cutting { ran, columns, most_drops: MOST_DROPS }
+    pub fn new(finished: &'a FinishedRun, columns: u32) -> StockCutting<'a> {
+        let columns = columns.clamp(MIN_COLUMNS, MAX_COLUMNS);
+        StockCutting { finished, columns, most_drops: MAX_DROPS }
     }
 
     /// Sends the stock, what is lowered when, and then what is touched.
-    pub fn run(&self, programs: &dyn Programs, out: &Outbox, wanted: &Wanted) {
-        let job = self.ran.program.job().interrupt(wanted.interrupt());
-        let run = self.ran.number;
+    pub fn run(&self, programs: &dyn ProgramSource, out: &PageOutbox, cancel: &CancelToken) {
+        let job = self.finished.program.job().interrupt(cancel.interrupt());
+        let run = self.finished.number;
         if job.turns() {
-            return turned::run(&job, run, programs, out);
+            return turned_stock::run(&job, run, programs, out);
         }
         let files = |name: &str| programs.named_file(name);
-        let failed = match self.replay(&job, &files, out, wanted) {
+        let failed = match self.replay(&job, &files, out, cancel) {
             Ok(true) => match job.stock(&StockOptions::default(), &files) {
                 Ok(found) => {
-                    out.json(&told(run, &found, &job));
+                    out.json(&report_json(run, &found, &job));
                     if found.has_undersides() {
                         part(run, &found, out);
                     }
@@ -78,105 +78,110 @@ impl<'a> Cutting<'a> {
         out.json(&answer::no_stock(run, &failed));
     }
 
-    /// Sends how hard the cuts are. Whatever keeps it from that was said of the stock.
-    fn engagement(&self, job: &Job, files: &dyn Fn(&str) -> Result<Vec<u8>, String>, out: &Outbox) {
-        if self.ran.rows > engagement::MOST_ROWS {
+    /// Sends the cutting loads. An error here was reported for the stock already.
+    fn engagement(
+        &self,
+        job: &Job,
+        files: &dyn Fn(&str) -> Result<Vec<u8>, String>,
+        out: &PageOutbox,
+    ) {
+        if self.finished.rows > engagement::MAX_ROWS {
             return;
         }
         if let Ok(found) = job.engagement(&engagement::options(), files) {
-            out.binary(engagement::frame(self.ran.number, &found));
+            out.binary(engagement::frame(self.finished.number, &found));
         }
     }
 
-    /// Whether all of it was sent.
+    /// Sends the stock and its drops; false if the run was canceled or there were too many drops.
     fn replay(
         &self,
         job: &Job,
         files: &dyn Fn(&str) -> Result<Vec<u8>, String>,
-        out: &Outbox,
-        wanted: &Wanted,
+        out: &PageOutbox,
+        cancel: &CancelToken,
     ) -> Result<bool, StockRunError> {
         let mut options = ReplayOptions { columns: self.columns, lag: 0.0 };
         loop {
-            let mut sending = Sending {
-                run: self.ran.number,
+            let mut sending = StockSender {
+                run: self.finished.number,
                 out,
-                wanted,
+                cancel,
                 is_coarser: options.columns < self.columns,
                 is_late: options.lag > 0.0,
                 most: self.most_drops,
                 sent: 0,
-                lot: Lot::default(),
+                lot: DropBatch::default(),
             };
             if job.replay_stock(&options, files, &mut sending)?.is_some() {
                 sending.send(1.0);
-                return Ok(wanted.is_wanted());
+                return Ok(cancel.is_current());
             }
-            if !wanted.is_wanted() || options.columns <= LEAST_COLUMNS {
+            if !cancel.is_current() || options.columns <= MIN_COLUMNS {
                 return Ok(false);
             }
             if options.lag > 0.0 {
-                options.columns = (options.columns / 2).max(LEAST_COLUMNS);
+                options.columns = (options.columns / 2).max(MIN_COLUMNS);
             }
-            options.lag = LAG;
+            options.lag = LAG_SHARE;
         }
     }
 }
 
 /// What is left, and what is touched; with the problems of the run, as they are listed together.
-fn told(run: u64, found: &StockReport, job: &Job) -> Value {
+fn report_json(run: u64, found: &StockReport, job: &Job) -> Value {
     let between = |amount: VolumeInterval| json!({ "least": amount.least, "most": amount.most });
-    let mut told = answer::report(&found.report, job);
-    told["type"] = json!("stock_report");
-    told["run"] = json!(run);
-    told["verdict"] = json!(found.verdict.as_str());
-    told["resolution_mm"] = json!(found.resolution_mm);
-    told["removed_mm3"] = between(found.removed_mm3);
-    told["left_mm3"] = between(found.left_mm3);
-    told
+    let mut message = answer::report(&found.report, job);
+    message["type"] = json!("stock_report");
+    message["run"] = json!(run);
+    message["verdict"] = json!(found.verdict.as_str());
+    message["resolution_mm"] = json!(found.resolution_mm);
+    message["removed_mm3"] = between(found.removed_mm3);
+    message["left_mm3"] = between(found.left_mm3);
+    message
 }
 
 /// Sends what is left at the end as triangles: heights alone do not say it.
-fn part(run: u64, found: &StockReport, out: &Outbox) {
-    let is_too_much = |mesh: &Mesh| mesh.triangles().len() > MOST_TRIANGLES;
-    let mesh = JOINED.iter().find_map(|share| {
+fn part(run: u64, found: &StockReport, out: &PageOutbox) {
+    let is_too_much = |mesh: &Mesh| mesh.triangles().len() > MAX_TRIANGLES;
+    let mesh = JOIN_SHARES.iter().find_map(|share| {
         let surface = found.surface(share * found.resolution_mm).ok()?;
         (!is_too_much(&surface.mesh)).then_some(surface.mesh)
     });
     let Some(mesh) = mesh else { return };
     let corners = (0..mesh.triangles().len()).flat_map(|at| mesh.corners(at));
     let corners: Vec<f32> = corners.flat_map(|at| at.to_array().map(|mm| mm as f32)).collect();
-    let mut frame = Frame::default();
+    let mut frame = ColumnFrame::default();
     frame.column("corners", &corners);
     out.binary(frame.finish(json!({ "type": "stock_part", "run": run })));
 }
 
-/// Drops on their way.
+/// Columns of drops that are not sent yet.
 #[derive(Default)]
-struct Lot {
+struct DropBatch {
     column: Vec<u32>,
     row: Vec<u32>,
     share: Vec<f32>,
     height: Vec<f32>,
 }
 
-struct Sending<'a> {
+struct StockSender<'a> {
     run: u64,
-    out: &'a Outbox,
-    wanted: &'a Wanted,
+    out: &'a PageOutbox,
+    cancel: &'a CancelToken,
     /// It was begun with more columns, which had too many drops.
     is_coarser: bool,
-    /// Some drops are left out.
+    /// Some drops are sent late: `LAG_SHARE`.
     is_late: bool,
     most: usize,
     sent: usize,
-    lot: Lot,
+    lot: DropBatch,
 }
 
-impl Sending<'_> {
+impl StockSender<'_> {
     fn send(&mut self, progress: f64) {
-        let Lot { column, row, share, height } = std::mem::take(&mut self.lot);
-        let mut frame = Frame::default();
+        let DropBatch { column, row, share, height } = std::mem::take(&mut self.lot);
+        let mut frame = ColumnFrame::default();
         frame.column("column", &column);
         frame.column("row", &row);
         frame.column("share", &share);
@@ -186,9 +191,9 @@ impl Sending<'_> {
     }
 }
 
-impl ReplaySink for Sending<'_> {
+impl ReplaySink for StockSender<'_> {
     fn before(&mut self, stock: &StockBefore) {
-        let mut frame = Frame::default();
+        let mut frame = ColumnFrame::default();
         frame.column("heights", &stock.heights);
         let mut header = json!({
             "type": "stock",
@@ -217,7 +222,7 @@ impl ReplaySink for Sending<'_> {
 
     fn lowered(&mut self, drops: &[ColumnDrop], progress: f64) -> bool {
         self.sent += drops.len();
-        if self.sent > self.most || !self.wanted.is_wanted() {
+        if self.sent > self.most || !self.cancel.is_current() {
             return false;
         }
         for drop in drops {
@@ -225,9 +230,9 @@ impl ReplaySink for Sending<'_> {
             self.lot.row.push(drop.row);
             self.lot.share.push(drop.share);
             self.lot.height.push(drop.height);
-            if self.lot.column.len() >= BATCH {
+            if self.lot.column.len() >= BATCH_DROPS {
                 // What is left of these moves is still to come.
-                self.send(progress.min(BEFORE_THE_END));
+                self.send(progress.min(INCOMPLETE_PROGRESS));
             }
         }
         true
@@ -235,11 +240,11 @@ impl ReplaySink for Sending<'_> {
 
     fn gaps(&mut self, changes: &[GapChange]) -> bool {
         self.sent += changes.len();
-        if self.sent > self.most || !self.wanted.is_wanted() {
+        if self.sent > self.most || !self.cancel.is_current() {
             return false;
         }
-        for some in changes.chunks(BATCH) {
-            let mut frame = Frame::default();
+        for some in changes.chunks(BATCH_DROPS) {
+            let mut frame = ColumnFrame::default();
             let of = |number: fn(&GapChange) -> u32| some.iter().map(number).collect::<Vec<u32>>();
             frame.column("column", &of(|change| change.column));
             frame.column("row", &of(|change| change.row));
@@ -256,4 +261,4 @@ impl ReplaySink for Sending<'_> {
 }
 
 /// The progress of what is not complete.
-const BEFORE_THE_END: f64 = 0.999;
+const INCOMPLETE_PROGRESS: f64 = 0.999;

@@ -1,31 +1,31 @@
-//! A path on its way to the page: rows go out in batches while they are made.
+//! Sends the rows of a path to the page, in batches, while they are computed.
 
 use chordal::Segment;
 use serde_json::{Value, json};
 
-use crate::columns::Columns;
-use crate::outbox::Outbox;
-use crate::wanted::Wanted;
+use crate::cancel_token::CancelToken;
+use crate::columns::PathRows;
+use crate::outbox::PageOutbox;
 
 /// Rows of the first batch: soon there, and most programs are no longer.
-const FIRST_BATCH: usize = 4_096;
+const FIRST_BATCH_ROWS: usize = 4_096;
 
 /// Rows of later batches, so that the page is not busy with any one of them for long.
-const BATCH: usize = 32_768;
+const BATCH_ROWS: usize = 32_768;
 
 /// Most pieces of path that are sent. What comes after is run and judged, not drawn.
-pub const MOST_ROWS: u32 = 8_000_000;
+pub const MAX_ROWS: u32 = 8_000_000;
 
 /// Sends the rows of a path.
 pub struct PathStream<'m> {
     /// What each batch says in addition to its rows.
     header: Value,
-    out: &'m Outbox,
-    wanted: &'m Wanted,
-    is_given_up: bool,
+    out: &'m PageOutbox,
+    cancel: &'m CancelToken,
+    is_canceled: bool,
     /// Bytes of the program's text.
     size: f64,
-    rows: Columns,
+    rows: PathRows,
     sent: u32,
     left_out: u64,
 }
@@ -35,15 +35,15 @@ impl<'m> PathStream<'m> {
     pub fn new(
         header: Value,
         size: usize,
-        rows: Columns,
-        out: &'m Outbox,
-        wanted: &'m Wanted,
+        rows: PathRows,
+        out: &'m PageOutbox,
+        cancel: &'m CancelToken,
     ) -> PathStream<'m> {
         PathStream {
             header,
             out,
-            wanted,
-            is_given_up: false,
+            cancel,
+            is_canceled: false,
             size: size.max(1) as f64,
             rows,
             sent: 0,
@@ -51,7 +51,7 @@ impl<'m> PathStream<'m> {
         }
     }
 
-    /// Rows so far, those that wait for their batch included.
+    /// Rows so far, including those of the batch that is not sent yet.
     pub fn sent(&self) -> u32 {
         self.sent
     }
@@ -61,23 +61,24 @@ impl<'m> PathStream<'m> {
         self.left_out
     }
 
-    /// Nobody wants the rest.
-    pub fn is_given_up(&self) -> bool {
-        self.is_given_up
+    /// The run was canceled: no more rows are sent.
+    pub fn is_canceled(&self) -> bool {
+        self.is_canceled
     }
 
-    /// Adds a row.
+    /// Adds a row, and sends the batch when it is full.
     pub fn push(&mut self, segment: &Segment, inserted: bool) {
-        if self.sent >= MOST_ROWS {
+        if self.sent >= MAX_ROWS {
             self.left_out += 1;
             return;
         }
         self.rows.push(segment, inserted);
         self.sent += 1;
-        let full = if self.sent as usize <= FIRST_BATCH { FIRST_BATCH } else { BATCH };
+        let full =
+            if self.sent as usize <= FIRST_BATCH_ROWS { FIRST_BATCH_ROWS } else { BATCH_ROWS };
         if self.rows.rows() >= full {
-            self.is_given_up = !self.wanted.is_wanted();
-            if !self.is_given_up {
+            self.is_canceled = !self.cancel.is_current();
+            if !self.is_canceled {
                 // Calls and loops go back in the text: the page shows the largest it has seen.
                 let at = f64::from(segment.origin.span.range.end) / self.size;
                 self.send(at.min(1.0));
@@ -85,7 +86,7 @@ impl<'m> PathStream<'m> {
         }
     }
 
-    /// Sends what waits; the last batch has the progress 1.
+    /// Sends the batch; the last one has the progress 1.
     pub fn send(&mut self, progress: f64) {
         let mut header = self.header.clone();
         header["first"] = json!(self.sent - self.rows.rows() as u32);

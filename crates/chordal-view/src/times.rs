@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 
 use chordal::Job;
+use chordal::geometry::Vec3;
 use chordal::machine::{AXES, PerAxis};
 use chordal::motion::{
     LimitError, MotionOptions, MotionSample, PlanSink, PlannerStep, SetpointSampler, StepSource,
@@ -12,19 +13,20 @@ use chordal_export::short_blocks_text;
 use serde_json::{Value, json};
 
 use crate::answer;
-use crate::frame::Frame;
-use crate::wanted::Wanted;
+use crate::cancel_token::CancelToken;
+use crate::frame::ColumnFrame;
+use crate::part_path::PartKinematics;
 
 /// Setpoints that are sent at most; beyond, every second is left out, and again.
-const MOST: usize = 200_000;
+const MAX_SETPOINTS: usize = 200_000;
 
 /// Setpoints that are looked at at most: a program that dwells for a year must not take one.
-const MOST_LOOKED_AT: u64 = 20_000_000;
+const MAX_SAMPLES: u64 = 20_000_000;
 
 /// The shortest period, s.
-const SHORTEST_S: f64 = 0.002;
+const MIN_PERIOD_S: f64 = 0.002;
 
-/// Plans a run and packs its motion; `None` when nobody wants it any more. `about_s` is its time
+/// Plans a run and packs its motion; `None` if it was canceled. `about_s` is its time
 /// without acceleration.
 ///
 /// # Errors
@@ -33,51 +35,59 @@ pub fn times(
     number: u64,
     job: &Job,
     about_s: f64,
-    wanted: &Wanted,
+    cancel: &CancelToken,
 ) -> Result<Option<(Vec<u8>, Value)>, LimitError> {
-    let period_s = (about_s / (MOST as f64 / 2.0)).max(SHORTEST_S);
+    let period_s = (about_s / (MAX_SETPOINTS as f64 / 2.0)).max(MIN_PERIOD_S);
     let period_s = if period_s.is_finite() { period_s } else { 1.0 };
-    let mut sink = Setpoints {
+    let mut sink = TimedSetpointSink {
         steps: VecDeque::new(),
-        sampler: SetpointSampler::new(period_s).at_most(MOST_LOOKED_AT),
-        kept: Kept::default(),
+        sampler: SetpointSampler::new(period_s).at_most(MAX_SAMPLES),
+        thinned: ThinnedSetpoints::default(),
     };
-    // Places count here, so that a rapid goes where its axes take it.
+    // Positions count here, so that a rapid takes the path of its axes.
     let options = MotionOptions { dog_leg_shape: true, ..MotionOptions::default() };
     let timed = job.time_with(&options, &mut sink)?;
-    if !wanted.is_wanted() {
+    if !cancel.is_current() {
         return Ok(None);
     }
-    let Setpoints { sampler, mut kept, steps } = sink;
+    let TimedSetpointSink { sampler, mut thinned, steps } = sink;
     let (total_s, cut_short) = (sampler.time_s(), sampler.is_exhausted());
-    sampler.finish(|sample| kept.take(sample, &steps));
-    let mut told = answer::times(&timed.time);
-    told["type"] = json!("times");
-    told["run"] = json!(number);
-    told["refused"] = json!(timed.motion.refused_moves);
-    told["short_blocks"] = json!(short_blocks_text(&timed.time.cut_ends, job));
-    told["cuts_without_feed"] = json!(timed.motion.cuts_without_feed);
-    told["assumed"] = json!(timed.motion.limits.assumed.len());
-    let mut frame = Frame::default();
-    frame.column("places", &kept.places);
-    if kept.turns.iter().any(|angle| *angle != 0.0) {
-        frame.column("turns", &kept.turns);
+    sampler.finish(|sample| thinned.take(sample, &steps));
+    let mut message = answer::times(&timed.time);
+    message["type"] = json!("times");
+    message["run"] = json!(number);
+    message["refused"] = json!(timed.motion.refused_moves);
+    message["short_blocks"] = json!(short_blocks_text(&timed.time.cut_ends, job));
+    message["cuts_without_feed"] = json!(timed.motion.cuts_without_feed);
+    message["assumed"] = json!(timed.motion.limits.assumed.len());
+    let mut frame = ColumnFrame::default();
+    let does_turn = thinned.turns.iter().any(|angle| *angle != 0.0);
+    let kinematics = PartKinematics::of(&job.machine().rotary).filter(|_| does_turn);
+    match kinematics {
+        Some(kinematics) => {
+            frame.column("places", &thinned.on_part(&kinematics));
+            frame.column("programmed", &thinned.places);
+        }
+        None => frame.column("places", &thinned.places),
     }
-    frame.column("speed", &kept.speed);
-    frame.column("row", &kept.row);
+    if does_turn {
+        frame.column("turns", &thinned.turns);
+    }
+    frame.column("speed", &thinned.speed);
+    frame.column("row", &thinned.row);
     let header = json!({
         "type": "setpoints",
         "run": number,
-        "period_s": period_s * kept.stride as f64,
+        "period_s": period_s * thinned.stride as f64,
         "total_s": total_s,
         "cut_short": cut_short,
     });
-    Ok(Some((frame.finish(header), told)))
+    Ok(Some((frame.finish(header), message)))
 }
 
-/// A step that the planner holds.
+/// A step whose setpoints are still to come.
 #[derive(Clone, Copy)]
-struct Held {
+struct PlannedStep {
     number: u32,
     row: u32,
     shift: PerAxis<f64>,
@@ -85,8 +95,8 @@ struct Held {
 
 /// Setpoints, thinned out to what is sent.
 #[derive(Default)]
-struct Kept {
-    looked_at: usize,
+struct ThinnedSetpoints {
+    samples: usize,
     stride: usize,
     places: Vec<f32>,
     /// A, B and C, rad.
@@ -95,26 +105,37 @@ struct Kept {
     row: Vec<u32>,
 }
 
-impl Kept {
-    fn take(&mut self, sample: &MotionSample, steps: &VecDeque<Held>) {
+impl ThinnedSetpoints {
+    fn take(&mut self, sample: &MotionSample, steps: &VecDeque<PlannedStep>) {
         self.stride = self.stride.max(1);
-        let is_kept = self.looked_at.is_multiple_of(self.stride);
-        self.looked_at += 1;
-        if !is_kept {
+        let is_taken = self.samples.is_multiple_of(self.stride);
+        self.samples += 1;
+        if !is_taken {
             return;
         }
         let number = StepSource::number_of(sample.tag);
         let at = steps.partition_point(|step| step.number <= number);
-        let held = steps.get(at.saturating_sub(1));
-        let (row, shift) = held.map_or((0, [0.0; AXES]), |held| (held.row, held.shift));
+        let planned = steps.get(at.saturating_sub(1));
+        let (row, shift) = planned.map_or((0, [0.0; AXES]), |planned| (planned.row, planned.shift));
         self.places.extend((0..3).map(|axis| (sample.position[axis] - shift[axis]) as f32));
         let turn = |axis: usize| (sample.position[axis] - shift[axis]) as f32;
         self.turns.extend((3..AXES).map(turn));
         self.speed.push((sample.speed() * 60.0) as f32);
         self.row.push(row);
-        if self.row.len() >= MOST {
+        if self.row.len() >= MAX_SETPOINTS {
             self.thin_out();
         }
+    }
+
+    /// The positions on the part.
+    fn on_part(&self, kinematics: &PartKinematics) -> Vec<f32> {
+        let (positions, turns) = (self.places.as_chunks::<3>().0, self.turns.as_chunks::<3>().0);
+        let placed = positions.iter().zip(turns).flat_map(|(position, angles)| {
+            let [x, y, z] = position.map(f64::from);
+            let on_part = kinematics.at(angles.map(f64::from)).apply_point(Vec3::new(x, y, z));
+            on_part.to_array().map(|mm| mm as f32)
+        });
+        placed.collect()
     }
 
     /// Leaves out every second one.
@@ -134,27 +155,27 @@ impl Kept {
     }
 }
 
-struct Setpoints {
-    steps: VecDeque<Held>,
+struct TimedSetpointSink {
+    steps: VecDeque<PlannedStep>,
     sampler: SetpointSampler,
-    kept: Kept,
+    thinned: ThinnedSetpoints,
 }
 
-impl PlanSink for Setpoints {
+impl PlanSink for TimedSetpointSink {
     fn source(&mut self, source: &StepSource) {
         // A piece of path is a row of what was sent.
         let row = u32::try_from(source.piece).unwrap_or(u32::MAX);
         let number = StepSource::number_of(source.tag);
-        self.steps.push_back(Held { number, row, shift: source.shift });
+        self.steps.push_back(PlannedStep { number, row, shift: source.shift });
     }
 
     fn step(&mut self, step: PlannerStep<'_>, sources: &StepSources) {
         if self.sampler.is_exhausted() {
             return;
         }
-        let Setpoints { sampler, kept, steps } = self;
-        sampler.push(step, |sample| kept.take(sample, steps));
-        // The sampler holds the last stretch, whose steps the planner has forgotten.
+        let TimedSetpointSink { sampler, thinned, steps } = self;
+        sampler.push(step, |sample| thinned.take(sample, steps));
+        // The sampler still has the last trajectory, whose steps the planner has dropped.
         let most = 2 * sources.len() + 100_000;
         let passed = steps.len().saturating_sub(most);
         steps.drain(..passed);

@@ -1,4 +1,4 @@
-//! What one page shows: its text, its machine, and the answers to what it asks.
+//! What one page shows: its text, its machine, and the answers to its requests.
 //!
 //! | work | does |
 //! |---|---|
@@ -7,7 +7,7 @@
 //! | `Compare` | compares the newest run with the other program |
 //! | `Cut` | cuts the stock with the newest run, sends what is lowered when and what is touched |
 //!
-//! Work that is no longer the newest of its kind is given up, so that typing never waits for it. Different kinds may be
+//! Work that is no longer the newest of its kind is canceled, so that typing never waits for it. Different kinds may be
 //! done at the same time.
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -18,94 +18,98 @@ use chordal_editor::EditorProgram;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use crate::content::Content;
-use crate::document::Document;
-use crate::frame::Frame;
-use crate::other::{Comparing, text_around};
-use crate::outbox::Outbox;
-use crate::program::Programs;
-use crate::request::{Ask, AskedChords, Other, Request};
-use crate::run::{Ran, run};
-use crate::stock::{Cutting, USUAL_COLUMNS};
-use crate::wanted::Wanted;
-use crate::{answer, chords, reading, times, words};
+use crate::cancel_token::CancelToken;
+use crate::comparison::{ComparisonSession, text_around};
+use crate::content_hash::ContentHash;
+use crate::document::EditedText;
+use crate::frame::ColumnFrame;
+use crate::outbox::PageOutbox;
+use crate::program::ProgramSource;
+use crate::request::{ChordRequest, ComparedWith, PageRequest, RequestKind};
+use crate::run::{FinishedRun, run};
+use crate::stock::{DEFAULT_COLUMNS, StockCutting};
+use crate::{answer, chords, reading, text_answers, times};
 
 /// Bytes of text that are sent in one message, about: a page is busy with each without a break.
-const TEXT_PIECE: usize = 1 << 20;
+const TEXT_PIECE_BYTES: usize = 1 << 20;
+
+/// The version of the messages between a page and its view; it changes with every key or type that is renamed or removed.
+const PROTOCOL_VERSION: u32 = 2;
 
 /// What takes long, and the number that says whether it is the newest of its kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Work {
-    /// The text is run.
+pub enum WorkItem {
+    /// Run the text.
     Run(u64),
-    /// The run of this number is planned.
+    /// Plan the motion of the run of this number.
     Plan(u64),
-    /// The newest run is compared with the other program.
+    /// Compare the newest run with the other program.
     Compare(u64),
-    /// The newest run cuts the stock.
+    /// Cut the stock with the newest run.
     Cut(u64),
 }
 
-impl Work {
-    /// Its number among those of its kind.
+impl WorkItem {
+    /// Its number among the work items of its kind.
     pub fn number(self) -> u64 {
         match self {
-            Work::Run(number) | Work::Plan(number) | Work::Compare(number) | Work::Cut(number) => {
-                number
-            }
+            WorkItem::Run(number)
+            | WorkItem::Plan(number)
+            | WorkItem::Compare(number)
+            | WorkItem::Cut(number) => number,
         }
     }
 }
 
-/// Takes work that is to be done, by whoever holds the view.
-pub type Want<'w> = &'w mut dyn FnMut(Work);
+/// Takes the work items that the owner of the view is to carry out.
+pub type WorkSink<'w> = &'w mut dyn FnMut(WorkItem);
 
-/// A page's text, machine and questions.
-pub struct View {
-    pub(crate) programs: Arc<dyn Programs>,
-    pub(crate) out: Outbox,
-    /// The number of the newest run that somebody wants.
-    pub(crate) newest: Arc<AtomicU64>,
-    /// The number of the newest comparison that somebody wants.
-    pub(crate) compared: Arc<AtomicU64>,
-    /// The number of the newest stock that somebody wants.
-    pub(crate) stocked: Arc<AtomicU64>,
-    over: Arc<AtomicBool>,
-    pub(crate) held: Mutex<Held>,
-    pub(crate) comparing: Mutex<Comparing>,
+/// The text of a page, its machine, and the work that follows from them.
+pub struct ProgramView {
+    pub(crate) programs: Arc<dyn ProgramSource>,
+    pub(crate) out: PageOutbox,
+    /// The number of the newest run; older ones are canceled.
+    pub(crate) newest_run: Arc<AtomicU64>,
+    /// The number of the newest comparison; older ones are canceled.
+    pub(crate) newest_comparison: Arc<AtomicU64>,
+    /// The number of the newest stock; older ones are canceled.
+    pub(crate) newest_stock: Arc<AtomicU64>,
+    closed: Arc<AtomicBool>,
+    pub(crate) state: Mutex<PageState>,
+    pub(crate) comparison: Mutex<ComparisonSession>,
 }
 
-pub(crate) struct Held {
-    pub(crate) document: Document,
+pub(crate) struct PageState {
+    pub(crate) document: EditedText,
     /// How often its text has changed.
     edits: u64,
-    /// What the file held when it was last read or written.
-    on_disk: Content,
+    /// The content of the file when it was last read or written.
+    on_disk: ContentHash,
     pub(crate) machine: Option<String>,
-    /// What was opened last; it decides the machine.
+    /// The program of the newest run, with its machine.
     pub(crate) opened: Option<Arc<EditorProgram>>,
-    /// The text as an editor asks of it, until it changes.
-    pub(crate) words: Option<Arc<EditorProgram>>,
-    pub(crate) ran: Option<Arc<Ran>>,
-    /// The work is done by views elsewhere ([`crate::Handed`]): what is known of the newest run.
-    pub(crate) elsewhere: Option<RanElsewhere>,
+    /// The text as a program, for questions about its words; `None` after each change.
+    pub(crate) text_program: Option<Arc<EditorProgram>>,
+    pub(crate) finished_run: Option<Arc<FinishedRun>>,
+    /// What is known of the newest run where views in other workers do the work ([`crate::WorkOrder`]); `None` where this view does it.
+    pub(crate) remote_run: Option<RemoteRun>,
     /// What the program is compared with.
-    pub(crate) other: Other,
-    /// What the two paths may be apart, mm.
+    pub(crate) other: ComparedWith,
+    /// Paths within this distance are the same, mm.
     pub(crate) tolerance_mm: f64,
     /// Columns of the stock, about.
     pub(crate) columns: u32,
     /// The other program as it is shown.
-    beside: Option<Arc<EditorProgram>>,
+    compared_program: Option<Arc<EditorProgram>>,
 }
 
-/// A run that another view has done.
+/// The report of a run that a view in another worker has done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(crate) struct RanElsewhere {
-    /// Its number.
+pub(crate) struct RemoteRun {
+    /// The number that its messages have.
     pub number: u64,
-    /// Pieces of path.
+    /// Pieces of path, including those that were not sent.
     pub rows: u64,
     /// How long it takes without acceleration, s, where that is a number.
     pub about_s: Option<f64>,
@@ -113,163 +117,164 @@ pub(crate) struct RanElsewhere {
     pub stock: bool,
 }
 
-impl RanElsewhere {
-    /// Of a run.
-    pub fn of(ran: &Ran) -> RanElsewhere {
-        RanElsewhere {
-            number: ran.number,
-            rows: ran.rows,
-            about_s: Some(ran.about_s).filter(|seconds| seconds.is_finite()),
-            stock: ran.program.job().has_stock(),
+impl RemoteRun {
+    /// The report of a finished run.
+    pub fn of(finished: &FinishedRun) -> RemoteRun {
+        RemoteRun {
+            number: finished.number,
+            rows: finished.rows,
+            about_s: Some(finished.about_s).filter(|seconds| seconds.is_finite()),
+            stock: finished.program.job().has_stock(),
         }
     }
 }
 
-impl Held {
-    /// Runs on another machine, and is compared with the one before unless the command line names what to hold
-    /// it against, or the machine answers as what the program is read: the one before was only assumed.
+impl PageState {
+    /// Runs on another machine, and is compared with the one before. Not so where the command line names what to compare
+    /// with, nor where the machine answers the question of the reading: the one before was only assumed.
     fn run_on(&mut self, machine: Option<String>, is_answer: bool) {
         let before = std::mem::replace(&mut self.machine, machine);
-        if self.other != Other::Named && !is_answer {
-            self.other = Other::Machine(before);
+        if self.other != ComparedWith::Named && !is_answer {
+            self.other = ComparedWith::Machine(before);
         }
     }
 }
 
-impl View {
+impl ProgramView {
     /// A view of a program that was not read yet.
-    pub fn new(programs: Arc<dyn Programs>, out: Outbox) -> View {
-        let against = programs.against();
-        let held = Held {
-            document: Document::read(b""),
+    pub fn new(programs: Arc<dyn ProgramSource>, out: PageOutbox) -> ProgramView {
+        let compared = programs.compared_program();
+        let state = PageState {
+            document: EditedText::read(b""),
             edits: 0,
-            on_disk: Content::of(b""),
+            on_disk: ContentHash::of(b""),
             machine: None,
             opened: None,
-            words: None,
-            ran: None,
-            elsewhere: None,
-            other: if against.is_some() { Other::Named } else { Other::Nothing },
-            tolerance_mm: against.as_ref().map_or(0.0, |against| against.options.tolerance_mm),
-            columns: USUAL_COLUMNS,
-            beside: None,
+            text_program: None,
+            finished_run: None,
+            remote_run: None,
+            other: if compared.is_some() { ComparedWith::Named } else { ComparedWith::Nothing },
+            tolerance_mm: compared.as_ref().map_or(0.0, |compared| compared.options.tolerance_mm),
+            columns: DEFAULT_COLUMNS,
+            compared_program: None,
         };
-        View {
-            comparing: Mutex::new(Comparing::new(programs.clone(), out.clone())),
+        ProgramView {
+            comparison: Mutex::new(ComparisonSession::new(programs.clone(), out.clone())),
             programs,
             out,
-            newest: Arc::default(),
-            compared: Arc::default(),
-            stocked: Arc::default(),
-            over: Arc::default(),
-            held: Mutex::new(held),
+            newest_run: Arc::default(),
+            newest_comparison: Arc::default(),
+            newest_stock: Arc::default(),
+            closed: Arc::default(),
+            state: Mutex::new(state),
         }
     }
 
-    /// Introduces itself and reads the file, whose run is wanted; then [`View::send_text`] is due, unless it cannot be read.
-    pub fn begin(&self, want: Want<'_>) -> bool {
-        self.tell_hello();
+    /// Sends the page a `hello`, reads the file and requests its run. If it returns true, [`ProgramView::send_text`] is next; false if the file cannot be read.
+    pub fn begin(&self, want: WorkSink<'_>) -> bool {
+        self.send_hello();
         self.read(0, want)
     }
 
-    /// The page has gone: whatever is done for it is given up.
-    pub fn end(&self) {
-        self.over.store(true, Ordering::Relaxed);
+    /// The page was closed: all work for it is canceled.
+    pub fn close(&self) {
+        self.closed.store(true, Ordering::Relaxed);
     }
 
-    /// Nobody waits for an answer any more.
-    pub fn is_over(&self) -> bool {
-        self.over.load(Ordering::Relaxed)
+    /// The page was closed.
+    pub fn is_closed(&self) -> bool {
+        self.closed.load(Ordering::Relaxed)
     }
 
     /// Where answers and columns go.
-    pub fn out(&self) -> &Outbox {
+    pub fn out(&self) -> &PageOutbox {
         &self.out
     }
 
-    /// Does what takes long, unless nobody wants it any more; says what is to be done next.
-    pub fn work(&self, work: Work, want: Want<'_>) {
+    /// Carries out a work item, unless it is out of date; passes on what is to be done next.
+    pub fn work(&self, work: WorkItem, want: WorkSink<'_>) {
         match work {
-            Work::Run(number) => self.run(number, want),
-            Work::Plan(number) => self.plan(number),
-            Work::Compare(number) => self.compare_now(number),
-            Work::Cut(number) => self.cut_now(number),
+            WorkItem::Run(number) => self.run(number, want),
+            WorkItem::Plan(number) => self.plan(number),
+            WorkItem::Compare(number) => self.compare_now(number),
+            WorkItem::Cut(number) => self.cut_now(number),
         }
     }
 
-    /// The file holds something else than was read or written last.
+    /// The content of the file is another than when it was read or written last.
     pub fn is_changed(&self, bytes: &[u8]) -> bool {
-        Content::of(bytes) != self.held().on_disk
+        ContentHash::of(bytes) != self.state().on_disk
     }
 
-    /// The file of the other program holds something else.
-    pub fn other_changed(&self, want: Want<'_>) {
-        if self.held().other == Other::Named {
+    /// The file of the other program has changed.
+    pub fn other_changed(&self, want: WorkSink<'_>) {
+        if self.state().other == ComparedWith::Named {
             self.compare(want);
         }
     }
 
-    pub(crate) fn held(&self) -> MutexGuard<'_, Held> {
-        // Nothing is left half done where a panic could strike.
-        self.held.lock().unwrap_or_else(PoisonError::into_inner)
+    pub(crate) fn state(&self) -> MutexGuard<'_, PageState> {
+        // No statement that may panic leaves the state half changed.
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The text as an editor asks of it; `None` before the first run.
-    fn words(&self) -> Option<Arc<EditorProgram>> {
-        let mut held = self.held();
-        if held.words.is_none() {
-            let text = held.document.text().as_bytes().to_vec();
-            if let Some(opened) = &held.opened {
-                held.words = Some(Arc::new(opened.with_text(text)));
-            } else if held.elsewhere.is_some() {
-                // Why a program cannot be opened was said elsewhere.
-                let opened = self.programs.open(text, held.machine.as_deref()).ok().map(Arc::new);
-                (held.opened, held.words) = (opened.clone(), opened);
+    /// The text as a program, for questions about its words; `None` before the first run.
+    fn text_program(&self) -> Option<Arc<EditorProgram>> {
+        let mut state = self.state();
+        if state.text_program.is_none() {
+            let text = state.document.text().as_bytes().to_vec();
+            if let Some(opened) = &state.opened {
+                state.text_program = Some(Arc::new(opened.with_text(text)));
+            } else if state.remote_run.is_some() {
+                // The worker that runs the program reports why it cannot be opened.
+                let opened = self.programs.open(text, state.machine.as_deref()).ok().map(Arc::new);
+                (state.opened, state.text_program) = (opened.clone(), opened);
             }
         }
-        held.words.clone()
+        state.text_program.clone()
     }
 
-    fn answer_words(&self, id: u64, tell: impl FnOnce(&EditorProgram) -> Value) {
-        let Some(program) = self.words() else {
+    fn answer_about_text(&self, id: u64, answer_of: impl FnOnce(&EditorProgram) -> Value) {
+        let Some(program) = self.text_program() else {
             return self.out.refuse(id, "no program has run yet", None);
         };
-        let mut told = tell(&program);
-        told["id"] = json!(id);
-        self.out.json(&told);
+        let mut reply = answer_of(&program);
+        reply["id"] = json!(id);
+        self.out.json(&reply);
     }
 
-    fn wanted(&self, newest: &Arc<AtomicU64>, number: u64) -> Wanted {
-        Wanted { newest: newest.clone(), over: self.over.clone(), number }
+    fn cancel_token(&self, newest: &Arc<AtomicU64>, number: u64) -> CancelToken {
+        CancelToken { newest: newest.clone(), closed: self.closed.clone(), number }
     }
 
-    fn tell_hello(&self) {
+    fn send_hello(&self) {
         let machines = self.programs.machines();
         let machines: Vec<_> = machines
             .iter()
             .map(|machine| json!({ "name": machine.name, "title": machine.title }))
             .collect();
-        let against = self.programs.against().map(|against| against.told());
+        let compared = self.programs.compared_program().map(|compared| compared.to_json());
         self.out.json(&json!({
             "type": "hello",
+            "protocol": PROTOCOL_VERSION,
             "name": self.programs.name(),
             "writable": self.programs.is_writable(),
             "machines": machines,
-            "against": against,
-            "tolerance_mm": self.held().tolerance_mm,
+            "compared": compared,
+            "tolerance_mm": self.state().tolerance_mm,
         }));
     }
 
-    /// Answers a request, at once; says what is to be done for it.
-    pub fn answer(&self, request: Request, want: Want<'_>) {
+    /// Answers a request at once, and passes on the work that follows from it.
+    pub fn answer(&self, request: PageRequest, want: WorkSink<'_>) {
         let id = request.id;
-        match request.ask {
-            Ask::Edit { changes } => {
+        match request.kind {
+            RequestKind::Edit { changes } => {
                 let applied = {
-                    let mut held = self.held();
-                    held.words = None;
-                    held.edits += 1;
-                    held.document.apply(&changes)
+                    let mut state = self.state();
+                    state.text_program = None;
+                    state.edits += 1;
+                    state.document.apply(&changes)
                 };
                 match applied {
                     Ok(()) => self.start(want),
@@ -279,91 +284,93 @@ impl View {
                     }
                 }
             }
-            Ask::Machine { name, is_answer } => {
-                self.held().run_on(name, is_answer);
+            RequestKind::Machine { name, is_answer } => {
+                self.state().run_on(name, is_answer);
                 self.start(want);
             }
-            Ask::Against { other } => self.against(id, other, want),
-            Ask::Tolerance { tolerance_mm } => self.tolerance(id, tolerance_mm, want),
-            Ask::Stock { columns } => {
-                self.held().columns = columns;
+            RequestKind::CompareWith { other } => self.compare_with(id, other, want),
+            RequestKind::Tolerance { tolerance_mm } => self.tolerance(id, tolerance_mm, want),
+            RequestKind::Stock { columns } => {
+                self.state().columns = columns;
                 self.cut(want);
             }
-            Ask::OtherText { file, line } => {
-                let Some(beside) = self.held().beside.clone() else {
+            RequestKind::OtherText { file, line } => {
+                let Some(compared) = self.state().compared_program.clone() else {
                     return self.out.refuse(id, "there is no other program", None);
                 };
-                let mut told = text_around(&beside, file, line);
-                told["id"] = json!(id);
-                self.out.json(&told);
+                let mut reply = text_around(&compared, file, line);
+                reply["id"] = json!(id);
+                self.out.json(&reply);
             }
-            Ask::Chords(asked) => self.chords(id, &asked),
-            Ask::State { done, line } => {
-                let ran = self.held().ran.clone();
-                let mut state = ran.map(|ran| ran.modal.at(done, line));
-                let behind = self.words().and_then(|program| program.modal_after(line));
-                if let (Some(state), Some(behind)) = (&mut state, behind) {
-                    state["codes"] = json!(behind.codes);
+            RequestKind::Chords(request) => self.chords(id, &request),
+            RequestKind::State { done, line } => {
+                let finished = self.state().finished_run.clone();
+                let mut state = finished.map(|finished| finished.modal.at(done, line));
+                let after = self.text_program().and_then(|program| program.modal_after(line));
+                if let (Some(state), Some(after)) = (&mut state, after) {
+                    state["codes"] = json!(after.codes);
                 }
                 self.out.json(&json!({ "type": "state", "id": id, "state": state }));
             }
-            Ask::Tokens { from, to } => {
-                self.answer_words(id, |program| words::tokens(program, from, to));
+            RequestKind::Tokens { from, to } => {
+                self.answer_about_text(id, |program| text_answers::tokens(program, from, to));
             }
-            Ask::Hover { line, column } => {
-                self.answer_words(id, |program| words::hover(program, line, column));
+            RequestKind::Hover { line, column } => {
+                self.answer_about_text(id, |program| text_answers::hover(program, line, column));
             }
-            Ask::Definition { line, column } => {
-                self.answer_words(id, |program| words::definition(program, line, column));
+            RequestKind::Definition { line, column } => {
+                self.answer_about_text(id, |program| {
+                    text_answers::definition(program, line, column)
+                });
             }
-            Ask::Outline => self.answer_words(id, words::outline),
-            Ask::Save { force } => self.save(id, force),
-            Ask::Reload => self.load(id, want),
+            RequestKind::Outline => self.answer_about_text(id, text_answers::outline),
+            RequestKind::Save { force } => self.save(id, force),
+            RequestKind::Reload => self.load(id, want),
         }
     }
 
-    /// The next run is wanted, and none before it.
-    fn start(&self, want: Want<'_>) {
-        let number = self.newest.fetch_add(1, Ordering::Relaxed) + 1;
-        // What is compared now is of the text before; the run asks for the next.
-        self.compared.fetch_add(1, Ordering::Relaxed);
-        self.stocked.fetch_add(1, Ordering::Relaxed);
-        want(Work::Run(number));
+    /// Requests the next run, and cancels the one before.
+    fn start(&self, want: WorkSink<'_>) {
+        let number = self.newest_run.fetch_add(1, Ordering::Relaxed) + 1;
+        // A comparison that runs now is of the text before; the run requests the next.
+        self.newest_comparison.fetch_add(1, Ordering::Relaxed);
+        self.newest_stock.fetch_add(1, Ordering::Relaxed);
+        want(WorkItem::Run(number));
     }
 
-    /// The next comparison is wanted, and none before it.
-    fn compare(&self, want: Want<'_>) {
-        let number = self.compared.fetch_add(1, Ordering::Relaxed) + 1;
-        want(Work::Compare(number));
+    /// Requests the next comparison, and cancels the one before.
+    fn compare(&self, want: WorkSink<'_>) {
+        let number = self.newest_comparison.fetch_add(1, Ordering::Relaxed) + 1;
+        want(WorkItem::Compare(number));
     }
 
-    /// The next stock is wanted, and none before it.
-    fn cut(&self, want: Want<'_>) {
-        let number = self.stocked.fetch_add(1, Ordering::Relaxed) + 1;
-        want(Work::Cut(number));
+    /// Requests the next stock, and cancels the one before.
+    fn cut(&self, want: WorkSink<'_>) {
+        let number = self.newest_stock.fetch_add(1, Ordering::Relaxed) + 1;
+        want(WorkItem::Cut(number));
     }
 
-    /// Another program, or none, is to be shown, too.
-    fn against(&self, id: u64, other: Other, want: Want<'_>) {
-        if other == Other::Named && self.programs.against().is_none() {
+    /// Compares with another program, or with none any more.
+    fn compare_with(&self, id: u64, other: ComparedWith, want: WorkSink<'_>) {
+        if other == ComparedWith::Named && self.programs.compared_program().is_none() {
             let help = Some("start `chordal view` with --against to name one");
             return self.out.refuse(id, "the command line names no other program", help);
         }
-        self.held().other = other;
+        self.state().other = other;
         self.compare(want);
     }
 
-    fn tolerance(&self, id: u64, tolerance_mm: f64, want: Want<'_>) {
+    fn tolerance(&self, id: u64, tolerance_mm: f64, want: WorkSink<'_>) {
         if !(tolerance_mm >= 0.0 && tolerance_mm.is_finite()) {
             let message = format!("{tolerance_mm} mm is not a tolerance");
             return self.out.refuse(id, &message, Some("give a length of zero or more"));
         }
-        self.held().tolerance_mm = tolerance_mm;
+        self.state().tolerance_mm = tolerance_mm;
         self.compare(want);
     }
 
-    /// Reads the file and has it run.
-    fn read(&self, id: u64, want: Want<'_>) -> bool {
+    /// Reads the file and requests its run.
+    fn read(&self, id: u64, want: WorkSink<'_>) -> bool {
         let bytes = match self.programs.read() {
             Ok(bytes) => bytes,
             Err(refusal) => {
@@ -372,40 +379,40 @@ impl View {
             }
         };
         {
-            let mut held = self.held();
-            held.document = Document::read(&bytes);
-            held.on_disk = Content::of(&bytes);
-            held.words = None;
-            held.edits += 1;
+            let mut state = self.state();
+            state.document = EditedText::read(&bytes);
+            state.on_disk = ContentHash::of(&bytes);
+            state.text_program = None;
+            state.edits += 1;
         }
         self.start(want);
         true
     }
 
     /// Reads the file again and sends its text.
-    fn load(&self, id: u64, want: Want<'_>) {
+    fn load(&self, id: u64, want: WorkSink<'_>) {
         // The run first: its picture is made while the text goes over.
         if self.read(id, want) {
             self.send_text();
         }
     }
 
-    /// Sends the text.
+    /// Sends the page the text, in pieces of about a megabyte.
     pub fn send_text(&self) {
         let (text, mixed, binary) = {
-            let held = self.held();
-            let document = &held.document;
+            let state = self.state();
+            let document = &state.document;
             (document.text().to_string(), document.form().mixed, document.binary)
         };
         let mut rest = text.as_str();
         loop {
             let is_first = rest.len() == text.len();
-            let mut end = rest.len().min(TEXT_PIECE);
+            let mut end = rest.len().min(TEXT_PIECE_BYTES);
             while !rest.is_char_boundary(end) {
                 end += 1;
             }
             let (piece, more) = rest.split_at(end);
-            let mut frame = Frame::default();
+            let mut frame = ColumnFrame::default();
             frame.column("text", piece.as_bytes());
             let message = frame.finish(json!({
                 "type": "text",
@@ -433,15 +440,15 @@ impl View {
                 None,
             );
         }
-        let mut held = self.held();
-        if held.document.binary {
+        let mut state = self.state();
+        if state.document.binary {
             return self.out.refuse(
                 id,
                 "the file holds binary data, not an NC program: it is not written",
                 None,
             );
         }
-        let bytes = match held.document.bytes() {
+        let bytes = match state.document.bytes() {
             Ok(bytes) => bytes,
             Err(error) => {
                 return self.out.refuse(
@@ -451,25 +458,25 @@ impl View {
                 );
             }
         };
-        let now = self.programs.read().ok().map(|bytes| Content::of(&bytes));
-        if !force && now.is_some_and(|now| now != held.on_disk) {
+        let now = self.programs.read().ok().map(|bytes| ContentHash::of(&bytes));
+        if !force && now.is_some_and(|now| now != state.on_disk) {
             self.out.json(&json!({ "type": "conflict", "id": id }));
             return;
         }
         match self.programs.write(&bytes) {
             Ok(()) => {
-                held.on_disk = Content::of(&bytes);
+                state.on_disk = ContentHash::of(&bytes);
                 self.out.json(&json!({ "type": "saved", "id": id }));
             }
             Err(refusal) => self.out.refuse(id, &refusal.message, refusal.help.as_deref()),
         }
     }
 
-    fn chords(&self, id: u64, asked: &AskedChords) {
-        let Some(ran) = self.held().ran.clone() else {
+    fn chords(&self, id: u64, request: &ChordRequest) {
+        let Some(finished) = self.state().finished_run.clone() else {
             return self.out.refuse(id, "no program has run yet", None);
         };
-        match chords::chords(&ran.program.job(), asked) {
+        match chords::chords(&finished.program.job(), request) {
             Ok(frame) => self.out.binary(frame),
             Err(error) => {
                 self.out.refuse(id, &error.to_string(), Some("give a tolerance above zero"))
@@ -477,14 +484,14 @@ impl View {
         }
     }
 
-    fn run(&self, number: u64, want: Want<'_>) {
-        let wanted = self.wanted(&self.newest, number);
-        if !wanted.is_wanted() {
+    fn run(&self, number: u64, want: WorkSink<'_>) {
+        let cancel = self.cancel_token(&self.newest_run, number);
+        if !cancel.is_current() {
             return;
         }
         let (text, machine, edits) = {
-            let held = self.held();
-            (held.document.text().as_bytes().to_vec(), held.machine.clone(), held.edits)
+            let state = self.state();
+            (state.document.text().as_bytes().to_vec(), state.machine.clone(), state.edits)
         };
         let program = match self.programs.open(text, machine.as_deref()) {
             Ok(program) => Arc::new(program),
@@ -498,23 +505,23 @@ impl View {
             }
         };
         {
-            let mut held = self.held();
-            held.opened = Some(program.clone());
-            held.words = (held.edits == edits).then(|| program.clone());
+            let mut state = self.state();
+            state.opened = Some(program.clone());
+            state.text_program = (state.edits == edits).then(|| program.clone());
         }
-        if let Some(told) = self.run_one(number, &program, &wanted) {
-            self.ran(told, want);
+        if let Some(reply) = self.run_one(number, &program, &cancel) {
+            self.run_finished(reply, want);
         }
     }
 
-    /// Runs and reports, where the run was not given up.
+    /// Runs the program and sends its report; `None` if the run was canceled.
     fn run_one(
         &self,
         number: u64,
         program: &Arc<EditorProgram>,
-        wanted: &Wanted,
-    ) -> Option<RanElsewhere> {
-        let job = program.job().interrupt(wanted.interrupt());
+        cancel: &CancelToken,
+    ) -> Option<RemoteRun> {
+        let job = program.job().interrupt(cancel.interrupt());
         self.out.json(&json!({
             "type": "run",
             "run": number,
@@ -522,55 +529,56 @@ impl View {
             "why": program.setup().why,
             "readings": reading::question(program.setup().readings.as_ref(), job.sources()),
         }));
-        let (ran, told) = run(number, program, &job, &self.out, wanted)?;
-        let about = RanElsewhere::of(&ran);
-        // Whoever knows of the run may ask about it.
-        self.held().ran = Some(Arc::new(ran));
-        self.out.json(&told);
+        let (finished, reply) = run(number, program, &job, &self.out, cancel)?;
+        let about = RemoteRun::of(&finished);
+        // A page that knows of the run may send requests about it.
+        self.state().finished_run = Some(Arc::new(finished));
+        self.out.json(&reply);
         if !about.stock {
             self.out.json(&answer::no_stock(number, &StockRunError::NoStock));
         }
         Some(about)
     }
 
-    /// What follows a run.
-    pub(crate) fn ran(&self, about: RanElsewhere, want: Want<'_>) {
-        if self.held().other != Other::Nothing {
+    /// Requests the work that follows a run.
+    pub(crate) fn run_finished(&self, about: RemoteRun, want: WorkSink<'_>) {
+        if self.state().other != ComparedWith::Nothing {
             self.compare(want);
         }
         if about.stock {
             self.cut(want);
         }
-        want(Work::Plan(about.number));
+        want(WorkItem::Plan(about.number));
     }
 
     fn compare_now(&self, number: u64) {
-        let wanted = self.wanted(&self.compared, number);
-        let (ran, other, tolerance_mm) = {
-            let held = self.held();
-            (held.ran.clone(), held.other.clone(), held.tolerance_mm)
+        let cancel = self.cancel_token(&self.newest_comparison, number);
+        let (finished, other, tolerance_mm) = {
+            let state = self.state();
+            (state.finished_run.clone(), state.other.clone(), state.tolerance_mm)
         };
-        let mut comparing = self.comparing.lock().unwrap_or_else(PoisonError::into_inner);
-        if other == Other::Nothing {
-            self.held().beside = None;
-            return comparing.nothing(number);
+        let mut comparing = self.comparison.lock().unwrap_or_else(PoisonError::into_inner);
+        if other == ComparedWith::Nothing {
+            self.state().compared_program = None;
+            return comparing.clear(number);
         }
-        let Some(ran) = ran.filter(|_| wanted.is_wanted()) else { return };
-        // What the page may ask of a program is there before the page hears of it.
-        comparing.show(&ran, &other, &wanted);
-        self.held().beside = comparing.program();
-        comparing.compare(&ran, &other, tolerance_mm, &wanted);
+        let Some(finished) = finished.filter(|_| cancel.is_current()) else { return };
+        // The program must be in its place before the page knows of it and sends requests about it.
+        comparing.show(&finished, &other, &cancel);
+        self.state().compared_program = comparing.program();
+        comparing.compare(&finished, &other, tolerance_mm, &cancel);
     }
 
     fn plan(&self, number: u64) {
-        let wanted = self.wanted(&self.newest, number);
-        let ran = self.held().ran.clone().filter(|ran| ran.number == number);
-        let Some(ran) = ran.filter(|_| wanted.is_wanted()) else { return };
-        let job = ran.program.job().interrupt(wanted.interrupt());
-        match times::times(number, &job, ran.about_s, &wanted) {
-            Ok(Some((frame, told))) => {
+        let cancel = self.cancel_token(&self.newest_run, number);
+        let finished =
+            self.state().finished_run.clone().filter(|finished| finished.number == number);
+        let Some(finished) = finished.filter(|_| cancel.is_current()) else { return };
+        let job = finished.program.job().interrupt(cancel.interrupt());
+        match times::times(number, &job, finished.about_s, &cancel) {
+            Ok(Some((frame, reply))) => {
                 self.out.binary(frame);
-                self.out.json(&told);
+                self.out.json(&reply);
             }
             Ok(None) => {}
             Err(error) => self.out.json(&json!({
@@ -582,13 +590,13 @@ impl View {
     }
 
     fn cut_now(&self, number: u64) {
-        let wanted = self.wanted(&self.stocked, number);
-        let (ran, columns) = {
-            let held = self.held();
-            (held.ran.clone(), held.columns)
+        let cancel = self.cancel_token(&self.newest_stock, number);
+        let (finished, columns) = {
+            let state = self.state();
+            (state.finished_run.clone(), state.columns)
         };
-        if let Some(ran) = ran.filter(|_| wanted.is_wanted()) {
-            Cutting::new(&ran, columns).run(&*self.programs, &self.out, &wanted);
+        if let Some(finished) = finished.filter(|_| cancel.is_current()) {
+            StockCutting::new(&finished, columns).run(&*self.programs, &self.out, &cancel);
         }
     }
 }

@@ -3,23 +3,24 @@
 
 #![allow(unsafe_code, reason = "names that JavaScript calls")]
 
-use chordal_ask::{Answer, ask};
+use chordal_ask::QuestionAnswer;
 
 use crate::request;
 
-fn leave(answer: Answer) {
-    let Answer { text, mut parts } = answer;
+fn leave(answer: QuestionAnswer) {
+    let QuestionAnswer { text, mut parts } = answer;
     parts.insert(0, text.into_bytes());
-    chordal_memory::leave(parts);
+    chordal_memory::put_output(parts);
 }
 
 /// Answers the request: 0 with an answer, 1 with the reason why there is none.
 #[unsafe(no_mangle)]
-pub extern "C" fn chordal_ask() -> u32 {
-    let (answer, failed) = match request::read(chordal_memory::input()).and_then(ask) {
-        Ok(answer) => (answer, 0),
-        Err(failure) => (Answer::text(failure.json().to_string()), 1),
-    };
+pub extern "C" fn chordal_answer() -> u32 {
+    let (answer, failed) =
+        match request::read(chordal_memory::take_input()).and_then(chordal_ask::answer) {
+            Ok(answer) => (answer, 0),
+            Err(failure) => (QuestionAnswer::text(failure.json().to_string()), 1),
+        };
     leave(answer);
     failed
 }
@@ -28,5 +29,5 @@ pub extern "C" fn chordal_ask() -> u32 {
 #[cfg(feature = "language")]
 #[unsafe(no_mangle)]
 pub extern "C" fn chordal_language() {
-    leave(Answer::text(crate::language::step(&chordal_memory::input())));
+    leave(QuestionAnswer::text(crate::language::step(&chordal_memory::take_input())));
 }

@@ -13,10 +13,10 @@ use chordal_lsp::{SetupFinder, SteppedServer};
 use lsp_server::Message;
 use serde::{Deserialize, Serialize};
 
-/// What JavaScript brings.
+/// A step that JavaScript requests.
 #[derive(Deserialize)]
 #[serde(rename_all = "lowercase", deny_unknown_fields)]
-enum Step {
+enum LanguageStep {
     /// A message of the editor.
     Message(Message),
     /// Time to run a program.
@@ -25,22 +25,22 @@ enum Step {
     Files(BTreeMap<PathBuf, String>),
 }
 
-/// What it gets.
+/// The answer to a step.
 #[derive(Serialize, Default)]
-struct Told {
+struct StepAnswer {
     /// Messages for the editor.
     messages: Vec<Message>,
     /// There are programs to run.
     more: bool,
-    /// Why the step was not taken.
+    /// Why the step could not be read.
     problem: Option<String>,
 }
 
-/// Loads texts with the files that were brought.
+/// Loads texts with the files that JavaScript has sent.
 #[derive(Clone, Default)]
-struct Brought(Rc<RefCell<FileAccess>>);
+struct EditorFiles(Rc<RefCell<Files>>);
 
-impl SetupFinder for Brought {
+impl Opener for EditorFiles {
     fn open(
         &self,
         path: Option<&Path>,
@@ -52,22 +52,22 @@ impl SetupFinder for Brought {
     }
 }
 
-struct Language {
-    files: Brought,
-    server: SteppedServer,
+struct LanguageModule {
+    files: EditorFiles,
+    server: Stepwise,
 }
 
-impl Language {
-    fn new() -> Language {
-        let files = Brought(Rc::new(RefCell::new(FileAccess::in_memory([]))));
-        Language { server: SteppedServer::new(Box::new(files.clone())), files }
+impl LanguageModule {
+    fn new() -> LanguageModule {
+        let files = EditorFiles(Rc::new(RefCell::new(Files::given([]))));
+        LanguageModule { server: Stepwise::new(Box::new(files.clone())), files }
     }
 
-    fn take(&mut self, step: Step) -> Vec<Message> {
+    fn take(&mut self, step: LanguageStep) -> Vec<Message> {
         match step {
-            Step::Message(message) => self.server.hear(message),
-            Step::Work => self.server.work(),
-            Step::Files(files) => {
+            LanguageStep::Message(message) => self.server.hear(message),
+            LanguageStep::Work => self.server.work(),
+            LanguageStep::Files(files) => {
                 let files = files.into_iter().map(|(path, text)| (path, text.into_bytes()));
                 *self.files.0.borrow_mut() = FileAccess::in_memory(files);
                 self.server.files_changed()
@@ -77,21 +77,21 @@ impl Language {
 }
 
 thread_local! {
-    static LANGUAGE: RefCell<Language> = RefCell::new(Language::new());
+    static LANGUAGE: RefCell<LanguageModule> = RefCell::new(LanguageModule::new());
 }
 
 /// Takes a step, JSON; says in JSON what comes of it.
 pub fn step(request: &[u8]) -> String {
-    let told = LANGUAGE.with_borrow_mut(|language| match serde_json::from_slice(request) {
+    let answer = LANGUAGE.with_borrow_mut(|language| match serde_json::from_slice(request) {
         Ok(step) => {
             let messages = language.take(step);
-            Told { messages, more: language.server.has_work(), problem: None }
+            StepAnswer { messages, more: language.server.has_work(), problem: None }
         }
-        Err(error) => Told {
+        Err(error) => StepAnswer {
             more: language.server.has_work(),
             problem: Some(format!("this is not a step: {error}")),
-            ..Told::default()
+            ..StepAnswer::default()
         },
     });
-    serde_json::to_string(&told).unwrap_or_default()
+    serde_json::to_string(&answer).unwrap_or_default()
 }

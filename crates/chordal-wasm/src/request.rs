@@ -1,53 +1,57 @@
-//! A request: a message whose object says what is asked, and which names the texts of its programs and files.
+//! A request: a message whose object has the question, and lists the texts of its programs and files.
 
 use std::path::PathBuf;
 
-use chordal_ask::{Failure, FileAccess, Program, Request, options};
-use chordal_memory::{Message, TornMessage};
+use chordal_ask::{FileAccess, QuestionFailure, QuestionProgram, QuestionRequest, options};
+use chordal_memory::{MemoryMessage, TornMessage};
 use serde::Deserialize;
 use serde_json::Value;
 
 /// The JSON object of a request.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Head {
-    ask: String,
-    programs: Vec<Given>,
-    files: Vec<File>,
+struct RequestHead {
+    #[serde(rename = "ask")]
+    question: String,
+    programs: Vec<ProgramHeader>,
+    files: Vec<RequestFile>,
     options: Value,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Given {
+struct ProgramHeader {
     options: Value,
     bytes: usize,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
+struct RequestFile {
     path: String,
     bytes: usize,
 }
 
 /// Reads a request.
-pub fn read(bytes: Vec<u8>) -> Result<Request, Failure> {
-    let (head, mut texts) = Message::read::<Head>(bytes).map_err(torn)?;
+pub fn read(bytes: Vec<u8>) -> Result<QuestionRequest, QuestionFailure> {
+    let (head, mut texts) = MemoryMessage::read::<RequestHead>(bytes).map_err(torn)?;
     let mut programs = Vec::new();
     for program in head.programs {
         let text = texts.take(program.bytes).map_err(torn)?;
-        programs.push(Program { options: options(&head.ask, program.options)?, text: Some(text) });
+        programs.push(QuestionProgram {
+            options: options(&head.question, program.options)?,
+            text: Some(text),
+        });
     }
     let mut files = Vec::new();
     for file in head.files {
         files.push((PathBuf::from(file.path), texts.take(file.bytes).map_err(torn)?));
     }
     let files = FileAccess::in_memory(files);
-    Ok(Request { ask: head.ask, programs, files, options: head.options })
+    Ok(QuestionRequest { question: head.question, programs, files, options: head.options })
 }
 
-fn torn(torn: TornMessage) -> Failure {
+fn torn(torn: TornMessage) -> QuestionFailure {
     let help = "the JavaScript and the WebAssembly are of two versions: build both again";
-    Failure::wrong(format!("the request {torn}"), help)
+    QuestionFailure::wrong(format!("the request {torn}"), help)
 }

@@ -1,7 +1,7 @@
 // The path of a program in a panel next to it. The panel is a page that may load nothing: it is given its parts.
 import * as vscode from "vscode";
 
-import type { FromPanel, ToPanel } from "../../../web/src/panelmessages.js";
+import type { FromPanel, ToPanel } from "../../../web/src/editor-messages.js";
 
 /** How long nobody must type before the panel gets the text, ms. */
 const QUIET_MS = 100;

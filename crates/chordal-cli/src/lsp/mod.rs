@@ -29,11 +29,11 @@ pub struct Args {
 }
 
 /// Loads texts of an editor as the other commands load files.
-struct EditorFiles {
+struct EditorFileLoader {
     request: Request,
 }
 
-impl SetupFinder for EditorFiles {
+impl SetupFinder for EditorFileLoader {
     fn open(
         &self,
         path: Option<&Path>,
@@ -47,7 +47,7 @@ impl SetupFinder for EditorFiles {
 pub fn run(args: Args) -> Result<ExitVerdict, CommandFailure> {
     let Args { stdio: _, common } = args;
     let (connection, writer) = wire::connect();
-    let served = serve(&connection, &EditorFiles { request: common.request() });
+    let served = serve(&connection, &EditorFileLoader { request: common.request() });
     drop(connection);
     if let Ok(written) = writer.join() {
         written?;

@@ -2,13 +2,13 @@
 
 use std::io::{BufRead, Read};
 
-use chordal_ask::Failure;
+use chordal_ask::QuestionFailure;
 
 /// Most bytes of a line: a program of a few million lines.
 const MAX_LINE_BYTES: u64 = 1 << 28;
 
 /// A line without its end, or why it cannot be taken.
-pub type InputLine = Result<Vec<u8>, Failure>;
+pub type InputLine = Result<Vec<u8>, QuestionFailure>;
 
 /// Reads lines until the input ends or `take` does not want more. Empty lines are left out; of a line that is
 /// too long the rest is read over.
@@ -23,15 +23,16 @@ pub fn read(input: &mut impl BufRead, mut take: impl FnMut(InputLine) -> bool) {
                 if input.skip_until(b'\n').is_err() {
                     return;
                 }
-                Err(Failure::wrong(
+                Err(QuestionFailure::wrong(
                     format!("a line has more than {MAX_LINE_BYTES} bytes"),
                     "name the file of the program instead of its text",
                 ))
             }
             Ok(_) => Ok(line),
             Err(error) => {
-                let reported = Failure::plain(format!("the input cannot be read: {error}"), None);
-                take(Err(reported));
+                let failure =
+                    QuestionFailure::plain(format!("the input cannot be read: {error}"), None);
+                take(Err(failure));
                 return;
             }
         };

@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
-use chordal_ask::{Failure, FileAccess, Program, ProgramOptions, Request, options};
+use chordal_ask::{
+    FileAccess, ProgramOptions, QuestionFailure, QuestionProgram, QuestionRequest, options,
+};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
@@ -62,19 +64,19 @@ const FORM: &str =
 /// A line that is not a question: its `id`, as far as it can be read, and what is wrong.
 pub struct RejectedLine {
     pub id: Value,
-    pub failure: Failure,
+    pub failure: QuestionFailure,
 }
 
 impl RejectedLine {
-    fn of(id: &Value, reported: Failure) -> Box<RejectedLine> {
-        Box::new(RejectedLine { id: id.clone(), failure: reported })
+    fn of(id: &Value, failure: QuestionFailure) -> Box<RejectedLine> {
+        Box::new(RejectedLine { id: id.clone(), failure })
     }
 }
 
 impl ServeMessage {
     /// Reads a line.
     pub fn read(line: &[u8]) -> Result<ServeMessage, Box<RejectedLine>> {
-        let wrong = |message: String| Failure::wrong(message, FORM);
+        let wrong = |message: String| QuestionFailure::wrong(message, FORM);
         let value: Value = serde_json::from_slice(line).map_err(|error| {
             RejectedLine::of(&Value::Null, wrong(format!("the line is not JSON: {error}")))
         })?;
@@ -96,8 +98,8 @@ impl ServeMessage {
                 let options = Value::Object(object.options);
                 let is_watched = object.watch;
                 if is_watched && programs.iter().all(|program| program.file.is_none()) {
-                    let reported = Failure::wrong("there is no file to watch", FORM);
-                    return Err(RejectedLine::of(&id, reported));
+                    let failure = QuestionFailure::wrong("there is no file to watch", FORM);
+                    return Err(RejectedLine::of(&id, failure));
                 }
                 let question = PendingQuestion { id, ask, programs, options, is_watched, times: 0 };
                 Ok(ServeMessage::Ask(Box::new(question)))
@@ -111,15 +113,17 @@ impl ServeMessage {
 }
 
 impl ServeRequest {
-    fn of(mut object: Map<String, Value>) -> Result<ServeRequest, Failure> {
+    fn of(mut object: Map<String, Value>) -> Result<ServeRequest, QuestionFailure> {
         let mut take = |key: &str| match object.remove(key) {
             None => Ok(None),
             Some(Value::String(text)) => Ok(Some(text)),
-            Some(_) => Err(Failure::wrong(format!("`{key}` of a program is not a text"), FORM)),
+            Some(_) => {
+                Err(QuestionFailure::wrong(format!("`{key}` of a program is not a text"), FORM))
+            }
         };
         let (file, text) = (take("file")?, take("text")?);
         if file.is_none() && text.is_none() {
-            return Err(Failure::wrong("a program needs a `file` or its `text`", FORM));
+            return Err(QuestionFailure::wrong("a program needs a `file` or its `text`", FORM));
         }
         Ok(ServeRequest { file, text, options: Value::Object(object) })
     }
@@ -127,16 +131,16 @@ impl ServeRequest {
 
 impl PendingQuestion {
     /// The request, with the files of the disk.
-    pub fn request(&self) -> Result<Request, Failure> {
-        let program = |requested: &ServeRequest| {
-            let mut provided: ProgramOptions = options(&self.ask, requested.options.clone())?;
-            provided.name = requested.file.clone().or(provided.name);
-            let text = requested.text.clone().map(String::into_bytes);
-            Ok(Program { options: provided, text })
+    pub fn request(&self) -> Result<QuestionRequest, QuestionFailure> {
+        let program = |request: &ServeRequest| {
+            let mut own_options: ProgramOptions = options(&self.ask, request.options.clone())?;
+            own_options.name = request.file.clone().or(own_options.name);
+            let text = request.text.clone().map(String::into_bytes);
+            Ok(QuestionProgram { options: own_options, text })
         };
-        Ok(Request {
-            ask: self.ask.clone(),
-            programs: self.programs.iter().map(program).collect::<Result<_, Failure>>()?,
+        Ok(QuestionRequest {
+            question: self.ask.clone(),
+            programs: self.programs.iter().map(program).collect::<Result<_, QuestionFailure>>()?,
             files: FileAccess::Disk,
             options: self.options.clone(),
         })

@@ -14,7 +14,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::Duration;
 
-use chordal_ask::{Failure as Unanswered, ask, inline};
+use chordal_ask::{QuestionFailure as Unanswered, inline};
 use serde_json::{Value, json};
 
 use crate::failure::{CommandFailure, ExitVerdict};
@@ -143,11 +143,10 @@ impl ServeSession {
 
 /// A panic ends the answer, not the service.
 fn answer(question: &PendingQuestion) -> Result<Value, Unanswered> {
-    let requested = || question.request().and_then(ask).map(inline);
-    catch_unwind(AssertUnwindSafe(requested)).unwrap_or_else(|payload| {
-        let reported = payload.downcast_ref::<String>().map(String::as_str);
-        let reported =
-            reported.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("a panic");
-        Err(Unanswered::own(format!("Chordal itself failed on it: {reported}")))
+    let answered = || question.request().and_then(chordal_ask::answer).map(inline);
+    catch_unwind(AssertUnwindSafe(answered)).unwrap_or_else(|payload| {
+        let text = payload.downcast_ref::<String>().map(String::as_str);
+        let text = text.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("a panic");
+        Err(Unanswered::own(format!("Chordal itself failed on it: {text}")))
     })
 }

@@ -2,7 +2,7 @@
 
 use chordal_command::{AxisMask, Origin, Position};
 use chordal_diagnostics::TextRange;
-use chordal_kernel::{CornerRequest, ModalMotion};
+use chordal_kernel::{ModalMotion, ProgrammedCorner};
 use chordal_machine::Axis;
 use chordal_syntax::{Block, Word};
 
@@ -19,7 +19,7 @@ pub(super) struct OpenLine {
     degrees: f64,
     feed: Option<f64>,
     /// The rounding or chamfer at its end.
-    corner: Option<CornerRequest>,
+    corner: Option<ProgrammedCorner>,
 }
 
 fn angle_word(block: &Block) -> Option<&Word> {

@@ -4,7 +4,7 @@ use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::MotionCode;
 use chordal_kernel::ModalMotion;
 use chordal_kernel::rules::CornerMoves;
-use chordal_kernel::{CornerForm, CornerRequest};
+use chordal_kernel::{CornerForm, ProgrammedCorner};
 use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
@@ -62,7 +62,7 @@ impl Interpreter<'_> {
             self.kernel
                 .report(Diagnostic::new(Code::BadWordValue, word, message).help("remove the sign"));
         } else if size_mm > 0.0 {
-            self.kernel.ask_corner(CornerRequest { word, name, form, size_mm });
+            self.kernel.ask_corner(ProgrammedCorner { word, name, form, size_mm });
         }
     }
 
@@ -101,7 +101,12 @@ impl Interpreter<'_> {
         let Some(size_mm) = self.length(&word).map(f64::abs).filter(|size| *size > 0.0) else {
             return;
         };
-        self.kernel.ask_corner(CornerRequest { word: self.span(word.range), name, form, size_mm });
+        self.kernel.ask_corner(ProgrammedCorner {
+            word: self.span(word.range),
+            name,
+            form,
+            size_mm,
+        });
     }
 
     /// After a block with such words, or after one that stands between a corner and its next move.

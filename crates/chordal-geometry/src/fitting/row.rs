@@ -21,7 +21,7 @@ const TANGENT: f64 = 1e-11;
 
 /// What may happen to a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum JointKind {
+pub(super) enum FittedJoint {
     /// It moves, and its pieces meet in one direction.
     Free,
     /// It stays; its pieces meet in one direction.
@@ -47,7 +47,7 @@ impl JointDirections {
 pub(super) struct PieceRow {
     /// Where pieces begin; the last is the end. The outermost never move.
     pub(super) joints: Vec<Vec2>,
-    pub(super) kinds: Vec<JointKind>,
+    pub(super) kinds: Vec<FittedJoint>,
     /// The places of the path that belong to the joints.
     pub(super) places: Vec<f64>,
     /// Half of the turn of each piece, positive counter-clockwise.
@@ -74,12 +74,12 @@ impl PieceRow {
     /// A row of the pieces; those of `straight` stay lines. Joints between two of these are corners.
     pub(super) fn of(pieces: &[FittedPiece], straight: impl Fn(&FittedPiece) -> bool) -> PieceRow {
         let lines: Vec<bool> = pieces.iter().map(straight).collect();
-        let mut kinds: Vec<JointKind> = lines
+        let mut kinds: Vec<FittedJoint> = lines
             .windows(2)
-            .map(|pair| if pair[0] && pair[1] { JointKind::Corner } else { JointKind::Free })
+            .map(|pair| if pair[0] && pair[1] { FittedJoint::Corner } else { FittedJoint::Free })
             .collect();
-        kinds.insert(0, JointKind::Corner);
-        kinds.push(JointKind::Corner);
+        kinds.insert(0, FittedJoint::Corner);
+        kinds.push(FittedJoint::Corner);
         let last = &pieces[pieces.len() - 1];
         let heads = pieces.iter().map(|piece| (piece.ends[0], piece.span[0]));
         let (joints, places) = heads.chain([(last.ends[1], last.span[1])]).unzip();
@@ -112,13 +112,13 @@ impl PieceRow {
             0 if is_closed => None,
             0 if self.is_closed => Some(self.direction(count - 1, true)),
             0 => self.directions[0],
-            _ => (self.kinds[from] != JointKind::Corner).then(|| self.direction(from - 1, true)),
+            _ => (self.kinds[from] != FittedJoint::Corner).then(|| self.direction(from - 1, true)),
         };
         let following = match to {
             _ if is_closed => None,
             _ if self.is_closed && to >= count => Some(self.direction(to - count, false)),
             _ if to == count => self.directions[1],
-            _ => (self.kinds[to] != JointKind::Corner).then(|| self.direction(to, false)),
+            _ => (self.kinds[to] != FittedJoint::Corner).then(|| self.direction(to, false)),
         };
         // What is taken once, and what after the start.
         let (once, again) = (from..to.min(count), 0..to.saturating_sub(count));
@@ -158,7 +158,7 @@ impl PieceRow {
     }
 
     pub(super) fn is_free(&self, joint: usize) -> bool {
-        joint > 0 && joint < self.len() && self.kinds[joint] == JointKind::Free
+        joint > 0 && joint < self.len() && self.kinds[joint] == FittedJoint::Free
     }
 
     /// The direction of the path at every joint that is free, about.
@@ -185,7 +185,7 @@ impl PieceRow {
             0 if self.is_closed => (Some(count - 1), Some(0)),
             0 => (None, Some(0)),
             _ if joint == count => (Some(count - 1), None),
-            _ if self.kinds[joint] == JointKind::Corner => return None,
+            _ if self.kinds[joint] == FittedJoint::Corner => return None,
             _ => (Some(joint - 1), Some(joint)),
         };
         // At an end one of the directions is given.
@@ -359,7 +359,7 @@ impl PieceRow {
         for (joint, point) in [(0, from), (last, to)] {
             self.joints[joint] = flat.at[point];
             self.places[joint] = point as f64;
-            self.kinds[joint] = JointKind::Corner;
+            self.kinds[joint] = FittedJoint::Corner;
         }
         for piece in [0, last - 1] {
             let [from, to] = [piece, piece + 1].map(|joint| flat.length_at(self.places[joint]));
@@ -400,7 +400,7 @@ impl PieceRow {
         let places: Vec<f64> = inner.clone().map(|joint| at(joint as f64)).collect();
         self.joints.splice(from + 1..to, places.iter().map(|place| flat.point(*place).0));
         self.places.splice(from + 1..to, places);
-        self.kinds.splice(from + 1..to, inner.map(|_| JointKind::Free));
+        self.kinds.splice(from + 1..to, inner.map(|_| FittedJoint::Free));
         self.lines.splice(from..to, (0..count).map(|_| false));
         let halves: Vec<f64> = (0..count)
             .map(|piece| {

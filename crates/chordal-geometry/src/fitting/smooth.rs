@@ -10,7 +10,7 @@ use super::deviation::deviation;
 use super::flat::{FittedPiece, PlanarPoints};
 use super::reach::PieceFinder;
 use super::relax::StripRow;
-use super::row::{ArcDensity, JointKind, PieceRow, SpreadRule};
+use super::row::{ArcDensity, FittedJoint, PieceRow, SpreadRule};
 use super::{FitMeasure, FitOptions};
 
 /// Halvings of the tolerance when a row is made even; that is for rows of no more pieces.
@@ -78,7 +78,7 @@ impl MeasuredRow {
             return;
         }
         let whole = [0, new.row.len()];
-        let seam = (1..whole[1]).find(|joint| new.row.kinds[*joint] == JointKind::Pinned);
+        let seam = (1..whole[1]).find(|joint| new.row.kinds[*joint] == FittedJoint::Pinned);
         let seam = seam.unwrap_or(whole[1]);
         self.row.replace(from, count, &new.row.part(whole[0], seam));
         self.deviations.splice(from.., new.deviations[..seam].iter().copied());
@@ -108,7 +108,7 @@ impl SectionFit<'_> {
         (row.is_closed, row.directions) = (ends.is_closed, ends.directions);
         if row.is_closed {
             let last = row.len();
-            (row.kinds[0], row.kinds[last]) = (JointKind::Pinned, JointKind::Pinned);
+            (row.kinds[0], row.kinds[last]) = (FittedJoint::Pinned, FittedJoint::Pinned);
         }
         let mut measured = MeasuredRow { deviations: vec![f64::NAN; row.len()], row };
         self.relax_all(&mut measured);
@@ -483,7 +483,7 @@ fn about(row: &PieceRow, from: usize, to: usize) -> [usize; 2] {
 
 /// Whether arcs meet at a joint that may be moved.
 fn is_inner(row: &PieceRow, joint: usize) -> bool {
-    row.kinds[joint] == JointKind::Free && !row.lines[joint - 1] && !row.lines[joint]
+    row.kinds[joint] == FittedJoint::Free && !row.lines[joint - 1] && !row.lines[joint]
 }
 
 /// Whether all between two joints are arcs whose joints may be moved.

@@ -10,30 +10,37 @@ use std::time::Duration;
 use chordal::{Machine, ShopAnswer, ShopCall};
 use chordal_compare::ComparisonOptions;
 use chordal_editor::{EditorProgram, EditorSetup};
-use chordal_server::{Against, MachineChoice, Programs, Refusal, Server, save};
+use chordal_server::{
+    ComparedProgram, ListedMachine, PageServer, ProgramRefusal, ProgramSource, save,
+};
 use serde_json::Value;
 use tungstenite::client::IntoClientRequest;
 use tungstenite::{Message, WebSocket};
 
 /// How long a test waits for an answer.
-const PATIENCE: Duration = Duration::from_secs(30);
+const TIMEOUT: Duration = Duration::from_secs(30);
 
 /// A program in a file, or in memory alone.
 pub struct Shown {
     pub path: Option<PathBuf>,
     pub text: Mutex<Vec<u8>>,
-    pub against: Option<Arc<Against>>,
+    pub compared: Option<Arc<ComparedProgram>>,
     /// A setup file; without one the machine is a built-in one.
     pub setup: Option<String>,
 }
 
 impl Shown {
     pub fn text(text: &str) -> Shown {
-        Shown { path: None, text: Mutex::new(text.as_bytes().to_vec()), against: None, setup: None }
+        Shown {
+            path: None,
+            text: Mutex::new(text.as_bytes().to_vec()),
+            compared: None,
+            setup: None,
+        }
     }
 
     pub fn file(path: PathBuf) -> Shown {
-        Shown { path: Some(path), text: Mutex::default(), against: None, setup: None }
+        Shown { path: Some(path), text: Mutex::default(), compared: None, setup: None }
     }
 
     /// With the machine, stock and tools of a setup file.
@@ -42,10 +49,11 @@ impl Shown {
     }
 
     /// Compared with another program.
-    pub fn against(self, other: Shown, own_text: bool) -> Shown {
+    pub fn compared(self, other: Shown, own_text: bool) -> Shown {
         let programs = Arc::new(other);
-        let against = Against { programs, own_text, options: ComparisonOptions::default() };
-        Shown { against: Some(Arc::new(against)), ..self }
+        let compared =
+            ComparedProgram { programs, own_text, options: ComparisonOptions::default() };
+        Shown { compared: Some(Arc::new(compared)), ..self }
     }
 }
 
@@ -57,7 +65,7 @@ fn fails(call: &ShopCall<'_>) -> ShopAnswer {
     ShopAnswer::NotMine
 }
 
-impl Programs for Shown {
+impl ProgramSource for Shown {
     fn path(&self) -> Option<PathBuf> {
         self.path.clone()
     }
@@ -66,42 +74,43 @@ impl Programs for Shown {
         "part.nc".into()
     }
 
-    fn read(&self) -> Result<Vec<u8>, Refusal> {
-        let refused = |error: std::io::Error| Refusal { message: error.to_string(), help: None };
+    fn read(&self) -> Result<Vec<u8>, ProgramRefusal> {
+        let refused =
+            |error: std::io::Error| ProgramRefusal { message: error.to_string(), help: None };
         match &self.path {
             Some(path) => std::fs::read(path).map_err(refused),
             None => Ok(self.text.lock().unwrap().clone()),
         }
     }
 
-    fn write(&self, bytes: &[u8]) -> Result<(), Refusal> {
+    fn write(&self, bytes: &[u8]) -> Result<(), ProgramRefusal> {
         save(self.path.as_deref().expect("a file"), bytes)
     }
 
-    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<EditorProgram, Refusal> {
+    fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<EditorProgram, ProgramRefusal> {
         let none = |name: &str| Err(format!("no file {name}"));
         let machine = match &self.setup {
             Some(setup) => Machine::from_toml("setup.toml", setup, &none),
             None => Machine::from_builtin(machine.unwrap_or("haas-vf2")),
         };
-        let machine = machine.map_err(|errors| Refusal {
+        let machine = machine.map_err(|errors| ProgramRefusal {
             message: errors[0].message.clone(),
             help: errors[0].help.clone(),
         })?;
-        let beside = vec![("O77.nc".to_string(), b"(BESIDE)\nO77\nM99\n".to_vec())];
-        let mut setup = EditorSetup { subprogram_texts: beside, ..EditorSetup::of(machine) };
+        let others = vec![("O77.nc".to_string(), b"(BESIDE)\nO77\nM99\n".to_vec())];
+        let mut setup = EditorSetup { subprogram_texts: others, ..EditorSetup::of(machine) };
         if text.windows(FAILS.len()).any(|word| word == FAILS.as_bytes()) {
             setup.options.shop_codes = Some(Arc::new(fails));
         }
         Ok(EditorProgram::set_up("part.nc", text, setup).expect("settings that the control knows"))
     }
 
-    fn against(&self) -> Option<Arc<Against>> {
-        self.against.clone()
+    fn compared_program(&self) -> Option<Arc<ComparedProgram>> {
+        self.compared.clone()
     }
 
-    fn machines(&self) -> Vec<MachineChoice> {
-        vec![MachineChoice { name: "haas-vf2".into(), title: "Haas".into() }]
+    fn machines(&self) -> Vec<ListedMachine> {
+        vec![ListedMachine { name: "haas-vf2".into(), title: "Haas".into() }]
     }
 }
 
@@ -112,10 +121,10 @@ pub struct Site {
 }
 
 pub fn serve(shown: Shown) -> Site {
-    serve_by(Server::listen(0).unwrap(), shown)
+    serve_by(PageServer::listen(0).unwrap(), shown)
 }
 
-pub fn serve_by(server: Server, shown: Shown) -> Site {
+pub fn serve_by(server: PageServer, shown: Shown) -> Site {
     let url = server.url();
     let rest = url.strip_prefix("http://127.0.0.1:").unwrap();
     let (port, token) = rest.split_once('/').unwrap();
@@ -132,7 +141,7 @@ impl Site {
     /// Status, headers and body of a request with the lines given after the first.
     pub fn raw(&self, first: &str, lines: &[String]) -> (u16, String, Vec<u8>) {
         let mut socket = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
-        socket.set_read_timeout(Some(PATIENCE)).unwrap();
+        socket.set_read_timeout(Some(TIMEOUT)).unwrap();
         let head = format!("{first}\r\n{}\r\nConnection: close\r\n\r\n", lines.join("\r\n"));
         socket.write_all(head.as_bytes()).unwrap();
         let mut bytes = Vec::new();
@@ -150,7 +159,7 @@ impl Site {
     /// A connection with these headers, or the status of the refusal.
     pub fn connect(&self, path: &str, headers: &[(&str, &str)]) -> Result<Live, u16> {
         let socket = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
-        socket.set_read_timeout(Some(PATIENCE)).unwrap();
+        socket.set_read_timeout(Some(TIMEOUT)).unwrap();
         let mut request = format!("ws://{}{path}", self.host()).into_client_request().unwrap();
         for (name, value) in headers {
             let name: tungstenite::http::HeaderName = name.parse().unwrap();
@@ -211,7 +220,7 @@ impl Columns {
 }
 
 /// What comes from the server.
-pub enum Told {
+pub enum PageMessage {
     Json(Value),
     Columns(Columns),
     Closed,
@@ -222,11 +231,11 @@ impl Live {
         self.socket.send(Message::text(text)).unwrap();
     }
 
-    pub fn next(&mut self) -> Told {
+    pub fn next(&mut self) -> PageMessage {
         match self.socket.read() {
-            Ok(Message::Text(text)) => Told::Json(serde_json::from_str(&text).unwrap()),
-            Ok(Message::Binary(bytes)) => Told::Columns(Columns::read(&bytes)),
-            Ok(Message::Close(_)) | Err(_) => Told::Closed,
+            Ok(Message::Text(text)) => PageMessage::Json(serde_json::from_str(&text).unwrap()),
+            Ok(Message::Binary(bytes)) => PageMessage::Columns(Columns::read(&bytes)),
+            Ok(Message::Close(_)) | Err(_) => PageMessage::Closed,
             Ok(_) => self.next(),
         }
     }
@@ -235,8 +244,8 @@ impl Live {
     pub fn json(&mut self, kind: &str) -> Value {
         loop {
             match self.next() {
-                Told::Json(object) if object["type"] == kind => return object,
-                Told::Closed => panic!("closed before `{kind}`"),
+                PageMessage::Json(object) if object["type"] == kind => return object,
+                PageMessage::Closed => panic!("closed before `{kind}`"),
                 _ => {}
             }
         }
@@ -246,8 +255,8 @@ impl Live {
     pub fn columns(&mut self, kind: &str) -> Columns {
         loop {
             match self.next() {
-                Told::Columns(columns) if columns.header["type"] == kind => return columns,
-                Told::Closed => panic!("closed before `{kind}`"),
+                PageMessage::Columns(columns) if columns.header["type"] == kind => return columns,
+                PageMessage::Closed => panic!("closed before `{kind}`"),
                 _ => {}
             }
         }

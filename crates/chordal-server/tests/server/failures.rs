@@ -7,12 +7,12 @@ const GOOD: &str = "G21 G90\nG0 X10. Y0 Z5.\nG1 X20. F100.\nM30\n";
 /// Puts a text in place of the whole one.
 fn edit(live: &mut Live, until: usize, text: &str) {
     let change = serde_json::json!({ "from": 0, "to": until, "insert": text });
-    let asked = serde_json::json!({ "id": 5, "ask": "edit", "changes": [change] });
-    live.send(&asked.to_string());
+    let replied = serde_json::json!({ "id": 5, "request": "edit", "changes": [change] });
+    live.send(&replied.to_string());
 }
 
 #[test]
-fn a_run_that_fails_is_said_and_the_next_edit_runs() {
+fn a_run_that_fails_is_reported_and_the_next_edit_runs() {
     let mut live = serve(Shown::text(GOOD)).live();
     assert_eq!(live.json("report")["errors"], 0);
     let bad = format!("G21\n{FAILS}\nG0 X1.\nM30\n");
@@ -28,11 +28,11 @@ fn a_run_that_fails_is_said_and_the_next_edit_runs() {
 }
 
 #[test]
-fn a_program_that_fails_at_once_may_be_edited_and_asked_of() {
+fn a_program_that_fails_at_once_may_be_edited_and_queried() {
     let bad = format!("{FAILS}\nM30\n");
     let mut live = serve(Shown::text(&bad)).live();
     live.json("refused");
-    live.send(r#"{ "id": 9, "ask": "outline" }"#);
+    live.send(r#"{ "id": 9, "request": "outline" }"#);
     assert_eq!(live.json("outline")["id"], 9);
     edit(&mut live, bad.len(), GOOD);
     assert_eq!(live.json("report")["errors"], 0);
@@ -41,9 +41,9 @@ fn a_program_that_fails_at_once_may_be_edited_and_asked_of() {
 #[test]
 fn a_comparison_with_a_program_that_fails_leaves_the_page() {
     let other = format!("G21 G90\nG0 X1.\n{FAILS}\nM30\n");
-    let mut live = serve(Shown::text(GOOD).against(Shown::text(&other), false)).live();
-    let told = live.json("no_comparison");
-    assert!(told["message"].as_str().unwrap().contains("a made-up failure"), "{told}");
+    let mut live = serve(Shown::text(GOOD).compared(Shown::text(&other), false)).live();
+    let received = live.json("no_comparison");
+    assert!(received["message"].as_str().unwrap().contains("a made-up failure"), "{received}");
     edit(&mut live, 0, "(AGAIN)\n");
     live.json("report");
     live.json("no_comparison");

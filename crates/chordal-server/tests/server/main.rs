@@ -3,11 +3,11 @@
 #![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "speaks to a server")]
 #![allow(missing_docs, reason = "tests")]
 
-mod against;
 mod common;
+mod comparison;
 mod failures;
-mod idle;
-mod live;
+mod idle_timeout;
+mod page_connection;
 mod security;
 mod stock;
-mod turned;
+mod turned_stock;

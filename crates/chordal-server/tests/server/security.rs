@@ -1,6 +1,6 @@
 //! Who does not know the address, or comes from elsewhere, gets nothing.
 
-use crate::common::{Shown, Site, Told, serve};
+use crate::common::{PageMessage, Shown, Site, serve};
 use tungstenite::Message;
 
 const PROGRAM: &str = "G21\nG1 X10 F100\nM30\n";
@@ -35,7 +35,7 @@ fn the_page_and_its_files_are_served_to_who_knows_the_address() {
 }
 
 #[test]
-fn the_page_may_load_nothing_from_elsewhere() {
+fn the_page_may_load_nothing_from_other_servers() {
     let site = site();
     let (_, head, body) = site.get(&format!("/{}/", site.token));
     let policy = head.lines().find(|line| line.starts_with("content-security-policy")).unwrap();
@@ -141,22 +141,22 @@ fn malformed_messages_are_told_and_the_connection_goes_on() {
         "no json",
         "{}",
         "[1,2]",
-        r#"{"ask":"format_disk"}"#,
-        r#"{"ask":"edit","changes":[{"from":5,"to":1,"insert":""}]}"#,
-        r#"{"ask":"edit","changes":[{"from":0,"to":999999999999,"insert":""}]}"#,
-        r#"{"ask":"edit","changes":"all"}"#,
-        r#"{"ask":"chords","tolerance_mm":-1}"#,
-        r#"{"ask":"chords","tolerance_mm":0}"#,
-        r#"{"ask":"chords","tolerance_mm":1e999}"#,
-        r#"{"ask":"save"}"#,
-        r#"{"ask":"against"}"#,
-        r#"{"ask":"against","other":"named"}"#,
-        r#"{"ask":"against","other":"/etc/passwd"}"#,
-        r#"{"ask":"against","other":{"file":"/etc/passwd"}}"#,
-        r#"{"ask":"tolerance","tolerance_mm":-0.1}"#,
-        r#"{"ask":"tolerance","tolerance_mm":1e999}"#,
-        r#"{"ask":"other_text","file":0,"line":1}"#,
-        r#"{"ask":"other_text","line":-1}"#,
+        r#"{"request":"format_disk"}"#,
+        r#"{"request":"edit","changes":[{"from":5,"to":1,"insert":""}]}"#,
+        r#"{"request":"edit","changes":[{"from":0,"to":999999999999,"insert":""}]}"#,
+        r#"{"request":"edit","changes":"all"}"#,
+        r#"{"request":"chords","tolerance_mm":-1}"#,
+        r#"{"request":"chords","tolerance_mm":0}"#,
+        r#"{"request":"chords","tolerance_mm":1e999}"#,
+        r#"{"request":"save"}"#,
+        r#"{"request":"compare_with"}"#,
+        r#"{"request":"compare_with","other":"named"}"#,
+        r#"{"request":"compare_with","other":"/etc/passwd"}"#,
+        r#"{"request":"compare_with","other":{"file":"/etc/passwd"}}"#,
+        r#"{"request":"tolerance","tolerance_mm":-0.1}"#,
+        r#"{"request":"tolerance","tolerance_mm":1e999}"#,
+        r#"{"request":"other_text","file":0,"line":1}"#,
+        r#"{"request":"other_text","line":-1}"#,
     ] {
         live.send(text);
         let error = live.json("error");
@@ -167,7 +167,7 @@ fn malformed_messages_are_told_and_the_connection_goes_on() {
     live.json("error");
     live.socket.send(Message::binary(vec![0u8; 100])).unwrap();
     live.json("error");
-    live.send(r#"{"id":7,"ask":"state","done":1,"line":2}"#);
+    live.send(r#"{"id":7,"request":"state","done":1,"line":2}"#);
     assert_eq!(live.json("state")["id"], 7);
 }
 
@@ -181,9 +181,9 @@ fn a_message_beyond_the_limit_ends_the_connection_and_not_the_server() {
     let _ = live.socket.send(Message::text(huge));
     loop {
         match live.next() {
-            Told::Closed => break,
-            Told::Json(object) => assert_ne!(object["type"], "state"),
-            Told::Columns(_) => {}
+            PageMessage::Closed => break,
+            PageMessage::Json(object) => assert_ne!(object["type"], "state"),
+            PageMessage::Columns(_) => {}
         }
     }
     site.live().json("report");

@@ -3,7 +3,7 @@
 use chordal::stock::{ColumnDrop, ReplayOptions, ReplaySink, StockBefore};
 use chordal::{Job, Machine, Source, SourceMap};
 
-use crate::common::{Columns, Live, Shown, Told, serve};
+use crate::common::{Columns, Live, PageMessage, Shown, serve};
 
 const SETUP: &str = r#"
 machine = "haas-vf2"
@@ -146,11 +146,11 @@ fn what_is_touched_comes_with_its_line_and_the_other_problems() {
 }
 
 #[test]
-fn the_page_may_ask_for_other_columns_and_an_edit_begins_anew() {
+fn the_page_may_request_other_columns_and_an_edit_starts_again() {
     let mut live = serve(Shown::text(&whole()).set_up(SETUP)).live();
     let usual = gather(&mut live).stock;
     live.json("stock_report");
-    live.send(r#"{"ask":"stock","columns":10000}"#);
+    live.send(r#"{"request":"stock","columns":10000}"#);
     let coarse = gather(&mut live).stock;
     let (before, _) = direct(&whole(), 10_000);
     assert_eq!(coarse.f32("heights"), before.heights);
@@ -158,7 +158,7 @@ fn the_page_may_ask_for_other_columns_and_an_edit_begins_anew() {
     assert!(cells(&coarse) <= 10_000 && cells(&usual) <= 250_000 && cells(&usual) > 200_000);
     live.json("stock_report");
     // A digit of the feed: the same stock, of another run.
-    live.send(r#"{"ask":"edit","changes":[{"from":0,"to":0,"insert":"(NEW)\n"}]}"#);
+    live.send(r#"{"request":"edit","changes":[{"from":0,"to":0,"insert":"(NEW)\n"}]}"#);
     assert_eq!(gather(&mut live).stock.header["run"], 2);
 }
 
@@ -186,36 +186,36 @@ fn gaps_of_undercuts_come_with_their_moments() {
     let across = cells[0].as_u64().unwrap();
     let row = ((8.0 + 30.0) / side) as u64;
     let mut at = 0;
-    let mut seen: Vec<(u64, f32)> = Vec::new();
+    let mut types: Vec<(u64, f32)> = Vec::new();
     for (n, column) in columns.iter().enumerate() {
         let own = &gaps[at..at + 2 * counts[n] as usize];
         at += own.len();
         assert_eq!(lines[rows[n] as usize], 12);
         if u64::from(*column) / across == row && !own.is_empty() {
             assert!((own[0] + 12.0).abs() < 0.01 && (own[1] + 8.0).abs() < 0.01, "{own:?}");
-            seen.push((u64::from(*column) % across, shares[n]));
+            types.push((u64::from(*column) % across, shares[n]));
         }
     }
     assert_eq!(at, gaps.len());
-    assert!(seen.len() as u64 >= across - 2, "{} of {across}", seen.len());
+    assert!(types.len() as u64 >= across - 2, "{} of {across}", types.len());
     assert!(shares.windows(2).all(|pair| pair[0] <= pair[1]));
-    let [(first, early), (last, late)] = [seen[0], seen[seen.len() - 1]];
+    let [(first, early), (last, late)] = [types[0], types[types.len() - 1]];
     assert!(first < last && early < 0.2 && late > 0.7, "{early} {late}");
 }
 
 #[test]
-fn without_stock_and_with_a_wrong_setup_it_is_said() {
+fn without_stock_and_with_a_wrong_setup_the_reason_is_reported() {
     let mut live = serve(Shown::text(&whole())).live();
-    let told = live.json("no_stock");
-    assert_eq!(told["message"], serde_json::Value::Null);
+    let received = live.json("no_stock");
+    assert_eq!(received["message"], serde_json::Value::Null);
     let wrong = "machine = \"haas-vf2\"\n[stock]\nshape = \"stl\"\nfile = \"lost.stl\"\n";
     let mut live = serve(Shown::text(&whole()).set_up(wrong)).live();
-    let told = live.json("no_stock");
-    assert!(told["message"].as_str().unwrap().contains("lost.stl"), "{told}");
-    assert!(told["help"].is_string());
+    let received = live.json("no_stock");
+    assert!(received["message"].as_str().unwrap().contains("lost.stl"), "{received}");
+    assert!(received["help"].is_string());
     // The path is there all the same.
-    live.send(r#"{"id":1,"ask":"outline"}"#);
-    assert!(matches!(live.next(), Told::Json(_) | Told::Columns(_)));
+    live.send(r#"{"id":1,"request":"outline"}"#);
+    assert!(matches!(live.next(), PageMessage::Json(_) | PageMessage::Columns(_)));
 }
 
 #[test]

@@ -10,7 +10,7 @@ use super::body::Frustum;
 use super::cells::HeightSpan;
 use super::round::distances;
 
-type ProfilePoint = [f64; 2];
+type OutlinePoint = [f64; 2];
 
 /// The distance of a part of a body with its tip at a place from a box, mm.
 pub(super) fn from_box(frustum: &Frustum, tip: Vec3, around: &Aabb) -> f64 {
@@ -39,16 +39,16 @@ pub(super) fn distance(frustum: &Frustum, tip: f64, radii: HeightSpan, heights: 
 }
 
 /// Whether a side of one of two convex figures, or a direction across an axis, lies between them.
-fn are_separated(a: &[ProfilePoint; 4], b: &[ProfilePoint; 4]) -> bool {
-    let sides = |figure: &[ProfilePoint; 4]| {
+fn are_separated(a: &[OutlinePoint; 4], b: &[OutlinePoint; 4]) -> bool {
+    let sides = |figure: &[OutlinePoint; 4]| {
         let figure = *figure;
         [0, 1, 2, 3].map(|at: usize| {
             let (from, to) = (figure[at], figure[(at + 1) % 4]);
             [to[1] - from[1], from[0] - to[0]]
         })
     };
-    let separates = |[x, y]: ProfilePoint| {
-        let range = |figure: &[ProfilePoint; 4]| {
+    let separates = |[x, y]: OutlinePoint| {
+        let range = |figure: &[OutlinePoint; 4]| {
             let along = figure.map(|point| point[0] * x + point[1] * y);
             let low = along.into_iter().fold(f64::INFINITY, f64::min);
             HeightSpan { from: low, to: along.into_iter().fold(f64::NEG_INFINITY, f64::max) }
@@ -60,7 +60,7 @@ fn are_separated(a: &[ProfilePoint; 4], b: &[ProfilePoint; 4]) -> bool {
 }
 
 /// The least distance of the corners of one figure from the sides of the other.
-fn nearest(corners: &[ProfilePoint; 4], figure: &[ProfilePoint; 4]) -> f64 {
+fn nearest(corners: &[OutlinePoint; 4], figure: &[OutlinePoint; 4]) -> f64 {
     let mut least = f64::INFINITY;
     for &[x, y] in corners {
         for at in 0..4 {

@@ -16,7 +16,7 @@ use chordal_path::{
 
 use super::corner::{CornerRequest, corner_of};
 use super::operations::OperationFinder;
-use super::options::MotionSettings;
+use super::options::ActiveMotionModes;
 use super::{
     MachineLimits, MotionOptions, MotionReport, MotionSink, MotionStep, MotionWait, RefusedMove,
     StepKind, StepSource, UnknownAxes, WaitKind,
@@ -48,7 +48,7 @@ pub(crate) struct MotionBuilder<'a, S> {
     /// A G0 is given its speed by a feed.
     rapids_at_feed: bool,
     optional_stop: bool,
-    in_force: MotionSettings,
+    in_force: ActiveMotionModes,
     forced_mode: Option<PathMode>,
     /// Those that the program lets act.
     overrides: Overrides,
@@ -107,7 +107,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             rapid_speeds: report.limits.rapid.velocity(),
             rapids_at_feed: job.control().parameters.rules.rapid_feed != RapidFeed::OfMachine,
             optional_stop: machine.switches.optional_stop,
-            in_force: MotionSettings::new(machine, options),
+            in_force: ActiveMotionModes::new(machine, options),
             forced_mode: options.path_mode,
             overrides: Overrides::ON,
             dog_leg_shape: options.dog_leg_shape,

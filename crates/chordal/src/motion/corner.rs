@@ -14,7 +14,7 @@ use chordal_geometry::{ParamCurve, Vec3};
 use chordal_kernel::rules::PathRules;
 use chordal_motion::{CornerMode, MoveKind, MoveRequest};
 
-use super::options::MotionSettings;
+use super::options::ActiveMotionModes;
 
 /// How the end of a pending move was programmed.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +36,7 @@ pub(super) fn corner_of(
     ending: CornerRequest,
     next: &MoveRequest,
     rules: &PathRules,
-    in_force: &MotionSettings,
+    in_force: &ActiveMotionModes,
 ) -> CornerMode {
     use MoveKind::{Cut, Rapid};
     let rotary_rad = in_force.rotary_tolerance_rad;
@@ -77,7 +77,7 @@ pub(super) fn corner_of(
 }
 
 /// Rotary axes have no path that could be missed while nothing is cut.
-fn rapid_bend(in_force: &MotionSettings) -> CornerMode {
+fn rapid_bend(in_force: &ActiveMotionModes) -> CornerMode {
     let linear_mm = in_force.rapid_corner_tolerance_mm;
     // The same part of a turn as the tolerance is of a 100 mm radius.
     CornerMode::Blended { linear_mm, rotary_rad: linear_mm / 100.0 }

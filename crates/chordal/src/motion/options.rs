@@ -47,7 +47,7 @@ impl Default for MotionOptions {
 
 /// The active numbers.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct MotionSettings {
+pub(super) struct ActiveMotionModes {
     pub feed_override: f64,
     pub rapid_override: f64,
     pub corner_tolerance_mm: f64,
@@ -56,12 +56,12 @@ pub(super) struct MotionSettings {
     pub rotary_tolerance_rad: f64,
 }
 
-impl MotionSettings {
-    pub fn new(machine: &Machine, options: &MotionOptions) -> MotionSettings {
+impl ActiveMotionModes {
+    pub fn new(machine: &Machine, options: &MotionOptions) -> ActiveMotionModes {
         let motion = &machine.motion;
         // An override of zero or NaN is no speed at all; the panel's 100 % stands for it.
         let sane = |value: f64| if value > 0.0 && value.is_finite() { value } else { 1.0 };
-        MotionSettings {
+        ActiveMotionModes {
             feed_override: sane(options.feed_override.unwrap_or_else(|| motion.feed_override())),
             rapid_override: sane(options.rapid_override.unwrap_or_else(|| motion.rapid_override())),
             corner_tolerance_mm: options

@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use chordal_geometry::{Aabb, Transform, Vec3};
-use chordal_machine::{RotaryAxis, RotaryTarget};
+use chordal_machine::{RotaryAxis, RotaryTarget, part_transform};
 use chordal_stock::shape::SolidShape;
 
 /// Angles that differ by less are the same, rad.
@@ -32,7 +32,6 @@ impl PartOrientation {
     /// At some angles; why it is not known how the part lies then.
     pub fn of(rotary: &[RotaryAxis; 3], angles: [f64; 3]) -> Result<PartOrientation, String> {
         let angles = angles.map(within_half_a_turn);
-        let mut to_part = Transform::identity();
         for (axis, angle) in angles.into_iter().enumerate().filter(|(_, angle)| *angle != 0.0) {
             let letter = LETTERS[axis];
             let degrees = angle.to_degrees();
@@ -49,11 +48,8 @@ impl PartOrientation {
                     ));
                 }
             }
-            let signed = if rotary[axis].reversed { -angle } else { angle };
-            to_part =
-                to_part.then(&Transform::rotation_about(center(&rotary[axis]), AXES[axis], signed));
         }
-        Ok(PartOrientation { angles, to_program: to_part.inverse() })
+        Ok(PartOrientation { angles, to_program: part_transform(rotary, angles).inverse() })
     }
 
     pub fn is_none(&self) -> bool {
@@ -96,11 +92,6 @@ fn within_half_a_turn(angle: f64) -> f64 {
     if rest.abs() < EQUAL_ANGLE_RAD { 0.0 } else { rest }
 }
 
-fn center(rotary: &RotaryAxis) -> Vec3 {
-    let [x, y, z] = rotary.center_mm.map(|mm| mm.unwrap_or(0.0));
-    Vec3::new(x, y, z)
-}
-
 /// The box of everything that a body with this box passes while one axis of the table turns it, whatever the angle;
 /// `None` where more than that turns, or it is not known what.
 pub(super) fn swept(
@@ -114,7 +105,7 @@ pub(super) fn swept(
     if rotary[axis].turns != Some(RotaryTarget::Table) {
         return None;
     }
-    let middle = center(&rotary[axis]);
+    let middle = rotary[axis].center();
     let others_stand_at_zero =
         (0..3).all(|other| other == axis || within_half_a_turn(from[other]) == 0.0);
     let corners = (0..8u32).map(|bits| {

@@ -360,30 +360,30 @@ mod tests {
 
     /// A program of moves from rest to rest of some lengths at a speed: each takes its length
     /// over speed, and speed over acceleration, and acceleration over jerk.
-    struct Program {
+    struct TestProgram {
         moves: f64,
         length: f64,
         speed: f64,
         changes: u64,
     }
 
-    fn seconds(program: &Program, factors: &LimitFactors) -> TimePrediction {
+    fn seconds(program: &TestProgram, factors: &LimitFactors) -> TimePrediction {
         let (a, j) = (2000.0 * factors.acceleration, 50_000.0 * factors.jerk);
         let once = program.length / program.speed + program.speed / a + a / j;
         TimePrediction { without_changes_s: program.moves * once, tool_changes: program.changes }
     }
 
-    const PROGRAMS: [Program; 5] = [
-        Program { moves: 1000.0, length: 30.0, speed: 50.0, changes: 4 },
-        Program { moves: 300.0, length: 200.0, speed: 300.0, changes: 1 },
-        Program { moves: 5000.0, length: 5.0, speed: 100.0, changes: 0 },
-        Program { moves: 10.0, length: 400.0, speed: 20.0, changes: 20 },
-        Program { moves: 2000.0, length: 60.0, speed: 400.0, changes: 2 },
+    const PROGRAMS: [TestProgram; 5] = [
+        TestProgram { moves: 1000.0, length: 30.0, speed: 50.0, changes: 4 },
+        TestProgram { moves: 300.0, length: 200.0, speed: 300.0, changes: 1 },
+        TestProgram { moves: 5000.0, length: 5.0, speed: 100.0, changes: 0 },
+        TestProgram { moves: 10.0, length: 400.0, speed: 20.0, changes: 20 },
+        TestProgram { moves: 2000.0, length: 60.0, speed: 400.0, changes: 2 },
     ];
 
     const START: LimitFactors = LimitFactors { acceleration: 1.0, jerk: 1.0, tool_change_s: 5.0 };
 
-    fn measure(programs: &[Program], truth: &LimitFactors) -> Vec<f64> {
+    fn measure(programs: &[TestProgram], truth: &LimitFactors) -> Vec<f64> {
         programs
             .iter()
             .map(|program| {
@@ -433,7 +433,7 @@ mod tests {
     #[test]
     fn what_programs_do_not_determine_stays() {
         let truth = LimitFactors { acceleration: 0.6, jerk: 2.5, tool_change_s: 8.5 };
-        let fit_of = |programs: &[Program]| {
+        let fit_of = |programs: &[TestProgram]| {
             let measured = measure(programs, &truth);
             fit(&measured, START, |index, factors| seconds(&programs[index], factors))
         };
@@ -443,7 +443,7 @@ mod tests {
         assert!(one.undetermined.iter().all(|(_, why)| *why == UnfitReason::TooFew), "{one:?}");
         assert!(one.is_exact_by_count());
         // No tool changes: nothing about their time.
-        let without = |moves, length, speed| Program { moves, length, speed, changes: 0 };
+        let without = |moves, length, speed| TestProgram { moves, length, speed, changes: 0 };
         let dry = [without(10.0, 5.0, 100.0), without(10.0, 50.0, 300.0), without(10.0, 9.0, 20.0)];
         let fit = fit_of(&dry);
         assert_eq!(fit.undetermined, [(FitParameter::ToolChange, UnfitReason::NoEffect)]);
@@ -451,9 +451,9 @@ mod tests {
         assert!((fit.factors.jerk / truth.jerk - 1.0).abs() < 1e-6);
         // All moves alike: acceleration and jerk do the same.
         let alike = [
-            Program { moves: 10.0, length: 50.0, speed: 100.0, changes: 1 },
-            Program { moves: 20.0, length: 50.0, speed: 100.0, changes: 0 },
-            Program { moves: 30.0, length: 50.0, speed: 100.0, changes: 5 },
+            TestProgram { moves: 10.0, length: 50.0, speed: 100.0, changes: 1 },
+            TestProgram { moves: 20.0, length: 50.0, speed: 100.0, changes: 0 },
+            TestProgram { moves: 30.0, length: 50.0, speed: 100.0, changes: 5 },
         ];
         let fit = fit_of(&alike);
         assert!(

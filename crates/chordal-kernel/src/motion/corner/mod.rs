@@ -10,7 +10,7 @@ use chordal_command::{
 use chordal_diagnostics::{Code, Diagnostic};
 
 use self::fit::{CornerLeg, CornerMisfit};
-use crate::corner_queue::{CornerForm, CornerRequest, QueuedItem, QueuedMove};
+use crate::corner_queue::{CornerForm, ProgrammedCorner, QueuedItem, QueuedMove};
 use crate::frames::InPlane;
 use crate::kernel::Kernel;
 use crate::modal::Modal;
@@ -67,7 +67,7 @@ impl Kernel<'_> {
     }
 
     /// Takes back what was asked, where the move of the block comes later.
-    pub fn take_requested_corner(&mut self) -> Option<CornerRequest> {
+    pub fn take_requested_corner(&mut self) -> Option<ProgrammedCorner> {
         self.corners.request.take()
     }
 
@@ -79,7 +79,7 @@ impl Kernel<'_> {
     }
 
     /// The next move of this block ends in a corner.
-    pub fn ask_corner(&mut self, corner: CornerRequest) {
+    pub fn ask_corner(&mut self, corner: ProgrammedCorner) {
         self.corners.request = Some(corner);
     }
 
@@ -127,7 +127,7 @@ impl Kernel<'_> {
     }
 
     /// Keeps a move until the next one is known, if it can end in a corner.
-    fn hold(&mut self, corner: CornerRequest, kind: CommandKind) {
+    fn hold(&mut self, corner: ProgrammedCorner, kind: CommandKind) {
         if let Err(refusal) = self.may_end_in_corner(&corner, &kind) {
             self.refuse(&corner, refusal, None);
             return self.push(kind);
@@ -149,7 +149,7 @@ impl Kernel<'_> {
 
     fn may_end_in_corner(
         &self,
-        corner: &CornerRequest,
+        corner: &ProgrammedCorner,
         kind: &CommandKind,
     ) -> Result<(), CornerRefusal> {
         let help = "write it into a block that cuts a line or an arc in the active plane";
@@ -173,7 +173,7 @@ impl Kernel<'_> {
     /// A cut in the plane, or why it is none: the codes for no move and for another move.
     fn leg(
         &self,
-        corner: &CornerRequest,
+        corner: &ProgrammedCorner,
         kind: &CommandKind,
         [nothing, other]: [Code; 2],
     ) -> Result<CornerLeg, CornerRefusal> {
@@ -354,7 +354,7 @@ impl Kernel<'_> {
 
     fn too_large(
         &self,
-        corner: &CornerRequest,
+        corner: &ProgrammedCorner,
         misfit: CornerMisfit,
         legs: [&CornerLeg; 2],
     ) -> CornerRefusal {
@@ -479,7 +479,7 @@ impl Kernel<'_> {
 
     fn refuse(
         &mut self,
-        corner: &CornerRequest,
+        corner: &ProgrammedCorner,
         refusal: CornerRefusal,
         reached: Option<(CallPath, Option<f64>)>,
     ) {

@@ -1,0 +1,47 @@
+// The keys of the page.
+
+import type { PathView } from "../view/path-view";
+import type { Timeline } from "./timeline";
+
+export interface KeyTargets {
+  timeline: Timeline;
+  view: PathView;
+  measure: { isOn: boolean; set(on: boolean): void };
+  /** To the next difference of two programs, or the one before. */
+  walk(direction: 1 | -1): void;
+}
+
+/** Keys act where nothing is typed. */
+export function listenToKeys({ timeline, view, measure, walk }: KeyTargets): void {
+  document.addEventListener("keydown", (event) => {
+    const target = event.target as HTMLElement;
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === "F9") {
+      event.preventDefault();
+      return walk(event.shiftKey ? -1 : 1);
+    }
+    if (target.closest(".cm-editor, input:not([type=range]):not([type=checkbox]), select, textarea")) return;
+    if (event.key === " " && target.closest("button, summary, input")) return;
+    const act: Record<string, () => void> = {
+      " ": () => timeline.toggle(),
+      ",": () => timeline.onStep(-1),
+      ".": () => timeline.onStep(1),
+      r: () => timeline.onToCursor(),
+      "[": () => timeline.faster(-1),
+      "]": () => timeline.faster(1),
+      "1": () => view.setView("top"),
+      "2": () => view.setView("front"),
+      "3": () => view.setView("right"),
+      "4": () => view.setView("iso"),
+      f: () => view.fit(),
+      m: () => measure.set(!measure.isOn),
+      n: () => walk(1),
+      p: () => walk(-1),
+      escape: () => measure.set(false),
+    };
+    const chosen = act[event.key.toLowerCase()];
+    if (!chosen) return;
+    event.preventDefault();
+    chosen();
+  });
+}

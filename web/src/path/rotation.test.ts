@@ -1,0 +1,35 @@
+import { expect, test } from "vitest";
+import type { RotaryAxis, ToolRotation } from "../protocol/messages";
+import { curvePoint } from "./arcs";
+import { toolDirection, unknownTurns } from "./rotation";
+
+const none = (letter: string): RotaryAxis => ({ letter, turns: null });
+const near = (found: ArrayLike<number>, expected: number[]) =>
+  expected.forEach((value, axis) => expect(found[axis], `${Array.from(found)}`).toBeCloseTo(value, 6));
+
+const A: ToolRotation = { axis: 0, about: [1, 0, 0] };
+const C: ToolRotation = { axis: 2, about: [0, 0, 1] };
+const QUARTER = Math.PI / 2;
+
+test("the tool turns about each axis by the right-hand rule", () => {
+  // The tool above the part at A0 is on its side at A90: a positive angle turns it from Z to -Y.
+  near(toolDirection([A], [0, 0, 1], [QUARTER, 0, 0]), [0, -1, 0]);
+  near(toolDirection([{ ...A, about: [-1, 0, 0] }], [0, 0, 1], [QUARTER, 0, 0]), [0, 1, 0]);
+  near(toolDirection([], [0, 0, 1], [QUARTER, 0, 0]), [0, 0, 1]);
+});
+
+test("of a trunnion A carries C: a hole of the side face comes up by A, where C has turned it", () => {
+  // Upright on the machine; on the part first turned by A, then about the part's own Z.
+  near(toolDirection([A, C], [0, 0, 1], [QUARTER, 0, QUARTER]), [1, 0, 0]);
+});
+
+test("a share of a curve lies between its points", () => {
+  near(curvePoint(new Float32Array([0, 0, 0, 2, 0, 0, 2, 4, 0]), 0.75), [2, 2, 0]);
+});
+
+test("an axis of which nothing is known is reported where the program moves it", () => {
+  const rotary = [none("A"), { ...none("B"), turns: "head" as const }, none("C")];
+  const moved = (letter: string) => ({ letter, range: [0, 90] as [number, number] });
+  expect(unknownTurns([moved("X"), moved("A"), moved("B")], rotary)).toMatch(/^What A turns is not known/);
+  expect(unknownTurns([moved("B"), { letter: "C", range: [0, 0] }], rotary)).toBe("");
+});

@@ -1,0 +1,31 @@
+// Rotary axes in the picture: the direction of the tool on the part. Positions come from the server as they are on the part.
+
+import type { RotaryAxis, ToolRotation } from "../protocol/messages";
+import type { Vec3 } from "./batch";
+
+/** The direction of a tool on the part, from its direction on the machine and A, B and C, rad. */
+export function toolDirection(rotations: readonly ToolRotation[], direction: Vec3, angles: ArrayLike<number>): Vec3 {
+  return rotations.reduce((turned, { axis, about }) => rotated(turned, about, angles[axis]!), direction);
+}
+
+/** Rotated about a unit vector by the right-hand rule: Rodrigues' formula. */
+function rotated(v: Vec3, k: Vec3, angle: number): Vec3 {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  const along = (k[0] * v[0] + k[1] * v[1] + k[2] * v[2]) * (1 - c);
+  return [
+    v[0] * c + (k[1] * v[2] - k[2] * v[1]) * s + k[0] * along,
+    v[1] * c + (k[2] * v[0] - k[0] * v[2]) * s + k[1] * along,
+    v[2] * c + (k[0] * v[1] - k[1] * v[0]) * s + k[2] * along,
+  ];
+}
+
+/** The hint about rotary axes that the program moves and the machine file does not describe. */
+export function unknownTurns(axes: { letter: string; range: [number, number] }[], rotary: RotaryAxis[]): string {
+  const unknown = rotary.filter((own) => {
+    const moved = axes.find((axis) => axis.letter === own.letter);
+    return own.turns === null && moved && (moved.range[0] !== 0 || moved.range[1] !== 0);
+  });
+  if (unknown.length === 0) return "";
+  const names = unknown.map((own) => own.letter).join(", ");
+  return `What ${names} turns is not known: the path is drawn without rotation. Give \`rotary.${unknown[0]!.letter}.turns\` in the machine file.`;
+}

@@ -1,0 +1,327 @@
+// The JSON messages between the page and what answers it, a server or a worker.
+
+/** A, B or C, as the machine file has it. */
+export interface RotaryAxis {
+  letter: string;
+  /** `null`: not known. */
+  turns: "table" | "head" | null;
+}
+
+/** A rotation by the angle of a rotary axis. */
+export interface ToolRotation {
+  /** 0, 1 and 2 for A, B and C. */
+  axis: number;
+  /** A unit vector; a positive angle turns about it by the right-hand rule. */
+  about: [number, number, number];
+}
+
+export interface SourcePlace {
+  file: string;
+  own: boolean;
+  line: number;
+  column: number;
+  end_line: number;
+  end_column: number;
+}
+
+export interface ProblemFix {
+  title: string;
+  replacement: string;
+  place: SourcePlace | null;
+  safe: boolean;
+}
+
+export interface Problem {
+  code: string;
+  name: string;
+  severity: "error" | "warning" | "note";
+  message: string;
+  place: SourcePlace | null;
+  label: string;
+  secondary: { place: SourcePlace | null; label: string }[];
+  alarm: string | null;
+  notes: string[];
+  help: string | null;
+  explanation: string;
+  fix: ProblemFix | null;
+  /** Alternatives, the likeliest first. */
+  other_fixes: ProblemFix[];
+}
+
+export interface ToolInfo {
+  number: number;
+  diameter_mm: number | null;
+  length_mm: number | null;
+  corner_radius_mm: number | null;
+  shape: "flat" | "ball" | "bull" | "chamfer" | "drill" | "tap" | "thread mill" | "t-slot" | "lollipop" | "form" | "insert" | "groove" | null;
+  point_angle_rad: number | null;
+  tip_diameter_mm: number | null;
+  /** Only for inserts. */
+  nose_radius_mm: number | null;
+  /** Only for grooving blades. */
+  width_mm: number | null;
+  flute_length_mm: number | null;
+  /** Outline of a form tool: height over the tip and radius, from the tip up. */
+  profile_mm: [number, number][];
+  /** Only for a shank that is one cylinder. */
+  shank_diameter_mm: number | null;
+  /** Height, lower and upper diameter of each part, from the edges up. */
+  shank_mm: [number, number, number][];
+  holder_mm: [number, number, number][];
+  kind: string | null;
+  comment: string | null;
+}
+
+export interface MachineInfo {
+  /** Of a lathe: the side of the axis on which its turret stands. */
+  turret: "rear" | "front" | null;
+  /** What coordinates of X, Y and Z are multiplied by to be programmed: 2 of a diameter. */
+  factors: [number, number, number];
+  /** Whether it has X, Y and Z: a lathe of two axes has no Y. */
+  has: [boolean, boolean, boolean];
+  name: string;
+  title: string;
+  control: string;
+  travel: ([number, number] | null)[];
+  rotary: RotaryAxis[];
+  /** What takes the direction of a tool on the machine to that on the part, in this order. */
+  tool_rotations: ToolRotation[];
+  tools: ToolInfo[];
+}
+
+export interface RunReport {
+  run: number;
+  diagnostics: Problem[];
+  left_out: number;
+  errors: number;
+  warnings: number;
+  notes: number;
+  /** Where the path is not known from; none where the whole run was followed. */
+  not_verified_from: { file: string; line: number; own: boolean } | null;
+  /** Axes that the program never names, and that are drawn at zero. */
+  never_named: string[];
+  /** Axes that are not known in any cut. */
+  named_in_no_cut: string[];
+  /** About moves in work offsets whose zero is not known, which cannot be drawn, and what to do about it. */
+  moves_left_out: string[];
+  inch: boolean;
+  /** The tolerance of the segments that the control itself cuts arcs into, mm; null where it cuts none. */
+  own_chords_mm: number | null;
+  output: string[];
+  cut_length_mm: number;
+  rapid_length_mm: number;
+  tools: { number: number; lines: [number, number][]; feed_length_mm: number; speeds_rpm: number[] }[];
+  axes: { letter: string; range: [number, number]; cut_range: [number, number] | null }[];
+  rows: number;
+  rows_left_out: number;
+  places: {
+    zeros: { name: string; at: [number, number, number] }[];
+    machine: (number | null)[] | null;
+  };
+  end: { end: string; blocks: number }[];
+}
+
+export interface ModalState {
+  /** The active codes, as the control numbers them. */
+  codes?: string[];
+  inch: boolean;
+  plane: string;
+  feed_mode: "per_minute" | "inverse_time" | "per_revolution";
+  feed: number | null;
+  spindle: string;
+  rpm: number;
+  coolant: string[];
+  tool: number;
+  selected: number | null;
+  length: { number: number; mm: number | null } | null;
+  side: "off" | "left" | "right";
+  cutter: { number: number | null; mm: number | null } | null;
+  work: string | null;
+  path_mode: string | null;
+  overrides: { feed: boolean; rapid: boolean };
+  shift: [number, number, number];
+}
+
+export interface PartTimes {
+  cutting_s: number;
+  rapid_s: number;
+  other_s: number;
+  total_s: number;
+}
+
+export interface RunTimes {
+  run: number;
+  all: PartTimes;
+  tools: { number: number; changes: number; times: PartTimes }[];
+  waits: [string, number][];
+  longest: { line: number; runs: number; time_s: number; reason: string }[];
+  refused: number;
+  /** How the control takes many short blocks. */
+  short_blocks: string | null;
+  cuts_without_feed: number;
+  assumed: number;
+}
+
+/** Where a name is defined; with the text where that is another file. */
+export interface DefinitionPlace {
+  line: number;
+  column: number;
+  file?: string;
+  text?: string;
+  cut_off?: boolean;
+}
+
+/** A program, a tool, an operation or a place of the outline. */
+export interface OutlineEntry {
+  name: string;
+  detail: string;
+  kind: string;
+  line: number;
+  children: OutlineEntry[];
+}
+
+/** What the program is compared with: nothing, the program that the command line names, or its own text on another machine. */
+export type ComparedWith = "nothing" | "named" | { machine: string | null };
+
+/** Lines of a file, from and to, both counted; file 0 is the program itself. */
+export interface BlockRange {
+  file: number;
+  from: number;
+  to: number;
+}
+
+/** One program's side of a difference. */
+export interface DifferenceSide {
+  blocks: BlockRange | null;
+  steps: number;
+  value: string | null;
+  words: string;
+  /** It lacks what the other program has; `blocks` is then the block after which that would come. */
+  lacks: boolean;
+}
+
+export interface Difference {
+  category: string;
+  head: string;
+  distance_mm: number | null;
+  /** A point of each path, about where their distance is largest, in the frame of the run. */
+  at_mm: [[number, number, number], [number, number, number]] | null;
+  sides: [DifferenceSide, DifferenceSide];
+}
+
+export interface Comparison {
+  run: number;
+  version: number;
+  verdict: "same" | "within" | "different" | "not-verified";
+  tolerance_mm: number;
+  headline: string;
+  max_distance_mm: number | null;
+  farthest: { places: { file: number; line: number }[]; at_mm: Difference["at_mm"] } | null;
+  sides: { name: string; moves: number; errors: number }[];
+  differences: Difference[];
+  dropped: number;
+}
+
+/** The other program; `other` is "nothing" where there is none. */
+export interface ComparedProgram {
+  version: number;
+  other: ComparedWith;
+  own_text?: boolean;
+  name?: string;
+  machine?: MachineInfo;
+  why?: string | null;
+}
+
+/** Lines of the other program. */
+export interface OtherText {
+  file: string;
+  line: number;
+  first_line: number;
+  text: string;
+}
+
+/** A machine to choose from; its name may have the units at power-on: `haas-vf2 in inch`. */
+export interface MachineChoice {
+  name: string;
+  title: string;
+}
+
+/** The controls that a program may be for, where it names none for certain and they would move the tool differently. */
+export interface ProgramReadings {
+  /** What is not known about the program, in a sentence. */
+  message: string;
+  /** The first block that differs. */
+  line: number | null;
+  block: string | null;
+  /** The likeliest, the first of which is assumed: the control, the size of what is cut, and what that block does on it. */
+  shown: { title: string; size: string | null; motion: string; machine: MachineChoice }[];
+  /** How many more readings there are that are not shown. */
+  more: number;
+}
+
+export interface HelloMessage {
+  /** The version of these messages: `PROTOCOL_VERSION` in crates/chordal-view/src/view.rs. */
+  protocol: number;
+  name: string;
+  writable: boolean;
+  machines: MachineChoice[];
+  compared: { name: string; own_text: boolean } | null;
+  tolerance_mm: number;
+}
+
+/** What the simulation of the stock has found, with all problems of the run. */
+export interface StockReport {
+  run: number;
+  verdict: "clean" | "problems" | "not-proved";
+  resolution_mm: number;
+  removed_mm3: { least: number; most: number };
+  left_mm3: { least: number; most: number };
+  diagnostics: Problem[];
+  left_out: number;
+  errors: number;
+  warnings: number;
+  notes: number;
+}
+
+/** The same for a lathe, whose stock is exact. */
+export interface TurnedReport extends Omit<StockReport, "resolution_mm"> {
+  parts_off: number;
+  /** `at`: z and radius, mm. */
+  problems: { code: string; line: number; at: [number, number] }[];
+}
+
+export interface WordMeaning {
+  line: number;
+  column: number;
+  end_column: number;
+  /** Markdown: paragraphs, `code`, **bold**. */
+  text: string;
+}
+
+export type ServerMessage =
+  | ({ type: "turned_report" } & TurnedReport)
+  | ({ type: "stock_report" } & StockReport)
+  | { type: "no_stock"; run: number; message: string | null; help: string | null }
+  | ({ type: "hello" } & HelloMessage)
+  | ({ type: "machines" } & Pick<HelloMessage, "machines" | "compared">)
+  | ({ type: "compared_program" } & ComparedProgram)
+  | { type: "compared_program_refused"; version: number; other: ComparedWith; message: string; help?: string | null }
+  | { type: "compared_path_end"; version: number; rows: number; rows_left_out: number }
+  | ({ type: "comparison" } & Comparison)
+  | { type: "no_comparison"; run: number; version: number; message: string }
+  | ({ type: "other_text"; id: number } & OtherText)
+  | { type: "run"; run: number; machine: MachineInfo; why: string | null; readings: ProgramReadings | null }
+  | { type: "refused"; run: number; message: string; help?: string | null }
+  | ({ type: "report" } & RunReport)
+  | ({ type: "times" } & RunTimes)
+  | { type: "no_times"; run: number; message: string }
+  | { type: "state"; id: number; state: ModalState | null }
+  | { type: "tokens"; id: number; classes: string[]; tokens: number[] }
+  | { type: "hover"; id: number; hover: WordMeaning | null }
+  | { type: "definition"; id: number; place: DefinitionPlace | null }
+  | { type: "outline"; id: number; entries: OutlineEntry[] }
+  | { type: "saved"; id: number }
+  | { type: "conflict"; id: number }
+  | { type: "changed" }
+  | { type: "gone" }
+  | { type: "error"; id: number; message: string; help?: string | null };

@@ -1,0 +1,19 @@
+// The connection of the page that `chordal view` serves: a WebSocket to its server.
+
+import type { Transport } from "./connection";
+
+export function dialServer(take: (data: string | ArrayBuffer) => void, closed: () => void): Transport {
+  const address = new URL("live", location.href);
+  address.protocol = "ws:";
+  address.hash = "";
+  const socket = new WebSocket(address);
+  socket.binaryType = "arraybuffer";
+  socket.onmessage = (event: MessageEvent<string | ArrayBuffer>) => take(event.data);
+  socket.onclose = closed;
+  return {
+    get isOpen() {
+      return socket.readyState === WebSocket.OPEN;
+    },
+    send: (text) => socket.send(text),
+  };
+}

@@ -1,4 +1,0 @@
-// The page that `chordal view` serves.
-
-import "./socket";
-import "./main";

@@ -1,0 +1,49 @@
+// A worker that does what takes long, for the session worker. It is ended when its result is no longer needed.
+
+import { type OpenedProgram, type WorkOrder, Engine } from "./engine";
+import type { WorkerPort } from "./worker-port";
+
+export type ToJobWorker =
+  | { module: WebAssembly.Module }
+  | { serve: Omit<OpenedProgram, "program"> }
+  | { job: WorkOrder }
+  | { request: string; id: number }
+  | { fail: true };
+
+export type FromJobWorker =
+  | { out: string | ArrayBuffer }
+  /** A work order is done; after a run with the report for the session's own view. */
+  | { done: string }
+  | { answered: number }
+  | { failed: string };
+
+export function jobWorker(port: WorkerPort): void {
+  const post = (message: FromJobWorker, transfer: Transferable[] = []) => port.postMessage(message, transfer);
+  let engine: Promise<Engine> | undefined;
+
+  async function take(message: ToJobWorker): Promise<void> {
+    if ("module" in message) {
+      engine = Engine.start(message.module, {
+        send: (out) => post({ out }, typeof out === "string" ? [] : [out]),
+        // The session's own view decides what follows.
+        want: () => {},
+      });
+      return;
+    }
+    const own = await engine!;
+    if ("serve" in message) own.serve(message.serve);
+    else if ("job" in message) post({ done: own.execute(message.job) });
+    else if ("request" in message) {
+      own.request(message.request);
+      post({ answered: message.id });
+    } else own.fail();
+  }
+
+  // One after the other: the module has one memory.
+  let before: Promise<void> = Promise.resolve();
+  port.onmessage = (event: MessageEvent<ToJobWorker>) => {
+    before = before.then(() => take(event.data)).catch((error: unknown) => {
+      post({ failed: error instanceof Error ? error.message : String(error) });
+    });
+  };
+}

@@ -1,0 +1,106 @@
+// The surfaces of gaps, and a texture that makes the walls of the stock open where gaps reach them.
+
+import { BufferAttribute, BufferGeometry, DataTexture, DoubleSide, FloatType, GLSL3, Mesh, RGFormat, ShaderMaterial } from "three";
+import { type Gaps, gapSurfaces } from "./gaps";
+import { MAX_BANDS } from "./stock-shader";
+import type { StockSurface } from "./surface";
+
+const VERTEX = `
+uniform float push;
+out vec3 place;
+void main() {
+  place = position;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  gl_Position.z += push;
+}`;
+
+const FRAGMENT = `
+precision highp float;
+in vec3 place;
+uniform vec4 keep;
+uniform vec3 colors[24];
+uniform vec3 viewpoint;
+out vec4 drawn;
+
+void main() {
+  if (keep.w > 0.5 && (place.x > keep.x || place.y < keep.y || place.z > keep.z)) discard;
+  vec3 normal = normalize(cross(dFdx(place), dFdy(place)));
+  if (dot(normal, viewpoint) < 0.0) normal = -normal;
+  float light = 0.6 + 0.4 * max(0.0, dot(normal, normalize(vec3(-0.35, -0.55, 0.9)))) - 0.12 * max(0.0, normal.x);
+  drawn = vec4(colors[0] * light, 1.0);
+}`;
+
+/** No gap: above everything. */
+const NO_GAP_HEIGHT = 1;
+
+export class GapMesh {
+  readonly object: Mesh<BufferGeometry, ShaderMaterial>;
+  private texture: DataTexture | undefined;
+  private bands = 0;
+  /** Columns that have gaps in the texture. */
+  private written: number[] = [];
+
+  /** `columns` are the uniforms of how columns are drawn; those of gaps are among them. */
+  constructor(private surface: StockSurface, private gaps: Gaps, private columns: ShaderMaterial["uniforms"]) {
+    const { keep, colors, viewpoint, push } = columns;
+    const material = new ShaderMaterial({ glslVersion: GLSL3, vertexShader: VERTEX, fragmentShader: FRAGMENT, side: DoubleSide });
+    material.uniforms = { keep: keep!, colors: colors!, viewpoint: viewpoint!, push: push! };
+    this.object = new Mesh(new BufferGeometry(), material);
+    this.object.frustumCulled = false;
+  }
+
+  get triangles(): number {
+    return (this.object.geometry.getAttribute("position")?.count ?? 0) / 3;
+  }
+
+  /** Takes gaps and columns as they are now. */
+  take(): void {
+    const { surface, gaps, columns: uniforms } = this;
+    const { stock, bottom, width, z } = surface;
+    const corners = gapSurfaces(gaps, {
+      columns: stock.columns,
+      pitch: stock.pitch,
+      size: [stock.high[0] - stock.low[0], stock.high[1] - stock.low[1]],
+      bottom,
+      overlap: 0.05 * stock.pitch,
+      heightAt: (x, y) => z[(y + 1) * width + x + 1]!,
+    });
+    this.object.geometry.dispose();
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(corners, 3));
+    this.object.geometry = geometry;
+    this.write();
+    uniforms.bands!.value = this.bands;
+    uniforms.gaps!.value = this.texture ?? null;
+  }
+
+  private write(): void {
+    const { stock: { columns: [nx, ny] } } = this.surface;
+    const bands = Math.min(MAX_BANDS, this.gaps.most);
+    if (bands > this.bands) {
+      this.texture?.dispose();
+      this.bands = bands;
+      this.texture = new DataTexture(new Float32Array(2 * nx * ny * bands).fill(NO_GAP_HEIGHT), nx, ny * bands, RGFormat, FloatType);
+      this.written = [];
+    }
+    const { texture } = this;
+    if (!texture) return;
+    const data = texture.image.data as Float32Array;
+    const at = (column: number, band: number) => 2 * ((Math.floor(column / nx) * bands + band) * nx + (column % nx));
+    for (const column of this.written) for (let band = 0; band < bands; band++) data.fill(NO_GAP_HEIGHT, at(column, band), at(column, band) + 2);
+    this.written = [];
+    for (const [column, own] of this.gaps.columns) {
+      this.written.push(column);
+      for (let band = 0; band < Math.min(bands, own.length / 2); band++) data.set([own[2 * band]!, own[2 * band + 1]!], at(column, band));
+    }
+    texture.needsUpdate = true;
+  }
+
+  dispose(): void {
+    this.texture?.dispose();
+    this.columns.bands!.value = 0;
+    this.columns.gaps!.value = null;
+    this.object.geometry.dispose();
+    this.object.material.dispose();
+  }
+}

@@ -1,0 +1,13 @@
+// Waits until the graphics card has carried out its commands.
+
+import type { WebGLRenderer } from "three";
+
+export async function gpuFinished(renderer: WebGLRenderer): Promise<void> {
+  const gl = renderer.getContext() as WebGL2RenderingContext;
+  const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  if (!fence) return;
+  gl.flush();
+  do await new Promise((next) => setTimeout(next, 2));
+  while (!gl.isContextLost() && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED);
+  gl.deleteSync(fence);
+}
