@@ -277,7 +277,9 @@ impl CheckedValue<'_> {
                     _ => vec![self.text(self.value)?],
                 };
             }
-            SchemaSlot::Word { what, words, set } => set(machine, keys, self.word(what, words)?),
+            SchemaSlot::Word { what, words, place } => {
+                place(machine, keys).set_word(self.word(what, words)?);
+            }
             SchemaSlot::Insert => self.take_insert(machine)?,
             SchemaSlot::HolderDesignation => self.take_holder(machine)?,
             SchemaSlot::Flag(place) => match value {

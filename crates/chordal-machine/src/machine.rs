@@ -152,6 +152,9 @@ pub enum RotaryTarget {
 }
 
 impl RotaryTarget {
+    /// Both.
+    pub const ALL: [RotaryTarget; 2] = [RotaryTarget::Table, RotaryTarget::Head];
+
     /// The word of a machine file.
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -180,6 +183,9 @@ pub enum RapidShape {
 }
 
 impl RapidShape {
+    /// Both.
+    pub const ALL: [RapidShape; 2] = [RapidShape::DogLeg, RapidShape::Straight];
+
     /// The word of a machine file.
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -298,6 +304,19 @@ pub enum ProbeHit {
     End,
     /// Nothing.
     Nothing,
+}
+
+impl ProbeHit {
+    /// Both.
+    pub const ALL: [ProbeHit; 2] = [ProbeHit::End, ProbeHit::Nothing];
+
+    /// The word of a machine file.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            ProbeHit::End => "end",
+            ProbeHit::Nothing => "none",
+        }
+    }
 }
 
 impl Machine {

@@ -1,7 +1,8 @@
 //! The rows of the table of keys.
 
+use super::words::WordField;
 use super::{DateOrTime, MachineField, PlaceholderKeys, SchemaRow, SchemaSlot, SignRule};
-use crate::axis::{AXES, Axis, PerAxis};
+use crate::axis::{Axis, PerAxis};
 use crate::control::ControlName;
 use crate::machine::{
     AxisLimits, Machine, ProbeHit, RapidShape, RotaryAxis, RotaryTarget, Turret, WorkOffset,
@@ -27,25 +28,32 @@ const fn position(
     SchemaRow { path, slot: SchemaSlot::Position(place), doc }
 }
 
+pub(super) const fn word(
+    path: &'static str,
+    what: &'static str,
+    words: &'static [&'static str],
+    place: MachineField<dyn WordField>,
+    doc: &'static str,
+) -> SchemaRow {
+    SchemaRow { path, slot: SchemaSlot::Word { what, words, place }, doc }
+}
+
 /// The words of an enum that has `ALL` and `as_str`.
 macro_rules! words {
     ($kind:ty) => {{
-        let mut words = [""; <$kind>::ALL.len()];
-        let mut at = 0;
-        while at < words.len() {
-            words[at] = <$kind>::ALL[at].as_str();
-            at += 1;
-        }
-        words
+        const WORDS: [&str; <$kind>::ALL.len()] = {
+            let mut words = [""; <$kind>::ALL.len()];
+            let mut at = 0;
+            while at < words.len() {
+                words[at] = <$kind>::ALL[at].as_str();
+                at += 1;
+            }
+            words
+        };
+        &WORDS
     }};
 }
 pub(super) use words;
-
-const SHAPES: &[&str] = &words!(ToolShape);
-
-const TURRETS: &[&str] = &words!(Turret);
-
-const CONTROLS: &[&str] = &words!(ControlName);
 
 /// Where the rows of tools end.
 pub(super) const AFTER_TOOLS: usize = {
@@ -82,32 +90,20 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         slot: SchemaSlot::TextList(|m, _| &mut m.notes),
         doc: "notes for people",
     },
-    SchemaRow {
-        path: "control",
-        slot: SchemaSlot::Word {
-            what: "control",
-            words: CONTROLS,
-            set: |m, _, word| {
-                if let Ok(control) = word.parse() {
-                    m.control = control;
-                }
-            },
-        },
-        doc: "the control that runs its programs",
-    },
-    SchemaRow {
-        path: "turret",
-        slot: SchemaSlot::Word {
-            what: "side of a turret",
-            words: TURRETS,
-            set: |m, _, word| {
-                if let Some(side) = Turret::ALL.into_iter().find(|side| side.as_str() == word) {
-                    m.turret = side;
-                }
-            },
-        },
-        doc: "the side of the axis on which the turret of a lathe stands. The page of `chordal view` draws X up for `rear` and down for `front`, programs mean the same; otherwise `rear`",
-    },
+    word(
+        "control",
+        "control",
+        words!(ControlName),
+        |m, _| &mut m.control,
+        "the control that runs its programs",
+    ),
+    word(
+        "turret",
+        "side of a turret",
+        words!(Turret),
+        |m, _| &mut m.turret,
+        "the side of the axis on which the turret of a lathe stands. The page of `chordal view` draws X up for `rear` and down for `front`, programs mean the same; otherwise `rear`",
+    ),
     quantity(
         "turret_clearance",
         QuantityDimension::Length,
@@ -168,19 +164,13 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         |m, k| &mut axis(m, k).rapid_jerk,
         "the largest jerk of rapids, if it differs from that of cuts",
     ),
-    SchemaRow {
-        path: "rotary.<rotary>.turns",
-        slot: SchemaSlot::Word {
-            what: "what turns",
-            words: &[RotaryTarget::Table.as_str(), RotaryTarget::Head.as_str()],
-            set: |m, k, word| {
-                rotary(m, k).turns = [RotaryTarget::Table, RotaryTarget::Head]
-                    .into_iter()
-                    .find(|turns| turns.as_str() == word);
-            },
-        },
-        doc: "what A, B or C turns: the part (`table`) or the tool (`head`). Of several tables A carries B, and B carries C; of several heads C carries B, and B carries A; otherwise it is not known, and pictures are drawn without rotation",
-    },
+    word(
+        "rotary.<rotary>.turns",
+        "what turns",
+        words!(RotaryTarget),
+        |m, k| &mut rotary(m, k).turns,
+        "what A, B or C turns: the part (`table`) or the tool (`head`). Of several tables A carries B, and B carries C; of several heads C carries B, and B carries A; otherwise it is not known, and pictures are drawn without rotation",
+    ),
     SchemaRow {
         path: "rotary.<rotary>.reversed",
         slot: SchemaSlot::Flag(|m, k| &mut rotary(m, k).reversed),
@@ -205,19 +195,13 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         |m, _| &mut m.feed.max_rad_per_s,
         "the same for moves of rotary axes alone",
     ),
-    SchemaRow {
-        path: "rapid.shape",
-        slot: SchemaSlot::Word {
-            what: "rapid shape",
-            words: &[RapidShape::DogLeg.as_str(), RapidShape::Straight.as_str()],
-            set: |m, _, word| {
-                m.rapid = [RapidShape::DogLeg, RapidShape::Straight]
-                    .into_iter()
-                    .find(|s| s.as_str() == word);
-            },
-        },
-        doc: "rapids of several axes: each axis at its own speed (`dog-leg`), or along a straight line (`straight`); default: that of the control",
-    },
+    word(
+        "rapid.shape",
+        "rapid shape",
+        words!(RapidShape),
+        |m, _| &mut m.rapid,
+        "rapids of several axes: each axis at its own speed (`dog-leg`), or along a straight line (`straight`); default: that of the control",
+    ),
     quantity(
         "spindle.max",
         QuantityDimension::SpindleSpeed,
@@ -280,17 +264,13 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         |m, k| by_axis(&mut tool(m, k).offset_wear, k),
         "added to the geometry offset; a diameter if that is one",
     ),
-    SchemaRow {
-        path: "tools.<tool>.shape",
-        slot: SchemaSlot::Word {
-            what: "tool shape",
-            words: SHAPES,
-            set: |m, k, word| {
-                tool(m, k).shape = ToolShape::ALL.into_iter().find(|shape| shape.as_str() == word);
-            },
-        },
-        doc: "what it is. A shape needs its dimensions: `flat` and `ball` the diameter, `bull` also the corner radius, `chamfer` and `drill` the point angle, `tap` the pitch, `thread mill` pitch and teeth, `t-slot` the flute length (its thickness) and the shank diameter (its neck), `lollipop` the shank diameter, `form` the profile, `insert` nose radius and tip (on its stock also the insert and its approach angle), `groove` width and tip. Nothing is guessed for one that is missing",
-    },
+    word(
+        "tools.<tool>.shape",
+        "tool shape",
+        words!(ToolShape),
+        |m, k| &mut tool(m, k).shape,
+        "what it is. A shape needs its dimensions: `flat` and `ball` the diameter, `bull` also the corner radius, `chamfer` and `drill` the point angle, `tap` the pitch, `thread mill` pitch and teeth, `t-slot` the flute length (its thickness) and the shank diameter (its neck), `lollipop` the shank diameter, `form` the profile, `insert` nose radius and tip (on its stock also the insert and its approach angle), `groove` width and tip. Nothing is guessed for one that is missing",
+    ),
     quantity(
         "tools.<tool>.shank_diameter",
         QuantityDimension::Length,
@@ -558,21 +538,13 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         slot: SchemaSlot::OptionalText(|m, k| &mut k.code.place(m).blocks),
         doc: "the NC blocks that it runs, as a subprogram would; a macro call gives them its arguments as #1 to #33",
     },
-    SchemaRow {
-        path: "probe.hit",
-        slot: SchemaSlot::Word {
-            what: "hit",
-            words: &["end", "none"],
-            set: |m, _, word| {
-                m.probe.planes = [None; AXES];
-                m.probe.hit = Some(match word {
-                    "none" => ProbeHit::Nothing,
-                    _ => ProbeHit::End,
-                });
-            },
-        },
-        doc: "what probe and skip moves (G31, G38.2) touch: something where they end (`end`), nothing (`none`), or a plane; otherwise they touch where they end",
-    },
+    word(
+        "probe.hit",
+        "hit",
+        words!(ProbeHit),
+        |m, _| &mut m.probe,
+        "what probe and skip moves (G31, G38.2) touch: something where they end (`end`), nothing (`none`), or a plane; otherwise they touch where they end",
+    ),
     position(
         "probe.hit.<axis>",
         |m, k| {
