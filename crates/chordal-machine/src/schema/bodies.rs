@@ -1,6 +1,6 @@
 //! The rows of stock, fixtures and target: the same keys in each table.
 
-use super::rows::{quantity, word, words};
+use super::rows::{length, word, words};
 use super::{PlaceholderKeys, SchemaRow, SchemaSlot, SignRule};
 use crate::axis::Axis;
 use crate::machine::Machine;
@@ -45,45 +45,39 @@ macro_rules! body_rows {
                 slot: SchemaSlot::OptionalText(|m, k| &mut $body(m, k).work_offset),
                 doc: "the work offset in whose coordinates it is given; otherwise that of the first cut",
             },
-            quantity(
+            length(
                 concat!($table, ".from"),
-                QuantityDimension::Length,
                 SignRule::Any,
                 |m, k| end_on_axis($body(m, k), |body| &mut body.from),
                 "where a cylinder begins on its axis (write `axis` before it), or the lowest corner by X, Y and Z",
             ),
-            quantity(
+            length(
                 concat!($table, ".from.<axis>"),
-                QuantityDimension::Length,
                 SignRule::Any,
                 |m, k| along(&mut $body(m, k).from, k),
                 "the lowest corner of a box; where a cylinder begins, with the middle of its end; the zero of an STL file",
             ),
-            quantity(
+            length(
                 concat!($table, ".to"),
-                QuantityDimension::Length,
                 SignRule::Any,
                 |m, k| end_on_axis($body(m, k), |body| &mut body.to),
                 "where a cylinder ends on its axis, or the highest corner by X, Y and Z",
             ),
-            quantity(
+            length(
                 concat!($table, ".to.<axis>"),
-                QuantityDimension::Length,
                 SignRule::Any,
                 |m, k| along(&mut $body(m, k).to, k),
                 "the highest corner of a box; where a cylinder ends",
             ),
             word(concat!($table, ".axis"), "body axis", AXES, |m, k| &mut $body(m, k).axis, "the axis of a cylinder or tube; otherwise Z"),
-            quantity(
+            length(
                 concat!($table, ".diameter"),
-                QuantityDimension::Length,
                 SignRule::Positive,
                 |m, k| &mut $body(m, k).diameter_mm,
                 "the diameter of a cylinder or tube",
             ),
-            quantity(
+            length(
                 concat!($table, ".bore"),
-                QuantityDimension::Length,
                 SignRule::Positive,
                 |m, k| &mut $body(m, k).bore_mm,
                 "the diameter of the bore of a tube",
@@ -160,16 +154,14 @@ pub(super) static MATERIALS: [SchemaRow; 4] = [
 ];
 
 pub(super) static OWN: [SchemaRow; 2] = [
-    quantity(
+    length(
         "fixtures.<name>.clearance",
-        QuantityDimension::Length,
         SignRule::NotNegative,
         |m, k| &mut fixture(m, k).clearance_mm,
         "how far the tool must stay away from it; otherwise 0 mm",
     ),
-    quantity(
+    length(
         "target.tolerance",
-        QuantityDimension::Length,
         SignRule::Positive,
         |m, k| &mut target(m, k).tolerance_mm,
         "how far the part may be from it; otherwise 0.05 mm (assumed)",

@@ -4,13 +4,14 @@
 
 mod bodies;
 mod rows;
+mod tables;
 mod turning;
 mod words;
 mod written;
 
 pub(crate) use self::rows::{ROWS, tool};
+pub(crate) use self::tables::{tables, written_tables};
 use self::words::WordField;
-pub(crate) use self::written::written_keys;
 
 use crate::axis::Axis;
 use crate::machine::{CustomCodeSpec, DiameterProgramming, Machine};
@@ -51,10 +52,7 @@ pub(crate) enum SchemaSlot {
     /// A place of an axis, which is halved where the axis is programmed as a diameter.
     Position(MachineField<Option<f64>>),
     /// Two places of an axis, the same.
-    Range {
-        dimension: QuantityDimension,
-        place: MachineField<Option<(f64, f64)>>,
-    },
+    Range(MachineField<Option<(f64, f64)>>),
     /// A whole number of a range.
     Count {
         from: u32,
@@ -375,7 +373,7 @@ impl SchemaRow {
                 let [radius, diameter] = [DiameterProgramming::Radius, DiameterProgramming::Diameter];
                 format!("`\"{}\"` or `\"{}\"`", radius.as_str(), diameter.as_str())
             }
-            SchemaSlot::Range { .. } => {
+            SchemaSlot::Range(_) => {
                 "two lengths, the lower first: `[\"0 mm\", \"762 mm\"]`; on A, B, C two angles"
                     .into()
             }

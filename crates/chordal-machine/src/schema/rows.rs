@@ -20,6 +20,15 @@ pub(super) const fn quantity(
     SchemaRow { path, slot: SchemaSlot::Quantity { dimension, sign, place }, doc }
 }
 
+pub(super) const fn length(
+    path: &'static str,
+    sign: SignRule,
+    place: MachineField<Option<f64>>,
+    doc: &'static str,
+) -> SchemaRow {
+    quantity(path, QuantityDimension::Length, sign, place, doc)
+}
+
 const fn position(
     path: &'static str,
     place: MachineField<Option<f64>>,
@@ -104,9 +113,8 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         |m, _| &mut m.turret,
         "the side of the axis on which the turret of a lathe stands. The page of `chordal view` draws X up for `rear` and down for `front`, programs mean the same; otherwise `rear`",
     ),
-    quantity(
+    length(
         "turret_clearance",
-        QuantityDimension::Length,
         SignRule::Positive,
         |m, _| &mut m.turret_clearance_mm,
         "how near the tip of a tool may be to what the program cuts while the turret of a lathe turns; otherwise only a turn inside of what is cut is reported",
@@ -118,10 +126,7 @@ pub(crate) const ROWS: &[SchemaRow] = &[
     },
     SchemaRow {
         path: "axes.<axis>.travel",
-        slot: SchemaSlot::Range {
-            dimension: QuantityDimension::Length,
-            place: |m, k| &mut axis(m, k).travel,
-        },
+        slot: SchemaSlot::Range(|m, k| &mut axis(m, k).travel),
         doc: "the lowest and the highest position, machine coordinates",
     },
     SchemaRow {
@@ -230,16 +235,14 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         }),
         doc: "a tool, by number",
     },
-    quantity(
+    length(
         "tools.<tool>.diameter",
-        QuantityDimension::Length,
         SignRule::Any,
         |m, k| &mut tool(m, k).diameter_mm,
         "its diameter; on some controls a negative diameter is for the other side",
     ),
-    quantity(
+    length(
         "tools.<tool>.diameter_wear",
-        QuantityDimension::Length,
         SignRule::Any,
         |m, k| &mut tool(m, k).diameter_wear_mm,
         "added to the diameter",
@@ -271,16 +274,14 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         |m, k| &mut tool(m, k).shape,
         "what it is. A shape needs its dimensions: `flat` and `ball` the diameter, `bull` also the corner radius, `chamfer` and `drill` the point angle, `tap` the pitch, `thread mill` pitch and teeth, `t-slot` the flute length (its thickness) and the shank diameter (its neck), `lollipop` the shank diameter, `form` the profile, `insert` nose radius and tip (on its stock also the insert and its approach angle), `groove` width and tip. Nothing is guessed for one that is missing",
     ),
-    quantity(
+    length(
         "tools.<tool>.shank_diameter",
-        QuantityDimension::Length,
         SignRule::Positive,
         |m, k| &mut tool(m, k).shank_diameter_mm,
         "the diameter of a round shank from the cutting edges up; `shank` says more",
     ),
-    quantity(
+    length(
         "tools.<tool>.corner_radius",
-        QuantityDimension::Length,
         SignRule::NotNegative,
         |m, k| &mut tool(m, k).corner_radius_mm,
         "the corner radius, between its side and its end",
@@ -292,16 +293,14 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         |m, k| &mut tool(m, k).point_angle_rad,
         "the included angle of the point of a drill or chamfer mill",
     ),
-    quantity(
+    length(
         "tools.<tool>.tip_diameter",
-        QuantityDimension::Length,
         SignRule::NotNegative,
         |m, k| &mut tool(m, k).tip_diameter_mm,
         "the flat at the end of a chamfer mill; otherwise it has a sharp point",
     ),
-    quantity(
+    length(
         "tools.<tool>.pitch",
-        QuantityDimension::Length,
         SignRule::Positive,
         |m, k| &mut tool(m, k).pitch_mm,
         "the pitch of a tap or thread mill",
@@ -311,23 +310,20 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         slot: SchemaSlot::Count { from: 1, to: 1000, place: |m, k| &mut tool(m, k).teeth },
         doc: "number of teeth around it; for a thread mill, along its axis",
     },
-    quantity(
+    length(
         "tools.<tool>.max_chip",
-        QuantityDimension::Length,
         SignRule::Positive,
         |m, k| &mut tool(m, k).max_chip_mm,
         "the thickest chip that a tooth may take; otherwise none is too thick",
     ),
-    quantity(
+    length(
         "tools.<tool>.min_chip",
-        QuantityDimension::Length,
         SignRule::Positive,
         |m, k| &mut tool(m, k).min_chip_mm,
         "the thinnest chip that its edges cut, below which they rub; otherwise none is too thin",
     ),
-    quantity(
+    length(
         "tools.<tool>.nose_radius",
-        QuantityDimension::Length,
         SignRule::NotNegative,
         |m, k| &mut tool(m, k).nose_radius_mm,
         "the nose radius of an insert",
@@ -342,9 +338,8 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         slot: SchemaSlot::Profile(|m, k| &mut tool(m, k).profile),
         doc: "the outline of a form tool: heights above its end with the radius there",
     },
-    quantity(
+    length(
         "tools.<tool>.flute_length",
-        QuantityDimension::Length,
         SignRule::Positive,
         |m, k| &mut tool(m, k).flute_length_mm,
         "length of the cutting edges, from its end upwards",
@@ -406,9 +401,8 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         slot: SchemaSlot::Flag(|m, _| &mut m.switches.optional_stop),
         doc: "M01 stops",
     },
-    quantity(
+    length(
         "program.clearance",
-        QuantityDimension::Length,
         SignRule::Any,
         |m, _| &mut m.clearance_mm,
         "the plane above which rapids may move freely, Z in work coordinates",
@@ -430,23 +424,20 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         slot: SchemaSlot::Override(|m, _| &mut m.motion.rapid_override),
         doc: "the rapid override; default: 100 %",
     },
-    quantity(
+    length(
         "motion.corner_tolerance",
-        QuantityDimension::Length,
         SignRule::NotNegative,
         |m, _| &mut m.motion.corner_tolerance_mm,
         "how far from the path the tool may pass a corner if corners are rounded and the control gives no tolerance; otherwise 0.05 mm (assumed)",
     ),
-    quantity(
+    length(
         "motion.exact_path_tolerance",
-        QuantityDimension::Length,
         SignRule::NotNegative,
         |m, _| &mut m.motion.exact_path_tolerance_mm,
         "how far from the path the tool may be in exact path mode where a line meets a tangent arc; default: 0, so it stops there",
     ),
-    quantity(
+    length(
         "motion.rapid_corner_tolerance",
-        QuantityDimension::Length,
         SignRule::NotNegative,
         |m, _| &mut m.motion.rapid_corner_tolerance_mm,
         "how far the bends of a dog-leg rapid, and corners between rapids that do not stop, may be rounded; default: 10 mm (assumed)",

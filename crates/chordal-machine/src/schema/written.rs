@@ -1,74 +1,12 @@
 //! The values of a machine as its file writes them.
 
-use super::{DateOrTime, PlaceholderKeys, SchemaRow, SchemaSlot, bind, children, tool};
+use super::{DateOrTime, PlaceholderKeys, SchemaSlot, tool};
 use crate::axis::Axis;
-use crate::check::{key_text, string_text};
+use crate::check::string_text;
 use crate::designation::InsertLetter;
 use crate::machine::{DiameterProgramming, Machine};
 use crate::quantity::QuantityDimension;
 use crate::value::SettingValue;
-
-/// A path within its table as a file writes it, once for each key that the machine has where the path
-/// ends with a placeholder.
-pub(crate) fn written_keys(
-    machine: &Machine,
-    table: &str,
-    path: &str,
-    keys: &PlaceholderKeys,
-) -> Vec<(String, PlaceholderKeys)> {
-    let Some(start) = path.find('<') else { return vec![(path.to_string(), keys.clone())] };
-    let (before, placeholder) = path.split_at(start);
-    let bound = |name: String| {
-        let mut keys = keys.clone();
-        bind(placeholder, &name, &mut keys).ok()?;
-        Some((format!("{before}{}", key_text(&name)), keys))
-    };
-    names(machine, table, path).into_iter().filter_map(bound).collect()
-}
-
-/// The keys that a machine has in the place of the placeholder at the end of a path.
-fn names(machine: &Machine, table: &str, path: &str) -> Vec<String> {
-    fn texts(names: impl Iterator<Item = impl ToString>) -> Vec<String> {
-        names.map(|name| name.to_string()).collect()
-    }
-    let (macros, setup) = (&machine.macros, &machine.setup);
-    match (table, path) {
-        ("", "axes.<axis>") => {
-            texts(Axis::ALL.into_iter().filter(|axis| machine.axis(*axis).is_some()))
-        }
-        ("", "rotary.<rotary>") => texts(["A", "B", "C"].into_iter()),
-        ("", "reference_points.<point>") => texts(2..=4),
-        ("", "tools.<tool>") => texts(machine.tools.keys()),
-        ("", "fixtures.<name>") => texts(setup.fixtures.keys()),
-        ("", "materials.<name>") => texts(setup.materials.keys()),
-        ("", "work_offsets.<offset>") => texts(machine.work_offsets.keys()),
-        ("", "shop_codes.<code>") => {
-            let codes = machine.shop_codes.keys().map(|number| format!("M{number}"));
-            texts(codes.chain(machine.shop_programs.keys().map(|number| format!("O{number}"))))
-        }
-        ("macros.variables", _) => {
-            let numbers = macros.variables.keys().map(u32::to_string);
-            texts(numbers.chain(macros.named_variables.keys().map(|name| format!("<{name}>"))))
-        }
-        ("settings", _) => texts(machine.settings.keys()),
-        // A word in the place of the planes: the keys of the planes would take it away.
-        ("probe.hit", _) if machine.probe.hit.is_some() => Vec::new(),
-        (_, "from.<axis>" | "to.<axis>" | "center.<axis>") => texts(Axis::ALL[..3].iter()),
-        _ => texts(Axis::ALL.iter()),
-    }
-}
-
-impl SchemaRow {
-    /// A key of its own: no table, and not another spelling of keys that another row has.
-    pub(crate) fn is_written(&self) -> bool {
-        match self.slot {
-            SchemaSlot::Kind | SchemaSlot::Inherits => false,
-            SchemaSlot::Position(_) => self.path.ends_with("<axis>"),
-            SchemaSlot::Quantity { .. } => children(self.path).is_empty(),
-            _ => !self.slot.is_table(),
-        }
-    }
-}
 
 impl SchemaSlot {
     /// The value of the key in a machine as its file writes it, in millimetres, seconds and radians;
@@ -89,8 +27,9 @@ impl SchemaSlot {
             }
             SchemaSlot::Position(place) => place(machine, keys)
                 .map(|value| quantity(value * factor, QuantityDimension::Length)),
-            SchemaSlot::Range { dimension, place } => place(machine, keys)
-                .map(|(low, high)| list([low, high].map(|end| quantity(end * factor, *dimension)))),
+            SchemaSlot::Range(place) => place(machine, keys).map(|(low, high)| {
+                list([low, high].map(|end| quantity(end * factor, QuantityDimension::Length)))
+            }),
             SchemaSlot::Within { dimension: None, place, .. } => {
                 place(machine, keys).map(|number| number.to_string())
             }
