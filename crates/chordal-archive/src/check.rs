@@ -221,7 +221,7 @@ fn other(about: Option<FileDigest>, kind: &str, status: &str, message: &str) -> 
 /// A row for each program of a file.
 fn rows(prepared: &PreparedFile, options: ArchiveOptions) -> Vec<ArchiveRow> {
     let whole = TextProgram {
-        head: chordal::syntax::find_programs(b"", &chordal::syntax::Lexicon::FANUC_STYLE)[0],
+        head: chordal::syntax::find_programs(b"", &chordal::syntax::Lexicon::COMMON)[0],
         is_main: true,
     };
     let found = guarded(|| job(prepared).map(|job| job.programs()));

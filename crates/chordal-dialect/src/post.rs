@@ -16,6 +16,10 @@ pub struct PostTemplate {
 }
 
 impl PostTemplate {
+    /// No lines around the path.
+    pub const EMPTY: PostTemplate =
+        PostTemplate { remark: ["(", ")"], open: &[], begin: &[], end: &[], two_digits: false };
+
     /// A G code as this control's people write it.
     pub fn code(&self, number: u32) -> String {
         if self.two_digits { format!("G{number:02}") } else { format!("G{number}") }

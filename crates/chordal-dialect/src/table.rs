@@ -1,7 +1,7 @@
 //! A control as data: its codes, its words, its alarms, its settings.
 
 use crate::action::{Action, AfterCode, LengthCode, ModeCode, OnceCode};
-use crate::block_order::BlockOrder;
+use crate::block_order::{BUILDER_ORDER, BlockOrder};
 use crate::command_line::CommandLine;
 use crate::firmware::Firmware;
 use crate::macros::MacroRules;
@@ -14,7 +14,7 @@ use crate::surface::SurfaceRules;
 use crate::word_rules::WordRule;
 use chordal_command::WorkNaming;
 use chordal_diagnostics::Code;
-use chordal_geometry::TurnDirection;
+use chordal_geometry::{AXIS_LETTERS, TurnDirection};
 use chordal_kernel::{Alarms, ToolValue};
 use chordal_syntax::{Block, Decimal, Letters, Lexicon};
 
@@ -408,6 +408,55 @@ pub enum ArcTurns {
 }
 
 impl ControlTable {
+    /// What most controls share. The name, the codes, the signs and what else belongs to one control
+    /// alone are empty: each control gives its own.
+    pub const COMMON: ControlTable = ControlTable {
+        name: "",
+        title: "",
+        source: "",
+        lexicon: Lexicon::COMMON,
+        g_codes: &[],
+        m_codes: &[],
+        parameters: Parameters::COMMON,
+        settings: &[],
+        alarms: &[],
+        scale_unit: 1.0,
+        motion: MotionModality::Exclusive,
+        distance_left_to_right: false,
+        line_repeat: LineRepeat::None,
+        subroutines: SubroutineForm::None,
+        fixed_routines: &[],
+        axis_letters: AXIS_LETTERS,
+        arc_turns: ArcTurns::None,
+        strict_center_words: false,
+        set_data: &[],
+        dwell: &[],
+        dwell_alone_stops: false,
+        open_m_codes: false,
+        last_of_group_counts: false,
+        order: BUILDER_ORDER,
+        alone: &[],
+        firmware: None,
+        command_line: None,
+        word_rules: &[],
+        spatial: None,
+        face: None,
+        cylinder: None,
+        work_names: WorkNaming { extended: "G54.1", first: 1, by_e: false },
+        program_numbers: ProgramNumbers { largest: 9999, digits: 4, required: true },
+        call_start_label: None,
+        macros: &MacroRules::NONE,
+        turning_alarms: &[],
+        systems: &[],
+        radial_cycles: &[],
+        second_spindle: &[],
+        live_taps: &[],
+        kind: None,
+        evidence: &[],
+        post: &PostTemplate::EMPTY,
+        default_machine: "",
+    };
+
     /// The time words of a dwell, in the units that the parameters give them.
     pub fn dwell_words(&self, parameters: &Parameters) -> impl Iterator<Item = DwellWord> {
         let factor = parameters.dwell_factor;

@@ -5,11 +5,12 @@ pub(crate) use chordal_diagnostics::Code;
 pub(crate) use chordal_geometry::{Plane, TurnDirection};
 pub(crate) use chordal_kernel::ToolValue;
 pub(crate) use chordal_kernel::rules::*;
-pub(crate) use chordal_syntax::{Lexicon, MacroGrammar, ParenthesisComment, Semicolon};
-
-pub(crate) use crate::block_order::{
-    BUILDER_ORDER, BUILDER_STEPS, BlockOrder, GRBL_STEPS, RS274_STEPS,
+pub(crate) use chordal_syntax::{
+    BracketStyle, Function, Lexicon, MacroGrammar, Operator, OperatorRow, ParenthesisComment,
+    Semicolon, operator,
 };
+
+pub(crate) use crate::block_order::{BUILDER_STEPS, BlockOrder, GRBL_STEPS, RS274_STEPS};
 pub(crate) use crate::command_line::CommandLine;
 pub(crate) use crate::firmware::{
     BlockRules, BuildOption, DumpMeaning, DumpRow, Firmware, FirmwareError, LineRules, RefusalRow,

@@ -102,7 +102,7 @@ impl FolderCache {
 /// call: they run where they are called. Run by itself, a subprogram seems to have no spindle,
 /// no feed and no end. A file that the caller names stays.
 pub fn without_called(inputs: Vec<ProgramInput>) -> Vec<ProgramInput> {
-    let lexicon = &Lexicon::FANUC_STYLE;
+    let lexicon = &Lexicon::COMMON;
     let mut called: BTreeMap<PathBuf, BTreeSet<u32>> = BTreeMap::new();
     let mut endless: BTreeMap<usize, Vec<u32>> = BTreeMap::new();
     for (index, input) in inputs.iter().enumerate() {
@@ -228,7 +228,7 @@ fn subroutine_of_name(path: &Path) -> Option<String> {
 fn first_head(files: &FileAccess, path: &Path) -> Option<u32> {
     let bytes = files.head(path, HEAD).ok()?;
     let text = decode(&bytes);
-    if text.binary { None } else { numbers(&text.text, &Lexicon::FANUC_STYLE).next() }
+    if text.binary { None } else { numbers(&text.text, &Lexicon::COMMON).next() }
 }
 
 /// The program number that a file's name says: `O1000`, `O1000.nc`, `1000.nc`, `o01000.tap`.

@@ -249,8 +249,8 @@ impl CheckedValue<'_> {
                     self.quantity(self.value, QuantityDimension::Length, SignRule::Any)?;
                 *place(machine, keys) = Some(written / self.written_factor(machine));
             }
-            SchemaSlot::Range { dimension, place } => {
-                let (low, high) = self.range(*dimension)?;
+            SchemaSlot::Range(place) => {
+                let (low, high) = self.range()?;
                 let factor = self.written_factor(machine);
                 *place(machine, keys) = Some((low / factor, high / factor));
             }
@@ -277,7 +277,9 @@ impl CheckedValue<'_> {
                     _ => vec![self.text(self.value)?],
                 };
             }
-            SchemaSlot::Word { what, words, set } => set(machine, keys, self.word(what, words)?),
+            SchemaSlot::Word { what, words, place } => {
+                place(machine, keys).set_word(self.word(what, words)?);
+            }
             SchemaSlot::Insert => self.take_insert(machine)?,
             SchemaSlot::HolderDesignation => self.take_holder(machine)?,
             SchemaSlot::Flag(place) => match value {
@@ -464,7 +466,7 @@ impl CheckedValue<'_> {
         }
     }
 
-    fn range(&self, dimension: QuantityDimension) -> Result<(f64, f64), MachineError> {
+    fn range(&self) -> Result<(f64, f64), MachineError> {
         let rotary = self.at.keys.axis.is_some_and(|axis| axis.is_rotary());
         let (what, example) = match rotary {
             true => ("two angles", "[\"-110 deg\", \"30 deg\"]"),
@@ -478,8 +480,8 @@ impl CheckedValue<'_> {
             let message = format!("`{}` takes {what}, not {}", self.name(), items.len());
             return Err(self.error(message, help));
         };
-        let from = self.quantity(low, dimension, SignRule::Any)?;
-        let to = self.quantity(high, dimension, SignRule::Any)?;
+        let from = self.quantity(low, QuantityDimension::Length, SignRule::Any)?;
+        let to = self.quantity(high, QuantityDimension::Length, SignRule::Any)?;
         if from < to {
             return Ok((from, to));
         }

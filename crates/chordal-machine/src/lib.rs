@@ -6,7 +6,8 @@
 //! in the wrong unit, and each conversion is exact to the last bit: one rounding, at the end.
 //!
 //! One table of rows ([`schema_reference`] prints it) says which keys a machine file may have.
-//! Checking, suggestions for misspelt keys, [`Machine::set`] and the reference come from it.
+//! Checking, suggestions for misspelt keys, [`Machine::set`], [`Machine::to_toml`] and the reference
+//! come from it.
 //!
 //! ```
 //! use chordal_machine::Machine;

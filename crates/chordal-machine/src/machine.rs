@@ -6,6 +6,7 @@ use crate::axis::{AXES, Axis, PerAxis};
 use crate::control::ControlName;
 use crate::error::{MachineError, ValueLocation};
 use crate::motion::MotionSettings;
+use crate::schema::{SchemaSlot, tables, written_tables};
 use crate::setup::Setup;
 use crate::tool::Tool;
 use crate::value::SettingEntry;
@@ -152,6 +153,9 @@ pub enum RotaryTarget {
 }
 
 impl RotaryTarget {
+    /// Both.
+    pub const ALL: [RotaryTarget; 2] = [RotaryTarget::Table, RotaryTarget::Head];
+
     /// The word of a machine file.
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -180,6 +184,9 @@ pub enum RapidShape {
 }
 
 impl RapidShape {
+    /// Both.
+    pub const ALL: [RapidShape; 2] = [RapidShape::DogLeg, RapidShape::Straight];
+
     /// The word of a machine file.
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -300,6 +307,19 @@ pub enum ProbeHit {
     Nothing,
 }
 
+impl ProbeHit {
+    /// Both.
+    pub const ALL: [ProbeHit; 2] = [ProbeHit::End, ProbeHit::Nothing];
+
+    /// The word of a machine file.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            ProbeHit::End => "end",
+            ProbeHit::Nothing => "none",
+        }
+    }
+}
+
 impl Machine {
     /// Whether blocks are given for a code or a program; a run takes them in as further texts.
     pub fn answers_with_blocks(&self) -> bool {
@@ -381,24 +401,27 @@ impl Machine {
         self.axes[index] = limits;
         let by = before / self.written_factor(index);
         if by != 1.0 {
-            self.scale_places(index, by);
+            self.scale_places(axis, by);
         }
     }
 
     /// Multiplies every place of an axis that the file gives.
-    fn scale_places(&mut self, axis: usize, by: f64) {
-        if let Some((low, high)) = self.axes[axis].as_mut().and_then(|axis| axis.travel.as_mut()) {
-            *low *= by;
-            *high *= by;
-        }
-        let offsets = self.work_offsets.values_mut().map(|offset| &mut offset.values[axis]);
-        let tools = self.tools.values_mut();
-        let tools = tools.flat_map(|tool| [&mut tool.offset[axis], &mut tool.offset_wear[axis]]);
-        let points = self.reference_points.iter_mut().map(|point| &mut point[axis]);
-        let centers = self.rotary.iter_mut().filter_map(|rotary| rotary.center_mm.get_mut(axis));
-        let own = [&mut self.home[axis], &mut self.probe.planes[axis]];
-        for place in offsets.chain(tools).chain(points).chain(centers).chain(own) {
-            *place = place.map(|value| value * by);
+    fn scale_places(&mut self, axis: Axis, by: f64) {
+        let keys =
+            tables().flat_map(|table| written_tables(self, table)).flat_map(|(_, keys)| keys);
+        let along: Vec<_> = keys.filter(|(_, _, keys)| keys.axis == Some(axis)).collect();
+        for (_, row, keys) in along {
+            match row.slot {
+                SchemaSlot::Position(place) => {
+                    let value = place(self, &keys);
+                    *value = value.map(|value| value * by);
+                }
+                SchemaSlot::Range(place) => {
+                    let range = place(self, &keys);
+                    *range = range.map(|(low, high)| (low * by, high * by));
+                }
+                _ => {}
+            }
         }
     }
 

@@ -53,8 +53,8 @@ pub struct Lexicon {
 }
 
 impl Lexicon {
-    /// The common ground of Fanuc-style controls.
-    pub const FANUC_STYLE: Lexicon = Lexicon {
+    /// What most controls share: those whose programs have numbers and macro B.
+    pub const COMMON: Lexicon = Lexicon {
         parenthesis: ParenthesisComment::Closed,
         strict_comments: false,
         semicolon: Semicolon::EndOfBlock,
@@ -67,6 +67,6 @@ impl Lexicon {
         named_programs: true,
         polar_words: false,
         channels: false,
-        grammar: &MacroGrammar::FANUC,
+        grammar: &MacroGrammar::MACRO_B,
     };
 }

@@ -8,7 +8,7 @@
 //! use chordal_diagnostics::FileId;
 //! use chordal_syntax::{Block, BlockReader, Lexicon};
 //!
-//! let mut reader = BlockReader::new(b"N10 G1 X-1.50 (CUT)\nM30\n", FileId(0), Lexicon::FANUC_STYLE);
+//! let mut reader = BlockReader::new(b"N10 G1 X-1.50 (CUT)\nM30\n", FileId(0), Lexicon::COMMON);
 //! let mut block = Block::default();
 //! assert!(reader.read(&mut block));
 //! let x = block.word(b'X').unwrap().number().unwrap();
@@ -35,7 +35,7 @@ pub use decimal::Decimal;
 pub use encoding::{Decoded, Encoding, decode};
 pub use expression::{
     BracketStyle, Expression, ExpressionParser, ExpressionStep, Function, MacroGrammar, Operator,
-    OperatorRow, StackOp,
+    OperatorRow, StackOp, operator,
 };
 pub use lexicon::{Lexicon, ParenthesisComment, Semicolon};
 pub use line_statement::{LineStatement, PrintItem, parse_line_statement};

@@ -251,10 +251,19 @@ mod tests {
     use chordal_diagnostics::FileId;
 
     use super::*;
-    use crate::MacroGrammar;
+    use crate::{BracketStyle, MacroGrammar, Operator, operator};
+
+    /// The grammar of a control with macro lines, as far as the statements below need it.
+    static GRAMMAR: MacroGrammar = MacroGrammar {
+        brackets: BracketStyle::Round,
+        operators: &[operator("+", Operator::Add, 2), operator("=", Operator::Equal, 1)],
+        abbreviations: false,
+        letter_variables: &["TU", "FX", "V", "R"],
+        ..MacroGrammar::MACRO_B
+    };
 
     fn parse(text: &str) -> (LineStatement, usize) {
-        let mut parser = ExpressionParser::new(text.as_bytes(), FileId(0), &MacroGrammar::FADAL);
+        let mut parser = ExpressionParser::new(text.as_bytes(), FileId(0), &GRAMMAR);
         parser.start(text.as_bytes(), FileId(0), TextRange::new(0, text.len() as u32));
         let statement = parse_line_statement(&mut parser);
         (statement, parser.problems.len())

@@ -122,8 +122,12 @@ mod tests {
     use super::*;
     use crate::MacroGrammar;
 
+    /// Names, and operators in brackets only: the grammar of a control with O words.
+    static GRAMMAR: MacroGrammar =
+        MacroGrammar { names: true, operators_in_brackets_only: true, ..MacroGrammar::MACRO_B };
+
     fn parse(text: &str) -> (String, Option<FlowWord>, usize) {
-        let mut parser = ExpressionParser::new(text.as_bytes(), FileId(0), &MacroGrammar::LINUXCNC);
+        let mut parser = ExpressionParser::new(text.as_bytes(), FileId(0), &GRAMMAR);
         parser.start(text.as_bytes(), FileId(0), TextRange::new(0, text.len() as u32));
         let line = parse_o_word(&mut parser);
         let label = match line.label {

@@ -129,7 +129,7 @@ mod tests {
     use super::*;
 
     fn heads(text: &str) -> Vec<(Option<u32>, u32)> {
-        find_programs(text.as_bytes(), &Lexicon::FANUC_STYLE)
+        find_programs(text.as_bytes(), &Lexicon::COMMON)
             .iter()
             .map(|head| (head.number, head.start.line))
             .collect()

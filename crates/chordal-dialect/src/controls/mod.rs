@@ -23,6 +23,19 @@ mod tests {
     use crate::table::CodeGroup;
 
     #[test]
+    fn each_control_has_what_is_its_own() {
+        for table in ALL {
+            let texts = [table.name, table.title, table.source, table.default_machine];
+            assert!(texts.iter().all(|text| !text.is_empty()), "{texts:?}");
+            assert!(!table.g_codes.is_empty() && !table.m_codes.is_empty(), "{}", table.name);
+            assert!(!table.dwell.is_empty() && !table.alarms.is_empty(), "{}", table.name);
+            assert!(!table.settings.is_empty() && !table.post.end.is_empty(), "{}", table.name);
+            let has_own_name = |other: &&&ControlTable| other.name == table.name;
+            assert_eq!(ALL.iter().filter(has_own_name).count(), 1, "{}", table.name);
+        }
+    }
+
+    #[test]
     fn codes_are_in_order_and_unique() {
         for table in ALL {
             for codes in [table.g_codes, table.m_codes] {

@@ -239,7 +239,7 @@ fn linuxcnc_reads_its_own_grammar() {
 
 #[test]
 fn fadal_reads_its_own_grammar() {
-    let grammar = &MacroGrammar::FADAL;
+    let grammar = table(chordal_machine::ControlName::Fadal).lexicon.grammar;
     let value =
         |text: &str| run(text, grammar, &MacroRules::NONE, ValuePurpose::VALUE).expect(text);
     let v = grammar.letter_variables.iter().position(|name| *name == "V").unwrap_or(0) as f64;

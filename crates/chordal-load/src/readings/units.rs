@@ -24,7 +24,7 @@ const MIN_FEED_MM_PER_REV: f64 = 0.03;
 
 /// Some block names the units by G20, G21, G70 or G71.
 pub fn names_units(text: &[u8]) -> bool {
-    let mut reader = BlockReader::new(text, FileId(0), Lexicon::FANUC_STYLE);
+    let mut reader = BlockReader::new(text, FileId(0), Lexicon::COMMON);
     let mut block = Block::new();
     while reader.read(&mut block) {
         let unit = |word: &Word| {

@@ -1,14 +1,12 @@
 //! The rows of stock, fixtures and target: the same keys in each table.
 
-use super::rows::{quantity, words};
+use super::rows::{length, word, words};
 use super::{PlaceholderKeys, SchemaRow, SchemaSlot, SignRule};
 use crate::axis::Axis;
 use crate::machine::Machine;
 use crate::quantity::QuantityDimension;
 use crate::setup::{Body, BodyShape, CuttingForce, MeshUnit};
 
-const SHAPES: &[&str] = &words!(BodyShape);
-const UNITS: &[&str] = &words!(MeshUnit);
 const AXES: &[&str] = &["X", "Y", "Z"];
 
 fn stock<'m>(machine: &'m mut Machine, _: &PlaceholderKeys) -> &'m mut Body {
@@ -41,72 +39,45 @@ macro_rules! body_rows {
     ($name:ident, $table:literal, $body:ident, $doc:literal) => {
         pub(super) static $name: [SchemaRow; 15] = [
             SchemaRow { path: $table, slot: SchemaSlot::Body($body), doc: $doc },
-            SchemaRow {
-                path: concat!($table, ".shape"),
-                slot: SchemaSlot::Word {
-                    what: "body shape",
-                    words: SHAPES,
-                    set: |m, k, word| {
-                        $body(m, k).shape =
-                            BodyShape::ALL.into_iter().find(|shape| shape.as_str() == word);
-                    },
-                },
-                doc: "what it is. A `box` needs `from` and `to`, a `cylinder` also the diameter, a `tube` also the bore, an `stl` or `dxf` the file, a `contour` its points. On a lathe a half section is a `cylinder`, `tube`, `contour` or `dxf`",
-            },
+            word(concat!($table, ".shape"), "body shape", words!(BodyShape), |m, k| &mut $body(m, k).shape, "what it is. A `box` needs `from` and `to`, a `cylinder` also the diameter, a `tube` also the bore, an `stl` or `dxf` the file, a `contour` its points. On a lathe a half section is a `cylinder`, `tube`, `contour` or `dxf`"),
             SchemaRow {
                 path: concat!($table, ".work_offset"),
                 slot: SchemaSlot::OptionalText(|m, k| &mut $body(m, k).work_offset),
                 doc: "the work offset in whose coordinates it is given; otherwise that of the first cut",
             },
-            quantity(
+            length(
                 concat!($table, ".from"),
-                QuantityDimension::Length,
                 SignRule::Any,
                 |m, k| end_on_axis($body(m, k), |body| &mut body.from),
                 "where a cylinder begins on its axis (write `axis` before it), or the lowest corner by X, Y and Z",
             ),
-            quantity(
+            length(
                 concat!($table, ".from.<axis>"),
-                QuantityDimension::Length,
                 SignRule::Any,
                 |m, k| along(&mut $body(m, k).from, k),
                 "the lowest corner of a box; where a cylinder begins, with the middle of its end; the zero of an STL file",
             ),
-            quantity(
+            length(
                 concat!($table, ".to"),
-                QuantityDimension::Length,
                 SignRule::Any,
                 |m, k| end_on_axis($body(m, k), |body| &mut body.to),
                 "where a cylinder ends on its axis, or the highest corner by X, Y and Z",
             ),
-            quantity(
+            length(
                 concat!($table, ".to.<axis>"),
-                QuantityDimension::Length,
                 SignRule::Any,
                 |m, k| along(&mut $body(m, k).to, k),
                 "the highest corner of a box; where a cylinder ends",
             ),
-            SchemaRow {
-                path: concat!($table, ".axis"),
-                slot: SchemaSlot::Word {
-                    what: "body axis",
-                    words: AXES,
-                    set: |m, k, word| {
-                        $body(m, k).axis = Axis::from_letter(word.as_bytes()[0]);
-                    },
-                },
-                doc: "the axis of a cylinder or tube; otherwise Z",
-            },
-            quantity(
+            word(concat!($table, ".axis"), "body axis", AXES, |m, k| &mut $body(m, k).axis, "the axis of a cylinder or tube; otherwise Z"),
+            length(
                 concat!($table, ".diameter"),
-                QuantityDimension::Length,
                 SignRule::Positive,
                 |m, k| &mut $body(m, k).diameter_mm,
                 "the diameter of a cylinder or tube",
             ),
-            quantity(
+            length(
                 concat!($table, ".bore"),
-                QuantityDimension::Length,
                 SignRule::Positive,
                 |m, k| &mut $body(m, k).bore_mm,
                 "the diameter of the bore of a tube",
@@ -121,29 +92,8 @@ macro_rules! body_rows {
                 slot: SchemaSlot::Contour(|m, k| &mut $body(m, k).contour),
                 doc: "the outline of a half section: X as a diameter and Z of each corner; with a radius an arc leads to it, as G3 with a positive radius and as G2 with a negative one. An outline that does not end where it begins is closed along the axis",
             },
-            SchemaRow {
-                path: concat!($table, ".unit"),
-                slot: SchemaSlot::Word {
-                    what: "mesh unit",
-                    words: UNITS,
-                    set: |m, k, word| {
-                        $body(m, k).unit =
-                            MeshUnit::ALL.into_iter().find(|unit| unit.as_str() == word);
-                    },
-                },
-                doc: "the unit of the file, which the file does not name; otherwise mm",
-            },
-            SchemaRow {
-                path: concat!($table, ".turned_over"),
-                slot: SchemaSlot::Word {
-                    what: "body axis",
-                    words: AXES,
-                    set: |m, k, word| {
-                        $body(m, k).turned_over = Axis::from_letter(word.as_bytes()[0]);
-                    },
-                },
-                doc: "an STL file is turned by 180 degrees about this axis before it is placed: the part of operation 1, turned over for operation 2",
-            },
+            word(concat!($table, ".unit"), "mesh unit", words!(MeshUnit), |m, k| &mut $body(m, k).unit, "the unit of the file, which the file does not name; otherwise mm"),
+            word(concat!($table, ".turned_over"), "body axis", AXES, |m, k| &mut $body(m, k).turned_over, "an STL file is turned by 180 degrees about this axis before it is placed: the part of operation 1, turned over for operation 2"),
             SchemaRow {
                 path: concat!($table, ".material"),
                 slot: SchemaSlot::OptionalText(|m, k| &mut $body(m, k).material),
@@ -204,16 +154,14 @@ pub(super) static MATERIALS: [SchemaRow; 4] = [
 ];
 
 pub(super) static OWN: [SchemaRow; 2] = [
-    quantity(
+    length(
         "fixtures.<name>.clearance",
-        QuantityDimension::Length,
         SignRule::NotNegative,
         |m, k| &mut fixture(m, k).clearance_mm,
         "how far the tool must stay away from it; otherwise 0 mm",
     ),
-    quantity(
+    length(
         "target.tolerance",
-        QuantityDimension::Length,
         SignRule::Positive,
         |m, k| &mut target(m, k).tolerance_mm,
         "how far the part may be from it; otherwise 0.05 mm (assumed)",

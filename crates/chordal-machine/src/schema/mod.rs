@@ -1,11 +1,17 @@
 //! The one table of the keys of a machine file: where each is, what it takes, what it means and
-//! where its value goes. Checking, suggestions, assignments and the reference read it.
+//! where its value goes. Checking, suggestions, assignments, the reference and the writer of machine
+//! files read it.
 
 mod bodies;
 mod rows;
+mod tables;
 mod turning;
+mod words;
+mod written;
 
 pub(crate) use self::rows::{ROWS, tool};
+pub(crate) use self::tables::{tables, written_tables};
+use self::words::WordField;
 
 use crate::axis::Axis;
 use crate::machine::{CustomCodeSpec, DiameterProgramming, Machine};
@@ -46,10 +52,7 @@ pub(crate) enum SchemaSlot {
     /// A place of an axis, which is halved where the axis is programmed as a diameter.
     Position(MachineField<Option<f64>>),
     /// Two places of an axis, the same.
-    Range {
-        dimension: QuantityDimension,
-        place: MachineField<Option<(f64, f64)>>,
-    },
+    Range(MachineField<Option<(f64, f64)>>),
     /// A whole number of a range.
     Count {
         from: u32,
@@ -74,7 +77,7 @@ pub(crate) enum SchemaSlot {
     Word {
         what: &'static str,
         words: &'static [&'static str],
-        set: fn(&mut Machine, &PlaceholderKeys, &str),
+        place: MachineField<dyn WordField>,
     },
     /// A letter or a designation of an insert.
     Insert,
@@ -323,6 +326,16 @@ fn whole(text: &str) -> Option<u32> {
     digits.then(|| text.parse().ok()).flatten()
 }
 
+impl SchemaSlot {
+    /// A table with keys of its own, not a value.
+    fn is_table(&self) -> bool {
+        matches!(
+            self,
+            SchemaSlot::Table(_) | SchemaSlot::ShopCode | SchemaSlot::Body(_) | SchemaSlot::Axis
+        )
+    }
+}
+
 impl SchemaRow {
     /// The key's own name, or the one before a placeholder.
     pub(crate) fn name(&self) -> &'static str {
@@ -360,7 +373,7 @@ impl SchemaRow {
                 let [radius, diameter] = [DiameterProgramming::Radius, DiameterProgramming::Diameter];
                 format!("`\"{}\"` or `\"{}\"`", radius.as_str(), diameter.as_str())
             }
-            SchemaSlot::Range { .. } => {
+            SchemaSlot::Range(_) => {
                 "two lengths, the lower first: `[\"0 mm\", \"762 mm\"]`; on A, B, C two angles"
                     .into()
             }
@@ -433,10 +446,7 @@ pub fn schema_keys() -> Vec<SchemaKey> {
             Some((meaning, default)) => (meaning, Some(default)),
             None => (row.doc, None),
         };
-        let is_table = matches!(
-            row.slot,
-            SchemaSlot::Table(_) | SchemaSlot::ShopCode | SchemaSlot::Body(_) | SchemaSlot::Axis
-        );
+        let is_table = row.slot.is_table();
         SchemaKey { path: row.path, takes: row.takes(), meaning, default, is_table }
     };
     rows().map(key).collect()

@@ -1,7 +1,8 @@
 //! The rows of the table of keys.
 
+use super::words::WordField;
 use super::{DateOrTime, MachineField, PlaceholderKeys, SchemaRow, SchemaSlot, SignRule};
-use crate::axis::{AXES, Axis, PerAxis};
+use crate::axis::{Axis, PerAxis};
 use crate::control::ControlName;
 use crate::machine::{
     AxisLimits, Machine, ProbeHit, RapidShape, RotaryAxis, RotaryTarget, Turret, WorkOffset,
@@ -19,6 +20,15 @@ pub(super) const fn quantity(
     SchemaRow { path, slot: SchemaSlot::Quantity { dimension, sign, place }, doc }
 }
 
+pub(super) const fn length(
+    path: &'static str,
+    sign: SignRule,
+    place: MachineField<Option<f64>>,
+    doc: &'static str,
+) -> SchemaRow {
+    quantity(path, QuantityDimension::Length, sign, place, doc)
+}
+
 const fn position(
     path: &'static str,
     place: MachineField<Option<f64>>,
@@ -27,25 +37,32 @@ const fn position(
     SchemaRow { path, slot: SchemaSlot::Position(place), doc }
 }
 
+pub(super) const fn word(
+    path: &'static str,
+    what: &'static str,
+    words: &'static [&'static str],
+    place: MachineField<dyn WordField>,
+    doc: &'static str,
+) -> SchemaRow {
+    SchemaRow { path, slot: SchemaSlot::Word { what, words, place }, doc }
+}
+
 /// The words of an enum that has `ALL` and `as_str`.
 macro_rules! words {
     ($kind:ty) => {{
-        let mut words = [""; <$kind>::ALL.len()];
-        let mut at = 0;
-        while at < words.len() {
-            words[at] = <$kind>::ALL[at].as_str();
-            at += 1;
-        }
-        words
+        const WORDS: [&str; <$kind>::ALL.len()] = {
+            let mut words = [""; <$kind>::ALL.len()];
+            let mut at = 0;
+            while at < words.len() {
+                words[at] = <$kind>::ALL[at].as_str();
+                at += 1;
+            }
+            words
+        };
+        &WORDS
     }};
 }
 pub(super) use words;
-
-const SHAPES: &[&str] = &words!(ToolShape);
-
-const TURRETS: &[&str] = &words!(Turret);
-
-const CONTROLS: &[&str] = &words!(ControlName);
 
 /// Where the rows of tools end.
 pub(super) const AFTER_TOOLS: usize = {
@@ -82,35 +99,22 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         slot: SchemaSlot::TextList(|m, _| &mut m.notes),
         doc: "notes for people",
     },
-    SchemaRow {
-        path: "control",
-        slot: SchemaSlot::Word {
-            what: "control",
-            words: CONTROLS,
-            set: |m, _, word| {
-                if let Ok(control) = word.parse() {
-                    m.control = control;
-                }
-            },
-        },
-        doc: "the control that runs its programs",
-    },
-    SchemaRow {
-        path: "turret",
-        slot: SchemaSlot::Word {
-            what: "side of a turret",
-            words: TURRETS,
-            set: |m, _, word| {
-                if let Some(side) = Turret::ALL.into_iter().find(|side| side.as_str() == word) {
-                    m.turret = side;
-                }
-            },
-        },
-        doc: "the side of the axis on which the turret of a lathe stands. The page of `chordal view` draws X up for `rear` and down for `front`, programs mean the same; otherwise `rear`",
-    },
-    quantity(
+    word(
+        "control",
+        "control",
+        words!(ControlName),
+        |m, _| &mut m.control,
+        "the control that runs its programs",
+    ),
+    word(
+        "turret",
+        "side of a turret",
+        words!(Turret),
+        |m, _| &mut m.turret,
+        "the side of the axis on which the turret of a lathe stands. The page of `chordal view` draws X up for `rear` and down for `front`, programs mean the same; otherwise `rear`",
+    ),
+    length(
         "turret_clearance",
-        QuantityDimension::Length,
         SignRule::Positive,
         |m, _| &mut m.turret_clearance_mm,
         "how near the tip of a tool may be to what the program cuts while the turret of a lathe turns; otherwise only a turn inside of what is cut is reported",
@@ -122,10 +126,7 @@ pub(crate) const ROWS: &[SchemaRow] = &[
     },
     SchemaRow {
         path: "axes.<axis>.travel",
-        slot: SchemaSlot::Range {
-            dimension: QuantityDimension::Length,
-            place: |m, k| &mut axis(m, k).travel,
-        },
+        slot: SchemaSlot::Range(|m, k| &mut axis(m, k).travel),
         doc: "the lowest and the highest position, machine coordinates",
     },
     SchemaRow {
@@ -168,19 +169,13 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         |m, k| &mut axis(m, k).rapid_jerk,
         "the largest jerk of rapids, if it differs from that of cuts",
     ),
-    SchemaRow {
-        path: "rotary.<rotary>.turns",
-        slot: SchemaSlot::Word {
-            what: "what turns",
-            words: &[RotaryTarget::Table.as_str(), RotaryTarget::Head.as_str()],
-            set: |m, k, word| {
-                rotary(m, k).turns = [RotaryTarget::Table, RotaryTarget::Head]
-                    .into_iter()
-                    .find(|turns| turns.as_str() == word);
-            },
-        },
-        doc: "what A, B or C turns: the part (`table`) or the tool (`head`). Of several tables A carries B, and B carries C; of several heads C carries B, and B carries A; otherwise it is not known, and pictures are drawn without rotation",
-    },
+    word(
+        "rotary.<rotary>.turns",
+        "what turns",
+        words!(RotaryTarget),
+        |m, k| &mut rotary(m, k).turns,
+        "what A, B or C turns: the part (`table`) or the tool (`head`). Of several tables A carries B, and B carries C; of several heads C carries B, and B carries A; otherwise it is not known, and pictures are drawn without rotation",
+    ),
     SchemaRow {
         path: "rotary.<rotary>.reversed",
         slot: SchemaSlot::Flag(|m, k| &mut rotary(m, k).reversed),
@@ -205,19 +200,13 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         |m, _| &mut m.feed.max_rad_per_s,
         "the same for moves of rotary axes alone",
     ),
-    SchemaRow {
-        path: "rapid.shape",
-        slot: SchemaSlot::Word {
-            what: "rapid shape",
-            words: &[RapidShape::DogLeg.as_str(), RapidShape::Straight.as_str()],
-            set: |m, _, word| {
-                m.rapid = [RapidShape::DogLeg, RapidShape::Straight]
-                    .into_iter()
-                    .find(|s| s.as_str() == word);
-            },
-        },
-        doc: "rapids of several axes: each axis at its own speed (`dog-leg`), or along a straight line (`straight`); default: that of the control",
-    },
+    word(
+        "rapid.shape",
+        "rapid shape",
+        words!(RapidShape),
+        |m, _| &mut m.rapid,
+        "rapids of several axes: each axis at its own speed (`dog-leg`), or along a straight line (`straight`); default: that of the control",
+    ),
     quantity(
         "spindle.max",
         QuantityDimension::SpindleSpeed,
@@ -246,16 +235,14 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         }),
         doc: "a tool, by number",
     },
-    quantity(
+    length(
         "tools.<tool>.diameter",
-        QuantityDimension::Length,
         SignRule::Any,
         |m, k| &mut tool(m, k).diameter_mm,
         "its diameter; on some controls a negative diameter is for the other side",
     ),
-    quantity(
+    length(
         "tools.<tool>.diameter_wear",
-        QuantityDimension::Length,
         SignRule::Any,
         |m, k| &mut tool(m, k).diameter_wear_mm,
         "added to the diameter",
@@ -280,27 +267,21 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         |m, k| by_axis(&mut tool(m, k).offset_wear, k),
         "added to the geometry offset; a diameter if that is one",
     ),
-    SchemaRow {
-        path: "tools.<tool>.shape",
-        slot: SchemaSlot::Word {
-            what: "tool shape",
-            words: SHAPES,
-            set: |m, k, word| {
-                tool(m, k).shape = ToolShape::ALL.into_iter().find(|shape| shape.as_str() == word);
-            },
-        },
-        doc: "what it is. A shape needs its dimensions: `flat` and `ball` the diameter, `bull` also the corner radius, `chamfer` and `drill` the point angle, `tap` the pitch, `thread mill` pitch and teeth, `t-slot` the flute length (its thickness) and the shank diameter (its neck), `lollipop` the shank diameter, `form` the profile, `insert` nose radius and tip (on its stock also the insert and its approach angle), `groove` width and tip. Nothing is guessed for one that is missing",
-    },
-    quantity(
+    word(
+        "tools.<tool>.shape",
+        "tool shape",
+        words!(ToolShape),
+        |m, k| &mut tool(m, k).shape,
+        "what it is. A shape needs its dimensions: `flat` and `ball` the diameter, `bull` also the corner radius, `chamfer` and `drill` the point angle, `tap` the pitch, `thread mill` pitch and teeth, `t-slot` the flute length (its thickness) and the shank diameter (its neck), `lollipop` the shank diameter, `form` the profile, `insert` nose radius and tip (on its stock also the insert and its approach angle), `groove` width and tip. Nothing is guessed for one that is missing",
+    ),
+    length(
         "tools.<tool>.shank_diameter",
-        QuantityDimension::Length,
         SignRule::Positive,
         |m, k| &mut tool(m, k).shank_diameter_mm,
         "the diameter of a round shank from the cutting edges up; `shank` says more",
     ),
-    quantity(
+    length(
         "tools.<tool>.corner_radius",
-        QuantityDimension::Length,
         SignRule::NotNegative,
         |m, k| &mut tool(m, k).corner_radius_mm,
         "the corner radius, between its side and its end",
@@ -312,16 +293,14 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         |m, k| &mut tool(m, k).point_angle_rad,
         "the included angle of the point of a drill or chamfer mill",
     ),
-    quantity(
+    length(
         "tools.<tool>.tip_diameter",
-        QuantityDimension::Length,
         SignRule::NotNegative,
         |m, k| &mut tool(m, k).tip_diameter_mm,
         "the flat at the end of a chamfer mill; otherwise it has a sharp point",
     ),
-    quantity(
+    length(
         "tools.<tool>.pitch",
-        QuantityDimension::Length,
         SignRule::Positive,
         |m, k| &mut tool(m, k).pitch_mm,
         "the pitch of a tap or thread mill",
@@ -331,23 +310,20 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         slot: SchemaSlot::Count { from: 1, to: 1000, place: |m, k| &mut tool(m, k).teeth },
         doc: "number of teeth around it; for a thread mill, along its axis",
     },
-    quantity(
+    length(
         "tools.<tool>.max_chip",
-        QuantityDimension::Length,
         SignRule::Positive,
         |m, k| &mut tool(m, k).max_chip_mm,
         "the thickest chip that a tooth may take; otherwise none is too thick",
     ),
-    quantity(
+    length(
         "tools.<tool>.min_chip",
-        QuantityDimension::Length,
         SignRule::Positive,
         |m, k| &mut tool(m, k).min_chip_mm,
         "the thinnest chip that its edges cut, below which they rub; otherwise none is too thin",
     ),
-    quantity(
+    length(
         "tools.<tool>.nose_radius",
-        QuantityDimension::Length,
         SignRule::NotNegative,
         |m, k| &mut tool(m, k).nose_radius_mm,
         "the nose radius of an insert",
@@ -362,9 +338,8 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         slot: SchemaSlot::Profile(|m, k| &mut tool(m, k).profile),
         doc: "the outline of a form tool: heights above its end with the radius there",
     },
-    quantity(
+    length(
         "tools.<tool>.flute_length",
-        QuantityDimension::Length,
         SignRule::Positive,
         |m, k| &mut tool(m, k).flute_length_mm,
         "length of the cutting edges, from its end upwards",
@@ -426,9 +401,8 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         slot: SchemaSlot::Flag(|m, _| &mut m.switches.optional_stop),
         doc: "M01 stops",
     },
-    quantity(
+    length(
         "program.clearance",
-        QuantityDimension::Length,
         SignRule::Any,
         |m, _| &mut m.clearance_mm,
         "the plane above which rapids may move freely, Z in work coordinates",
@@ -450,23 +424,20 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         slot: SchemaSlot::Override(|m, _| &mut m.motion.rapid_override),
         doc: "the rapid override; default: 100 %",
     },
-    quantity(
+    length(
         "motion.corner_tolerance",
-        QuantityDimension::Length,
         SignRule::NotNegative,
         |m, _| &mut m.motion.corner_tolerance_mm,
         "how far from the path the tool may pass a corner if corners are rounded and the control gives no tolerance; otherwise 0.05 mm (assumed)",
     ),
-    quantity(
+    length(
         "motion.exact_path_tolerance",
-        QuantityDimension::Length,
         SignRule::NotNegative,
         |m, _| &mut m.motion.exact_path_tolerance_mm,
         "how far from the path the tool may be in exact path mode where a line meets a tangent arc; default: 0, so it stops there",
     ),
-    quantity(
+    length(
         "motion.rapid_corner_tolerance",
-        QuantityDimension::Length,
         SignRule::NotNegative,
         |m, _| &mut m.motion.rapid_corner_tolerance_mm,
         "how far the bends of a dog-leg rapid, and corners between rapids that do not stop, may be rounded; default: 10 mm (assumed)",
@@ -558,21 +529,13 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         slot: SchemaSlot::OptionalText(|m, k| &mut k.code.place(m).blocks),
         doc: "the NC blocks that it runs, as a subprogram would; a macro call gives them its arguments as #1 to #33",
     },
-    SchemaRow {
-        path: "probe.hit",
-        slot: SchemaSlot::Word {
-            what: "hit",
-            words: &["end", "none"],
-            set: |m, _, word| {
-                m.probe.planes = [None; AXES];
-                m.probe.hit = Some(match word {
-                    "none" => ProbeHit::Nothing,
-                    _ => ProbeHit::End,
-                });
-            },
-        },
-        doc: "what probe and skip moves (G31, G38.2) touch: something where they end (`end`), nothing (`none`), or a plane; otherwise they touch where they end",
-    },
+    word(
+        "probe.hit",
+        "hit",
+        words!(ProbeHit),
+        |m, _| &mut m.probe,
+        "what probe and skip moves (G31, G38.2) touch: something where they end (`end`), nothing (`none`), or a plane; otherwise they touch where they end",
+    ),
     position(
         "probe.hit.<axis>",
         |m, k| {

@@ -1,11 +1,9 @@
 //! The rows of turning tools.
 
-use super::rows::{quantity, tool, words};
+use super::rows::{length, quantity, tool, word, words};
 use super::{SchemaRow, SchemaSlot, SignRule};
 use crate::quantity::QuantityDimension;
 use crate::turning::ToolFacing;
-
-const FACINGS: &[&str] = &words!(ToolFacing);
 
 pub(super) static ROWS: [SchemaRow; 9] = [
     SchemaRow {
@@ -32,9 +30,8 @@ pub(super) static ROWS: [SchemaRow; 9] = [
         |m, k| &mut tool(m, k).turning.approach_angle_rad,
         "the angle between the main cutting edge of an insert and the feed along Z: 95° of a PCLNL holder, 93° of an SDJCL. Needed for the tips 1 to 4; an insert with tip 5 to 8 stands symmetrically",
     ),
-    quantity(
+    length(
         "tools.<tool>.width",
-        QuantityDimension::Length,
         SignRule::Positive,
         |m, k| &mut tool(m, k).turning.width_mm,
         "the width of a grooving or parting tool",
@@ -46,21 +43,15 @@ pub(super) static ROWS: [SchemaRow; 9] = [
         |m, k| &mut tool(m, k).turning.lead_angle_rad,
         "the slope of the front edge of a grooving or parting tool: positive if the corner at the greater Z stands back; otherwise 0",
     ),
-    SchemaRow {
-        path: "tools.<tool>.facing",
-        slot: SchemaSlot::Word {
-            what: "facing",
-            words: FACINGS,
-            set: |m, k, word| {
-                tool(m, k).turning.facing =
-                    ToolFacing::ALL.into_iter().find(|facing| facing.as_str() == word);
-            },
-        },
-        doc: "where a grooving tool cuts; otherwise by its tip: 3, 4, 8 outside, 1, 2, 6 inside, 7 a face, 5 a back face",
-    },
-    quantity(
+    word(
+        "tools.<tool>.facing",
+        "facing",
+        words!(ToolFacing),
+        |m, k| &mut tool(m, k).turning.facing,
+        "where a grooving tool cuts; otherwise by its tip: 3, 4, 8 outside, 1, 2, 6 inside, 7 a face, 5 a back face",
+    ),
+    length(
         "tools.<tool>.bar_offset",
-        QuantityDimension::Length,
         SignRule::Positive,
         |m, k| &mut tool(m, k).turning.bar_offset_mm,
         "the distance along X from the programmed point of a boring bar to the middle of its round shank; otherwise half of `shank_diameter`",

@@ -8,7 +8,7 @@
 mod grammar;
 mod parse;
 
-pub use grammar::{BracketStyle, MacroGrammar, OperatorRow};
+pub use grammar::{BracketStyle, MacroGrammar, OperatorRow, operator};
 pub use parse::ExpressionParser;
 
 use chordal_diagnostics::TextRange;

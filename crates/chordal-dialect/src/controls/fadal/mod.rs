@@ -9,7 +9,6 @@ mod rules;
 mod settings;
 
 use crate::vocabulary::*;
-use chordal_machine::AXIS_LETTERS;
 
 /// Fadal CNC 88, Format 1 and 2.
 pub static TABLE: ControlTable = ControlTable {
@@ -22,61 +21,36 @@ pub static TABLE: ControlTable = ControlTable {
     parameters: rules::PARAMETERS,
     settings: settings::SETTINGS,
     alarms: alarms::ALARMS,
-    scale_unit: 1.0,
     motion: MotionModality::Armed,
     distance_left_to_right: true,
     line_repeat: LineRepeat::MainProgram,
     subroutines: SubroutineForm::LetterL,
     fixed_routines: FIXED_ROUTINES,
-    axis_letters: AXIS_LETTERS,
-    arc_turns: ArcTurns::None,
-    strict_center_words: false,
     set_data: SET_DATA,
     dwell: DWELL,
-    dwell_alone_stops: false,
     order: BlockOrder {
         steps: BUILDER_STEPS,
         source: "usual; which M codes act after the motion was not found in the manual",
         certainty: Certainty::Trade,
     },
-    open_m_codes: false,
-    last_of_group_counts: false,
     alone: &[530, 920],
-    firmware: None,
-    command_line: None,
-    word_rules: &[],
-    spatial: None,
-    face: None,
-    cylinder: None,
     work_names: WorkNaming { extended: "E", first: 1, by_e: true },
     program_numbers: ProgramNumbers { largest: 9999, digits: 1, required: false },
-    call_start_label: None,
     macros: &macros::MACROS,
-    turning_alarms: &[],
-    systems: &[],
-    radial_cycles: &[],
-    live_taps: &[],
-    second_spindle: &[],
-    kind: None,
     evidence: recognition::EVIDENCE,
     post: &post::POST,
     default_machine: "fadal-4020",
+    ..ControlTable::COMMON
 };
 
 const LEXICON: Lexicon = Lexicon {
     parenthesis: ParenthesisComment::ToEndOfLine,
-    strict_comments: false,
-    semicolon: Semicolon::EndOfBlock,
     star_comment: true,
     registers: true,
     macro_lines: true,
-    blanks_in_numbers: false,
-    o_words: false,
-    program_heads: true,
     named_programs: false,
-    polar_words: false,
-    channels: false,
-    grammar: &MacroGrammar::FADAL,
+    grammar: &macros::GRAMMAR,
+    ..Lexicon::COMMON
 };
 
 const SET_DATA: &[(u16, DataTarget)] = &[

@@ -14,57 +14,33 @@ pub(super) use macros::{GROUPS, MACROS};
 pub(super) use post::POST;
 
 use crate::vocabulary::*;
-use chordal_machine::AXIS_LETTERS;
 
 /// Fanuc 0i, 16i, 30i and, by settings, the 6M.
 pub static TABLE: ControlTable = ControlTable {
     name: "fanuc",
     title: "Fanuc",
     source: "Fanuc manuals B-63944EN, B-63534EN, B-63324EN",
-    lexicon: LEXICON,
     g_codes: codes::G_CODES,
     m_codes: codes::M_CODES,
     parameters: rules::PARAMETERS,
     settings: settings::SETTINGS,
     alarms: ALARMS,
     scale_unit: 0.001,
-    motion: MotionModality::Exclusive,
-    distance_left_to_right: false,
-    line_repeat: LineRepeat::None,
-    subroutines: SubroutineForm::None,
-    fixed_routines: &[],
-    axis_letters: AXIS_LETTERS,
-    arc_turns: ArcTurns::None,
-    strict_center_words: false,
     set_data: SET_DATA,
     dwell: DWELL,
     dwell_alone_stops: true,
-    order: BUILDER_ORDER,
     open_m_codes: true,
     last_of_group_counts: true,
-    alone: &[],
-    firmware: None,
-    command_line: None,
-    word_rules: &[],
     spatial: Some(&rules::SPATIAL),
     face: Some(&surface::FACE),
     cylinder: Some(&surface::CYLINDER),
-    work_names: WorkNaming { extended: "G54.1", first: 1, by_e: false },
-    program_numbers: ProgramNumbers { largest: 9999, digits: 4, required: true },
     call_start_label: Some(b'Q'),
     macros: &MACROS,
-    turning_alarms: &[],
-    systems: &[],
-    radial_cycles: &[],
-    live_taps: &[],
-    second_spindle: &[],
-    kind: None,
     evidence: recognition::EVIDENCE,
     post: &POST,
     default_machine: "fanuc-30i",
+    ..ControlTable::COMMON
 };
-
-const LEXICON: Lexicon = Lexicon::FANUC_STYLE;
 
 const SET_DATA: &[(u16, DataTarget)] = &[
     (2, DataTarget::WorkOffset),

@@ -24,62 +24,32 @@ pub(in crate::controls) const FAMILY: ControlTable = ControlTable {
     parameters: rules::PARAMETERS,
     settings: settings::SETTINGS,
     alarms: alarms::ALARMS,
-    scale_unit: 1.0,
-    motion: MotionModality::Exclusive,
-    distance_left_to_right: false,
-    line_repeat: LineRepeat::None,
-    subroutines: SubroutineForm::None,
-    fixed_routines: &[],
     axis_letters: "XYZ",
-    arc_turns: ArcTurns::None,
-    strict_center_words: false,
     set_data: SET_DATA,
     dwell: DWELL,
-    dwell_alone_stops: false,
     order: BlockOrder {
         steps: GRBL_STEPS,
         source: "grbl/gcode.c, version 1.1h: the steps in which a line is carried out",
         certainty: Certainty::Documented,
     },
-    open_m_codes: false,
-    last_of_group_counts: false,
-    alone: &[],
     firmware: Some(&firmware::FIRMWARE),
-    command_line: None,
-    word_rules: &[],
-    spatial: None,
-    face: None,
-    cylinder: None,
     work_names: WorkNaming { extended: "G59", first: 1, by_e: false },
     program_numbers: ProgramNumbers { largest: 0, digits: 1, required: false },
-    call_start_label: None,
-    macros: &MacroRules::NONE,
-    turning_alarms: &[],
-    systems: &[],
-    radial_cycles: &[],
-    live_taps: &[],
-    second_spindle: &[],
     kind: Some(&recognition::KIND),
     evidence: recognition::EVIDENCE,
     post: &post::POST,
     default_machine: "grbl",
+    ..ControlTable::COMMON
 };
 
 /// Comments, and nothing that a number could not begin with: the firmware reads its lines itself.
 const LEXICON: Lexicon = Lexicon {
     parenthesis: ParenthesisComment::ToEndOfLine,
-    strict_comments: false,
     semicolon: Semicolon::Comment,
-    star_comment: false,
-    registers: false,
-    macro_lines: false,
     blanks_in_numbers: true,
-    o_words: false,
     program_heads: false,
     named_programs: false,
-    polar_words: false,
-    channels: false,
-    grammar: &MacroGrammar::FANUC,
+    ..Lexicon::COMMON
 };
 
 /// The same where a build has parameters, expressions and O words.
@@ -87,7 +57,7 @@ pub(in crate::controls) const LEXICON_OF_EXPRESSIONS: Lexicon = Lexicon {
     // What stands behind a comment may be a statement, which the firmware's own reading of lines does not know.
     parenthesis: ParenthesisComment::Closed,
     o_words: true,
-    grammar: &MacroGrammar::LINUXCNC,
+    grammar: &super::linuxcnc::GRAMMAR,
     ..LEXICON
 };
 

@@ -91,3 +91,20 @@ const SYSTEM: &[SystemRow] = &[
     system(14001, 15966, SystemVariable::ExtendedOffsets),
     system(20000, 29999, SystemVariable::Setting),
 ];
+
+/// The functions of the NGC manual, and no limit for brackets.
+pub(super) static GRAMMAR: MacroGrammar =
+    MacroGrammar { functions: FUNCTIONS, bracket_limit: None, ..MacroGrammar::MACRO_B };
+
+const FUNCTIONS: &[(&str, Function)] = &[
+    ("SIN", Function::Sin),
+    ("COS", Function::Cos),
+    ("TAN", Function::Tan),
+    ("ASIN", Function::Asin),
+    ("ACOS", Function::Acos),
+    ("ATAN", Function::Atan),
+    ("SQRT", Function::Sqrt),
+    ("ABS", Function::Abs),
+    ("ROUND", Function::Round),
+    ("FIX", Function::Fix),
+];

@@ -12,7 +12,6 @@ pub(in crate::controls) mod surface;
 pub(in crate::controls) use self::alarms::ALARMS as LATHE_ALARMS;
 
 use crate::vocabulary::*;
-use chordal_machine::AXIS_LETTERS;
 
 /// Haas mill, NGC.
 pub static TABLE: ControlTable = ControlTable {
@@ -25,51 +24,31 @@ pub static TABLE: ControlTable = ControlTable {
     parameters: rules::PARAMETERS,
     settings: settings::SETTINGS,
     alarms: alarms::ALARMS,
-    scale_unit: 1.0,
-    motion: MotionModality::Exclusive,
-    distance_left_to_right: false,
     line_repeat: LineRepeat::Anywhere,
-    subroutines: SubroutineForm::None,
-    fixed_routines: &[],
-    axis_letters: AXIS_LETTERS,
-    arc_turns: ArcTurns::None,
     strict_center_words: true,
     set_data: SET_DATA,
     dwell: DWELL,
-    dwell_alone_stops: false,
     order: BlockOrder {
         steps: BUILDER_STEPS,
         source: "usual: spindle and coolant go on before the motion, and off after it",
         certainty: Certainty::Trade,
     },
-    open_m_codes: false,
-    last_of_group_counts: false,
     alone: &[1000, 1010],
-    firmware: None,
-    command_line: None,
-    word_rules: &[],
-    spatial: None,
-    face: None,
     cylinder: Some(&surface::CYLINDER),
     work_names: WorkNaming { extended: "G154", first: 1, by_e: false },
     program_numbers: ProgramNumbers { largest: 99999, digits: 5, required: true },
-    call_start_label: None,
     macros: &macros::MACROS,
-    turning_alarms: &[],
-    systems: &[],
-    radial_cycles: &[],
-    live_taps: &[],
-    second_spindle: &[],
-    kind: None,
     evidence: recognition::EVIDENCE,
     post: &post::POST,
     default_machine: "haas-vf2",
+    ..ControlTable::COMMON
 };
 
 /// The macro language of its lathes, too.
 pub(in crate::controls) const LATHE_MACROS: &MacroRules = &macros::MACROS;
 
-const LEXICON: Lexicon = Lexicon { grammar: &MacroGrammar::HAAS, named_programs: false, ..Lexicon::FANUC_STYLE };
+pub(in crate::controls) const LEXICON: Lexicon =
+    Lexicon { grammar: &macros::GRAMMAR, named_programs: false, ..Lexicon::COMMON };
 
 const SET_DATA: &[(u16, DataTarget)] = &[
     (2, DataTarget::WorkOffset),

@@ -5,7 +5,7 @@ mod recognition;
 mod rules;
 mod settings;
 
-use super::haas::{LATHE_ALARMS, LATHE_MACROS};
+use super::haas::{LATHE_ALARMS, LATHE_MACROS, LEXICON};
 use crate::vocabulary::*;
 
 /// Haas lathe, NGC.
@@ -13,7 +13,7 @@ pub static TABLE: ControlTable = ControlTable {
     name: "haas-lathe",
     title: "Haas lathe",
     source: "Haas lathe manual: G71, G76, tool nose compensation, imaginary tool tip",
-    lexicon: Lexicon { grammar: &MacroGrammar::HAAS, named_programs: false, ..Lexicon::FANUC_STYLE },
+    lexicon: LEXICON,
     g_codes: codes::G_CODES,
     m_codes: codes::M_CODES,
     parameters: rules::PARAMETERS,

@@ -52,3 +52,51 @@ const SYSTEM: &[SystemRow] = &[
     system(5420, 5425, SystemVariable::BlockEnd),
     system(5426, 5428, SystemVariable::Constant(0)),
 ];
+
+/// Named parameters, and expressions that need brackets.
+pub(in crate::controls) static GRAMMAR: MacroGrammar = MacroGrammar {
+    operators: OPERATORS,
+    functions: FUNCTIONS,
+    abbreviations: false,
+    chained: true,
+    names: true,
+    operators_in_brackets_only: true,
+    bracket_limit: None,
+    ..MacroGrammar::MACRO_B
+};
+
+/// "Overview", binary operators.
+const OPERATORS: &[OperatorRow] = &[
+    operator("**", Operator::Power, 5),
+    operator("*", Operator::Multiply, 4),
+    operator("/", Operator::Divide, 4),
+    operator("MOD", Operator::Modulo, 4),
+    operator("+", Operator::Add, 3),
+    operator("-", Operator::Subtract, 3),
+    operator("EQ", Operator::Equal, 2),
+    operator("NE", Operator::NotEqual, 2),
+    operator("GE", Operator::GreaterOrEqual, 2),
+    operator("GT", Operator::Greater, 2),
+    operator("LE", Operator::LessOrEqual, 2),
+    operator("LT", Operator::Less, 2),
+    operator("AND", Operator::And, 1),
+    operator("XOR", Operator::Xor, 1),
+    operator("OR", Operator::Or, 1),
+];
+
+const FUNCTIONS: &[(&str, Function)] = &[
+    ("SIN", Function::Sin),
+    ("COS", Function::Cos),
+    ("TAN", Function::Tan),
+    ("ASIN", Function::Asin),
+    ("ACOS", Function::Acos),
+    ("ATAN", Function::Atan),
+    ("SQRT", Function::Sqrt),
+    ("ABS", Function::Abs),
+    ("ROUND", Function::Round),
+    ("FIX", Function::Fix),
+    ("FUP", Function::Fup),
+    ("LN", Function::Ln),
+    ("EXP", Function::Exp),
+    ("EXISTS", Function::Exists),
+];

@@ -9,11 +9,10 @@ pub(in crate::controls) mod rules;
 mod settings;
 mod words;
 
-pub(in crate::controls) use macros::MACROS;
+pub(in crate::controls) use macros::{GRAMMAR, MACROS};
 pub(in crate::controls) use rules::PARAMETERS;
 
 use crate::vocabulary::*;
-use chordal_machine::AXIS_LETTERS;
 
 /// LinuxCNC (RS274/NGC), version 2.9.
 pub static TABLE: ControlTable = MILL;
@@ -29,61 +28,35 @@ pub(in crate::controls) const MILL: ControlTable = ControlTable {
     parameters: PARAMETERS,
     settings: settings::SETTINGS,
     alarms: alarms::ALARMS,
-    scale_unit: 1.0,
-    motion: MotionModality::Exclusive,
-    distance_left_to_right: false,
-    line_repeat: LineRepeat::None,
-    subroutines: SubroutineForm::None,
-    fixed_routines: &[],
-    axis_letters: AXIS_LETTERS,
     arc_turns: ArcTurns::Total,
     strict_center_words: true,
     set_data: SET_DATA,
     dwell: DWELL,
-    dwell_alone_stops: false,
     order: BlockOrder {
         steps: RS274_STEPS,
         source: "LinuxCNC documentation 2.9, G-code overview: order of execution",
         certainty: Certainty::Documented,
     },
-    open_m_codes: false,
-    last_of_group_counts: false,
-    alone: &[],
-    firmware: None,
-    command_line: None,
     word_rules: words::WORD_RULES,
-    spatial: None,
-    face: None,
-    cylinder: None,
     work_names: WorkNaming { extended: "G59", first: 1, by_e: false },
     program_numbers: ProgramNumbers { largest: 99999, digits: 1, required: false },
-    call_start_label: None,
     macros: &MACROS,
-    turning_alarms: &[],
-    systems: &[],
-    radial_cycles: &[],
-    live_taps: &[],
-    second_spindle: &[],
-    kind: None,
     evidence: recognition::EVIDENCE,
     post: &post::POST,
     default_machine: "linuxcnc-mill",
+    ..ControlTable::COMMON
 };
 
 pub(in crate::controls) const LEXICON: Lexicon = Lexicon {
-    parenthesis: ParenthesisComment::Closed,
     strict_comments: true,
     semicolon: Semicolon::Comment,
-    star_comment: false,
-    registers: false,
-    macro_lines: false,
     blanks_in_numbers: true,
     o_words: true,
     program_heads: false,
     named_programs: false,
     polar_words: true,
-    channels: false,
-    grammar: &MacroGrammar::LINUXCNC,
+    grammar: &GRAMMAR,
+    ..Lexicon::COMMON
 };
 
 const SET_DATA: &[(u16, DataTarget)] = &[

@@ -1,6 +1,6 @@
 //! Parameters and expressions of Mach3: those of LinuxCNC's family without names and flow control.
 
-use super::super::linuxcnc::MACROS as FAMILY;
+use super::super::linuxcnc::{GRAMMAR as FAMILY_GRAMMAR, MACROS as FAMILY};
 use crate::vocabulary::*;
 
 pub(super) static MACROS: MacroRules = MacroRules {
@@ -29,4 +29,21 @@ const SYSTEM: &[SystemRow] = &[
     system(5211, 5216, SystemVariable::Preset),
     system(5220, 5220, SystemVariable::WorkSystem),
     system(5221, 5340, SystemVariable::WorkTable),
+];
+
+/// Numbered parameters alone, and no comparisons.
+pub(super) static GRAMMAR: MacroGrammar =
+    MacroGrammar { operators: OPERATORS, names: false, ..FAMILY_GRAMMAR };
+
+/// The RS274/NGC interpreter of before LinuxCNC: AND, OR and XOR bind like `+`.
+const OPERATORS: &[OperatorRow] = &[
+    operator("**", Operator::Power, 3),
+    operator("*", Operator::Multiply, 2),
+    operator("/", Operator::Divide, 2),
+    operator("MOD", Operator::Modulo, 2),
+    operator("+", Operator::Add, 1),
+    operator("-", Operator::Subtract, 1),
+    operator("AND", Operator::And, 1),
+    operator("XOR", Operator::Xor, 1),
+    operator("OR", Operator::Or, 1),
 ];

@@ -42,6 +42,6 @@ pub static TABLE: ControlTable = ControlTable {
 };
 
 /// `O5` is a label for M98, and a file is one program.
-const LEXICON: Lexicon = Lexicon { polar_words: false, grammar: &MacroGrammar::MACH3, ..FAMILY_LEXICON };
+const LEXICON: Lexicon = Lexicon { polar_words: false, grammar: &macros::GRAMMAR, ..FAMILY_LEXICON };
 
 const SET_DATA: &[(u16, DataTarget)] = &[(1, DataTarget::ToolTable), (2, DataTarget::WorkOffset)];

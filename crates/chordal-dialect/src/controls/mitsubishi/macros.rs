@@ -58,3 +58,28 @@ const SYSTEM: &[SystemRow] = &[
     system(17001, 17999, SystemVariable::RadiusWear),
     system(101_001, 107_000, SystemVariable::ExtendedOffsets),
 ];
+
+/// Its functions are written out: `SQRT` and `SQR`, but not `RO` for `ROUND`.
+pub(super) static GRAMMAR: MacroGrammar =
+    MacroGrammar { functions: FUNCTIONS, abbreviations: false, ..MacroGrammar::MACRO_B };
+
+const FUNCTIONS: &[(&str, Function)] = &[
+    ("SIN", Function::Sin),
+    ("COS", Function::Cos),
+    ("TAN", Function::Tan),
+    ("ASIN", Function::Asin),
+    ("ACOS", Function::Acos),
+    ("ATAN", Function::Atan),
+    ("ATN", Function::Atan),
+    ("SQRT", Function::Sqrt),
+    ("SQR", Function::Sqrt),
+    ("ABS", Function::Abs),
+    ("BIN", Function::Bin),
+    ("BCD", Function::Bcd),
+    ("ROUND", Function::Round),
+    ("RND", Function::Round),
+    ("FIX", Function::Fix),
+    ("FUP", Function::Fup),
+    ("LN", Function::Ln),
+    ("EXP", Function::Exp),
+];

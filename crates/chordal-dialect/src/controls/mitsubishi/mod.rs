@@ -12,7 +12,6 @@ pub(in crate::controls) mod surface;
 pub(in crate::controls) use self::alarms::ALARMS as LATHE_ALARMS;
 
 use crate::vocabulary::*;
-use chordal_machine::AXIS_LETTERS;
 
 /// Mitsubishi M700 and M800.
 pub static TABLE: ControlTable = ControlTable {
@@ -26,46 +25,28 @@ pub static TABLE: ControlTable = ControlTable {
     settings: settings::SETTINGS,
     alarms: alarms::ALARMS,
     scale_unit: 0.000_001,
-    motion: MotionModality::Exclusive,
-    distance_left_to_right: false,
-    line_repeat: LineRepeat::None,
-    subroutines: SubroutineForm::None,
-    fixed_routines: &[],
-    axis_letters: AXIS_LETTERS,
     arc_turns: ArcTurns::BeyondAngle,
-    strict_center_words: false,
     set_data: SET_DATA,
     dwell: DWELL,
-    dwell_alone_stops: false,
-    order: BUILDER_ORDER,
     open_m_codes: true,
     last_of_group_counts: true,
-    alone: &[],
-    firmware: None,
-    command_line: None,
-    word_rules: &[],
     spatial: Some(&rules::SPATIAL),
     face: Some(&surface::FACE),
     cylinder: Some(&surface::CYLINDER),
-    work_names: WorkNaming { extended: "G54.1", first: 1, by_e: false },
     program_numbers: ProgramNumbers { largest: 99999999, digits: 4, required: true },
     call_start_label: Some(b'H'),
     macros: &macros::MACROS,
-    turning_alarms: &[],
-    systems: &[],
-    radial_cycles: &[],
-    live_taps: &[],
-    second_spindle: &[],
-    kind: None,
     evidence: recognition::EVIDENCE,
     post: &post::POST,
     default_machine: "mitsubishi-m700",
+    ..ControlTable::COMMON
 };
 
 /// The macro language of its lathes, too.
 pub(in crate::controls) const LATHE_MACROS: &MacroRules = &macros::MACROS;
 
-pub(in crate::controls) const LEXICON: Lexicon = Lexicon { grammar: &MacroGrammar::MITSUBISHI, ..Lexicon::FANUC_STYLE };
+pub(in crate::controls) const LEXICON: Lexicon =
+    Lexicon { grammar: &macros::GRAMMAR, ..Lexicon::COMMON };
 
 const SET_DATA: &[(u16, DataTarget)] = &[
     (2, DataTarget::WorkOffset),

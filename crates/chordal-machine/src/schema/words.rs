@@ -1,0 +1,76 @@
+//! The fields that keys with a word fill: how a word is set, and read back.
+
+use crate::axis::{AXIS_NAMES, Axis};
+use crate::control::ControlName;
+use crate::machine::{Probe, ProbeHit, RapidShape, RotaryTarget, Turret};
+use crate::setup::{BodyShape, MeshUnit};
+use crate::tool::ToolShape;
+use crate::turning::ToolFacing;
+
+/// A field that holds one of the words of its key.
+pub(crate) trait WordField {
+    /// The word that a file needs for the value; `None` where it needs no key.
+    fn word(&self) -> Option<&'static str>;
+
+    /// Takes one of the words of the key.
+    fn set_word(&mut self, word: &str);
+}
+
+/// The optional fields of enums that have `ALL` and `as_str`.
+macro_rules! optional_words {
+    ($($kind:ty),*) => {$(
+        impl WordField for Option<$kind> {
+            fn word(&self) -> Option<&'static str> {
+                self.map(<$kind>::as_str)
+            }
+
+            fn set_word(&mut self, word: &str) {
+                *self = <$kind>::ALL.into_iter().find(|value| value.as_str() == word);
+            }
+        }
+    )*};
+}
+
+optional_words!(BodyShape, MeshUnit, RapidShape, RotaryTarget, ToolFacing, ToolShape);
+
+impl WordField for Option<Axis> {
+    fn word(&self) -> Option<&'static str> {
+        self.map(|axis| AXIS_NAMES[axis as usize])
+    }
+
+    fn set_word(&mut self, word: &str) {
+        *self = Axis::from_letter(word.as_bytes()[0]);
+    }
+}
+
+impl WordField for ControlName {
+    fn word(&self) -> Option<&'static str> {
+        Some(self.as_str())
+    }
+
+    fn set_word(&mut self, word: &str) {
+        *self = word.parse().unwrap_or(*self);
+    }
+}
+
+impl WordField for Turret {
+    fn word(&self) -> Option<&'static str> {
+        (*self != Turret::default()).then(|| self.as_str())
+    }
+
+    fn set_word(&mut self, word: &str) {
+        *self = Turret::ALL.into_iter().find(|side| side.as_str() == word).unwrap_or(*self);
+    }
+}
+
+impl WordField for Probe {
+    fn word(&self) -> Option<&'static str> {
+        self.hit.map(ProbeHit::as_str)
+    }
+
+    /// A word takes the planes away, as a plane does the word.
+    fn set_word(&mut self, word: &str) {
+        let hit = ProbeHit::ALL.into_iter().find(|hit| hit.as_str() == word);
+        *self = Probe { hit, ..Probe::default() };
+    }
+}
