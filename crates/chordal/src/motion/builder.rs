@@ -28,7 +28,7 @@ const MAX_REFUSED_MOVES: usize = 20;
 
 /// Ends that are nearer than this are one point, mm or rad: rounding of the arcs' ends. What is
 /// farther away is a jump of the coordinates.
-const COINCIDENT_END_MM: f64 = 1e-7;
+const COINCIDENT_END: f64 = 1e-7;
 
 /// A move that waits for the next one. It is large, and stays where it is made.
 struct PendingMove {
@@ -390,7 +390,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         let from = motion.from();
         if let Some(at) = self.at {
             let away = |axis: usize| (from[axis] + self.shift[axis] - at[axis]).abs();
-            if (0..AXES).any(|axis| away(axis) > COINCIDENT_END_MM) {
+            if (0..AXES).any(|axis| away(axis) > COINCIDENT_END) {
                 self.shift = std::array::from_fn(|axis| at[axis] - from[axis]);
             }
         }

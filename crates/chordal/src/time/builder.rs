@@ -51,7 +51,7 @@ struct PendingStep {
 pub struct TimeBuilder {
     pending: VecDeque<PendingStep>,
     /// How the first of them goes, and whether it ends at rest.
-    ride: MoveProgress,
+    progress: MoveProgress,
     ends_at_rest: bool,
     /// How many operations have begun.
     operations: usize,
@@ -138,7 +138,7 @@ impl TimeBuilder {
             PlannerStep::Wait { seconds, tag } => {
                 self.pass(tag);
                 if !self.pending.is_empty() {
-                    self.ride.time_s += seconds;
+                    self.progress.time_s += seconds;
                 }
             }
         }
@@ -153,7 +153,7 @@ impl TimeBuilder {
             last.at(last.duration_s).speed <= EQUAL_SPEED_SHARE * top
         });
         if overlap_s > 0.0 && !self.pending.is_empty() {
-            self.ride.overlaps = true;
+            self.progress.overlaps = true;
         }
         let mut first = true;
         trajectory_parts(trajectory, |part| {
@@ -162,16 +162,16 @@ impl TimeBuilder {
             let PendingKind::Move { speed, .. } = item.what else { return };
             if first {
                 first = false;
-                self.ride.rests |= starts_at_rest;
-                self.ride.overlaps |= overlap_s > 0.0;
+                self.progress.rests |= starts_at_rest;
+                self.progress.overlaps |= overlap_s > 0.0;
             }
             let seconds = part.to_s - part.from_s.max(overlap_s);
             if seconds > 0.0 {
-                ride_on(&mut self.ride, seconds, &part, speed);
+                add_progress(&mut self.progress, seconds, &part, speed);
             }
         });
         if ends_at_rest && !self.pending.is_empty() {
-            self.ride.rests = true;
+            self.progress.rests = true;
             self.ends_at_rest = true;
         }
     }
@@ -180,15 +180,15 @@ impl TimeBuilder {
     fn pass(&mut self, tag: u64) {
         while self.pending.front().is_some_and(|item| item.tag < tag) {
             if let Some(item) = self.pending.pop_front() {
-                let ride = std::mem::take(&mut self.ride);
+                let progress = std::mem::take(&mut self.progress);
                 let ends_at_rest = std::mem::take(&mut self.ends_at_rest);
-                self.done(&item, &ride, ends_at_rest);
+                self.done(&item, &progress, ends_at_rest);
             }
         }
     }
 
-    fn done(&mut self, item: &PendingStep, ride: &MoveProgress, ends_at_rest: bool) {
-        let time_s = ride.time_s;
+    fn done(&mut self, item: &PendingStep, progress: &MoveProgress, ends_at_rest: bool) {
+        let time_s = progress.time_s;
         let mut times = TimeShares::default();
         let reason = match item.what {
             // The end of the program, or a move that the planner could not take.
@@ -206,7 +206,7 @@ impl TimeBuilder {
                 self.report.at_feed_s += query.ideal_s;
                 let stops = ends_at_rest && exact && tangent_next;
                 self.report.tangent_stops += u64::from(stops);
-                reason_of(ride, &query)
+                reason_of(progress, &query)
             }
         };
         self.report.times.add(&times);
@@ -267,21 +267,21 @@ fn tool_entry(tools: &mut Vec<ToolTime>, number: u32) -> &mut ToolTime {
     &mut tools[at]
 }
 
-fn ride_on(
-    ride: &mut MoveProgress,
+fn add_progress(
+    progress: &mut MoveProgress,
     seconds: f64,
     part: &super::trajectory_parts::TrajectoryPart,
     speed: f64,
 ) {
-    ride.time_s += seconds;
+    progress.time_s += seconds;
     let share = if part.jerks {
-        &mut ride.jerk_s
+        &mut progress.jerk_s
     } else if part.changes {
-        &mut ride.even_acceleration_s
+        &mut progress.even_acceleration_s
     } else if part.speeds.1 >= speed * (1.0 - EQUAL_SPEED_SHARE) {
-        &mut ride.at_feed_s
+        &mut progress.at_feed_s
     } else {
-        &mut ride.even_s
+        &mut progress.even_s
     };
     *share += seconds;
 }

@@ -21,7 +21,7 @@ pub(super) struct MoveProgress {
     pub overlaps: bool,
 }
 
-/// What the reason depends on in addition to the ride.
+/// What the reason depends on in addition to how the move went.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ReasonQuery {
     /// A rapid.
@@ -39,28 +39,32 @@ const AT_FEED_LOSS_SHARE: f64 = 0.02;
 /// servo periods of 1 to 8 ms and plan blocks ahead by tens of them.
 const SHORT_MOVE_S: f64 = 0.02;
 
-/// The one place that judges why a move is not faster.
-pub(super) fn reason_of(ride: &MoveProgress, query: &ReasonQuery) -> TimeReason {
+/// The one place that decides why a move is not faster.
+pub(super) fn reason_of(progress: &MoveProgress, query: &ReasonQuery) -> TimeReason {
     if query.rapid {
         return TimeReason::Rapid;
     }
-    if ride.time_s - query.ideal_s <= AT_FEED_LOSS_SHARE * ride.time_s {
+    if progress.time_s - query.ideal_s <= AT_FEED_LOSS_SHARE * progress.time_s {
         return TimeReason::Feed;
     }
-    if !query.curved && query.ideal_s < SHORT_MOVE_S && !ride.rests {
+    if !query.curved && query.ideal_s < SHORT_MOVE_S && !progress.rests {
         return TimeReason::ShortSegments;
     }
-    if query.curved && !ride.rests && ride.at_feed_s == 0.0 {
+    if query.curved && !progress.rests && progress.at_feed_s == 0.0 {
         return TimeReason::Curvature;
     }
-    if ride.even_s > (ride.time_s - ride.at_feed_s) / 2.0 {
+    if progress.even_s > (progress.time_s - progress.at_feed_s) / 2.0 {
         return if query.curved { TimeReason::Curvature } else { TimeReason::AxisSpeed };
     }
-    if ride.overlaps {
+    if progress.overlaps {
         return TimeReason::Corner;
     }
-    if ride.rests {
+    if progress.rests {
         return TimeReason::Stop;
     }
-    if ride.jerk_s > ride.even_acceleration_s { TimeReason::Jerk } else { TimeReason::Acceleration }
+    if progress.jerk_s > progress.even_acceleration_s {
+        TimeReason::Jerk
+    } else {
+        TimeReason::Acceleration
+    }
 }
