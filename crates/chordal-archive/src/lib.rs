@@ -48,6 +48,7 @@
     reason = "a shell: the journal is files, and an archive is done by threads"
 )]
 
+mod archive_walk;
 mod check;
 mod columns;
 pub mod diff;
@@ -56,8 +57,8 @@ mod error;
 mod journal;
 mod row;
 mod run;
-mod walk;
 
+pub use archive_walk::{ArchiveEntry, walk};
 pub use check::{ArchiveOptions, FileLoader, PreparedFile, check_file, file_key};
 pub use columns::{ARCHIVE_COLUMNS, archive_reference};
 pub use disk::DiskFiles;
@@ -65,4 +66,3 @@ pub use error::ArchiveError;
 pub use journal::{JournalShard, TableJournal, record_of};
 pub use row::{ArchiveRow, ArchivedProblem, FileRecord};
 pub use run::{ArchiveProgress, ArchiveTotals, check_all};
-pub use walk::{ArchiveEntry, walk};

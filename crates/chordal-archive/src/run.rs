@@ -4,11 +4,11 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
+use crate::archive_walk::ArchiveEntry;
 use crate::check::{ArchiveOptions, FileLoader, check_file};
 use crate::error::ArchiveError;
 use crate::journal::{TableJournal, record_of};
 use crate::row::FileRecord;
-use crate::walk::ArchiveEntry;
 
 /// Stack of a thread, as large as that of the process itself usually is.
 const STACK: usize = 8 << 20;

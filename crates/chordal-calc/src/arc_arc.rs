@@ -2,12 +2,12 @@
 
 use chordal_geometry::Vec2;
 
+use crate::calculation::{QuantityKind, WorkedCalculation};
 use crate::corner::{TravelSide, cutter};
 use crate::error::{CalcError, bounded};
 use crate::figure::{Figure, LineStyle};
 use crate::math::{PI, atan2, cos, sin};
 use crate::numbers::{AnswerUnit, degrees, factor};
-use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// Two arcs that cross, and a cutter that touches both.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,11 +2,11 @@
 
 use chordal_geometry::Vec2;
 
+use crate::calculation::{QuantityKind, WorkedCalculation};
 use crate::error::{CalcError, bounded};
 use crate::figure::{Figure, LineStyle};
 use crate::math::{TAU, sin, unit};
 use crate::numbers::{AnswerUnit, degrees};
-use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// Holes at even steps on a circle or a part of one.
 #[derive(Clone, Copy, Debug, PartialEq)]

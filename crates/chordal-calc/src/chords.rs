@@ -2,11 +2,11 @@
 
 use chordal_geometry::Vec2;
 
+use crate::calculation::{QuantityKind, WorkedCalculation};
 use crate::error::{CalcError, bounded};
 use crate::figure::{Figure, LineStyle};
 use crate::math::{FRAC_PI_2, TAU, acos, cos, sin, unit};
 use crate::numbers::{AnswerUnit, degrees, trimmed};
-use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// An arc to be cut into chords with their ends on it.
 #[derive(Clone, Copy, Debug, PartialEq)]

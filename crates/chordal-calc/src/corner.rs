@@ -2,11 +2,11 @@
 
 use chordal_geometry::Vec2;
 
+use crate::calculation::{QuantityKind, WorkedCalculation};
 use crate::error::{CalcError, bounded};
 use crate::figure::{Figure, LineStyle};
 use crate::math::{FRAC_PI_2, PI, TAU, cos, sin, tan, turn, unit};
 use crate::numbers::{AnswerUnit, degrees, factor};
-use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// An axis of the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

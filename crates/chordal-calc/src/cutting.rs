@@ -1,9 +1,9 @@
 //! Spindle speed and feed from the cutting speed and the feed of a tooth, and back.
 
+use crate::calculation::{QuantityKind, WorkedCalculation};
 use crate::error::{CalcError, bounded};
 use crate::math::{PI, sqrt};
 use crate::numbers::{AnswerUnit, trimmed};
-use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// How fast the edge goes.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -26,6 +26,7 @@
 mod arc_arc;
 mod arc_points;
 mod bolt_circle;
+mod calculation;
 mod chords;
 mod corner;
 mod cutting;
@@ -39,11 +40,11 @@ mod post;
 mod tangent;
 mod tap_drill;
 mod thread;
-mod worked;
 
 pub use arc_arc::{ArcArc, arc_with_arc};
 pub use arc_points::{ArcPoints, arc_points};
 pub use bolt_circle::{BoltCircle, bolt_circle};
+pub use calculation::{CalculationStep, Quantity, QuantityKind, WorkedCalculation};
 pub use chords::{ChordCount, chord_count};
 pub use corner::{
     CornerSide, LineAxis, PlaneAxis, TravelSide, TwoLines, corner_of_lines, corner_with_axis,
@@ -62,4 +63,3 @@ pub use thread::{
     FitClass, ThreadDesignation, ThreadForm, ThreadHand, ThreadLocation, ThreadSize, ToleranceZone,
     named_thread, thread_data,
 };
-pub use worked::{CalculationStep, Quantity, QuantityKind, WorkedCalculation};

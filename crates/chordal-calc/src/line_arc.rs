@@ -2,12 +2,12 @@
 
 use chordal_geometry::Vec2;
 
+use crate::calculation::{QuantityKind, WorkedCalculation};
 use crate::corner::cutter;
 use crate::error::{CalcError, bounded};
 use crate::figure::{Figure, LineStyle};
 use crate::math::{PI, atan2};
 use crate::numbers::AnswerUnit;
-use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// A line along X that meets an arc, and a cutter that touches both.
 #[derive(Clone, Copy, Debug, PartialEq)]

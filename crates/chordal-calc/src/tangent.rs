@@ -2,12 +2,12 @@
 
 use chordal_geometry::Vec2;
 
+use crate::calculation::{QuantityKind, WorkedCalculation};
 use crate::corner::{TravelSide, cutter, signed};
 use crate::error::{CalcError, bounded};
 use crate::figure::{Figure, LineStyle};
 use crate::math::{FRAC_PI_2, cos, sin, turn, unit};
 use crate::numbers::{AnswerUnit, degrees};
-use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// A place where the contour goes on without a corner.
 #[derive(Clone, Copy, Debug, PartialEq)]

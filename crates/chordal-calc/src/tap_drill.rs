@@ -1,9 +1,9 @@
 //! The drill before a tap.
 
+use crate::calculation::{QuantityKind, WorkedCalculation};
 use crate::error::CalcError;
 use crate::numbers::{AnswerUnit, trimmed};
 use crate::thread::ThreadSize;
-use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// A hole to be tapped.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -30,6 +30,7 @@ mod convert;
 mod engagement;
 mod explain;
 mod failure;
+mod lathe_stock;
 mod lsp;
 mod machines;
 mod optimize;
@@ -57,7 +58,6 @@ mod terminal;
 mod tiles;
 mod time;
 mod transform;
-mod turned;
 mod unified;
 mod view;
 

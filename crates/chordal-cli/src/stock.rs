@@ -11,6 +11,7 @@ use clap::ArgAction;
 
 use crate::engagement;
 use crate::failure::{CommandFailure, ExitVerdict};
+use crate::lathe_stock;
 use crate::options::{AnswerFormat, CommonArgs, ProblemDisplay, length};
 use crate::output::write_whole;
 use crate::programs::{load_one, recognized};
@@ -18,7 +19,6 @@ use crate::setup_files::{SetupProblemFormat, files};
 use crate::stock_failure::failure_of;
 use crate::terminal::{TerminalSupport, say};
 use crate::tiles::on_threads;
-use crate::turned;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -151,7 +151,7 @@ pub fn run(mut args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Com
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     if job.turns() {
-        let answer = turned::TurnedOutput {
+        let answer = lathe_stock::TurnedOutput {
             output: &args.output,
             format: args.format,
             detail: args.showing.detail(),
@@ -160,7 +160,7 @@ pub fn run(mut args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Com
             has_columns: args.resolution.or(args.finest).or(args.chip).is_some(),
             setup: args.setup.as_deref(),
         };
-        return turned::run(&answer, &loaded, &job, terminal);
+        return lathe_stock::run(&answer, &loaded, &job, terminal);
     }
     if args.engagement {
         let options = EngagementOptions { stock: options, max_chip_mm: args.chip };

@@ -27,21 +27,21 @@
 #![forbid(unsafe_code)]
 
 mod align;
+mod alignment_walker;
 mod bound;
 mod category;
 mod couple;
 mod course;
 mod difference;
 mod frechet;
-mod joined;
+mod joined_parts;
 mod machine_places;
-mod not_run;
 mod passes;
 mod pecks;
 mod problems;
+mod skipped_blocks;
 mod steps;
 mod values;
-mod walk;
 
 use std::collections::BTreeSet;
 
@@ -50,7 +50,7 @@ use chordal::{Job, Machine, Report};
 
 pub use category::{Category, ComparingCommand, shared_reference};
 pub use difference::{BlockLocation, BlockRange, Difference, DifferenceValue};
-pub use joined::{JoinedPart, RetainedText, compare_joined};
+pub use joined_parts::{JoinedPart, RetainedText, compare_joined};
 pub use passes::{CyclePasses, FreePasses, LastPass};
 pub use pecks::HolePecks;
 pub use values::are_same_values;
@@ -247,7 +247,7 @@ fn conclude(
     if [&a, &b].into_iter().any(course::ComparedRun::was_interrupted) {
         return interrupted([a, b]);
     }
-    let mut walk = walk::AlignmentWalker::new(&a, &b, options);
+    let mut walk = alignment_walker::AlignmentWalker::new(&a, &b, options);
     // Half of the tolerance, so that what the grid takes for the same is within it; not finer than
     // what rounding may do.
     let grid_mm = (options.tolerance_mm / 2.0).max(1e-6);
@@ -260,7 +260,7 @@ fn conclude(
         problems::compare_values(jobs, [&a.report, &b.report], &mut found);
     }
     if !options.ignored.contains(&Category::NotRun) {
-        not_run::compare(jobs, [&a.report, &b.report], options.separate_sides, &mut found);
+        skipped_blocks::compare(jobs, [&a.report, &b.report], options.separate_sides, &mut found);
     }
     let pecks = pecks::compare(&allowed.holes, options.tolerance_mm, &mut found.differences);
     let passes = passes::compare(&allowed.cycles, options.tolerance_mm, &mut found.differences);
@@ -297,7 +297,7 @@ fn conclude(
 /// The time of cuts and dwells, where nothing else shows why it differs.
 fn time_difference(
     courses: [&course::ComparedRun; 2],
-    found: &walk::ComparisonFindings,
+    found: &alignment_walker::ComparisonFindings,
     options: &ComparisonOptions,
 ) -> Option<Difference> {
     let shows = |difference: &Difference| {

@@ -4,9 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use chordal::{Code, Diagnostic, Job, Report, Severity};
 
+use crate::alignment_walker::ComparisonFindings;
 use crate::category::Category;
 use crate::difference::{BlockLocation, BlockRange, Difference, DifferenceValue};
-use crate::walk::ComparisonFindings;
 
 /// Adds the errors by code that occur in one run more often than in the other.
 pub(crate) fn compare(jobs: [&Job; 2], reports: [&Report; 2], found: &mut ComparisonFindings) {

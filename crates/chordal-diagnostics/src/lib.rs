@@ -19,7 +19,6 @@
 
 #![forbid(unsafe_code)]
 
-mod appended;
 mod collect;
 mod diagnostic;
 mod registry;
@@ -28,6 +27,7 @@ mod shift;
 mod source;
 mod source_map;
 mod span;
+mod text_store;
 
 pub use collect::{Collector, SeverityCounts};
 pub use diagnostic::{Applicability, Diagnostic, Fix, Label};

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::appended::AppendOnlyTexts;
+use crate::text_store::AppendOnlyTexts;
 use crate::{FileId, Source, Span};
 
 /// The texts of a job, by [`FileId`].

@@ -7,8 +7,8 @@ use chordal::geometry::{Arc, Chords, Curve, Line, ParamCurve, Placement, Vec3};
 use chordal::path::{NotNamed, UnrelatedZero};
 use chordal::{Job, Segment, SegmentKind};
 
-use crate::not_drawn::{left_out_texts, not_named_texts};
 use crate::number::push_finite;
+use crate::omissions::{left_out_texts, not_named_texts};
 
 /// How far the polylines of helices, spirals and splines leave the curve, mm.
 const TOLERANCE_MM: f64 = 0.001;

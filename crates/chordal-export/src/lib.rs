@@ -43,6 +43,8 @@
 
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "pictures")]
+mod calculation;
 mod canon;
 mod chords;
 pub mod columns;
@@ -57,10 +59,10 @@ mod json;
 mod json_text;
 mod machine_error;
 mod motion;
-mod not_drawn;
 mod number;
 pub mod numbers;
-mod optimized;
+mod omissions;
+mod optimization;
 #[cfg(feature = "pictures")]
 mod plot;
 pub mod report;
@@ -68,10 +70,10 @@ mod samples;
 mod setpoints;
 mod stock;
 mod time;
-mod transformed;
-#[cfg(feature = "pictures")]
-mod worked;
+mod transformation;
 
+#[cfg(feature = "pictures")]
+pub use calculation::{worked_json, worked_text};
 pub use canon::CanonWriter;
 pub use chords::ChordWriter;
 pub use columns::column_reference;
@@ -87,8 +89,8 @@ pub use digest::sha256_hex;
 pub use dxf::DxfWriter;
 pub use json_text::pretty_json;
 pub use machine_error::machine_error_text;
-pub use not_drawn::{GIVE_OFFSETS, left_out_texts, not_named_texts};
-pub use optimized::{optimized_json, optimized_text};
+pub use omissions::{GIVE_OFFSETS, left_out_texts, not_named_texts};
+pub use optimization::{optimized_json, optimized_text};
 #[cfg(feature = "pictures")]
 pub use plot::{
     MotionPlot, PageTool, PageView, Plot, PlotError, PlotOptions, Viewpoint, figure_png,
@@ -104,6 +106,4 @@ pub use stock::{
     turned_json, turned_mesh, turned_text, turned_verdict_text, turning_json, turning_text,
 };
 pub use time::{comment_text, junctions_text, level_word, short_blocks_text, time_json};
-pub use transformed::{refusal_json, restart_json, split_json, transformed_json};
-#[cfg(feature = "pictures")]
-pub use worked::{worked_json, worked_text};
+pub use transformation::{refusal_json, restart_json, split_json, transformed_json};

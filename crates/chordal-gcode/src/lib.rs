@@ -25,6 +25,7 @@
 #![forbid(unsafe_code)]
 
 mod called_subroutines;
+mod custom_codes;
 mod firmware;
 mod interpreter;
 mod library;
@@ -33,11 +34,11 @@ mod macros;
 mod marks;
 mod recognize;
 mod run_options;
-mod shop;
 mod tokens;
 mod word_address;
 
 pub use called_subroutines::called_subs;
+pub use custom_codes::{CustomCode, ShopAnswer, ShopCall, ShopCodes, ShopRecord};
 pub use interpreter::{initial_offset, initial_work_offset, run, run_from, subroutine_head};
 pub use library::{Library, Program, referenced_programs};
 pub use marks::{StatementMark, marks};
@@ -45,6 +46,5 @@ pub use recognize::{
     ANOTHER_KIND, ControlCandidate, EvidenceStrength, FoundSign, Recognition, not_read, recognize,
 };
 pub use run_options::{InterruptCheck, RunOptions};
-pub use shop::{CustomCode, ShopAnswer, ShopCall, ShopCodes, ShopRecord};
 pub use tokens::{block_tokens, class_of};
 pub use word_address::WordAddress;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use chordal_diagnostics::{Diagnostic, FileId};
 
-use crate::shop::ShopCodes;
+use crate::custom_codes::ShopCodes;
 
 /// True when a run should end early. It is asked about every thousand blocks.
 pub type InterruptCheck = Arc<dyn Fn() -> bool + Send + Sync>;

@@ -26,19 +26,19 @@
     reason = "a shell: files are its business, so that they are nobody else's"
 )]
 
-mod assumed;
-mod chosen;
+mod assumption;
 mod disk;
 mod error;
 mod files;
 mod head;
 mod input;
 pub mod ledger;
-mod loaded;
 mod loader;
 pub mod machine;
+mod machine_reason;
 mod neighbours;
 mod not_a_program;
+mod program_load;
 mod readings;
 mod request;
 mod text;
@@ -46,14 +46,14 @@ mod variables;
 
 use std::path::Path;
 
-pub use assumed::MovedAxes;
-pub use chosen::MachineReason;
+pub use assumption::MovedAxes;
 pub use error::{LoadError, reason};
 pub use files::FileAccess;
 pub use input::{ProgramInput, find, has_other_ending, looks_like_program};
-pub use loaded::Loaded;
 pub use loader::Loader;
+pub use machine_reason::MachineReason;
 pub use neighbours::without_called;
+pub use program_load::Loaded;
 pub use readings::{ReadingDifference, ReadingGroup, ReadingPremise};
 pub use request::{BlockDeleteSwitch, Request, RequestedMachine};
 pub use text::ProgramText;

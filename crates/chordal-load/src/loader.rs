@@ -4,13 +4,13 @@ use chordal::Machine;
 use chordal::control::{Control, RunOptions};
 use chordal::syntax::{ProgramHead, find_programs, is_program_name};
 
-use crate::chosen::MachineReason;
 use crate::error::LoadError;
 use crate::input::ProgramInput;
-use crate::loaded::Loaded;
 use crate::machine;
+use crate::machine_reason::MachineReason;
 use crate::neighbours::FolderCache;
 use crate::not_a_program;
+use crate::program_load::Loaded;
 use crate::readings::ReadingPremise;
 use crate::request::{BlockDeleteSwitch, Request, RequestedMachine};
 use crate::text::ProgramText;

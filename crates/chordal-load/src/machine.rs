@@ -13,11 +13,11 @@ use chordal::control::{
 };
 use chordal::machine::{ControlName, MachineError, ValueLocation, builtin, read_tool_tbl};
 
-use crate::assumed::assume;
-use crate::chosen::MachineReason;
+use crate::assumption::assume;
 use crate::error::LoadError;
 use crate::files::FileAccess;
 use crate::input::ProgramInput;
+use crate::machine_reason::MachineReason;
 use crate::readings::{ReadingPremise, machine_name, set_units, settle};
 use crate::request::{BlockDeleteSwitch, Request, RequestedMachine};
 

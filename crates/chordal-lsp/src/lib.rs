@@ -29,11 +29,11 @@
 #![forbid(unsafe_code)]
 
 mod actions;
-mod caught;
 mod convert;
 mod document;
 mod features;
 mod file_uri;
+mod panic_guard;
 mod place;
 mod server;
 mod stepwise;

@@ -14,11 +14,11 @@ use serde_json::{Value, json};
 
 use crate::SetupFinder;
 use crate::actions::{self, FIX_ALL, RENUMBER, actions, edit_of};
-use crate::caught::caught;
 use crate::convert::{diagnostic, lines, semantic_tokens, symbols, text_edits, token_types};
 use crate::document::OpenDocument;
 use crate::features;
 use crate::file_uri::path_of;
+use crate::panic_guard::caught;
 use crate::place::{offset_of, range_of};
 use crate::worker::{RunFindings, RunResult, RunTask, RunWorker};
 

@@ -8,7 +8,7 @@ use chordal::Diagnostic;
 use chordal_editor::{EditorProgram, PreviousCheck, RunMoves};
 use crossbeam_channel::{Receiver, Sender, unbounded};
 
-use crate::caught::caught;
+use crate::panic_guard::caught;
 
 /// A program to run.
 #[derive(Debug)]

@@ -7,7 +7,7 @@ use toml::Spanned;
 use toml::de::{DeArray, DeValue};
 
 use crate::check::{SchemaLocation, put};
-use crate::designated::contradictions;
+use crate::designated_tool::contradictions;
 use crate::error::{ErrorSource, MachineError};
 use crate::machine::Machine;
 use crate::schema::SchemaSlot;

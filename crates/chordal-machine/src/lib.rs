@@ -36,7 +36,7 @@ mod controls;
 
 mod control;
 mod decimal;
-mod designated;
+mod designated_tool;
 mod designation;
 mod error;
 mod files;

@@ -6,7 +6,7 @@ use toml::de::{DeTable, DeValue};
 use crate::builtin::{builtin, builtin_names};
 use crate::check::{INHERITS, SchemaLocation, put_table};
 use crate::control::ControlName;
-use crate::designated::contradictions;
+use crate::designated_tool::contradictions;
 use crate::error::{ErrorSource, MachineError};
 use crate::files::{in_folder_of, is_separator};
 use crate::machine::Machine;

@@ -13,15 +13,15 @@
 
 mod archive;
 mod curve;
+mod custom_codes;
 mod error;
+mod lathe_stock;
 mod machine;
 mod motion;
 mod program;
-mod shop;
 mod signals;
 mod stock;
 mod table;
-mod turned;
 
 use pyo3::prelude::*;
 
@@ -49,7 +49,7 @@ pub fn fill(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<curve::Curve>()?;
     module.add_class::<motion::Motion>()?;
     module.add_class::<stock::Stock>()?;
-    module.add_class::<turned::TurnedStock>()?;
+    module.add_class::<lathe_stock::TurnedStock>()?;
     module.add_class::<archive::ArchiveWorker>()?;
     module.add_class::<archive::Journal>()?;
     module.add_function(wrap_pyfunction!(codes, module)?)?;

@@ -24,13 +24,13 @@ use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::custom_codes::PyCustomCodes;
 use crate::error;
+use crate::lathe_stock::TurnedStock;
 use crate::machine::Machine;
-use crate::shop::PyCustomCodes;
 use crate::signals::PythonSignals;
 use crate::stock::{self, Stock};
 use crate::table::Table;
-use crate::turned::TurnedStock;
 
 /// A program with its machine and its subprograms. It never changes; every question runs it.
 #[pyclass(frozen, module = "chordal._chordal")]

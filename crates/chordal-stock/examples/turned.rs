@@ -7,7 +7,7 @@
 use std::time::Instant;
 
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{Insert, LatheStock, OutlineSegment, Region, Tip, ToolOutline};
+use chordal_stock::lathe::{Insert, LatheStock, OutlineSegment, Region, Tip, ToolOutline};
 
 /// Passes of each program.
 const PASSES: u32 = 10_000;
@@ -114,13 +114,13 @@ fn main() {
         contour(0.0, PASSES / 2).into_iter().chain(contour(0.5, PASSES / 2)).collect();
     run("contour, then a finish", &nose, &twice);
     run("lines and small arcs", &nose, &arcs());
-    let blade = chordal_stock::turned::Blade {
+    let blade = chordal_stock::lathe::Blade {
         width: 0.03,
         corners: [0.005; 2],
         length: 40.0,
         lead: 0.0,
-        facing: chordal_stock::turned::BladeFacing::Outside,
-        point: chordal_stock::turned::BladePoint::Lower,
+        facing: chordal_stock::lathe::BladeFacing::Outside,
+        point: chordal_stock::lathe::BladePoint::Lower,
     };
     run("grooves", &blade.outline().expect("an outline"), &grooves());
 }

@@ -2,7 +2,7 @@
 //! surely removed, and what is surely left.
 //!
 //! Lengths are in millimetres, angles in radians. The tool axis is Z; a position is that of the tool
-//! tip. Stock that turns is exact instead: see [`turned`]. The crate knows no program, no control and no
+//! tip. Stock that turns is exact instead: see [`lathe`]. The crate knows no program, no control and no
 //! machine, and uses no file and no thread.
 //!
 //! | to | see |
@@ -16,7 +16,7 @@
 //! | remove what it sweeps from stock, and measure | [`ColumnStock::cut`], [`ColumnStock::removed`], [`ColumnStock::left`] |
 //! | do so tile by tile on threads | [`ColumnStock::plan`], [`ColumnStock::jobs`] |
 //! | ask whether a rapid, a shank or a holder touches it | [`RevolvedBody`], [`ColumnStock::touch`], [`ColumnStock::cut_watching`] |
-//! | cut turned stock: exact half sections, volumes, passes | [`turned`] |
+//! | cut turned stock: exact half sections, volumes, passes | [`lathe`] |
 //! | have what cells cannot say done again finer | [`StockCheck`] |
 //! | ask how wide, how deep and how thick a cut is | [`engagement`], [`ColumnStock::cut_measuring`] |
 //!
@@ -47,10 +47,10 @@ pub mod columns;
 pub mod cutter;
 pub mod engagement;
 pub mod floor;
+pub mod lathe;
 pub mod mesh;
 pub mod shape;
 mod sweep;
-pub mod turned;
 
 pub use columns::{
     CellHeights, CheckedStock, ColumnOptions, ColumnStock, ContactDepth, LoweredColumn, Mode,

@@ -11,7 +11,7 @@ use chordal_geometry::Plane;
 use chordal_path::gouge::{self, GougeOptions, LimitReason, OutsideCornerRule, RadiusLimit};
 use chordal_path::{Compensator, ContourLevel, ContourPiece, PathCommand, PathSink};
 
-use crate::compensated::name_sequence;
+use crate::compensation_sink::name_sequence;
 use crate::job::Job;
 
 /// Commands kept of one contour; a longer one is left out, and that is said.

@@ -11,8 +11,8 @@ use chordal_kernel::{Language, RunSink};
 use chordal_machine::AXES;
 use chordal_path::{NotNamed, ProgramFrame, RunFrame};
 
-use crate::ahead::RunPremises;
 use crate::job::Job;
+use crate::premises::RunPremises;
 
 /// Waits for the first cut, and until X, Y and Z are all named, in a cut, too.
 struct AheadSink {

@@ -16,7 +16,7 @@ use chordal_machine::{Machine, PerAxis};
 use chordal_path::{PathBuilder, ProgramFrame, RunChecks};
 use chordal_syntax::ProgramHead;
 
-use crate::ahead::RunPremises;
+use crate::premises::RunPremises;
 
 /// Why there is no job.
 #[derive(Debug, thiserror::Error)]

@@ -32,13 +32,13 @@ pub mod control {
     };
 }
 
-mod ahead;
 mod comp_range;
-mod compensated;
+mod compensation_sink;
 mod first_cut;
 mod job;
 pub mod motion;
 mod other_sides;
+mod premises;
 mod reading;
 mod recheck;
 mod report;

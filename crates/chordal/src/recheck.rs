@@ -20,7 +20,7 @@ use chordal_diagnostics::{
 };
 use chordal_path::{CheckedRange, ChecksMemory, CompensatorMemory, ContourCheck};
 
-use crate::compensated::{CompensationSink, MAX_WAITING};
+use crate::compensation_sink::{CompensationSink, MAX_WAITING};
 use crate::job::{Job, no_block};
 use crate::report::{CheckSink, KEPT_PER_CODE, NoteSink, Report};
 use crate::summary::Summary;

@@ -5,7 +5,7 @@ use chordal_diagnostics::{Code, Collector, Diagnostic, Severity, SeverityCounts,
 use chordal_kernel::Outcome;
 use chordal_path::{PathBuilder, PathCommand, RunChecks, Segment};
 
-use crate::compensated::CompensationSink;
+use crate::compensation_sink::CompensationSink;
 use crate::job::Job;
 use crate::summary::{Summary, SummaryBuilder};
 use crate::tool_comments::contradicted_tools;

@@ -21,10 +21,10 @@ use chordal_compare::{Category, Comparison, ComparisonOptions, ComparisonVerdict
 use chordal_export::sha256_hex;
 use serde::Serialize;
 
+use crate::archive_walk::walk;
 use crate::check::{FileLoader, PreparedFile, guarded, job, run_planned};
 use crate::row::ArchivedProblem;
 use crate::run::{ArchiveProgress, with_jobs};
-use crate::walk::walk;
 use motion::RunMotion;
 use problems::{AddedProblems, ProblemList};
 

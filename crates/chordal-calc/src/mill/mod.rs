@@ -11,12 +11,12 @@ mod program;
 
 use chordal_machine::ControlName;
 
+use crate::calculation::{QuantityKind, WorkedCalculation};
 use crate::error::CalcError;
 use crate::figure::{Figure, LineStyle};
 use crate::math::{FRAC_PI_2, PI, atan2, unit};
 use crate::numbers::AnswerUnit;
 use crate::thread::{ThreadHand, ThreadLocation, ThreadSize};
-use crate::worked::{QuantityKind, WorkedCalculation};
 use chordal_geometry::Vec2;
 use plan::ThreadMillPlan;
 

@@ -5,9 +5,9 @@
 //! standard are whole steps of the series away: four for each grade, and five more inside.
 
 use super::{INSIDE, MIDDLE, OUTSIDE, ThreadLocation, ThreadSize, ToleranceZone};
+use crate::calculation::{QuantityKind, WorkedCalculation};
 use crate::error::CalcError;
 use crate::numbers::AnswerUnit;
-use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// What ISO 965-1 says for a pitch, in µm: table 1 (deviations), 3 and 4 (tolerances of grade 6).
 struct MetricThreadRow {

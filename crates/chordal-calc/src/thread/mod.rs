@@ -16,10 +16,10 @@ mod words;
 pub use class::{FitClass, ToleranceZone};
 pub use designation::{ThreadDesignation, ThreadForm};
 
+use crate::calculation::{QuantityKind, WorkedCalculation};
 use crate::error::{CalcError, bounded};
 use crate::math::{PI, atan};
 use crate::numbers::AnswerUnit;
-use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// Height of the sharp profile over the pitch: √3/2.
 pub(crate) const H: f64 = 0.866_025_403_784_438_6;

@@ -4,11 +4,11 @@ use super::class::{self, FitClass};
 use super::designation::{ThreadDesignation, ThreadForm, no_thread};
 use super::pipe_sizes::{G, NPT, PipeSize, TOLERANCES};
 use super::words::diameter;
+use crate::calculation::{QuantityKind, WorkedCalculation};
 use crate::error::CalcError;
 use crate::figure::{Figure, LineStyle};
 use crate::math::{atan, tan};
 use crate::numbers::{AnswerUnit, trimmed};
-use crate::worked::{QuantityKind, WorkedCalculation};
 use chordal_geometry::Vec2;
 
 const INCH: f64 = 25.4;

@@ -5,9 +5,9 @@
 
 use super::series::UnifiedSeries;
 use super::{H, INSIDE, MIDDLE, ThreadLocation, ThreadSize};
+use crate::calculation::{QuantityKind, WorkedCalculation};
 use crate::math::{cbrt, sqrt};
 use crate::numbers::trimmed;
-use crate::worked::{QuantityKind, WorkedCalculation};
 
 /// Diameter from which minor diameters of holes have three decimals: number 6, in.
 const THREE_DECIMALS: f64 = 0.138;

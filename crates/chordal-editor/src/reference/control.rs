@@ -9,7 +9,7 @@ use crate::meaning::{
     ControlView, codes, group_name, letter_meanings, own_value, target_name, without_places,
     word_rows,
 };
-use crate::reference::{HEAD, cell, diagnostics, not_carried_out, table_row};
+use crate::reference::{HEAD, cell, diagnostics, table_row, unsupported_codes};
 
 /// The page of a control.
 pub(super) fn page(table: &'static ControlTable) -> String {
@@ -114,7 +114,7 @@ fn data(table: &ControlTable) -> String {
 }
 
 fn not_here(table: &ControlTable) -> String {
-    let (rows, data) = (not_carried_out::of(table), not_carried_out::data_of(table));
+    let (rows, data) = (unsupported_codes::of(table), unsupported_codes::data_of(table));
     if rows.is_empty() && data.is_empty() {
         return String::new();
     }

@@ -6,7 +6,7 @@
 mod control;
 mod diagnostics;
 mod machine_files;
-mod not_carried_out;
+mod unsupported_codes;
 
 use chordal::control::CONTROLS;
 
@@ -25,7 +25,7 @@ pub fn pages() -> Vec<ReferencePage> {
     pages
 }
 
-pub use not_carried_out::codes_not_carried_out;
+pub use unsupported_codes::codes_not_carried_out;
 
 /// What a generated page says under its title.
 const HEAD: &str = "This page is generated from the tables in Chordal; a test compares the two.\n";

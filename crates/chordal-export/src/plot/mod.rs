@@ -4,6 +4,7 @@ mod depths;
 mod figure;
 mod figure_labels;
 mod frame;
+mod lathe_stock;
 mod layout;
 mod motion;
 mod page;
@@ -14,7 +15,6 @@ mod section;
 mod sheet;
 mod store;
 mod text;
-mod turned;
 mod view;
 
 use std::sync::Arc;
@@ -87,14 +87,14 @@ pub struct Plot {
     store: PathStore,
     inch: bool,
     /// Of a lathe: one view, with the half section of what is left where it is known.
-    turned: Option<turned::TurnedStockPlot>,
+    turned: Option<lathe_stock::TurnedStockPlot>,
 }
 
 impl Plot {
     /// An empty drawing for a job, numbered in the units of the job's control.
     pub fn new(job: &Job) -> Plot {
         let inch = job.control().parameters.rules.units == Units::Inch;
-        let turned = job.turns().then(turned::TurnedStockPlot::default);
+        let turned = job.turns().then(lathe_stock::TurnedStockPlot::default);
         Plot { store: PathStore::new(job.control().table.work_names), inch, turned }
     }
 
@@ -135,7 +135,7 @@ impl Plot {
 
     /// Draws what is left of turned stock under the path of a lathe.
     pub fn set_section(&mut self, found: &TurnedReport) {
-        self.turned = Some(turned::TurnedStockPlot::of(found));
+        self.turned = Some(lathe_stock::TurnedStockPlot::of(found));
     }
 
     /// Whether this is the picture of a lathe: one view, Z to the right and X up.

@@ -5,10 +5,10 @@ use chordal::geometry::Vec2;
 use chordal::stock::TurnedReport;
 use chordal::stock::section::{OutlineSegment, Region};
 
+use super::lathe_stock::{path_data, segment_data};
 use super::palette::Palette;
 use super::sheet::{shorten, text_width};
 use super::text::{escape, label, px};
-use super::turned::{path_data, segment_data};
 use super::{PlotError, PlotOptions, render};
 
 const INCH: f64 = 25.4;

@@ -4,13 +4,13 @@ use chordal::geometry::{Aabb, Vec3};
 use resvg::tiny_skia::Pixmap;
 
 use super::frame::{self, GridSteps, INCH};
+use super::lathe_stock::TurnedStockPlot;
 use super::layout::{MARGIN_UNITS, SheetLayout};
 use super::palette::Palette;
 use super::pen::ViewPaths;
 use super::relief::DrawnRelief;
 use super::store::{CutGroup, CutStroke, PathStore};
 use super::text::{escape, label, px};
-use super::turned::TurnedStockPlot;
 use super::view::{PixelRect, ViewPanel};
 use super::{PlotError, PlotOptions, draw_onto, png_of, usvg_options};
 

@@ -6,7 +6,7 @@ use chordal::path::{NotNamed, UnrelatedZero};
 use chordal::{Segment, SegmentKind};
 
 use super::relief::StockRelief;
-use crate::not_drawn::{left_out_texts, not_named_texts};
+use crate::omissions::{left_out_texts, not_named_texts};
 
 /// Pieces after which the path is thinned for the first time.
 const FIRST_THINNING_PIECES: usize = 1 << 21;

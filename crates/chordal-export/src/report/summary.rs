@@ -11,7 +11,7 @@ use chordal::{AxisTravel, Job, ProgramReading, Report, ToolUse};
 use serde_json::{Value, json};
 
 use super::json::problems;
-use crate::not_drawn::left_out_texts;
+use crate::omissions::left_out_texts;
 use crate::stock::left_members;
 
 /// What a run came to.

@@ -2,22 +2,22 @@
 
 mod engagement;
 mod json;
+mod lathe;
 mod mesh;
 #[cfg(feature = "pictures")]
 mod picture;
 mod text;
-mod turned;
 
 pub use engagement::{engagement_json, engagement_text};
 pub use json::stock_json;
+pub use lathe::{
+    section_dxf, turned_json, turned_mesh, turned_text, turned_verdict_text, turning_json,
+    turning_text,
+};
 pub use mesh::{MeshFormat, MeshSurface, StockMeshError, stock_mesh};
 #[cfg(feature = "pictures")]
 pub use picture::stock_png;
 pub use text::{stock_text, stock_verdict_text, stock_volume};
-pub use turned::{
-    section_dxf, turned_json, turned_mesh, turned_text, turned_verdict_text, turning_json,
-    turning_text,
-};
 
 use chordal::stock::StockLeft;
 use serde_json::{Map, Value};
@@ -34,6 +34,6 @@ pub fn stock_left_text(left: &StockLeft) -> String {
 pub(crate) fn left_members(left: &StockLeft) -> Map<String, Value> {
     match left {
         StockLeft::Columns(found) => json::stock_members(found),
-        StockLeft::Section(found) => turned::turned_members(found),
+        StockLeft::Section(found) => lathe::turned_members(found),
     }
 }

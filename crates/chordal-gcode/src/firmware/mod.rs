@@ -12,19 +12,19 @@
 //! A block that passes goes on to the interpreter, with its words as the firmware has read them; one that does not
 //! changes nothing.
 
+mod block_check;
 mod codes;
-mod judge;
 mod line;
 mod memory;
 mod motion;
-mod once;
+mod one_shot;
 
 use chordal_diagnostics::TextRange;
 use chordal_dialect::Control;
 use chordal_dialect::firmware::{Firmware, FirmwareError};
 use chordal_syntax::{Block, BlockKind, Decimal, Word, WordValue};
 
-use judge::AcceptedBlock;
+use block_check::AcceptedBlock;
 pub(crate) use line::LineFault;
 use line::{FirmwareLine, ReadWord};
 use memory::FirmwareMemory;
@@ -133,7 +133,7 @@ impl FirmwareChecker {
             return Err(self.command(&command, &mut line, whole, control, firmware));
         }
         let words = std::iter::from_fn(|| line.word());
-        let accepted = judge::judge(words, whole, control, firmware, &self.memory, false);
+        let accepted = block_check::judge(words, whole, control, firmware, &self.memory, false);
         accepted.map(Some).map_err(FirmwareAnswer::Refused)
     }
 
@@ -153,7 +153,8 @@ impl FirmwareChecker {
                 range: word.range,
             }))
         });
-        let accepted = judge::judge(read, block.range, control, firmware, &self.memory, false);
+        let accepted =
+            block_check::judge(read, block.range, control, firmware, &self.memory, false);
         accepted.map(Some).map_err(FirmwareAnswer::Refused)
     }
 
@@ -168,7 +169,7 @@ impl FirmwareChecker {
         if command.starts_with("J=") {
             line.skip("$J=".len());
             let words = std::iter::from_fn(|| line.word());
-            return match judge::judge(words, whole, control, firmware, &self.memory, true) {
+            return match block_check::judge(words, whole, control, firmware, &self.memory, true) {
                 Ok(accepted) => {
                     self.memory.position = accepted.after.position;
                     FirmwareAnswer::Jog(accepted.words.iter().map(word_of).collect())

@@ -5,8 +5,8 @@ use chordal_dialect::table::ArcTurns;
 use chordal_kernel::rules::CycleKind;
 use chordal_syntax::Letters;
 
+use super::block_check::{BlockCheck, MM_PER_INCH};
 use super::codes::AxisUse;
-use super::judge::{BlockCheck, MM_PER_INCH};
 use super::line::LineFault;
 use super::memory::{FirmwareMemory, FirmwareMotion, HoleMemory};
 

@@ -8,7 +8,7 @@ use chordal_command::SpindleState;
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
 use chordal_syntax::{Block, BlockPosition as TextPosition, Letters, Word, is_program_name};
 
-use super::shop::CustomCodeCall;
+use super::custom_codes::CustomCodeCall;
 use super::{BlockFlow, CallFrame, EndReason, Interpreter};
 
 /// Fixed subroutines of the L form: L91… to L99….

@@ -5,6 +5,7 @@
 //! tables; `calls` follows subprograms; `repeats` counts them; `shop` asks about codes of a shop's own; `literals` turns words into millimetres; `report`
 //! builds the diagnostics.
 
+mod active_codes;
 mod angle;
 mod arc;
 mod block;
@@ -15,12 +16,12 @@ mod command_line;
 mod conflicts;
 mod context;
 mod corner;
+mod custom_codes;
 mod cycle;
 mod effects;
 mod engraving;
 mod firmware;
 mod frames;
-mod in_force;
 mod literals;
 mod live_tool;
 mod macros;
@@ -34,7 +35,6 @@ mod reference;
 mod repairs;
 mod repeats;
 mod report;
-mod shop;
 mod spatial;
 mod spiral;
 mod spline;
@@ -50,13 +50,13 @@ mod work_offsets;
 
 pub use self::calls::subroutine_head;
 
+use active_codes::codes_in_force;
 use chordal_command::{
     AxisMask, CallPath, CallPaths, CommandKind, CompensationSide, Origin, Units, WorkName,
 };
 use chordal_dialect::macros::MacroForm;
 use chordal_dialect::{CodeRow, Control};
 use chordal_kernel::{Modal, Offsets, State};
-use in_force::codes_in_force;
 use statement::BlockStatement;
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -170,7 +170,7 @@ struct Interpreter<'a> {
     ended_by_percent: bool,
     /// Set where a statement ends the run.
     stopped: Option<EndReason>,
-    shop: shop::ShopState,
+    shop: custom_codes::ShopState,
     /// The modes that M70 and M73 keep, outermost call first.
     kept_modes: Vec<context::KeptModes>,
     /// Reference points that the program has stored: machine position, mm and rad.
@@ -325,7 +325,7 @@ impl<'a> Interpreter<'a> {
             begun_by_percent: false,
             ended_by_percent: false,
             stopped: None,
-            shop: shop::ShopState::new(program),
+            shop: custom_codes::ShopState::new(program),
             kept_modes: Vec::new(),
             references: macros::initial_references(machine, control),
             judge: None,

@@ -6,8 +6,8 @@ mod bodies;
 mod rows;
 mod tables;
 mod turning;
+mod value_text;
 mod words;
-mod written;
 
 pub(crate) use self::rows::{ROWS, tool};
 pub(crate) use self::tables::{tables, written_tables};

@@ -8,7 +8,7 @@ use chordal::syntax::Letters;
 use super::codes;
 use super::context::ConvertContext;
 use super::emit::{distance_action, plane_action};
-use super::rendered::RenderedPlan;
+use super::rendering::RenderedPlan;
 use super::trace::BlockExecution;
 use crate::Change;
 

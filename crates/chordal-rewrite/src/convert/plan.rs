@@ -13,7 +13,7 @@ use super::contours::CycleContour;
 use super::draft::{BlockDraft, NeedsExpansion};
 use super::emit::CommandEmitter;
 use super::initial;
-use super::rendered::RenderedPlan;
+use super::rendering::RenderedPlan;
 use super::trace::BlockExecution;
 use super::turning;
 use super::{ConversionOptions, ConvertRefusal};

@@ -6,7 +6,7 @@ use chordal::control::{
 use chordal::syntax::Block;
 
 use super::head::{HeadError, HeadWriter};
-use super::turned::{has_stations, says_setup};
+use super::lathe::{has_stations, says_setup};
 use crate::convert::codes;
 use crate::convert::numbers::plain;
 use crate::convert::station;

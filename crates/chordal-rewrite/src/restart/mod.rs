@@ -6,9 +6,9 @@
 mod cycle;
 mod head;
 mod head_turned;
+mod lathe;
 mod shift;
 mod trace;
-mod turned;
 mod watch;
 
 use std::ops::Range;
@@ -344,7 +344,7 @@ impl RestartRequest<'_, '_> {
             let once = action.once();
             once.is_some_and(|code| matches!(code, OnceCode::SetData | OnceCode::Turning(_)))
         });
-        turned::has_stations(control) && !is_other && self.source.blocks[at].word(b'T').is_some()
+        lathe::has_stations(control) && !is_other && self.source.blocks[at].word(b'T').is_some()
     }
 
     /// The program is followed, without an error, up to the block.

@@ -10,8 +10,8 @@ use chordal::syntax::{Block, Word};
 use chordal::{Command, CommandKind, Control, Diagnostic, Effect, Job, RunSink, Sink};
 
 use super::cycle::OpenCycle;
+use super::lathe::{LatheState, limits};
 use super::shift::ActiveShift;
-use super::turned::{LatheState, limits};
 use crate::source::SourceBlocks;
 use crate::split::state_at::StateWords;
 

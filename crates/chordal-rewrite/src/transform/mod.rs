@@ -7,13 +7,13 @@
 
 mod arcs;
 mod edit;
+mod edit_proof;
 mod fit;
 mod heights;
 mod lines;
 mod map;
 mod number;
 mod optimize;
-mod proved;
 mod rates;
 mod record;
 mod roles;

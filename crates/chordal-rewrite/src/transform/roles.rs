@@ -8,9 +8,9 @@ use chordal::syntax::{Block, Word, WordValue};
 
 use super::record::{BlockEffect, ReadingContext};
 
-mod turned;
+mod lathe;
 
-pub(super) use self::turned::LatheBlockSort;
+pub(super) use self::lathe::LatheBlockSort;
 
 /// What a number stands for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

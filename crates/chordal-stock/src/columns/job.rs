@@ -2,13 +2,13 @@
 
 use wide::{CmpGt, f32x4};
 
-use super::below::OnTile;
 use super::block::{BlockPart, certified, sampled};
 use super::grid::{BLOCK, BLOCKS, CELLS, GROUPS, LANES, StockGrid, TILE};
 use super::heights::{HeightRange, bottom};
 use super::plan::{PlanStep, StepAction};
 use super::recorder::{LoweredColumn, TileRecorder};
 use super::tile::StockTile;
+use super::undercut_move::OnTile;
 use super::{ColumnOptions, ContactDepth, JobResult, Mode, StockPlan};
 use crate::sweep::lanes::{CourseFrame, TileCourse};
 use crate::sweep::shape::{AnyShape, PartKind};

@@ -7,28 +7,28 @@
 //! [`ColumnStock::cut`] does all by itself. A shell with threads makes a [`StockPlan`] of moves, gets a [`TileJob`] for each
 //! tile that they meet ([`ColumnStock::jobs`]), and runs these in any order: the result has the same bits.
 
-mod below;
 mod block;
 mod check;
-mod found;
 mod gaps;
 mod grid;
 mod heights;
 mod job;
+mod job_result;
 mod plan;
 mod recorder;
 mod tile;
 mod touch;
+mod undercut_move;
 mod volume;
 mod window;
 
 use chordal_geometry::Aabb;
 
 pub use check::{CheckedStock, JobRunner, StockCheck};
-pub use found::{ColumnCounts, JobResult};
 pub use grid::StockGrid;
 pub use heights::{CellCeiling, CellHollows};
 pub use job::TileJob;
+pub use job_result::{ColumnCounts, JobResult};
 pub use plan::{StockPlan, StockTask};
 pub use recorder::LoweredColumn;
 pub use touch::{ContactDepth, TouchAnswer};

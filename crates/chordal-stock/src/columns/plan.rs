@@ -2,8 +2,8 @@
 
 use chordal_geometry::{ParamCurve, Transform, Vec3};
 
-use super::below::UndercutMove;
 use super::grid::TILE;
+use super::undercut_move::UndercutMove;
 use super::{ColumnOptions, ContactDepth, JobResult, StockGrid};
 use crate::sweep::strip::{SweepStrip, across, strip};
 use crate::sweep::{BodyPart, MoveSplitter, RevolvedBody, SweepPiece, TipMove, parts};

@@ -9,8 +9,8 @@
 //! Nothing is sampled. Closed forms are exact to rounding, where that of the edge of a cutter is like a
 //! column that stands aside by as much.
 
-mod around;
 mod bounds;
+mod horizontal_arc;
 mod path;
 mod pieces;
 mod profile;

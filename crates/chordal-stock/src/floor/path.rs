@@ -2,7 +2,7 @@
 
 use chordal_geometry::{Arc, Curve, ParamCurve, Spiral, Transform, Vec3};
 
-use super::around::HorizontalArc;
+use super::horizontal_arc::HorizontalArc;
 use super::pieces::NumericCurve;
 use super::profile::{LowestOffer, PushedProfile};
 use super::straight::StraightPath;

@@ -5,7 +5,7 @@ use chordal_geometry::{Aabb, Vec3};
 use super::body::{RoundBody, SweptFrustum};
 use super::cells::HeightSpan;
 use super::convex::{self, DistanceInterval};
-use super::meshed::MeshedShape;
+use super::mesh_shape::MeshedShape;
 use super::profile;
 use super::round::CylinderShape;
 use super::tree::NodeContent;

@@ -9,17 +9,17 @@ mod cells;
 mod clip;
 mod convex;
 mod distance;
-mod meshed;
+mod mesh_shape;
 mod passage;
 mod profile;
+mod revolved;
 mod round;
 mod tree;
-mod turned;
 
 use chordal_geometry::{Aabb, Vec3};
 
 use crate::mesh::{Edges, MAX_COORDINATE_MM, Mesh};
-use meshed::MeshedShape;
+use mesh_shape::MeshedShape;
 use round::CylinderShape;
 
 pub use body::{BodyBound, BodyError, Frustum, RoundBody};

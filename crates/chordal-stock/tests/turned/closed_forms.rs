@@ -3,7 +3,7 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use chordal_stock::turned::{
+use chordal_stock::lathe::{
     Blade, BladeFacing, BladePoint, Insert, InsertShape, LatheStock, OutlineSegment, Region,
     ToolOutline,
 };
@@ -288,7 +288,7 @@ fn parts_and_castings() {
 
 #[test]
 fn wrong_outlines_are_named() {
-    use chordal_stock::turned::{RegionError as E, ToolError as T};
+    use chordal_stock::lathe::{RegionError as E, ToolError as T};
     let tri = |a, b, c| {
         vec![OutlineSegment::line(a, b), OutlineSegment::line(b, c), OutlineSegment::line(c, a)]
     };
@@ -330,6 +330,6 @@ fn wrong_outlines_are_named() {
     let _ = BladePoint::Middle;
 }
 
-fn tip_error(number: u8) -> chordal_stock::turned::ToolError {
-    chordal_stock::turned::Tip::new(number).unwrap_err()
+fn tip_error(number: u8) -> chordal_stock::lathe::ToolError {
+    chordal_stock::lathe::Tip::new(number).unwrap_err()
 }

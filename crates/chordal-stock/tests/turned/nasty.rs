@@ -1,7 +1,7 @@
 //! Random booleans of regions that share edges, touch, nearly touch, and are hardly there.
 
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{
+use chordal_stock::lathe::{
     CombinedRegion, Insert, InsertShape, LatheStock, OutlineSegment, OverlayError, Region,
     RegionError, SegmentArc, Tip, ToolOutline,
 };

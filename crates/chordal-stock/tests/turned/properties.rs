@@ -1,7 +1,7 @@
 //! What must not matter: where a move is divided, its sense, the order of passes that do not meet, which way
 //! z points; and that twice the same takes nothing.
 
-use chordal_stock::turned::{LatheStock, OutlineSegment, Region, SegmentArc};
+use chordal_stock::lathe::{LatheStock, OutlineSegment, Region, SegmentArc};
 
 use crate::raster::{LENGTH, RADIUS, random_path, random_place, random_tool};
 use crate::shop::{Random, at, bar, near, point, rounds};
@@ -83,10 +83,8 @@ fn divided_reversed_repeated_and_mirrored_moves_leave_the_same() {
 fn passes_that_do_not_meet_come_in_any_order() {
     for round in 0..rounds(200) {
         let mut random = Random(0xABCD_EF01_2345_6789 ^ (round + 1).wrapping_mul(0x9E37_79B9));
-        let tool = chordal_stock::turned::ToolOutline::round(
-            random.between(0.2, 2.0),
-            crate::shop::tip(0),
-        );
+        let tool =
+            chordal_stock::lathe::ToolOutline::round(random.between(0.2, 2.0), crate::shop::tip(0));
         let tool = tool.unwrap();
         // Each in its own stretch of 10 mm.
         let mut passes: Vec<OutlineSegment> = (0..6)

@@ -5,7 +5,7 @@
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{
+use chordal_stock::lathe::{
     Blade, BladeFacing, BladePoint, Insert, InsertShape, LatheStock, OutlineSegment, Tip,
     ToolOutline,
 };

@@ -1,7 +1,7 @@
 //! Stock, tools and paths in short words, and numbers that look random.
 
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{
+use chordal_stock::lathe::{
     Blade, BladeFacing, BladePoint, Insert, LatheStock, OutlineSegment, Region, Tip, ToolOutline,
     TurnedPass,
 };

@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{
+use chordal_stock::lathe::{
     Blade, BladeFacing, BladePoint, Insert, InsertShape, OutlineSegment, Region, Tip, ToolOutline,
 };
 

@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use chordal_stock::turned::{Insert, InsertShape, LatheStock, OutlineSegment, Region};
+use chordal_stock::lathe::{Insert, InsertShape, LatheStock, OutlineSegment, Region};
 
 use crate::shop::{at, bar, blade, follow, near, point, tip, turn};
 
@@ -174,7 +174,7 @@ fn a_wall_stays_between_two_grooves() {
     for z in [-23.0, -26.5] {
         turn(&mut stock, &tool, &[(62.0, z), (40.0, z), (62.0, z)]);
     }
-    let walls = stock.region().spans_at(25.0, chordal_stock::turned::PlaceSide::Higher);
+    let walls = stock.region().spans_at(25.0, chordal_stock::lathe::PlaceSide::Higher);
     assert_eq!(walls, [(-60.0, -26.5), (-23.5, -23.0), (-20.0, 0.0)]);
 }
 
@@ -198,7 +198,7 @@ fn a_rapid_and_a_holder_in_the_stock_are_measured() {
     let mut stock = LatheStock::new(&Region::bar(50.0, -60.0, 0.0).unwrap());
     turn(&mut stock, &tool, &[(40.0, 2.0), (40.0, -20.0), (110.0, -20.0)]);
     let corners = [at(-2.0, 20.0), at(20.0, 20.0), at(20.0, 60.0), at(-2.0, 60.0)];
-    let holder = chordal_stock::turned::ToolOutline::polygon(&corners).unwrap();
+    let holder = chordal_stock::lathe::ToolOutline::polygon(&corners).unwrap();
     let (pass, _) =
         stock.touch(&holder, &OutlineSegment::line(at(2.0, 20.0), at(-19.5, 20.0))).unwrap();
     near(pass.along, 1.5, 1e-12);

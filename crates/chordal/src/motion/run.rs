@@ -7,7 +7,7 @@ use super::limits::MachineLimits;
 use super::options::MotionOptions;
 use super::plan::{PlanSink, PlanningSink};
 use super::steps::{MotionReport, MotionSink};
-use crate::compensated::CompensationSink;
+use crate::compensation_sink::CompensationSink;
 use crate::job::Job;
 
 impl Job<'_> {

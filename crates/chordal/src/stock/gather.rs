@@ -9,10 +9,10 @@ use chordal_machine::RotaryAxis;
 use chordal_path::{PathCommand, Segment, SegmentKind, depth_mm};
 use chordal_stock::TipMove;
 
+use super::passed_heights::{VisitedPlaces, is_upright};
 use super::problems::{assumed_point_angle, not_cut};
 use super::tools::{NoBody, ToolBody};
 use super::turns::{self, PartOrientation};
-use super::visited::{VisitedPlaces, is_upright};
 use crate::job::Job;
 use crate::report::RunWatch;
 

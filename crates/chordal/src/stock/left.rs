@@ -3,11 +3,11 @@
 use chordal_stock::VolumeInterval;
 use chordal_stock::columns::JobRunner;
 
+use super::lathe::{TurnedOptions, TurnedReport};
 use super::pass::StockOptions;
 use super::report::{StockReport, StockVerdict};
 use super::run::StockRunError;
 use super::setup::SetupFileReader;
-use super::turned::{TurnedOptions, TurnedReport};
 use crate::job::Job;
 use crate::report::Report;
 use crate::time::ToolTime;

@@ -3,17 +3,19 @@
 //! [`Job::stock`](crate::Job::stock) runs a program on the stock of its machine's setup. Everything it answers
 //! lies between two bounds, and "clean" is said only where they prove it.
 
-mod earlier;
+mod earlier_side;
 mod engagement;
 mod fixtures;
 mod gather;
 mod heights;
 mod inside;
+mod lathe;
 mod left;
 mod pass;
+mod passed_heights;
 mod premise;
 mod problems;
-mod removed;
+mod removal;
 mod replay;
 mod report;
 mod run;
@@ -24,9 +26,7 @@ mod solid_intervals;
 mod target;
 mod teeth;
 mod tools;
-mod turned;
 mod turns;
-mod visited;
 
 pub use chordal_stock::columns::{JobResult, JobRunner, TileJob};
 pub use chordal_stock::mesh;
@@ -35,6 +35,10 @@ pub use engagement::{
     BoundedValue, ChipThickness, CuttingLoad, EngagementOptions, EngagementProblem,
     EngagementReport, EngagementSlice, LoadPeak, MATERIALS, MaterialData, MaterialGroup,
     MoveEngagement, NoMaterial, POWER_SHARE, ToolEngagement, engagement_angle,
+};
+pub use lathe::{
+    ApproachCheck, ApproachHit, CutOffPart, SegmentOrigin, TurnedMove, TurnedOptions, TurnedPiece,
+    TurnedReplay, TurnedReport, TurnedShape, TurnedTarget, TurnedThread, TurnedToolRemoved,
 };
 pub use left::{StockLeft, ToolRemoves};
 pub use pass::StockOptions;
@@ -46,11 +50,7 @@ pub use report::{StockReport, StockVerdict, ToolRemoved};
 pub use run::StockRunError;
 pub use setup::{SetupError, SetupFileReader};
 pub use target::TargetReport;
-pub use turned::{
-    ApproachCheck, ApproachHit, CutOffPart, SegmentOrigin, TurnedMove, TurnedOptions, TurnedPiece,
-    TurnedReplay, TurnedReport, TurnedShape, TurnedTarget, TurnedThread, TurnedToolRemoved,
-};
 /// Half sections: what lathes turn.
 pub mod section {
-    pub use chordal_stock::turned::{OutlineSegment, PlaceSide, Region, SegmentArc};
+    pub use chordal_stock::lathe::{OutlineSegment, PlaceSide, Region, SegmentArc};
 }

@@ -7,7 +7,7 @@ use chordal_stock::mesh::SolidIntervals;
 use chordal_stock::{ColumnStock, VolumeInterval};
 
 use super::problems::StockProblem;
-use super::removed::OtherSide;
+use super::removal::OtherSide;
 use super::target::TargetReport;
 use crate::report::Report;
 use crate::time::ToolTime;

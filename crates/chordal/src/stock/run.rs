@@ -13,12 +13,12 @@ use chordal_stock::{
     TipMove, Undercut, VolumeInterval,
 };
 
-use super::earlier::{EarlierSide, InitialStock, below};
+use super::earlier_side::{EarlierSide, InitialStock, below};
 use super::fixtures::look_at_fixtures;
 use super::gather::{BatchKind, MoveBatch, StockMoves};
 use super::pass::{PassContext, StockOptions};
 use super::problems::{ContactReport, FixtureClearance, StockProblems};
-use super::removed::OtherSide;
+use super::removal::OtherSide;
 use super::report::{StockReport, StockVerdict, ToolRemoved, knows_tips};
 use super::setup::{NamedBody, SetupError, SetupFileReader, shift_between};
 use super::target::{TARGET_TOLERANCE, TargetPart, TargetReport, look_at_target};

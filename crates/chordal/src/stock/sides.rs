@@ -13,12 +13,12 @@ use chordal_stock::columns::OTHERS;
 use chordal_stock::shape::SolidShape;
 use chordal_stock::{ContactDepth, StockError, VolumeInterval};
 
-use super::earlier::{EarlierSide, InitialStock, SideTops};
+use super::earlier_side::{EarlierSide, InitialStock, SideTops};
 use super::fixtures::look_at_fixtures;
 use super::gather::{MoveBatch, StockMoves};
 use super::pass::PassContext;
 use super::problems::StockProblems;
-use super::removed::{OtherSide, SideRemoval};
+use super::removal::{OtherSide, SideRemoval};
 use super::run::{CutStock, SetupBodies, TaskQuestion};
 use super::target::{TargetPart, TargetReport, look_at_target};
 use super::turns::{PartOrientation, boxed, swept};

@@ -7,7 +7,7 @@
 use chordal_geometry::{Aabb, Vec3};
 use chordal_stock::mesh::{HeightField, HeightFieldError, HeightMesh, LayerField, SolidIntervals};
 
-use super::removed::OtherSide;
+use super::removal::OtherSide;
 use super::report::StockReport;
 use super::solid_intervals::{ColumnKnowledge, intervals_of};
 use super::turns::boxed;

@@ -6,7 +6,7 @@ use chordal_path::{PathCommand, PathSink};
 
 use super::builder::TimeBuilder;
 use super::report::TimeReport;
-use crate::compensated::CompensationSink;
+use crate::compensation_sink::CompensationSink;
 use crate::job::Job;
 use crate::motion::{
     KinematicLimits, LimitError, MachineLimits, MotionBuilder, MotionOptions, MotionPlanner,

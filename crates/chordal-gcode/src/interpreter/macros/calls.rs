@@ -8,7 +8,7 @@ use chordal_dialect::{CodeGroup, DecimalPoint, FIRST_ALIAS_SUBPROGRAM, code_numb
 use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Block, Decimal, Letters, Word, WordValue as Written};
 
-use super::super::shop::CustomCodeCall;
+use super::super::custom_codes::CustomCodeCall;
 use super::super::{BlockFlow, Interpreter};
 use crate::macros::arguments::{ArgumentAssigner, reserved_variable};
 use crate::macros::evaluate::ValuePurpose;

@@ -6,4 +6,4 @@ mod circular;
 mod fixed;
 mod general;
 mod geometry;
-mod unmoved;
+mod no_motion;

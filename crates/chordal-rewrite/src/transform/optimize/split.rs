@@ -9,7 +9,7 @@ use chordal::stock::{EngagementReport, MoveEngagement};
 use chordal_compare::{ComparisonOptions, ComparisonVerdict};
 
 use super::super::edit::{apply, changes, line_end};
-use super::super::proved::old_text;
+use super::super::edit_proof::old_text;
 use super::exact::BlockPoint;
 use super::parts::{BlockSplitter, NO_POINT, SplitObjection};
 use super::profile::FeedProfile;

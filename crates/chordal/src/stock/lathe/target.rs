@@ -1,7 +1,7 @@
 //! The part as it should be: cuts into it, and what is left on it.
 
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{LatheStock, OutlineSegment, Region};
+use chordal_stock::lathe::{LatheStock, OutlineSegment, Region};
 
 use super::bodies::{is_on_axis, without_skin};
 use super::report::TurnedTarget;

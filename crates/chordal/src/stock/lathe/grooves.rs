@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use chordal_diagnostics::Code;
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{BladeFacing, LatheStock, PlaceSide, Region};
+use chordal_stock::lathe::{BladeFacing, LatheStock, PlaceSide, Region};
 
 use super::gather::{TurnMove, TurnedMoveKind};
 use super::problems::{MessageDetail, ProblemLocation, TurnedProblems};

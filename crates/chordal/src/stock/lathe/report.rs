@@ -4,7 +4,7 @@ use chordal_command::Origin;
 use chordal_diagnostics::Code;
 use chordal_geometry::Vec2;
 use chordal_stock::VolumeInterval;
-use chordal_stock::turned::{OutlineSegment, Region};
+use chordal_stock::lathe::{OutlineSegment, Region};
 
 use super::super::problems::StockProblem;
 use super::super::report::StockVerdict;

@@ -8,8 +8,8 @@ use chordal::{
     SourceMap,
 };
 
-use crate::chosen::MachineReason;
 use crate::error::LoadError;
+use crate::machine_reason::MachineReason;
 use crate::readings::ReadingPremise;
 use crate::text::ProgramText;
 

@@ -8,7 +8,7 @@ use chordal_command::{
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::{Curve, Vec2};
 use chordal_path::{PathCommand, Segment as PathSegment};
-use chordal_stock::turned::OutlineSegment;
+use chordal_stock::lathe::OutlineSegment;
 
 use super::super::gather::{FRAME_NOT_KNOWN, TIP_NOT_KNOWN};
 use super::super::problems::{assumed_point_angle, not_cut};

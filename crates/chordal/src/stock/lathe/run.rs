@@ -3,7 +3,7 @@
 use chordal_diagnostics::Code;
 use chordal_machine::Body;
 use chordal_stock::VolumeInterval;
-use chordal_stock::turned::Region;
+use chordal_stock::lathe::Region;
 
 use super::super::engagement::MaterialData;
 use super::super::report::{StockVerdict, knows_tips};
@@ -95,7 +95,7 @@ impl Job<'_> {
                 recorder.fixture(name, &section);
             }
             let clearance = body.clearance_mm.unwrap_or(0.0);
-            let body = chordal_stock::turned::LatheStock::new(&grown(&section, clearance));
+            let body = chordal_stock::lathe::LatheStock::new(&grown(&section, clearance));
             cutting.fixtures.push(TurnedFixture { name, clearance, body });
         }
         if let Some(body) = &setup.target {

@@ -5,8 +5,8 @@ use chordal_dialect::firmware::FirmwareError;
 use chordal_dialect::table::DataTarget;
 use chordal_syntax::Letters;
 
+use super::block_check::BlockCheck;
 use super::codes::{AxisUse, byte};
-use super::judge::BlockCheck;
 use super::line::LineFault;
 use super::memory::{FirmwareMemory, FirmwareMotion};
 

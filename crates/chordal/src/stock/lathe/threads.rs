@@ -1,7 +1,7 @@
 //! Where a thread cuts the half section: the tool comes by once in each revolution of the spindle.
 
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{LatheStock, OutlineSegment, Region, ToolOutline as Outline};
+use chordal_stock::lathe::{LatheStock, OutlineSegment, Region, ToolOutline as Outline};
 
 use super::gather::TurnMove;
 use super::report::TurnedThread;

@@ -11,8 +11,8 @@ use chordal_syntax::{Block, BlockPosition as TextPosition, Decimal, Letters, Pro
 
 use super::Interpreter;
 use super::literals::AXIS_OF;
+use crate::custom_codes::{CustomCode, ShopAnswer, ShopCall};
 use crate::library::Program;
-use crate::shop::{CustomCode, ShopAnswer, ShopCall};
 
 /// Stands for the row that the table does not have. The words that no other code takes are its own.
 static SHOP_CODE: CodeRow = CodeRow {

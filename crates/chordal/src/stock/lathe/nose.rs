@@ -5,7 +5,7 @@
 
 use chordal_diagnostics::Code;
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{OutlineSegment, Region};
+use chordal_stock::lathe::{OutlineSegment, Region};
 
 use super::gather::{TurnMove, TurnedMoveKind};
 use super::problems::{MessageDetail, ProblemLocation, TurnedProblems};

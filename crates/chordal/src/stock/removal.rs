@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use chordal_geometry::{Aabb, Transform};
 use chordal_stock::{ColumnStock, RemovedSpan};
 
-use super::earlier::InitialStock;
+use super::earlier_side::InitialStock;
 use super::solid_intervals::{ColumnKnowledge, intervals_of};
 
 /// Columns along a side of a block of which one height is kept.

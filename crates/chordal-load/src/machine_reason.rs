@@ -7,7 +7,7 @@ use chordal::control::{EvidenceStrength, Recognition, not_read};
 use chordal::diagnostics::{FileId, Span};
 use chordal::{Code, Diagnostic};
 
-use crate::assumed::MovedAxes;
+use crate::assumption::MovedAxes;
 
 /// Signs that a message about a language lists.
 const MAX_SIGNS: usize = 4;

@@ -7,7 +7,7 @@ use chordal_geometry::Vec2;
 use chordal_machine::{
     Cutter as Shape, HolderSegment, InsertLetter, Tool, ToolFacing, ToolShape, mirrored_tip,
 };
-use chordal_stock::turned::{
+use chordal_stock::lathe::{
     Blade, BladeFacing, BladePoint, Insert, InsertShape, Tip, ToolError, ToolOutline as Outline,
 };
 

@@ -5,7 +5,7 @@
 //! moves along the thread, and its mean over each revolution.
 
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{LatheStock, OutlineSegment, Region, ToolOutline as Outline};
+use chordal_stock::lathe::{LatheStock, OutlineSegment, Region, ToolOutline as Outline};
 
 use super::gather::TurnMove;
 use super::threads::{SpindleRevolutions, ThreadAdvance};

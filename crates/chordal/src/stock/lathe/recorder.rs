@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{LatheStock, OutlineSegment, Region};
+use chordal_stock::lathe::{LatheStock, OutlineSegment, Region};
 
 use super::gather::TurnMove;
 use super::replay::{TurnedPiece, TurnedReplay, TurnedShape};

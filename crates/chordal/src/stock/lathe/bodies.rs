@@ -2,7 +2,7 @@
 
 use chordal_geometry::{Vec2, Vec3};
 use chordal_machine::{Axis, Body, BodyShape, ContourPoint, MeshUnit};
-use chordal_stock::turned::{
+use chordal_stock::lathe::{
     DxfError, LatheStock, OutlineSegment, Region, RegionError, Tip, ToolOutline, read_dxf,
 };
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use chordal_stock::turned::{OutlineSegment, Region};
+use chordal_stock::lathe::{OutlineSegment, Region};
 
 /// A line or an arc that bounds what is left for a while.
 #[derive(Clone, Copy, Debug, PartialEq)]

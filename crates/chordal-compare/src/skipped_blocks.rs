@@ -7,9 +7,9 @@ use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockKind, BlockReader};
 use chordal::{BlockDeleteRuns, Code, Command, Diagnostic, Job, Report, Span};
 
+use crate::alignment_walker::ComparisonFindings;
 use crate::category::Category;
 use crate::difference::{BlockLocation, BlockRange, Difference, DifferenceValue};
-use crate::walk::ComparisonFindings;
 
 /// Adds the first block that differs among those that one of two runs on one control has not come to.
 pub(crate) fn compare(

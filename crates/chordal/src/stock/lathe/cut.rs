@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use chordal_diagnostics::Code;
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{LatheStock, PassError, Region, ToolOutline as Outline, TurnedPass};
+use chordal_stock::lathe::{LatheStock, PassError, Region, ToolOutline as Outline, TurnedPass};
 
 use super::contour::FeedChain;
 use super::gather::{TurnMove, TurnedMoveKind};

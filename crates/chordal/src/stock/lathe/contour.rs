@@ -4,7 +4,7 @@
 //! into the surface before.
 
 use chordal_geometry::Vec2;
-use chordal_stock::turned::{OutlineSegment, Region};
+use chordal_stock::lathe::{OutlineSegment, Region};
 
 use super::gather::{TurnMove, TurnedMoveKind};
 use super::tools::LatheTool;

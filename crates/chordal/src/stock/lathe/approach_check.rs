@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use chordal_command::Origin;
 use chordal_diagnostics::FileId;
-use chordal_stock::turned::{LatheStock, Region};
+use chordal_stock::lathe::{LatheStock, Region};
 
 use super::super::run::StockRunError;
 use super::super::setup::{NamedBody, SetupFileReader, shift_between};
