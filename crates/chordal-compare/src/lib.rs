@@ -46,6 +46,7 @@ mod values;
 use std::collections::BTreeSet;
 
 use chordal::geometry::Transform;
+pub use chordal::geometry::tolerance::COINCIDENT_MM;
 use chordal::{Job, Machine, Report};
 
 pub use category::{Category, ComparingCommand, shared_reference};
@@ -54,10 +55,6 @@ pub use joined_parts::{JoinedPart, RetainedText, compare_joined};
 pub use passes::{CyclePasses, FreePasses, LastPass};
 pub use pecks::HolePecks;
 pub use values::are_same_values;
-
-/// Places nearer than this are the same, mm. Doubles leave up to a hundredth of it when a centre is
-/// computed from a radius; no control computes as finely.
-pub const COINCIDENT_MM: f64 = 1e-9;
 
 /// How two runs are compared with each other.
 #[derive(Clone, Debug)]

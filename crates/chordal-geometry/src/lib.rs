@@ -53,6 +53,7 @@ mod solve;
 mod spiral;
 mod spline_piece;
 mod spline_run;
+pub mod tolerance;
 mod tracer;
 mod transform;
 mod vec2;

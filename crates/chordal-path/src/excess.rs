@@ -3,10 +3,8 @@
 
 use chordal_command::{AxisMask, CommandKind, Feed, FeedMode, Move, Units, number_text};
 use chordal_diagnostics::{Code, Diagnostic, Span};
+use chordal_geometry::tolerance::ROUNDING_SHARE;
 use chordal_machine::{AXES, Machine, PerAxis};
-
-/// Above a limit by less, as a share of it, is rounding.
-const ROUNDING_SHARE: f64 = 1e-9;
 
 /// The largest excess of each kind.
 #[derive(Clone, Copy, Debug, Default)]

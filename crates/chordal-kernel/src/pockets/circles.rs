@@ -2,14 +2,12 @@
 
 use chordal_command::{AxisMask, Move};
 use chordal_diagnostics::{Code, Diagnostic, Span};
+use chordal_geometry::tolerance::COINCIDENT_MM;
 use chordal_geometry::{TurnDirection, Vec2};
 
 use super::shapes::{Step, rings};
 use crate::kernel::Kernel;
 use crate::statement::{Statement, WordMeaning};
-
-/// Lengths that differ by less than this, mm, are the same.
-const COINCIDENT_MM: f64 = 1e-9;
 
 /// What a statement says of a circular pocket about the place where the tool stands.
 #[derive(Clone, Debug)]

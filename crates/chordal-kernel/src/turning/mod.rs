@@ -14,6 +14,7 @@ mod rough;
 mod thread;
 
 use chordal_command::{AxisMask, Position};
+use chordal_geometry::tolerance::COINCIDENT_MM;
 use chordal_machine::Axis;
 
 use crate::kernel::Kernel;
@@ -29,9 +30,6 @@ pub use thread::ThreadWords;
 const X: usize = Axis::X as usize;
 const Z: usize = Axis::Z as usize;
 const XZ: AxisMask = AxisMask(1 << X | 1 << Z);
-
-/// Ends nearer than this are one, mm: sums of rounded words.
-const COINCIDENT_MM: f64 = 1e-9;
 
 impl Kernel<'_> {
     /// X (a radius) and Z of the tool.

@@ -7,6 +7,7 @@ use chordal_command::{
 };
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextShift};
 use chordal_geometry::ParamCurve;
+use chordal_geometry::tolerance::ROUNDING_SHARE;
 use chordal_kernel::hole_at_surface_speed;
 
 use super::RunChecks;
@@ -14,9 +15,6 @@ use crate::segment::curve_of;
 
 /// X nearer to zero is the centre, mm.
 const CENTER_MM: f64 = 1e-6;
-
-/// Above a limit by less, as a share of it, is rounding.
-const ROUNDING_SHARE: f64 = 1e-9;
 
 const X: usize = 0;
 const Z: usize = 2;

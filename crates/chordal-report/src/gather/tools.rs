@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use chordal::control::{
     Command, CommandKind, CompensationSide, Coolant, Feed, FeedMode, Origin, SpindleState,
 };
+use chordal::geometry::tolerance::COINCIDENT_MM;
 use chordal::machine::{Axis, ToolShape};
 use chordal::time::TimeReport;
 use chordal::tool_comments::known_tools;
@@ -17,9 +18,6 @@ use crate::data::{CappedRows, FeedRange, Register, ReportedTool};
 const MAX_TOOLS: usize = 200;
 /// Numbers of offsets listed with a tool, and of tools listed with an offset.
 const MAX_NUMBERS: usize = 12;
-/// Offsets that differ by less are the same, mm.
-const COINCIDENT_MM: f64 = 1e-9;
-
 /// What one tool does.
 #[derive(Debug, Default)]
 struct ToolRecord {

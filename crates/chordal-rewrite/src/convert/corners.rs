@@ -3,15 +3,13 @@
 
 use chordal::Command;
 use chordal::control::{Action, Control, CornerMoves, MotionCode, Position};
+use chordal::geometry::tolerance::COINCIDENT_MM;
 use chordal::syntax::{Block, Word};
 
 use super::context::ConvertContext;
 use super::draft::NeedsExpansion;
 use super::trace::{BlockExecution, ProgramTrace};
 use crate::source::SourceBlocks;
-
-/// Places that are the same but for rounding, mm.
-const COINCIDENT_MM: f64 = 1e-9;
 
 /// True for the words of a rounding or a chamfer, where the control has them.
 pub(super) fn is_corner_word(word: &Word, control: &Control) -> bool {

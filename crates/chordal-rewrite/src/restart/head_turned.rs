@@ -3,6 +3,7 @@
 use chordal::control::{
     Action, BeforeCode, LengthCode, MotionCode, ReadingCode, SpindleState, Units, code_number,
 };
+use chordal::geometry::tolerance::COINCIDENT_MM;
 use chordal::syntax::Block;
 
 use super::head::{HeadError, HeadWriter};
@@ -11,9 +12,6 @@ use crate::convert::codes;
 use crate::convert::numbers::plain;
 use crate::convert::station;
 use crate::split::text::feed_word;
-
-/// Places nearer than this are the same, mm.
-const COINCIDENT_MM: f64 = 1e-9;
 
 impl HeadWriter<'_, '_> {
     pub(super) fn turns(&self) -> bool {

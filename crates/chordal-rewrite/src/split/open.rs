@@ -64,6 +64,8 @@ pub(crate) fn unsplittable_ranges(
             if is_used && !is_sub { whole(places, what) } else { None }
         }
     }));
+    // In the order of the text: which of several is named does not depend on the order of a hash table.
+    unsplittable_ranges.sort_by(|a, b| (a.from, a.to, &a.what).cmp(&(b.from, b.to, &b.what)));
     unsplittable_ranges
 }
 

@@ -4,14 +4,12 @@
 use libm::{cos, sin};
 
 use super::{CutterError, CutterProfile};
+use chordal_geometry::tolerance::COINCIDENT_MM;
 
 /// Chords of half a circle: they are nowhere further from it than 0.5 % of its radius.
 const CHORDS: u32 = 16;
 /// Outlines with more points have no inset.
 const MAX_POINTS: usize = 100;
-/// Places nearer than this are one, mm.
-const COINCIDENT_MM: f64 = 1e-9;
-
 /// A piece of a surface, from one radius to a larger one.
 #[derive(Clone, Copy, Debug)]
 struct SurfacePiece {

@@ -5,15 +5,13 @@
 
 use chordal_command::{AxisMask, CompensationSide};
 use chordal_diagnostics::{Code, Diagnostic};
+use chordal_geometry::tolerance::COINCIDENT_MM;
 use chordal_geometry::{Plane, TurnDirection};
 use chordal_kernel::shapes::ring_radii;
 use chordal_syntax::{Block, Letters};
 
 use crate::interpreter::Interpreter;
 use chordal_kernel::{CirclesWords, MAX_RINGS};
-
-/// Lengths that differ by less than this, mm, are the same.
-const COINCIDENT_MM: f64 = 1e-9;
 
 impl Interpreter<'_> {
     /// G12 and G13.

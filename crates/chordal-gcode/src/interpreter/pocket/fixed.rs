@@ -6,6 +6,7 @@ use chordal_command::{AxisMask, CompensationSide, SpindleState};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::FixedRoutineCount;
 use chordal_dialect::table::FixedRoutine;
+use chordal_geometry::tolerance::COINCIDENT_MM;
 use chordal_geometry::{TurnDirection, Vec2};
 use chordal_kernel::shapes::{CORNER_STEP, Step, rectangle, rings};
 use chordal_syntax::{Block, Word};
@@ -13,9 +14,6 @@ use chordal_syntax::{Block, Word};
 use crate::interpreter::Interpreter;
 use chordal_kernel::MAX_RINGS;
 use chordal_kernel::is_over;
-
-/// Sizes that differ by less than this, mm, are the same.
-const COINCIDENT_MM: f64 = 1e-9;
 
 /// What a pocket routine was called with.
 struct PocketCall {

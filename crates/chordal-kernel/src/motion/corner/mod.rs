@@ -8,6 +8,7 @@ use chordal_command::{
     telling_number,
 };
 use chordal_diagnostics::{Code, Diagnostic};
+use chordal_geometry::tolerance::COINCIDENT_MM;
 
 use self::fit::{CornerLeg, CornerMisfit};
 use crate::corner_queue::{CornerForm, ProgrammedCorner, QueuedItem, QueuedMove};
@@ -16,9 +17,6 @@ use crate::kernel::Kernel;
 use crate::modal::Modal;
 use crate::rules::CornerMoves;
 use crate::state::State;
-
-/// Ends that are the same place but for rounding, mm.
-const COINCIDENT_MM: f64 = 1e-9;
 
 /// A move that is shorter than this is gone, mm.
 const LEFT_MM: f64 = 1e-6;

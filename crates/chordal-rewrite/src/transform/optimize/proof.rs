@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, HashSet};
 
 use chordal::control::FeedMode;
 use chordal::diagnostics::FileId;
+use chordal::geometry::tolerance::ROUNDING_SHARE;
 use chordal::stock::EngagementReport;
 use chordal::{Command, CommandKind, Diagnostic, Job, RunSink, Sink};
 
@@ -17,9 +18,6 @@ pub struct FeedProof {
     /// Cells of the stock whose heights are the same to the bit.
     pub cells: u64,
 }
-
-/// A chip may be above its limit by so much: rounding of a product.
-const ROUNDING_SHARE: f64 = 1e-9;
 
 /// The commands of a run, each with its line.
 #[derive(Default)]

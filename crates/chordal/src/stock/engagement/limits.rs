@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use chordal_command::{Units, number_text, telling_number};
 use chordal_diagnostics::{Code, Diagnostic, SourceMap};
+use chordal_geometry::tolerance::ROUNDING_SHARE;
 use chordal_machine::Tool;
 use chordal_stock::engagement::BoundedValue;
 
@@ -151,6 +152,3 @@ impl EngagementLimits<'_> {
         Diagnostic::new(code, each.origin.span, message).label(label).note(at_most).help(help)
     }
 }
-
-/// A chip at its limit is not above it for the last digit of a feed: a billionth.
-const ROUNDING_SHARE: f64 = 1e-9;

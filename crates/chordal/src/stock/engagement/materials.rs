@@ -58,9 +58,9 @@ impl MaterialData {
         })
     }
 
-    /// The force by the section of the chip at a mean thickness, mm: N/mm². Thinner than [`THINNEST`] it is that there.
+    /// The force by the section of the chip at a mean thickness, mm: N/mm². Thinner than [`MIN_CHIP_MM`] it is that there.
     pub fn force(&self, mean_mm: f64) -> f64 {
-        self.k_c1 * libm::pow(mean_mm.max(THINNEST), -self.m_c)
+        self.k_c1 * libm::pow(mean_mm.max(MIN_CHIP_MM), -self.m_c)
     }
 
     /// The power of a cut, kW: the removal rate in mm³/s, the mean thickness of the chip in mm. An estimate:
@@ -199,7 +199,7 @@ impl MaterialGroup {
 }
 
 /// The rule of Kienzle is measured on chips down to about this, mm; extended to nothing its force has no end.
-pub const THINNEST: f64 = 0.005;
+pub const MIN_CHIP_MM: f64 = 0.005;
 
 /// Power by this rule is an estimate: edges, rake, wear and coolant change it by so much to either side.
 pub const POWER_SHARE: f64 = 0.3;

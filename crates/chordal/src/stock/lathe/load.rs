@@ -2,13 +2,11 @@
 
 use chordal_command::{Units, number_text, telling_number};
 use chordal_diagnostics::{Code, Diagnostic};
+use chordal_geometry::tolerance::ROUNDING_SHARE;
 
 use super::super::engagement::MaterialData;
 use super::report::{TurnedMove, TurnedToolRemoved};
 use crate::job::Job;
-
-/// A chip at its limit is not above it for the last digit of a feed: a billionth.
-const ROUNDING_SHARE: f64 = 1e-9;
 
 /// Estimates the power of each move.
 pub(super) fn give_power(
