@@ -14,6 +14,7 @@ use crate::machine::Machine;
 use crate::quantity::{QuantityDimension, QuantityError, machine_quantity};
 use crate::schema::{self, PlaceholderKeys, ROWS, SchemaRow, SchemaSlot, SignRule, rows};
 use crate::suggest;
+use crate::toml_text::key_text;
 use crate::value::{SettingEntry, SettingValue};
 
 /// The keys that name the file to read first: that of a machine file, and that of a setup file.
@@ -130,29 +131,6 @@ fn key_of_other_table(key: &str) -> Option<&'static str> {
         rows().find(|row| row.path.replace('.', "_") == near)
     };
     same_name.or_else(joined).map(|row| row.path)
-}
-
-/// A key as TOML writes it: bare where it may be, else quoted.
-pub(crate) fn key_text(key: &str) -> String {
-    let bare = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'-';
-    if !key.is_empty() && key.bytes().all(bare) { key.to_string() } else { string_text(key) }
-}
-
-/// A text as TOML writes it.
-pub(crate) fn string_text(text: &str) -> String {
-    let mut out = String::from("\"");
-    for c in text.chars() {
-        match c {
-            '"' => out.push_str("\\\""),
-            '\\' => out.push_str("\\\\"),
-            '\n' => out.push_str("\\n"),
-            '\t' => out.push_str("\\t"),
-            c if c.is_control() => out.push_str(&format!("\\u{:04X}", u32::from(c))),
-            c => out.push(c),
-        }
-    }
-    out.push('"');
-    out
 }
 
 /// Puts a table's keys into a machine.

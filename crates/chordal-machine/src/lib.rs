@@ -30,6 +30,7 @@
 
 mod assign;
 mod axis;
+mod axis_change;
 mod builtin;
 mod check;
 mod controls;
@@ -49,6 +50,7 @@ mod rotary;
 mod schema;
 mod setup;
 mod suggest;
+mod toml_text;
 mod tool;
 mod tool_tbl;
 mod turning;

@@ -6,7 +6,6 @@ use crate::axis::{AXES, Axis, PerAxis};
 use crate::control::ControlName;
 use crate::error::{MachineError, ValueLocation};
 use crate::motion::MotionSettings;
-use crate::schema::{SchemaSlot, tables, written_tables};
 use crate::setup::Setup;
 use crate::tool::Tool;
 use crate::value::SettingEntry;
@@ -391,38 +390,6 @@ impl Machine {
     /// The same for every axis.
     pub fn written_factors(&self) -> PerAxis<f64> {
         std::array::from_fn(|axis| self.written_factor(axis))
-    }
-
-    /// Puts an axis there, or takes it away. The numbers of the file stay what they are: where they
-    /// become diameters, or cease to be, the places that they give change.
-    pub(crate) fn change_axis(&mut self, axis: Axis, limits: Option<AxisLimits>) {
-        let index = axis as usize;
-        let before = self.written_factor(index);
-        self.axes[index] = limits;
-        let by = before / self.written_factor(index);
-        if by != 1.0 {
-            self.scale_places(axis, by);
-        }
-    }
-
-    /// Multiplies every place of an axis that the file gives.
-    fn scale_places(&mut self, axis: Axis, by: f64) {
-        let keys =
-            tables().flat_map(|table| written_tables(self, table)).flat_map(|(_, keys)| keys);
-        let along: Vec<_> = keys.filter(|(_, _, keys)| keys.axis == Some(axis)).collect();
-        for (_, row, keys) in along {
-            match row.slot {
-                SchemaSlot::Position(place) => {
-                    let value = place(self, &keys);
-                    *value = value.map(|value| value * by);
-                }
-                SchemaSlot::Range(place) => {
-                    let range = place(self, &keys);
-                    *range = range.map(|(low, high)| (low * by, high * by));
-                }
-                _ => {}
-            }
-        }
     }
 
     /// It is described, and without this axis: a lathe of two axes has no Y.

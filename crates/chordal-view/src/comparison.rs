@@ -253,13 +253,13 @@ fn comparison(found: &Comparison, names: [&str; 2], jobs: [&Job; 2], tolerance_m
 fn difference(one: &Difference, jobs: [&Job; 2], units: SummaryUnits) -> Value {
     let words = difference_words(one, jobs, units);
     let sides = [0, 1].map(|side: usize| {
-        let told = &words.sides[side];
+        let side_words = &words.sides[side];
         json!({
             "blocks": one.blocks[side].as_ref().map(blocks),
             "steps": one.steps[side],
-            "value": told.value,
-            "words": told.words.chars().take(MAX_BLOCK_CHARACTERS).collect::<String>(),
-            "lacks": told.lacks,
+            "value": side_words.value,
+            "words": side_words.words.chars().take(MAX_BLOCK_CHARACTERS).collect::<String>(),
+            "lacks": side_words.lacks,
         })
     });
     json!({

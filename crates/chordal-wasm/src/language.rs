@@ -38,9 +38,9 @@ struct StepAnswer {
 
 /// Loads texts with the files that JavaScript has sent.
 #[derive(Clone, Default)]
-struct EditorFiles(Rc<RefCell<Files>>);
+struct EditorFiles(Rc<RefCell<FileAccess>>);
 
-impl Opener for EditorFiles {
+impl SetupFinder for EditorFiles {
     fn open(
         &self,
         path: Option<&Path>,
@@ -54,13 +54,13 @@ impl Opener for EditorFiles {
 
 struct LanguageModule {
     files: EditorFiles,
-    server: Stepwise,
+    server: SteppedServer,
 }
 
 impl LanguageModule {
     fn new() -> LanguageModule {
-        let files = EditorFiles(Rc::new(RefCell::new(Files::given([]))));
-        LanguageModule { server: Stepwise::new(Box::new(files.clone())), files }
+        let files = EditorFiles(Rc::new(RefCell::new(FileAccess::in_memory([]))));
+        LanguageModule { server: SteppedServer::new(Box::new(files.clone())), files }
     }
 
     fn take(&mut self, step: LanguageStep) -> Vec<Message> {

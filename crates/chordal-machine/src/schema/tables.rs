@@ -2,8 +2,8 @@
 
 use super::{PlaceholderKeys, SchemaRow, SchemaSlot, bind, children, rows};
 use crate::axis::Axis;
-use crate::check::key_text;
 use crate::machine::Machine;
+use crate::toml_text::key_text;
 
 /// The tables in the order of a written file, after the keys that are in none.
 const TABLE_ORDER: &str = "axes.<axis> rotary.<rotary> feed rapid spindle home reference_points.<point> \

@@ -2,10 +2,10 @@
 
 use super::{DateOrTime, PlaceholderKeys, SchemaSlot, tool};
 use crate::axis::Axis;
-use crate::check::string_text;
 use crate::designation::InsertLetter;
 use crate::machine::{DiameterProgramming, Machine};
 use crate::quantity::QuantityDimension;
+use crate::toml_text::string_text;
 use crate::value::SettingValue;
 
 impl SchemaSlot {

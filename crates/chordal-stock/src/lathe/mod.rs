@@ -33,7 +33,7 @@
 //!
 //! ```
 //! use chordal_geometry::Vec2;
-//! use chordal_stock::turned::{Insert, Region, OutlineSegment, Tip, LatheStock};
+//! use chordal_stock::lathe::{Insert, Region, OutlineSegment, Tip, LatheStock};
 //!
 //! // Diameter 50 to 40 over 30 mm, with an ideal point.
 //! let mut stock = LatheStock::new(&Region::bar(25.0, -60.0, 0.0)?);
