@@ -220,7 +220,7 @@ fn objects<'py>(py: Python<'py>, array: &ArrayRef) -> PyResult<Vec<Bound<'py, Py
 }
 
 /// Numbers in memory, as NumPy's array interface says about them. It keeps them alive.
-#[pyclass(frozen, module = "chordal._chordal")]
+#[pyclass(name = "Block", frozen, module = "chordal._chordal")]
 pub struct NumberBuffer {
     address: usize,
     shape: Vec<usize>,
