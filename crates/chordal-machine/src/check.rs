@@ -503,7 +503,7 @@ impl CheckedValue<'_> {
     }
 
     fn switches(&self) -> Result<[bool; 10], MachineError> {
-        let target = "`true`, `false` or a list of switch numbers from 1 to 9";
+        let expected = "`true`, `false` or a list of switch numbers from 1 to 9";
         match self.value.get_ref() {
             DeValue::Boolean(all) => Ok([*all; 10]),
             DeValue::Array(items) => {
@@ -516,7 +516,7 @@ impl CheckedValue<'_> {
                     match number.and_then(|number| usize::try_from(number).ok()) {
                         Some(number @ 1..=9) => switches[number] = true,
                         _ => {
-                            let message = format!("`{}` takes {target}", self.name());
+                            let message = format!("`{}` takes {expected}", self.name());
                             return Err(self.source.error(Some(item.span()), message, None));
                         }
                     }
@@ -524,7 +524,7 @@ impl CheckedValue<'_> {
                 switches[0] = switches[1];
                 Ok(switches)
             }
-            _ => Err(self.takes(target, None)),
+            _ => Err(self.takes(expected, None)),
         }
     }
 

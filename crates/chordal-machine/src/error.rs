@@ -74,12 +74,12 @@ impl ErrorSource {
 
     /// The span in the whole text, held to its bounds and to whole characters.
     pub(crate) fn span(&self, span: Range<usize>) -> Range<usize> {
-        let retained = |at: usize| {
+        let clamped = |at: usize| {
             let at = (at + self.shift).min(self.text.len());
             (0..=at).rev().find(|at| self.text.is_char_boundary(*at)).unwrap_or(0)
         };
-        let start = retained(span.start);
-        start..retained(span.end).max(start)
+        let start = clamped(span.start);
+        start..clamped(span.end).max(start)
     }
 
     pub(crate) fn error(

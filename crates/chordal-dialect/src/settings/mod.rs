@@ -15,7 +15,7 @@ use chordal_command::RapidPath;
 use chordal_machine::{Machine, SettingEntry, SettingValue};
 
 pub use self::field::SettingField;
-use self::field::SettingInput;
+use self::field::{SettingInput, switch_text};
 pub(crate) use self::path_mode::{CORNER_ROUNDING, short_blocks};
 use crate::parameters::*;
 
@@ -278,8 +278,8 @@ pub fn resolve(
     }
     parameters.rules.rotary_feed.has_a = machine.axes[3].is_some();
     let mut errors = Vec::new();
-    for (name, provided) in &machine.settings {
-        if let Err(error) = apply(own, &mut parameters, name, provided) {
+    for (name, entry) in &machine.settings {
+        if let Err(error) = apply(own, &mut parameters, name, entry) {
             errors.push(error);
         }
     }
@@ -290,7 +290,7 @@ fn apply(
     own: &[Setting],
     parameters: &mut Parameters,
     name: &str,
-    context: &SettingEntry,
+    entry: &SettingEntry,
 ) -> Result<(), SettingError> {
     let refuse = |message: String, help: Option<String>| SettingError {
         name: name.to_string(),
@@ -309,13 +309,13 @@ fn apply(
             near.map(|(_, near)| format!("did you mean `{near}`?")),
         ));
     };
-    let written = shown(&context.value);
+    let written = shown(&entry.value);
     let word = setting
         .values
         .iter()
         .find(|(own_word, _)| own_word.eq_ignore_ascii_case(&written))
         .map_or(written.as_str(), |(_, word)| word);
-    let input = SettingInput { word, value: &context.value, index: setting.field.index };
+    let input = SettingInput { word, value: &entry.value, index: setting.field.index };
     (setting.field.set)(parameters, &input).map_err(|target| {
         refuse(format!("`{name}` cannot be `{written}`"), Some(format!("it takes {target}")))
     })
@@ -326,6 +326,6 @@ fn shown(value: &SettingValue) -> String {
         SettingValue::Text(text) => text.clone(),
         SettingValue::Integer(number) => number.to_string(),
         SettingValue::Float(number) => number.to_string(),
-        SettingValue::Bool(flag) => if *flag { "on" } else { "off" }.to_string(),
+        SettingValue::Bool(flag) => switch_text(*flag),
     }
 }

@@ -158,8 +158,8 @@ proptest::proptest! {
         for text in [text, letters] {
             let read = InsertDesignation::parse(&text);
             let part = read.err().map(|error| error.part);
-            let retained = HolderDesignation::parse(&text).err().map(|error| error.part);
-            for part in part.into_iter().chain(retained) {
+            let holder_part = HolderDesignation::parse(&text).err().map(|error| error.part);
+            for part in part.into_iter().chain(holder_part) {
                 assert!(text.get(part).is_some(), "{text}");
             }
         }
