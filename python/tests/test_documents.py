@@ -1,4 +1,4 @@
-"""What the documents show runs: README, docs/python.md, docstrings, examples, the notebook."""
+"""What the documents show runs: docs/commands.md, docs/python.md, docstrings, examples, the notebook."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from conftest import ROOT
 
 # An example, and what it prints where the page shows that.
 EXAMPLES = re.compile(r"^```python\n(.*?)^```\n(?:\n```text\n(.*?)^```)?", re.MULTILINE | re.DOTALL)
-PAGES = ["README.md", "docs/python.md", "docs/getting-started/python.md"]
+PAGES = ["docs/commands.md", "docs/python.md", "docs/getting-started/python.md"]
 
 
 @pytest.mark.parametrize("page", PAGES)
