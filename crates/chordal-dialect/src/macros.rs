@@ -154,7 +154,12 @@ pub const fn system(first: u32, last: u32, what: SystemVariable) -> SystemRow {
 }
 
 /// Writes a row of work offsets with another distance from one to the next.
-pub const fn system_by(step: u32, first: u32, last: u32, what: SystemVariable) -> SystemRow {
+pub const fn system_with_stride(
+    step: u32,
+    first: u32,
+    last: u32,
+    what: SystemVariable,
+) -> SystemRow {
     SystemRow { first, last, what, step }
 }
 

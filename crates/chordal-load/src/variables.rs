@@ -107,8 +107,8 @@ fn is_programs(table: &ControlTable, number: u32) -> bool {
                 SystemVariable::Input
                     | SystemVariable::Timer
                     | SystemVariable::Setting
-                    | SystemVariable::MachineState
-                    | SystemVariable::Kept
+                    | SystemVariable::NotSimulated
+                    | SystemVariable::Output
             )
         })
 }

@@ -24,7 +24,7 @@ fn is_known_at_start(what: SystemVariable) -> bool {
         what,
         SystemVariable::Constant(_)
             | SystemVariable::ModalGroup
-            | SystemVariable::Switch
+            | SystemVariable::Suppression
             | SystemVariable::WorkSystem
             | SystemVariable::ActiveToolOffset
             | SystemVariable::ModalWord(b'O')

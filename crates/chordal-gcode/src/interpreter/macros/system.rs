@@ -77,15 +77,15 @@ impl Interpreter<'_> {
     /// What a variable of the system shows on this machine.
     pub(super) fn system_at(&self, number: u32) -> Option<(SystemVariable, u32)> {
         let (what, at) = self.rules().system_at(number)?;
-        if what != SystemVariable::OffsetOfMemory {
+        if what != SystemVariable::ToolOffsetByMemory {
             return Some((what, at));
         }
         match (self.control.parameters.offset_memory, at.checked_sub(OFFSETS_OF_MEMORY)) {
-            (OffsetMemory::NotKnown, _) => Some((SystemVariable::MachineState, at)),
-            (OffsetMemory::Whole, None) => Some((SystemVariable::Length, at)),
+            (OffsetMemory::NotKnown, _) => Some((SystemVariable::NotSimulated, at)),
+            (OffsetMemory::Whole, None) => Some((SystemVariable::LengthGeometry, at)),
             (OffsetMemory::Whole, Some(_)) => None,
             (OffsetMemory::GeometryAndWear, None) => Some((SystemVariable::LengthWear, at)),
-            (OffsetMemory::GeometryAndWear, Some(at)) => Some((SystemVariable::Length, at)),
+            (OffsetMemory::GeometryAndWear, Some(at)) => Some((SystemVariable::LengthGeometry, at)),
         }
     }
 
@@ -137,27 +137,29 @@ impl Interpreter<'_> {
             }),
             SystemVariable::ModalWord(letter) => self.modal_word(letter),
             SystemVariable::ModalArgument => self.modal_word(letter_of(at + 1)?),
-            SystemVariable::Length
+            SystemVariable::LengthGeometry
             | SystemVariable::LengthWear
-            | SystemVariable::Radius
+            | SystemVariable::RadiusGeometry
             | SystemVariable::RadiusWear => self.tool_value(what, at + 1),
             SystemVariable::ExternalOffset
             | SystemVariable::WorkOffsets
             | SystemVariable::ExtendedOffsets
-            | SystemVariable::OffsetsOfAxis(_) => {
+            | SystemVariable::WorkOffsetsOfAxis(_) => {
                 // Of an axis that Chordal does not have: none.
                 let (key, axis) = self.offset_place(what, at)?;
                 Some(self.axis_out(axis, state.offsets.known_work_value(&key, axis)?))
             }
-            SystemVariable::Kept
+            SystemVariable::Output
             | SystemVariable::Input
             | SystemVariable::Timer
             | SystemVariable::Setting
-            | SystemVariable::MachineState
-            | SystemVariable::OffsetOfMemory
+            | SystemVariable::NotSimulated
+            | SystemVariable::ToolOffsetByMemory
             | SystemVariable::Date
             | SystemVariable::Time => None,
-            SystemVariable::Switch | SystemVariable::Alarm | SystemVariable::Message => Some(0.0),
+            SystemVariable::Suppression | SystemVariable::Alarm | SystemVariable::Message => {
+                Some(0.0)
+            }
             SystemVariable::Tool => self.tool_in_spindle(),
             SystemVariable::SpindleSpeed => self.speed_word(),
             SystemVariable::Constant(value) => Some(f64::from(value)),
@@ -211,11 +213,11 @@ impl Interpreter<'_> {
         match what {
             SystemVariable::Alarm => self.alarm(value, range),
             SystemVariable::Message => self.message_stop(),
-            SystemVariable::Kept
-            | SystemVariable::Switch
+            SystemVariable::Output
+            | SystemVariable::Suppression
             | SystemVariable::Setting
-            | SystemVariable::MachineState
-            | SystemVariable::OffsetOfMemory => {
+            | SystemVariable::NotSimulated
+            | SystemVariable::ToolOffsetByMemory => {
                 self.macros.kept.insert(index, value);
             }
             // It runs on from what was written.
@@ -246,18 +248,22 @@ impl Interpreter<'_> {
                     self.macros.kept.insert(index, value);
                 }
             }
-            SystemVariable::Length => self.write_tool_value(ToolValue::Length, at + 1, value),
+            SystemVariable::LengthGeometry => {
+                self.write_tool_value(ToolValue::Length, at + 1, value)
+            }
             SystemVariable::LengthWear => {
                 self.write_tool_value(ToolValue::LengthWear, at + 1, value)
             }
-            SystemVariable::Radius => self.write_tool_value(ToolValue::Radius, at + 1, value),
+            SystemVariable::RadiusGeometry => {
+                self.write_tool_value(ToolValue::Radius, at + 1, value)
+            }
             SystemVariable::RadiusWear => {
                 self.write_tool_value(ToolValue::RadiusWear, at + 1, value)
             }
             SystemVariable::ExternalOffset
             | SystemVariable::WorkOffsets
             | SystemVariable::ExtendedOffsets
-            | SystemVariable::OffsetsOfAxis(_) => match self.offset_place(what, at) {
+            | SystemVariable::WorkOffsetsOfAxis(_) => match self.offset_place(what, at) {
                 Some((key, axis)) => {
                     let value = self.axis_in(axis, value);
                     self.kernel.state.shift_coordinates(|offsets| {
@@ -374,10 +380,10 @@ impl Interpreter<'_> {
         let (system, axis) = (at / OFFSET_STEP, (at % OFFSET_STEP) as usize);
         let name = match what {
             SystemVariable::ExternalOffset => return Some(("EXT".into(), at as usize)),
-            SystemVariable::OffsetsOfAxis(axis) if at == 0 => {
+            SystemVariable::WorkOffsetsOfAxis(axis) if at == 0 => {
                 return Some(("EXT".into(), axis as usize));
             }
-            SystemVariable::OffsetsOfAxis(axis) => {
+            SystemVariable::WorkOffsetsOfAxis(axis) => {
                 let key = self.kernel.state.offsets.key(WorkName::G(53 + at as u16));
                 return Some((key, axis as usize));
             }
@@ -413,9 +419,9 @@ impl Interpreter<'_> {
             OffsetKind::Radius => 2.0,
         };
         let mm = match what {
-            SystemVariable::Length => tool.offset[2]?,
+            SystemVariable::LengthGeometry => tool.offset[2]?,
             SystemVariable::LengthWear => tool.offset_wear[2].or(tool.offset[2].map(|_| 0.0))?,
-            SystemVariable::Radius => tool.diameter_mm? / per_radius,
+            SystemVariable::RadiusGeometry => tool.diameter_mm? / per_radius,
             _ => tool.diameter_wear_mm.or(tool.diameter_mm.map(|_| 0.0))? / per_radius,
         };
         Some(mm / self.unit())
@@ -456,12 +462,12 @@ impl Interpreter<'_> {
                 self.assume(range, cause, ConditionOf::Branch);
                 Ok(())
             }
-            SystemVariable::Kept
-            | SystemVariable::Switch
+            SystemVariable::Output
+            | SystemVariable::Suppression
             | SystemVariable::Timer
             | SystemVariable::Setting
-            | SystemVariable::MachineState
-            | SystemVariable::OffsetOfMemory => {
+            | SystemVariable::NotSimulated
+            | SystemVariable::ToolOffsetByMemory => {
                 self.macros.kept.remove(&index);
                 Ok(())
             }
@@ -481,14 +487,14 @@ impl Interpreter<'_> {
             | SystemVariable::Constant(_)
             | SystemVariable::SpindleTool
             | SystemVariable::ToolDiameter => Err(read_only(index, range)),
-            SystemVariable::Length
+            SystemVariable::LengthGeometry
             | SystemVariable::LengthWear
-            | SystemVariable::Radius
+            | SystemVariable::RadiusGeometry
             | SystemVariable::RadiusWear
             | SystemVariable::ExternalOffset
             | SystemVariable::WorkOffsets
             | SystemVariable::ExtendedOffsets
-            | SystemVariable::OffsetsOfAxis(_)
+            | SystemVariable::WorkOffsetsOfAxis(_)
             | SystemVariable::Home
             | SystemVariable::SecondHome
             | SystemVariable::Preset

@@ -328,9 +328,9 @@ impl Interpreter<'_> {
                 "read it after a probe move, or give the value in the machine file".into()
             }
             SystemVariable::ActiveToolOffset
-            | SystemVariable::Length
+            | SystemVariable::LengthGeometry
             | SystemVariable::LengthWear
-            | SystemVariable::Radius
+            | SystemVariable::RadiusGeometry
             | SystemVariable::RadiusWear
             | SystemVariable::SpindleTool
             | SystemVariable::ToolDiameter => {
@@ -339,7 +339,7 @@ impl Interpreter<'_> {
             SystemVariable::ExternalOffset
             | SystemVariable::WorkOffsets
             | SystemVariable::ExtendedOffsets
-            | SystemVariable::OffsetsOfAxis(_)
+            | SystemVariable::WorkOffsetsOfAxis(_)
             | SystemVariable::WorkTable => {
                 "give the work offset in the machine file: `[work_offsets.G54]`".into()
             }
