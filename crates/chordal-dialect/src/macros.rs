@@ -64,11 +64,11 @@ pub enum SystemVariable {
     /// The last word by argument number (A is 1, X is 24).
     ModalArgument,
     /// Geometry of the length of tool 1, 2, ….
-    Length,
+    LengthGeometry,
     /// Its wear.
     LengthWear,
     /// Geometry of the radius (or diameter) of tool 1, 2, ….
-    Radius,
+    RadiusGeometry,
     /// Its wear.
     RadiusWear,
     /// The external work offset.
@@ -78,13 +78,13 @@ pub enum SystemVariable {
     /// Extended work offsets, twenty numbers for each.
     ExtendedOffsets,
     /// External offset and work offsets 1 to 6 of one axis.
-    OffsetsOfAxis(u8),
+    WorkOffsetsOfAxis(u8),
     /// Inputs: given by the machine file.
     Input,
     /// Outputs and places of the control that hold what was written last: not known before the program writes them.
-    Kept,
+    Output,
     /// Switches that change neither path nor text, and that a reset turns off: 0 before the program writes them.
-    Switch,
+    Suppression,
     /// #3000.
     Alarm,
     /// #3006.
@@ -103,9 +103,9 @@ pub enum SystemVariable {
     Setting,
     /// A state of the machine that no program and no machine file says, such as the servo lag, loads and
     /// tool lives.
-    MachineState,
+    NotSimulated,
     /// An old number of a tool offset, which depends on the memory that the control has.
-    OffsetOfMemory,
+    ToolOffsetByMemory,
     /// A constant.
     Constant(u32),
     /// Place of the first reference point, machine coordinates (LinuxCNC 5161).
