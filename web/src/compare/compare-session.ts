@@ -13,8 +13,8 @@ import type { PathView } from "../view/path-view";
 import { comparePanel, pathLegend } from "./compare-panel";
 import { boxAround, boxOf, boxUnion, differingLines, rowsOf, rowsOfLines, step } from "./difference-ranges";
 
-/** The view of a difference without a distance is at least this share of the path's size. */
-const MIN_PATH_SHARE = 1 / 50;
+/** The view of a difference without a distance is at least this fraction of the path's size. */
+const MIN_PATH_FRACTION = 1 / 50;
 
 /** What the comparison uses of the page. */
 export interface CompareParts {
@@ -119,7 +119,7 @@ export function compareSession(page: CompareParts) {
     });
     const { bounds } = page.run.path;
     const size = bounds ? Math.max(...bounds.high.map((high, axis) => high - bounds.low[axis]!)) : 10;
-    return boxUnion(boxes, size * MIN_PATH_SHARE);
+    return boxUnion(boxes, size * MIN_PATH_FRACTION);
   }
 
   /** Goes to a difference: its line, and both paths there, large enough to be distinguished. */

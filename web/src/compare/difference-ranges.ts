@@ -1,6 +1,6 @@
 // Where the differences of two programs are: lines of the text, rows of the paths, boxes in the view.
 
-import { arcEighths, arcIndex, arcPoint } from "../path/arcs";
+import { arcSampleCount, arcIndex, arcPoint } from "../path/arcs";
 import { type Bounds, type Vec3, KNOWN_BIT } from "../path/batch";
 import type { Path } from "../path/path";
 import type { BlockRange, Difference } from "../protocol/messages";
@@ -75,7 +75,7 @@ export function boxOf(path: Path, ranges: [number, number][]): Bounds | undefine
       const curve = batch.curves?.get(at);
       for (let point = 0; curve && point + 2 < curve.length; point += 3) grow(curve, point);
       const arc = curve ? -1 : arcIndex(batch, at);
-      const steps = arc < 0 ? 0 : arcEighths(batch.arcs, arc);
+      const steps = arc < 0 ? 0 : arcSampleCount(batch.arcs, arc);
       for (let step = 1; step < steps; step++) grow(arcPoint(batch.arcs, arc, step / steps), 0);
     }
   }

@@ -33,7 +33,7 @@ const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2
 const size = (a: Vec3): number => Math.hypot(...a);
 
 /** The feature at a picked point: an end where one is near, else the arc or the line that was hit. */
-export function featureAt(path: Path, { row, share, at, snapped }: PickedPoint): PathFeature {
+export function featureAt(path: Path, { row, fraction, at, snapped }: PickedPoint): PathFeature {
   const found = path.find(row);
   if (snapped || !found) return { kind: "point", at, of: snapped ? "end" : "path" };
   const [batch, own] = found;
@@ -48,7 +48,7 @@ export function featureAt(path: Path, { row, share, at, snapped }: PickedPoint):
   if (kindOf(batch.kind[own]!) === RAPID || Math.abs(first - last) > CONSTANT_RADIUS_MM) return { kind: "point", at, of: "path" };
   // The centre at the height of the point that was hit.
   const axis = numbers(6);
-  return { kind: "arc", at, center: plus(numbers(0), axis, rise * share), axis, radius: first, sweep };
+  return { kind: "arc", at, center: plus(numbers(0), axis, rise * fraction), axis, radius: first, sweep };
 }
 
 /** The point of a feature that distances are taken from. */

@@ -10,7 +10,7 @@ import { setCodeSpans } from "./code-spans";
 import { element } from "./dom";
 import { icon } from "./icons";
 import { sectionControls } from "./section-controls";
-import { type Units, angles, count, countText, length, position, speed } from "./units";
+import { type Units, angles, count, countText, length, positionText, speed } from "./units";
 
 export type PanelName = "problems" | "outline" | "state" | "times" | "compare";
 
@@ -407,9 +407,9 @@ export function layout(root: HTMLElement) {
       const text = texts[by];
       legend.append(text(low), ramp, text(high));
     },
-    readout({ coordinates, turn, speed: mmPerMin }: PlaybackState, units: Units): void {
-      const along = mmPerMin === undefined ? "" : `   ${speed(units, mmPerMin)}`;
-      readout.textContent = `${position(units, coordinates)}${angles(turn)}${along}`;
+    readout({ coordinates, rotaryAngles, speed: mmPerMin }: PlaybackState, units: Units): void {
+      const feedrate = mmPerMin === undefined ? "" : `   ${speed(units, mmPerMin)}`;
+      readout.textContent = `${positionText(units, coordinates)}${angles(rotaryAngles)}${feedrate}`;
     },
     notify(kind: "note" | "warning" | "error", text: string): void {
       toast.className = `toast ${kind}`;

@@ -1,11 +1,10 @@
 // The panels of outline, active state and times; problems have a file of their own.
 
-import type { Vec3 } from "../path/batch";
-import type { Coordinates } from "../path/playback-state";
+import type { PlaybackState } from "../path/playback-state";
 import type { MachineInfo, ModalState, OutlineEntry, RunReport, RunTimes } from "../protocol/messages";
 import { codeSpans } from "./code-spans";
 import { element } from "./dom";
-import { type Units, angles, count, countText, duration, length, position, speed } from "./units";
+import { type Units, angles, count, countText, duration, length, positionText, speed } from "./units";
 
 /** From where on the path is not known; empty where the whole run was followed. */
 export function notVerified(report: Pick<RunReport, "not_verified_from">): string {
@@ -73,7 +72,7 @@ const MOTIONS = ["rapid", "straight", "arc", "spiral", "spline"];
 export function showState(
   root: HTMLElement,
   modal: ModalState | undefined,
-  at: { place: Coordinates; turn: Vec3 } | undefined,
+  position: Pick<PlaybackState, "coordinates" | "rotaryAngles"> | undefined,
   now: { line: number; kind: number | undefined; inSubprogram?: number | undefined } | undefined,
   machine?: Pick<MachineInfo, "factors" | "has">,
 ): void {
@@ -86,9 +85,9 @@ export function showState(
   const table = element("table");
   if (now) row(table, "After line", now.inSubprogram === undefined ? count(now.line) : `${count(now.inSubprogram)} of a subprogram in another file`);
   if (modal.codes) row(table, "Codes", modal.codes.join(" "));
-  if (at) {
-    const place = at.place.map((value, axis) => (value === undefined ? undefined : value - modal.shift[axis]!));
-    row(table, "Position", `${position(units, place)}${angles(at.turn)}`);
+  if (position) {
+    const shifted = position.coordinates.map((value, axis) => (value === undefined ? undefined : value - modal.shift[axis]!));
+    row(table, "Position", `${positionText(units, shifted)}${angles(position.rotaryAngles)}`);
   }
   if (now?.kind !== undefined) row(table, "Motion", MOTIONS[now.kind] ?? "");
   row(table, "Units, plane", `${modal.inch ? "inch" : "millimetre"}, ${modal.plane}`);

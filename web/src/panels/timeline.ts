@@ -107,7 +107,7 @@ export class Timeline {
     const { value } = this.choice;
     this.engagement = engagement;
     this.choice.hidden = !engagement;
-    const known = engagement?.named ?? [];
+    const known = engagement?.labels ?? [];
     this.choice.replaceChildren(...[["speed", "Speed"], ...known].map(([key, text]) => new Option(text, key)));
     this.choice.value = known.some(([measure]) => measure === value) ? value : "speed";
     this.draw();
@@ -196,7 +196,7 @@ export class Timeline {
     const style = getComputedStyle(canvas);
     const { measure } = this;
     const bands = this.engagement?.bands(measure, points, canvas.width);
-    const [low, high] = measure && bands ? [new Float32Array(canvas.width), bands.most] : speedBands(points, canvas.width);
+    const [low, high] = measure && bands ? [new Float32Array(canvas.width), bands.maxima] : speedBands(points, canvas.width);
     canvas.setAttribute("aria-label", `${measure ? this.choice.selectedOptions[0]?.text : "Speed"} over time`);
     const most = high.reduce((a, b) => (b > a ? b : a), 0) || 1;
     const y = (value: number) => canvas.height - 1 - (value / most) * (canvas.height - 16 * scale);

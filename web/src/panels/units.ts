@@ -14,7 +14,7 @@ export function programmed({ factors }: Units, at: readonly [number, number, num
 }
 
 /** `X 10.000  Y –  Z -5.000 mm`: a position as it is programmed; a dash for a coordinate that is not known, none for an axis that is not there. */
-export function position(units: Units, at: readonly (number | undefined)[]): string {
+export function positionText(units: Units, at: readonly (number | undefined)[]): string {
   const texts = at.map((value, axis) =>
     `${"XYZ"[axis]} ${value === undefined ? "–" : coordinate(units, value * (units.factors?.[axis] ?? 1))}`);
   return `${texts.filter((_, axis) => units.has?.[axis] ?? true).join("  ")} ${units.inch ? "in" : "mm"}`;

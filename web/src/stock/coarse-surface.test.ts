@@ -77,5 +77,5 @@ test("no corner passes another one, and where there is no wall none moves", () =
     }
   }
   const flat = coarse(() => false);
-  expect(flat.surface.shift!.every((share) => share === 0)).toBe(true);
+  expect(flat.surface.shift!.every((fraction) => fraction === 0)).toBe(true);
 });

@@ -58,9 +58,9 @@ export class CoarseSurface {
       for (const [at, x] of across.entries()) {
         const walls = [this.toWall(x, y, at, 0), this.toWall(x, y, row, 1)] as const;
         const offset = between(...walls);
-        const share = (place: number, number: number, moved: number) => (place + 0.5 + moved) / step - (number + 0.5);
+        const fraction = (place: number, number: number, moved: number) => (place + 0.5 + moved) / step - (number + 0.5);
         const isAtWall = walls.some((columns) => columns !== undefined);
-        surface.move(column++, isAtWall ? [share(x, at, offset[0]), share(y, row, offset[1])] : [0, 0]);
+        surface.move(column++, isAtWall ? [fraction(x, at, offset[0]), fraction(y, row, offset[1])] : [0, 0]);
       }
     }
   }

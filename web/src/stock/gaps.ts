@@ -25,14 +25,14 @@ export class Gaps {
   most = 0;
 
   /** Adds changes in the order of the run; `counts` says how many gaps each has. */
-  add(columns: Uint32Array, rows: Uint32Array, shares: Float32Array, counts: Uint32Array, gaps: Float32Array): void {
+  add(columns: Uint32Array, rows: Uint32Array, fractions: Float32Array, counts: Uint32Array, gaps: Float32Array): void {
     let from = 0;
     for (let n = 0; n < columns.length; n++) {
       const column = columns[n]!;
       const bands = [...gaps.subarray(from, from + 2 * counts[n]!)];
       from += 2 * counts[n]!;
       this.column.push(column);
-      this.moment.push(rows[n]! + shares[n]!);
+      this.moment.push(rows[n]! + fractions[n]!);
       this.before.push(this.last.get(column) ?? NONE);
       this.after.push(bands);
       this.last.set(column, bands);

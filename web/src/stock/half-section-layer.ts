@@ -6,10 +6,10 @@ import type { Bounds, Vec3 } from "../path/batch";
 import { type Palette, toolColor } from "../view/colors";
 import { type HalfSections, type Loops, type SectionPoint, type TurnedTool, corners, draw, edges, hull, silhouette, trace } from "./half-sections";
 
-/** A bar that is longer than the path is drawn so far beyond it, as a share of the path's size. */
-const BAR_ROOM_SHARE = 0.25;
-/** Where the plane is seen almost from its edge it is not drawn: below this share of its area. */
-const EDGE_ON_SHARE = 1e-3;
+/** A bar that is longer than the path is drawn so far beyond it, as a fraction of the path's size. */
+const BAR_ROOM_FRACTION = 0.25;
+/** Where the plane is seen almost from its edge it is not drawn: below this fraction of its area. */
+const EDGE_ON_FRACTION = 1e-3;
 /** Marks of problems with their line; more would lie over each other. */
 const MAX_MARKS = 40;
 
@@ -137,7 +137,7 @@ export class HalfSectionLayer {
     const [ends, radius] = [of(0), Math.max(...of(1))];
     let [low, high] = [Math.min(...ends) - z, Math.max(...ends) - z];
     if (path) {
-      const room = BAR_ROOM_SHARE * Math.max(path.high[2] - path.low[2], path.high[0] - path.low[0], 1);
+      const room = BAR_ROOM_FRACTION * Math.max(path.high[2] - path.low[2], path.high[0] - path.low[0], 1);
       [low, high] = [Math.max(low, path.low[2] - room), Math.min(high, path.high[2] + room)];
     }
     return { low: [-radius - x, -y, low], high: [radius - x, -y, high] };
@@ -186,7 +186,7 @@ export class HalfSectionLayer {
     };
     const [zero, along, out] = [to([0, 0]), to([1, 0]), to([0, 1])];
     const [a, b, c, d] = [along[0] - zero[0], along[1] - zero[1], out[0] - zero[0], out[1] - zero[1]];
-    const isVisible = Math.abs(a * d - b * c) > EDGE_ON_SHARE * Math.max(Math.hypot(a, b), Math.hypot(c, d)) ** 2;
+    const isVisible = Math.abs(a * d - b * c) > EDGE_ON_FRACTION * Math.max(Math.hypot(a, b), Math.hypot(c, d)) ** 2;
     return isVisible ? new DOMMatrix([a, b, c, d, ...zero]) : undefined;
   }
 

@@ -134,9 +134,9 @@ export function millControls(handlers: MillHandlers) {
       updateColor();
       updateCut();
     },
-    progress(share: number, drops: number): void {
-      summary.textContent = share < 1 ? `Stock ${Math.floor(100 * share)} %` : "Stock";
-      if (share < 1) return;
+    progress(fraction: number, drops: number): void {
+      summary.textContent = fraction < 1 ? `Stock ${Math.floor(100 * fraction)} %` : "Stock";
+      if (fraction < 1) return;
       changes = drops;
       updateSummary();
       found.textContent = "Looking for touches…";

@@ -1,8 +1,8 @@
 // How the stock is drawn: corners are lifted to their heights, light comes from the upper left.
 
 /** A colour of `ramp`. */
-export const ON_RAMP = `vec3 onRamp(float share) {
-  float scaled = clamp(share, 0.0, 1.0) * 4.0;
+export const ON_RAMP = `vec3 onRamp(float fraction) {
+  float scaled = clamp(fraction, 0.0, 1.0) * 4.0;
   int index = min(3, int(scaled));
   return mix(ramp[index], ramp[index + 1], scaled - float(index));
 }

@@ -52,7 +52,7 @@ export class StockTimeline {
   at = 0;
   private column = new GrowingArray(new Uint32Array(1024));
   private row = new GrowingArray(new Uint32Array(1024));
-  private share = new GrowingArray(new Float32Array(1024));
+  private fraction = new GrowingArray(new Float32Array(1024));
   private height = new GrowingArray(new Float32Array(1024));
   private before = new GrowingArray(new Float32Array(1024));
   private slot = new GrowingArray(new Uint8Array(1024));
@@ -71,9 +71,9 @@ export class StockTimeline {
   }
 
   /** Adds drops, in the order of the run; a column that is not there is left out. */
-  add(columns: Uint32Array, rows: Uint32Array, shares: Float32Array, heights: Float32Array, slotOf: (row: number) => number): void {
+  add(columns: Uint32Array, rows: Uint32Array, fractions: Float32Array, heights: Float32Array, slotOf: (row: number) => number): void {
     const most = this.count + columns.length;
-    for (const grown of [this.column, this.row, this.share, this.height, this.before, this.slot, this.slotBefore]) grown.room(most);
+    for (const grown of [this.column, this.row, this.fraction, this.height, this.before, this.slot, this.slotBefore]) grown.room(most);
     const { last } = this;
     let of = -1;
     let slot = 0;
@@ -87,7 +87,7 @@ export class StockTimeline {
       const at = this.count++;
       this.column.all[at] = column;
       this.row.all[at] = of;
-      this.share.all[at] = shares[n]!;
+      this.fraction.all[at] = fractions[n]!;
       this.height.all[at] = heights[n]!;
       this.before.all[at] = last.heights[column]!;
       this.slot.all[at] = slot;
@@ -99,13 +99,13 @@ export class StockTimeline {
     }
   }
 
-  /** How many drops are done once so much of the path is: rows, and of the last one a share. */
+  /** How many drops are done once so much of the path is: rows, and of the last one a fraction. */
   doneAt(rows: number): number {
     let low = 0;
     let high = this.count;
     while (low < high) {
       const middle = (low + high) >> 1;
-      if (this.row.all[middle]! + this.share.all[middle]! <= rows) low = middle + 1;
+      if (this.row.all[middle]! + this.fraction.all[middle]! <= rows) low = middle + 1;
       else high = middle;
     }
     return low;
@@ -175,7 +175,7 @@ export class StockTimeline {
 
   /** Bytes that the list and its keyframes take. */
   get bytes(): number {
-    const list = [this.column, this.row, this.share, this.height, this.before, this.slot, this.slotBefore];
+    const list = [this.column, this.row, this.fraction, this.height, this.before, this.slot, this.slotBefore];
     const keyframe = 5 * this.heights.length;
     return list.reduce((sum, { all }) => sum + all.byteLength, 0) + keyframe * (this.keyframes.length + 2);
   }

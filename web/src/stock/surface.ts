@@ -68,7 +68,7 @@ export class StockSurface {
     this.outdate(x, y);
   }
 
-  /** The corner of a column is moved, by shares of a column from -1 to 1; with it those of the ring below it. */
+  /** The corner of a column is moved, by fractions of a column from -1 to 1; with it those of the ring below it. */
   move(column: number, [dx, dy]: [number, number]): void {
     const [nx, ny] = this.stock.columns;
     const [x, y] = [column % nx, Math.floor(column / nx)];

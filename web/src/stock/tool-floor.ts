@@ -51,8 +51,8 @@ function formFloor(profile: [number, number][]): ToolFloor | undefined {
     let [height, from] = [profile[0]![0], 0];
     for (const [next, to] of profile) {
       if (distance >= Math.min(from, to) && distance <= Math.max(from, to)) {
-        const share = to === from ? 0 : (distance - from) / (to - from);
-        least = Math.min(least, height + (next - height) * share);
+        const fraction = to === from ? 0 : (distance - from) / (to - from);
+        least = Math.min(least, height + (next - height) * fraction);
       }
       [height, from] = [next, to];
     }

@@ -35,9 +35,9 @@ function turning(turret: TurretSide, view: ViewName): { from: Vec3; up: Vec3 } {
 }
 
 /** How much of the view a fitted path takes. */
-const FIT_SHARE = 0.86;
+const FIT_FRACTION = 0.86;
 /** The same for a path that still grows: with more room it is not fitted and drawn for each batch. */
-const GROWING_FIT_SHARE = 0.55;
+const GROWING_FIT_FRACTION = 0.55;
 
 /** How far in front of and behind the camera is visible, mm: beyond every machine, and depths are distinguished to 0.01 mm. */
 const DEPTH_MM = 5e4;
@@ -126,7 +126,7 @@ export class ViewCamera {
       .addScaledVector(new Vector3(m[4]!, m[5]!, m[6]!), (bottom + top) / 2);
     look(center);
     const least = reach * 1e-3;
-    camera.zoom = (grows ? GROWING_FIT_SHARE : FIT_SHARE) * Math.min(
+    camera.zoom = (grows ? GROWING_FIT_FRACTION : FIT_FRACTION) * Math.min(
       (camera.right - camera.left) / Math.max(right - left, least),
       (camera.top - camera.bottom) / Math.max(top - bottom, least),
     );
@@ -134,8 +134,8 @@ export class ViewCamera {
     this.controls.update();
   }
 
-  /** A box takes a share of the view, seen from where it is seen now. */
-  show(box: Bounds, share: number): void {
+  /** A box takes a fraction of the view, seen from where it is seen now. */
+  show(box: Bounds, fraction: number): void {
     const { camera, controls } = this;
     const center = new Vector3(...box.low).add(new Vector3(...box.high)).multiplyScalar(0.5);
     camera.position.sub(controls.target).add(center);
@@ -145,7 +145,7 @@ export class ViewCamera {
     extent.addBox(box);
     const [left, right, bottom, top] = extent.edges;
     const { left: l, right: r, top: t, bottom: b } = camera;
-    camera.zoom = share * Math.min((r - l) / Math.max(right - left, 1e-9), (t - b) / Math.max(top - bottom, 1e-9));
+    camera.zoom = fraction * Math.min((r - l) / Math.max(right - left, 1e-9), (t - b) / Math.max(top - bottom, 1e-9));
     camera.updateProjectionMatrix();
     this.userMoved = true;
     controls.update();

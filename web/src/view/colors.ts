@@ -86,18 +86,18 @@ export function rgb(color: string): Rgb {
   return found;
 }
 
-/** The share of the text's colour that tools beyond the last colour get. */
-const SECOND_ROUND_SHARE = 0.5;
+/** The fraction of the text's colour that tools beyond the last colour get. */
+const SECOND_ROUND_FRACTION = 0.5;
 
 /** The colour of a tool, by its number in the order in which the tools cut first. */
 export function toolColor({ tools, text }: Palette, index: number): string {
   const own = tools[Math.max(0, index) % tools.length]!;
   const isFirstRound = Math.floor(Math.max(0, index) / tools.length) % 2 === 0;
-  return isFirstRound ? own : hex(mixed(rgb(own), rgb(text), SECOND_ROUND_SHARE));
+  return isFirstRound ? own : hex(mixed(rgb(own), rgb(text), SECOND_ROUND_FRACTION));
 }
 
-function mixed(a: Rgb, b: Rgb, share: number): Rgb {
-  return [0, 1, 2].map((part) => Math.round(a[part]! + (b[part]! - a[part]!) * share)) as Rgb;
+function mixed(a: Rgb, b: Rgb, fraction: number): Rgb {
+  return [0, 1, 2].map((part) => Math.round(a[part]! + (b[part]! - a[part]!) * fraction)) as Rgb;
 }
 
 function hex(color: Rgb): string {
@@ -106,14 +106,14 @@ function hex(color: Rgb): string {
 
 /** The colour of a value between the least and the most of the program. */
 export function rampColor({ ramp }: Palette, value: number, [least, most]: ValueRange): Rgb {
-  const at = shareOf(value, [least, most]) * (ramp.length - 1);
+  const at = fractionOf(value, [least, most]) * (ramp.length - 1);
   const index = Math.min(ramp.length - 2, Math.floor(at));
   return mixed(rgb(ramp[index]!), rgb(ramp[index + 1]!), at - index);
 }
 
 export type ValueRange = [number, number];
 
-function shareOf(value: number, [least, most]: ValueRange): number {
+function fractionOf(value: number, [least, most]: ValueRange): number {
   return most > least ? Math.min(1, Math.max(0, (value - least) / (most - least))) : 0.5;
 }
 
@@ -137,7 +137,7 @@ export interface ColorScale {
 export function colorsOf(palette: Palette, { by, tools, feeds, depths, powers }: ColorScale, { tool, feed, power }: Batch, lines: LineArrays): Uint8Array {
   const steps: Rgb[] = [];
   for (let step = 0; step <= RAMP_STEPS && by !== "tool"; step++) steps.push(rampColor(palette, step, [0, RAMP_STEPS]));
-  const onRamp = (value: number, range: ValueRange) => steps[Math.round(shareOf(value, range) * RAMP_STEPS)]!;
+  const onRamp = (value: number, range: ValueRange) => steps[Math.round(fractionOf(value, range) * RAMP_STEPS)]!;
   const ofRow = (row: number) => (by === "power" ? onRamp(power?.[row] ?? 0, powers) : onRamp(feed[row]!, feeds));
   const ofTool = new Map(tools.map((number, index) => [number, rgb(toolColor(palette, index))]));
   const first = rgb(toolColor(palette, 0));

@@ -10,11 +10,11 @@ import { spansOf } from "./progress";
 
 /** Lines of each level, about. */
 export const LEVEL_LINES = [60_000, 20_000, 8_000, 3_000];
-/** Rapids of a level, as a share of its lines. */
-const RAPIDS_SHARE = 1 / 4;
-/** How far a line may be from the path, as a share of the path's size. */
-const FINE_SHARE = 1 / 2000;
-const ROUGH_SHARE = 1 / 500;
+/** Rapids of a level, as a fraction of its lines. */
+const RAPIDS_FRACTION = 1 / 4;
+/** How far a line may be from the path, as a fraction of the path's size. */
+const FINE_FRACTION = 1 / 2000;
+const ROUGH_FRACTION = 1 / 500;
 
 export interface PathPart {
   batch: Batch;
@@ -54,8 +54,8 @@ export class PathLevels {
     const fine: PathStrands[] = [];
     const rough: PathStrands[] = [];
     for (const { lines } of parts) {
-      fine.push(strands(lines.cuts, size * FINE_SHARE));
-      rough.push(strands(fine.at(-1)!.lines, size * ROUGH_SHARE));
+      fine.push(strands(lines.cuts, size * FINE_FRACTION));
+      rough.push(strands(fine.at(-1)!.lines, size * ROUGH_FRACTION));
       await yieldToEventLoop();
       if (number !== this.builds) return false;
     }
@@ -65,10 +65,10 @@ export class PathLevels {
     for (const [index, most] of LEVEL_LINES.entries()) {
       const from = index < LEVEL_LINES.length / 2 ? fine : rough;
       const level = new Group();
-      const share = most / from.reduce((sum, { lines }) => sum + lines.count, 0);
+      const fraction = most / from.reduce((sum, { lines }) => sum + lines.count, 0);
       let before = 0;
       for (const [at, part] of from.entries()) {
-        const lines = someStrands(part, share, before);
+        const lines = someStrands(part, fraction, before);
         before += part.starts.length;
         if (lines.count === 0) continue;
         const { batch } = parts[at]!;
@@ -76,7 +76,7 @@ export class PathLevels {
         made.push(strokes);
         level.add(strokes.object);
       }
-      const some = someRapids(parts, most * RAPIDS_SHARE, rapidMaterial);
+      const some = someRapids(parts, most * RAPIDS_FRACTION, rapidMaterial);
       rapids.push(some);
       level.add(some);
       levels.push(level);

@@ -326,7 +326,7 @@ export class PathView {
     return { at, up: new Vector3(0, 0, 1).applyQuaternion(quaternion).toArray(), width: this.tool.width, isShown: this.tool.object.visible };
   }
 
-  shapeTool(tool: DrawnTool | undefined): void {
+  setToolShape(tool: DrawnTool | undefined): void {
     this.tool.shape(tool, longest(this.path.bounds, 50));
     this.render();
   }

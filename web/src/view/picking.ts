@@ -1,7 +1,7 @@
 // Finds the row of the path at a position on the screen.
 
 import type { Batch, Vec3 } from "../path/batch";
-import { type LineArrays, nearest } from "../path/lines";
+import { type LineArrays, nearestSegment } from "../path/lines";
 import type { ViewCamera } from "./camera";
 
 /** How far from a line a click may be, pixels. */
@@ -14,7 +14,7 @@ const RAPID_HANDICAP_PIXELS = 3;
 export interface PickedPoint {
   row: number;
   /** How far along the row, from 0 to 1. */
-  share: number;
+  fraction: number;
   /** Relative to the origin of the path, mm; an end of the row where one is near. */
   at: Vec3;
   /** Whether it is an end of the row. */
@@ -43,7 +43,7 @@ export function pick(
   for (const { batch, lines } of parts) {
     for (const [own, handicap] of [[lines.cuts, 0], [lines.rapids, RAPID_HANDICAP_PIXELS]] as const) {
       if (own === lines.rapids && !withRapids) continue;
-      const found = nearest(own, elements, canvas.clientWidth, canvas.clientHeight, x, y, REACH_PIXELS);
+      const found = nearestSegment(own, elements, canvas.clientWidth, canvas.clientHeight, x, y, REACH_PIXELS);
       if (!found || (best && found.distance + handicap >= best.distance)) continue;
       const picked = pickedOn(batch, own, found, (at) => {
         const [ex, ey] = camera.project(at);
@@ -55,7 +55,7 @@ export function pick(
   return best;
 }
 
-function pickedOn(batch: Batch, lines: LineArrays, { index, share }: { index: number; share: number }, isNear: (at: Vec3) => boolean): PickedPoint {
+function pickedOn(batch: Batch, lines: LineArrays, { index, fraction }: { index: number; fraction: number }, isNear: (at: Vec3) => boolean): PickedPoint {
   const own = (at: number) => (lines.rows ? lines.rows[at]! : at);
   const row = own(index);
   let first = index;
@@ -67,8 +67,8 @@ function pickedOn(batch: Batch, lines: LineArrays, { index, share }: { index: nu
     [0, [p[6 * first]!, p[6 * first + 1]!, p[6 * first + 2]!]],
     [1, [p[6 * last + 3]!, p[6 * last + 4]!, p[6 * last + 5]!]],
   ];
-  for (const [end, at] of ends) if (isNear(at)) return { row: batch.first + row, share: end, at, snapped: true };
-  const along = (index - first + share) / (last - first + 1);
-  const mix = (axis: number) => p[6 * index + axis]! + (p[6 * index + 3 + axis]! - p[6 * index + axis]!) * share;
-  return { row: batch.first + row, share: along, at: [mix(0), mix(1), mix(2)], snapped: false };
+  for (const [end, at] of ends) if (isNear(at)) return { row: batch.first + row, fraction: end, at, snapped: true };
+  const along = (index - first + fraction) / (last - first + 1);
+  const mix = (axis: number) => p[6 * index + axis]! + (p[6 * index + 3 + axis]! - p[6 * index + axis]!) * fraction;
+  return { row: batch.first + row, fraction: along, at: [mix(0), mix(1), mix(2)], snapped: false };
 }

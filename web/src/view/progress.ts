@@ -3,11 +3,11 @@
 import { type Material, Color } from "three";
 import type { LineArrays } from "../path/lines";
 
-/** The share of its own colour that the remaining path has; the other share is the background's. */
-export const PALE_SHARE = 0.4;
+/** The fraction of its own colour that the remaining path has; the other fraction is the background's. */
+export const PALE_FRACTION = 0.4;
 
 export class PathProgress {
-  /** Rows that are done, with the share of the row that is being done; all of them while nothing plays. */
+  /** Rows that are done, with the fraction of the row that is being done; all of them while nothing plays. */
   done = Infinity;
   private doneRows = { value: 1e9 };
   private background = { value: new Color() };
@@ -38,14 +38,14 @@ export class PathProgress {
         .replace("void main() {", "uniform float doneRows; uniform vec3 pageBackground; varying float vRowAt;\nvoid main() {")
         .replace(
           "#include <color_fragment>",
-          `#include <color_fragment>\nif (vRowAt > doneRows) diffuseColor.rgb = mix(pageBackground, diffuseColor.rgb, ${PALE_SHARE});`,
+          `#include <color_fragment>\nif (vRowAt > doneRows) diffuseColor.rgb = mix(pageBackground, diffuseColor.rgb, ${PALE_FRACTION});`,
         );
     };
     material.customProgramCacheKey = () => `progress ${isWide}`;
   }
 }
 
-/** The rows at both ends of each line, with the share of the row; `first` is the row that the batch begins with. */
+/** The rows at both ends of each line, with the fraction of the row; `first` is the row that the batch begins with. */
 export function spansOf(first: number, { rows, count }: Pick<LineArrays, "rows" | "count">): Float32Array {
   const spans = new Float32Array(2 * count);
   for (let from = 0; from < count; ) {

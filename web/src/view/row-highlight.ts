@@ -5,7 +5,7 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import type { Batch, Vec3 } from "../path/batch";
-import { type ArcTolerance, someRows } from "../path/lines";
+import { type ArcTolerance, segmentsOfRows } from "../path/lines";
 import { Path } from "../path/path";
 import type { PathProgress } from "./progress";
 
@@ -84,9 +84,9 @@ export class RowHighlight {
     if (this.edges) this.edges.geometry = this.lines.geometry;
   }
 
-  /** The lines of a row of a batch, and the share of the row at both ends of each. */
+  /** The lines of a row of a batch, and the fraction of the row at both ends of each. */
   private row(batch: Batch, row: number, tolerance: ArcTolerance, points: number[], spans: number[]): void {
-    const own = someRows(batch, row, row, tolerance);
+    const own = segmentsOfRows(batch, row, row, tolerance);
     for (const value of own) points.push(value);
     const lines = own.length / 6;
     for (let line = 0; line < lines; line++) spans.push(batch.first + row + line / lines, batch.first + row + (line + 1) / lines);
