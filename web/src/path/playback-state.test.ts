@@ -43,8 +43,8 @@ describe("the one state of the page", () => {
   });
 
   it("knows the axes that are named, and draws the one that never is at zero", () => {
-    expect(playbackStateOf({ to: "line", line: 1 }, path, setpoints)).toMatchObject({ at: [0, 0, 0], coordinates: [10, undefined, 5], seconds: 1 });
-    expect(playbackStateOf({ to: "time", seconds: 2 }, path, setpoints)).toMatchObject({ at: [10, 0, 0], coordinates: [20, undefined, 5], row: 1 });
+    expect(playbackStateOf({ to: "line", line: 1 }, path, setpoints)).toMatchObject({ position: [0, 0, 0], coordinates: [10, undefined, 5], seconds: 1 });
+    expect(playbackStateOf({ to: "time", seconds: 2 }, path, setpoints)).toMatchObject({ position: [10, 0, 0], coordinates: [20, undefined, 5], row: 1 });
   });
 
   it("goes to when a line is done, not to when the next begins", () => {
@@ -67,7 +67,7 @@ describe("the one state of the page", () => {
   });
 
   it("has a place and no time while the motion is planned", () => {
-    expect(playbackStateOf({ to: "line", line: 2 }, path, undefined)).toMatchObject({ at: [20, 0, 0], seconds: undefined, speed: undefined });
+    expect(playbackStateOf({ to: "line", line: 2 }, path, undefined)).toMatchObject({ position: [20, 0, 0], seconds: undefined, speed: undefined });
   });
 });
 

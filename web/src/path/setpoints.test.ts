@@ -13,8 +13,8 @@ const points = {
 
 describe("playback", () => {
   it("is where the planner says, between setpoints too", () => {
-    expect(momentAt(points, 0.25)).toEqual({ at: [0.5, 0, 0], programmed: [0.5, 0, 0], turn: [0, 0, 0], speed: 30, row: 0 });
-    expect(momentAt(points, 99)).toEqual({ at: [4, 0, 0], programmed: [4, 0, 0], turn: [0, 0, 0], speed: 0, row: 4 });
+    expect(momentAt(points, 0.25)).toEqual({ position: [0.5, 0, 0], programmed: [0.5, 0, 0], rotaryAngles: [0, 0, 0], speed: 30, row: 0 });
+    expect(momentAt(points, 99)).toEqual({ position: [4, 0, 0], programmed: [4, 0, 0], rotaryAngles: [0, 0, 0], speed: 0, row: 4 });
     expect(momentAt({ ...points, row: new Uint32Array(), positions: new Float32Array() }, 1)).toBeUndefined();
   });
 

@@ -121,7 +121,7 @@ export class PlaybackController {
     this.updateToolShape(number);
     const up = toolDirection(run.machine?.tool_rotations ?? [], this.pointsAlongX(number) ? [1, 0, 0] : [0, 0, 1], rotaryAngles);
     const position = ui.toolOn.checked && run.path.bounds ? this.state.position : undefined;
-    view.placeTool(latheStock.place(number, position) ? undefined : position, up);
+    view.placeTool(latheStock.placeTool(number, position) ? undefined : position, up);
   }
 
   /** Whether a tool points along X: a turning tool on a turret. Drills and taps point along Z. */
