@@ -2,7 +2,7 @@
 
 import { codeSpans, setCodeSpans } from "../panels/code-spans";
 import { element } from "../panels/dom";
-import { signButton } from "../panels/icons";
+import { iconButton } from "../panels/icons";
 import { type Units, count, countText } from "../panels/units";
 import type { ComparedWith, Comparison, Difference, HelloMessage } from "../protocol/messages";
 import { linesText } from "./difference-ranges";
@@ -58,8 +58,8 @@ export function comparePanel(root: HTMLElement, handlers: CompareHandlers) {
   tolerance.id = "compare-tolerance";
   Object.assign(tolerance, { type: "number", min: "0", step: "any", value: "0" });
   const unit = element("span", "", "mm");
-  const previous = signButton("back", "Previous difference (P)", () => handlers.walk(-1));
-  const next = signButton("next", "Next difference (N)", () => handlers.walk(1));
+  const previous = iconButton("back", "Previous difference (P)", () => handlers.walk(-1));
+  const next = iconButton("next", "Next difference (N)", () => handlers.walk(1));
   const position = element("span", "which");
   const controls = element("div", "controls");
   const walk = element("span", "walk");
@@ -213,7 +213,7 @@ export function pathLegend(root: HTMLElement, handlers: { own: (shown: boolean) 
   root.setAttribute("aria-label", "Paths");
   const [ownBox, ownSwatch, ownText] = makeSwitch("own", handlers.own);
   const [otherBox, , otherText] = makeSwitch("other", handlers.other);
-  const end = signButton("close", "Stop comparing", handlers.end);
+  const end = iconButton("close", "Stop comparing", handlers.end);
   const differenceKey = element("span", "key");
   differenceKey.append(element("span", "swatch differs"), "different");
   differenceKey.hidden = true;

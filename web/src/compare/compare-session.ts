@@ -29,7 +29,7 @@ export interface CompareParts {
   /** The program that is shown. */
   run: ShownRun;
   goTo: (line: number) => void;
-  /** How to compare with a program of another file. */
+  /** The text that explains how to compare with another file. */
   anotherHint: string;
   /** Shows a line of text over the picture. */
   setMessage: (text: string) => void;

@@ -104,7 +104,7 @@ export class PlaybackController {
     const { run, timeline, ui } = this.parts;
     this.target = target;
     this.state = playbackStateOf(target, run.path, run.setpoints);
-    if (this.state.seconds !== undefined) timeline.put(this.state.seconds);
+    if (this.state.seconds !== undefined) timeline.showTime(this.state.seconds);
     // Before the first move is planned there is no position to show.
     if (run.setpoints || run.path.rows > 0) ui.readout(this.state, run.axisUnits);
     this.showTool();

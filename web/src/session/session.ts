@@ -11,7 +11,7 @@ import { OtherFileView } from "../panels/other-file-view";
 import { ProblemPanel } from "../panels/problems";
 import { leftOutText, notNamedText, notVerified, showOutline, showTimes } from "../panels/program-panels";
 import { readingsPanel } from "../panels/readings";
-import { refreshWords, syntaxHints } from "../panels/syntax-hints";
+import { refreshTokens, syntaxHints } from "../panels/syntax-hints";
 import { TextEditor } from "../panels/text-editor";
 import { Timeline } from "../panels/timeline";
 import { type Vec3, AXIS_BITS, batchOf } from "../path/batch";
@@ -293,7 +293,7 @@ export class Session {
     const { run, ui } = this;
     run.begin(message.run, message.machine);
     this.view.setLathe(message.machine.turret ?? undefined);
-    refreshWords(this.editor.view);
+    refreshTokens(this.editor.view);
     ui.machineWhy(message.machine.title, message.why);
     this.readings.programRun(run.programName, message.readings);
     this.isPathShown = false;
@@ -401,7 +401,7 @@ export class Session {
     const heights = path.bounds ? [path.bounds.low[2], path.bounds.high[2]] : [0, 0];
     ui.section.offer(path.tools, heights.map((z) => z! + path.origin[2]) as [number, number], { inch: report.inch });
     ui.empty(path.bounds ? "" : this.emptyText(report));
-    ui.turns([notNamedText(report), leftOutText(report), unknownRotaryHint(report.axes, run.machine?.rotary ?? [])].filter(Boolean).join(" "));
+    ui.setAxisHint([notNamedText(report), leftOutText(report), unknownRotaryHint(report.axes, run.machine?.rotary ?? [])].filter(Boolean).join(" "));
     ui.unverified(notVerified(report));
     this.editor.setProblems(report.diagnostics);
     this.showProblems();

@@ -1,6 +1,6 @@
 // The controls of a lathe's half section, and the result of its simulation.
 
-import { closesOnEscape, element } from "../panels/dom";
+import { closeOnEscape, element } from "../panels/dom";
 import { type Units, countText, volume } from "../panels/units";
 import type { TurnedReport } from "../protocol/messages";
 import type { HalfSections } from "./half-sections";
@@ -33,7 +33,7 @@ export function latheControls(show: (what: VisiblePart, shown: boolean) => void)
   result.setAttribute("aria-live", "polite");
   for (const line of [about, result]) choices.append(element("span", ""), line);
   root.append(summary, choices);
-  closesOnEscape(root, summary);
+  closeOnEscape(root, summary);
 
   return {
     root,

@@ -1,6 +1,6 @@
 // The controls of the stock: colours, section, number of columns; and the result of its simulation.
 
-import { closesOnEscape, element } from "../panels/dom";
+import { closeOnEscape, element } from "../panels/dom";
 import { type Units, count, length, volume } from "../panels/units";
 import type { StockReport } from "../protocol/messages";
 import { type StockColor, type StockCut, MAX_TOLERANCES } from "./stock-layer";
@@ -119,7 +119,7 @@ export function millControls(handlers: MillHandlers) {
   color.addEventListener("change", updateColor);
   for (const input of [axis, place]) input.addEventListener("input", updateCut);
   columns.addEventListener("change", () => handlers.columns(Number(columns.value)));
-  closesOnEscape(root, summary);
+  closeOnEscape(root, summary);
 
   return {
     root,
