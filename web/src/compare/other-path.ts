@@ -14,7 +14,7 @@ import { disposeLines, lineGeometry } from "../view/line-mesh";
 import { type Pickable, type PickedPoint, type PointProjection, pick } from "../view/picking";
 import { RowHighlight } from "../view/row-highlight";
 
-/** The page handles its input after each batch of at least so many rows. */
+/** The page handles its input after each batch of at least this number of rows. */
 const UNINTERRUPTED_ROWS = 20_000;
 /** Lengths of dashes and gaps, pixels. */
 const CUT_DASH_PIXELS: [number, number] = [6, 8];

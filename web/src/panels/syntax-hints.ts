@@ -110,7 +110,7 @@ export function refreshTokens(view: EditorView): void {
   view.dispatch({ effects: refreshEffect.of(null) });
 }
 
-/** A line of at least so many characters is taken as wrapped for a terminal. */
+/** A line of at least this length was probably wrapped for a terminal. */
 const MIN_WRAPPED_CHARACTERS = 70;
 
 /** Undoes the wrapping of a text for a terminal: each paragraph becomes one line. */
@@ -121,7 +121,7 @@ export function unwrapParagraphs(text: string): string {
 /** Renders paragraphs, code and bold of Markdown; everything else stays text. */
 export function markdown(text: string): HTMLElement {
   const root = element("div", "meaning");
-  // A fenced block is a paragraph of its own, without blank lines around it as well.
+  // A fenced block is always a separate paragraph, even without blank lines around it.
   text = text.replace(/\n*(```\w*\n[\s\S]*?\n?```)\n*/g, "\n\n$1\n\n");
   for (const paragraph of text.split(/\n{2,}/)) {
     const fenced = /^```\w*\n([\s\S]*?)\n?```$/.exec(paragraph.trim());

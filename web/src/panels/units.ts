@@ -30,7 +30,7 @@ function trimmed(value: number, digits: number): string {
   return short === "-0" ? "0" : short;
 }
 
-/** A length, rounded to 0.0001 in or 0.001 mm, or to so many significant digits. */
+/** A length, rounded to 0.0001 in or 0.001 mm, or to a number of significant digits; 0: to those decimals. */
 export function length({ inch }: Units, mm: number, withUnit = true, significantDigits = 0): string {
   const value = inch ? mm / MM_PER_INCH : mm;
   const text = significantDigits > 0 ? String(Number(value.toPrecision(significantDigits))) : trimmed(value, inch ? 4 : 3);

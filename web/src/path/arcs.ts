@@ -37,7 +37,7 @@ export function arcPoint(arcs: Float32Array, index: number, fraction: number): V
   ];
 }
 
-/** How many equal parts of an arc, each at most an eighth of a turn, its bounding box is found with. */
+/** Into how many equal parts, of an eighth of a turn at most, an arc is divided to find its bounding box. */
 export function arcSampleCount(arcs: Float32Array, index: number): number {
   const eighths = Math.ceil((8 * Math.abs(arcs[index * ARC_NUMBERS + 11]!)) / (2 * Math.PI));
   // At least 8 for short arcs, at most 512 for helices of many turns.

@@ -14,7 +14,7 @@ export const KNOWN_BIT = 0x10;
 /** The bits of X, Y and Z in a mask of known axes. */
 export const AXIS_BITS = [1, 2, 4] as const;
 export const ALL_AXES_BITS = 7;
-/** `Batch.known` has the axes known at the start of a row in its low bits, and those known at its end so many bits higher. */
+/** In `Batch.known` the axes known at the end of a row are this many bits above those known at its start. */
 export const END_AXES_SHIFT = 3;
 
 export type Vec3 = [number, number, number];

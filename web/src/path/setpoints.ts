@@ -115,17 +115,17 @@ export function timeOnRow(setpoints: Setpoints, row: number, fraction: number): 
 /** The first row of the block before or after that of a row; at an end of the path the last row in that direction. */
 export function stepRow(path: Path, row: number, direction: 1 | -1): number {
   const current = path.lineOf(row);
-  let at = row;
-  while (at + direction >= 0 && at + direction < path.rows) {
-    at += direction;
-    const line = path.lineOf(at);
+  let next = row;
+  while (next + direction >= 0 && next + direction < path.rows) {
+    next += direction;
+    const line = path.lineOf(next);
     if (line?.line !== current?.line || line?.own !== current?.own) break;
   }
-  if (direction === 1) return at;
+  if (direction === 1) return next;
   // Back to the first row of that block.
-  const target = path.lineOf(at);
-  while (at > 0 && path.lineOf(at - 1)?.line === target?.line && path.lineOf(at - 1)?.own === target?.own) at--;
-  return at;
+  const block = path.lineOf(next);
+  while (next > 0 && path.lineOf(next - 1)?.line === block?.line && path.lineOf(next - 1)?.own === block?.own) next--;
+  return next;
 }
 
 /** The lowest and the highest speed, mm/min, in each of `intervals` equal intervals of the time from `from` to `to`, s; NaN where there are no setpoints. */

@@ -6,7 +6,7 @@ import type { LineArrays } from "./lines";
 const MAX_MERGED_LINES = 64;
 /** A strand, the run of lines that is drawn or left out as a whole, is no longer than this, so that a path without corners has several. */
 const MAX_STRAND_LINES = 2048;
-/** A corner ends a strand only after so many lines, so that a stepover is no strand of its own. */
+/** A corner ends a strand only after this number of lines, so that a stepover does not become a strand. */
 const MIN_STRAND_LINES = 8;
 /** Cosine of the change of direction, 60°, from which on it is a corner. */
 const CORNER_COSINE = 0.5;

@@ -139,7 +139,7 @@ export class PlaybackController {
     view.setToolShape(run.machine?.tools.find((tool) => tool.number === number));
   }
 
-  /** Draws the stock as it is when so many rows are done and the tool is at a position. */
+  /** Draws the stock for the moment when `rowsDone` rows are done and the tool is at a position. */
   private cutStock(rowsDone: number, position: Vec3 | undefined): void {
     this.parts.millStock.goTo(rowsDone, position);
     this.parts.latheStock.goTo(rowsDone, position);

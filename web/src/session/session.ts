@@ -421,7 +421,7 @@ export class Session {
     this.showProblems();
   }
 
-  /** Shows what the colours of the path mean, and gives the legend of the comparison that of the first tool. */
+  /** Shows the legend of the colours, and sets the colour of the own path in the comparison. */
   private showColors(): void {
     const { report, path, machine } = this.run;
     if (report) this.ui.legend(this.colorBy, path, report, machine, palette());

@@ -82,9 +82,9 @@ export class Engine {
 
   static async start(compiled: WebAssembly.Module, events: EngineEvents): Promise<Engine> {
     const decoder = new TextDecoder();
-    const module = await Module.start<EngineExports>(compiled, (at) => ({
+    const module = await Module.start<EngineExports>(compiled, (bytesAt) => ({
       send: (kind, pointer, length) => {
-        const bytes = at(pointer!, length!);
+        const bytes = bytesAt(pointer!, length!);
         // Copied, because the memory of the module is reused when this returns.
         events.send(kind === 0 ? decoder.decode(bytes) : (bytes.slice().buffer as ArrayBuffer), kind === 2);
       },

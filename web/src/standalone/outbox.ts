@@ -1,7 +1,7 @@
 // Messages to the page with flow control: they are sent no faster than the page handles them, so that it can draw and handle its
 // input during a long path. A long text waits for the first part of the path, and then alternates with it.
 
-/** Messages with columns that are sent before the page has handled earlier ones, at most. */
+/** The largest number of messages with columns that are sent and not handled by the page yet. */
 const MAX_IN_FLIGHT = 8;
 
 interface OutgoingMessage {
@@ -43,7 +43,7 @@ export class Outbox {
     this.sendAll();
   }
 
-  /** The page has handled so many messages with columns. */
+  /** The page has handled `count` more messages with columns. */
   acknowledge(count: number): void {
     this.inFlight -= count;
     this.sendAll();

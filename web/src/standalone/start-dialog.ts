@@ -67,9 +67,9 @@ export class StartDialog {
       if (address.value.trim() !== "") this.handlers.address(address.value.trim());
     });
     this.message.setAttribute("role", "status");
-    const own = element("section", "own");
-    own.append(label, element("p", "hint", "Or drop files anywhere on the page."), pasteLabel, run, addressLabel, load);
-    this.root.append(head, privacy, this.message, own, this.recents, this.examples);
+    const newProgram = element("section", "own");
+    newProgram.append(label, element("p", "hint", "Or drop files anywhere on the page."), pasteLabel, run, addressLabel, load);
+    this.root.append(head, privacy, this.message, newProgram, this.recents, this.examples);
     document.body.append(this.root);
     // A message stays until the dialog is closed.
     this.setMessage("");

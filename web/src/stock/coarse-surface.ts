@@ -5,7 +5,7 @@ import { StockSurface } from "./surface";
 
 export class CoarseSurface {
   readonly surface: StockSurface;
-  /** Which columns and which rows of the fine surface it takes the heights of. */
+  /** The columns and the rows of the fine surface whose heights it has. */
   private samples: [number[], number[]];
   /** How many columns of the fine surface one of its columns replaces, along X and along Y. */
   private step: number;

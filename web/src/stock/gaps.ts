@@ -42,7 +42,7 @@ export class Gaps {
     }
   }
 
-  /** Goes to the moment when so many rows are done; calls `changed` with the gaps of each changed column before and after. */
+  /** Goes to the moment when `rows` rows of the path are done; calls `changed` with the gaps of each changed column before and after. */
   seek(rows: number, changed: (column: number, bands: Bands) => void): void {
     const setGaps = (change: number, bands: Bands) => {
       const column = this.column[change]!;

@@ -61,7 +61,7 @@ export class HalfSections {
     return this.rows.length;
   }
 
-  /** The number of the section after so many rows of the path. */
+  /** The number of the section after `rowsDone` rows of the path. */
   numberAt(rowsDone: number): number {
     let [low, high] = [0, this.rows.length];
     while (low < high) {

@@ -65,7 +65,7 @@ export function latheStock(parts: LatheStockParts) {
       view.setHalfSections(undefined, () => 0);
       controls.none();
     },
-    /** Goes to the moment when so many rows are done and the tool is at a position relative to the origin of the path. */
+    /** Goes to the moment when `rows` rows of the path are done and the tool is at a position relative to the origin of the path. */
     goTo(rows: number, at: Vec3 | undefined): void {
       [rowsDone, position] = [rows, at];
       show();

@@ -136,7 +136,7 @@ export function millStock(parts: MillStockParts) {
       moment = PROGRAM_END;
       controls.none();
     },
-    /** Goes to the moment when so many rows are done and the tool is at a position relative to the origin of the path. */
+    /** Goes to the moment when `rows` rows of the path are done and the tool is at a position relative to the origin of the path. */
     goTo(rows: number, position: Vec3 | undefined): void {
       moment = { rows, position };
       show();

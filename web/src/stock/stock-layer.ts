@@ -43,7 +43,7 @@ export interface StockCut {
 
 /** Triangles and tiles that are drawn at once, in a fraction of a frame: with a graphics card and without. */
 const MAX_PER_DRAW = { card: { triangles: 4_000_000, tiles: 256 }, software: { triangles: 12_000, tiles: 64 } };
-/** Columns of the coarse surface, at most. */
+/** The largest number of columns of the coarse surface. */
 const COARSE_COLUMNS = { card: 250_000, software: 9_000 };
 /** A mesh of the part with more triangles is not drawn in every frame while the view turns. */
 const MAX_PART_TRIANGLES = { card: 400_000, software: 60_000 };
@@ -52,7 +52,7 @@ const REST_MS = 120;
 const MAX_REST_MS = 2_000;
 /** The margin around a change that is drawn again, pixels. */
 const MARGIN_PIXELS = 3;
-/** Deviations beyond so many tolerances have the last colour. */
+/** Deviations of more than this number of tolerances have the last colour of the scale. */
 export const MAX_TOLERANCES = 10;
 
 export class StockLayer {

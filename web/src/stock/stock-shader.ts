@@ -8,7 +8,7 @@ export const ON_RAMP = `vec3 onRamp(float fraction) {
 }
 `;
 
-/** Gaps of a column that open walls, at most. */
+/** The largest number of gaps of a column that open walls. */
 export const MAX_BANDS = 8;
 /** Colours of a surface: that of the stock, and those of tools. */
 export const COLOR_SLOTS = 24;

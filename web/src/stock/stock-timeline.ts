@@ -20,7 +20,7 @@ export interface StockBefore {
   fixtures?: Float32Array | undefined;
 }
 
-/** Drops between two keyframes, at least: so many take a few milliseconds. */
+/** Drops between two keyframes, at least: this number takes a few milliseconds. */
 const MIN_KEYFRAME_DROPS = 1 << 17;
 
 /** A moment is far away if there are more drops to it than the number of columns divided by this. */
@@ -37,7 +37,7 @@ interface Keyframe {
 class GrowingArray<A extends Uint32Array | Float32Array | Uint8Array> {
   constructor(public all: A) {}
 
-  /** Makes room for so many elements. */
+  /** Makes room for `count` elements. */
   reserve(count: number): void {
     if (count <= this.all.length) return;
     const grown = new (this.all.constructor as new (length: number) => A)(Math.max(count, 2 * this.all.length));
@@ -101,7 +101,7 @@ export class StockTimeline {
     }
   }
 
-  /** How many drops are done after so many rows, with a fraction of the present one. */
+  /** How many drops are done after `rows` rows of the path, with a fraction of the present one. */
   doneAt(rows: number): number {
     let low = 0;
     let high = this.count;
@@ -113,7 +113,7 @@ export class StockTimeline {
     return low;
   }
 
-  /** Goes to the moment when so many rows are done, and calls `changed` for each column that is set; returns the work: how many columns were set or compared. */
+  /** Goes to the moment when `rows` rows of the path are done, and calls `changed` for each column that is set; returns the work: how many columns were set or compared. */
   seek(rows: number, changed: (column: number) => void): number {
     const to = this.doneAt(rows);
     const nearest = this.nearestKeyframe(to);

@@ -87,7 +87,7 @@ export function rgb(color: string): Rgb {
   return parsed;
 }
 
-/** When there are more tools than colours, those of every second round are mixed with so much of the text colour. */
+/** When there are more tools than colours, every second round of colours is mixed with this fraction of the text colour. */
 const SECOND_ROUND_TEXT_FRACTION = 0.5;
 
 /** The colour of a tool, by its index in the order of the tools' first cuts. */

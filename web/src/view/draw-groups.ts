@@ -7,7 +7,7 @@ import type { LineArrays } from "../path/lines";
 import type { LineMesh } from "./line-mesh";
 import { linesOnRows } from "./progress";
 
-/** The cost of a wide line; a line of one pixel costs 1. Each wide line is a rectangle of triangles with its own shader. */
+/** The cost of a wide line; a line of one pixel costs 1. Wide lines are drawn as triangles. */
 const WIDE_LINE_COST = 8;
 
 /** A range of the lines of an object. */

@@ -27,7 +27,7 @@ import { type PathLevels, LEVEL_LINES } from "./lod";
 
 /** Lines that any computer can draw in a frame. */
 const MIN_SLICE_LINES = 8_000;
-/** The picture is antialiased on computers that draw at least so many lines in a slice. */
+/** The picture is antialiased where a slice has at least this number of lines. */
 const ANTIALIASED_FROM_LINES = 100_000;
 /** While frames follow each other, the picture is drawn between them: in slices of a quarter of the usual size, with a pause after each, ms. */
 const BUSY_DIVISOR = 4;
@@ -141,7 +141,7 @@ export class Painter {
     this.recolored.push(...groups);
     // While the picture is being drawn, they are drawn at its end.
     if (this.state !== "complete") return;
-    // With so many lines a new picture is cheaper.
+    // A new picture is cheaper than that many lines in one frame.
     if (drawWeight(this.recolored) > 2 * Math.max(MIN_SLICE_LINES, this.slices.lines)) return this.changed();
     this.drawRecolored();
   }

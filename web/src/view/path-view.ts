@@ -50,7 +50,7 @@ const REFINE_FACTOR = 1.5;
 const COARSEN_FACTOR = 4;
 /** Points of a long path that its extent is computed from, about. */
 const EXTENT_POINTS = 50_000;
-/** One in so many points of a batch is checked for being in the view. */
+/** Every n-th point of a batch is checked for being in the view. */
 const VISIBILITY_STRIDE = 16;
 
 // Colours are used as they are: the page has no lights, which would need linear ones.
@@ -311,7 +311,7 @@ export class PathView {
     this.render();
   }
 
-  /** Draws the path pale after so many rows; `Infinity` draws nothing pale. */
+  /** Draws the path pale after `rows` rows; `Infinity` draws nothing pale. */
   showDone(rows: number): void {
     const before = this.progress.done;
     if (rows === before) return;

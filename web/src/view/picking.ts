@@ -8,7 +8,7 @@ import type { ViewCamera } from "./camera";
 const PICK_RADIUS_PIXELS = 8;
 /** An end of the row within this distance is picked, pixels. */
 const SNAP_PIXELS = 9;
-/** A rapid counts as so much further away, pixels, so that a cut under it is picked. */
+/** A rapid counts as this much further away, pixels, so that a cut under it is picked. */
 const RAPID_HANDICAP_PIXELS = 3;
 
 export interface PickedPoint {

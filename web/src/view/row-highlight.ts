@@ -9,7 +9,7 @@ import { type ArcTolerance, segmentsOfRows } from "../path/lines";
 import { Path } from "../path/path";
 import type { PathProgress } from "./progress";
 
-/** Rows that are highlighted at most, unless the constructor says otherwise. */
+/** The default for the largest number of highlighted rows. */
 const MAX_ROWS = 50_000;
 
 export class RowHighlight {

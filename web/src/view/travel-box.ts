@@ -21,7 +21,7 @@ export function travelBox(machine: MachineInfo | undefined, zero: RunZero): Boun
 /** Why there is no such box; empty where there is one. */
 export function whyNoTravel(machine: MachineInfo, zero: RunZero): string {
   if (travelBox(machine, zero)) return "";
-  const missing = (of: (axis: number) => unknown) => ["X", "Y", "Z"].filter((_, axis) => of(axis) === null || of(axis) === undefined);
+  const missing = (valueOf: (axis: number) => unknown) => ["X", "Y", "Z"].filter((_, axis) => valueOf(axis) === null || valueOf(axis) === undefined);
   const limits = missing((axis) => machine.travel[axis]);
   const offsets = missing((axis) => zero?.[axis]);
   return limits.length > 0
