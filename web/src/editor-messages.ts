@@ -1,19 +1,19 @@
-// What an editor and the view in its panel say to each other.
+// The messages between an editor and the view in its panel.
 
 export interface ShownProgram {
-  /** The path of the program, which its files lie next to. */
+  /** The path of the program; those of its files are relative to its folder. */
   name: string;
   text: string;
-  /** Path and text. */
+  /** Texts by path. */
   files: Record<string, string>;
   /** A built-in machine, or the path of one of the files. */
   machine?: string;
-  /** Where the cursor is, from 1. */
+  /** The line of the cursor, from 1. */
   line: number;
 }
 
 export type ToPanel =
-  /** What the view is made of: the interpreter, and the text of its worker. */
+  /** The WebAssembly module, and the script of its worker. */
   | { parts: { module: Uint8Array<ArrayBuffer>; worker: string } }
   | { open: ShownProgram }
   | { text: string }

@@ -1,5 +1,5 @@
-// The view in a panel of an editor, next to the program: what is typed there is shown here, and both are at the same line.
-// A panel may load nothing: the editor gives it all its parts.
+// The view in a panel of an editor, next to the program: it follows the text and the line of the editor. A panel may load
+// nothing, so the editor sends it the module and the script of the worker.
 
 import type { FromPanel, ShownProgram, ToPanel } from "./editor-messages";
 import type { PageParts } from "./page-host";
@@ -13,36 +13,37 @@ const host = acquireVsCodeApi();
 const encode = (text: string) => new TextEncoder().encode(text).buffer as ArrayBuffer;
 const filesOf = (texts: Record<string, string>): ProgramFile[] => Object.entries(texts).map(([path, text]) => ({ path, bytes: encode(text) }));
 
-let core: WorkerConnection | undefined;
+let workers: WorkerConnection | undefined;
 let page: PageParts | undefined;
 let shown: ShownProgram | undefined;
-/** The page has not taken the text of the editor yet. */
+/** The page has not received the text of the editor yet. */
 let isTextPending = false;
-/** The page goes to a line that the editor named. */
+/** The page is going to a line of the editor, which must not be sent back. */
 let isFollowingEditor = false;
 
 function open(next: ShownProgram): void {
   shown = next;
-  if (!core || !page) return;
+  if (!workers || !page) return;
   const { name, text, files, machine } = next;
   isTextPending = true;
   page.connection.dropQueries();
   const opened: OpenedProgram = { name, program: encode(text), files: filesOf(files), machine };
-  core.open(opened).catch((error: unknown) => page?.ui.notify("error", `Chordal cannot start: ${String(error)}`));
+  workers.open(opened).catch((error: unknown) => page?.ui.notify("error", `Chordal cannot start: ${String(error)}`));
 }
 
-/** The text of the page becomes that of the editor. */
-function follow(text: string): void {
+/** Replaces the text of the page by that of the editor. */
+function setText(text: string): void {
   if (!shown) return;
   shown = { ...shown, text };
   if (!page || isTextPending) return;
   const { editor } = page;
   const changes = textDifference(editor.view.state.doc.toString(), withUnixEndings(text));
   if (changes) editor.view.dispatch({ changes });
-  // The editor keeps the file.
+  // The editor saves the file, not the page.
   editor.setDirty(false);
 }
 
+/** Goes to a line of the editor. */
 function goTo(line: number): void {
   if (!shown) return;
   shown = { ...shown, line };
@@ -53,64 +54,65 @@ function goTo(line: number): void {
   page.cursorAt(line);
 }
 
-function furnish(own: PageParts): void {
-  page = own;
-  const { editor, ui } = own;
+/** Connects the page to the editor. */
+function connectPage(parts: PageParts): void {
+  page = parts;
+  const { editor, ui } = parts;
   const showDirty = editor.onDirty;
   editor.onDirty = (dirty) => {
     showDirty(dirty);
     if (dirty || !isTextPending) return;
     isTextPending = false;
-    // What was typed in the meantime; not within the change of the text that has just come.
+    // What was typed in the meantime; after the change of the text that is just being made.
     setTimeout(() => {
       if (!shown) return;
-      follow(shown.text);
+      setText(shown.text);
       goTo(shown.line);
     });
   };
-  core!.onLost = (why) => {
+  workers!.onLost = (why) => {
     if (shown) ui.prompt(`Chordal failed: ${why}.`, [["Begin again", () => open(shown!)]]);
     else ui.notify("error", `Chordal cannot start: ${why}.`);
   };
-  const follows = () => {
+  const updateTheme = () => {
     const { classList } = document.body;
     const isDark = classList.contains("vscode-dark") || (classList.contains("vscode-high-contrast") && !classList.contains("vscode-high-contrast-light"));
     document.documentElement.dataset.theme = isDark ? "dark" : "light";
     ui.onTheme();
   };
-  new MutationObserver(follows).observe(document.body, { attributes: true, attributeFilter: ["class"] });
-  follows();
+  new MutationObserver(updateTheme).observe(document.body, { attributes: true, attributeFilter: ["class"] });
+  updateTheme();
   if (shown) open(shown);
 }
 
 async function start({ module, worker }: { module: Uint8Array<ArrayBuffer>; worker: string }): Promise<void> {
   const address = URL.createObjectURL(new Blob([worker], { type: "text/javascript" }));
-  const made = new WorkerConnection(WebAssembly.compile(module), (name) => new Worker(address, { type: "module", name }));
-  core = made;
+  const connection = new WorkerConnection(WebAssembly.compile(module), (name) => new Worker(address, { type: "module", name }));
+  workers = connection;
   const { Session } = await import("./session/session");
   new Session(document.querySelector<HTMLElement>("#app")!, {
-    dial: (take) => made.dial(take),
+    dial: (onData) => connection.dial(onData),
     lostMessage: "",
     savedMessage: "",
     anotherHint: "",
     followLine: (line) => {
       if (!isFollowingEditor && !isTextPending) host.postMessage({ line });
     },
-    addControls: furnish,
+    addControls: connectPage,
   });
-  // After the styles of the page.
+  // Imported after the styles of the page, which it overrides.
   await import("./editor-page.css");
 }
 
 window.addEventListener("message", ({ data }: MessageEvent<ToPanel>) => {
   if ("parts" in data) void start(data.parts);
   else if ("open" in data) open(data.open);
-  else if ("text" in data) follow(data.text);
+  else if ("text" in data) setText(data.text);
   else if ("line" in data) goTo(data.line);
   else if ("files" in data && shown) {
     shown = { ...shown, files: data.files };
     if (isTextPending || !page) return;
-    core?.files(filesOf(data.files));
+    workers?.setFiles(filesOf(data.files));
     page.connection.send("edit", { changes: [] });
   }
 });

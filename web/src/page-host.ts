@@ -1,15 +1,15 @@
-// What differs between the pages: the one that `chordal view` serves, the standalone page, and an editor's panel.
+// What differs between the hosts of the page: `chordal view`, the standalone page, and the panel of an editor.
 
 import type { layout } from "./panels/layout";
 import type { TextEditor } from "./panels/text-editor";
 import type { Connection, TransportDialer } from "./protocol/connection";
 
-/** The parts of the page that a host may add to. */
+/** The parts of the page that a host may use and extend. */
 export interface PageParts {
   ui: ReturnType<typeof layout>;
   editor: TextEditor;
   connection: Connection;
-  /** Shows the path of a line, as if the cursor was put there. */
+  /** Shows the path of a line, as if the user had put the cursor there. */
   cursorAt: (line: number) => void;
 }
 
@@ -17,14 +17,14 @@ export interface PageHost {
   dial: TransportDialer;
   /** The message when the connection has ended. */
   lostMessage: string;
-  /** The message when a text was saved. */
+  /** The message after saving. */
   savedMessage: string;
-  /** How to compare with a program of another file. */
+  /** The text that explains how to compare with another file. */
   anotherHint: string;
-  /** Takes a file that the browser is to keep. */
+  /** Saves a file through the browser. */
   keepFile?: (name: string, bytes: Uint8Array) => void;
-  /** Is called with the line that is shown, where the page went there. */
+  /** Called with the line of the cursor when the page has moved it. */
   followLine?: (line: number) => void;
-  /** Adds what only this page has. */
+  /** Adds the controls that only this host has. */
   addControls?: (page: PageParts) => void;
 }

@@ -74,7 +74,7 @@ const openPixels = (page) => page.evaluate(() => {
 /** The lines and arcs of the section that is shown. */
 const shownLines = (page) => page.evaluate(() => {
   const { sections, moment } = window.chordal.view.lathe;
-  return sections.alive(moment.number).map((piece) => [...sections.numbers(piece)].join(" ")).sort();
+  return sections.piecesOf(moment.number).map((piece) => [...sections.numbers(piece)].join(" ")).sort();
 });
 
 test("the half section is cut as the program plays, and is whole again backward", async () => {

@@ -397,7 +397,7 @@ test("a rotary table turns the part: the path lies about it, and the tool stands
     const { setpoints } = window.chordal;
     const points = setpoints();
     let at = 0;
-    while (points.turns[3 * at] < (5 * Math.PI) / 2) at++;
+    while (points.rotaryAngles[3 * at] < (5 * Math.PI) / 2) at++;
     return at * points.periodS;
   });
   await page.evaluate((seconds) => window.chordal.timeline.seek(seconds), time);

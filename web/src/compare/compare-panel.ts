@@ -1,29 +1,31 @@
-// The pane "Compare": what the program is compared with, the answer, and the differences one by one.
+// The pane "Compare": the choice of the other program, the verdict, and the list of differences.
 
 import { codeSpans, setCodeSpans } from "../panels/code-spans";
 import { element } from "../panels/dom";
-import { signButton } from "../panels/icons";
+import { iconButton } from "../panels/icons";
 import { type Units, count, countText } from "../panels/units";
 import type { ComparedWith, Comparison, Difference, HelloMessage } from "../protocol/messages";
 import { linesText } from "./difference-ranges";
 
 const MM_PER_INCH = 25.4;
-/** Differences that are listed; more are counted. */
+/** Differences that are listed at most; more are only counted. */
 const MAX_LISTED = 300;
 
 export interface CompareHandlers {
-  /** The program is to be compared with something else. */
+  /** Compares with another program or machine. */
   choose: (other: ComparedWith) => void;
   tolerance: (mm: number) => void;
-  /** A difference is to be shown, by its number. */
+  /** Shows the difference of this index. */
   show: (index: number) => void;
-  /** The next one, or the one before. */
+  /** Goes to the next difference or the one before. */
   walk: (by: 1 | -1) => void;
+  /** Shows where the paths are furthest apart. */
   farthest: () => void;
-  /** A line of the other program is to be read. */
+  /** Shows a line of the other program. */
   read: (file: number, line: number) => void;
 }
 
+/** The value of an option of the choice. */
 function keyOf(other: ComparedWith): string {
   return typeof other === "string" ? other : `machine ${other.machine ?? ""}`;
 }
@@ -40,12 +42,12 @@ function labelled(text: string, ...parts: HTMLElement[]): HTMLLabelElement {
 }
 
 function button(text: string, label: string, act: () => void): HTMLButtonElement {
-  const made = element("button", "", text);
-  made.type = "button";
-  made.title = label;
-  if (text !== label) made.setAttribute("aria-label", label);
-  made.addEventListener("click", act);
-  return made;
+  const item = element("button", "", text);
+  item.type = "button";
+  item.title = label;
+  if (text !== label) item.setAttribute("aria-label", label);
+  item.addEventListener("click", act);
+  return item;
 }
 
 /** Builds the pane into `root`. */
@@ -56,12 +58,12 @@ export function comparePanel(root: HTMLElement, handlers: CompareHandlers) {
   tolerance.id = "compare-tolerance";
   Object.assign(tolerance, { type: "number", min: "0", step: "any", value: "0" });
   const unit = element("span", "", "mm");
-  const back = signButton("back", "Previous difference (P)", () => handlers.walk(-1));
-  const forth = signButton("next", "Next difference (N)", () => handlers.walk(1));
-  const which = element("span", "which");
+  const previous = iconButton("back", "Previous difference (P)", () => handlers.walk(-1));
+  const next = iconButton("next", "Next difference (N)", () => handlers.walk(1));
+  const position = element("span", "which");
   const controls = element("div", "controls");
   const walk = element("span", "walk");
-  walk.append(back, forth, which);
+  walk.append(previous, next, position);
   controls.append(labelled("Compare with", against), labelled("Tolerance", tolerance, unit), walk);
   const verdict = element("p", "verdict");
   const notes = element("div", "notes");
@@ -71,7 +73,7 @@ export function comparePanel(root: HTMLElement, handlers: CompareHandlers) {
   let units: Units = { inch: false };
   let toleranceMm = 0;
   let shown: Comparison | undefined;
-  const rows: HTMLElement[] = [];
+  const items: HTMLElement[] = [];
 
   against.addEventListener("change", () => handlers.choose(otherOf(against.value)));
   tolerance.addEventListener("change", () => {
@@ -86,7 +88,7 @@ export function comparePanel(root: HTMLElement, handlers: CompareHandlers) {
     unit.textContent = units.inch ? "in" : "mm";
   }
 
-  function row(difference: Difference, index: number, names: string[]): HTMLElement {
+  function differenceItem(difference: Difference, index: number, names: string[]): HTMLElement {
     const item = element("li", "difference");
     const show = element("button", "shows");
     show.type = "button";
@@ -112,7 +114,7 @@ export function comparePanel(root: HTMLElement, handlers: CompareHandlers) {
   }
 
   return {
-    /** What there is to choose from. */
+    /** Sets the choice: the program of the command line, and machines. */
     offer({ compared: named, machines }: Pick<HelloMessage, "compared" | "machines">): void {
       const { value } = against;
       against.replaceChildren(new Option("nothing", "nothing"));
@@ -129,72 +131,72 @@ export function comparePanel(root: HTMLElement, handlers: CompareHandlers) {
       toleranceMm = mm;
       showTolerance();
     },
-    /** What was chosen; the same text, on the machine of this title. */
+    /** Selects what was chosen; for the own text on the machine with this title. */
     chosen(other: ComparedWith, machine?: string): void {
       const key = keyOf(other);
-      // A machine with units is in no list.
+      // A machine with units at power-on is in no list.
       if (![...against.options].some(({ value }) => value === key)) against.append(new Option(key.slice("machine ".length), key));
       against.value = key;
       const option = against.selectedOptions[0];
       if (option && other === "named" && machine) option.textContent = `this program on ${machine}`;
     },
-    /** The answer is still to come; the one before stays until then. */
+    /** Shows that the comparison runs; the list of the one before stays until then. */
     waiting(): void {
       verdict.textContent = "Comparing…";
       verdict.className = "verdict waiting";
     },
-    /** There is no answer; the message says why. */
+    /** Shows a message instead of a comparison. */
     clear(message: string, isBad: boolean): void {
       setCodeSpans(verdict, message);
       verdict.className = `verdict ${isBad ? "different" : "waiting"}`;
       shown = undefined;
-      rows.length = 0;
+      items.length = 0;
       notes.replaceChildren();
       list.replaceChildren();
-      which.textContent = "";
-      back.disabled = forth.disabled = true;
+      position.textContent = "";
+      previous.disabled = next.disabled = true;
     },
-    show(found: Comparison, own: Units): void {
-      [shown, units] = [found, own];
+    show(comparison: Comparison, newUnits: Units): void {
+      [shown, units] = [comparison, newUnits];
       showTolerance();
-      setCodeSpans(verdict, found.headline);
-      verdict.className = `verdict ${found.verdict}`;
+      setCodeSpans(verdict, comparison.headline);
+      verdict.className = `verdict ${comparison.verdict}`;
       notes.replaceChildren();
-      const names = found.sides.map(({ name }) => name);
-      if (found.farthest) {
-        const [a, b] = found.farthest.places;
+      const names = comparison.sides.map(({ name }) => name);
+      if (comparison.farthest) {
+        const [a, b] = comparison.farthest.places;
         const text = `Furthest apart at line ${a!.line} of ${names[0]} and line ${b!.line} of ${names[1]}`;
         const link = button(text, text, handlers.farthest);
         link.className = "link";
         notes.append(link);
       }
-      for (const { name, errors } of found.sides) {
+      for (const { name, errors } of comparison.sides) {
         if (errors > 0) notes.append(element("p", "errors", `${name}: ${countText(errors, "error")}`));
       }
-      rows.length = 0;
-      for (const [index, difference] of found.differences.slice(0, MAX_LISTED).entries()) rows.push(row(difference, index, names));
-      list.replaceChildren(...rows);
-      const more = found.dropped + found.differences.length - rows.length;
-      if (more > 0) notes.append(element("p", "more", `${count(rows.length)} listed, ${countText(more, "more difference")} not listed`));
-      back.disabled = forth.disabled = found.differences.length === 0;
-      which.textContent = found.differences.length === 0 ? "" : countText(found.differences.length, "difference");
+      items.length = 0;
+      for (const [index, difference] of comparison.differences.slice(0, MAX_LISTED).entries()) items.push(differenceItem(difference, index, names));
+      list.replaceChildren(...items);
+      const more = comparison.dropped + comparison.differences.length - items.length;
+      if (more > 0) notes.append(element("p", "more", `${count(items.length)} listed, ${countText(more, "more difference")} not listed`));
+      previous.disabled = next.disabled = comparison.differences.length === 0;
+      position.textContent = comparison.differences.length === 0 ? "" : countText(comparison.differences.length, "difference");
     },
-    /** One is chosen. */
+    /** Highlights the difference of this index. */
     select(index: number): void {
-      for (const [at, item] of rows.entries()) {
-        const isChosen = at === index;
+      for (const [itemIndex, item] of items.entries()) {
+        const isChosen = itemIndex === index;
         item.classList.toggle("chosen", isChosen);
         item.firstElementChild!.setAttribute("aria-current", String(isChosen));
         if (isChosen) item.scrollIntoView({ block: "nearest" });
       }
-      which.textContent = `${count(index + 1)} of ${count(shown?.differences.length ?? 0)}`;
+      position.textContent = `${count(index + 1)} of ${count(shown?.differences.length ?? 0)}`;
     },
   };
 }
 
-/** Which path is which, with a switch for each and an end to it all. */
+/** The legend of both paths, with a checkbox for each, and a button that ends the comparison. */
 export function pathLegend(root: HTMLElement, handlers: { own: (shown: boolean) => void; other: (shown: boolean) => void; end: () => void }) {
-  const made = (side: "own" | "other", act: (shown: boolean) => void): [HTMLInputElement, HTMLElement, HTMLElement] => {
+  const makeSwitch = (side: "own" | "other", act: (shown: boolean) => void): [HTMLInputElement, HTMLElement, HTMLElement] => {
     const label = element("label", "check");
     const box = element("input");
     box.type = "checkbox";
@@ -209,9 +211,9 @@ export function pathLegend(root: HTMLElement, handlers: { own: (shown: boolean) 
   };
   root.setAttribute("role", "group");
   root.setAttribute("aria-label", "Paths");
-  const [ownBox, ownSwatch, ownText] = made("own", handlers.own);
-  const [otherBox, , otherText] = made("other", handlers.other);
-  const end = signButton("close", "Stop comparing", handlers.end);
+  const [ownBox, ownSwatch, ownText] = makeSwitch("own", handlers.own);
+  const [otherBox, , otherText] = makeSwitch("other", handlers.other);
+  const end = iconButton("close", "Stop comparing", handlers.end);
   const differenceKey = element("span", "key");
   differenceKey.append(element("span", "swatch differs"), "different");
   differenceKey.hidden = true;
@@ -220,7 +222,7 @@ export function pathLegend(root: HTMLElement, handlers: { own: (shown: boolean) 
   return {
     hide(): void {
       root.hidden = true;
-      // Nothing may stay hidden without a switch that says so.
+      // The own path must not stay hidden without the checkbox that says so.
       if (!ownBox.checked) handlers.own((ownBox.checked = true));
     },
     show(own: string, other: string): void {
@@ -228,8 +230,8 @@ export function pathLegend(root: HTMLElement, handlers: { own: (shown: boolean) 
       [ownText.textContent, otherText.textContent] = [own, other];
       handlers.other(otherBox.checked);
     },
-    /** Whether the two paths differ anywhere. */
-    showDifferenceKey: (is: boolean) => (differenceKey.hidden = !is),
+    /** Shows the colour of differences in the legend, or not. */
+    showDifferenceKey: (shown: boolean) => (differenceKey.hidden = !shown),
     color: (color: string) => (ownSwatch.style.color = color),
   };
 }

@@ -1,4 +1,4 @@
-// The comparison with another program: its path, the answer, and stepping through the differences.
+// The comparison with another program: its path, the result, and stepping through the differences.
 
 import type { OtherFileView } from "../panels/other-file-view";
 import type { TextEditor } from "../panels/text-editor";
@@ -13,8 +13,10 @@ import type { PathView } from "../view/path-view";
 import { comparePanel, pathLegend } from "./compare-panel";
 import { boxAround, boxOf, boxUnion, differingLines, rowsOf, rowsOfLines, step } from "./difference-ranges";
 
-/** The view of a difference without a distance is at least this share of the path's size. */
-const MIN_PATH_SHARE = 1 / 50;
+/** The view of a difference without a distance shows at least this fraction of the path's size. */
+const MIN_PATH_FRACTION = 1 / 50;
+/** The size of a path without bounds, mm. */
+const DEFAULT_SIZE_MM = 10;
 
 /** What the comparison uses of the page. */
 export interface CompareParts {
@@ -27,7 +29,7 @@ export interface CompareParts {
   /** The program that is shown. */
   run: ShownRun;
   goTo: (line: number) => void;
-  /** How to compare with a program of another file. */
+  /** The text that explains how to compare with another file. */
   anotherHint: string;
   /** Shows a line of text over the picture. */
   setMessage: (text: string) => void;
@@ -39,8 +41,9 @@ export function compareSession(page: CompareParts) {
   const { view, editor, connection } = page;
   let compared: ComparedProgram | undefined;
   let path = new Path();
-  let hasBegun = false;
+  let isPathShown = false;
   let comparison: Comparison | undefined;
+  /** Index of the chosen difference; -1 where there is none. */
   let chosen = -1;
 
   const panel = comparePanel(page.panel, {
@@ -56,8 +59,8 @@ export function compareSession(page: CompareParts) {
     other: (shown) => view.showOther(shown),
     end: () => connection.send("compare_with", { other: "nothing" satisfies ComparedWith }),
   });
-  const nothing = `Choose what to compare the program with. ${page.anotherHint}`;
-  panel.clear(nothing, false);
+  const emptyMessage = `Choose what to compare the program with. ${page.anotherHint}`;
+  panel.clear(emptyMessage, false);
 
   function begin(next: ComparedProgram): void {
     panel.chosen(next.other, next.own_text ? next.machine?.title : undefined);
@@ -65,8 +68,8 @@ export function compareSession(page: CompareParts) {
     chosen = -1;
     compared = next.other === "nothing" ? undefined : next;
     path = new Path();
-    hasBegun = false;
-    if (!compared) return end(nothing);
+    isPathShown = false;
+    if (!compared) return end(emptyMessage);
     showLegend();
     panel.waiting();
   }
@@ -82,18 +85,18 @@ export function compareSession(page: CompareParts) {
     page.setMessage("");
   }
 
-  /** The first batch replaces the path before; until it comes that path stays. */
+  /** Replaces the other path by the new one, once; until its first batch comes the one before stays. */
   function startPath(): void {
-    if (hasBegun) return;
-    hasBegun = true;
+    if (isPathShown) return;
+    isPathShown = true;
     view.beginOther(path);
   }
 
   function showLegend(): void {
     if (!compared) return;
     const machines = [page.run.machine?.title ?? "", compared.machine?.title ?? ""];
-    const short = (name: string) => name.split(/[\\/]/).pop()!;
-    legend.show(`${short(page.run.programName)} on ${machines[0]}`, `${short(compared.name ?? "")} on ${machines[1]}`);
+    const fileName = (name: string) => name.split(/[\\/]/).pop()!;
+    legend.show(`${fileName(page.run.programName)} on ${machines[0]}`, `${fileName(compared.name ?? "")} on ${machines[1]}`);
   }
 
   function show(result: Comparison): void {
@@ -101,28 +104,29 @@ export function compareSession(page: CompareParts) {
     chosen = -1;
     panel.show(result, page.run.units);
     editor.markLines("differs", differingLines(result.differences, 0));
-    const separated = result.differences.filter(({ distance_mm }) => distance_mm !== null);
+    const distant = result.differences.filter(({ distance_mm }) => distance_mm !== null);
     view.markDifferences({
-      own: rowsOfLines(page.run.path, differingLines(separated, 0)),
-      other: rowsOfLines(path, differingLines(separated, 1)),
-      places: separated.flatMap(({ at_mm }) => (at_mm ? [at_mm[0]] : [])),
+      own: rowsOfLines(page.run.path, differingLines(distant, 0)),
+      other: rowsOfLines(path, differingLines(distant, 1)),
+      places: distant.flatMap(({ at_mm }) => (at_mm ? [at_mm[0]] : [])),
     });
-    legend.showDifferenceKey(separated.length > 0);
+    legend.showDifferenceKey(distant.length > 0);
     const total = result.differences.length + result.dropped;
     page.setMessage(total === 0 ? result.verdict.replace("-", " ") : `${countText(total, "difference")}: next N, previous P`);
   }
 
+  /** The box of the rows of both sides, in the frame of the run. */
   function boxOfSides(sides: [BlockRange | null, BlockRange | null]): Bounds | undefined {
-    const boxes = [page.run.path, path].map((own, side) => {
+    const boxes = [page.run.path, path].map((sidePath, side) => {
       const blocks = sides[side];
-      return blocks ? boxOf(own, rowsOf(own, blocks)) : undefined;
+      return blocks ? boxOf(sidePath, rowsOf(sidePath, blocks)) : undefined;
     });
     const { bounds } = page.run.path;
-    const size = bounds ? Math.max(...bounds.high.map((high, axis) => high - bounds.low[axis]!)) : 10;
-    return boxUnion(boxes, size * MIN_PATH_SHARE);
+    const size = bounds ? Math.max(...bounds.high.map((high, axis) => high - bounds.low[axis]!)) : DEFAULT_SIZE_MM;
+    return boxUnion(boxes, size * MIN_PATH_FRACTION);
   }
 
-  /** Goes to a difference: its line, and both paths there, large enough to be distinguished. */
+  /** Goes to the line of a difference, and zooms to it so that both paths can be distinguished. */
   function choose(index: number): void {
     const difference = comparison?.differences[index];
     if (!difference) return;
@@ -130,14 +134,14 @@ export function compareSession(page: CompareParts) {
     panel.select(index);
     const [a, b] = difference.sides;
     if (a.blocks?.file === 0) page.goTo(a.blocks.from);
-    place(difference.at_mm, [a.blocks, b.blocks]);
-    const mark = (blocks: BlockRange | null, lacks: boolean, own: Path) => (blocks && !lacks ? rowsOf(own, blocks) : []);
+    zoomTo(difference.at_mm, [a.blocks, b.blocks]);
+    const mark = (blocks: BlockRange | null, lacks: boolean, sidePath: Path) => (blocks && !lacks ? rowsOf(sidePath, blocks) : []);
     view.markBoth(mark(a.blocks, a.lacks, page.run.path), mark(b.blocks, b.lacks, path));
-    // From so near the tool would cover the difference.
+    // At this zoom the tool would cover the difference.
     view.placeTool(undefined);
   }
 
-  function place(at: Difference["at_mm"], sides: [BlockRange | null, BlockRange | null]): void {
+  function zoomTo(at: Difference["at_mm"], sides: [BlockRange | null, BlockRange | null]): void {
     const box = at ? boxAround(at) : boxOfSides(sides);
     if (box) view.zoomTo(box);
     const relative = (point: Vec3) => point.map((value, axis) => value - page.run.path.origin[axis]!) as Vec3;
@@ -149,7 +153,7 @@ export function compareSession(page: CompareParts) {
     if (!comparison?.farthest) return;
     const [a, b] = comparison.farthest.places.map(({ file, line }) => ({ file, from: line, to: line }));
     if (a!.file === 0) page.goTo(a!.from);
-    place(comparison.farthest.at_mm, [a!, b!]);
+    zoomTo(comparison.farthest.at_mm, [a!, b!]);
     view.placeTool(undefined);
   }
 
@@ -166,14 +170,14 @@ export function compareSession(page: CompareParts) {
   }
 
   return {
-    /** What there is to choose from, for a program that was opened now. */
+    /** Sets the choice for a program that has just been opened, and ends the comparison of the one before. */
     offer(message: HelloMessage): void {
-      if (compared) end(nothing);
+      if (compared) end(emptyMessage);
       panel.offer(message);
       panel.chosen("nothing");
       panel.tolerance(message.tolerance_mm);
     },
-    /** There is more to choose from. */
+    /** Adds to the choice. */
     offerMore: panel.offer,
     walk,
     /** Takes a message about the comparison; false where it is about something else. */
@@ -210,13 +214,13 @@ export function compareSession(page: CompareParts) {
       path.add(batch, origin);
       view.addOther(batch);
     },
-    /** The line of the other program whose path is at a position on the canvas is to be read. */
+    /** Shows the line of the other program whose path is at a position on the canvas, CSS pixels. */
     readAt(x: number, y: number): void {
       const picked = view.pickOther(x, y);
-      const found = picked && path.find(picked.row);
-      if (found) void read(found[0].file[found[1]]!, found[0].line[found[1]]!);
+      const [batch, index] = (picked && path.find(picked.row)) ?? [];
+      if (batch) void read(batch.file[index!]!, batch.line[index!]!);
     },
-    /** The program runs again: the comparison is of the text before. */
+    /** The program runs again: shows that it is being compared again. */
     began(): void {
       if (!compared) return;
       showLegend();

@@ -1,17 +1,17 @@
-// Marks where two paths differ: the rows of each, and a dot at each place, so that a small difference shows on a large path.
+// Marks the differences of two paths: the rows of each, and a dot at each difference, so that a small one is visible on a large path.
 
 import { type Plane, BufferGeometry, Points, PointsMaterial } from "three";
 import type { Vec3 } from "../path/batch";
 import type { ArcTolerance } from "../path/lines";
 import type { Path } from "../path/path";
 import { difference } from "../view/extent";
-import { geometryOf } from "../view/line-mesh";
+import { lineGeometry } from "../view/line-mesh";
 import { RowHighlight } from "../view/row-highlight";
 
-/** Rows that are marked at most, of each path: more wide lines would make turning the view slow. */
+/** Rows that are marked at most, of each path: more wide lines would make rotating the view slow. */
 const MAX_ROWS = 3_000;
-const WIDTH_PIXELS = 3.4;
-/** The size of a dot, pixels. */
+const LINE_WIDTH_PIXELS = 3.4;
+/** The diameter of a dot, pixels. */
 const DOT_PIXELS = 7;
 
 /** Ranges of rows of both paths, and a point of each difference in the frame of the run. */
@@ -22,8 +22,8 @@ export interface DifferenceRows {
 }
 
 export class DifferenceMarkers {
-  readonly own = new RowHighlight(WIDTH_PIXELS, MAX_ROWS);
-  readonly other = new RowHighlight(WIDTH_PIXELS, MAX_ROWS);
+  readonly own = new RowHighlight(LINE_WIDTH_PIXELS, MAX_ROWS);
+  readonly other = new RowHighlight(LINE_WIDTH_PIXELS, MAX_ROWS);
   readonly dots: Points;
   private material = new PointsMaterial({ size: DOT_PIXELS, sizeAttenuation: false, depthTest: false });
 
@@ -37,7 +37,7 @@ export class DifferenceMarkers {
     this.own.set(paths[0], own, tolerances[0]);
     this.other.set(paths[1], other, tolerances[1]);
     this.dots.geometry.dispose();
-    this.dots.geometry = geometryOf(new Float32Array(places.flatMap((place) => difference(place, paths[0].origin))));
+    this.dots.geometry = lineGeometry(new Float32Array(places.flatMap((place) => difference(place, paths[0].origin))));
     this.dots.visible = places.length > 0;
   }
 
@@ -47,9 +47,9 @@ export class DifferenceMarkers {
     this.dots.visible = false;
   }
 
-  cut(own: ArcTolerance, other: ArcTolerance): void {
-    this.own.cut(own);
-    this.other.cut(other);
+  update(own: ArcTolerance, other: ArcTolerance): void {
+    this.own.update(own);
+    this.other.update(other);
   }
 
   setColor(color: string): void {

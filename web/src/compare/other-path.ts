@@ -1,5 +1,5 @@
-// The path of another program, over that of the shown one: one colour, dashed, so that both are visible
-// where they are the same.
+// The path of the other program, drawn over that of the program: in one colour and dashed, so that both are visible where they
+// coincide.
 
 import { type Object3D, type Plane, Group, LineDashedMaterial, LineSegments, Matrix4 } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
@@ -10,13 +10,13 @@ import { type ArcTolerance, type LineArrays, linesOf } from "../path/lines";
 import { Path } from "../path/path";
 import { yieldToEventLoop } from "../view/event-loop";
 import { difference } from "../view/extent";
-import { geometryOf } from "../view/line-mesh";
+import { disposeLines, lineGeometry } from "../view/line-mesh";
 import { type Pickable, type PickedPoint, type PointProjection, pick } from "../view/picking";
 import { RowHighlight } from "../view/row-highlight";
 
-/** After a batch of more rows the page may do other work before the next. */
+/** The page handles its input after each batch of at least this number of rows. */
 const UNINTERRUPTED_ROWS = 20_000;
-/** Dashes and gaps on the screen, pixels. */
+/** Lengths of dashes and gaps, pixels. */
 const CUT_DASH_PIXELS: [number, number] = [6, 8];
 const RAPID_DASH_PIXELS: [number, number] = [2, 5];
 
@@ -25,11 +25,11 @@ interface OtherPathPart extends Pickable {
 }
 
 export class OtherPath {
-  /** What is drawn with the path of the program. */
+  /** Drawn with the path of the program. */
   readonly object = new Group();
   /** The rows of the chosen difference. */
   readonly mark = new RowHighlight(2);
-  /** The mark, which is hidden with the path. */
+  /** The mark, drawn over the paths, and hidden with this one. */
   readonly over = new Group();
   path = new Path();
   private parts: OtherPathPart[] = [];
@@ -38,50 +38,51 @@ export class OtherPath {
   private thin = new LineDashedMaterial({ depthTest: false });
   private wide = new LineMaterial({ linewidth: 1.5, dashed: true, depthTest: false });
   private rapid = new LineDashedMaterial({ depthTest: false, transparent: true, opacity: 0.7 });
-  private refining = 0;
+  /** Number of the newest refinement: an older one stops between two batches. */
+  private refinement = 0;
 
-  /** `changes` is called before lines are removed; `under` is shown and hidden with the path. */
+  /** `onChange` is called before lines are removed; `underlay` is drawn under the path, and hidden with it. */
   constructor(
-    private changes: () => void,
-    under: Object3D,
+    private onChange: () => void,
+    underlay: Object3D,
   ) {
-    this.object.add(under, this.cuts, this.rapids);
+    this.object.add(underlay, this.cuts, this.rapids);
     this.over.add(this.mark.object);
   }
 
-  /** Whether any of it is visible. */
+  /** Whether there are lines, and they are shown. */
   get isShown(): boolean {
     return this.object.visible && this.parts.length > 0;
   }
 
   begin(path: Path): void {
-    this.refining++;
-    this.changes();
-    for (const { objects } of this.parts) objects.forEach(remove);
+    this.refinement++;
+    this.onChange();
+    for (const { objects } of this.parts) objects.forEach(disposeLines);
     this.parts = [];
     this.path = path;
     this.mark.clear();
   }
 
-  add(batch: Batch, tolerance: ArcTolerance, mostWide: number): void {
+  add(batch: Batch, tolerance: ArcTolerance, maxWideRows: number): void {
     const part: OtherPathPart = { batch, lines: linesOf(batch, tolerance), objects: [] };
     this.parts.push(part);
-    this.put(part, mostWide);
+    this.replaceObjects(part, maxWideRows);
   }
 
-  private put(part: OtherPathPart, mostWide: number): void {
-    if (part.objects.length > 0) this.changes();
-    part.objects.forEach(remove);
+  private replaceObjects(part: OtherPathPart, maxWideRows: number): void {
+    if (part.objects.length > 0) this.onChange();
+    part.objects.forEach(disposeLines);
     const { cuts, rapids } = part.lines;
     part.objects = [];
     if (cuts.count > 0) {
-      const isWide = this.path.rows <= mostWide && cuts.count <= mostWide;
-      const object = isWide ? this.wideLines(cuts) : lines(cuts, this.thin);
+      const isWide = this.path.rows <= maxWideRows && cuts.count <= maxWideRows;
+      const object = isWide ? this.wideLines(cuts) : thinLines(cuts, this.thin);
       this.cuts.add(object);
       part.objects.push(object);
     }
     if (rapids.count > 0) {
-      const object = lines(rapids, this.rapid);
+      const object = thinLines(rapids, this.rapid);
       this.rapids.add(object);
       part.objects.push(object);
     }
@@ -95,47 +96,47 @@ export class OtherPath {
     return object;
   }
 
-  /** Cuts arcs for the present zoom; false if a newer call has taken over. */
-  async refine(tolerance: ArcTolerance, mostWide: number): Promise<boolean> {
-    const number = ++this.refining;
-    this.mark.cut(tolerance);
+  /** Computes the chords of arcs for the present zoom; false if a newer call has superseded it. */
+  async refine(tolerance: ArcTolerance, maxWideRows: number): Promise<boolean> {
+    const number = ++this.refinement;
+    this.mark.update(tolerance);
     for (const part of [...this.parts]) {
-      const isFirstThin = part.objects.some((object) => "isLineSegments2" in object) && this.path.rows > mostWide;
-      if (part.batch.arcRows.length === 0 && !isFirstThin) continue;
+      const mustBecomeThin = part.objects.some((object) => "isLineSegments2" in object) && this.path.rows > maxWideRows;
+      if (part.batch.arcRows.length === 0 && !mustBecomeThin) continue;
       part.lines = linesOf(part.batch, tolerance);
-      this.put(part, mostWide);
+      this.replaceObjects(part, maxWideRows);
       if (part.batch.rows < UNINTERRUPTED_ROWS) continue;
       await yieldToEventLoop();
-      if (number !== this.refining) return false;
+      if (number !== this.refinement) return false;
     }
     return true;
   }
 
-  /** Where its places are, relative to the origin of the shown path. */
-  place(origin: Vec3): void {
-    const by = difference(this.path.origin, origin);
-    this.object.position.set(...by);
-    this.mark.place(by);
+  /** Sets the origin of the program's path, to which positions in the view are relative. */
+  setViewOrigin(origin: Vec3): void {
+    const offset = difference(this.path.origin, origin);
+    this.object.position.set(...offset);
+    this.mark.setOffset(offset);
   }
 
-  /** Its box, relative to the origin of the shown path. */
+  /** Its box, relative to the origin of the program's path; undefined where nothing of it is shown. */
   bounds(origin: Vec3): Bounds | undefined {
     const { bounds } = this.path;
     if (!bounds || !this.isShown) return undefined;
-    const by = difference(this.path.origin, origin);
-    const moved = (at: Vec3) => at.map((value, axis) => value + by[axis]!) as Vec3;
+    const offset = difference(this.path.origin, origin);
+    const moved = (at: Vec3) => at.map((value, axis) => value + offset[axis]!) as Vec3;
     return { low: moved(bounds.low), high: moved(bounds.high) };
   }
 
-  /** Its row at a position on the canvas, as the shown path is seen. */
+  /** Its row at a position on the canvas, CSS pixels. */
   pick(camera: PointProjection, canvas: HTMLCanvasElement, at: [number, number]): PickedPoint | undefined {
     if (!this.object.visible) return undefined;
-    const by = this.object.position;
-    const sight: PointProjection = {
-      matrix: () => camera.matrix().multiply(new Matrix4().makeTranslation(by)),
-      project: (place) => camera.project([place[0] + by.x, place[1] + by.y, place[2] + by.z]),
+    const offset = this.object.position;
+    const projection: PointProjection = {
+      matrix: () => camera.matrix().multiply(new Matrix4().makeTranslation(offset)),
+      project: (at) => camera.project([at[0] + offset.x, at[1] + offset.y, at[2] + offset.z]),
     };
-    return pick(this.parts, sight, canvas, at, this.rapids.visible, () => true);
+    return pick(this.parts, projection, canvas, at, this.rapids.visible, () => true);
   }
 
   show(shown: boolean): void {
@@ -151,8 +152,8 @@ export class OtherPath {
     this.mark.setColor(color);
   }
 
-  /** Dashes keep their length on the screen. */
-  dash(pixel: number): void {
+  /** Scales the dashes for the world length of a pixel, mm. */
+  scaleDashes(pixel: number): void {
     for (const [material, [dash, gap]] of [[this.thin, CUT_DASH_PIXELS], [this.wide, CUT_DASH_PIXELS], [this.rapid, RAPID_DASH_PIXELS]] as const) {
       material.dashSize = dash * pixel;
       material.gapSize = gap * pixel;
@@ -167,14 +168,10 @@ export class OtherPath {
   }
 }
 
-function lines({ points, count }: LineArrays, material: LineDashedMaterial): LineSegments {
-  const object = new LineSegments(geometryOf(points.subarray(0, 6 * count)), material);
+function thinLines({ points, count }: LineArrays, material: LineDashedMaterial): LineSegments {
+  const object = new LineSegments(lineGeometry(points.subarray(0, 6 * count)), material);
   object.computeLineDistances();
   object.frustumCulled = false;
   return object;
 }
 
-function remove(object: LineSegments | LineSegments2): void {
-  object.geometry.dispose();
-  object.removeFromParent();
-}

@@ -22,7 +22,7 @@ function path(): Path {
   return made;
 }
 
-const hit = (row: number, at: Vec3, snapped = false): PathFeature => featureAt(path(), { row, share: 0.5, at, snapped });
+const hit = (row: number, at: Vec3, snapped = false): PathFeature => featureAt(path(), { row, fraction: 0.5, at, snapped });
 const LOWER = hit(0, [4, 0, 0]);
 const UPPER = hit(1, [15, 10, 0]);
 const ARC = hit(2, [33.5, 3.5, 0]);

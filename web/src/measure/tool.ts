@@ -1,4 +1,4 @@
-// The tool that measures: marks what the pointer is over; two clicks give a distance.
+// The measuring tool: marks the feature under the pointer; two clicks give a distance.
 
 import type { ShownRun } from "../session/shown-run";
 import type { PathView } from "../view/path-view";
@@ -8,7 +8,7 @@ import { type PathFeature, distanceText, featureAt, featureText, measuredDistanc
 export interface MeasureTool {
   readonly isOn: boolean;
   set: (on: boolean) => void;
-  /** A point of the path was clicked. */
+  /** Measures from or to a point of the path that was clicked. */
   click: (picked: PickedPoint) => void;
 }
 
@@ -24,9 +24,9 @@ export function measureTool(page: {
   let first: PathFeature | undefined;
   let isFramePending = false;
 
-  const words = (feature: PathFeature) => featureText(feature, page.run.path.origin, page.run.axisUnits);
+  const textOf = (feature: PathFeature) => featureText(feature, page.run.path.origin, page.run.axisUnits);
 
-  /** Marks what the pointer is over; of many moves in a frame the last counts. */
+  /** Marks the feature under the pointer, once per frame. */
   function hover(event: PointerEvent): void {
     if (!isOn || event.buttons !== 0 || isFramePending) return;
     isFramePending = true;
@@ -53,12 +53,12 @@ export function measureTool(page: {
     if (!first) {
       first = feature;
       view.showMeasured(feature.kind === "arc" ? feature.center : feature.at, undefined);
-      page.setMessage(`${words(feature)}\nClick the second point, line or arc.`);
+      page.setMessage(`${textOf(feature)}\nClick the second point, line or arc.`);
       return;
     }
-    const found = measuredDistance(first, feature);
-    view.showMeasured(found.from, found.to);
-    page.setMessage(`${distanceText(found, page.run.axisUnits)}\nFrom: ${words(first)}\nTo: ${words(feature)}`);
+    const distance = measuredDistance(first, feature);
+    view.showMeasured(distance.from, distance.to);
+    page.setMessage(`${distanceText(distance, page.run.axisUnits)}\nFrom: ${textOf(first)}\nTo: ${textOf(feature)}`);
     first = undefined;
   }
 

@@ -1,9 +1,9 @@
-// The texts about chords on the page.
+// Texts about the chords of arcs.
 
 import type { Frame } from "../protocol/frame";
 import { type Units, count, countText, length } from "./units";
 
-/** The chords of the slider: how many, and how far they are from the arcs. */
+/** How many chords there are at a tolerance, and how far they are from the arcs. */
 export function chordsText(units: Units, header: Frame["header"]): string {
   const { chords, curves, left_out, error_mm, tolerance_mm } = header;
   if (Number(curves) === 0) return "No arcs in this program";

@@ -1,6 +1,6 @@
-// Texts of the library, in which code is between backticks.
+// Texts in which code is between backticks, as the library writes them.
 
-/** The pieces of a text, and whether each is code. A backtick without a partner is text. */
+/** The pieces of a text, and whether each is code. An unpaired backtick is text. */
 export function codePieces(text: string): [string, boolean][] {
   const pieces: [string, boolean][] = [];
   let last = 0;
@@ -13,12 +13,12 @@ export function codePieces(text: string): [string, boolean][] {
   return pieces;
 }
 
-/** A text for where no element can be: a title, a label. */
+/** A text without backticks, for titles and labels, which cannot contain elements. */
 export function plainText(text: string): string {
   return codePieces(text).map(([piece]) => piece).join("");
 }
 
-/** Gives an element a text. */
+/** Sets the content of an element, with code in `code` elements. */
 export function setCodeSpans(element: HTMLElement, text: string): void {
   element.replaceChildren(
     ...codePieces(text).map(([piece, isCode]) => {
@@ -30,9 +30,10 @@ export function setCodeSpans(element: HTMLElement, text: string): void {
   );
 }
 
+/** Makes an element with such a text. */
 export function codeSpans(text: string, className: string, name: "span" | "div" | "p" | "strong" | "dd" = "span"): HTMLElement {
-  const made = document.createElement(name);
-  if (className) made.className = className;
-  setCodeSpans(made, text);
-  return made;
+  const root = document.createElement(name);
+  if (className) root.className = className;
+  setCodeSpans(root, text);
+  return root;
 }

@@ -1,8 +1,8 @@
-// Icons of buttons, as SVG: fonts do not have them all.
+// Icons of buttons as SVG: not all fonts have them.
 
 const SVG_NAMESPACE = "http://www.w3.org/2000/svg";
 
-/** Paths in a square of 16. */
+/** SVG paths in a square of 16 units. */
 const ICON_PATHS = {
   play: "M4 2.5 13 8 4 13.5Z",
   pause: "M3.5 2.5h3v11h-3ZM9.5 2.5h3v11h-3Z",
@@ -18,29 +18,29 @@ const ICON_PATHS = {
 
 export type IconName = keyof typeof ICON_PATHS;
 
-export function icon(sign: IconName): SVGSVGElement {
-  const made = document.createElementNS(SVG_NAMESPACE, "svg");
-  made.setAttribute("viewBox", "0 0 16 16");
-  made.setAttribute("width", "14");
-  made.setAttribute("height", "14");
-  made.setAttribute("aria-hidden", "true");
-  made.dataset.sign = sign;
+export function icon(name: IconName): SVGSVGElement {
+  const svg = document.createElementNS(SVG_NAMESPACE, "svg");
+  svg.setAttribute("viewBox", "0 0 16 16");
+  svg.setAttribute("width", "14");
+  svg.setAttribute("height", "14");
+  svg.setAttribute("aria-hidden", "true");
+  svg.dataset.sign = name;
   const path = document.createElementNS(SVG_NAMESPACE, "path");
-  path.setAttribute("d", ICON_PATHS[sign]);
+  path.setAttribute("d", ICON_PATHS[name]);
   path.setAttribute("fill", "currentColor");
   path.setAttribute("fill-rule", "evenodd");
-  made.append(path);
-  return made;
+  svg.append(path);
+  return svg;
 }
 
-/** A button with a sign, and in words what it does. */
-export function signButton(sign: IconName, label: string, act: () => void): HTMLButtonElement {
-  const made = document.createElement("button");
-  made.type = "button";
-  made.className = "sign";
-  made.append(icon(sign));
-  made.title = label;
-  made.setAttribute("aria-label", label);
-  made.addEventListener("click", act);
-  return made;
+/** A button with an icon; `label` is its accessible name and tooltip. */
+export function iconButton(name: IconName, label: string, onClick: () => void): HTMLButtonElement {
+  const button = document.createElement("button");
+  button.type = "button";
+  button.className = "sign";
+  button.append(icon(name));
+  button.title = label;
+  button.setAttribute("aria-label", label);
+  button.addEventListener("click", onClick);
+  return button;
 }

@@ -1,4 +1,4 @@
-// The keys of the page.
+// Keyboard shortcuts of the page.
 
 import type { PathView } from "../view/path-view";
 import type { Timeline } from "./timeline";
@@ -7,11 +7,11 @@ export interface KeyTargets {
   timeline: Timeline;
   view: PathView;
   measure: { isOn: boolean; set(on: boolean): void };
-  /** To the next difference of two programs, or the one before. */
+  /** Goes to the next difference of two programs, or the one before. */
   walk(direction: 1 | -1): void;
 }
 
-/** Keys act where nothing is typed. */
+/** Adds the shortcuts, which do nothing while a text or a number is typed. */
 export function listenToKeys({ timeline, view, measure, walk }: KeyTargets): void {
   document.addEventListener("keydown", (event) => {
     const target = event.target as HTMLElement;
@@ -22,7 +22,7 @@ export function listenToKeys({ timeline, view, measure, walk }: KeyTargets): voi
     }
     if (target.closest(".cm-editor, input:not([type=range]):not([type=checkbox]), select, textarea")) return;
     if (event.key === " " && target.closest("button, summary, input")) return;
-    const act: Record<string, () => void> = {
+    const actions: Record<string, () => void> = {
       " ": () => timeline.toggle(),
       ",": () => timeline.onStep(-1),
       ".": () => timeline.onStep(1),
@@ -39,9 +39,9 @@ export function listenToKeys({ timeline, view, measure, walk }: KeyTargets): voi
       p: () => walk(-1),
       escape: () => measure.set(false),
     };
-    const chosen = act[event.key.toLowerCase()];
-    if (!chosen) return;
+    const action = actions[event.key.toLowerCase()];
+    if (!action) return;
     event.preventDefault();
-    chosen();
+    action();
   });
 }

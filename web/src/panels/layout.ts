@@ -1,4 +1,4 @@
-// The frame of the page: bars, panes, panels, and the messages in them.
+// The layout of the page: bars, panes and panels, and the messages in them.
 
 import type { Path } from "../path/path";
 import type { PlaybackState } from "../path/playback-state";
@@ -10,7 +10,7 @@ import { setCodeSpans } from "./code-spans";
 import { element } from "./dom";
 import { icon } from "./icons";
 import { sectionControls } from "./section-controls";
-import { type Units, angles, count, countText, length, position, speed } from "./units";
+import { type Units, angles, count, countText, length, positionText, speed } from "./units";
 
 export type PanelName = "problems" | "outline" | "state" | "times" | "compare";
 
@@ -22,6 +22,7 @@ const PANELS: [PanelName, string][] = [
   ["compare", "Compare"],
 ];
 
+/** View, text of the button, and key. */
 const VIEWS: [ViewName, string, string][] = [
   ["top", "Top", "1"],
   ["front", "Front", "2"],
@@ -30,11 +31,11 @@ const VIEWS: [ViewName, string, string][] = [
 ];
 
 function button(text: string, label: string): HTMLButtonElement {
-  const made = element("button", "", text);
-  made.type = "button";
-  made.title = label;
-  if (label !== text) made.setAttribute("aria-label", label);
-  return made;
+  const item = element("button", "", text);
+  item.type = "button";
+  item.title = label;
+  if (label !== text) item.setAttribute("aria-label", label);
+  return item;
 }
 
 function check(text: string, checked: boolean): [HTMLLabelElement, HTMLInputElement] {
@@ -46,25 +47,33 @@ function check(text: string, checked: boolean): [HTMLLabelElement, HTMLInputElem
   return [label, box];
 }
 
-/** Tools that the legend names. */
+/** How long the tolerance slider must rest before chords are requested, ms. */
+const TOLERANCE_REST_MS = 60;
+/** How long a message that is no error stays, ms. */
+const TOAST_MS = 5000;
+/** Limits of the width of the program's pane, and a step of it by key, percent. */
+const MIN_WIDTH_PERCENT = 20;
+const MAX_WIDTH_PERCENT = 70;
+const WIDTH_STEP_PERCENT = 2;
+/** Tools that the legend names at most. */
 const MAX_LEGEND_KEYS = 24;
 
-/** With more tools the legend leaves out that a diameter is not known. */
+/** With more tools the legend does not say which diameters are not known. */
 const MAX_DETAILED_KEYS = 6;
 
-/** The size of a tool: the nose radius of an insert, the width of a blade, else the diameter; undefined where a diameter is not known. */
+/** The size of a tool as text: nose radius of an insert, width of a blade, otherwise the diameter; undefined where the diameter is not known. */
 function sizeOf(tool: ToolInfo | undefined, units: Units): string | undefined {
   if (tool?.shape === "insert") return tool.nose_radius_mm === null ? "" : `R${length(units, tool.nose_radius_mm)}`;
   if (tool?.shape === "groove") return tool.width_mm === null ? "" : `${length(units, tool.width_mm)} wide`;
   return tool?.diameter_mm ? `Ø${length(units, Math.abs(tool.diameter_mm))}` : undefined;
 }
 
-/** `T1`, and what is known of it. */
-function toolName(tool: number, machine: MachineInfo | undefined, units: Units, isShort: boolean): string {
+/** `T1`, with size and shape where they are known. */
+function toolName(tool: number, machine: MachineInfo | undefined, units: Units, omitsUnknown: boolean): string {
   if (tool === 0) return "No tool";
   const known = machine?.tools.find(({ number }) => number === tool);
-  const wide = sizeOf(known, units) ?? (isShort || machine?.turret ? "" : "Ø not known");
-  return [`T${tool}`, wide, known?.shape].filter(Boolean).join(" ");
+  const size = sizeOf(known, units) ?? (omitsUnknown || machine?.turret ? "" : "Ø not known");
+  return [`T${tool}`, size, known?.shape].filter(Boolean).join(" ");
 }
 
 export function layout(root: HTMLElement) {
@@ -89,10 +98,10 @@ export function layout(root: HTMLElement) {
   bar.setAttribute("role", "toolbar");
   bar.setAttribute("aria-label", "View");
   const views = VIEWS.map(([view, text, key]) => {
-    const made = button(text, `${text} view (${key})`);
-    made.dataset.view = view;
-    made.addEventListener("click", () => api.onView(view));
-    return made;
+    const viewButton = button(text, `${text} view (${key})`);
+    viewButton.dataset.view = view;
+    viewButton.addEventListener("click", () => api.onView(view));
+    return viewButton;
   });
   const fit = button("Fit", "Fit the path to the view (F)");
   fit.addEventListener("click", () => api.onFit());
@@ -135,17 +144,17 @@ export function layout(root: HTMLElement) {
     chordControls.hidden = !chordsOn.checked;
     tolerance.hidden = balancedLabel.hidden = api.ownChords();
   };
-  const changed = () => {
+  const chordsChanged = () => {
     showChordControls();
     api.onChords();
   };
-  chordsOn.addEventListener("change", changed);
-  balanced.addEventListener("change", changed);
-  ownChords.addEventListener("change", changed);
-  let timer = 0;
+  chordsOn.addEventListener("change", chordsChanged);
+  balanced.addEventListener("change", chordsChanged);
+  ownChords.addEventListener("change", chordsChanged);
+  let toleranceTimer = 0;
   tolerance.addEventListener("input", () => {
-    window.clearTimeout(timer);
-    timer = window.setTimeout(changed, 60);
+    window.clearTimeout(toleranceTimer);
+    toleranceTimer = window.setTimeout(chordsChanged, TOLERANCE_REST_MS);
   });
   const measure = button("Measure", "Measure points, lines and arcs of the path (M)");
   measure.id = "measure";
@@ -174,8 +183,8 @@ export function layout(root: HTMLElement) {
     tab.addEventListener("keydown", (event) => {
       const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
       if (by === 0) return;
-      const at = PANELS.findIndex(([own]) => own === panel);
-      const next = PANELS[(at + by + PANELS.length) % PANELS.length]![0];
+      const index = PANELS.findIndex(([name]) => name === panel);
+      const next = PANELS[(index + by + PANELS.length) % PANELS.length]![0];
       tabOf[next].click();
       tabOf[next].focus();
     });
@@ -211,7 +220,7 @@ export function layout(root: HTMLElement) {
   const comparison = element("div", "comparison");
   comparison.setAttribute("role", "status");
   const paths = element("div", "paths");
-  // Over the picture, not on it: nothing of the path lies under the legend.
+  // Above the view, not in it, so that the legend covers nothing of the path.
   const strip = element("div", "strip");
   strip.append(legend, readout);
   const turns = element("div", "turns");
@@ -241,8 +250,8 @@ export function layout(root: HTMLElement) {
   splitter.setAttribute("aria-valuenow", "38");
   splitter.tabIndex = 0;
   const main = element("main");
-  const setWidth = (share: number) => {
-    const clamped = Math.min(70, Math.max(20, share));
+  const setWidth = (percent: number) => {
+    const clamped = Math.min(MAX_WIDTH_PERCENT, Math.max(MIN_WIDTH_PERCENT, percent));
     main.style.setProperty("--left", `${clamped}%`);
     splitter.setAttribute("aria-valuenow", String(Math.round(clamped)));
   };
@@ -251,7 +260,7 @@ export function layout(root: HTMLElement) {
     if (splitter.hasPointerCapture(event.pointerId)) setWidth((event.clientX / main.clientWidth) * 100);
   });
   splitter.addEventListener("keydown", (event) => {
-    const by = event.key === "ArrowRight" ? 2 : event.key === "ArrowLeft" ? -2 : 0;
+    const by = event.key === "ArrowRight" ? WIDTH_STEP_PERCENT : event.key === "ArrowLeft" ? -WIDTH_STEP_PERCENT : 0;
     if (by !== 0) setWidth(Number(splitter.getAttribute("aria-valuenow")) + by);
   });
   main.append(left, splitter, right);
@@ -264,8 +273,8 @@ export function layout(root: HTMLElement) {
 
   theme.addEventListener("click", () => {
     const { dataset } = document.documentElement;
-    const dark = dataset.theme ? dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
-    dataset.theme = dark ? "light" : "dark";
+    const isDark = dataset.theme ? dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
+    dataset.theme = isDark ? "light" : "dark";
     api.onTheme();
   });
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => api.onTheme());
@@ -273,15 +282,16 @@ export function layout(root: HTMLElement) {
   let shown: PanelName = "problems";
   function show(panel: PanelName): void {
     shown = panel;
-    for (const [own] of PANELS) {
-      panels[own].hidden = own !== panel;
-      tabOf[own].setAttribute("aria-selected", String(own === panel));
-      tabOf[own].tabIndex = own === panel ? 0 : -1;
+    for (const [name] of PANELS) {
+      panels[name].hidden = name !== panel;
+      tabOf[name].setAttribute("aria-selected", String(name === panel));
+      tabOf[name].tabIndex = name === panel ? 0 : -1;
     }
   }
   show("problems");
 
   let toastTimer = 0;
+  /** The machine that was chosen as a reading, which the list may lack. */
   let machineOfReading: MachineChoice | undefined;
   const api = {
     header, save, machine, readings, measure, section, stockSlot, canvas, axes, code, timeline, panels, paths, rapids, travel, toolOn, chordsOn, balanced,
@@ -296,15 +306,15 @@ export function layout(root: HTMLElement) {
     show,
     shown: () => shown,
     chordTolerance: () => 10 ** Number(tolerance.value),
-    /** Whether the chords are those that the control itself cuts. */
+    /** Whether the control's own chords are chosen. */
     ownChords: () => !ownLabel.hidden && ownChords.checked,
-    /** Offers the control's own chords where it cuts arcs itself. */
-    offerOwnChords(is: boolean): void {
-      ownLabel.hidden = !is;
+    /** Offers the control's own chords, for a control that divides arcs into chords. */
+    offerOwnChords(offered: boolean): void {
+      ownLabel.hidden = !offered;
       showChordControls();
     },
     setChordText: (text: string) => (chordText.textContent = text),
-    /** Why the box of the machine is not shown; empty where it is shown, or switched off. */
+    /** Shows why there is no travel box; empty where it is shown or switched off. */
     setTravelHint(text: string): void {
       setCodeSpans(travelWhy, text);
       travelWhy.hidden = text === "";
@@ -313,19 +323,20 @@ export function layout(root: HTMLElement) {
       name.textContent = path.split(/[\\/]/).pop() ?? path;
       name.title = path;
     },
-    setDirty: (is: boolean) => (dirty.textContent = is ? "● Not saved" : ""),
+    setDirty: (isDirty: boolean) => (dirty.textContent = isDirty ? "● Not saved" : ""),
     measured: (text: string) => (measured.textContent = text),
     comparison: (text: string) => (comparison.textContent = text),
-    /** The hint about axes that are drawn without being known. */
-    turns(text: string): void {
+    /** Shows the hint about axes that are drawn without being known; empty for none. */
+    setAxisHint(text: string): void {
       setCodeSpans(turns, text);
       turns.hidden = text === "";
     },
-    /** Shows from where on the path is not known. */
+    /** Shows from where on the path is not verified; empty where all of it is. */
     unverified(text: string): void {
       unverified.textContent = text;
       unverified.hidden = text === "";
     },
+    /** Shows why there is no path; empty where there is one. */
     empty(text: string): void {
       empty.textContent = text;
       empty.hidden = text === "";
@@ -334,44 +345,46 @@ export function layout(root: HTMLElement) {
       machine.replaceChildren(new Option("recognized from the program", ""));
       for (const { name, title } of machines) machine.append(new Option(title, name));
     },
-    /** More machines to choose from; the one that is chosen stays. */
+    /** Replaces the list of machines; the chosen one stays chosen. */
     offerMachines(machines: MachineChoice[]): void {
       const { value } = machine;
       api.setMachines(machines);
       if (machines.some(({ name }) => name === value)) machine.value = value;
       else if (machineOfReading?.name === value) api.chooseMachine(machineOfReading);
     },
-    /** Shows a machine as chosen that may have units, which no machine of the list names. */
+    /** Chooses a machine, which is added where it is not in the list: one with units at power-on. */
     chooseMachine(chosen: MachineChoice): void {
       const isListed = [...machine.options].some(({ value }) => value === chosen.name);
       if (!isListed) machine.append(new Option(chosen.title, chosen.name));
       machineOfReading = chosen;
       machine.value = chosen.name;
     },
+    /** Shows the title of the recognized machine, and why it was chosen. */
     machineWhy(title: string, reason: string | null): void {
       machine.options[0]!.textContent = machine.value === "" ? title : "recognized from the program";
       setCodeSpans(why, reason ?? "");
     },
-    progress(share: number): void {
-      progress.hidden = share >= 1;
-      progress.value = share;
+    /** Shows the fraction of the run that is done; 1 hides it. */
+    progress(fraction: number): void {
+      progress.hidden = fraction >= 1;
+      progress.value = fraction;
     },
-    counts(report: RunReport | undefined, refused: boolean): void {
-      counts.className = `counts ${refused || (report?.errors ?? 0) > 0 ? "bad" : (report?.warnings ?? 0) > 0 ? "doubt" : "good"}`;
-      counts.textContent = refused
+    counts(report: RunReport | undefined, isRefused: boolean): void {
+      counts.className = `counts ${isRefused || (report?.errors ?? 0) > 0 ? "bad" : (report?.warnings ?? 0) > 0 ? "doubt" : "good"}`;
+      counts.textContent = isRefused
         ? "Cannot run"
         : report
           ? [countText(report.errors, "error"), ...(report.warnings > 0 ? [countText(report.warnings, "warning")] : [])].join(", ")
           : "";
     },
-    /** Offers the colours by power where S of the cuts differs. */
-    offerPower(is: boolean): void {
-      if (is) color.append(byPower);
+    /** Offers colours by power, for programs whose cuts differ in S. */
+    offerPower(offered: boolean): void {
+      if (offered) color.append(byPower);
       else if (color.value === "power") {
         color.value = "tool";
         api.onColor("tool");
       }
-      if (!is) byPower.remove();
+      if (!offered) byPower.remove();
     },
     /** Shows what the colours of the cuts mean. */
     legend(by: ColorBy, path: Path, report: RunReport | undefined, machine: MachineInfo | undefined, palette: Palette): void {
@@ -407,28 +420,29 @@ export function layout(root: HTMLElement) {
       const text = texts[by];
       legend.append(text(low), ramp, text(high));
     },
-    readout({ coordinates, turn, speed: mmPerMin }: PlaybackState, units: Units): void {
-      const along = mmPerMin === undefined ? "" : `   ${speed(units, mmPerMin)}`;
-      readout.textContent = `${position(units, coordinates)}${angles(turn)}${along}`;
+    readout({ coordinates, rotaryAngles, speed: mmPerMin }: PlaybackState, units: Units): void {
+      const feedrate = mmPerMin === undefined ? "" : `   ${speed(units, mmPerMin)}`;
+      readout.textContent = `${positionText(units, coordinates)}${angles(rotaryAngles)}${feedrate}`;
     },
     notify(kind: "note" | "warning" | "error", text: string): void {
       toast.className = `toast ${kind}`;
       setCodeSpans(toast, text);
       toast.hidden = false;
       window.clearTimeout(toastTimer);
-      if (kind !== "error") toastTimer = window.setTimeout(() => (toast.hidden = true), 5000);
+      if (kind !== "error") toastTimer = window.setTimeout(() => (toast.hidden = true), TOAST_MS);
     },
+    /** Shows a question with a button for each answer. */
     prompt(text: string, answers: [string, () => void][]): void {
       window.clearTimeout(toastTimer);
       toast.className = "toast warning";
       toast.replaceChildren(element("span", "", text));
       for (const [answer, act] of answers) {
-        const made = button(answer, answer);
-        made.addEventListener("click", () => {
+        const answerButton = button(answer, answer);
+        answerButton.addEventListener("click", () => {
           toast.hidden = true;
           act();
         });
-        toast.append(made);
+        toast.append(answerButton);
       }
       toast.hidden = false;
     },

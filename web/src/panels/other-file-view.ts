@@ -1,4 +1,4 @@
-// A read-only view of another file, over the program: where F12 leads to a subprogram.
+// A read-only view of another file, over the program: for F12 on a call of a subprogram, and for the other program.
 
 import { EditorState } from "@codemirror/state";
 import { EditorView, highlightActiveLine, lineNumbers } from "@codemirror/view";
@@ -13,8 +13,8 @@ export class OtherFileView {
   private view: EditorView | undefined;
 
   constructor(
-    over: HTMLElement,
-    private left: () => void,
+    parent: HTMLElement,
+    private onClosed: () => void,
   ) {
     this.close.type = "button";
     this.close.title = "Back to the program (Esc)";
@@ -28,32 +28,32 @@ export class OtherFileView {
     head.append(this.title, this.close);
     this.root.append(head, this.body);
     this.root.hidden = true;
-    over.append(this.root);
+    parent.append(this.root);
   }
 
-  /** Shows a text at a line. `first` is the number of the first line of the text, which may be a part of its file. */
-  show(made: DefinitionPlace, first = 1): void {
+  /** Shows the text of a place at its line; `firstLine` is the number of the first line of the text, which may be an extract of its file. */
+  show(place: DefinitionPlace, firstLine = 1): void {
     this.view?.destroy();
-    const name = (made.file ?? "").split(/[\\/]/).pop()!;
-    this.title.textContent = `${name}, read only${made.cut_off ? " (the beginning)" : ""}`;
+    const name = (place.file ?? "").split(/[\\/]/).pop()!;
+    this.title.textContent = `${name}, read only${place.cut_off ? " (the beginning)" : ""}`;
     this.root.setAttribute("aria-label", name);
     this.root.hidden = false;
     const nonce = document.querySelector<HTMLMetaElement>("meta[name=csp-nonce]")?.content ?? "";
     const state = EditorState.create({
-      doc: made.text ?? "",
+      doc: place.text ?? "",
       extensions: [
         EditorView.cspNonce.of(nonce),
         EditorState.readOnly.of(true),
-        lineNumbers({ formatNumber: (line) => String(line + first - 1) }),
+        lineNumbers({ formatNumber: (line) => String(line + firstLine - 1) }),
         highlightActiveLine(),
         EditorView.contentAttributes.of({ "aria-label": name }),
       ],
     });
     this.view = new EditorView({ parent: this.body, state });
     const { doc } = state;
-    const line = doc.line(Math.max(1, Math.min(doc.lines, made.line - first + 1)));
-    const at = Math.min(line.to, line.from + made.column);
-    this.view.dispatch({ selection: { anchor: at }, effects: EditorView.scrollIntoView(at, { y: "center" }) });
+    const line = doc.line(Math.max(1, Math.min(doc.lines, place.line - firstLine + 1)));
+    const offset = Math.min(line.to, line.from + place.column);
+    this.view.dispatch({ selection: { anchor: offset }, effects: EditorView.scrollIntoView(offset, { y: "center" }) });
     this.view.focus();
   }
 
@@ -61,6 +61,6 @@ export class OtherFileView {
     this.root.hidden = true;
     this.view?.destroy();
     this.view = undefined;
-    this.left();
+    this.onClosed();
   }
 }

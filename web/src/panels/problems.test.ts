@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Problem } from "../protocol/messages";
-import { groups } from "./problems";
+import { problemGroups } from "./problems";
 
 const problem = (severity: Problem["severity"], code: string, line: number): Problem => ({
   code,
@@ -19,7 +19,7 @@ const problem = (severity: Problem["severity"], code: string, line: number): Pro
 });
 
 test("problems of one code stand together, errors first", () => {
-  const found = groups([
+  const found = problemGroups([
     problem("note", "CH603", 2),
     problem("warning", "CH414", 5),
     problem("warning", "CH602", 6),

@@ -1,4 +1,4 @@
-// The panel of problems: by code, errors first, with a choice of severities.
+// The panel of problems: grouped by code, errors first, with a filter of severities.
 
 import type { Problem, RunReport } from "../protocol/messages";
 import { codeSpans } from "./code-spans";
@@ -10,28 +10,30 @@ type Severity = Problem["severity"];
 
 const SEVERITIES: readonly Severity[] = ["error", "warning", "note"];
 
-/** Other places of a code that its list names. */
-const MAX_PLACES = 300;
+/** Further occurrences of a code that are listed at most. */
+const MAX_OCCURRENCES = 300;
+/** Lines of program output that are listed at most. */
+const MAX_OUTPUT_LINES = 50;
 
-/** The problems of one code and severity, by place. */
+/** The problems of one code and severity, in source order. */
 export interface ProblemGroup {
   severity: Severity;
   code: string;
   problems: Problem[];
 }
 
-/** Problems by code: errors, then warnings, then notes; within a severity by the first place. */
-export function groups(problems: readonly Problem[]): ProblemGroup[] {
-  const found = new Map<string, ProblemGroup>();
+/** Groups problems by code: errors, then warnings, then notes; within a severity by the first occurrence. */
+export function problemGroups(problems: readonly Problem[]): ProblemGroup[] {
+  const groups = new Map<string, ProblemGroup>();
   for (const problem of problems) {
     const { severity, code } = problem;
     const key = `${severity} ${code}`;
-    const group = found.get(key);
+    const group = groups.get(key);
     if (group) group.problems.push(problem);
-    else found.set(key, { severity, code, problems: [problem] });
+    else groups.set(key, { severity, code, problems: [problem] });
   }
   const order = (group: ProblemGroup): number => SEVERITIES.indexOf(group.severity);
-  return [...found.values()].sort((one, other) => order(one) - order(other));
+  return [...groups.values()].sort((one, other) => order(one) - order(other));
 }
 
 function placeOf(problem: Problem): string {
@@ -41,12 +43,12 @@ function placeOf(problem: Problem): string {
 }
 
 export class ProblemPanel {
-  /** Severities that the reader does not want to see. */
+  /** Severities that the user has switched off. */
   private readonly hidden = new Set<Severity>();
 
   constructor(
     private readonly root: HTMLElement,
-    private readonly go: (problem: Problem) => void,
+    private readonly goTo: (problem: Problem) => void,
   ) {}
 
   show(report: RunReport | undefined, refused: { message: string; help?: string | null } | undefined): void {
@@ -58,16 +60,16 @@ export class ProblemPanel {
       this.root.append(item);
     }
     if (!report) return;
-    const unknown = notVerified(report);
-    if (unknown) this.root.append(element("p", "refused", unknown));
+    const unverified = notVerified(report);
+    if (unverified) this.root.append(element("p", "refused", unverified));
     if (report.diagnostics.length === 0 && !refused) {
       this.root.append(element("p", "clean", "No problems found: this machine would run the program."));
     }
     const list = element("ul", "problems");
-    for (const group of groups(report.diagnostics)) list.append(this.group(group));
+    for (const group of problemGroups(report.diagnostics)) list.append(this.group(group));
     this.root.append(...this.filter(report, list), list);
     if (report.left_out > 0) this.root.append(element("p", "more", `${countText(report.left_out, "more problem")} not listed`));
-    for (const line of report.output.slice(0, 50)) this.root.append(element("p", "output", line));
+    for (const line of report.output.slice(0, MAX_OUTPUT_LINES)) this.root.append(element("p", "output", line));
   }
 
   /** Buttons that show or hide a severity, where there is more than one. */
@@ -96,21 +98,21 @@ export class ProblemPanel {
     return [row];
   }
 
-  /** The first problem in full, and after it the other places. */
+  /** The first problem in full, followed by the other occurrences. */
   private group({ severity, code, problems }: ProblemGroup): HTMLElement {
     const item = element("li", `of-${severity}`);
     const [first, ...others] = problems;
-    item.append(this.whole(first!));
+    item.append(this.fullItem(first!));
     if (others.length === 0) return item;
     const rest = element("details", "others");
     rest.append(element("summary", "", `${code} in ${countText(others.length, "more place")}`));
-    // Made when it is opened: hundreds of places are not looked at in most programs.
+    // Filled when it is opened, because most users never open a list of hundreds.
     rest.addEventListener(
       "toggle",
       () => {
-        const places = element("ul");
-        for (const problem of others.slice(0, MAX_PLACES)) places.append(this.short(problem));
-        rest.append(places);
+        const list = element("ul");
+        for (const problem of others.slice(0, MAX_OCCURRENCES)) list.append(this.shortItem(problem));
+        rest.append(list);
       },
       { once: true },
     );
@@ -118,23 +120,23 @@ export class ProblemPanel {
     return item;
   }
 
-  private whole(problem: Problem): HTMLElement {
+  private fullItem(problem: Problem): HTMLElement {
     const button = element("button", `problem ${problem.severity}`);
     button.type = "button";
     button.append(element("span", "severity", problem.severity), element("span", "where", placeOf(problem)));
     button.append(codeSpans(problem.message, "message"));
     if (problem.alarm) button.append(codeSpans(`The control shows: ${problem.alarm}`, "alarm"));
     if (problem.help) button.append(codeSpans(problem.help, "help"));
-    button.addEventListener("click", () => this.go(problem));
+    button.addEventListener("click", () => this.goTo(problem));
     return button;
   }
 
-  private short(problem: Problem): HTMLElement {
+  private shortItem(problem: Problem): HTMLElement {
     const item = element("li");
     const button = element("button", `problem short ${problem.severity}`);
     button.type = "button";
     button.append(element("span", "where", placeOf(problem)), codeSpans(problem.message, "message"));
-    button.addEventListener("click", () => this.go(problem));
+    button.addEventListener("click", () => this.goTo(problem));
     item.append(button);
     return item;
   }

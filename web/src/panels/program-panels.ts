@@ -1,13 +1,12 @@
-// The panels of outline, active state and times; problems have a file of their own.
+// The panels of outline, modal state and times.
 
-import type { Vec3 } from "../path/batch";
-import type { Coordinates } from "../path/playback-state";
+import type { PlaybackState } from "../path/playback-state";
 import type { MachineInfo, ModalState, OutlineEntry, RunReport, RunTimes } from "../protocol/messages";
 import { codeSpans } from "./code-spans";
 import { element } from "./dom";
-import { type Units, angles, count, countText, duration, length, position, speed } from "./units";
+import { type Units, angles, count, countText, duration, length, positionText, speed } from "./units";
 
-/** From where on the path is not known; empty where the whole run was followed. */
+/** From where on the path is not verified; empty where all of it is. */
 export function notVerified(report: Pick<RunReport, "not_verified_from">): string {
   const from = report.not_verified_from;
   if (!from) return "";
@@ -15,7 +14,7 @@ export function notVerified(report: Pick<RunReport, "not_verified_from">): strin
   return `Not verified from ${line} on: the path after it is not known.`;
 }
 
-/** Of axes that the program does not name, and that are drawn at zero; empty where it names all. */
+/** Which axes the program does not name, so that they are drawn at zero; empty where there are none. */
 export function notNamedText(report: Pick<RunReport, "never_named" | "named_in_no_cut">): string {
   const sentence = (axes: string[], why: string) => {
     const zeros = axes.map((axis) => `${axis}0`).join(" ");
@@ -24,42 +23,43 @@ export function notNamedText(report: Pick<RunReport, "never_named" | "named_in_n
   return [sentence(report.never_named, "never named"), sentence(report.named_in_no_cut, "not known in any cut")].filter(Boolean).join(" ");
 }
 
-/** Of moves that are left out for their work offset; empty where there are none. */
+/** Which moves are not drawn because of their work offset; empty where there are none. */
 export function leftOutText(report: Pick<RunReport, "moves_left_out">): string {
   return report.moves_left_out.map((text) => `${text[0]!.toUpperCase()}${text.slice(1)}.`).join(" ");
 }
 
-/** Entries that are shown at most. */
+/** Entries of the outline that are shown at most. */
 const MAX_ENTRIES = 2_000;
+const MAX_LONGEST_BLOCKS = 5;
 
-/** Programs, in them tools, in those operations: each goes to its line. */
-export function showOutline(root: HTMLElement, entries: OutlineEntry[] | undefined, go: (line: number) => void): void {
+/** Shows programs with their tools and operations; a click goes to the line. */
+export function showOutline(root: HTMLElement, entries: OutlineEntry[] | undefined, goToLine: (line: number) => void): void {
   root.replaceChildren();
   if (!entries || entries.length === 0) {
     root.append(element("p", "clean", entries ? "Nothing to list: the program has no tools and no operations." : "Reading…"));
     return;
   }
   let left = MAX_ENTRIES;
-  const list = (of: OutlineEntry[]): HTMLUListElement => {
-    const made = element("ul", "outline");
-    for (const entry of of) {
+  const listOf = (children: OutlineEntry[]): HTMLUListElement => {
+    const list = element("ul", "outline");
+    for (const entry of children) {
       if (left-- <= 0) break;
       const item = element("li");
       const button = element("button", `entry ${entry.kind}`);
       button.type = "button";
       button.append(element("span", "", entry.name), element("span", "where", `line ${count(entry.line)}`));
       if (entry.detail) button.append(element("span", "help", entry.detail));
-      button.addEventListener("click", () => go(entry.line));
+      button.addEventListener("click", () => goToLine(entry.line));
       item.append(button);
-      if (entry.children.length > 0) item.append(list(entry.children));
-      made.append(item);
+      if (entry.children.length > 0) item.append(listOf(entry.children));
+      list.append(item);
     }
-    return made;
+    return list;
   };
-  root.append(list(entries));
+  root.append(listOf(entries));
 }
 
-function row(table: HTMLTableElement, name: string, value: string): void {
+function addRow(table: HTMLTableElement, name: string, value: string): void {
   const line = table.insertRow();
   const head = document.createElement("th");
   head.scope = "row";
@@ -68,13 +68,15 @@ function row(table: HTMLTableElement, name: string, value: string): void {
   line.insertCell().textContent = value;
 }
 
+/** By kind of a row of the path (batch.ts). */
 const MOTIONS = ["rapid", "straight", "arc", "spiral", "spline"];
 
+/** Shows the modal state and the position after a block; without a state the run does not reach the line. */
 export function showState(
   root: HTMLElement,
   modal: ModalState | undefined,
-  at: { place: Coordinates; turn: Vec3 } | undefined,
-  now: { line: number; kind: number | undefined; inSubprogram?: number | undefined } | undefined,
+  position: Pick<PlaybackState, "coordinates" | "rotaryAngles"> | undefined,
+  block: { line: number; kind: number | undefined; inSubprogram?: number | undefined } | undefined,
   machine?: Pick<MachineInfo, "factors" | "has">,
 ): void {
   root.replaceChildren();
@@ -84,24 +86,24 @@ export function showState(
   }
   const units: Units = { inch: modal.inch, ...(machine && { factors: machine.factors, has: machine.has }) };
   const table = element("table");
-  if (now) row(table, "After line", now.inSubprogram === undefined ? count(now.line) : `${count(now.inSubprogram)} of a subprogram in another file`);
-  if (modal.codes) row(table, "Codes", modal.codes.join(" "));
-  if (at) {
-    const place = at.place.map((value, axis) => (value === undefined ? undefined : value - modal.shift[axis]!));
-    row(table, "Position", `${position(units, place)}${angles(at.turn)}`);
+  if (block) addRow(table, "After line", block.inSubprogram === undefined ? count(block.line) : `${count(block.inSubprogram)} of a subprogram in another file`);
+  if (modal.codes) addRow(table, "Codes", modal.codes.join(" "));
+  if (position) {
+    const shifted = position.coordinates.map((value, axis) => (value === undefined ? undefined : value - modal.shift[axis]!));
+    addRow(table, "Position", `${positionText(units, shifted)}${angles(position.rotaryAngles)}`);
   }
-  if (now?.kind !== undefined) row(table, "Motion", MOTIONS[now.kind] ?? "");
-  row(table, "Units, plane", `${modal.inch ? "inch" : "millimetre"}, ${modal.plane}`);
-  row(table, "Feed", feedText(modal, units));
+  if (block?.kind !== undefined) addRow(table, "Motion", MOTIONS[block.kind] ?? "");
+  addRow(table, "Units, plane", `${modal.inch ? "inch" : "millimetre"}, ${modal.plane}`);
+  addRow(table, "Feed", feedText(modal, units));
   const spindle = modal.spindle === "off" ? "off" : `${modal.spindle}, ${count(modal.rpm)} rpm`;
-  row(table, "Spindle", spindle);
-  row(table, "Tool", modal.selected === null ? `T${modal.tool}` : `T${modal.tool}, next T${modal.selected}`);
-  row(table, "Work offset", modal.work ?? "–");
-  row(table, "Length offset", offsetText(modal.length, units));
-  row(table, "Compensation", modal.side === "off" ? "off" : `${modal.side}, ${offsetText(modal.cutter, units)}`);
-  row(table, "Path mode", modal.path_mode ?? "as at power-on");
-  row(table, "Coolant", modal.coolant.join(", ") || "off");
-  if (!modal.overrides.feed || !modal.overrides.rapid) row(table, "Overrides", "held at 100 %");
+  addRow(table, "Spindle", spindle);
+  addRow(table, "Tool", modal.selected === null ? `T${modal.tool}` : `T${modal.tool}, next T${modal.selected}`);
+  addRow(table, "Work offset", modal.work ?? "–");
+  addRow(table, "Length offset", offsetText(modal.length, units));
+  addRow(table, "Compensation", modal.side === "off" ? "off" : `${modal.side}, ${offsetText(modal.cutter, units)}`);
+  addRow(table, "Path mode", modal.path_mode ?? "as at power-on");
+  addRow(table, "Coolant", modal.coolant.join(", ") || "off");
+  if (!modal.overrides.feed || !modal.overrides.rapid) addRow(table, "Overrides", "held at 100 %");
   root.append(table);
 }
 
@@ -126,7 +128,7 @@ export function showTimes(
   report: RunReport | undefined,
   machine: MachineInfo | undefined,
   color: (tool: number) => string,
-  go: (line: number) => void,
+  goToLine: (line: number) => void,
 ): void {
   root.replaceChildren();
   if (message) root.append(codeSpans(message, "refused", "p"));
@@ -150,8 +152,8 @@ export function showTimes(
     const swatch = element("span", "swatch");
     swatch.style.background = color(tool.number);
     const known = machine?.tools.find(({ number }) => number === tool.number);
-    const about = [known?.kind, known?.diameter_mm ? `Ø${length(units, known.diameter_mm)}` : null];
-    name.append(swatch, `T${tool.number} ${about.filter(Boolean).join(" ")}`);
+    const details = [known?.kind, known?.diameter_mm ? `Ø${length(units, known.diameter_mm)}` : null];
+    name.append(swatch, `T${tool.number} ${details.filter(Boolean).join(" ")}`);
     const { cutting_s, rapid_s, other_s, total_s } = tool.times;
     for (const value of [cutting_s, rapid_s, other_s, total_s]) line.insertCell().textContent = duration(value);
   }
@@ -173,12 +175,12 @@ export function showTimes(
   if (times.longest.length > 0) {
     root.append(element("h3", "", "Longest blocks"));
     const list = element("ol", "longest");
-    for (const block of times.longest.slice(0, 5)) {
+    for (const block of times.longest.slice(0, MAX_LONGEST_BLOCKS)) {
       const item = element("li");
       const runs = block.runs > 1 ? ` in ${countText(block.runs, "run")}` : "";
       const button = element("button", "link", `line ${count(block.line)}: ${duration(block.time_s)}${runs}, ${block.reason}`);
       button.type = "button";
-      button.addEventListener("click", () => go(block.line));
+      button.addEventListener("click", () => goToLine(block.line));
       item.append(button);
       list.append(item);
     }

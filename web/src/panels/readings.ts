@@ -1,30 +1,30 @@
-// The question which control a program is for, where nothing in it is certain: the candidates next to
-// each other. Nothing waits for an answer.
+// The question which control a program is for, where it is ambiguous, with the candidates side by side. The run does not wait for
+// an answer.
 
 import type { MachineChoice, ProgramReadings } from "../protocol/messages";
 import { codeSpans, setCodeSpans } from "./code-spans";
 import { element } from "./dom";
 import { count, countText } from "./units";
 
-/** What follows from the readings of a run. */
+/** What to do about the readings of a run. */
 export type ReadingsStep = { do: "ask"; readings: ProgramReadings } | { do: "read"; machine: MachineChoice } | { do: "nothing" };
 
-/** Which questions were answered since the page was loaded, and how. */
+/** The questions that were answered since the page was loaded, and the answers. */
 export class AnsweredReadings {
-  /** By question: the machine that was picked, or nothing where the assumed reading stays. */
+  /** By question: the machine that was picked; undefined where the assumed reading was kept. */
   private readonly answers = new Map<string, MachineChoice | undefined>();
   private isAnswered = false;
   private question = "";
 
-  /** A program is opened. */
+  /** Begins with another program. */
   opened(): void {
     this.isAnswered = false;
     this.question = "";
   }
 
-  /** The program has run, and these are its readings. */
+  /** What to do about the readings of a run of a program. */
   next(program: string, readings: ProgramReadings | null): ReadingsStep {
-    // While a program is edited its readings change: one answer is enough.
+    // Readings change while the program is edited; one answer is enough.
     if (!readings || this.isAnswered) return { do: "nothing" };
     this.question = JSON.stringify([program, readings]);
     if (!this.answers.has(this.question)) return { do: "ask", readings };
@@ -33,14 +33,14 @@ export class AnsweredReadings {
     return machine ? { do: "read", machine } : { do: "nothing" };
   }
 
-  /** The program is read on this machine, or as it was assumed. */
+  /** Records the answer; undefined keeps the assumed reading. */
   answer(machine: MachineChoice | undefined): void {
     if (this.question !== "") this.answers.set(this.question, machine);
     this.isAnswered = true;
   }
 }
 
-/** The words over the columns. */
+/** The text above the columns. */
 export function introduction({ message, line, block, more }: Pick<ProgramReadings, "message" | "line" | "block" | "more">): string {
   const sentence = `${message.slice(0, 1).toUpperCase()}${message.slice(1)}.`;
   const first = line === null ? "" : ` The first block that differs is line ${count(line)}${block ? `, \`${block}\`` : ""}.`;
@@ -56,9 +56,9 @@ export function columnRows({ size, motion }: ProgramReadings["shown"][number], l
 }
 
 export interface ReadingsHandlers {
-  /** The program is to be read on this machine. */
+  /** Reads the program for this machine. */
   read: (machine: MachineChoice) => void;
-  /** Where the focus goes when the panel is closed. */
+  /** Moves the focus when the panel is closed. */
   leave: () => void;
 }
 
@@ -70,7 +70,7 @@ export function readingsPanel(root: HTMLElement, handlers: ReadingsHandlers) {
   title.tabIndex = -1;
   const text = element("p", "readings-text");
   text.id = "readings-text";
-  // A screen reader reads it when it comes, without taking the focus from a text field.
+  // A screen reader announces it, without taking the focus from a text field.
   text.setAttribute("role", "status");
   const keep = element("button", "keep", "Keep the assumed one");
   Object.assign(keep, { type: "button", title: "The program stays not verified (Esc)" });
@@ -99,7 +99,7 @@ export function readingsPanel(root: HTMLElement, handlers: ReadingsHandlers) {
     const name = element("h3", "", reading.title);
     if (isAssumed) name.append(" ", element("span", "assumed", "assumed"));
     const rows = element("dl");
-    for (const [of, value] of columnRows(reading, line)) rows.append(element("dt", "", of), codeSpans(value, "", "dd"));
+    for (const [label, value] of columnRows(reading, line)) rows.append(element("dt", "", label), codeSpans(value, "", "dd"));
     const use = element("button", "use", `Use ${reading.machine.title}`);
     Object.assign(use, { type: "button", title: `Read the program as for ${reading.title}` });
     use.addEventListener("click", () => pick(reading.machine));
@@ -110,9 +110,9 @@ export function readingsPanel(root: HTMLElement, handlers: ReadingsHandlers) {
   function show(readings: ProgramReadings): void {
     const hadFocus = root.contains(document.activeElement);
     setCodeSpans(text, introduction(readings));
-    list.replaceChildren(...readings.shown.map((reading, at) => column(reading, readings.line, at === 0)));
+    list.replaceChildren(...readings.shown.map((reading, index) => column(reading, readings.line, index === 0)));
     root.hidden = false;
-    // Where nothing has the focus yet, the question takes it.
+    // The question takes the focus where nothing else has it.
     if (hadFocus || document.activeElement === document.body) title.focus();
   }
 
@@ -128,14 +128,14 @@ export function readingsPanel(root: HTMLElement, handlers: ReadingsHandlers) {
       answered.opened();
       close();
     },
-    /** The program has run: its question is shown, once. */
+    /** Shows the question of a run, once. */
     programRun(program: string, readings: ProgramReadings | null): void {
       const step = answered.next(program, readings);
       if (step.do === "ask") return show(step.readings);
       close();
       if (step.do === "read") handlers.read(step.machine);
     },
-    /** A machine was chosen in the list of machines. */
+    /** Takes the choice in the list of machines as an answer. */
     machineChosen(machine: MachineChoice | undefined): void {
       answered.answer(machine);
       close();

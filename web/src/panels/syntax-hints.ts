@@ -1,11 +1,11 @@
-// Colours of words, for the visible lines, and their meanings under the pointer: both are answers of the server.
+// Syntax colours of the visible lines, and the meaning of the word under the pointer; both come from the server.
 
 import { type Extension, RangeSetBuilder, StateEffect } from "@codemirror/state";
 import { type DecorationSet, type ViewUpdate, Decoration, EditorView, ViewPlugin, hoverTooltip } from "@codemirror/view";
 import type { WordMeaning } from "../protocol/messages";
 import { element } from "./dom";
 
-/** Line (from 1), first and last column in UTF-16 code units, and the number of the class. */
+/** Four numbers for each token: line from 1, first column and the one after the last, in UTF-16 code units, and the index of its class. */
 export type Tokens = number[];
 
 export interface WordQueries {
@@ -13,10 +13,10 @@ export interface WordQueries {
   meaning: (line: number, column: number) => Promise<WordMeaning | undefined>;
 }
 
-/** Lines before and after the visible ones that are coloured, too. */
+/** Lines before and after the visible ones that are coloured as well. */
 const MARGIN_LINES = 60;
-/** Tokens are requested once nothing was scrolled or typed for so long, ms. */
-const QUIET_MS = 60;
+/** How long scrolling and typing must rest before tokens are requested, ms. */
+const REST_MS = 60;
 
 const setTokens = StateEffect.define<DecorationSet>();
 const refreshEffect = StateEffect.define<null>();
@@ -35,7 +35,7 @@ export function syntaxHints(queries: WordQueries): Extension {
       private version = 0;
 
       constructor(private view: EditorView) {
-        this.later();
+        this.requestLater();
       }
 
       update(update: ViewUpdate): void {
@@ -46,19 +46,19 @@ export function syntaxHints(queries: WordQueries): Extension {
         for (const transaction of update.transactions) {
           for (const effect of transaction.effects) {
             if (effect.is(setTokens)) this.decorations = effect.value;
-            if (effect.is(refreshEffect)) this.later();
+            if (effect.is(refreshEffect)) this.requestLater();
           }
         }
-        if (update.viewportChanged) this.later();
+        if (update.viewportChanged) this.requestLater();
       }
 
       destroy(): void {
         window.clearTimeout(this.timer);
       }
 
-      private later(): void {
+      private requestLater(): void {
         window.clearTimeout(this.timer);
-        this.timer = window.setTimeout(() => void this.request(), QUIET_MS);
+        this.timer = window.setTimeout(() => void this.request(), REST_MS);
       }
 
       private async request(): Promise<void> {
@@ -67,7 +67,7 @@ export function syntaxHints(queries: WordQueries): Extension {
         const from = Math.max(1, doc.lineAt(view.viewport.from).number - MARGIN_LINES);
         const to = Math.min(doc.lines, doc.lineAt(view.viewport.to).number + MARGIN_LINES) + 1;
         const answer = await queries.tokens(from, to);
-        // The answer about an older text does not fit; the run of the newer one requests tokens again.
+        // An answer about an older text is out of date; the run of the newer one requests tokens again.
         if (!answer || version !== this.version) return;
         view.dispatch({ effects: setTokens.of(this.build(answer.classes, answer.tokens)) });
       }
@@ -76,8 +76,8 @@ export function syntaxHints(queries: WordQueries): Extension {
         const { doc } = this.view.state;
         const builder = new RangeSetBuilder<Decoration>();
         let last = -1;
-        for (let at = 0; at + 3 < tokens.length; at += 4) {
-          const [number, start, end, kind] = tokens.slice(at, at + 4) as [number, number, number, number];
+        for (let index = 0; index + 3 < tokens.length; index += 4) {
+          const [number, start, end, kind] = tokens.slice(index, index + 4) as [number, number, number, number];
           if (number > doc.lines) break;
           const line = doc.line(number);
           const from = Math.min(line.to, line.from + start);
@@ -91,37 +91,37 @@ export function syntaxHints(queries: WordQueries): Extension {
     },
     { decorations: (value) => value.decorations },
   );
-  const hover = hoverTooltip(async (view, at) => {
-    const line = view.state.doc.lineAt(at);
-    const answer = await queries.meaning(line.number, at - line.from);
+  const hover = hoverTooltip(async (view, offset) => {
+    const line = view.state.doc.lineAt(offset);
+    const answer = await queries.meaning(line.number, offset - line.from);
     if (!answer || answer.line > view.state.doc.lines) return null;
-    const own = view.state.doc.line(answer.line);
+    const answerLine = view.state.doc.line(answer.line);
     return {
-      pos: Math.min(own.to, own.from + answer.column),
-      end: Math.min(own.to, own.from + answer.end_column),
+      pos: Math.min(answerLine.to, answerLine.from + answer.column),
+      end: Math.min(answerLine.to, answerLine.from + answer.end_column),
       create: () => ({ dom: markdown(answer.text) }),
     };
   }, { hoverTime: 250 });
   return [plugin, hover];
 }
 
-/** The text has been run: its tokens are requested again. */
-export function refreshWords(view: EditorView): void {
+/** Requests tokens again, after a run of the text. */
+export function refreshTokens(view: EditorView): void {
   view.dispatch({ effects: refreshEffect.of(null) });
 }
 
-/** Lines as long as this were broken to fit a terminal. */
+/** A line of at least this length was probably wrapped for a terminal. */
 const MIN_WRAPPED_CHARACTERS = 70;
 
-/** A text that was broken into lines for a terminal, with its paragraphs in one line each. */
+/** Undoes the wrapping of a text for a terminal: each paragraph becomes one line. */
 export function unwrapParagraphs(text: string): string {
   return text.replace(/^(.*)\n(?=[^\s\-*`|>])/gm, (whole, line: string) => (line.length >= MIN_WRAPPED_CHARACTERS ? `${line} ` : whole));
 }
 
-/** Paragraphs, code and bold of Markdown; everything else stays text. */
+/** Renders paragraphs, code and bold of Markdown; everything else stays text. */
 export function markdown(text: string): HTMLElement {
   const root = element("div", "meaning");
-  // A fence is a paragraph of its own, whatever comes before it.
+  // A fenced block is always a separate paragraph, even without blank lines around it.
   text = text.replace(/\n*(```\w*\n[\s\S]*?\n?```)\n*/g, "\n\n$1\n\n");
   for (const paragraph of text.split(/\n{2,}/)) {
     const fenced = /^```\w*\n([\s\S]*?)\n?```$/.exec(paragraph.trim());
@@ -140,16 +140,16 @@ export function markdown(text: string): HTMLElement {
   return root;
 }
 
-/** A paragraph in pieces: the text, whether it is code, whether it is bold. */
+/** The pieces of a paragraph: the text, whether it is code, whether it is bold. */
 export function markdownPieces(paragraph: string): [string, boolean, boolean][] {
-  const found: [string, boolean, boolean][] = [];
-  const form = /`([^`]+)`|\*\*([^*]+)\*\*/g;
+  const pieces: [string, boolean, boolean][] = [];
+  const pattern = /`([^`]+)`|\*\*([^*]+)\*\*/g;
   let last = 0;
-  for (const match of paragraph.matchAll(form)) {
-    if (match.index > last) found.push([paragraph.slice(last, match.index), false, false]);
-    found.push([match[1] ?? match[2]!, match[1] !== undefined, match[2] !== undefined]);
+  for (const match of paragraph.matchAll(pattern)) {
+    if (match.index > last) pieces.push([paragraph.slice(last, match.index), false, false]);
+    pieces.push([match[1] ?? match[2]!, match[1] !== undefined, match[2] !== undefined]);
     last = match.index + match[0].length;
   }
-  if (last < paragraph.length) found.push([paragraph.slice(last), false, false]);
-  return found;
+  if (last < paragraph.length) pieces.push([paragraph.slice(last), false, false]);
+  return pieces;
 }

@@ -1,17 +1,17 @@
-// What must be replaced in a text so that it becomes another one.
+// The difference of two texts as one replacement.
 
-/** A text with the line ends that the page counts with. */
+/** A text with LF line ends, as the page counts offsets. */
 export function withUnixEndings(text: string): string {
   return text.replace(/\r\n?/g, "\n");
 }
 
-/** The one piece that differs, from its first to its last character; nothing where the texts are the same. */
+/** The range of `from` that must be replaced, and by what, to get `to`; undefined where the texts are equal. */
 export function textDifference(from: string, to: string): { from: number; to: number; insert: string } | undefined {
   if (from === to) return undefined;
-  const least = Math.min(from.length, to.length);
+  const shorter = Math.min(from.length, to.length);
   let head = 0;
-  while (head < least && from[head] === to[head]) head++;
+  while (head < shorter && from[head] === to[head]) head++;
   let tail = 0;
-  while (tail < least - head && from[from.length - 1 - tail] === to[to.length - 1 - tail]) tail++;
+  while (tail < shorter - head && from[from.length - 1 - tail] === to[to.length - 1 - tail]) tail++;
   return { from: head, to: from.length - tail, insert: to.slice(head, to.length - tail) };
 }

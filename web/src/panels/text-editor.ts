@@ -25,7 +25,7 @@ export interface TextChange {
   insert: string;
 }
 
-/** Changes as the server takes them: places are those of the text before. */
+/** Changes as the server takes them: offsets are those of the text before. */
 export function changesOf(set: ChangeSet): TextChange[] {
   const changes: TextChange[] = [];
   set.iterChanges((from, to, _fromB, _toB, inserted) => {
@@ -34,35 +34,36 @@ export function changesOf(set: ChangeSet): TextChange[] {
   return changes;
 }
 
-/** The range of a place that a run has reported, cut off where the text has become shorter since. */
+/** The range of a place that a run has reported, clipped to the text, which may have become shorter since. */
 export function rangeOf(doc: Text, place: SourcePlace): { from: number; to: number } {
-  const at = (line: number, column: number) => {
-    const own = doc.line(Math.max(1, Math.min(doc.lines, line)));
-    return Math.min(own.to, own.from + column);
+  const offsetOf = (number: number, column: number) => {
+    const line = doc.line(Math.max(1, Math.min(doc.lines, number)));
+    return Math.min(line.to, line.from + column);
   };
-  const from = at(place.line, place.column);
-  return { from, to: Math.max(from, at(place.end_line, place.end_column)) };
+  const from = offsetOf(place.line, place.column);
+  return { from, to: Math.max(from, offsetOf(place.end_line, place.end_column)) };
 }
 
 export interface EditorHandlers {
   typed: (changes: TextChange[]) => void;
-  /** The cursor is on a line, put there by the user or by [`TextEditor.goTo`]. */
+  /** The cursor was put on a line, by the user or by `TextEditor.goTo`. */
   cursor: (line: number, byUser: boolean) => void;
   save: () => void;
-  /** The definition of the name at a line and a column is to be shown. */
+  /** Shows the definition of the name at a line and a column. */
   definition: (line: number, column: number) => void;
 }
 
-/** The text with one more piece after it; pieces may end within a line. */
+/** Appends a piece to a text; pieces may end within a line. */
 export function appendPiece(before: Text, piece: string): Text {
   return before.append(Text.of(piece.split("\n")));
 }
 
-/** The text is run once nothing was typed for so long, ms. */
-const QUIET_MS = 120;
+/** How long typing must rest before the changes are sent, ms. */
+const REST_MS = 120;
 
 const setLines = StateEffect.define<{ kind: "differs" | "now"; lines: number[] }>();
 
+/** Highlights the lines of the newest `setLines` effect of a kind with a class. */
 function lineMarks(kind: "differs" | "now", name: string) {
   const mark = Decoration.line({ class: name });
   return StateField.define<DecorationSet>({
@@ -87,11 +88,14 @@ function lineMarks(kind: "differs" | "now", name: string) {
 
 export class TextEditor {
   readonly view: EditorView;
+  /** What was typed and is not sent yet. */
   private pending: ChangeSet | undefined;
   private timer = 0;
-  private silent = false;
+  /** Changes are those of the page, not of the user. */
+  private isSilent = false;
   private problems: Problem[] = [];
   private differing: number[] = [];
+  /** The pieces of the server's text so far. */
   private pendingText = Text.empty;
   dirty = false;
   onDirty: (dirty: boolean) => void = () => {};
@@ -99,9 +103,9 @@ export class TextEditor {
   constructor(
     parent: HTMLElement,
     private handlers: EditorHandlers,
-    private more: import("@codemirror/state").Extension = [],
+    private extensions: import("@codemirror/state").Extension = [],
   ) {
-    // Nothing may be typed before the text has come.
+    // Read-only until the text has come.
     this.view = new EditorView({ parent, state: this.stateOf(Text.empty, true) });
     // The pane can be scrolled with the keyboard, too.
     this.view.scrollDOM.tabIndex = 0;
@@ -133,40 +137,40 @@ export class TextEditor {
           ...historyKeymap,
           ...defaultKeymap,
         ]),
-        this.more,
+        this.extensions,
         EditorView.domEventHandlers({
           mousedown: (event, view) => {
-            const at = event.ctrlKey || event.metaKey ? view.posAtCoords(event) : null;
-            if (at === null) return false;
-            this.requestDefinition(at);
+            const offset = event.ctrlKey || event.metaKey ? view.posAtCoords(event) : null;
+            if (offset === null) return false;
+            this.requestDefinition(offset);
             return true;
           },
         }),
         EditorView.updateListener.of((update) => {
-          if (update.docChanged && !this.silent) this.changed(update.changes);
+          if (update.docChanged && !this.isSilent) this.changed(update.changes);
           if (update.selectionSet || update.docChanged) {
             const line = update.state.doc.lineAt(update.state.selection.main.head).number;
-            this.handlers.cursor(line, !this.silent);
+            this.handlers.cursor(line, !this.isSilent);
           }
         }),
       ],
     });
   }
 
-  private requestDefinition(at: number): void {
-    const line = this.view.state.doc.lineAt(at);
+  private requestDefinition(offset: number): void {
+    const line = this.view.state.doc.lineAt(offset);
     this.flush();
-    this.handlers.definition(line.number, at - line.from);
+    this.handlers.definition(line.number, offset - line.from);
   }
 
   private changed(changes: ChangeSet): void {
     this.pending = this.pending ? this.pending.compose(changes) : changes;
     if (!this.dirty) this.setDirty(true);
     window.clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => this.flush(), QUIET_MS);
+    this.timer = window.setTimeout(() => this.flush(), REST_MS);
   }
 
-  /** Sends the server what was typed, now. */
+  /** Sends what was typed to the server at once. */
   flush(): void {
     window.clearTimeout(this.timer);
     if (!this.pending) return;
@@ -180,22 +184,22 @@ export class TextEditor {
     this.onDirty(dirty);
   }
 
-  /** Adds a piece of the server's text, which replaces the text of the editor once the last piece has come. */
+  /** Adds a piece of the server's text, which replaces the text of the editor when the last piece has come. */
   addText(piece: string, isFirst: boolean, isLast: boolean): void {
     this.pendingText = appendPiece(isFirst ? Text.empty : this.pendingText, piece);
     if (isLast) this.setText(this.pendingText);
-    // What was typed now would belong to neither text.
+    // Read-only meanwhile: what was typed would belong to neither text.
     else if (isFirst) this.view.setState(this.stateOf(this.view.state.doc, true));
   }
 
   private setText(doc: Text): void {
     this.pending = undefined;
     this.pendingText = Text.empty;
-    this.silent = true;
+    this.isSilent = true;
     const line = this.line;
     this.view.setState(this.stateOf(doc));
     this.view.dispatch({ selection: { anchor: doc.line(Math.min(line, doc.lines)).from } });
-    this.silent = false;
+    this.isSilent = false;
     this.setDirty(false);
     this.setProblems(this.problems);
     this.markLines("differs", this.differing);
@@ -222,10 +226,10 @@ export class TextEditor {
   }
 
   private actionsOf({ fix, other_fixes }: Problem): Diagnostic["actions"] {
-    return [fix, ...other_fixes].flatMap((one) => {
-      const place = one?.place;
-      if (!one || !place?.own) return [];
-      const { replacement, title, safe } = one;
+    return [fix, ...other_fixes].flatMap((offered) => {
+      const place = offered?.place;
+      if (!offered || !place?.own) return [];
+      const { replacement, title, safe } = offered;
       return [{
         name: plainText(safe ? title : `${title} (check the result)`),
         apply: (view: EditorView) => {
@@ -242,30 +246,31 @@ export class TextEditor {
     this.view.dispatch({ effects: setLines.of({ kind, lines }) });
   }
 
-  /** Puts the cursor on a line and shows it. */
+  /** Puts the cursor on a line and scrolls to it. */
   goTo(line: number, column = 0, focus = false): void {
     const { doc } = this.view.state;
-    const own = doc.line(Math.max(1, Math.min(doc.lines, line)));
-    const at = Math.min(own.to, own.from + column);
-    this.silent = true;
+    const { from, to } = doc.line(Math.max(1, Math.min(doc.lines, line)));
+    const offset = Math.min(to, from + column);
+    this.isSilent = true;
     this.view.dispatch({
-      selection: { anchor: at },
-      effects: EditorView.scrollIntoView(at, { y: "center" }),
+      selection: { anchor: offset },
+      effects: EditorView.scrollIntoView(offset, { y: "center" }),
     });
-    this.silent = false;
-    // Without this the pane would be empty for a frame: the lines are replaced now, and only the next
-    // frame would scroll to them.
-    this.view.coordsAtPos(at);
+    this.isSilent = false;
+    // Forces the layout: otherwise the pane would be empty for a frame, because the lines are replaced now and the scrolling
+    // follows in the next frame.
+    this.view.coordsAtPos(offset);
     if (focus) this.view.focus();
   }
 
+  /** The line of the cursor, from 1. */
   get line(): number {
     const { doc, selection } = this.view.state;
     return doc.lineAt(selection.main.head).number;
   }
 }
 
-/** A problem with everything that is known of it. */
+/** A problem with all its texts. */
 export function problemDetails(problem: Problem): HTMLElement {
   const root = element("div", "explained");
   const part = (name: string, text: string | null | undefined) => {

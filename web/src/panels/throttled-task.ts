@@ -1,6 +1,6 @@
-// A task that may run after the picture is drawn, and not for each picture: scrolling the text while the program plays.
+// A task that runs after a frame is drawn, and not after each frame: scrolling the text during playback.
 
-/** While newer tasks keep coming, the newest runs after so long at the latest, ms. */
+/** While newer tasks keep coming, the newest of them runs after this time at the latest, ms. */
 const MAX_DELAY_MS = 600;
 
 export class ThrottledTask {
@@ -10,15 +10,15 @@ export class ThrottledTask {
   private dueAt = 0;
   private doneAt = -Infinity;
 
-  /** Tasks run at most once in `everyMs`. */
-  constructor(private everyMs: number) {}
+  /** Tasks run at intervals of at least `intervalMs`. */
+  constructor(private intervalMs: number) {}
 
-  /** Runs the task after the next frame, or once no newer one has come for `quietMs`. It replaces one that waits. */
-  schedule(what: () => void, quietMs = 0): void {
+  /** Runs a task after the next frame, or once no newer one has come for `quietMs`. It replaces the one that waits. */
+  schedule(task: () => void, quietMs = 0): void {
     const now = performance.now();
     if (!this.next) this.requestedAt = now;
-    this.next = what;
-    this.dueAt = Math.max(this.doneAt + this.everyMs, Math.min(now + quietMs, this.requestedAt + MAX_DELAY_MS));
+    this.next = task;
+    this.dueAt = Math.max(this.doneAt + this.intervalMs, Math.min(now + quietMs, this.requestedAt + MAX_DELAY_MS));
     if (!this.isWaiting) this.wait();
   }
 

@@ -2,25 +2,29 @@
 
 import { type EngagementCurve, type EngagementMeasure, measureText } from "../path/engagement";
 import { type Setpoints, speedBands } from "../path/setpoints";
-import { type IconName, icon, signButton } from "./icons";
+import { type IconName, icon, iconButton } from "./icons";
 import { type Units, duration, speed } from "./units";
 
 export const PLAYBACK_RATES = [0.1, 0.25, 0.5, 1, 2, 5, 10, 50, 200];
 
 export class Timeline {
-  private points: Setpoints | undefined;
+  private setpoints: Setpoints | undefined;
   private units: Units = { inch: false };
+  /** The present time of the run, s. */
   private now = 0;
   private playing = false;
+  /** Index in `PLAYBACK_RATES`. */
   private rate = PLAYBACK_RATES.indexOf(1);
-  private before = 0;
+  /** When the last frame of the playback began, ms. */
+  private lastFrameMs = 0;
   private canvas: HTMLCanvasElement;
   private slider: HTMLInputElement;
   private clock: HTMLElement;
   private rateText: HTMLElement;
   private playButton: HTMLButtonElement;
-  private choice: HTMLSelectElement;
+  private measureSelect: HTMLSelectElement;
   private engagement: EngagementCurve | undefined;
+  /** Called when the time was changed by the user or by playback. */
   onTime: (seconds: number, playing: boolean) => void = () => {};
   onStep: (direction: 1 | -1) => void = () => {};
   onToCursor: () => void = () => {};
@@ -28,29 +32,29 @@ export class Timeline {
   constructor(root: HTMLElement) {
     const bar = document.createElement("div");
     bar.className = "transport";
-    this.playButton = signButton("play", "Play (Space)", () => this.toggle());
+    this.playButton = iconButton("play", "Play (Space)", () => this.toggle());
     this.playButton.id = "play";
     this.rateText = document.createElement("span");
     this.rateText.className = "rate";
     this.clock = document.createElement("span");
     this.clock.className = "clock";
     this.clock.id = "clock";
-    this.choice = document.createElement("select");
-    this.choice.id = "over-time";
-    this.choice.setAttribute("aria-label", "What is drawn over time");
-    this.choice.addEventListener("change", () => this.draw());
-    this.choice.hidden = true;
+    this.measureSelect = document.createElement("select");
+    this.measureSelect.id = "over-time";
+    this.measureSelect.setAttribute("aria-label", "What is drawn over time");
+    this.measureSelect.addEventListener("change", () => this.draw());
+    this.measureSelect.hidden = true;
     bar.append(
-      signButton("start", "To the start", () => this.seek(0)),
-      signButton("back", "Previous block (,)", () => this.onStep(-1)),
+      iconButton("start", "To the start", () => this.seek(0)),
+      iconButton("back", "Previous block (,)", () => this.onStep(-1)),
       this.playButton,
-      signButton("next", "Next block (.)", () => this.onStep(1)),
-      signButton("cursor", "To the line of the cursor (R)", () => this.onToCursor()),
-      signButton("minus", "Slower ([)", () => this.faster(-1)),
+      iconButton("next", "Next block (.)", () => this.onStep(1)),
+      iconButton("cursor", "To the line of the cursor (R)", () => this.onToCursor()),
+      iconButton("minus", "Slower ([)", () => this.faster(-1)),
       this.rateText,
-      signButton("plus", "Faster (])", () => this.faster(1)),
+      iconButton("plus", "Faster (])", () => this.faster(1)),
       this.clock,
-      this.choice,
+      this.measureSelect,
     );
     const plot = document.createElement("div");
     plot.className = "plot";
@@ -66,7 +70,7 @@ export class Timeline {
     this.slider.value = "0";
     this.slider.setAttribute("aria-label", "Time");
     this.slider.addEventListener("input", () => {
-      // Read before the pause shows the old time again.
+      // Read before `pause`, which sets the slider to the old time.
       const seconds = Number(this.slider.value);
       this.pause();
       this.seek(seconds);
@@ -77,6 +81,7 @@ export class Timeline {
     this.show();
   }
 
+  /** The present time of the run, s. */
   get time(): number {
     return this.now;
   }
@@ -86,47 +91,47 @@ export class Timeline {
   }
 
   clear(): void {
-    this.points = undefined;
+    this.setpoints = undefined;
     this.setEngagement(undefined);
     this.pause();
     this.draw();
     this.show();
   }
 
-  set(points: Setpoints, units: Units): void {
-    this.points = points;
+  set(setpoints: Setpoints, units: Units): void {
+    this.setpoints = setpoints;
     this.units = units;
-    this.slider.max = String(points.totalS);
-    this.now = Math.min(this.now, points.totalS);
+    this.slider.max = String(setpoints.totalS);
+    this.now = Math.min(this.now, setpoints.totalS);
     this.draw();
     this.show();
   }
 
-  /** Cutting loads, once they are known. */
+  /** Sets the cutting loads; undefined until they are known. */
   setEngagement(engagement: EngagementCurve | undefined): void {
-    const { value } = this.choice;
+    const { value } = this.measureSelect;
     this.engagement = engagement;
-    this.choice.hidden = !engagement;
-    const known = engagement?.named ?? [];
-    this.choice.replaceChildren(...[["speed", "Speed"], ...known].map(([key, text]) => new Option(text, key)));
-    this.choice.value = known.some(([measure]) => measure === value) ? value : "speed";
+    this.measureSelect.hidden = !engagement;
+    const measures = engagement?.labels ?? [];
+    this.measureSelect.replaceChildren(...[["speed", "Speed"], ...measures].map(([key, text]) => new Option(text, key)));
+    this.measureSelect.value = measures.some(([measure]) => measure === value) ? value : "speed";
     this.draw();
   }
 
   private get measure(): EngagementMeasure | undefined {
-    return this.engagement && this.choice.value !== "speed" ? (this.choice.value as EngagementMeasure) : undefined;
+    return this.engagement && this.measureSelect.value !== "speed" ? (this.measureSelect.value as EngagementMeasure) : undefined;
   }
 
   toggle(): void {
-    if (!this.points) return;
+    if (!this.setpoints) return;
     if (this.playing) {
       this.pause();
       return;
     }
-    if (this.now >= this.points.totalS) this.now = 0;
+    if (this.now >= this.setpoints.totalS) this.now = 0;
     this.playing = true;
-    this.before = performance.now();
-    requestAnimationFrame((at) => this.tick(at));
+    this.lastFrameMs = performance.now();
+    requestAnimationFrame((now) => this.tick(now));
     this.show();
   }
 
@@ -135,50 +140,53 @@ export class Timeline {
     this.show();
   }
 
+  /** Chooses another playback rate, `by` steps faster. */
   faster(by: number): void {
     this.rate = Math.min(PLAYBACK_RATES.length - 1, Math.max(0, this.rate + by));
     this.show();
   }
 
-  private tick(at: number): void {
-    if (!this.playing || !this.points) return;
-    const passed = Math.max(0, at - this.before) / 1000;
-    this.before = at;
-    const next = this.now + passed * PLAYBACK_RATES[this.rate]!;
-    if (next >= this.points.totalS) this.playing = false;
+  /** A frame of the playback, which begins at `now`, ms. */
+  private tick(now: number): void {
+    if (!this.playing || !this.setpoints) return;
+    const elapsed = Math.max(0, now - this.lastFrameMs) / 1000;
+    this.lastFrameMs = now;
+    const next = this.now + elapsed * PLAYBACK_RATES[this.rate]!;
+    if (next >= this.setpoints.totalS) this.playing = false;
     this.seek(next);
-    if (this.playing) requestAnimationFrame((then) => this.tick(then));
+    if (this.playing) requestAnimationFrame((nextFrame) => this.tick(nextFrame));
   }
 
+  /** Goes to a time of the run, and calls `onTime`. */
   seek(seconds: number): void {
-    const total = this.points?.totalS ?? 0;
+    const total = this.setpoints?.totalS ?? 0;
     this.now = Math.min(total, Math.max(0, seconds));
     this.show();
     this.onTime(this.now, this.playing);
   }
 
   /** Shows a time without calling `onTime`. */
-  put(seconds: number): void {
-    this.now = Math.min(this.points?.totalS ?? 0, Math.max(0, seconds));
+  showTime(seconds: number): void {
+    this.now = Math.min(this.setpoints?.totalS ?? 0, Math.max(0, seconds));
     this.show();
   }
 
   private show(): void {
-    const total = this.points?.totalS ?? 0;
-    this.showSign();
+    const total = this.setpoints?.totalS ?? 0;
+    this.showPlayIcon();
     this.rateText.textContent = `${PLAYBACK_RATES[this.rate]}×`;
-    this.clock.textContent = this.points ? `${duration(this.now)} / ${duration(total)}` : "planning…";
-    this.slider.disabled = !this.points;
+    this.clock.textContent = this.setpoints ? `${duration(this.now)} / ${duration(total)}` : "planning…";
+    this.slider.disabled = !this.setpoints;
     this.slider.value = String(this.now);
     this.slider.setAttribute("aria-valuetext", duration(this.now));
   }
 
-  private showSign(): void {
-    const sign: IconName = this.playing ? "pause" : "play";
+  private showPlayIcon(): void {
+    const name: IconName = this.playing ? "pause" : "play";
     const label = this.playing ? "Pause (Space)" : "Play (Space)";
     this.playButton.setAttribute("aria-label", label);
     this.playButton.title = label;
-    if (this.playButton.querySelector("svg")?.dataset.sign !== sign) this.playButton.replaceChildren(icon(sign));
+    if (this.playButton.querySelector("svg")?.dataset.sign !== name) this.playButton.replaceChildren(icon(name));
   }
 
   setMessage(text: string): void {
@@ -186,20 +194,20 @@ export class Timeline {
   }
 
   draw(): void {
-    const { canvas, points } = this;
+    const { canvas, setpoints } = this;
     const { clientWidth: width, clientHeight: height } = canvas;
     const scale = Math.min(2, window.devicePixelRatio);
     canvas.width = Math.max(1, Math.round(width * scale));
     canvas.height = Math.max(1, Math.round(height * scale));
     const context = canvas.getContext("2d");
-    if (!context || !points || width === 0 || points.totalS <= 0) return;
+    if (!context || !setpoints || width === 0 || setpoints.totalS <= 0) return;
     const style = getComputedStyle(canvas);
     const { measure } = this;
-    const bands = this.engagement?.bands(measure, points, canvas.width);
-    const [low, high] = measure && bands ? [new Float32Array(canvas.width), bands.most] : speedBands(points, canvas.width);
-    canvas.setAttribute("aria-label", `${measure ? this.choice.selectedOptions[0]?.text : "Speed"} over time`);
-    const most = high.reduce((a, b) => (b > a ? b : a), 0) || 1;
-    const y = (value: number) => canvas.height - 1 - (value / most) * (canvas.height - 16 * scale);
+    const bands = this.engagement?.bands(measure, setpoints, canvas.width);
+    const [low, high] = measure && bands ? [new Float32Array(canvas.width), bands.maxima] : speedBands(setpoints, canvas.width);
+    canvas.setAttribute("aria-label", `${measure ? this.measureSelect.selectedOptions[0]?.text : "Speed"} over time`);
+    const max = high.reduce((a, b) => (b > a ? b : a), 0) || 1;
+    const y = (value: number) => canvas.height - 1 - (value / max) * (canvas.height - 16 * scale);
     context.fillStyle = style.getPropertyValue("--plot-fill");
     context.strokeStyle = style.getPropertyValue("--plot-line");
     context.lineWidth = scale;
@@ -216,12 +224,12 @@ export class Timeline {
     context.stroke();
     context.fillStyle = style.getPropertyValue("--plot-text");
     context.font = `${11 * scale}px system-ui, sans-serif`;
-    const text = measure ? `at most ${measureText(this.units, measure, high.reduce((a, b) => Math.max(a, b), 0))}` : speed(this.units, most);
+    const text = measure ? `at most ${measureText(this.units, measure, high.reduce((a, b) => Math.max(a, b), 0))}` : speed(this.units, max);
     context.fillText(text, 4 * scale, 11 * scale);
-    // Moves that are too much, or rub: where, and how many parts of the line.
+    // Marks below the curve where a tool rubs or is overloaded.
     for (const [fault, color] of [["rubs", "--warning"], ["overload", "--error"]] as const) {
       context.fillStyle = style.getPropertyValue(color);
-      bands?.faults.forEach((own, x) => own === fault && context.fillRect(x, canvas.height - 4 * scale, Math.max(1, scale), 4 * scale));
+      bands?.faults.forEach((worst, x) => worst === fault && context.fillRect(x, canvas.height - 4 * scale, Math.max(1, scale), 4 * scale));
     }
   }
 }

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { coordinate, countText, duration, length, position, programmed, speed } from "./units";
+import { coordinate, countText, duration, length, positionText, programmed, speed } from "./units";
 
 const inch = { inch: true };
 const metric = { inch: false };
@@ -34,7 +34,7 @@ it("counts", () => {
 });
 
 it("says a dash for a coordinate that is not known", () => {
-  expect(position(metric, [10, undefined, -5])).toBe("X 10.000  Y –  Z -5.000 mm");
-  expect(position({ inch: false, has: [true, false, true] }, [10, 0, undefined])).toBe("X 10.000  Z – mm");
-  expect(position({ inch: true, factors: [2, 1, 1] }, [25.4, 0, undefined])).toBe("X 2.0000  Y 0.0000  Z – in");
+  expect(positionText(metric, [10, undefined, -5])).toBe("X 10.000  Y –  Z -5.000 mm");
+  expect(positionText({ inch: false, has: [true, false, true] }, [10, 0, undefined])).toBe("X 10.000  Z – mm");
+  expect(positionText({ inch: true, factors: [2, 1, 1] }, [25.4, 0, undefined])).toBe("X 2.0000  Y 0.0000  Z – in");
 });

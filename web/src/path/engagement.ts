@@ -1,4 +1,4 @@
-// Cutting loads over time: the maximum of each part of it, and where it is too much.
+// Cutting loads over time: their maximum in each interval of the timeline, and where a load is too high.
 
 import { type Units, length, power } from "../panels/units";
 import { type Frame, f32, u32, u8 } from "../protocol/frame";
@@ -9,58 +9,59 @@ export type EngagementMeasure = "radial" | "chip" | "power";
 const MILLING_MEASURES: [EngagementMeasure, string][] = [["radial", "Radial depth"], ["chip", "Chip"], ["power", "Power"]];
 const TURNING_MEASURES: [EngagementMeasure, string][] = [["radial", "Depth of cut"], ["chip", "Chip"], ["power", "Power"]];
 
-/** What is wrong with a move: a chip too thick or a spindle without the power, or a tool that rubs. */
+/** What is wrong with a move: overload is a chip that is too thick or too much power for the spindle, rubbing a chip that is too thin. */
 export type EngagementFault = "none" | "overload" | "rubs";
 
-/** By row of the path; zero where nothing is cut or the load is not known. */
+/** Cutting loads by row of the path; zero where nothing is cut or the load is not known. */
 export class EngagementCurve {
   private values: Record<EngagementMeasure, Float32Array>;
+  /** By row: 0 no fault, 1 rubs, 2 overload: the worst is the largest. */
   private faults: Uint8Array;
   readonly known: EngagementMeasure[];
 
-  constructor(rows: Uint32Array, by: Record<EngagementMeasure, Float32Array>, problems: Uint8Array, private isTurning = false) {
+  constructor(rows: Uint32Array, loads: Record<EngagementMeasure, Float32Array>, problems: Uint8Array, private isTurning = false) {
     const count = (rows.at(-1) ?? -1) + 1;
     const dense = (values: Float32Array) => {
-      const made = new Float32Array(count);
-      rows.forEach((row, at) => (made[row] = Math.max(0, values[at]!)));
-      return made;
+      const byRow = new Float32Array(count);
+      rows.forEach((row, index) => (byRow[row] = Math.max(0, values[index]!)));
+      return byRow;
     };
-    this.values = { radial: dense(by.radial), chip: dense(by.chip), power: dense(by.power) };
+    this.values = { radial: dense(loads.radial), chip: dense(loads.chip), power: dense(loads.power) };
     this.faults = new Uint8Array(count);
-    rows.forEach((row, at) => (this.faults[row] = problems[at] === 2 ? 1 : problems[at] ? 2 : 0));
-    this.known = MILLING_MEASURES.map(([measure]) => measure).filter((measure) => by[measure].some((value) => value > 0));
+    rows.forEach((row, index) => (this.faults[row] = problems[index] === 2 ? 1 : problems[index] ? 2 : 0));
+    this.known = MILLING_MEASURES.map(([measure]) => measure).filter((measure) => loads[measure].some((value) => value > 0));
   }
 
-  /** The measures that are known, with their names. */
-  get named(): [EngagementMeasure, string][] {
+  /** The measures that are known, with their labels. */
+  get labels(): [EngagementMeasure, string][] {
     return (this.isTurning ? TURNING_MEASURES : MILLING_MEASURES).filter(([measure]) => this.known.includes(measure));
   }
 
-  /** The maximum of a measure in each of `parts` equal parts of the time, and what is wrong there. */
-  bands(measure: EngagementMeasure | undefined, points: Setpoints, parts: number): { most: Float32Array; faults: EngagementFault[] } {
-    const most = new Float32Array(parts);
-    const faults: EngagementFault[] = new Array(parts).fill("none");
+  /** The maximum of a measure and the worst fault in each of `count` equal intervals of the time. */
+  bands(measure: EngagementMeasure | undefined, setpoints: Setpoints, count: number): { maxima: Float32Array; faults: EngagementFault[] } {
+    const maxima = new Float32Array(count);
+    const faults: EngagementFault[] = new Array(count).fill("none");
     const values = measure && this.values[measure];
-    const last = points.row.length - 1;
-    for (let part = 0; part < parts && last >= 0; part++) {
-      const at = (share: number) => Math.min(last, Math.max(0, (share * points.totalS) / points.periodS));
-      // Short moves have no setpoint of their own.
-      const from = points.row[Math.floor(at(part / parts))]!;
-      const to = Math.min(points.row[Math.ceil(at((part + 1) / parts))]!, this.faults.length - 1);
+    const last = setpoints.row.length - 1;
+    for (let interval = 0; interval < count && last >= 0; interval++) {
+      const indexAt = (fraction: number) => Math.min(last, Math.max(0, (fraction * setpoints.totalS) / setpoints.periodS));
+      // Every row between the two setpoints: short moves have no setpoint of their own.
+      const from = setpoints.row[Math.floor(indexAt(interval / count))]!;
+      const to = Math.min(setpoints.row[Math.ceil(indexAt((interval + 1) / count))]!, this.faults.length - 1);
       let worst = 0;
       for (let row = from; row <= to; row++) {
-        if (values && values[row]! > most[part]!) most[part] = values[row]!;
+        if (values && values[row]! > maxima[interval]!) maxima[interval] = values[row]!;
         if (this.faults[row]! > worst) worst = this.faults[row]!;
       }
-      faults[part] = (["none", "rubs", "overload"] as const)[worst]!;
+      faults[interval] = (["none", "rubs", "overload"] as const)[worst]!;
     }
-    return { most, faults };
+    return { maxima, faults };
   }
 }
 
 export function engagementOf(frame: Frame): EngagementCurve {
-  const by = { radial: f32(frame, "radial"), chip: f32(frame, "chip"), power: f32(frame, "power") };
-  return new EngagementCurve(u32(frame, "row"), by, u8(frame, "problem"), frame.header.turning === true);
+  const loads = { radial: f32(frame, "radial"), chip: f32(frame, "chip"), power: f32(frame, "power") };
+  return new EngagementCurve(u32(frame, "row"), loads, u8(frame, "problem"), frame.header.turning === true);
 }
 
 /** A value with its unit. */

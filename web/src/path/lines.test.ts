@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { type Batch, KNOWN_BIT } from "./batch";
-import { linesOf, nearest, someRows } from "./lines";
+import { linesOf, nearestSegment, segmentsOfRows } from "./lines";
 
 const CUT = 1 | KNOWN_BIT;
 const RAPID = 0 | KNOWN_BIT;
@@ -52,7 +52,7 @@ describe("what is drawn", () => {
       expect(y).toBeGreaterThanOrEqual(0);
     }
     expect([...cuts.points.slice(6 * (cuts.count - 2) + 3, 6 * (cuts.count - 1))]).toEqual([-1, 0, 0]);
-    expect(someRows(mixed, 1, 2, () => 0.01).length / 6).toBe(cuts.count - 1);
+    expect(segmentsOfRows(mixed, 1, 2, () => 0.01).length / 6).toBe(cuts.count - 1);
   });
 });
 
@@ -62,11 +62,11 @@ describe("the nearest line", () => {
   const two = linesOf(batch([CUT, CUT], [-1, 0, 0, 1, 0, 0, 0.5, 0.5, 7, 0.5, 1, -7]), () => 1).cuts;
 
   it("is told with how far away it is and where on it", () => {
-    expect(nearest(two, identity, 100, 100, 25, 52, 5)).toEqual({ index: 0, distance: 2, share: 0.25 });
-    expect(nearest(two, identity, 100, 100, 76, 10, 5)!.index).toBe(1);
+    expect(nearestSegment(two, identity, 100, 100, 25, 52, 5)).toEqual({ index: 0, distance: 2, fraction: 0.25 });
+    expect(nearestSegment(two, identity, 100, 100, 76, 10, 5)!.index).toBe(1);
   });
 
   it("is none beyond the reach", () => {
-    expect(nearest(two, identity, 100, 100, 20, 90, 5)).toBeUndefined();
+    expect(nearestSegment(two, identity, 100, 100, 20, 90, 5)).toBeUndefined();
   });
 });

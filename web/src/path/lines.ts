@@ -1,13 +1,13 @@
-// From rows to what a graphics card draws: pairs of points, and the row of each pair. Arcs are cut
-// as fine as the view needs; a straight path is drawn from the server's own array.
+// Line segments for the graphics card: pairs of points, and the row of each pair. Arcs are divided into chords as fine as
+// the view needs; a straight path is drawn from the array that the server sent.
 
-import { arcIndex, arcPieces, arcPoint } from "./arcs";
+import { arcIndex, arcChordCount, arcPoint } from "./arcs";
 import { type Batch, KNOWN_BIT, RAPID, kindOf } from "./batch";
 
-/** Line segments: six numbers each, relative to the origin. */
+/** Line segments: both ends, six numbers each, relative to the origin, mm. */
 export interface LineArrays {
   points: Float32Array;
-  /** The row of each, within its batch; `undefined`: each is the row of its number. */
+  /** The row of each segment, as an index in its batch; undefined where segment n is row n. */
   rows: Uint32Array | undefined;
   count: number;
 }
@@ -17,23 +17,22 @@ export interface DrawnLines {
   rapids: LineArrays;
 }
 
+/** How far the chords of an arc may be from it, mm. */
 export type ArcTolerance = (arcs: Float32Array, index: number) => number;
 
 /** Whether a row of a batch is shown. */
 export type RowFilter = (row: number) => boolean;
 
-/**
- * Cuts and rapids of a batch, those that are kept; `tolerance` says how far an arc's pieces may be
- * from it, mm.
- */
-export function linesOf(batch: Batch, tolerance: ArcTolerance, keep?: RowFilter): DrawnLines {
+/** The segments of a batch's cuts and rapids, of the rows that pass `filter`. */
+export function linesOf(batch: Batch, tolerance: ArcTolerance, filter?: RowFilter): DrawnLines {
   const { rows, kind, arcRows, arcs, points } = batch;
-  const pieces = new Uint32Array(arcRows.length);
-  const isShown = (row: number) => (kind[row]! & KNOWN_BIT) !== 0 && (!keep || keep(row));
+  const chords = new Uint32Array(arcRows.length);
+  const isShown = (row: number) => (kind[row]! & KNOWN_BIT) !== 0 && (!filter || filter(row));
+  /** Segments beyond one for each row. */
   let extra = 0;
-  for (let at = 0; at < arcRows.length; at++) {
-    pieces[at] = arcPieces(arcs, at, tolerance(arcs, at));
-    extra += pieces[at]! - 1;
+  for (let arc = 0; arc < arcRows.length; arc++) {
+    chords[arc] = arcChordCount(arcs, arc, tolerance(arcs, arc));
+    extra += chords[arc]! - 1;
   }
   const curves = batch.curves;
   for (const [row, curve] of curves ?? []) if (isShown(row)) extra += curve.length / 3 - 2;
@@ -44,17 +43,17 @@ export function linesOf(batch: Batch, tolerance: ArcTolerance, keep?: RowFilter)
     else if (kindOf(kind[row]!) === RAPID) rapids++;
   }
   if (rapids === 0 && hidden === 0 && arcRows.length === 0 && !curves?.size) {
-    return { cuts: { points, rows: undefined, count: rows }, rapids: gather(0) };
+    return { cuts: { points, rows: undefined, count: rows }, rapids: new SegmentList(0).lines() };
   }
-  const cut = new Gatherer(rows - rapids - hidden + extra);
-  const rapid = new Gatherer(rapids + extra);
+  const cut = new SegmentList(rows - rapids - hidden + extra);
+  const rapid = new SegmentList(rapids + extra);
   let arc = 0;
   for (let row = 0; row < rows; row++) {
     const isArc = arc < arcRows.length && arcRows[arc] === row;
     const curve = curves?.get(row);
     if (curve && isShown(row)) (kindOf(kind[row]!) === RAPID ? rapid : cut).curve(curve, row);
     else if (isShown(row)) {
-      if (isArc) cut.arc(batch, row, arc, pieces[arc]!);
+      if (isArc) cut.arc(batch, row, arc, chords[arc]!);
       else (kindOf(kind[row]!) === RAPID ? rapid : cut).row(points, row);
     }
     if (isArc) arc++;
@@ -62,11 +61,8 @@ export function linesOf(batch: Batch, tolerance: ArcTolerance, keep?: RowFilter)
   return { cuts: cut.lines(), rapids: rapid.lines() };
 }
 
-function gather(size: number): LineArrays {
-  return new Gatherer(size).lines();
-}
-
-class Gatherer {
+/** Segments that are added row by row, with room for `size` of them. */
+class SegmentList {
   private points: Float32Array;
   private rows: Uint32Array;
   private count = 0;
@@ -82,21 +78,21 @@ class Gatherer {
   }
 
   curve(curve: Float32Array, row: number): void {
-    for (let at = 0; at + 6 <= curve.length; at += 3) {
-      this.points.set(curve.subarray(at, at + 6), 6 * this.count);
+    for (let offset = 0; offset + 6 <= curve.length; offset += 3) {
+      this.points.set(curve.subarray(offset, offset + 6), 6 * this.count);
       this.rows[this.count++] = row;
     }
   }
 
-  arc(batch: Batch, row: number, arc: number, pieces: number): void {
+  arc(batch: Batch, row: number, arc: number, chords: number): void {
     const { points, arcs } = batch;
     let from = [points[6 * row]!, points[6 * row + 1]!, points[6 * row + 2]!];
-    for (let piece = 1; piece <= pieces; piece++) {
-      // The ends are those of the program, whatever the record of the arc comes to.
+    for (let chord = 1; chord <= chords; chord++) {
+      // The last end is that of the row, free of the rounding of the arc.
       const to =
-        piece === pieces
+        chord === chords
           ? [points[6 * row + 3]!, points[6 * row + 4]!, points[6 * row + 5]!]
-          : arcPoint(arcs, arc, piece / pieces);
+          : arcPoint(arcs, arc, chord / chords);
       this.points.set(from, 6 * this.count);
       this.points.set(to, 6 * this.count + 3);
       this.rows[this.count++] = row;
@@ -114,29 +110,29 @@ class Gatherer {
   }
 }
 
-/** The segments of some rows of a batch, for marks. */
-export function someRows(batch: Batch, from: number, to: number, tolerance: ArcTolerance): number[] {
+/** The segments of the drawn rows from `from` to `to` of a batch, both included: six numbers each. */
+export function segmentsOfRows(batch: Batch, from: number, to: number, tolerance: ArcTolerance): number[] {
   const points: number[] = [];
   for (let row = from; row <= to; row++) {
     if (!(batch.kind[row]! & KNOWN_BIT)) continue;
     const curve = batch.curves?.get(row);
     if (curve) {
-      for (let at = 0; at + 6 <= curve.length; at += 3) points.push(...curve.subarray(at, at + 6));
+      for (let offset = 0; offset + 6 <= curve.length; offset += 3) points.push(...curve.subarray(offset, offset + 6));
       continue;
     }
     const arc = arcIndex(batch, row);
     const p = batch.points;
     if (arc < 0) {
-      for (let at = 6 * row; at < 6 * row + 6; at++) points.push(p[at]!);
+      points.push(...p.subarray(6 * row, 6 * row + 6));
       continue;
     }
-    const pieces = arcPieces(batch.arcs, arc, tolerance(batch.arcs, arc));
+    const chords = arcChordCount(batch.arcs, arc, tolerance(batch.arcs, arc));
     let before = [p[6 * row]!, p[6 * row + 1]!, p[6 * row + 2]!];
-    for (let piece = 1; piece <= pieces; piece++) {
+    for (let chord = 1; chord <= chords; chord++) {
       const next =
-        piece === pieces
+        chord === chords
           ? [p[6 * row + 3]!, p[6 * row + 4]!, p[6 * row + 5]!]
-          : arcPoint(batch.arcs, arc, piece / pieces);
+          : arcPoint(batch.arcs, arc, chord / chords);
       points.push(...before, ...next);
       before = next;
     }
@@ -145,10 +141,10 @@ export function someRows(batch: Batch, from: number, to: number, tolerance: ArcT
 }
 
 /**
- * The segment nearest to a point on the screen, in pixels, no further away than `reach`; the
- * matrix (column-major) takes points to the cube from -1 to 1 without perspective.
+ * The segment nearest to a point (`x`, `y`) on a canvas of `width` times `height`, all in pixels, no further away than `reach`;
+ * undefined where there is none. `matrix` (column-major) takes points to normalized device coordinates, without perspective.
  */
-export function nearest(
+export function nearestSegment(
   lines: LineArrays,
   matrix: ArrayLike<number>,
   width: number,
@@ -156,28 +152,28 @@ export function nearest(
   x: number,
   y: number,
   reach: number,
-): { index: number; distance: number; share: number } | undefined {
+): { index: number; distance: number; fraction: number } | undefined {
   const m = matrix;
   const p = lines.points;
   // To pixels: x grows to the right, y downwards.
   const [ax, bx, cx, dx] = [m[0]!, m[4]!, m[8]!, m[12]!].map((v, i) => ((i === 3 ? v + 1 : v) * width) / 2) as [number, number, number, number];
   const [ay, by, cy, dy] = [m[1]!, m[5]!, m[9]!, m[13]!].map((v, i) => ((i === 3 ? 1 - v : -v) * height) / 2) as [number, number, number, number];
-  let best: { index: number; distance: number; share: number } | undefined;
+  let best: { index: number; distance: number; fraction: number } | undefined;
   let limit = reach * reach;
   for (let index = 0; index < lines.count; index++) {
-    const at = 6 * index;
-    const x0 = ax * p[at]! + bx * p[at + 1]! + cx * p[at + 2]! + dx - x;
-    const y0 = ay * p[at]! + by * p[at + 1]! + cy * p[at + 2]! + dy - y;
-    const ex = ax * (p[at + 3]! - p[at]!) + bx * (p[at + 4]! - p[at + 1]!) + cx * (p[at + 5]! - p[at + 2]!);
-    const ey = ay * (p[at + 3]! - p[at]!) + by * (p[at + 4]! - p[at + 1]!) + cy * (p[at + 5]! - p[at + 2]!);
+    const offset = 6 * index;
+    const x0 = ax * p[offset]! + bx * p[offset + 1]! + cx * p[offset + 2]! + dx - x;
+    const y0 = ay * p[offset]! + by * p[offset + 1]! + cy * p[offset + 2]! + dy - y;
+    const ex = ax * (p[offset + 3]! - p[offset]!) + bx * (p[offset + 4]! - p[offset + 1]!) + cx * (p[offset + 5]! - p[offset + 2]!);
+    const ey = ay * (p[offset + 3]! - p[offset]!) + by * (p[offset + 4]! - p[offset + 1]!) + cy * (p[offset + 5]! - p[offset + 2]!);
     const square = ex * ex + ey * ey;
-    const share = square > 0 ? Math.min(1, Math.max(0, -(x0 * ex + y0 * ey) / square)) : 0;
-    const ox = x0 + share * ex;
-    const oy = y0 + share * ey;
-    const distance = ox * ox + oy * oy;
-    if (distance < limit) {
-      limit = distance;
-      best = { index, distance: Math.sqrt(distance), share };
+    const fraction = square > 0 ? Math.min(1, Math.max(0, -(x0 * ex + y0 * ey) / square)) : 0;
+    const ox = x0 + fraction * ex;
+    const oy = y0 + fraction * ey;
+    const squaredDistance = ox * ox + oy * oy;
+    if (squaredDistance < limit) {
+      limit = squaredDistance;
+      best = { index, distance: Math.sqrt(squaredDistance), fraction };
     }
   }
   return best;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { arcIndex, arcPieces, arcPoint } from "./arcs";
+import { arcIndex, arcChordCount, arcPoint } from "./arcs";
 import { type Batch, KNOWN_BIT } from "./batch";
 import { Path } from "./path";
 
@@ -44,14 +44,14 @@ it("the axes that are known are those of the end where the tool is", () => {
   // From nowhere to X and Z, then along X.
   const known = Uint8Array.of(0b101_000, 0b101_101);
   path.add(batch(0, [1, 2], new Array(12).fill(0), { known, kind: Uint8Array.of(1, 1 | KNOWN_BIT) }), [0, 0, 0]);
-  expect([0, 0.5, 1].map((share) => path.knownOn(0, share))).toEqual([0, 0, 0b101]);
-  expect([0, 0.5, 1].map((share) => path.knownOn(1, share))).toEqual([0b101, 0b101, 0b101]);
+  expect([0, 0.5, 1].map((fraction) => path.knownOn(0, fraction))).toEqual([0, 0, 0b101]);
+  expect([0, 0.5, 1].map((fraction) => path.knownOn(1, fraction))).toEqual([0b101, 0b101, 0b101]);
   expect(path.knownOn(2, 0)).toBe(0);
-  expect([0, 1].map((share) => path.isPlace(1, share))).toEqual([false, false]);
+  expect([0, 1].map((fraction) => path.isDrawable(1, fraction))).toEqual([false, false]);
   // Y is never named.
   path.notNamed = 0b010;
-  expect([0, 0.5, 1].map((share) => path.isPlace(1, share))).toEqual([true, true, true]);
-  expect([0, 0.5, 1].map((share) => path.isPlace(0, share))).toEqual([false, false, true]);
+  expect([0, 0.5, 1].map((fraction) => path.isDrawable(1, fraction))).toEqual([true, true, true]);
+  expect([0, 0.5, 1].map((fraction) => path.isDrawable(0, fraction))).toEqual([false, false, true]);
 });
 
 describe("arcs", () => {
@@ -65,13 +65,13 @@ describe("arcs", () => {
 
   it("take as many pieces as the tolerance asks, and no piece is further off", () => {
     for (const tolerance of [1, 0.1, 0.01, 0.001]) {
-      const pieces = arcPieces(quarter, 0, tolerance);
+      const pieces = arcChordCount(quarter, 0, tolerance);
       const sagitta = 10 * (1 - Math.cos(Math.PI / 2 / pieces / 2));
       expect(sagitta).toBeLessThanOrEqual(tolerance);
     }
-    expect(arcPieces(quarter, 0, 0.001)).toBeGreaterThan(arcPieces(quarter, 0, 0.1));
-    expect(arcPieces(quarter, 0, 0)).toBeLessThanOrEqual(4096);
-    expect(arcPieces(new Float32Array(13), 0, 0.1)).toBe(1);
+    expect(arcChordCount(quarter, 0, 0.001)).toBeGreaterThan(arcChordCount(quarter, 0, 0.1));
+    expect(arcChordCount(quarter, 0, 0)).toBeLessThanOrEqual(4096);
+    expect(arcChordCount(new Float32Array(13), 0, 0.1)).toBe(1);
   });
 });
 

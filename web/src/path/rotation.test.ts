@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import type { RotaryAxis, ToolRotation } from "../protocol/messages";
 import { curvePoint } from "./arcs";
-import { toolDirection, unknownTurns } from "./rotation";
+import { toolDirection, unknownRotaryHint } from "./rotation";
 
 const none = (letter: string): RotaryAxis => ({ letter, turns: null });
 const near = (found: ArrayLike<number>, expected: number[]) =>
@@ -23,13 +23,13 @@ test("of a trunnion A carries C: a hole of the side face comes up by A, where C 
   near(toolDirection([A, C], [0, 0, 1], [QUARTER, 0, QUARTER]), [1, 0, 0]);
 });
 
-test("a share of a curve lies between its points", () => {
+test("a fraction of a curve lies between its points", () => {
   near(curvePoint(new Float32Array([0, 0, 0, 2, 0, 0, 2, 4, 0]), 0.75), [2, 2, 0]);
 });
 
 test("an axis of which nothing is known is reported where the program moves it", () => {
   const rotary = [none("A"), { ...none("B"), turns: "head" as const }, none("C")];
   const moved = (letter: string) => ({ letter, range: [0, 90] as [number, number] });
-  expect(unknownTurns([moved("X"), moved("A"), moved("B")], rotary)).toMatch(/^What A turns is not known/);
-  expect(unknownTurns([moved("B"), { letter: "C", range: [0, 0] }], rotary)).toBe("");
+  expect(unknownRotaryHint([moved("X"), moved("A"), moved("B")], rotary)).toMatch(/^What A turns is not known/);
+  expect(unknownRotaryHint([moved("B"), { letter: "C", range: [0, 0] }], rotary)).toBe("");
 });

@@ -1,9 +1,9 @@
-// Rotary axes in the picture: the direction of the tool on the part. Positions come from the server as they are on the part.
+// The direction of the tool relative to the part where rotary axes turn one of them. Positions come from the server relative to the part.
 
 import type { RotaryAxis, ToolRotation } from "../protocol/messages";
 import type { Vec3 } from "./batch";
 
-/** The direction of a tool on the part, from its direction on the machine and A, B and C, rad. */
+/** The direction of a tool relative to the part, from its direction on the machine and A, B and C, rad. */
 export function toolDirection(rotations: readonly ToolRotation[], direction: Vec3, angles: ArrayLike<number>): Vec3 {
   return rotations.reduce((turned, { axis, about }) => rotated(turned, about, angles[axis]!), direction);
 }
@@ -19,13 +19,13 @@ function rotated(v: Vec3, k: Vec3, angle: number): Vec3 {
   ];
 }
 
-/** The hint about rotary axes that the program moves and the machine file does not describe. */
-export function unknownTurns(axes: { letter: string; range: [number, number] }[], rotary: RotaryAxis[]): string {
-  const unknown = rotary.filter((own) => {
-    const moved = axes.find((axis) => axis.letter === own.letter);
-    return own.turns === null && moved && (moved.range[0] !== 0 || moved.range[1] !== 0);
+/** The hint about rotary axes that the program moves and the machine file does not describe; empty where there are none. */
+export function unknownRotaryHint(axes: { letter: string; range: [number, number] }[], rotary: RotaryAxis[]): string {
+  const unknown = rotary.filter(({ letter, turns }) => {
+    const moved = axes.find((axis) => axis.letter === letter);
+    return turns === null && moved && (moved.range[0] !== 0 || moved.range[1] !== 0);
   });
   if (unknown.length === 0) return "";
-  const names = unknown.map((own) => own.letter).join(", ");
+  const names = unknown.map(({ letter }) => letter).join(", ");
   return `What ${names} turns is not known: the path is drawn without rotation. Give \`rotary.${unknown[0]!.letter}.turns\` in the machine file.`;
 }

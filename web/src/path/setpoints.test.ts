@@ -4,7 +4,7 @@ import { Path } from "./path";
 import { momentAt, speedBands, stepRow, timeOfRow } from "./setpoints";
 
 const points = {
-  places: new Float32Array([0, 0, 0, 1, 0, 0, 4, 0, 0, 4, 0, 0]),
+  positions: new Float32Array([0, 0, 0, 1, 0, 0, 4, 0, 0, 4, 0, 0]),
   speed: new Float32Array([0, 60, 120, 0]),
   row: new Uint32Array([0, 0, 4, 4]),
   periodS: 0.5,
@@ -13,9 +13,9 @@ const points = {
 
 describe("playback", () => {
   it("is where the planner says, between setpoints too", () => {
-    expect(momentAt(points, 0.25)).toEqual({ at: [0.5, 0, 0], programmed: [0.5, 0, 0], turn: [0, 0, 0], speed: 30, row: 0 });
-    expect(momentAt(points, 99)).toEqual({ at: [4, 0, 0], programmed: [4, 0, 0], turn: [0, 0, 0], speed: 0, row: 4 });
-    expect(momentAt({ ...points, row: new Uint32Array(), places: new Float32Array() }, 1)).toBeUndefined();
+    expect(momentAt(points, 0.25)).toEqual({ position: [0.5, 0, 0], programmed: [0.5, 0, 0], rotaryAngles: [0, 0, 0], speed: 30, row: 0 });
+    expect(momentAt(points, 99)).toEqual({ position: [4, 0, 0], programmed: [4, 0, 0], rotaryAngles: [0, 0, 0], speed: 0, row: 4 });
+    expect(momentAt({ ...points, row: new Uint32Array(), positions: new Float32Array() }, 1)).toBeUndefined();
   });
 
   it("knows when a row begins", () => {

@@ -1,58 +1,58 @@
-// The motion in time: setpoints at an even period, as the planner makes them.
+// The planned motion: setpoints at a constant period.
 
 import type { Vec3 } from "./batch";
 import type { Path } from "./path";
 
 export interface Setpoints {
-  /** Relative to `origin`, mm: three numbers each. */
-  places: Float32Array;
-  /** The same as the program says it, where the part turns. */
+  /** Positions of the tool on the part in the frame of the run, mm: three numbers each. */
+  positions: Float32Array;
+  /** The programmed positions; undefined where no rotary axis turns the part: then they are `positions`. */
   programmed?: Float32Array | undefined;
-  /** A, B and C, rad, three numbers each, where one of them is not zero. */
-  turns?: Float32Array | undefined;
+  /** A, B and C, rad, three numbers each; undefined where all of them are zero. */
+  rotaryAngles?: Float32Array | undefined;
   /** mm/min. */
   speed: Float32Array;
-  /** The row of the path that each is on; rows never fall. */
+  /** The row of the path that each setpoint is on, ascending. */
   row: Uint32Array;
   periodS: number;
   totalS: number;
 }
 
 export interface SetpointMoment {
-  at: Vec3;
-  /** The same as the program says it. */
+  /** On the part, in the frame of the run, mm. */
+  position: Vec3;
+  /** The programmed position. */
   programmed: Vec3;
   /** A, B and C, rad. */
-  turn: Vec3;
+  rotaryAngles: Vec3;
+  /** mm/min. */
   speed: number;
   row: number;
 }
 
-/** What happens at a time; between setpoints evenly. */
-export function momentAt(points: Setpoints, seconds: number): SetpointMoment | undefined {
-  const last = points.row.length - 1;
+/** The motion at a time, interpolated linearly between setpoints; undefined where there are none. */
+export function momentAt(setpoints: Setpoints, seconds: number): SetpointMoment | undefined {
+  const last = setpoints.row.length - 1;
   if (last < 0) return undefined;
-  const exact = Math.min(last, Math.max(0, seconds / points.periodS));
+  const exact = Math.min(last, Math.max(0, seconds / setpoints.periodS));
   const index = Math.min(last, Math.floor(exact));
   const next = Math.min(last, index + 1);
-  const share = exact - index;
-  const mix = (from: number, to: number) => from + (to - from) * share;
-  const turns = points.turns;
-  const angle = (axis: number) => (turns ? mix(turns[3 * index + axis]!, turns[3 * next + axis]!) : 0);
-  const between = (places: Float32Array, axis: number) => mix(places[3 * index + axis]!, places[3 * next + axis]!);
-  const place = (places: Float32Array): Vec3 => [between(places, 0), between(places, 1), between(places, 2)];
+  const fraction = exact - index;
+  const lerp = (from: number, to: number) => from + (to - from) * fraction;
+  const component = (values: Float32Array, axis: number) => lerp(values[3 * index + axis]!, values[3 * next + axis]!);
+  const vector = (values: Float32Array): Vec3 => [component(values, 0), component(values, 1), component(values, 2)];
   return {
-    at: place(points.places),
-    programmed: place(points.programmed ?? points.places),
-    turn: [angle(0), angle(1), angle(2)],
-    speed: mix(points.speed[index]!, points.speed[next]!),
-    row: points.row[index]!,
+    position: vector(setpoints.positions),
+    programmed: vector(setpoints.programmed ?? setpoints.positions),
+    rotaryAngles: setpoints.rotaryAngles ? vector(setpoints.rotaryAngles) : [0, 0, 0],
+    speed: lerp(setpoints.speed[index]!, setpoints.speed[next]!),
+    row: setpoints.row[index]!,
   };
 }
 
-/** When a row begins: evenly between the setpoints around it. */
-export function timeOfRow(points: Setpoints, row: number): number {
-  const { row: rows, periodS, totalS } = points;
+/** When a row begins, s; rows between two setpoints begin at equal intervals. */
+export function timeOfRow(setpoints: Setpoints, row: number): number {
+  const { row: rows, periodS, totalS } = setpoints;
   let low = 0;
   let high = rows.length;
   while (low < high) {
@@ -63,13 +63,13 @@ export function timeOfRow(points: Setpoints, row: number): number {
   if (low === rows.length) return totalS;
   if (low === 0) return 0;
   const [before, after] = [rows[low - 1]!, rows[low]!];
-  const share = after > before ? (row - before) / (after - before) : 0;
-  return Math.min(totalS, (low - 1 + share) * periodS);
+  const fraction = after > before ? (row - before) / (after - before) : 0;
+  return Math.min(totalS, (low - 1 + fraction) * periodS);
 }
 
-/** When a row is done: the waits after it are not part of it. */
-export function timeAfterRow(points: Setpoints, row: number): number {
-  const { row: rows, periodS, totalS } = points;
+/** When a row is done, s; a dwell after it is not part of it. */
+export function timeAfterRow(setpoints: Setpoints, row: number): number {
+  const { row: rows, periodS, totalS } = setpoints;
   // The last setpoint on the row or before it.
   let [low, high] = [0, rows.length];
   while (low < high) {
@@ -78,69 +78,69 @@ export function timeAfterRow(points: Setpoints, row: number): number {
     else high = middle;
   }
   let last = low - 1;
-  if (last < 0 || rows[last] !== row) return timeOfRow(points, row + 1);
+  if (last < 0 || rows[last] !== row) return timeOfRow(setpoints, row + 1);
   const end = last;
-  while (last > 0 && rows[last - 1] === row && isSamePlace(points, last - 1, end)) last--;
-  return last < end || end === rows.length - 1 ? Math.min(totalS, last * periodS) : timeOfRow(points, row + 1);
+  while (last > 0 && rows[last - 1] === row && isSamePosition(setpoints, last - 1, end)) last--;
+  return last < end || end === rows.length - 1 ? Math.min(totalS, last * periodS) : timeOfRow(setpoints, row + 1);
 }
 
-function isSamePlace({ places, turns }: Setpoints, one: number, other: number): boolean {
+function isSamePosition({ positions, rotaryAngles }: Setpoints, one: number, other: number): boolean {
   const isSame = (values: Float32Array) => [0, 1, 2].every((axis) => values[3 * one + axis] === values[3 * other + axis]);
-  return isSame(places) && (!turns || isSame(turns));
+  return isSame(positions) && (!rotaryAngles || isSame(rotaryAngles));
 }
 
-/** When a share of a row is done: of its length, or of its time where it has none. */
-export function timeOnRow(points: Setpoints, row: number, share: number): number {
-  const from = timeOfRow(points, row);
-  if (share <= 0) return from;
-  const to = timeAfterRow(points, row);
-  if (share >= 1 || to <= from) return to;
-  const { periodS } = points;
+/** When a fraction of a row is done, s: of its length, or of its time where it has no length. */
+export function timeOnRow(setpoints: Setpoints, row: number, fraction: number): number {
+  const from = timeOfRow(setpoints, row);
+  if (fraction <= 0) return from;
+  const to = timeAfterRow(setpoints, row);
+  if (fraction >= 1 || to <= from) return to;
+  const { periodS } = setpoints;
   const times = [from];
   for (let index = Math.floor(from / periodS) + 1; index * periodS < to; index++) times.push(index * periodS);
   times.push(to);
-  const places = times.map((seconds) => momentAt(points, seconds)!.programmed);
-  const lengths = places.slice(1).map((place, at) =>
-    Math.hypot(...place.map((value, axis) => value - places[at]![axis]!)));
-  const whole = lengths.reduce((sum, length) => sum + length, 0);
-  if (whole === 0) return from + (to - from) * share;
-  let left = whole * share;
-  for (const [at, length] of lengths.entries()) {
-    if (left <= length) return times[at]! + (length > 0 ? left / length : 0) * (times[at + 1]! - times[at]!);
+  const positions = times.map((seconds) => momentAt(setpoints, seconds)!.programmed);
+  const lengths = positions.slice(1).map((position, index) =>
+    Math.hypot(...position.map((value, axis) => value - positions[index]![axis]!)));
+  const total = lengths.reduce((sum, length) => sum + length, 0);
+  if (total === 0) return from + (to - from) * fraction;
+  let left = total * fraction;
+  for (const [index, length] of lengths.entries()) {
+    if (left <= length) return times[index]! + (length > 0 ? left / length : 0) * (times[index + 1]! - times[index]!);
     left -= length;
   }
   return to;
 }
 
-/** The rows of the block before or after a row's own: where its line changes. */
+/** The first row of the block before or after that of a row; at an end of the path the last row in that direction. */
 export function stepRow(path: Path, row: number, direction: 1 | -1): number {
-  const own = path.lineOf(row);
-  let at = row;
-  while (at + direction >= 0 && at + direction < path.rows) {
-    at += direction;
-    const line = path.lineOf(at);
-    if (line?.line !== own?.line || line?.own !== own?.own) break;
+  const current = path.lineOf(row);
+  let next = row;
+  while (next + direction >= 0 && next + direction < path.rows) {
+    next += direction;
+    const line = path.lineOf(next);
+    if (line?.line !== current?.line || line?.own !== current?.own) break;
   }
-  if (direction === 1) return at;
-  // Back to where that block begins.
-  const target = path.lineOf(at);
-  while (at > 0 && path.lineOf(at - 1)?.line === target?.line && path.lineOf(at - 1)?.own === target?.own) at--;
-  return at;
+  if (direction === 1) return next;
+  // Back to the first row of that block.
+  const block = path.lineOf(next);
+  while (next > 0 && path.lineOf(next - 1)?.line === block?.line && path.lineOf(next - 1)?.own === block?.own) next--;
+  return next;
 }
 
-/** The largest and smallest speed in each of so many equal parts of the time. */
-export function speedBands(points: Setpoints, parts: number, from = 0, to = points.totalS): [Float32Array, Float32Array] {
-  const low = new Float32Array(parts).fill(Number.NaN);
-  const high = new Float32Array(parts).fill(Number.NaN);
-  const count = points.speed.length;
-  for (let part = 0; part < parts; part++) {
-    const edge = (share: number) => (from + (to - from) * share) / points.periodS;
-    const first = Math.max(0, Math.min(count - 1, Math.floor(edge(part / parts))));
-    const last = Math.max(first, Math.min(count - 1, Math.ceil(edge((part + 1) / parts))));
-    for (let at = first; at <= last; at++) {
-      const value = points.speed[at]!;
-      if (!(value >= low[part]!)) low[part] = value;
-      if (!(value <= high[part]!)) high[part] = value;
+/** The lowest and the highest speed, mm/min, in each of `intervals` equal intervals of the time from `from` to `to`, s; NaN where there are no setpoints. */
+export function speedBands(setpoints: Setpoints, intervals: number, from = 0, to = setpoints.totalS): [Float32Array, Float32Array] {
+  const low = new Float32Array(intervals).fill(Number.NaN);
+  const high = new Float32Array(intervals).fill(Number.NaN);
+  const count = setpoints.speed.length;
+  for (let interval = 0; interval < intervals; interval++) {
+    const indexAt = (fraction: number) => (from + (to - from) * fraction) / setpoints.periodS;
+    const first = Math.max(0, Math.min(count - 1, Math.floor(indexAt(interval / intervals))));
+    const last = Math.max(first, Math.min(count - 1, Math.ceil(indexAt((interval + 1) / intervals))));
+    for (let index = first; index <= last; index++) {
+      const value = setpoints.speed[index]!;
+      if (!(value >= low[interval]!)) low[interval] = value;
+      if (!(value <= high[interval]!)) high[interval] = value;
     }
   }
   return [low, high];

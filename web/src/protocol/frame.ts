@@ -8,32 +8,36 @@ export interface Frame {
   columns: Record<string, FrameColumn>;
 }
 
-interface Place {
+interface ColumnLocation {
   type: "u8" | "u32" | "f32" | "f64";
+  /** Bytes after the header. */
   offset: number;
+  /** Number of elements. */
   count: number;
 }
 
-const ARRAYS = {
+const ARRAY_TYPES = {
   u8: Uint8Array,
   u32: Uint32Array,
   f32: Float32Array,
   f64: Float64Array,
 } as const;
 
+/** Reads a frame: the length of the header (u32, little-endian), the header, the columns. */
 export function readFrame(buffer: ArrayBuffer): Frame {
-  const length = new DataView(buffer).getUint32(0, true);
-  const text = new TextDecoder().decode(new Uint8Array(buffer, 4, length));
-  const { columns: places, ...header } = JSON.parse(text) as Frame["header"] & {
-    columns: Record<string, Place>;
+  const headerLength = new DataView(buffer).getUint32(0, true);
+  const text = new TextDecoder().decode(new Uint8Array(buffer, 4, headerLength));
+  const { columns: locations, ...header } = JSON.parse(text) as Frame["header"] & {
+    columns: Record<string, ColumnLocation>;
   };
   const columns: Record<string, FrameColumn> = {};
-  for (const [name, { type, offset, count }] of Object.entries(places)) {
-    columns[name] = new ARRAYS[type](buffer, 4 + length + offset, count);
+  for (const [name, { type, offset, count }] of Object.entries(locations)) {
+    columns[name] = new ARRAY_TYPES[type](buffer, 4 + headerLength + offset, count);
   }
   return { header: header as Frame["header"], columns };
 }
 
+/** A column of a frame; an error where there is none of that type. */
 export function f32(frame: Frame, name: string): Float32Array {
   const column = frame.columns[name];
   if (!(column instanceof Float32Array)) throw new Error(`no column ${name} of f32`);

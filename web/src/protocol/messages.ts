@@ -1,13 +1,13 @@
-// The JSON messages between the page and what answers it, a server or a worker.
+// The JSON messages from the server or worker to the page. Lines count from 1.
 
-/** A, B or C, as the machine file has it. */
+/** A rotary axis of the machine file. */
 export interface RotaryAxis {
   letter: string;
-  /** `null`: not known. */
+  /** What it turns; null where that is not known. */
   turns: "table" | "head" | null;
 }
 
-/** A rotation by the angle of a rotary axis. */
+/** The rotation of the tool by the angle of a rotary axis. */
 export interface ToolRotation {
   /** 0, 1 and 2 for A, B and C. */
   axis: number;
@@ -17,6 +17,7 @@ export interface ToolRotation {
 
 export interface SourcePlace {
   file: string;
+  /** Whether it is in the program itself. */
   own: boolean;
   line: number;
   column: number;
@@ -28,6 +29,7 @@ export interface ProblemFix {
   title: string;
   replacement: string;
   place: SourcePlace | null;
+  /** Whether it can be applied without checking the result. */
   safe: boolean;
 }
 
@@ -44,7 +46,7 @@ export interface Problem {
   help: string | null;
   explanation: string;
   fix: ProblemFix | null;
-  /** Alternatives, the likeliest first. */
+  /** Alternatives, the most likely first. */
   other_fixes: ProblemFix[];
 }
 
@@ -61,11 +63,11 @@ export interface ToolInfo {
   /** Only for grooving blades. */
   width_mm: number | null;
   flute_length_mm: number | null;
-  /** Outline of a form tool: height over the tip and radius, from the tip up. */
+  /** Outline of a form tool: height above the tip and radius of each point, from the tip up. */
   profile_mm: [number, number][];
-  /** Only for a shank that is one cylinder. */
+  /** Only for a shank that is a single cylinder. */
   shank_diameter_mm: number | null;
-  /** Height, lower and upper diameter of each part, from the edges up. */
+  /** Height, lower and upper diameter of each section, from the cutting edges up. */
   shank_mm: [number, number, number][];
   holder_mm: [number, number, number][];
   kind: string | null;
@@ -73,18 +75,19 @@ export interface ToolInfo {
 }
 
 export interface MachineInfo {
-  /** Of a lathe: the side of the axis on which its turret stands. */
+  /** The side of the axis on which a lathe has its turret; null for a mill. */
   turret: "rear" | "front" | null;
-  /** What coordinates of X, Y and Z are multiplied by to be programmed: 2 of a diameter. */
+  /** Programmed coordinates per mm of X, Y and Z: 2 where diameters are programmed. */
   factors: [number, number, number];
-  /** Whether it has X, Y and Z: a lathe of two axes has no Y. */
+  /** Whether it has X, Y and Z: a two-axis lathe has no Y. */
   has: [boolean, boolean, boolean];
   name: string;
   title: string;
   control: string;
+  /** Limits of X, Y and Z on the machine, mm; null where they are not known. */
   travel: ([number, number] | null)[];
   rotary: RotaryAxis[];
-  /** What takes the direction of a tool on the machine to that on the part, in this order. */
+  /** Applied in this order, they take the direction of a tool on the machine to that relative to the part. */
   tool_rotations: ToolRotation[];
   tools: ToolInfo[];
 }
@@ -92,21 +95,23 @@ export interface MachineInfo {
 export interface RunReport {
   run: number;
   diagnostics: Problem[];
+  /** Problems that are not in `diagnostics`. */
   left_out: number;
   errors: number;
   warnings: number;
   notes: number;
-  /** Where the path is not known from; none where the whole run was followed. */
+  /** From where on the path is not verified; null where all of it is. */
   not_verified_from: { file: string; line: number; own: boolean } | null;
-  /** Axes that the program never names, and that are drawn at zero. */
+  /** Axes that the program never names: they are drawn at zero. */
   never_named: string[];
   /** Axes that are not known in any cut. */
   named_in_no_cut: string[];
-  /** About moves in work offsets whose zero is not known, which cannot be drawn, and what to do about it. */
+  /** Texts about moves in work offsets whose zero is not known, which cannot be drawn, with the remedy. */
   moves_left_out: string[];
   inch: boolean;
-  /** The tolerance of the segments that the control itself cuts arcs into, mm; null where it cuts none. */
+  /** The tolerance of the chords that the control itself divides arcs into, mm; null where it interpolates arcs. */
   own_chords_mm: number | null;
+  /** Texts that the program prints. */
   output: string[];
   cut_length_mm: number;
   rapid_length_mm: number;
@@ -114,6 +119,7 @@ export interface RunReport {
   axes: { letter: string; range: [number, number]; cut_range: [number, number] | null }[];
   rows: number;
   rows_left_out: number;
+  /** Zeros of work offsets, and the zero of the run on the machine, mm; null where it is not known. */
   places: {
     zeros: { name: string; at: [number, number, number] }[];
     machine: (number | null)[] | null;
@@ -122,7 +128,7 @@ export interface RunReport {
 }
 
 export interface ModalState {
-  /** The active codes, as the control numbers them. */
+  /** The active modal codes of the control. */
   codes?: string[];
   inch: boolean;
   plane: string;
@@ -156,22 +162,23 @@ export interface RunTimes {
   waits: [string, number][];
   longest: { line: number; runs: number; time_s: number; reason: string }[];
   refused: number;
-  /** How the control takes many short blocks. */
+  /** How the control handles many short blocks. */
   short_blocks: string | null;
   cuts_without_feed: number;
   assumed: number;
 }
 
-/** Where a name is defined; with the text where that is another file. */
+/** Where a name is defined; with file and text where that is another file. */
 export interface DefinitionPlace {
   line: number;
   column: number;
   file?: string;
   text?: string;
+  /** The text is only the beginning of the file. */
   cut_off?: boolean;
 }
 
-/** A program, a tool, an operation or a place of the outline. */
+/** A program, a tool, an operation or another entry of the outline. */
 export interface OutlineEntry {
   name: string;
   detail: string;
@@ -183,7 +190,7 @@ export interface OutlineEntry {
 /** What the program is compared with: nothing, the program that the command line names, or its own text on another machine. */
 export type ComparedWith = "nothing" | "named" | { machine: string | null };
 
-/** Lines of a file, from and to, both counted; file 0 is the program itself. */
+/** Lines of a file, the first and the last; file 0 is the program itself. */
 export interface BlockRange {
   file: number;
   from: number;
@@ -196,7 +203,7 @@ export interface DifferenceSide {
   steps: number;
   value: string | null;
   words: string;
-  /** It lacks what the other program has; `blocks` is then the block after which that would come. */
+  /** Whether it lacks what the other program has; `blocks` is then the block after which that would come. */
   lacks: boolean;
 }
 
@@ -204,7 +211,7 @@ export interface Difference {
   category: string;
   head: string;
   distance_mm: number | null;
-  /** A point of each path, about where their distance is largest, in the frame of the run. */
+  /** A point of each path, near the largest distance, mm in the frame of the run. */
   at_mm: [[number, number, number], [number, number, number]] | null;
   sides: [DifferenceSide, DifferenceSide];
 }
@@ -232,7 +239,7 @@ export interface ComparedProgram {
   why?: string | null;
 }
 
-/** Lines of the other program. */
+/** An extract of the other program, for a line of it. */
 export interface OtherText {
   file: string;
   line: number;
@@ -246,16 +253,16 @@ export interface MachineChoice {
   title: string;
 }
 
-/** The controls that a program may be for, where it names none for certain and they would move the tool differently. */
+/** The controls that an ambiguous program may be for, where they would move the tool differently. */
 export interface ProgramReadings {
   /** What is not known about the program, in a sentence. */
   message: string;
-  /** The first block that differs. */
+  /** The first block that differs, and its line; null where there is none. */
   line: number | null;
   block: string | null;
-  /** The likeliest, the first of which is assumed: the control, the size of what is cut, and what that block does on it. */
+  /** The most likely readings, of which the first is assumed: the control, the size of the cuts, and what that block does on it. */
   shown: { title: string; size: string | null; motion: string; machine: MachineChoice }[];
-  /** How many more readings there are that are not shown. */
+  /** How many further readings there are. */
   more: number;
 }
 
@@ -269,7 +276,7 @@ export interface HelloMessage {
   tolerance_mm: number;
 }
 
-/** What the simulation of the stock has found, with all problems of the run. */
+/** The result of the simulation of the stock, with all problems of the run. */
 export interface StockReport {
   run: number;
   verdict: "clean" | "problems" | "not-proved";
@@ -283,10 +290,11 @@ export interface StockReport {
   notes: number;
 }
 
-/** The same for a lathe, whose stock is exact. */
+/** The same for a lathe, whose simulation is exact. */
 export interface TurnedReport extends Omit<StockReport, "resolution_mm"> {
+  /** How many parts were cut off. */
   parts_off: number;
-  /** `at`: z and radius, mm. */
+  /** `at` is Z and radius, mm. */
   problems: { code: string; line: number; at: [number, number] }[];
 }
 

@@ -2,14 +2,14 @@
 
 import type { Transport } from "./connection";
 
-export function dialServer(take: (data: string | ArrayBuffer) => void, closed: () => void): Transport {
+export function dialServer(onData: (data: string | ArrayBuffer) => void, onClose: () => void): Transport {
   const address = new URL("live", location.href);
   address.protocol = "ws:";
   address.hash = "";
   const socket = new WebSocket(address);
   socket.binaryType = "arraybuffer";
-  socket.onmessage = (event: MessageEvent<string | ArrayBuffer>) => take(event.data);
-  socket.onclose = closed;
+  socket.onmessage = (event: MessageEvent<string | ArrayBuffer>) => onData(event.data);
+  socket.onclose = onClose;
   return {
     get isOpen() {
       return socket.readyState === WebSocket.OPEN;

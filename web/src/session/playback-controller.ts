@@ -1,11 +1,11 @@
-// Where the program is: line, clock, readout, tool, stock and text all show one position.
+// The playback position, shown by timeline, clock, readout, tool, stock and text.
 
 import type { layout } from "../panels/layout";
 import type { TextEditor } from "../panels/text-editor";
 import { ThrottledTask } from "../panels/throttled-task";
 import type { Timeline } from "../panels/timeline";
 import type { Vec3 } from "../path/batch";
-import { type PlaybackState, type PlaybackTarget, doneOf, playbackStateOf } from "../path/playback-state";
+import { type PlaybackState, type PlaybackTarget, rowsDoneAt, playbackStateOf } from "../path/playback-state";
 import { toolDirection } from "../path/rotation";
 import { stepRow } from "../path/setpoints";
 import type { latheStock } from "../stock/lathe-stock";
@@ -15,9 +15,9 @@ import type { PickedPoint } from "../view/picking";
 import type { ShownRun } from "./shown-run";
 import type { StatePanel } from "./state-panel";
 
-/** Scrolling the text takes as long as drawing the stock. While the program plays it is done so often at most, ms. */
+/** Shortest time between two scrolls of the text during playback, ms: a scroll costs as much as drawing the stock. */
 const TEXT_INTERVAL_MS = 100;
-/** While the time is dragged, the text follows once the slider has not moved for so long, ms. */
+/** How long the time slider must rest before the text follows, ms. */
 const TEXT_QUIET_MS = 150;
 
 export interface PlaybackParts {
@@ -26,19 +26,20 @@ export interface PlaybackParts {
   view: PathView;
   timeline: Timeline;
   editor: TextEditor;
-  stock: ReturnType<typeof millStock>;
-  lathe: ReturnType<typeof latheStock>;
+  millStock: ReturnType<typeof millStock>;
+  latheStock: ReturnType<typeof latheStock>;
   statePanel: StatePanel;
 }
 
 export class PlaybackController {
   private target: PlaybackTarget = { to: "start" };
   state: PlaybackState;
-  /** The row that is marked, and the line that the text shows, each with the number of the run. */
-  private markedRow = "";
-  private markedLine = "";
-  /** The tool whose shape is drawn. */
-  private shapedTool = "";
+  /** Run and row that are marked on the path. */
+  private markedRowKey = "";
+  /** Run and line that are marked in the text. */
+  private markedLineKey = "";
+  /** Run, tool, and rows of the path, for which the shape of the tool was made. */
+  private drawnToolKey = "";
   private textTask = new ThrottledTask(TEXT_INTERVAL_MS);
 
   constructor(private parts: PlaybackParts) {
@@ -51,44 +52,44 @@ export class PlaybackController {
     timeline.onToCursor = () => this.goToCursor();
   }
 
-  /** Another program is opened. */
+  /** Back to the start, for another program. */
   reset(): void {
     this.target = { to: "start" };
   }
 
-  /** The program runs again: rows and times are those of the run before, the line stays. */
+  /** Keeps the line for a new run; rows and times belong to the old one. */
   restart(): void {
     if (this.target.to !== "start") this.target = { to: "line", line: this.parts.editor.line };
   }
 
-  /** What was marked is marked no more. */
-  clearMarks(): void {
-    this.markedRow = this.markedLine = "";
+  /** Forgets what is marked, so that the next position is marked in any case. */
+  forgetMarks(): void {
+    this.markedRowKey = this.markedLineKey = "";
   }
 
-  /** The same position again, after more of the run has become known. */
+  /** Shows the same position again, after more of the run has become known. */
   refresh(): void {
     this.goTo(this.target);
   }
 
-  /** The cursor was put on a line: the program is where that line is done. */
+  /** Goes to the end of a line, on which the cursor was put. */
   goToLine(line: number): void {
     this.parts.timeline.pause();
     this.goTo({ to: "line", line });
   }
 
-  /** A point of the path was clicked. */
-  goToPick({ row, share }: PickedPoint): void {
+  /** Goes to a point of the path that was clicked. */
+  goToPick({ row, fraction }: PickedPoint): void {
     this.parts.timeline.pause();
-    this.clearMarks();
-    this.goTo({ to: "row", row, share, isInspection: true });
+    this.forgetMarks();
+    this.goTo({ to: "row", row, fraction, keepsPathInFull: true });
   }
 
   private step(direction: 1 | -1): void {
     const { run, timeline } = this.parts;
     if (!run.setpoints) return;
     timeline.pause();
-    this.goTo({ to: "row", row: stepRow(run.path, this.state.row, direction), share: 0 });
+    this.goTo({ to: "row", row: stepRow(run.path, this.state.row, direction), fraction: 0 });
   }
 
   private goToCursor(): void {
@@ -96,108 +97,108 @@ export class PlaybackController {
     const rows = run.path.rowsOfLine(editor.line);
     if (!run.setpoints || !rows) return;
     timeline.pause();
-    this.goTo({ to: "row", row: rows[0], share: 0 });
+    this.goTo({ to: "row", row: rows[0], fraction: 0 });
   }
 
-  private goTo(target: PlaybackTarget, isTextLate = false): void {
+  private goTo(target: PlaybackTarget, deferText = false): void {
     const { run, timeline, ui } = this.parts;
     this.target = target;
     this.state = playbackStateOf(target, run.path, run.setpoints);
-    if (this.state.seconds !== undefined) timeline.put(this.state.seconds);
+    if (this.state.seconds !== undefined) timeline.showTime(this.state.seconds);
     // Before the first move is planned there is no position to show.
     if (run.setpoints || run.path.rows > 0) ui.readout(this.state, run.axisUnits);
     this.showTool();
-    this.showDone(target);
-    this.showText(target, isTextLate);
+    this.showProgress(target);
+    this.showMarks(target, deferText);
   }
 
-  /** Draws the tool at the position; not where the position is not known. */
+  /** Draws the tool, or hides it where the position is unknown, it is switched off, or the view of a lathe draws it. */
   showTool(): void {
-    const { run, ui, view, lathe } = this.parts;
-    const { row, at, turn } = this.state;
-    const found = run.path.find(row);
-    const number = found ? found[0].tool[found[1]]! : 0;
-    this.shapeTool(number);
-    const up = toolDirection(run.machine?.tool_rotations ?? [], this.isAcross(number) ? [1, 0, 0] : [0, 0, 1], turn);
-    const position = ui.toolOn.checked && run.path.bounds ? at : undefined;
-    view.placeTool(lathe.place(number, position) ? undefined : position, up);
+    const { run, ui, view, latheStock } = this.parts;
+    const { row, rotaryAngles } = this.state;
+    const [batch, index] = run.path.find(row) ?? [];
+    const number = batch ? batch.tool[index!]! : 0;
+    this.updateToolShape(number);
+    const up = toolDirection(run.machine?.tool_rotations ?? [], this.pointsAlongX(number) ? [1, 0, 0] : [0, 0, 1], rotaryAngles);
+    const position = ui.toolOn.checked && run.path.bounds ? this.state.position : undefined;
+    view.placeTool(latheStock.placeTool(number, position) ? undefined : position, up);
   }
 
-  /** Tools of a lathe that do not cut on the axis come from the side of the turret. */
-  private isAcross(number: number): boolean {
+  /** Whether a tool points along X: a turning tool on a turret. Drills and taps point along Z. */
+  private pointsAlongX(number: number): boolean {
     const { machine } = this.parts.run;
     const shape = machine?.tools.find((tool) => tool.number === number)?.shape;
     return Boolean(machine?.turret) && (!shape || shape === "insert" || shape === "groove");
   }
 
-  private shapeTool(number: number): void {
+  private updateToolShape(number: number): void {
     const { run, view } = this.parts;
     const key = `${run.number} ${number} ${run.path.rows}`;
-    if (key === this.shapedTool) return;
-    this.shapedTool = key;
-    view.shapeTool(run.machine?.tools.find((tool) => tool.number === number));
+    if (key === this.drawnToolKey) return;
+    this.drawnToolKey = key;
+    view.setToolShape(run.machine?.tools.find((tool) => tool.number === number));
   }
 
-  /** The stock as it is when so much of the path is done and the tool is at a position. */
-  private cutStock(done: number, at: Vec3 | undefined): void {
-    this.parts.stock.goTo(done, at);
-    this.parts.lathe.goTo(done, at);
+  /** Draws the stock for the moment when `rowsDone` rows are done and the tool is at a position. */
+  private cutStock(rowsDone: number, position: Vec3 | undefined): void {
+    this.parts.millStock.goTo(rowsDone, position);
+    this.parts.latheStock.goTo(rowsDone, position);
   }
 
-  /** Shows what of the path and of the stock is done. */
-  private showDone(target: PlaybackTarget): void {
+  /** Draws the path and the stock up to the position. */
+  private showProgress(target: PlaybackTarget): void {
     const { view, run } = this.parts;
-    const done = doneOf(this.state);
-    const { seconds, at } = this.state;
+    const rowsDone = rowsDoneAt(this.state);
+    const { seconds, position } = this.state;
     const total = run.setpoints?.totalS ?? 0;
     switch (target.to) {
-      // At first the stock is shown as it is at the end.
+      // The whole path is drawn, and the stock stays as it is after the run.
       case "start":
         return view.showDone(Infinity);
       case "line":
         view.showDone(Infinity);
-        return this.cutStock(done, undefined);
+        return this.cutStock(rowsDone, undefined);
       default: {
-        // At both ends all of the path has one state: it is drawn in full.
-        const isWithin = seconds !== undefined && seconds > 0 && seconds < total && !(target.to === "row" && target.isInspection);
-        view.showDone(isWithin ? done : Infinity);
-        if (seconds === undefined || seconds < total) this.cutStock(seconds === 0 ? 0 : done, at);
+        // At time 0 and at the end nothing is drawn pale.
+        const isWithin = seconds !== undefined && seconds > 0 && seconds < total && !(target.to === "row" && target.keepsPathInFull);
+        view.showDone(isWithin ? rowsDone : Infinity);
+        if (seconds === undefined || seconds < total) this.cutStock(seconds === 0 ? 0 : rowsDone, position);
         else this.cutStock(Infinity, undefined);
       }
     }
   }
 
-  /** Marks the path and the line at the position, and shows what is active there. */
-  private showText(target: PlaybackTarget, isTextLate: boolean): void {
-    if (target.to === "row" || target.to === "time") return this.showRow(this.state.row, isTextLate);
+  /** Marks the row and the line of the position, and shows the modal state there. */
+  private showMarks(target: PlaybackTarget, deferText: boolean): void {
+    if (target.to === "row" || target.to === "time") return this.markRow(this.state.row, deferText);
     const { view, run, editor, statePanel } = this.parts;
     this.textTask.cancel();
-    this.clearMarks();
+    this.forgetMarks();
     const line = target.to === "line" ? target.line : editor.line;
     view.markRows(run.path.rowsOfLine(line));
     editor.markLines("now", target.to === "line" ? [line] : []);
-    statePanel.show(target.to === "line" ? doneOf(this.state) : 0, line);
+    statePanel.show(target.to === "line" ? rowsDoneAt(this.state) : 0, line);
   }
 
-  /** Marks a row and its line; the text at once, or soon after the picture. */
-  private showRow(row: number, isTextLate: boolean): void {
+  /** Marks a row and its line; with `deferText` the editor follows later. */
+  private markRow(row: number, deferText: boolean): void {
     const { run, view, timeline } = this.parts;
     const line = run.path.lineOf(row);
     const key = `${run.number} ${row}`;
-    if (!line || key === this.markedRow) return;
-    this.markedRow = key;
+    if (!line || key === this.markedRowKey) return;
+    this.markedRowKey = key;
     view.markRows([row, row]);
     const { number } = run;
-    if (isTextLate) return this.textTask.schedule(() => number === run.number && this.showLine(row, line), timeline.isPlaying ? 0 : TEXT_QUIET_MS);
+    if (deferText) return this.textTask.schedule(() => number === run.number && this.markLine(row, line), timeline.isPlaying ? 0 : TEXT_QUIET_MS);
     this.textTask.cancel();
-    this.showLine(row, line);
+    this.markLine(row, line);
   }
 
-  private showLine(row: number, { line, own }: { line: number; own: boolean }): void {
+  private markLine(row: number, { line, own }: { line: number; own: boolean }): void {
     const { run, editor, statePanel } = this.parts;
     const key = `${run.number} ${line}`;
-    if (own && key !== this.markedLine) {
-      this.markedLine = key;
+    if (own && key !== this.markedLineKey) {
+      this.markedLineKey = key;
       editor.markLines("now", [line]);
       editor.goTo(line);
     }

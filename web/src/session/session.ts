@@ -1,4 +1,4 @@
-// A session of the page with what answers it, a server or a worker: messages go to the parts of the page that show them.
+// A session of the page with a server or a worker: its messages go to the parts of the page that show them.
 
 import "../style.css";
 import { compareSession } from "../compare/compare-session";
@@ -11,12 +11,12 @@ import { OtherFileView } from "../panels/other-file-view";
 import { ProblemPanel } from "../panels/problems";
 import { leftOutText, notNamedText, notVerified, showOutline, showTimes } from "../panels/program-panels";
 import { readingsPanel } from "../panels/readings";
-import { refreshWords, syntaxHints } from "../panels/syntax-hints";
+import { refreshTokens, syntaxHints } from "../panels/syntax-hints";
 import { TextEditor } from "../panels/text-editor";
 import { Timeline } from "../panels/timeline";
-import { type Vec3, axisBits, batchOf } from "../path/batch";
+import { type Vec3, AXIS_BITS, batchOf } from "../path/batch";
 import { engagementOf } from "../path/engagement";
-import { unknownTurns } from "../path/rotation";
+import { unknownRotaryHint } from "../path/rotation";
 import { Connection } from "../protocol/connection";
 import { type Frame, f32, u8 } from "../protocol/frame";
 import type { RunReport, ServerMessage } from "../protocol/messages";
@@ -30,7 +30,7 @@ import { PlaybackController } from "./playback-controller";
 import { type Refusal, ShownRun } from "./shown-run";
 import { StatePanel } from "./state-panel";
 
-/** How far the pointer may move between press and release for a click, pixels. */
+/** How far the pointer may move between press and release of a click, pixels. */
 const CLICK_PIXELS = 3;
 
 type StockDiagnostics = Pick<RunReport, "diagnostics" | "left_out" | "errors" | "warnings" | "notes">;
@@ -52,16 +52,16 @@ export class Session {
   private problems: ProblemPanel;
   private readings: ReturnType<typeof readingsPanel>;
   private compare: ReturnType<typeof compareSession>;
-  private stock: ReturnType<typeof millStock>;
-  private lathe: ReturnType<typeof latheStock>;
+  private millStock: ReturnType<typeof millStock>;
+  private latheStock: ReturnType<typeof latheStock>;
   private measure: ReturnType<typeof measureTool>;
   private statePanel: StatePanel;
   private playback: PlaybackController;
   private colorBy: ColorBy = "tool";
-  /** The first batch of a run replaces the path before; until it comes that path stays. */
+  /** Whether the path is that of the present run; the one before stays until the first batch comes. */
   private isPathShown = false;
 
-  /** Builds the page into `root`; `host` says how it reaches what answers it. */
+  /** Builds the page into `root`; `host` connects it to its server or worker. */
   constructor(root: HTMLElement, private host: PageHost) {
     this.ui = layout(root);
     const { ui, run } = this;
@@ -92,12 +92,13 @@ export class Session {
       openPanel: () => ui.show("compare"),
     });
     const report = (diagnostics: StockDiagnostics) => this.addStockDiagnostics(diagnostics);
-    this.lathe = latheStock({ view, connection, run, report });
-    this.stock = millStock({ view, connection, run, report, notify: ui.notify });
-    ui.stockSlot.append(this.stock.root, this.lathe.root);
+    this.latheStock = latheStock({ view, connection, run, report });
+    this.millStock = millStock({ view, connection, run, report, notify: ui.notify });
+    ui.stockSlot.append(this.millStock.root, this.latheStock.root);
     this.statePanel = new StatePanel(run, connection, ui);
-    const { stock, lathe, statePanel } = this;
-    this.playback = new PlaybackController({ run, ui, view, timeline, editor, stock, lathe, statePanel });
+    this.playback = new PlaybackController({
+      run, ui, view, timeline, editor, millStock: this.millStock, latheStock: this.latheStock, statePanel: this.statePanel,
+    });
     this.measure = measureTool({ view, canvas: ui.canvas, button: ui.measure, run, setMessage: ui.measured });
     this.listen();
     host.addControls?.({ ui, editor, connection, cursorAt: (line) => this.followCursor(line) });
@@ -138,7 +139,7 @@ export class Session {
     });
   }
 
-  /** What the controls of the page do. */
+  /** Connects the controls of the page. */
   private listen(): void {
     const { ui, view, editor, connection, timeline, readings } = this;
     editor.onDirty = (dirty) => ui.setDirty(dirty);
@@ -202,13 +203,13 @@ export class Session {
     this.playback.goToPick(picked);
   }
 
-  /** An editor around the page may move its cursor because of what is played: that is not a request to go there. */
+  /** Goes to the line of the cursor of an editor around the page, unless the program plays: then the cursor follows it. */
   private followCursor(line: number): void {
     if (!this.timeline.isPlaying) this.playback.goToLine(line);
   }
 
   private take(message: ServerMessage): void {
-    if (this.compare.take(message) || this.stock.take(message) || this.lathe.take(message)) return;
+    if (this.compare.take(message) || this.millStock.take(message) || this.latheStock.take(message)) return;
     const { ui, run, editor } = this;
     switch (message.type) {
       case "hello":
@@ -292,7 +293,7 @@ export class Session {
     const { run, ui } = this;
     run.begin(message.run, message.machine);
     this.view.setLathe(message.machine.turret ?? undefined);
-    refreshWords(this.editor.view);
+    refreshTokens(this.editor.view);
     ui.machineWhy(message.machine.title, message.why);
     this.readings.programRun(run.programName, message.readings);
     this.isPathShown = false;
@@ -302,24 +303,25 @@ export class Session {
     this.compare.began();
   }
 
+  /** Replaces the path of the run before by that of the present one, once. */
   private showPath(): void {
     if (this.isPathShown) return;
     this.isPathShown = true;
     this.view.begin(this.run.path);
     this.view.showDone(Infinity);
-    this.playback.clearMarks();
+    this.playback.forgetMarks();
     this.measure.set(false);
     this.timeline.clear();
-    this.stock.began();
-    this.lathe.began();
+    this.millStock.began();
+    this.latheStock.began();
   }
 
   private takeFrame(frame: Frame): void {
     const { header } = frame;
     const { run, ui, view } = this;
-    if (this.stock.takeFrame(frame)) return;
+    if (this.millStock.takeFrame(frame)) return;
     // The tool is drawn with the half sections from now on.
-    if (this.lathe.takeFrame(frame)) return this.playback.showTool();
+    if (this.latheStock.takeFrame(frame)) return this.playback.showTool();
     const isOfRun = header.run === run.number;
     switch (header.type) {
       case "engagement":
@@ -388,7 +390,7 @@ export class Session {
     this.showPath();
     run.report = report;
     const notNamed = [...report.never_named, ...report.named_in_no_cut];
-    path.notNamed = axisBits.reduce((bits, bit, axis) => bits | (notNamed.includes("XYZ"[axis]!) ? bit : 0), 0);
+    path.notNamed = AXIS_BITS.reduce((bits, bit, axis) => bits | (notNamed.includes("XYZ"[axis]!) ? bit : 0), 0);
     ui.progress(1);
     void view.finish();
     const { zeros, machine: at } = report.places;
@@ -396,10 +398,10 @@ export class Session {
     this.showTravel();
     ui.offerPower(path.minPower < path.maxPower);
     this.showColors();
-    const depths = path.bounds ? [path.bounds.low[2], path.bounds.high[2]] : [0, 0];
-    ui.section.offer(path.tools, depths.map((z) => z! + path.origin[2]) as [number, number], { inch: report.inch });
+    const heights = path.bounds ? [path.bounds.low[2], path.bounds.high[2]] : [0, 0];
+    ui.section.offer(path.tools, heights.map((z) => z! + path.origin[2]) as [number, number], { inch: report.inch });
     ui.empty(path.bounds ? "" : this.emptyText(report));
-    ui.turns([notNamedText(report), leftOutText(report), unknownTurns(report.axes, run.machine?.rotary ?? [])].filter(Boolean).join(" "));
+    ui.setAxisHint([notNamedText(report), leftOutText(report), unknownRotaryHint(report.axes, run.machine?.rotary ?? [])].filter(Boolean).join(" "));
     ui.unverified(notVerified(report));
     this.editor.setProblems(report.diagnostics);
     this.showProblems();
@@ -419,7 +421,7 @@ export class Session {
     this.showProblems();
   }
 
-  /** Which colour is which tool, and that of the first for the whole path. */
+  /** Shows the legend of the colours, and sets the colour of the own path in the comparison. */
   private showColors(): void {
     const { report, path, machine } = this.run;
     if (report) this.ui.legend(this.colorBy, path, report, machine, palette());
@@ -432,7 +434,7 @@ export class Session {
     return "The program does not move any axis.";
   }
 
-  /** Shows the box of the machine where it is switched on, or says why it cannot be shown. */
+  /** Shows the travel box of the machine where it is switched on, or why it cannot be shown. */
   private showTravel(): void {
     const { checked } = this.ui.travel;
     const { report, machine } = this.run;
@@ -446,7 +448,7 @@ export class Session {
     this.problems.show(report, refusal);
   }
 
-  /** The outline is read when its panel is open. */
+  /** Shows the outline where its panel is open. */
   private async showOutline(): Promise<void> {
     if (this.ui.shown() !== "outline") return;
     const answer = await this.connection.query("outline");
@@ -487,12 +489,12 @@ export class Session {
     this.connection.send("chords", { tolerance_mm: mm, balanced: ui.balanced.checked, as_control: ui.ownChords() });
   }
 
-  /** What the browser's tests and the measurements look at. */
+  /** For the tests and the measurements in the browser. */
   private exposeForTests(): void {
-    const { run, view, editor, timeline, compare, stock, lathe, playback } = this;
+    const { run, view, editor, timeline, compare, playback } = this;
     Object.assign(window, {
       chordal: {
-        view, editor, timeline, compare: compare.shown, stock, lathe,
+        view, editor, timeline, compare: compare.shown, stock: this.millStock, lathe: this.latheStock,
         path: () => run.path,
         report: () => run.report,
         setpoints: () => run.setpoints,

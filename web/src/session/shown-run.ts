@@ -1,4 +1,4 @@
-// The run of the program that the page shows: what has come of it so far.
+// The run of the program that the page shows: what the server has sent of it so far.
 
 import type { Units } from "../panels/units";
 import { Path } from "../path/path";
@@ -13,7 +13,7 @@ export interface Refusal {
 }
 
 export class ShownRun {
-  /** Counted by the server, from 0 for each program; a message about another number is out of date. */
+  /** Numbered by the server, from 0 for each program; a message with another number is out of date. */
   number = 0;
   /** The path of the program's file. */
   programName = "";
@@ -22,12 +22,12 @@ export class ShownRun {
   report: RunReport | undefined;
   refusal: Refusal | undefined;
   times: RunTimes | undefined;
-  /** Why there are no times. */
+  /** Why there are no times; undefined where there are, or while they are computed. */
   timesMessage: string | undefined;
-  /** The planned motion; undefined while it is planned, and where it cannot be. */
+  /** The planned motion; undefined until it is planned, and where it cannot be. */
   setpoints: Setpoints | undefined;
 
-  /** Another program is opened: its runs are counted again. */
+  /** Begins with another program, whose runs are numbered from 0. */
   open(programName: string): void {
     this.programName = programName;
     this.number = 0;
@@ -49,7 +49,7 @@ export class ShownRun {
     return { inch: this.report?.inch ?? false };
   }
 
-  /** Units of coordinates: with the axes that the machine has, and which of them are diameters. */
+  /** Units of coordinates, with the axes that the machine has, and which of them are diameters. */
   get axisUnits(): Units {
     const { machine } = this;
     return { ...this.units, ...(machine && { factors: machine.factors, has: machine.has }) };
@@ -58,9 +58,9 @@ export class ShownRun {
   takeSetpoints(frame: Frame): Setpoints {
     const optional = (name: string) => (name in frame.columns ? f32(frame, name) : undefined);
     this.setpoints = {
-      places: f32(frame, "places"),
+      positions: f32(frame, "places"),
       programmed: optional("programmed"),
-      turns: optional("turns"),
+      rotaryAngles: optional("turns"),
       speed: f32(frame, "speed"),
       row: u32(frame, "row"),
       periodS: Number(frame.header.period_s),

@@ -1,4 +1,4 @@
-// The panel that says what is active where the program is.
+// The panel of the modal state at the playback position.
 
 import type { layout } from "../panels/layout";
 import { showState } from "../panels/program-panels";
@@ -7,15 +7,16 @@ import { playbackStateOf } from "../path/playback-state";
 import type { Connection } from "../protocol/connection";
 import type { ShownRun } from "./shown-run";
 
-/** A position: how many rows are done, after which line; `subprogramLine` is that of a subprogram in another file. */
 interface StateQuery {
+  /** Rows of the path. */
   done: number;
   line: number;
+  /** Where the position is in a subprogram of another file, the line there. */
   subprogramLine: number | undefined;
 }
 
 export class StatePanel {
-  /** One question at a time: of those that come meanwhile only the last is sent. */
+  /** One query at a time; of those that come meanwhile only the last is sent. */
   private isWaiting = false;
   private next: StateQuery | undefined;
   private current: StateQuery = { done: 0, line: 1, subprogramLine: undefined };
@@ -26,12 +27,12 @@ export class StatePanel {
     private ui: ReturnType<typeof layout>,
   ) {}
 
-  /** Another program is opened: no answer about the one before will come. */
+  /** Stops waiting: no answer about the program before will come. */
   reset(): void {
     this.isWaiting = false;
   }
 
-  /** Shows what is active there, once the panel is visible. */
+  /** Shows the modal state after `done` rows, at once or when the panel is opened. */
   show(done: number, line: number, subprogramLine?: number): void {
     this.current = { done, line, subprogramLine };
     this.refresh();
@@ -56,10 +57,9 @@ export class StatePanel {
     const { path, machine } = this.run;
     const { done, line, subprogramLine } = query;
     const last = done > 0 ? path.find(done - 1) : undefined;
-    const end = last && playbackStateOf({ to: "row", row: done - 1, share: 1 }, path, undefined);
-    const at = end && { place: end.coordinates, turn: end.turn };
+    const end = last && playbackStateOf({ to: "row", row: done - 1, fraction: 1 }, path, undefined);
     const moves = subprogramLine !== undefined || path.rowsOfLine(line) !== undefined;
     const kind = last && moves ? kindOf(last[0].kind[last[1]]!) : undefined;
-    showState(this.ui.panels.state, answer.state ?? undefined, at, { line, kind, inSubprogram: subprogramLine }, machine);
+    showState(this.ui.panels.state, answer.state ?? undefined, end, { line, kind, inSubprogram: subprogramLine }, machine);
   }
 }

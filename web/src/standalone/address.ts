@@ -1,32 +1,32 @@
-// Programs that the address of the page names: `?program=https://…`, fetched by the browser.
+// Programs that are named in the address of the page, `?program=https://…`, and fetched by the browser.
 
 import { MAX_PROGRAM_BYTES, nameOf, sizeComplaint } from "./opened-files";
 
 export interface AddressRequest {
   program: URL;
-  /** What lies next to it. */
+  /** Files of its folder: subprograms, machine and setup. */
   files: URL[];
-  /** The program that it is compared with. */
+  /** The program to compare it with. */
   against: URL | undefined;
   /** A built-in machine, or the name of one of the files. */
   machine: string | undefined;
 }
 
-/** What the address asks for; nothing where it names no program, an error where it names none that can be loaded. */
+/** The request in the query of an address; undefined where it names no program. Throws where an address is not of http or https. */
 export function addressRequest(search: string, base: string): AddressRequest | undefined {
-  const words = new URLSearchParams(search);
-  const program = words.get("program");
+  const parameters = new URLSearchParams(search);
+  const program = parameters.get("program");
   if (!program) return undefined;
-  const against = words.get("against");
+  const against = parameters.get("against");
   return {
     program: addressOf(program, base),
-    files: words.getAll("file").map((file) => addressOf(file, base)),
+    files: parameters.getAll("file").map((file) => addressOf(file, base)),
     against: against ? addressOf(against, base) : undefined,
-    machine: words.get("machine") ?? undefined,
+    machine: parameters.get("machine") ?? undefined,
   };
 }
 
-/** The address of the page with a program in it. */
+/** The query that makes the page load a program. */
 export function programQuery(program: string): string {
   return `?${new URLSearchParams({ program })}`;
 }
@@ -49,38 +49,39 @@ export function fileOf(url: URL): string {
 
 const SAVE_HINT = "Save the file, and open it here.";
 
-/** Loads a file; an error with a sentence for people where that cannot be. */
+/** Loads a file; throws an error with a message for the user. */
 export async function fetchFile(url: URL): Promise<ArrayBuffer> {
   const name = fileOf(url);
-  if (location.protocol === "https:" && url.protocol === "http:" && !isOwn(url)) {
+  if (location.protocol === "https:" && url.protocol === "http:" && !isLocal(url)) {
     throw new Error(`${name} cannot be loaded: its address begins with http://, and a page of https:// must not load it. ${SAVE_HINT}`);
   }
   const response = await fetch(url).catch(async () => {
-    throw new Error(await whyNot(url, name));
+    throw new Error(await fetchFailure(url, name));
   });
   const { status, statusText } = response;
   if (!response.ok) throw new Error(`${name} cannot be loaded: ${url.host} answers ${`${status} ${statusText}`.trim()}.`);
   if (response.headers.get("content-type")?.startsWith("text/html")) {
     throw new Error(`${name} cannot be loaded: there is a page at ${url.host}, not a program. Give the address of the file itself.`);
   }
-  return read(response, name).catch((error: unknown) => {
-    if (error instanceof TooLarge) throw error;
+  return readBody(response, name).catch((error: unknown) => {
+    if (error instanceof TooLargeError) throw error;
     throw new Error(`${name} cannot be loaded: the connection to ${url.host} ended too early.`);
   });
 }
 
-function isOwn({ hostname }: URL): boolean {
+function isLocal({ hostname }: URL): boolean {
   return hostname === "localhost" || hostname === "127.0.0.1" || hostname === "[::1]";
 }
 
-class TooLarge extends Error {}
+class TooLargeError extends Error {}
 
-async function read(response: Response, name: string): Promise<ArrayBuffer> {
-  const refuse = (bytes: number) => {
+/** Reads the body; throws where it is too large. */
+async function readBody(response: Response, name: string): Promise<ArrayBuffer> {
+  const checkSize = (bytes: number) => {
     const complaint = sizeComplaint(name, bytes);
-    if (complaint) throw new TooLarge(complaint);
+    if (complaint) throw new TooLargeError(complaint);
   };
-  refuse(Number(response.headers.get("content-length") ?? 0));
+  checkSize(Number(response.headers.get("content-length") ?? 0));
   const parts: Uint8Array<ArrayBuffer>[] = [];
   let bytes = 0;
   const reader = response.body?.getReader();
@@ -88,20 +89,20 @@ async function read(response: Response, name: string): Promise<ArrayBuffer> {
     const { done, value } = (await reader?.read()) ?? { done: true, value: undefined };
     if (done || !value) break;
     bytes += value.length;
-    // What comes is counted: a server need not say how much there is, or may say less.
+    // Counted as it comes: the server may omit the content length, or state a smaller one.
     if (bytes > MAX_PROGRAM_BYTES) await reader?.cancel();
-    refuse(bytes);
+    checkSize(bytes);
     parts.push(value);
   }
   return new Blob(parts).arrayBuffer();
 }
 
-/** A browser does not say why it could not load a file; a second request shows whether the server answers at all. */
-async function whyNot(url: URL, name: string): Promise<string> {
-  const end = new AbortController();
-  const isThere = await fetch(url, { mode: "no-cors", signal: end.signal }).then(() => true, () => false);
-  end.abort();
-  return isThere
+/** Why a file could not be loaded. The browser does not tell; a second request, without CORS, shows whether the server answers. */
+async function fetchFailure(url: URL, name: string): Promise<string> {
+  const abort = new AbortController();
+  const answers = await fetch(url, { mode: "no-cors", signal: abort.signal }).then(() => true, () => false);
+  abort.abort();
+  return answers
     ? `${name} cannot be loaded: ${url.host} does not allow other pages to read it (CORS). ${SAVE_HINT}`
     : `${name} cannot be loaded: ${url.host} does not answer, or sends the browser to another address. ${SAVE_HINT}`;
 }

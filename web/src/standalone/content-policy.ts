@@ -1,7 +1,7 @@
-// What the page may load from other servers: only what its own address names.
+// The Content-Security-Policy of connections: the page may load only from its own origin and those named in its address.
 //
-// The rules in the head allow any address, and whatever is added here narrows them: a page can make its rules
-// stricter, not weaker. So this comes before everything else.
+// The policy in the head allows any address; this one, added to it, can only restrict it further. It does not apply to earlier
+// requests, so this module is imported before all others.
 
 import { addressRequest } from "./address";
 
@@ -10,7 +10,7 @@ try {
   const { program, files, against } = addressRequest(location.search, document.baseURI) ?? { files: [] };
   for (const url of [program, ...files, against]) if (url) origins.add(url.origin);
 } catch {
-  // What is wrong with the address is said once the page is there.
+  // The error of the address is reported when the page is ready.
 }
 const rules = document.createElement("meta");
 rules.httpEquiv = "Content-Security-Policy";

@@ -1,4 +1,4 @@
-// The interpreter as WebAssembly, in a worker: messages into its memory, answers and columns out of it.
+// The view as a WebAssembly module, in a worker: messages are written to its memory, answers and columns read from it.
 // See crates/chordal-page/src/interface.rs.
 
 import { Module, messageOf } from "../../../npm/src/memory";
@@ -16,32 +16,33 @@ interface EngineExports {
   page_panic(): void;
 }
 
-/** The kinds of work that take long, as `interface.rs` numbers them. */
+/** The kinds of long work, numbered as in `interface.rs`. */
 export const RUN = 0;
 export const PLAN = 1;
 export const COMPARE = 2;
 export const CUT = 3;
 export type WorkKind = typeof RUN | typeof PLAN | typeof COMPARE | typeof CUT;
 
-/** Is called while the module works. */
+/** Calls from the module. */
 export interface EngineEvents {
-  /** An answer, or columns; `later`: the first picture need not wait for them. */
-  send(data: string | ArrayBuffer, later: boolean): void;
+  /** Sends an answer or columns to the page; the first picture need not wait for what is `deferrable`. */
+  send(data: string | ArrayBuffer, deferrable: boolean): void;
+  /** Requests that work of a kind for this run be dispatched. */
   want(kind: WorkKind, number: number): void;
 }
 
-/** A program and what lies next to it. */
+/** A program with the files of its folder. */
 export interface OpenedProgram {
   name: string;
   program: ArrayBuffer;
   files: ProgramFile[];
   /** The machine that it runs on unless another one is chosen: a name, or the path of one of the files. */
   machine?: string;
-  /** The program that it is compared with. */
+  /** The program to compare it with. */
   against?: OtherProgram;
 }
 
-/** Another program, with the same files next to it. */
+/** Another program, in the same folder. */
 export interface OtherProgram {
   name: string;
   program: ArrayBuffer;
@@ -53,7 +54,7 @@ export interface ProgramFile {
   bytes: ArrayBuffer;
 }
 
-/** What a view needs to work for another one. */
+/** What the module of another worker needs to carry out a piece of work. */
 export interface WorkOrder {
   order: ArrayBuffer;
   text: ArrayBuffer;
@@ -71,9 +72,9 @@ function openMessage({ name, program, files, machine, against }: OpenRequest): U
     machine: machine ?? null,
     compared: against ? { name: against.name, bytes: against.program.byteLength, machine: against.machine ?? null } : null,
   };
-  // The program comes last: it keeps the memory of the message.
-  const rest = [...files.map(({ bytes }) => bytes), against?.program, program].filter((bytes) => bytes !== undefined);
-  return messageOf(JSON.stringify(head), rest.map((bytes) => new Uint8Array(bytes)));
+  // The program comes last: the module keeps using this part of the message.
+  const contents = [...files.map(({ bytes }) => bytes), against?.program, program].filter((bytes) => bytes !== undefined);
+  return messageOf(JSON.stringify(head), contents.map((bytes) => new Uint8Array(bytes)));
 }
 
 export class Engine {
@@ -81,66 +82,66 @@ export class Engine {
 
   static async start(compiled: WebAssembly.Module, events: EngineEvents): Promise<Engine> {
     const decoder = new TextDecoder();
-    const module = await Module.start<EngineExports>(compiled, (at) => ({
+    const module = await Module.start<EngineExports>(compiled, (bytesAt) => ({
       send: (kind, pointer, length) => {
-        const bytes = at(pointer!, length!);
-        // The one copy: what lies in the module is gone when this returns.
+        const bytes = bytesAt(pointer!, length!);
+        // Copied, because the memory of the module is reused when this returns.
         events.send(kind === 0 ? decoder.decode(bytes) : (bytes.slice().buffer as ArrayBuffer), kind === 2);
       },
       want: (kind, number) => events.want(kind as WorkKind, number!),
     }));
-    module.call([], (own) => own.page_prepare());
+    module.call([], (wasm) => wasm.page_prepare());
     return new Engine(module);
   }
 
-  /** Begins the view of a page; whether its text can be sent. */
+  /** Opens a program for the page; returns whether its text can be sent. */
   open(opened: OpenedProgram): boolean {
-    return this.module.call(openMessage(opened), (own) => own.page_open() === 1);
+    return this.module.call(openMessage(opened), (wasm) => wasm.page_open() === 1);
   }
 
-  /** Sends the page the text. */
+  /** Sends the text of the program to the page. */
   text(): void {
-    this.module.call([], (own) => own.page_text());
+    this.module.call([], (wasm) => wasm.page_text());
   }
 
-  /** Other files lie next to the program now, or it is compared with another one. */
-  files(opened: Omit<OpenedProgram, "program">): void {
-    this.module.call(openMessage(opened), (own) => own.page_files());
+  /** Replaces the files of the program, or the program to compare it with. */
+  setFiles(opened: Omit<OpenedProgram, "program">): void {
+    this.module.call(openMessage(opened), (wasm) => wasm.page_files());
   }
 
-  /** Begins a view that works for another one. */
+  /** Prepares the module for work orders of another one. */
   serve(opened: Omit<OpenedProgram, "program">): void {
-    this.module.call(openMessage(opened), (own) => own.page_serve());
+    this.module.call(openMessage(opened), (wasm) => wasm.page_serve());
   }
 
   request(text: string): void {
-    this.module.call([encoder.encode(text)], (own) => own.page_request());
+    this.module.call([encoder.encode(text)], (wasm) => wasm.page_request());
   }
 
-  /** Another worker has run the program: its report. */
+  /** Takes the report of a run by another worker. */
   runFinished(remoteRun: string): void {
-    this.module.call([encoder.encode(remoteRun)], (own) => own.page_run_finished());
+    this.module.call([encoder.encode(remoteRun)], (wasm) => wasm.page_run_finished());
   }
 
-  /** What another worker needs for a piece of work; undefined where the work is out of date. */
+  /** The order for a piece of work; undefined where the work is out of date. */
   dispatch(kind: WorkKind, number: number): WorkOrder | undefined {
-    return this.module.call([], (own) => {
-      if (own.page_dispatch(kind, number) === 0) return undefined;
+    return this.module.call([], (wasm) => {
+      if (wasm.page_dispatch(kind, number) === 0) return undefined;
       return { order: this.module.part(0), text: this.module.part(1) };
     });
   }
 
-  /** Does the work of another view; after a run gives the report for that view. */
+  /** Carries out the order of another module; returns its report after a run, otherwise an empty text. */
   execute({ order, text }: WorkOrder): string {
     const json = new TextDecoder().decode(order);
-    return this.module.call(messageOf(json, [new Uint8Array(text)]), (own) => {
-      own.page_execute();
+    return this.module.call(messageOf(json, [new Uint8Array(text)]), (wasm) => {
+      wasm.page_execute();
       return this.module.text(0);
     });
   }
 
-  /** For tests. */
+  /** Panics: for tests. */
   fail(): void {
-    this.module.call([], (own) => own.page_panic());
+    this.module.call([], (wasm) => wasm.page_panic());
   }
 }

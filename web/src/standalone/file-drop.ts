@@ -1,11 +1,11 @@
-// Files and texts that are dropped or pasted on the page.
+// Opens files and texts that are dropped or pasted on the page.
 
 export interface DropHandlers {
   files: (files: File[]) => void;
   text: (text: string) => void;
 }
 
-/** What is dropped anywhere, or pasted anywhere but in a text field, is opened. */
+/** Opens what is dropped anywhere, or pasted anywhere but in a text field. */
 export function openDroppedFiles(root: Document, handlers: DropHandlers): void {
   root.addEventListener("dragover", (event) => {
     if (event.dataTransfer?.types.includes("Files")) event.preventDefault();

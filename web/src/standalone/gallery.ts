@@ -1,14 +1,14 @@
-// The examples: programs of every control, and what each shows. The file is made of the folder `examples` when the page is built.
+// The example programs of every control. Their file is made from the folder `examples` when the page is built.
 
-/** The address of the examples, whose name changes with them. */
+/** The address of that file; its name contains a hash of the content. */
 declare const EXAMPLES: string;
 
 export interface Example {
   name: string;
-  /** In a sentence. */
+  /** What it demonstrates, in a sentence. */
   shows: string;
   text: string;
-  /** What lies next to it: path and text. */
+  /** Path and text of the files of its folder. */
   files: [string, string][];
   machine: string | null;
 }
@@ -20,7 +20,7 @@ export interface ExampleGroup {
   examples: Example[];
 }
 
-/** The example of a path, as `haas/thread-mill.nc`. */
+/** The example of a path such as `haas/thread-mill.nc`. */
 export function exampleAt(groups: ExampleGroup[], path: string): Example | undefined {
   const [folder, name] = path.split("/");
   return groups.find((group) => group.folder === folder)?.examples.find((example) => example.name === name);
@@ -28,9 +28,10 @@ export function exampleAt(groups: ExampleGroup[], path: string): Example | undef
 
 let loaded: Promise<ExampleGroup[]> | undefined;
 
+/** The examples, loaded once. */
 export function gallery(): Promise<ExampleGroup[]> {
   loaded ??= load().catch((error: unknown) => {
-    // The next look may have more luck.
+    // The next call tries again.
     loaded = undefined;
     throw error;
   });

@@ -1,4 +1,4 @@
-// A worker that does what takes long, for the session worker. It is ended when its result is no longer needed.
+// A worker that does long work for the session worker, which terminates it when its result is no longer needed.
 
 import { type OpenedProgram, type WorkOrder, Engine } from "./engine";
 import type { WorkerPort } from "./worker-port";
@@ -12,7 +12,7 @@ export type ToJobWorker =
 
 export type FromJobWorker =
   | { out: string | ArrayBuffer }
-  /** A work order is done; after a run with the report for the session's own view. */
+  /** A work order is done; after a run with the report for the session's module. */
   | { done: string }
   | { answered: number }
   | { failed: string };
@@ -25,24 +25,24 @@ export function jobWorker(port: WorkerPort): void {
     if ("module" in message) {
       engine = Engine.start(message.module, {
         send: (out) => post({ out }, typeof out === "string" ? [] : [out]),
-        // The session's own view decides what follows.
+        // The session's module decides what follows.
         want: () => {},
       });
       return;
     }
-    const own = await engine!;
-    if ("serve" in message) own.serve(message.serve);
-    else if ("job" in message) post({ done: own.execute(message.job) });
+    const ready = await engine!;
+    if ("serve" in message) ready.serve(message.serve);
+    else if ("job" in message) post({ done: ready.execute(message.job) });
     else if ("request" in message) {
-      own.request(message.request);
+      ready.request(message.request);
       post({ answered: message.id });
-    } else own.fail();
+    } else ready.fail();
   }
 
-  // One after the other: the module has one memory.
-  let before: Promise<void> = Promise.resolve();
+  // One message after the other: the module is not reentrant.
+  let previous: Promise<void> = Promise.resolve();
   port.onmessage = (event: MessageEvent<ToJobWorker>) => {
-    before = before.then(() => take(event.data)).catch((error: unknown) => {
+    previous = previous.then(() => take(event.data)).catch((error: unknown) => {
       post({ failed: error instanceof Error ? error.message : String(error) });
     });
   };

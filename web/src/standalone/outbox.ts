@@ -1,56 +1,61 @@
-// Messages to the page, no faster than it takes them: otherwise its own work, drawing and keys, would wait after a
-// long path. A long text waits for the first picture, and then alternates with the path.
+// Messages to the page with flow control: they are sent no faster than the page handles them, so that it can draw and handle its
+// input during a long path. A long text waits for the first part of the path, and then alternates with it.
 
-/** Messages with columns that the page has not taken yet. */
+/** The largest number of messages with columns that are sent and not handled by the page yet. */
 const MAX_IN_FLIGHT = 8;
 
 interface OutgoingMessage {
   data: string | ArrayBuffer;
+  /** Whether it has columns of the path, so that there is something to draw. */
   isPicture: boolean;
 }
 
 export class Outbox {
-  private soon: OutgoingMessage[] = [];
-  private later: ArrayBuffer[] = [];
+  private urgent: OutgoingMessage[] = [];
+  private deferred: ArrayBuffer[] = [];
   private inFlight = 0;
+  /** Deferred messages wait. */
   private isPaused = false;
-  private wasLater = false;
+  /** The last message was a deferred one. */
+  private wasDeferred = false;
 
   constructor(private post: (data: string | ArrayBuffer) => void) {}
 
+  /** Sends a message, after earlier ones. */
   put(data: string | ArrayBuffer, isPicture = false): void {
-    this.soon.push({ data, isPicture });
-    this.go();
+    this.urgent.push({ data, isPicture });
+    this.sendAll();
   }
 
-  /** Columns that the first picture need not wait for. */
-  putLater(data: ArrayBuffer): void {
-    this.later.push(data);
-    this.go();
+  /** Sends columns that the first picture need not wait for. */
+  putDeferred(data: ArrayBuffer): void {
+    this.deferred.push(data);
+    this.sendAll();
   }
 
-  /** What may wait does so, until a picture is sent or [`Outbox.release`]. */
+  /** Holds deferred messages back until a picture is sent, or `release` is called. */
   pause(): void {
     this.isPaused = true;
   }
 
   release(): void {
     this.isPaused = false;
-    this.go();
+    this.sendAll();
   }
 
-  /** The page has taken so many messages with columns. */
-  taken(count: number): void {
+  /** The page has handled `count` more messages with columns. */
+  acknowledge(count: number): void {
     this.inFlight -= count;
-    this.go();
+    this.sendAll();
   }
 
-  private go(): void {
+  /** Sends what the limit allows. */
+  private sendAll(): void {
     while (this.inFlight < MAX_IN_FLIGHT) {
-      const isLater = this.later.length > 0 && !this.isPaused && (this.soon.length === 0 || !this.wasLater);
-      const message = isLater ? { data: this.later.shift()!, isPicture: false } : this.soon.shift();
+      const isDeferred = this.deferred.length > 0 && !this.isPaused && (this.urgent.length === 0 || !this.wasDeferred);
+      const message = isDeferred ? { data: this.deferred.shift()!, isPicture: false } : this.urgent.shift();
       if (!message) return;
-      this.wasLater = isLater;
+      this.wasDeferred = isDeferred;
       if (message.isPicture) this.isPaused = false;
       if (typeof message.data !== "string") this.inFlight++;
       this.post(message.data);

@@ -7,11 +7,11 @@ export interface RecentProgram {
   program: ArrayBuffer;
   files: ProgramFile[];
   machine?: string;
-  /** When it was opened or saved last, ms. */
+  /** When it was opened or saved last, ms since the epoch. */
   at: number;
 }
 
-/** What the list shows of one. */
+/** An entry of the list, stored without the program itself. */
 export interface RecentEntry {
   name: string;
   bytes: number;
@@ -19,21 +19,23 @@ export interface RecentEntry {
 }
 
 const MAX_ENTRIES = 20;
-/** A larger program is not stored, bytes. */
+/** The largest program, with its files, that is stored, bytes. */
 export const MAX_RECENT_BYTES = 32 * 2 ** 20;
 const MAX_TOTAL_BYTES = 128 * 2 ** 20;
 
-/** Names of those beyond the limits; the newest stay. */
+/** Names of the oldest entries, which exceed the limits. */
 export function namesWithoutRoom(entries: RecentEntry[]): string[] {
   let bytes = 0;
   const newest = [...entries].sort((a, b) => b.at - a.at);
   return newest.filter((entry, index) => (bytes += entry.bytes) > MAX_TOTAL_BYTES || index >= MAX_ENTRIES).map(({ name }) => name);
 }
 
+/** The size of a program with its files, bytes. */
 export function sizeOf({ program, files }: Pick<RecentProgram, "program" | "files">): number {
   return files.reduce((sum, { bytes }) => sum + bytes.byteLength, program.byteLength);
 }
 
+/** Waits for a request of IndexedDB. */
 function completed<T>(request: IDBRequest<T>): Promise<T> {
   return new Promise((resolve, reject) => {
     request.onsuccess = () => resolve(request.result);
@@ -41,19 +43,19 @@ function completed<T>(request: IDBRequest<T>): Promise<T> {
   });
 }
 
-/** The store of programs and that of their entries, so that a list does not read the programs. */
+/** Opens the stores of programs and of their entries, which are separate so that listing does not read the programs. */
 async function stores(mode: IDBTransactionMode): Promise<{ programs: IDBObjectStore; entries: IDBObjectStore; close: () => void }> {
   const opening = indexedDB.open("chordal", 1);
   opening.onupgradeneeded = () => {
     opening.result.createObjectStore("programs", { keyPath: "name" });
     opening.result.createObjectStore("entries", { keyPath: "name" });
   };
-  const base = await completed(opening);
-  const transaction = base.transaction(["programs", "entries"], mode);
-  return { programs: transaction.objectStore("programs"), entries: transaction.objectStore("entries"), close: () => base.close() };
+  const database = await completed(opening);
+  const transaction = database.transaction(["programs", "entries"], mode);
+  return { programs: transaction.objectStore("programs"), entries: transaction.objectStore("entries"), close: () => database.close() };
 }
 
-/** Stores a program; a browser that stores nothing is no error. */
+/** Stores a program, where the browser allows it. */
 export async function keepRecent(recent: RecentProgram): Promise<void> {
   const bytes = sizeOf(recent);
   if (bytes > MAX_RECENT_BYTES) return;
@@ -75,9 +77,9 @@ export async function keepRecent(recent: RecentProgram): Promise<void> {
 export async function listRecent(): Promise<RecentEntry[]> {
   try {
     const { entries, close } = await stores("readonly");
-    const found = (await completed(entries.getAll())) as RecentEntry[];
+    const stored = (await completed(entries.getAll())) as RecentEntry[];
     close();
-    return found.sort((a, b) => b.at - a.at);
+    return stored.sort((a, b) => b.at - a.at);
   } catch {
     return [];
   }
@@ -85,9 +87,9 @@ export async function listRecent(): Promise<RecentEntry[]> {
 
 export async function findRecent(name: string): Promise<RecentProgram | undefined> {
   const { programs, close } = await stores("readonly");
-  const found = (await completed(programs.get(name))) as RecentProgram | undefined;
+  const stored = (await completed(programs.get(name))) as RecentProgram | undefined;
   close();
-  return found;
+  return stored;
 }
 
 export async function forgetRecent(name: string): Promise<void> {

@@ -1,17 +1,17 @@
-// Registers the service worker that keeps the files of the page, version by version, so that it works without a network.
+// Registers the service worker, which caches the files of each version of the page, so that it works offline.
 
-/** Registers it after the first picture; `renew` is called when a newer version waits. */
-export function registerServiceWorker(renew: (load: () => void) => void): void {
+/** Registers it with a delay; `onUpdate` is called when a newer version is ready, with a function that loads it. */
+export function registerServiceWorker(onUpdate: (load: () => void) => void): void {
   const { serviceWorker } = navigator;
-  // Only of a secure origin, or of this computer.
+  // Missing where the origin is neither secure nor local.
   if (!serviceWorker) return;
-  const hadOne = serviceWorker.controller !== null;
+  const hadController = serviceWorker.controller !== null;
   let isLoading = false;
   serviceWorker.addEventListener("controllerchange", () => {
     if (isLoading) location.reload();
   });
-  const waits = (worker: ServiceWorker) =>
-    renew(() => {
+  const offerUpdate = (worker: ServiceWorker) =>
+    onUpdate(() => {
       isLoading = true;
       worker.postMessage("take over");
     });
@@ -19,19 +19,19 @@ export function registerServiceWorker(renew: (load: () => void) => void): void {
     serviceWorker
       .register("./sw.js")
       .then((registration) => {
-        if (registration.waiting && hadOne) waits(registration.waiting);
+        if (registration.waiting && hadController) offerUpdate(registration.waiting);
         registration.addEventListener("updatefound", () => {
           const worker = registration.installing;
           worker?.addEventListener("statechange", () => {
-            if (worker.state === "installed" && hadOne) waits(worker);
+            if (worker.state === "installed" && hadController) offerUpdate(worker);
           });
         });
       })
       .catch(() => {
-        // A browser that keeps nothing: the page works while there is a network.
+        // The browser allows no service worker: the page works online only.
       });
   }, REGISTER_AFTER_MS);
 }
 
-/** What the first picture needs comes first, ms. */
+/** Delay of the registration, ms, so that what the first picture needs is loaded before. */
 const REGISTER_AFTER_MS = 1500;

@@ -1,4 +1,4 @@
-// The worker that answers the page, as a server would: it has the text, and gives what takes long to other workers.
+// The worker that answers the page, as a server would: it has the text, and dispatches long work to other workers.
 
 import { type EngineEvents, type OpenedProgram, type OtherProgram, type ProgramFile, type WorkKind, type WorkOrder, COMPARE, CUT, Engine, PLAN, RUN } from "./engine";
 import { Outbox } from "./outbox";
@@ -8,32 +8,32 @@ import type { WorkerPort } from "./worker-port";
 export type ToSessionWorker =
   | { module: WebAssembly.Module }
   | { open: OpenedProgram }
-  /** The files next to the program now. */
+  /** Replaces the files of the program. */
   | { files: ProgramFile[] }
-  /** What it is compared with now. */
+  /** Replaces the program to compare with. */
   | { against: OtherProgram }
-  /** How many more messages with columns the page has taken. */
+  /** How many more messages with columns the page has handled. */
   | { taken: number }
   /** For tests: one of the workers fails. */
   | { fail: WorkKind | "answers" }
   /** A request of the page. */
   | string;
 
-/** Answers and columns go to the page as from a server; this says that none will come any more. */
+/** The only message that is not as from a server: the worker has failed, for this reason, and will send no more. */
 export interface ClosedMessage {
   closed: string;
 }
 
-/** Requests about a run, which the worker that has it answers. */
+/** Requests about a run, which are answered by the worker that has run the program. */
 const RUN_REQUESTS: Record<string, WorkKind> = { state: RUN, chords: RUN, other_text: COMPARE };
-/** Requests about words, for which this worker reads the whole text: they wait until the path has come through it. */
+/** Requests for which this worker must read the whole text: they wait for the end of the run, whose path passes through it. */
 const WORD_REQUESTS = new Set(["tokens", "hover", "definition", "outline"]);
-/** How long a long text waits for the first lines of the path, ms. */
+/** How long a long text waits for the first part of the path, ms. */
 const TEXT_PAUSE_MS = 1000;
 
 const WORKER_NAMES: Record<WorkKind, string> = { [RUN]: "paths", [PLAN]: "times", [COMPARE]: "others", [CUT]: "stocks" };
 
-/** Only the worker that compares reads the other program: the others need its name. */
+/** Leaves the text of the other program out: only the worker that compares needs it. */
 function withoutText(opened: Omit<OpenedProgram, "program">): Omit<OpenedProgram, "program"> {
   const { against } = opened;
   return against ? { ...opened, against: { ...against, program: new ArrayBuffer(0) } } : opened;
@@ -43,13 +43,14 @@ export function sessionWorker(port: WorkerPort): void {
   let module: WebAssembly.Module;
   let engine: Engine;
   let opened: Omit<OpenedProgram, "program"> = { name: "", files: [] };
-  const wants = new Map<WorkKind, number>();
-  /** The number of the run that each worker works on or for. */
+  /** The newest run for which each kind of work was requested. */
+  const pendingWork = new Map<WorkKind, number>();
+  /** The number of the newest run. */
   let run = 0;
   let isRunning = false;
-  /** Questions that wait for the end of the run. */
-  let waiting: string[] = [];
-  /** The page may show another program. */
+  /** Requests that wait for the end of the run. */
+  let waitingRequests: string[] = [];
+  /** The page may be showing a comparison. */
   let isComparisonShown = false;
 
   const out = new Outbox((data) => port.postMessage(data, typeof data === "string" ? [] : [data]));
@@ -74,7 +75,7 @@ export function sessionWorker(port: WorkerPort): void {
 
   const handles: Record<WorkKind, WorkerHandle> = { [RUN]: handleOf(RUN), [PLAN]: handleOf(PLAN), [COMPARE]: handleOf(COMPARE), [CUT]: handleOf(CUT) };
 
-  /** A worker has failed: the page is informed, and the next work order gets another worker. */
+  /** Reports the failure of a worker to the page; the next work order gets another worker. */
   function failed(kind: WorkKind, why: string, queries: number[]): void {
     const message = `Chordal failed: ${why}`;
     const help = "Please report it with the program";
@@ -89,19 +90,19 @@ export function sessionWorker(port: WorkerPort): void {
 
   function answerWaiting(): void {
     isRunning = false;
-    const queries = waiting;
-    waiting = [];
-    for (const each of queries) guarded(() => engine.request(each));
+    const requests = waitingRequests;
+    waitingRequests = [];
+    for (const request of requests) guarded(() => engine.request(request));
   }
 
   /** Dispatches the newest work of each kind. */
   function dispatchAll(): void {
-    for (const [kind, number] of wants) {
+    for (const [kind, number] of pendingWork) {
       if (kind === RUN) run = number;
       const job = engine.dispatch(kind, number);
       if (job) assign(kind, job);
     }
-    wants.clear();
+    pendingWork.clear();
   }
 
   function assign(kind: WorkKind, job: WorkOrder): void {
@@ -110,16 +111,16 @@ export function sessionWorker(port: WorkerPort): void {
     const order = JSON.parse(new TextDecoder().decode(job.order)) as { other: unknown; is_shown?: boolean };
     const isNothing = order.other === "nothing";
     if (isNothing && !isComparisonShown) return;
-    // A new worker does not know which program the page shows.
+    // A new worker does not know whether the page shows a comparison.
     const bytes = new TextEncoder().encode(JSON.stringify({ ...order, is_shown: isComparisonShown }));
     isComparisonShown = !isNothing;
     handles[COMPARE].assign({ ...job, order: bytes.buffer as ArrayBuffer });
   }
 
-  /** Calls the module; a failure of it ends this worker, and the page starts another one. */
-  function guarded(act: () => void): void {
+  /** Calls the module; if it fails, the page terminates this worker and starts another one. */
+  function guarded(call: () => void): void {
     try {
-      act();
+      call();
       dispatchAll();
     } catch (error) {
       port.postMessage({ closed: error instanceof Error ? error.message : String(error) } satisfies ClosedMessage);
@@ -131,7 +132,7 @@ export function sessionWorker(port: WorkerPort): void {
       const { request, id } = JSON.parse(message) as { request: string; id: number };
       const kind = RUN_REQUESTS[request];
       if (kind !== undefined) handles[kind].query(id, message);
-      else if (isRunning && WORD_REQUESTS.has(request)) waiting.push(message);
+      else if (isRunning && WORD_REQUESTS.has(request)) waitingRequests.push(message);
       else guarded(() => engine.request(message));
     } else if ("open" in message) {
       const { program, ...rest } = message.open;
@@ -140,20 +141,20 @@ export function sessionWorker(port: WorkerPort): void {
       setTimeout(() => out.release(), TEXT_PAUSE_MS);
       guarded(() => {
         if (!engine.open({ ...withoutText(rest), program })) return;
-        // The run first: its picture is made while the text goes over.
+        // The run first: it goes on in its worker while the text is sent.
         dispatchAll();
         engine.text();
       });
     } else if ("files" in message) {
       opened = { ...opened, files: message.files };
-      Object.values(handles).forEach((each) => each.renew());
-      guarded(() => engine.files(withoutText(opened)));
+      Object.values(handles).forEach((handle) => handle.renew());
+      guarded(() => engine.setFiles(withoutText(opened)));
     } else if ("against" in message) {
       opened = { ...opened, against: message.against };
       handles[COMPARE].renew();
-      guarded(() => engine.files(withoutText(opened)));
+      guarded(() => engine.setFiles(withoutText(opened)));
     } else if ("taken" in message) {
-      out.taken(message.taken);
+      out.acknowledge(message.taken);
     } else if ("fail" in message) {
       if (message.fail === "answers") guarded(() => engine.fail());
       else handles[message.fail].breakDown();
@@ -165,19 +166,19 @@ export function sessionWorker(port: WorkerPort): void {
     const { data } = event;
     if (typeof data === "object" && "module" in data) {
       module = data.module;
-      // The first run is wanted soon.
+      // The first run will be requested soon.
       handles[RUN].warm();
       const events: EngineEvents = {
-        send: (data, isLater) => (isLater && data instanceof ArrayBuffer ? out.putLater(data) : out.put(data)),
-        want: (kind, number) => wants.set(kind, number),
+        send: (data, deferrable) => (deferrable && data instanceof ArrayBuffer ? out.putDeferred(data) : out.put(data)),
+        want: (kind, number) => pendingWork.set(kind, number),
       };
-      ready = Engine.start(module, events).then((made) => {
-        engine = made;
+      ready = Engine.start(module, events).then((started) => {
+        engine = started;
       });
       ready.catch((error: unknown) => port.postMessage({ closed: String(error) } satisfies ClosedMessage));
       return;
     }
-    // In their order, once the module is there.
+    // In their order, once the module is ready.
     void ready?.then(() => take(data));
   };
 }

@@ -1,4 +1,4 @@
-// What only the standalone page does: opens and saves programs, shares them, and stores recent ones.
+// The host of the standalone page: it opens and saves programs, shares them, and stores recent ones.
 
 import "./start-dialog.css";
 import type { PageHost, PageParts } from "../page-host";
@@ -14,21 +14,21 @@ import { type SharedProgram, MAX_LINK_CHARACTERS, fragmentOf, programInFragment 
 import { StartDialog } from "./start-dialog";
 import { WorkerConnection } from "./worker-connection";
 
-/** The address of the module, whose name changes with it. */
+/** The address of the WebAssembly module; its name contains a hash of the content. */
 declare const MODULE: string;
 
-/** A program of more bytes is kept in the browser only when its path is there, after so many ms. */
-const LONG_BYTES = 2 ** 20;
-const KEEP_LONG_AFTER_MS = 15_000;
-/** Loading that takes longer is reported, ms. */
+/** A larger program is stored as a recent one only after a delay, when its path is probably complete. */
+const LONG_PROGRAM_BYTES = 2 ** 20;
+const STORE_LONG_AFTER_MS = 15_000;
+/** Loading that takes longer is shown to the user, ms. */
 const SLOW_MS = 500;
-/** The browser has taken a download by then, ms. */
+/** The address of a download is revoked after this time, ms: the browser has read it by then. */
 const DOWNLOAD_MS = 10_000;
 
 async function compile(): Promise<WebAssembly.Module> {
   const response = await fetch(new URL(MODULE, document.baseURI));
   if (!response.ok) throw new Error(`${MODULE}: ${response.status} ${response.statusText}`);
-  // Only a response of its own type can be compiled while it comes.
+  // Streaming compilation requires the type of WebAssembly.
   const type = response.headers.get("content-type")?.split(";")[0]?.trim();
   if (type === "application/wasm") return WebAssembly.compileStreaming(response);
   return WebAssembly.compile(await response.arrayBuffer());
@@ -41,22 +41,22 @@ function errorText(error: unknown): string {
 }
 
 function download(fileName: string, bytes: Uint8Array): void {
-  const connection = document.createElement("a");
-  connection.href = URL.createObjectURL(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "application/octet-stream" }));
-  connection.download = fileName;
-  connection.click();
-  setTimeout(() => URL.revokeObjectURL(connection.href), DOWNLOAD_MS);
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "application/octet-stream" }));
+  link.download = fileName;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), DOWNLOAD_MS);
 }
 
-function button(id: string, text: string, title: string, act: () => void): HTMLButtonElement {
-  const made = element("button", "", text);
-  Object.assign(made, { type: "button", id, title });
-  made.addEventListener("click", act);
-  return made;
+function button(id: string, text: string, title: string, onClick: () => void): HTMLButtonElement {
+  const item = element("button", "", text);
+  Object.assign(item, { type: "button", id, title });
+  item.addEventListener("click", onClick);
+  return item;
 }
 
-/** What an address asks for, loaded. */
-async function openingOf({ program, files: fileUrls, against: other, machine }: AddressRequest): Promise<OpenedProgram> {
+/** Loads the program and the files that an address names. */
+async function loadRequested({ program, files: fileUrls, against: other, machine }: AddressRequest): Promise<OpenedProgram> {
   const [bytes, otherBytes, ...rest] = await Promise.all([fetchFile(program), other && fetchFile(other), ...fileUrls.map(fetchFile)]);
   const files = fileUrls.map((url, index) => ({ path: fileOf(url), bytes: rest[index]! }));
   const chosen = machine ?? sortFiles([{ name: fileOf(program) }, ...files.map(({ path }) => ({ name: path }))]).machine;
@@ -68,23 +68,23 @@ export class StandaloneHost implements PageHost {
   readonly lostMessage = "";
   readonly anotherHint = "“Another file…” opens a second program.";
   readonly savedMessage = "Saved: the file is with the browser's downloads.";
-  /** What is open. */
+  /** The name of the open program; empty before the first. */
   private name = "";
   private files: ProgramFile[] = [];
   private against: OtherProgram | undefined;
-  /** The machine that was opened with it. */
+  /** The machine that the program was opened with. */
   private machineAtOpening: string | undefined;
-  /** A machine file that is chosen as soon as it is in the list of machines. */
-  private chooseLater: string | undefined;
+  /** A machine file that is to be chosen when it is in the list of machines. */
+  private pendingMachine: string | undefined;
   private page!: PageParts;
   private startDialog!: StartDialog;
   private core = new WorkerConnection(compile(), (name) => new Worker(new URL("./worker-entry.ts", import.meta.url), { type: "module", name }));
 
-  dial: PageHost["dial"] = (take) => this.core.dial(take);
+  dial: PageHost["dial"] = (onData) => this.core.dial(onData);
 
   keepFile = (fileName: string, bytes: Uint8Array): void => {
     download(fileName, bytes);
-    this.remember(bytes.slice().buffer as ArrayBuffer);
+    this.storeRecent(bytes.slice().buffer as ArrayBuffer);
   };
 
   addControls = (page: PageParts): void => {
@@ -121,42 +121,42 @@ export class StandaloneHost implements PageHost {
       text: (text) => this.openPasted(text),
       recent: (name) => void findRecent(name).then((program) => program && this.open(program)),
       example: (example: Example) => this.openTexts(example),
-      // With the address in it the page may load what is there.
+      // The content policy allows the page to load only what its own address names.
       address: (text) => location.assign(programQuery(text)),
     });
   }
 
-  /** Opens what the address of the page names; otherwise asks for a program. */
+  /** Opens the program that the address of the page names; otherwise shows the start dialog. */
   private async openFirst(): Promise<void> {
     const isOpen = (await this.openLink()) || (await this.openExample()) || (await this.openAddress());
     if (!isOpen) this.startDialog.show();
   }
 
-  /** A program is put away at once, so that closing the page does not lose it; a long one when its path is there. */
-  private remember(program: ArrayBuffer, machine?: string): void {
+  /** Stores the program as a recent one: at once, so that closing the page does not lose it, but a long one with a delay. */
+  private storeRecent(program: ArrayBuffer, machine?: string): void {
     const { name, files } = this;
     if (sizeOf({ program, files }) > MAX_RECENT_BYTES) return;
-    // A copy: the bytes go over to the worker.
+    // A copy, because the bytes are transferred to the worker.
     const recent = { name, program: program.slice(0), files, machine, at: Date.now() };
-    if (program.byteLength > LONG_BYTES) setTimeout(() => void keepRecent(recent), KEEP_LONG_AFTER_MS);
+    if (program.byteLength > LONG_PROGRAM_BYTES) setTimeout(() => void keepRecent(recent), STORE_LONG_AFTER_MS);
     else void keepRecent(recent);
   }
 
-  /** Opens a program, once nothing that was typed would be lost. */
+  /** Opens a program; where unsaved changes would be lost, the user is prompted before. */
   private open(opening: OpenedProgram, isFromLink = false): void {
     const { ui, editor, connection } = this.page;
-    const go = () => {
+    const openNow = () => {
       ({ name: this.name, files: this.files, against: this.against, machine: this.machineAtOpening } = opening);
       connection.dropQueries();
-      // The address is that of the program it was opened with.
+      // The address no longer names the open program.
       if (!isFromLink && location.hash + location.search !== "") history.replaceState(null, "", location.pathname);
-      this.remember(opening.program, opening.machine);
+      this.storeRecent(opening.program, opening.machine);
       document.querySelector<HTMLElement>("#share")!.hidden = false;
       this.core.open(opening).catch((error: unknown) => ui.notify("error", `The page is not complete: ${String(error)}`));
     };
-    if (!editor.dirty) return go();
+    if (!editor.dirty) return openNow();
     ui.prompt(`What you typed in ${this.name} is not saved.`, [
-      [`Open ${opening.name} and lose it`, go],
+      [`Open ${opening.name} and lose it`, openNow],
       ["Cancel", () => {}],
     ]);
   }
@@ -166,14 +166,14 @@ export class StandaloneHost implements PageHost {
     if (!opened) return;
     const { program, bytes, others, read, machine } = opened;
     if (!program || !bytes) return this.addFiles(read, machine);
-    // Machine files stay: the next program may be for the same machine.
+    // Machine files are kept: the next program may be for the same machine.
     const machines = this.files.filter(({ path }) => path.endsWith(".toml") && path !== "chordal.toml" && !read.some((file) => file.path === path));
-    const count = others.filter((file) => !/\.toml$/i.test(file.name)).length;
+    const otherCount = others.filter((file) => !/\.toml$/i.test(file.name)).length;
     this.open({ name: nameOf(program.name), program: bytes, files: [...read, ...machines], machine });
-    if (count > 0) this.page.ui.notify("note", `${program.name} is shown; ${count === 1 ? "1 other file lies" : `${count} other files lie`} next to it.`);
+    if (otherCount > 0) this.page.ui.notify("note", `${program.name} is shown; ${otherCount === 1 ? "1 other file lies" : `${otherCount} other files lie`} next to it.`);
   }
 
-  /** The program among files and what lies next to it, read; undefined where that cannot be. */
+  /** Reads files, and finds the program among them; undefined, with a message, where that fails. */
   private async readAll(files: File[]) {
     const complaint = files.map((file) => sizeComplaint(file.name, file.size)).find(Boolean);
     if (complaint) return this.refuse(complaint);
@@ -186,7 +186,7 @@ export class StandaloneHost implements PageHost {
     }
   }
 
-  /** Compares the program with that of another file, on the same machine unless one comes with it. */
+  /** Compares the program with another one, on the same machine unless the files include one. */
   private async compareWith(files: File[]): Promise<void> {
     const { editor, connection } = this.page;
     const opened = await this.readAll(files);
@@ -196,26 +196,27 @@ export class StandaloneHost implements PageHost {
     if (read.length > 0) this.addFiles(read, undefined);
     this.against = { name: distinctName(nameOf(program.name), this.name), program: bytes, machine: machine ?? this.chosenMachine() };
     editor.flush();
-    this.core.against(this.against);
+    this.core.setOtherProgram(this.against);
     connection.send("compare_with", { other: "named" });
   }
 
-  /** Files without a program lie next to the one that is open. */
+  /** Adds files to the open program. */
   private addFiles(more: ProgramFile[], machine: string | undefined): void {
     const { editor, connection } = this.page;
     if (this.name === "") return this.refuse("These files belong to a program: choose it together with them.");
     this.files = [...this.files.filter(({ path }) => !more.some((file) => file.path === path)), ...more];
     editor.flush();
-    this.core.files(this.files);
-    // The same text runs again.
+    this.core.setFiles(this.files);
+    // An empty change runs the text again.
     if (!machine) return connection.send("edit", { changes: [] });
-    this.chooseLater = machine;
+    this.pendingMachine = machine;
     connection.send("machine", { name: machine });
   }
 
+  /** Shows why something cannot be opened. */
   private refuse(why: string): undefined {
     this.page.ui.notify("error", why);
-    this.startDialog.say(why);
+    this.startDialog.setMessage(why);
   }
 
   private openPasted(text: string): void {
@@ -227,7 +228,7 @@ export class StandaloneHost implements PageHost {
     this.open({ name: nameOf(name), program: encode(text), files: encoded, machine: machine ?? undefined }, isFromLink);
   }
 
-  /** Opens the program that is in the fragment of the address. */
+  /** Opens the program in the fragment of the address; returns whether there is one. */
   private async openLink(): Promise<boolean> {
     try {
       const shared = await programInFragment(location.hash);
@@ -239,7 +240,7 @@ export class StandaloneHost implements PageHost {
     }
   }
 
-  /** Opens the example that the address names: `?example=haas/thread-mill.nc`, as pages link to it. */
+  /** Opens the example that the address names, `?example=haas/thread-mill.nc`; the documentation links to examples in this way. */
   private async openExample(): Promise<boolean> {
     const path = new URLSearchParams(location.search).get("example");
     if (!path) return false;
@@ -254,23 +255,24 @@ export class StandaloneHost implements PageHost {
     }
   }
 
-  /** Opens the program that the address names: `?program=https://…`. */
+  /** Loads and opens the program that the address names, `?program=https://…`. */
   private async openAddress(): Promise<boolean> {
-    let slow: ReturnType<typeof setTimeout> | undefined;
+    let slowTimer: ReturnType<typeof setTimeout> | undefined;
     try {
       const address = addressRequest(location.search, document.baseURI);
       if (!address) return false;
-      slow = setTimeout(() => this.page.ui.notify("note", `Loading ${fileOf(address.program)} from ${address.program.host}…`), SLOW_MS);
-      this.open(await openingOf(address), true);
+      slowTimer = setTimeout(() => this.page.ui.notify("note", `Loading ${fileOf(address.program)} from ${address.program.host}…`), SLOW_MS);
+      this.open(await loadRequested(address), true);
       return true;
     } catch (error) {
       this.refuse(errorText(error));
       return false;
     } finally {
-      clearTimeout(slow);
+      clearTimeout(slowTimer);
     }
   }
 
+  /** Puts a link with the program into the clipboard, or else only into the address bar. */
   private async share(): Promise<void> {
     const { ui, editor } = this.page;
     const decoder = new TextDecoder("utf-8", { fatal: true });
@@ -295,23 +297,23 @@ export class StandaloneHost implements PageHost {
     }
   }
 
-  /** The machine that was chosen, or opened with the program. */
+  /** The chosen machine, or the one that the program was opened with. */
   private chosenMachine(): string | undefined {
     const { machine } = sortFiles([{ name: this.name }, ...this.files.map(({ path }) => ({ name: path }))]);
     return this.page.ui.machine.value || machine || this.machineAtOpening;
   }
 
-  /** A machine file that was laid next to the program is the one that it runs on. */
+  /** Chooses the machine file that was added, as soon as it is listed. */
   private chooseWhenListed(): void {
     const { machine } = this.page.ui;
     new MutationObserver(() => {
-      if (this.chooseLater === undefined || ![...machine.options].some(({ value }) => value === this.chooseLater)) return;
-      machine.value = this.chooseLater;
-      this.chooseLater = undefined;
+      if (this.pendingMachine === undefined || ![...machine.options].some(({ value }) => value === this.pendingMachine)) return;
+      machine.value = this.pendingMachine;
+      this.pendingMachine = undefined;
     }).observe(machine, { childList: true });
   }
 
-  /** The worker has failed: offers to begin again with the text of the page. */
+  /** After a failure of the worker offers to begin again with the text of the page. */
   private offerRestart(why: string): void {
     const { ui, editor } = this.page;
     const text = editor.view.state.doc.toString();
@@ -325,7 +327,7 @@ export class StandaloneHost implements PageHost {
     ]);
   }
 
-  /** The choice of another file to compare with. */
+  /** Adds the button to compare with another file. */
   private offerAnother(panel: HTMLElement): void {
     const input = element("input");
     Object.assign(input, { type: "file", multiple: true, id: "another", hidden: true });
@@ -340,7 +342,7 @@ export class StandaloneHost implements PageHost {
     panel.querySelector("#against")!.closest("label")!.after(choose, input);
   }
 
-  /** What the browser's tests look at. */
+  /** For the tests in the browser. */
   private exposeForTests(): void {
     Object.assign(window, {
       standalone: { core: this.core, open: (opening: OpenedProgram) => this.open(opening), opened: () => ({ name: this.name, files: this.files }) },

@@ -1,4 +1,4 @@
-// The dialog to choose a program: files, a pasted text, recent programs, examples.
+// The dialog in which a program is opened: files, a pasted text, an address, recent programs, examples.
 
 import { element } from "../panels/dom";
 import { type Example, type ExampleGroup, gallery } from "./gallery";
@@ -12,18 +12,18 @@ export interface StartHandlers {
   address: (text: string) => void;
 }
 
-function button(text: string, act: () => void, className = ""): HTMLButtonElement {
-  const made = element("button", className, text);
-  made.type = "button";
-  made.addEventListener("click", act);
-  return made;
+function button(text: string, onClick: () => void, className = ""): HTMLButtonElement {
+  const item = element("button", className, text);
+  item.type = "button";
+  item.addEventListener("click", onClick);
+  return item;
 }
 
-function size(bytes: number): string {
+function sizeText(bytes: number): string {
   return bytes < 1024 ? `${bytes} bytes` : bytes < 2 ** 20 ? `${(bytes / 1024).toFixed(0)} KiB` : `${(bytes / 2 ** 20).toFixed(1)} MiB`;
 }
 
-/** Recent programs that are shown at first; the others are folded. */
+/** Recent programs that are shown; the others are in a closed list. */
 const MAX_VISIBLE_RECENTS = 6;
 
 export class StartDialog {
@@ -45,7 +45,7 @@ export class StartDialog {
     this.input.addEventListener("change", () => {
       const files = [...(this.input.files ?? [])];
       this.input.value = "";
-      if (files.length > 0) this.done(() => this.handlers.files(files));
+      if (files.length > 0) this.closeAndRun(() => this.handlers.files(files));
     });
     const label = element("label", "files", "Files: the program, with its machine or setup file and its subprograms");
     label.append(this.input);
@@ -57,7 +57,7 @@ export class StartDialog {
     const run = button("Open the text", () => {
       const { value } = paste;
       paste.value = "";
-      this.done(() => this.handlers.text(value));
+      this.closeAndRun(() => this.handlers.text(value));
     });
     const address = element("input");
     Object.assign(address, { type: "url", id: "address", placeholder: "https://" });
@@ -67,13 +67,13 @@ export class StartDialog {
       if (address.value.trim() !== "") this.handlers.address(address.value.trim());
     });
     this.message.setAttribute("role", "status");
-    const own = element("section", "own");
-    own.append(label, element("p", "hint", "Or drop files anywhere on the page."), pasteLabel, run, addressLabel, load);
-    this.root.append(head, privacy, this.message, own, this.recents, this.examples);
+    const newProgram = element("section", "own");
+    newProgram.append(label, element("p", "hint", "Or drop files anywhere on the page."), pasteLabel, run, addressLabel, load);
+    this.root.append(head, privacy, this.message, newProgram, this.recents, this.examples);
     document.body.append(this.root);
-    // What was wrong is seen until something else is chosen.
-    this.say("");
-    this.root.addEventListener("close", () => this.say(""));
+    // A message stays until the dialog is closed.
+    this.setMessage("");
+    this.root.addEventListener("close", () => this.setMessage(""));
   }
 
   show(): void {
@@ -96,32 +96,32 @@ export class StartDialog {
     return this.root.open;
   }
 
-  /** Says what is wrong with what was chosen. */
-  say(text: string): void {
+  /** Shows why something could not be opened; empty for no message. */
+  setMessage(text: string): void {
     this.message.textContent = text;
     this.message.hidden = text === "";
   }
 
-  private done(act: () => void): void {
+  private closeAndRun(action: () => void): void {
     this.root.close();
-    act();
+    action();
   }
 
   private showRecents(entries: RecentEntry[]): void {
     this.recents.hidden = entries.length === 0;
     const rows = entries.map((entry) => {
       const row = element("li");
-      const open = button("", () => this.done(() => this.handlers.recent(entry.name)), "card");
-      open.append(element("strong", "", entry.name), element("span", "", `${size(entry.bytes)}, ${new Date(entry.at).toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" })}`));
-      const away = button("Forget", () => void forgetRecent(entry.name).then(() => listRecent()).then((left) => this.showRecents(left)));
-      away.setAttribute("aria-label", `Forget ${entry.name}`);
-      row.append(open, away);
+      const open = button("", () => this.closeAndRun(() => this.handlers.recent(entry.name)), "card");
+      open.append(element("strong", "", entry.name), element("span", "", `${sizeText(entry.bytes)}, ${new Date(entry.at).toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" })}`));
+      const forget = button("Forget", () => void forgetRecent(entry.name).then(() => listRecent()).then((left) => this.showRecents(left)));
+      forget.setAttribute("aria-label", `Forget ${entry.name}`);
+      row.append(open, forget);
       return row;
     });
-    const cards = (of: HTMLElement[]) => {
-      const all = element("ul", "cards");
-      all.append(...of);
-      return all;
+    const cards = (items: HTMLElement[]) => {
+      const list = element("ul", "cards");
+      list.append(...items);
+      return list;
     };
     this.recents.replaceChildren(element("h3", "", "Open lately, kept in this browser"), cards(rows.slice(0, MAX_VISIBLE_RECENTS)));
     if (rows.length <= MAX_VISIBLE_RECENTS) return;
@@ -136,7 +136,7 @@ export class StartDialog {
       const cards = element("ul", "cards");
       for (const example of examples) {
         const row = element("li");
-        const open = button("", () => this.done(() => this.handlers.example(example)), "card");
+        const open = button("", () => this.closeAndRun(() => this.handlers.example(example)), "card");
         open.append(element("strong", "", example.name), element("span", "", example.shows));
         row.append(open);
         cards.append(row);

@@ -1,14 +1,14 @@
-// The connection of the standalone page: a worker with the interpreter, which gets the requests as a server would.
+// The connection of the standalone page to the session worker, which gets the requests as a server would.
 
 import type { Transport } from "../protocol/connection";
 import type { OpenedProgram, OtherProgram, ProgramFile, WorkKind } from "./engine";
 import type { ClosedMessage, ToSessionWorker } from "./session-worker";
 
-/** How long a page that does not draw lets columns wait, ms. */
+/** How long handled messages wait to be reported by a page that does not draw, ms. */
 const MAX_WITHOUT_FRAME_MS = 100;
 
-/** Counts what was taken, and reports it after the page has drawn and handled its input; in the background it does not draw. */
-function counted(report: (count: number) => void): () => void {
+/** Counts calls, and reports their number after the page has drawn and handled its input, or soon where it is in the background and does not draw. */
+function countingReporter(report: (count: number) => void): () => void {
   let count = 0;
   const flush = () => {
     if (count > 0) report(count);
@@ -23,33 +23,34 @@ function counted(report: (count: number) => void): () => void {
 
 export class WorkerConnection {
   private worker: Worker;
+  /** A program is open. */
   private isUsed = false;
-  private take: (data: string | ArrayBuffer) => void = () => {};
-  /** Is called when the worker has ended, with the reason. */
+  private onData: (data: string | ArrayBuffer) => void = () => {};
+  /** Called when the worker has failed, with the reason. */
   onLost: (why: string) => void = () => {};
 
-  /** `make` starts a worker of `worker-entry.ts` under a name. */
+  /** `createWorker` starts a worker of `worker-entry.ts` with a name. */
   constructor(
     private compiled: Promise<WebAssembly.Module>,
-    private make: (name: string) => Worker,
+    private createWorker: (name: string) => Worker,
   ) {
-    // Started before a program is there.
+    // Started before it is needed for a program.
     this.worker = this.start();
     this.compiled.catch((error: unknown) => this.onLost(`the page is not complete: ${String(error)}`));
   }
 
   private start(): Worker {
-    const worker = this.make("answers");
-    const count = counted((taken) => worker.postMessage({ taken } satisfies ToSessionWorker));
+    const worker = this.createWorker("answers");
+    const count = countingReporter((taken) => worker.postMessage({ taken } satisfies ToSessionWorker));
     worker.onmessage = (event: MessageEvent<string | ArrayBuffer | ClosedMessage>) => {
       const { data } = event;
       if (data instanceof ArrayBuffer) {
         count();
-        this.take(data);
-      } else if (typeof data === "string") this.take(data);
-      else this.lose(data.closed);
+        this.onData(data);
+      } else if (typeof data === "string") this.onData(data);
+      else this.replaceWorker(data.closed);
     };
-    worker.onerror = (event) => this.lose(event.message || "a worker of the page could not be started");
+    worker.onerror = (event) => this.replaceWorker(event.message || "a worker of the page could not be started");
     void this.compiled.then((module) => worker.postMessage({ module } satisfies ToSessionWorker), () => {});
     return worker;
   }
@@ -60,24 +61,25 @@ export class WorkerConnection {
     this.isUsed = false;
   }
 
-  private lose(why: string): void {
+  /** Replaces a worker that has failed. */
+  private replaceWorker(why: string): void {
     this.end();
     this.worker = this.start();
     this.onLost(why);
   }
 
-  dial(take: (data: string | ArrayBuffer) => void): Transport {
-    this.take = take;
-    const core = this;
+  dial(onData: (data: string | ArrayBuffer) => void): Transport {
+    this.onData = onData;
+    const connection = this;
     return {
       get isOpen() {
-        return core.isUsed;
+        return connection.isUsed;
       },
       send: (text) => this.worker.postMessage(text satisfies ToSessionWorker),
     };
   }
 
-  /** Opens a program; whatever was done for the one before ends. Its bytes go over. */
+  /** Opens a program, and stops all work for the one before. Its bytes are transferred to the worker. */
   async open(opened: OpenedProgram): Promise<void> {
     await this.compiled;
     if (this.isUsed) {
@@ -90,17 +92,17 @@ export class WorkerConnection {
     this.worker.postMessage({ open: opened } satisfies ToSessionWorker, [opened.program]);
   }
 
-  /** Other files lie next to the program now. */
-  files(files: ProgramFile[]): void {
+  /** Replaces the files of the program. */
+  setFiles(files: ProgramFile[]): void {
     this.worker.postMessage({ files } satisfies ToSessionWorker);
   }
 
-  /** The program is compared with another one, once the page asks for it. */
-  against(against: OtherProgram): void {
+  /** Sets the program to compare with, before the page requests the comparison. */
+  setOtherProgram(against: OtherProgram): void {
     this.worker.postMessage({ against } satisfies ToSessionWorker);
   }
 
-  /** For tests: a part of the interpreter fails. */
+  /** Makes a worker fail: for tests. */
   fail(what: WorkKind | "answers"): void {
     this.worker.postMessage({ fail: what } satisfies ToSessionWorker);
   }

@@ -1,4 +1,4 @@
-// The script of the workers of the standalone page: one answers requests, one for each kind of work does what takes long.
+// The script of all workers of the standalone page: the session worker, and one job worker for each kind of work.
 
 import { jobWorker } from "./job-worker";
 import { sessionWorker } from "./session-worker";

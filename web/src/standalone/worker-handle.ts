@@ -1,13 +1,13 @@
-// The session worker's handle of one worker for one kind of work: the newest work order, and the requests that only
-// this worker can answer. The worker is ended when a newer order comes and it does not finish soon.
+// The session worker's handle of a job worker for one kind of work: it assigns the newest work order, and sends the requests that
+// only this worker can answer. When a newer order comes and the worker does not finish soon, it is terminated.
 
 import type { OpenedProgram, WorkOrder } from "./engine";
 import type { FromJobWorker, ToJobWorker } from "./job-worker";
 
-/** How long an order may go on when a newer one waits: as long as it takes to start another worker, ms. */
+/** How long an order may take while a newer one waits, ms: as long as it takes to start another worker. */
 const OVERTAKE_AFTER_MS = 60;
 
-/** What the handle uses of a worker. */
+/** The part of a `Worker` that the handle uses. */
 export interface JobWorker {
   postMessage(message: ToJobWorker, transfer?: Transferable[]): void;
   onmessage: ((event: MessageEvent<FromJobWorker>) => void) | null;
@@ -23,9 +23,11 @@ export interface HandleEvents {
 
 export class WorkerHandle {
   private worker: JobWorker | undefined;
-  private isServing = false;
+  /** The worker has the files of the program. */
+  private isPrepared = false;
   private isBusy = false;
-  private since = 0;
+  /** When the present order was sent, ms. */
+  private sentAt = 0;
   private next: WorkOrder | undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private queries = new Map<number, string>();
@@ -36,7 +38,7 @@ export class WorkerHandle {
     private events: HandleEvents,
   ) {}
 
-  /** A worker is ready before it is needed. */
+  /** Starts a worker where there is none, possibly before it is needed. */
   warm(): void {
     if (this.worker) return;
     const worker = this.start();
@@ -45,51 +47,53 @@ export class WorkerHandle {
     worker.onerror = (event) => this.fail(event.message);
   }
 
+  /** Sends an order, or keeps it as the next one where the worker is busy. */
   assign(job: WorkOrder): void {
     if (!this.isBusy) return this.send(job);
     this.next = job;
     clearTimeout(this.timer);
-    const left = Math.max(0, OVERTAKE_AFTER_MS - (performance.now() - this.since));
-    this.timer = setTimeout(() => this.overtake(), left);
+    const remaining = Math.max(0, OVERTAKE_AFTER_MS - (performance.now() - this.sentAt));
+    this.timer = setTimeout(() => this.overtake(), remaining);
   }
 
+  /** Sends a request that only this worker can answer. */
   query(id: number, request: string): void {
-    this.serve();
+    this.prepare();
     this.queries.set(id, request);
     this.worker!.postMessage({ request, id });
   }
 
-  /** The files have changed: what comes next begins with them. */
+  /** Terminates the worker after a change of the files: the next one gets the new files. */
   renew(): void {
     this.next = undefined;
     this.end();
   }
 
-  /** For tests. */
+  /** Makes the worker fail: for tests. */
   breakDown(): void {
-    this.serve();
+    this.prepare();
     this.worker!.postMessage({ fail: true });
   }
 
-  /** Makes the worker ready; true if it is a new one. */
-  private serve(): boolean {
+  /** Gives the worker the files of the program; returns whether it had none. */
+  private prepare(): boolean {
     this.warm();
-    if (this.isServing) return false;
-    this.isServing = true;
+    if (this.isPrepared) return false;
+    this.isPrepared = true;
     this.worker!.postMessage({ serve: this.opened() });
     return true;
   }
 
   private send(job: WorkOrder): void {
-    const isNew = this.serve();
+    const isNew = this.prepare();
     this.isBusy = true;
-    this.since = performance.now();
+    this.sentAt = performance.now();
     this.worker!.postMessage({ job }, [job.order, job.text]);
-    // The requests that the worker before has not answered.
+    // Again, the requests that the worker before has not answered.
     if (isNew) for (const [id, request] of this.queries) this.worker!.postMessage({ request, id });
   }
 
-  /** Ends the present order for a newer one. */
+  /** Terminates the worker and starts the newer order. */
   private overtake(): void {
     const { next } = this;
     if (!next) return;
@@ -103,7 +107,7 @@ export class WorkerHandle {
     this.worker?.terminate();
     if (this.worker) this.worker.onmessage = this.worker.onerror = null;
     this.worker = undefined;
-    this.isBusy = this.isServing = false;
+    this.isBusy = this.isPrepared = false;
   }
 
   private take(message: FromJobWorker): void {

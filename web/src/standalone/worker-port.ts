@@ -1,6 +1,6 @@
-// How a worker of the standalone page sends and receives messages.
+// The message port of a worker of the standalone page.
 
-/** The other side: the page, or the worker that answers. */
+/** Connected to the page or to the session worker. */
 export interface WorkerPort {
   name: string;
   postMessage(message: unknown, transfer?: Transferable[]): void;

@@ -18,7 +18,7 @@ function coarse(isInside: (x: number, y: number) => boolean): CoarseSurface {
   const fine = new StockSurface(stock());
   for (let y = 0; y < COLUMNS; y++) for (let x = 0; x < COLUMNS; x++) if (isInside(x + 0.5, y + 0.5)) fine.set(y * COLUMNS + x, -DEPTH, 1);
   const made = new CoarseSurface(fine, (COLUMNS / STEP) ** 2);
-  made.take();
+  made.update();
   return made;
 }
 
@@ -77,5 +77,5 @@ test("no corner passes another one, and where there is no wall none moves", () =
     }
   }
   const flat = coarse(() => false);
-  expect(flat.surface.shift!.every((share) => share === 0)).toBe(true);
+  expect(flat.surface.shift!.every((fraction) => fraction === 0)).toBe(true);
 });

@@ -96,7 +96,7 @@ test("the coarse surface has heights of the stock, and both its edges", () => {
   const coarse = new CoarseSurface(fine, 200);
   expect(coarse.surface.stock.columns).toEqual([20, 10]);
   for (let y = 0; y < 50; y++) for (let x = 0; x < 100; x++) fine.set(100 * y + x, -0.1 * x, x < 50 ? 1 : 2);
-  coarse.take();
+  coarse.update();
   const row = [...coarse.surface.z.subarray(coarse.surface.width, 2 * coarse.surface.width)];
   expect(row.length).toBe(22);
   const ends = [row[0], row[1], row.at(-2), row.at(-1)];

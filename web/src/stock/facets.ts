@@ -1,40 +1,44 @@
-// The triangles of a tile: large ones where the surface is flat.
+// Triangulation of a tile as a quadtree: large squares where the surface is flat.
 
 import { TILE_CORNERS, TILE_CELLS } from "./tile";
 
-/** Corners of a tile: heights, slots of the tools that cut them, and heights of the target where there is one. */
+/** The corners of a tile, row by row. */
 export interface TileCorners {
+  /** Heights, mm from the top of the stock. */
   z: Float32Array;
+  /** Colour slots of the tools that cut them; 0 where none did. */
   slot: Uint8Array;
+  /** Heights of the target. */
   target?: Float32Array | undefined;
-  /** How far corners are moved, if they may be. */
+  /** Offsets along X and Y, in 127ths of a column; undefined where corners are not moved. */
   shift?: Int8Array | undefined;
 }
 
-/** Which corners squares have on the four edges of a tile, after each other: least and largest Y, least and largest X. */
+/** Which corners on the four edges of a tile are corners of squares; the edges follow each other: lowest and highest Y, lowest and highest X. */
 export type TileEdges = Uint8Array;
+
 export const noEdges = (): TileEdges => new Uint8Array(4 * TILE_CORNERS);
 
-/** The tile that lies beyond each edge, in tiles along X and Y, and the edge of it that is the same. */
+/** For each edge, the offset of the adjacent tile along X and Y, and which of its edges is the shared one. */
 export const ADJACENT_TILES = [[0, -1, 1], [0, 1, 0], [-1, 0, 3], [1, 0, 2]] as const;
 
-/** Squares of a tile are halved so often until they are cells. */
+/** How often a tile is halved until its squares are cells. */
 const HALVINGS = Math.log2(TILE_CELLS);
-/** Below this height over the bottom nothing is left, mm. */
+/** A column that is lower above the bottom has no stock left, mm. */
 export const MIN_HEIGHT_MM = 1e-4;
 
-/** For each size of a square, cells first, which of them are flat and of one owner. */
+/** For each size of a square, from cells up, which squares are flat and cut by one tool. */
 const flat = Array.from({ length: HALVINGS + 1 }, (_, halving) => new Uint8Array((TILE_CELLS >> halving) ** 2));
-/** Which corners some square has. */
+/** Which corners are corners of squares. */
 const used = new Uint8Array(TILE_CORNERS * TILE_CORNERS);
-/** The first corners of squares that are larger than a cell, and their sizes: of each two numbers. */
-const large = new Uint16Array(2 * TILE_CELLS * TILE_CELLS);
+/** The first corner and the size of each square that is larger than a cell. */
+const largeSquares = new Uint16Array(2 * TILE_CELLS * TILE_CELLS);
 
 /**
- * Writes the triangles of a tile to `index` and gives how many numbers they take. A square that is flat and of one owner
- * is two; where smaller ones lie next to it, its edge has their corners too, so that no pixel is missed between them:
- * also those of the adjacent tiles, and its own are written to `own`. Nothing is drawn where nothing is left, and no square
- * lies across the column or row of corners `open`.
+ * Writes the triangles of a tile to `index`, and returns how many indices they take. A square that is flat and cut by one tool is
+ * two triangles; where smaller squares lie next to it, also in adjacent tiles (`neighbors`), its edge has their corners too, so
+ * that there are no cracks. The corners on the edges of the tile itself are written to `own`. Squares without stock are left out,
+ * and none crosses the column or row of corners `open`.
  */
 export function triangles(
   corners: TileCorners,
@@ -47,13 +51,13 @@ export function triangles(
   used.fill(0);
   const { z } = corners;
   let count = 0;
-  const put = (a: number, b: number, c: number) => {
+  const addTriangle = (a: number, b: number, c: number) => {
     index[count++] = a;
     index[count++] = b;
     index[count++] = c;
   };
   let squares = 0;
-  const isThere = (a: number) => z[a]! > bottom + MIN_HEIGHT_MM;
+  const hasStock = (a: number) => z[a]! > bottom + MIN_HEIGHT_MM;
   const divide = (halving: number, x: number, y: number) => {
     const size = 1 << halving;
     const a = y * TILE_CORNERS + x;
@@ -68,36 +72,36 @@ export function triangles(
     }
     const [b, c, d] = [a + size, a + size * TILE_CORNERS, a + size * TILE_CORNERS + size];
     used[a] = used[b] = used[c] = used[d] = 1;
-    if (isFlat && !isThere(a)) return;
+    if (isFlat && !hasStock(a)) return;
     if (halving > 0) {
-      large[squares++] = a;
-      large[squares++] = size;
+      largeSquares[squares++] = a;
+      largeSquares[squares++] = size;
     } else if (Math.abs(z[a]! - z[d]!) > Math.abs(z[b]! - z[c]!)) {
-      // Along the diagonal that is less steep: walls are straight then.
-      put(a, b, c);
-      put(b, d, c);
+      // Divided along the less steep diagonal, so that walls are straight.
+      addTriangle(a, b, c);
+      addTriangle(b, d, c);
     } else {
-      put(a, b, d);
-      put(a, d, c);
+      addTriangle(a, b, d);
+      addTriangle(a, d, c);
     }
   };
   divide(HALVINGS, 0, 0);
-  if (edges) meet(edges);
-  for (let at = 0; at < squares; at += 2) {
-    const [a, size] = [large[at]!, large[at + 1]!];
+  if (edges) exchangeEdges(edges);
+  for (let square = 0; square < squares; square += 2) {
+    const [a, size] = [largeSquares[square]!, largeSquares[square + 1]!];
     const [b, c, d] = [a + size, a + size * TILE_CORNERS, a + size * TILE_CORNERS + size];
-    const edges = [[a, b, 1], [b, d, TILE_CORNERS], [d, c, -1], [c, a, -TILE_CORNERS]] as const;
-    if (!edges.some(([from, to, step]) => isDivided(from, to, step))) {
-      put(a, b, d);
-      put(a, d, c);
+    const sides = [[a, b, 1], [b, d, TILE_CORNERS], [d, c, -1], [c, a, -TILE_CORNERS]] as const;
+    if (!sides.some(([from, to, step]) => isDivided(from, to, step))) {
+      addTriangle(a, b, d);
+      addTriangle(a, d, c);
       continue;
     }
     const middle = a + (size >> 1) * (TILE_CORNERS + 1);
-    for (const [from, to, step] of edges) {
+    for (const [from, to, step] of sides) {
       let before: number = from;
       for (let corner = from + step; ; corner += step) {
         if (!used[corner]) continue;
-        put(middle, before, corner);
+        addTriangle(middle, before, corner);
         before = corner;
         if (corner === to) break;
       }
@@ -106,23 +110,20 @@ export function triangles(
   return count;
 }
 
-/** Writes the corners on the edges of the tile, and takes those of the adjacent tiles. */
-function meet({ own, neighbors }: { own: TileEdges; neighbors: TileEdges }): void {
-  for (let at = 0; at < TILE_CORNERS; at++) {
-    const places = [at, TILE_CELLS * TILE_CORNERS + at, at * TILE_CORNERS, at * TILE_CORNERS + TILE_CELLS];
-    places.forEach((place, edge) => (own[edge * TILE_CORNERS + at] = used[place]!));
-  }
-  for (let at = 0; at < TILE_CORNERS; at++) {
-    const places = [at, TILE_CELLS * TILE_CORNERS + at, at * TILE_CORNERS, at * TILE_CORNERS + TILE_CELLS];
-    places.forEach((place, edge) => (used[place]! |= neighbors[edge * TILE_CORNERS + at]!));
-  }
+/** Writes the used corners on the edges of the tile to `own`, and marks those of the adjacent tiles as used. */
+function exchangeEdges({ own, neighbors }: { own: TileEdges; neighbors: TileEdges }): void {
+  const cornersAt = (n: number) => [n, TILE_CELLS * TILE_CORNERS + n, n * TILE_CORNERS, n * TILE_CORNERS + TILE_CELLS];
+  for (let n = 0; n < TILE_CORNERS; n++) cornersAt(n).forEach((corner, edge) => (own[edge * TILE_CORNERS + n] = used[corner]!));
+  for (let n = 0; n < TILE_CORNERS; n++) cornersAt(n).forEach((corner, edge) => (used[corner]! |= neighbors[edge * TILE_CORNERS + n]!));
 }
 
+/** Whether there are used corners between two corners of a square. */
 function isDivided(from: number, to: number, step: number): boolean {
   for (let corner = from + step; corner !== to; corner += step) if (used[corner]) return true;
   return false;
 }
 
+/** Fills `flat`: squares of equal corners that `open` does not touch. */
 function findFlat({ z, slot, target }: TileCorners, open: [number, number]): void {
   const cells = flat[0]!;
   for (let y = 0, cell = 0; y < TILE_CELLS; y++) {
@@ -138,13 +139,13 @@ function findFlat({ z, slot, target }: TileCorners, open: [number, number]): voi
   }
   for (let halving = 1; halving <= HALVINGS; halving++) {
     const [across, size] = [TILE_CELLS >> halving, 1 << halving];
-    const [own, parts] = [flat[halving]!, flat[halving - 1]!];
-    const isOpen = (from: number, at: number) => at >= from && at <= from + size;
+    const [squares, quarters] = [flat[halving]!, flat[halving - 1]!];
+    const isOpen = (from: number, line: number) => line >= from && line <= from + size;
     for (let y = 0; y < across; y++) {
       for (let x = 0; x < across; x++) {
-        const part = 4 * y * across + 2 * x;
-        const areFlat = parts[part]! & parts[part + 1]! & parts[part + 2 * across]! & parts[part + 2 * across + 1]!;
-        own[y * across + x] = areFlat && !isOpen(x * size, open[0]) && !isOpen(y * size, open[1]) ? 1 : 0;
+        const first = 4 * y * across + 2 * x;
+        const areFlat = quarters[first]! & quarters[first + 1]! & quarters[first + 2 * across]! & quarters[first + 2 * across + 1]!;
+        squares[y * across + x] = areFlat && !isOpen(x * size, open[0]) && !isOpen(y * size, open[1]) ? 1 : 0;
       }
     }
   }

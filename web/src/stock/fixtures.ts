@@ -1,10 +1,11 @@
-// Fixtures: triangles that do not move, drawn into the picture of the stock.
+// Fixtures: triangles that are drawn with the stock.
 
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Vector3 } from "three";
 import type { Palette } from "../view/colors";
 
-/** Faces that meet at a smaller angle have no line between them, degrees. */
+/** Edges are drawn between faces whose normals differ by more than this, degrees. */
 const EDGE_ANGLE_DEGREES = 20;
+/** To the light; the shaders of the stock have the same. */
 const LIGHT_DIRECTION = new Vector3(-0.35, -0.55, 0.9).normalize();
 
 export class FixtureMesh {
@@ -17,7 +18,7 @@ export class FixtureMesh {
     return this.mesh === undefined;
   }
 
-  /** Triangles, nine numbers each, mm in the frame of the run. */
+  /** Sets the triangles, nine numbers each, mm in the frame of the run; undefined for none. */
   set(corners: Float32Array | undefined, palette: Palette): void {
     for (const child of [...this.object.children]) {
       (child as Mesh | LineSegments).geometry.dispose();
@@ -38,16 +39,16 @@ export class FixtureMesh {
   }
 
   setPalette(palette: Palette): void {
-    const own = new Color(palette.fixture);
-    this.lines.color.copy(own).multiplyScalar(0.6);
+    const base = new Color(palette.fixture);
+    this.lines.color.copy(base).multiplyScalar(0.6);
     if (!this.mesh) return;
     const { position, color } = this.mesh.geometry.attributes as { position: BufferAttribute; color: BufferAttribute };
     const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
-    for (let at = 0; at + 2 < position.count; at += 3) {
-      [a, b, c].forEach((corner, n) => corner.fromBufferAttribute(position, at + n));
+    for (let first = 0; first + 2 < position.count; first += 3) {
+      [a, b, c].forEach((corner, n) => corner.fromBufferAttribute(position, first + n));
       const normal = b.sub(a).cross(c.sub(a)).normalize();
       const light = 0.6 + 0.4 * Math.max(0, normal.dot(LIGHT_DIRECTION)) - 0.12 * Math.max(0, normal.x);
-      for (let n = 0; n < 3; n++) color.setXYZ(at + n, own.r * light, own.g * light, own.b * light);
+      for (let n = 0; n < 3; n++) color.setXYZ(first + n, base.r * light, base.g * light, base.b * light);
     }
     color.needsUpdate = true;
   }

@@ -1,8 +1,8 @@
-// The surfaces of gaps, and a texture that makes the walls of the stock open where gaps reach them.
+// The surfaces of gaps in columns, and a texture by which the stock shader opens walls where gaps reach them.
 
 import { BufferAttribute, BufferGeometry, DataTexture, DoubleSide, FloatType, GLSL3, Mesh, RGFormat, ShaderMaterial } from "three";
 import { type Gaps, gapSurfaces } from "./gaps";
-import { MAX_BANDS } from "./stock-shader";
+import { COLOR_SLOTS, MAX_BANDS } from "./stock-shader";
 import type { StockSurface } from "./surface";
 
 const VERTEX = `
@@ -18,7 +18,7 @@ const FRAGMENT = `
 precision highp float;
 in vec3 place;
 uniform vec4 keep;
-uniform vec3 colors[24];
+uniform vec3 colors[${COLOR_SLOTS}];
 uniform vec3 viewpoint;
 out vec4 drawn;
 
@@ -30,7 +30,7 @@ void main() {
   drawn = vec4(colors[0] * light, 1.0);
 }`;
 
-/** No gap: above everything. */
+/** Floor and roof of no gap, mm: above the top of the stock, which is 0. */
 const NO_GAP_HEIGHT = 1;
 
 export class GapMesh {
@@ -38,9 +38,9 @@ export class GapMesh {
   private texture: DataTexture | undefined;
   private bands = 0;
   /** Columns that have gaps in the texture. */
-  private written: number[] = [];
+  private writtenColumns: number[] = [];
 
-  /** `columns` are the uniforms of how columns are drawn; those of gaps are among them. */
+  /** `columns` are the uniforms of the stock shader, of which `gaps` and `bands` are set here. */
   constructor(private surface: StockSurface, private gaps: Gaps, private columns: ShaderMaterial["uniforms"]) {
     const { keep, colors, viewpoint, push } = columns;
     const material = new ShaderMaterial({ glslVersion: GLSL3, vertexShader: VERTEX, fragmentShader: FRAGMENT, side: DoubleSide });
@@ -53,8 +53,8 @@ export class GapMesh {
     return (this.object.geometry.getAttribute("position")?.count ?? 0) / 3;
   }
 
-  /** Takes gaps and columns as they are now. */
-  take(): void {
+  /** Makes the mesh and the texture for the present gaps and heights. */
+  update(): void {
     const { surface, gaps, columns: uniforms } = this;
     const { stock, bottom, width, z } = surface;
     const corners = gapSurfaces(gaps, {
@@ -69,29 +69,29 @@ export class GapMesh {
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(corners, 3));
     this.object.geometry = geometry;
-    this.write();
+    this.writeTexture();
     uniforms.bands!.value = this.bands;
     uniforms.gaps!.value = this.texture ?? null;
   }
 
-  private write(): void {
+  private writeTexture(): void {
     const { stock: { columns: [nx, ny] } } = this.surface;
-    const bands = Math.min(MAX_BANDS, this.gaps.most);
+    const bands = Math.min(MAX_BANDS, this.gaps.maxPerColumn);
     if (bands > this.bands) {
       this.texture?.dispose();
       this.bands = bands;
       this.texture = new DataTexture(new Float32Array(2 * nx * ny * bands).fill(NO_GAP_HEIGHT), nx, ny * bands, RGFormat, FloatType);
-      this.written = [];
+      this.writtenColumns = [];
     }
     const { texture } = this;
     if (!texture) return;
     const data = texture.image.data as Float32Array;
-    const at = (column: number, band: number) => 2 * ((Math.floor(column / nx) * bands + band) * nx + (column % nx));
-    for (const column of this.written) for (let band = 0; band < bands; band++) data.fill(NO_GAP_HEIGHT, at(column, band), at(column, band) + 2);
-    this.written = [];
-    for (const [column, own] of this.gaps.columns) {
-      this.written.push(column);
-      for (let band = 0; band < Math.min(bands, own.length / 2); band++) data.set([own[2 * band]!, own[2 * band + 1]!], at(column, band));
+    const offsetOf = (column: number, band: number) => 2 * ((Math.floor(column / nx) * bands + band) * nx + (column % nx));
+    for (const column of this.writtenColumns) for (let band = 0; band < bands; band++) data.fill(NO_GAP_HEIGHT, offsetOf(column, band), offsetOf(column, band) + 2);
+    this.writtenColumns = [];
+    for (const [column, heights] of this.gaps.columns) {
+      this.writtenColumns.push(column);
+      for (let band = 0; band < Math.min(bands, heights.length / 2); band++) data.set([heights[2 * band]!, heights[2 * band + 1]!], offsetOf(column, band));
     }
     texture.needsUpdate = true;
   }

@@ -1,57 +1,63 @@
-// The half section of a lathe's stock, drawn into a picture that lies under the path: a plane of lines and
-// arcs is drawn exactly, from the direction of the camera.
+// The half section of a lathe's stock, drawn on a canvas that lies under the path. The section is a plane, so its lines and arcs
+// are drawn exactly, as seen from the camera.
 
-import { type OrthographicCamera, type WebGLRenderer, CanvasTexture, DepthTexture, LinearFilter, Mesh, OrthographicCamera as Flat, PlaneGeometry, ShaderMaterial, UnsignedIntType, Vector2, Vector3, WebGLRenderTarget } from "three";
+import { type WebGLRenderer, CanvasTexture, DepthTexture, LinearFilter, Mesh, OrthographicCamera, PlaneGeometry, ShaderMaterial, UnsignedIntType, Vector2, Vector3, WebGLRenderTarget } from "three";
 import type { Bounds, Vec3 } from "../path/batch";
 import { type Palette, toolColor } from "../view/colors";
-import { type HalfSections, type Loops, type SectionPoint, type TurnedTool, corners, draw, edges, hull, silhouette, trace } from "./half-sections";
+import { type HalfSections, type Loops, type SectionPoint, type TurnedTool, SEGMENT_NUMBERS, corners, draw, edges, hull, silhouette, trace } from "./half-sections";
 
-/** A bar that is longer than the path is drawn so far beyond it, as a share of the path's size. */
-const BAR_ROOM_SHARE = 0.25;
-/** Where the plane is seen almost from its edge it is not drawn: below this share of its area. */
-const EDGE_ON_SHARE = 1e-3;
-/** Marks of problems with their line; more would lie over each other. */
+/** How far a bar that is longer than the path is shown beyond it, as a fraction of the path's size. */
+const BAR_ROOM_FRACTION = 0.25;
+/** The plane is not drawn when it is seen from its edge: when its apparent area is less than this fraction of the true one. */
+const EDGE_ON_FRACTION = 1e-3;
+/** Problems that are marked with their line at most; more would cover each other. */
 const MAX_MARKS = 40;
+/** A point nearer to the axis is on it, mm. */
+const ON_AXIS_MM = 1e-6;
 
-/** A problem: its line, and where it is. */
+/** The line and the position of a problem. */
 export interface ProblemMark {
   line: number;
   at: SectionPoint;
 }
 
-/** Where the program is. */
+/** A moment of the run. */
 export interface SectionMoment {
-  /** Which section there is. */
+  /** The number of the section. */
   number: number;
-  /** The pieces of path that are done. */
+  /** Rows of the path that are done. */
   done: number;
-  /** The positions of the tool on the move that is being cut, from its start. */
+  /** Positions of the tool on the row that is being cut, from its start to now. */
   cutting: SectionPoint[];
 }
 
-/** To the other side of the axis. */
+/** Mirrors at the axis of the spindle. */
 const MIRROR_MATRIX = new DOMMatrix([1, 0, 0, -1, 0, 0]);
 
-interface Shown {
+interface VisibleParts {
   stock: boolean;
   fixtures: boolean;
   target: boolean;
 }
 
-/** What is drawn of a section, until there is another. */
+/** The paths of a section, which are kept until another is drawn. */
 interface SectionOutline {
   number: number;
-  whole: Path2D;
+  /** The sectioned part. */
+  section: Path2D;
+  /** The outside of the part, drawn on the other side of the axis. */
   outside: Path2D;
+  /** The edges of the outside. */
   edges: Path2D;
+  /** Parts that were cut off. */
   loose: Path2D;
-  /** By the tool that made them; 0 is the stock. */
+  /** Surfaces by the tool that made them; 0 is the stock. */
   surfaces: Map<number, Path2D>;
 }
 
 export class HalfSectionLayer {
   sections: HalfSections | undefined;
-  shown: Shown = { stock: true, fixtures: true, target: true };
+  shown: VisibleParts = { stock: true, fixtures: true, target: true };
   private origin: Vec3 = [0, 0, 0];
   private moment: SectionMoment = { number: 0, done: Infinity, cutting: [] };
   private tool: { shape: TurnedTool; at: SectionPoint | undefined; color: string } | undefined;
@@ -59,13 +65,15 @@ export class HalfSectionLayer {
   private slot: (tool: number) => number = () => 0;
   private outline: SectionOutline | undefined;
   private canvas = document.createElement("canvas");
+  /** The part alone, from which the sweep of the tool is removed. */
   private part = document.createElement("canvas");
-  /** Over the path: the tool, and where problems are. */
+  /** Over the path: the tool and the marks of problems. */
   readonly over = document.createElement("canvas");
   private texture: CanvasTexture | undefined;
   private target: WebGLRenderTarget | undefined;
-  private plane = new Mesh(new PlaneGeometry(2, 2), picture());
-  private flat = new Flat(-1, 1, 1, -1, 0, 1);
+  private plane = new Mesh(new PlaneGeometry(2, 2), planeMaterial());
+  private planeCamera = new OrthographicCamera(-1, 1, 1, -1, 0, 1);
+  /** Matrices of the camera for which it was drawn last. */
   private viewKey = "";
   private isStale = true;
 
@@ -78,7 +86,7 @@ export class HalfSectionLayer {
     this.over.setAttribute("aria-hidden", "true");
   }
 
-  /** Other sections, or none; `slot` gives the number of a tool among those that cut. */
+  /** Sets the sections, or none; `slot` gives the colour index of a tool. */
   begin(sections: HalfSections | undefined, origin: Vec3, slot: (tool: number) => number): void {
     this.sections = sections;
     this.origin = origin;
@@ -95,8 +103,8 @@ export class HalfSectionLayer {
     this.changed();
   }
 
-  /** The tool at a position of the plane, where it is to be seen; whether it has a shape. */
-  place(number: number, at: SectionPoint | undefined): boolean {
+  /** Puts a tool at a position of the plane, or hides it; returns whether it has a shape. */
+  placeTool(number: number, at: SectionPoint | undefined): boolean {
     const shape = this.sections?.tools.get(number);
     this.tool = shape && { shape, at, color: toolColor(this.palette, this.slot(number)) };
     this.changed();
@@ -118,38 +126,39 @@ export class HalfSectionLayer {
     this.requestFrame();
   }
 
-  /** The picture shows this moment. */
+  /** Whether the present moment is drawn. */
   get isComplete(): boolean {
     return !this.sections || !this.isStale;
   }
 
-  /** The picture as it was drawn last. */
-  get under(): WebGLRenderTarget | undefined {
+  /** The render target with the section; undefined where there is none. */
+  get underlay(): WebGLRenderTarget | undefined {
     return this.sections && this.target;
   }
 
-  /** The box of the stock, relative to the origin of the path; what of a long bar is far from the path is left out. */
+  /** The box of the stock, relative to the origin of the path, mm; the part of a long bar that is far from the path is left out. */
   bounds(path: Bounds | undefined): Bounds | undefined {
     if (!this.sections || !this.shown.stock) return undefined;
     const numbers = this.sections.before.flatMap((loop) => Array.from(loop));
-    const of = (at: number) => numbers.filter((_, index) => index % 7 === at || index % 7 === at + 2);
+    /** Both ends of all lines and arcs: Z (0) or radius (1). */
+    const ends = (component: number) => numbers.filter((_, index) => [component, component + 2].includes(index % SEGMENT_NUMBERS));
     const [x, y, z] = this.origin;
-    const [ends, radius] = [of(0), Math.max(...of(1))];
-    let [low, high] = [Math.min(...ends) - z, Math.max(...ends) - z];
+    const radius = Math.max(...ends(1));
+    let [low, high] = [Math.min(...ends(0)) - z, Math.max(...ends(0)) - z];
     if (path) {
-      const room = BAR_ROOM_SHARE * Math.max(path.high[2] - path.low[2], path.high[0] - path.low[0], 1);
-      [low, high] = [Math.max(low, path.low[2] - room), Math.min(high, path.high[2] + room)];
+      const margin = BAR_ROOM_FRACTION * Math.max(path.high[2] - path.low[2], path.high[0] - path.low[0], 1);
+      [low, high] = [Math.max(low, path.low[2] - margin), Math.min(high, path.high[2] + margin)];
     }
     return { low: [-radius - x, -y, low], high: [radius - x, -y, high] };
   }
 
-  /** Draws what is due before a frame. */
+  /** Draws the section before a frame, where it or the camera has changed. */
   prepare(renderer: WebGLRenderer, camera: OrthographicCamera): void {
     this.over.hidden = !this.sections;
     if (!this.sections) return;
-    const from = `${camera.matrixWorld.elements.join()} ${camera.projectionMatrix.elements.join()}`;
-    if (!this.resize(renderer) && !this.isStale && from === this.viewKey) return;
-    this.viewKey = from;
+    const viewKey = `${camera.matrixWorld.elements.join()} ${camera.projectionMatrix.elements.join()}`;
+    if (!this.resize(renderer) && !this.isStale && viewKey === this.viewKey) return;
+    this.viewKey = viewKey;
     this.isStale = false;
     const matrix = this.matrix(camera);
     this.paint(matrix);
@@ -157,10 +166,11 @@ export class HalfSectionLayer {
     this.texture!.needsUpdate = true;
     renderer.setRenderTarget(this.target!);
     renderer.clear();
-    renderer.render(this.plane, this.flat);
+    renderer.render(this.plane, this.planeCamera);
     renderer.setRenderTarget(null);
   }
 
+  /** Adapts to the size of the renderer; returns whether that has changed. */
   private resize(renderer: WebGLRenderer): boolean {
     const ratio = Math.min(2, window.devicePixelRatio);
     const { x, y } = renderer.getSize(new Vector2()).multiplyScalar(ratio).floor().max(new Vector2(1, 1));
@@ -176,17 +186,17 @@ export class HalfSectionLayer {
     return true;
   }
 
-  /** Takes z and radius to pixels; none where the plane is seen from its edge. */
+  /** Takes Z and radius to pixels; undefined where the plane is seen from its edge. */
   private matrix(camera: OrthographicCamera): DOMMatrix | undefined {
     const { width, height } = this.canvas;
     const [x, y, z] = this.origin;
-    const to = (at: SectionPoint): SectionPoint => {
+    const toPixels = (at: SectionPoint): SectionPoint => {
       const p = new Vector3(at[1] - x, -y, at[0] - z).project(camera);
       return [((p.x + 1) / 2) * width, ((1 - p.y) / 2) * height];
     };
-    const [zero, along, out] = [to([0, 0]), to([1, 0]), to([0, 1])];
-    const [a, b, c, d] = [along[0] - zero[0], along[1] - zero[1], out[0] - zero[0], out[1] - zero[1]];
-    const isVisible = Math.abs(a * d - b * c) > EDGE_ON_SHARE * Math.max(Math.hypot(a, b), Math.hypot(c, d)) ** 2;
+    const [zero, alongZ, alongRadius] = [toPixels([0, 0]), toPixels([1, 0]), toPixels([0, 1])];
+    const [a, b, c, d] = [alongZ[0] - zero[0], alongZ[1] - zero[1], alongRadius[0] - zero[0], alongRadius[1] - zero[1]];
+    const isVisible = Math.abs(a * d - b * c) > EDGE_ON_FRACTION * Math.max(Math.hypot(a, b), Math.hypot(c, d)) ** 2;
     return isVisible ? new DOMMatrix([a, b, c, d, ...zero]) : undefined;
   }
 
@@ -199,31 +209,31 @@ export class HalfSectionLayer {
     if (!matrix) return;
     const mirrored = matrix.multiply(MIRROR_MATRIX);
     const ratio = Math.min(2, window.devicePixelRatio);
-    const pen = new Brush(context, ratio);
+    const brush = new Brush(context, ratio);
     if (shown.stock) {
       const outline = this.outlineAt(moment.number);
-      pen.fill(outline.outside, mirrored, palette.stock, 0.55);
-      pen.stroke(outline.edges, mirrored, palette.rapid, 0.8);
-      pen.fill(outline.loose, matrix, palette.inside, 0.35);
-      this.paintPart(outline.whole, matrix, ratio);
+      brush.fill(outline.outside, mirrored, palette.stock, 0.55);
+      brush.stroke(outline.edges, mirrored, palette.rapid, 0.8);
+      brush.fill(outline.loose, matrix, palette.inside, 0.35);
+      this.paintPart(outline.section, matrix, ratio);
       for (const [tool, surfaces] of outline.surfaces) {
-        pen.stroke(surfaces, matrix, tool === 0 ? palette.text : toolColor(palette, this.slot(tool)), tool === 0 ? 1 : 1.6);
+        brush.stroke(surfaces, matrix, tool === 0 ? palette.text : toolColor(palette, this.slot(tool)), tool === 0 ? 1 : 1.6);
       }
-      pen.stroke(pathOf(sections.before), matrix, palette.rapid, 1, [5, 4]);
+      brush.stroke(pathOf(sections.before), matrix, palette.rapid, 1, [5, 4]);
       for (const thread of sections.threads) {
-        if (thread.row < moment.done) pen.stroke(pathOf(thread.loops), matrix, palette.text, 0.8);
+        if (thread.row < moment.done) brush.stroke(pathOf(thread.loops), matrix, palette.text, 0.8);
       }
     }
-    if (shown.target && sections.target) pen.stroke(pathOf(sections.target), matrix, palette.contour, 1.4, [8, 3]);
+    if (shown.target && sections.target) brush.stroke(pathOf(sections.target), matrix, palette.contour, 1.4, [8, 3]);
     if (shown.fixtures) {
       for (const { loops } of sections.fixtures) {
         for (const side of [matrix, mirrored]) {
-          pen.fill(pathOf(loops), side, palette.fixture, 0.9);
-          pen.stroke(pathOf(loops), side, palette.text, 0.8);
+          brush.fill(pathOf(loops), side, palette.fixture, 0.9);
+          brush.stroke(pathOf(loops), side, palette.text, 0.8);
         }
       }
     }
-    pen.axis(matrix, palette.rapid, canvas);
+    brush.axis(matrix, palette.rapid, canvas);
   }
 
   private paintOver(matrix: DOMMatrix | undefined): void {
@@ -231,57 +241,57 @@ export class HalfSectionLayer {
     const context = over.getContext("2d")!;
     context.clearRect(0, 0, over.width, over.height);
     if (!matrix) return;
-    const pen = new Brush(context, Math.min(2, window.devicePixelRatio));
-    this.paintTool(pen, matrix, matrix.multiply(MIRROR_MATRIX));
-    for (const { line, at } of this.shown.stock ? this.marks : []) pen.mark(matrix, at, `line ${line}`, palette.deviation[0]!, palette.background);
+    const brush = new Brush(context, Math.min(2, window.devicePixelRatio));
+    this.paintTool(brush, matrix, matrix.multiply(MIRROR_MATRIX));
+    for (const { line, at } of this.shown.stock ? this.marks : []) brush.mark(matrix, at, `line ${line}`, palette.deviation[0]!, palette.background);
   }
 
-  /** The part, without what the tool has taken of it on the move that is being cut. */
-  private paintPart(whole: Path2D, matrix: DOMMatrix, ratio: number): void {
+  /** Draws the part without what the tool has removed on the row that is being cut. */
+  private paintPart(section: Path2D, matrix: DOMMatrix, ratio: number): void {
     const { part, palette } = this;
     const context = part.getContext("2d")!;
     context.globalCompositeOperation = "source-over";
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, part.width, part.height);
-    const pen = new Brush(context, ratio);
-    pen.fill(whole, matrix, palette.inside, 0.85);
+    const brush = new Brush(context, ratio);
+    brush.fill(section, matrix, palette.inside, 0.85);
     context.globalCompositeOperation = "destination-out";
     const { cutting } = this.moment;
-    for (let at = 1; at < cutting.length; at++) {
+    for (let index = 1; index < cutting.length; index++) {
       for (const loop of this.tool?.shape.edges ?? []) {
         const swept = new Path2D();
-        polygon(swept, hull([...corners(loop, cutting[at - 1]!), ...corners(loop, cutting[at]!)]));
-        pen.fill(swept, matrix, "#000000", 1);
+        polygon(swept, hull([...corners(loop, cutting[index - 1]!), ...corners(loop, cutting[index]!)]));
+        brush.fill(swept, matrix, "#000000", 1);
       }
     }
     this.canvas.getContext("2d")!.drawImage(part, 0, 0);
   }
 
-  private paintTool(pen: Brush, matrix: DOMMatrix, mirrored: DOMMatrix): void {
+  private paintTool(brush: Brush, matrix: DOMMatrix, mirrored: DOMMatrix): void {
     const { tool, palette } = this;
     if (!tool?.at) return;
     const { at } = tool;
     const [z, r] = at;
-    const by = new DOMMatrix([1, 0, 0, 1, z, r]);
-    // A tool on the axis is drawn with both halves.
-    const isOnAxis = tool.shape.edges.every((loop) => corners(loop, at).every((spot) => spot[1] > -1e-6));
-    const touches = tool.shape.edges.some((loop) => corners(loop, at).some((spot) => Math.abs(spot[1]) < 1e-6));
-    for (const side of isOnAxis && touches && Math.abs(r) < 1e-6 ? [matrix, mirrored] : [matrix]) {
-      const to = side.multiply(by);
-      pen.fill(pathOf(tool.shape.body), to, palette.toolShape, 0.3);
-      pen.fill(pathOf(tool.shape.edges), to, tool.color, 0.6);
-      if (tool.shape.edges.length === 1) pen.stroke(pathOf(tool.shape.edges), to, palette.text, 1);
+    const translation = new DOMMatrix([1, 0, 0, 1, z, r]);
+    // A drill or tap on the axis is drawn with both halves.
+    const isAboveAxis = tool.shape.edges.every((loop) => corners(loop, at).every((corner) => corner[1] > -ON_AXIS_MM));
+    const touchesAxis = tool.shape.edges.some((loop) => corners(loop, at).some((corner) => Math.abs(corner[1]) < ON_AXIS_MM));
+    for (const side of isAboveAxis && touchesAxis && Math.abs(r) < ON_AXIS_MM ? [matrix, mirrored] : [matrix]) {
+      const toCanvas = side.multiply(translation);
+      brush.fill(pathOf(tool.shape.body), toCanvas, palette.toolShape, 0.3);
+      brush.fill(pathOf(tool.shape.edges), toCanvas, tool.color, 0.6);
+      if (tool.shape.edges.length === 1) brush.stroke(pathOf(tool.shape.edges), toCanvas, palette.text, 1);
     }
   }
 
   private outlineAt(number: number): SectionOutline {
     if (this.outline?.number === number) return this.outline;
     const sections = this.sections!;
-    const [pieces, loose] = [sections.alive(number), sections.alive(number, true)];
+    const [pieces, loose] = [sections.piecesOf(number), sections.piecesOf(number, true)];
     const segments = [...pieces, ...loose].map((piece) => sections.numbers(piece));
     const outline: SectionOutline = {
       number,
-      whole: pathOf(sections.loops(pieces)),
+      section: pathOf(sections.loops(pieces)),
       outside: new Path2D(),
       edges: new Path2D(),
       loose: pathOf(sections.loops(loose)),
@@ -312,12 +322,12 @@ function pathOf(loops: Loops): Path2D {
   return path;
 }
 
-function polygon(path: Path2D, spots: SectionPoint[]): void {
-  spots.forEach(([z, r], at) => (at === 0 ? path.moveTo(z, r) : path.lineTo(z, r)));
+function polygon(path: Path2D, points: SectionPoint[]): void {
+  points.forEach(([z, r], index) => (index === 0 ? path.moveTo(z, r) : path.lineTo(z, r)));
   path.closePath();
 }
 
-/** Draws paths of the half plane; lines keep their width on the screen. */
+/** Draws paths of the half plane; line widths are in CSS pixels. */
 class Brush {
   constructor(
     private context: CanvasRenderingContext2D,
@@ -342,25 +352,25 @@ class Brush {
     context.setLineDash([]);
   }
 
-  /** The axis of the spindle, through all of the picture. */
+  /** Draws the axis of the spindle across the canvas. */
   axis(matrix: DOMMatrix, color: string, { width, height }: HTMLCanvasElement): void {
-    const back = matrix.inverse();
-    const ends = [[0, 0], [width, 0], [0, height], [width, height]].map(([x, y]) => back.transformPoint({ x, y }).x);
+    const toPlane = matrix.inverse();
+    const ends = [[0, 0], [width, 0], [0, height], [width, height]].map(([x, y]) => toPlane.transformPoint({ x, y }).x);
     const path = new Path2D();
     path.moveTo(Math.min(...ends), 0);
     path.lineTo(Math.max(...ends), 0);
     this.stroke(path, matrix, color, 1, [16, 4, 3, 4]);
   }
 
-  /** A ring with words next to it. */
+  /** Draws a ring with a text next to it. */
   mark(matrix: DOMMatrix, [z, r]: SectionPoint, text: string, color: string, halo: string): void {
     const { context, ratio } = this;
     const { x, y } = matrix.transformPoint({ x: z, y: r });
     const ring = new Path2D();
     ring.arc(x, y, 6 * ratio, 0, 2 * Math.PI);
-    const still = new DOMMatrix();
-    this.stroke(ring, still, halo, 4);
-    this.stroke(ring, still, color, 2);
+    const identity = new DOMMatrix();
+    this.stroke(ring, identity, halo, 4);
+    this.stroke(ring, identity, color, 2);
     context.font = `600 ${12 * ratio}px system-ui, sans-serif`;
     context.textBaseline = "middle";
     context.strokeStyle = halo;
@@ -372,13 +382,13 @@ class Brush {
 }
 
 function moved(path: Path2D, matrix: DOMMatrix): Path2D {
-  const made = new Path2D();
-  made.addPath(path, matrix);
-  return made;
+  const result = new Path2D();
+  result.addPath(path, matrix);
+  return result;
 }
 
-/** Draws the picture with depth: it is behind everything else, and nowhere where it is empty. */
-function picture(): ShaderMaterial {
+/** Draws the canvas at a depth behind everything else. */
+function planeMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     uniforms: { picture: { value: null } },
     vertexShader: "varying vec2 at; void main() { at = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }",

@@ -60,13 +60,13 @@ it("has the section of every moment, forward and backward", () => {
   const own = sections();
   expect([0, 3, 3.5, 4, 5, 6, Infinity].map((done) => own.numberAt(done))).toEqual([0, 0, 0, 1, 1, 2, 2]);
   const areas = [0, 1, 2, 1, 0].map((number) => {
-    const spots = drawn(own.loops(own.alive(number)));
+    const spots = drawn(own.loops(own.piecesOf(number)));
     expect(spots.length).toBe(1);
     return area(spots[0]!);
   });
   // With the chord of the arc the corner is a triangle.
   expect(areas).toEqual([200, 160, 158, 160, 200]);
-  expect(own.alive(2).map((piece) => own.toolOf(piece))).toEqual([0, 1, 2, 2, 2]);
+  expect(own.piecesOf(2).map((piece) => own.toolOf(piece))).toEqual([0, 1, 2, 2, 2]);
 });
 
 it("knows what is being cut", () => {
@@ -80,7 +80,7 @@ it("knows what is being cut", () => {
 
 it("sees the part from outside down to the axis, with its edges", () => {
   const own = sections();
-  const numbers = own.alive(2).map((piece) => own.numbers(piece));
+  const numbers = own.piecesOf(2).map((piece) => own.numbers(piece));
   const outside = pen();
   silhouette(outside, numbers);
   expect(outside.spots.every((spots) => area(spots) <= 0)).toBe(true);

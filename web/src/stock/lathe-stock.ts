@@ -1,4 +1,4 @@
-// The stock of a lathe on the page: its half section at any moment, the tool in it, and what was found.
+// The stock of a lathe on the page: its half section at any moment, the tool in it, and the result of the simulation.
 
 import { arcIndex } from "../path/arcs";
 import type { Vec3 } from "../path/batch";
@@ -14,42 +14,44 @@ export interface LatheStockParts {
   view: PathView;
   connection: Connection;
   run: ShownRun;
-  /** All problems, those of the stock among them. */
+  /** Takes all problems of the run, including those of the stock. */
   report: (message: TurnedReport) => void;
 }
 
-/** Pieces in which the tool goes along an arc that is being cut. */
+/** Steps along an arc that is being cut. */
 const ARC_STEPS = 24;
 
 export function latheStock(parts: LatheStockParts) {
   const { view } = parts;
   let sections: HalfSections | undefined;
-  let done = Infinity;
-  let at: Vec3 | undefined;
+  let rowsDone = Infinity;
+  /** Of the tool, relative to the origin of the path; undefined where it is not known. */
+  let position: Vec3 | undefined;
   const controls = latheControls((what, shown) => {
     view.lathe.shown[what] = shown;
     view.lathe.changed();
   });
 
-  const spot = (place: Vec3): SectionPoint => {
+  /** Z and radius of a position relative to the origin of the path. */
+  const sectionPoint = (at: Vec3): SectionPoint => {
     const { origin } = parts.run.path;
-    return [place[2] + origin[2], place[0] + origin[0]];
+    return [at[2] + origin[2], at[0] + origin[0]];
   };
 
-  /** Where the tool was on the move that it is cutting. */
-  function cutting(): SectionPoint[] {
-    const row = sections?.rowInProgress(done);
+  /** Positions of the tool on the row that it is cutting, from its start to now. */
+  function cuttingPositions(): SectionPoint[] {
+    const row = sections?.rowInProgress(rowsDone);
     const path = parts.run.path;
     const found = row === undefined ? undefined : path.find(row);
-    if (!found || row === undefined || !at) return [];
+    if (!found || row === undefined || !position) return [];
     const steps = arcIndex(...found) < 0 ? 1 : ARC_STEPS;
-    const places = Array.from({ length: steps }, (_, step) => path.pointOn(row, ((done - row) * step) / steps)!);
-    return [...places, at].map(spot);
+    const points = Array.from({ length: steps }, (_, step) => path.pointOn(row, ((rowsDone - row) * step) / steps)!);
+    return [...points, position].map(sectionPoint);
   }
 
   function show(): void {
     if (!sections) return;
-    view.lathe.goTo({ number: sections.numberAt(done), done, cutting: cutting() });
+    view.lathe.goTo({ number: sections.numberAt(rowsDone), done: rowsDone, cutting: cuttingPositions() });
   }
 
   return {
@@ -58,19 +60,19 @@ export function latheStock(parts: LatheStockParts) {
     /** A new run begins. */
     began(): void {
       sections = undefined;
-      done = Infinity;
-      at = undefined;
+      rowsDone = Infinity;
+      position = undefined;
       view.setHalfSections(undefined, () => 0);
       controls.none();
     },
-    /** To a moment: so much of the path is done, and the tool is at a position, relative to the origin of the path. */
-    goTo(rows: number, place: Vec3 | undefined): void {
-      [done, at] = [rows, place];
+    /** Goes to the moment when `rows` rows of the path are done and the tool is at a position relative to the origin of the path. */
+    goTo(rows: number, at: Vec3 | undefined): void {
+      [rowsDone, position] = [rows, at];
       show();
     },
-    /** The tool at a position, relative to the origin of the path; whether it is drawn here. */
-    place(tool: number, place: Vec3 | undefined): boolean {
-      return sections !== undefined && view.lathe.place(tool, place && spot(place));
+    /** Puts a tool at a position relative to the origin of the path, or hides it; returns whether the half section draws it. */
+    placeTool(tool: number, at: Vec3 | undefined): boolean {
+      return sections !== undefined && view.lathe.placeTool(tool, at && sectionPoint(at));
     },
     take(message: ServerMessage): boolean {
       if (message.type !== "turned_report") return false;

@@ -1,13 +1,13 @@
-// How the stock is shown: colours, where it is cut open, how fine it is, and what was found.
+// The controls of the stock: colours, section, number of columns; and the result of its simulation.
 
-import { closesOnEscape, element } from "../panels/dom";
+import { closeOnEscape, element } from "../panels/dom";
 import { type Units, count, length, volume } from "../panels/units";
 import type { StockReport } from "../protocol/messages";
 import { type StockColor, type StockCut, MAX_TOLERANCES } from "./stock-layer";
 import type { StockBefore } from "./stock-timeline";
 
 const SLIDER_STEPS = 1000;
-/** Columns to choose from, about. */
+/** Approximate numbers of columns to choose from. */
 const COLUMN_CHOICES: [number, string][] = [[60_000, "60,000"], [250_000, "250,000"], [500_000, "500,000"], [1_000_000, "1,000,000"]];
 const DEFAULT_COLUMNS = 250_000;
 const VERDICT_TEXTS = { clean: "clean", problems: "problems, see Problems", "not-proved": "not proved, see Problems" } as const;
@@ -20,11 +20,15 @@ interface MillHandlers {
   columns: (columns: number) => void;
 }
 
-/** What the picture does not show in full. */
-interface Less {
+/** What the drawn stock does not show exactly. */
+interface StockLimits {
+  /** There are fewer columns than chosen. */
   coarser: boolean;
+  /** Some columns are lowered a little late. */
   late: boolean;
+  /** There are undercuts. */
   undercuts: boolean;
+  /** There are cuts while a rotary axis turns the part. */
   turned: boolean;
 }
 
@@ -54,8 +58,8 @@ export function millControls(handlers: MillHandlers) {
   const columns = select("stock-columns", "Number of columns", COLUMN_CHOICES.map(([value, text]) => [String(value), text]));
   columns.value = String(DEFAULT_COLUMNS);
   const about = element("output", "about");
-  const found = element("output", "about");
-  found.setAttribute("aria-live", "polite");
+  const result = element("output", "about");
+  result.setAttribute("aria-live", "polite");
   const row = (name: string, ...parts: HTMLElement[]) => {
     const pair = element("span", "pair");
     pair.append(...parts);
@@ -70,12 +74,13 @@ export function millControls(handlers: MillHandlers) {
   row("", placeText);
   row("Columns", columns);
   row("", about);
-  row("", found);
+  row("", result);
   root.append(summary, choices);
 
   let stock: StockBefore | undefined;
   let units: Units = { inch: false };
-  let less: Less = { coarser: false, late: false, undercuts: false, turned: false };
+  let limits: StockLimits = { coarser: false, late: false, undercuts: false, turned: false };
+  /** How many drops the timeline has; undefined until it is complete. */
   let changes: number | undefined;
   let hasPart = false;
 
@@ -87,8 +92,8 @@ export function millControls(handlers: MillHandlers) {
       placeText.textContent = "";
       return handlers.cut(undefined);
     }
-    const number = ["x", "y", "z"].indexOf(chosen);
-    const [low, high] = [stock.low[number]!, stock.high[number]!];
+    const axisIndex = ["x", "y", "z"].indexOf(chosen);
+    const [low, high] = [stock.low[axisIndex]!, stock.high[axisIndex]!];
     const at = low + ((high - low) * Number(place.value)) / SLIDER_STEPS;
     placeText.textContent = `${chosen.toUpperCase()} ${length(units, at)}`;
     handlers.cut({ axis: chosen, at });
@@ -99,22 +104,22 @@ export function millControls(handlers: MillHandlers) {
   }
   function updateSummary(): void {
     if (!stock) return;
-    const more = changes === undefined ? "" : `, ${count(changes)} changes`;
+    const changesText = changes === undefined ? "" : `, ${count(changes)} changes`;
     const [nx, ny] = stock.columns;
-    const coarser = less.coarser ? ", coarser than chosen: the program lowers them too often" : "";
-    const late = less.late ? `, at most ${length(units, stock.pitch / 2)} late in places` : "";
-    const far = stock.target && color.value === "deviation" ? `. Red: too deep, blue: too high, by up to ${length(units, MAX_TOLERANCES * stock.toleranceMm)}` : "";
+    const coarser = limits.coarser ? ", coarser than chosen: the program lowers them too often" : "";
+    const late = limits.late ? `, at most ${length(units, stock.pitch / 2)} late in places` : "";
+    const deviation = stock.target && color.value === "deviation" ? `. Red: too deep, blue: too high, by up to ${length(units, MAX_TOLERANCES * stock.toleranceMm)}` : "";
     const where = hasPart ? "drawn at the end of the program only" : "not drawn";
-    const missing = [less.undercuts && `Undercuts are ${where}`, less.turned && `Cuts while the part is turned are ${where}`];
-    const notDrawn = missing.filter(Boolean).map((text) => `. ${text}`).join("");
-    about.textContent = `${length(units, stock.pitch)}, ${count(nx * ny)} columns${coarser}${late}${more}${far}${notDrawn}`;
+    const missingParts = [limits.undercuts && `Undercuts are ${where}`, limits.turned && `Cuts while the part is turned are ${where}`];
+    const notDrawn = missingParts.filter(Boolean).map((text) => `. ${text}`).join("");
+    about.textContent = `${length(units, stock.pitch)}, ${count(nx * ny)} columns${coarser}${late}${changesText}${deviation}${notDrawn}`;
   }
   fixtures.addEventListener("change", () => handlers.showFixtures(fixtures.checked));
   shown.addEventListener("change", () => handlers.show(shown.checked));
   color.addEventListener("change", updateColor);
   for (const input of [axis, place]) input.addEventListener("input", updateCut);
   columns.addEventListener("change", () => handlers.columns(Number(columns.value)));
-  closesOnEscape(root, summary);
+  closeOnEscape(root, summary);
 
   return {
     root,
@@ -122,39 +127,39 @@ export function millControls(handlers: MillHandlers) {
       root.hidden = true;
       stock = undefined;
     },
-    begin(own: StockBefore, its: Units, missing: Less): void {
-      [stock, units, less] = [own, its, missing];
+    begin(newStock: StockBefore, newUnits: Units, newLimits: StockLimits): void {
+      [stock, units, limits] = [newStock, newUnits, newLimits];
       root.hidden = false;
-      fixturesRow.forEach((part) => (part.hidden = !own.fixtures?.length));
-      color.querySelector<HTMLOptionElement>("[value=deviation]")!.disabled = !own.target;
-      if (!own.target && color.value === "deviation") color.value = "tool";
-      found.textContent = "";
+      fixturesRow.forEach((part) => (part.hidden = !newStock.fixtures?.length));
+      color.querySelector<HTMLOptionElement>("[value=deviation]")!.disabled = !newStock.target;
+      if (!newStock.target && color.value === "deviation") color.value = "tool";
+      result.textContent = "";
       changes = undefined;
       hasPart = false;
       updateColor();
       updateCut();
     },
-    progress(share: number, drops: number): void {
-      summary.textContent = share < 1 ? `Stock ${Math.floor(100 * share)} %` : "Stock";
-      if (share < 1) return;
+    progress(fraction: number, drops: number): void {
+      summary.textContent = fraction < 1 ? `Stock ${Math.floor(100 * fraction)} %` : "Stock";
+      if (fraction < 1) return;
       changes = drops;
       updateSummary();
-      found.textContent = "Looking for touches…";
+      result.textContent = "Looking for touches…";
     },
     part(): void {
       hasPart = true;
       updateSummary();
     },
-    report({ verdict, removed_mm3: { least, most } }: StockReport, its: Units): void {
-      found.textContent = `${VERDICT_TEXTS[verdict]}; removed ${volume(its, least, most)}`;
+    report({ verdict, removed_mm3: { least, most } }: StockReport, reportUnits: Units): void {
+      result.textContent = `${VERDICT_TEXTS[verdict]}; removed ${volume(reportUnits, least, most)}`;
     },
   };
 }
 
 function select(id: string, label: string, options: [string, string][]): HTMLSelectElement {
-  const made = element("select");
-  made.id = id;
-  made.setAttribute("aria-label", label);
-  for (const [value, text] of options) made.append(new Option(text, value));
-  return made;
+  const field = element("select");
+  field.id = id;
+  field.setAttribute("aria-label", label);
+  for (const [value, text] of options) field.append(new Option(text, value));
+  return field;
 }

@@ -1,4 +1,4 @@
-// The stock of a milled program on the page: its messages, its moment, and how it is shown.
+// The stock of a milling program on the page: its messages, its state at any moment, and how it is shown.
 
 import { type Vec3, KNOWN_BIT, RAPID, kindOf } from "../path/batch";
 import type { Connection } from "../protocol/connection";
@@ -8,6 +8,7 @@ import type { ShownRun } from "../session/shown-run";
 import type { PathView } from "../view/path-view";
 import { Gaps } from "./gaps";
 import { millControls } from "./mill-controls";
+import { COLOR_SLOTS } from "./stock-shader";
 import { type StockBefore, StockTimeline } from "./stock-timeline";
 import { floorOf } from "./tool-floor";
 
@@ -15,23 +16,24 @@ export interface MillStockParts {
   view: PathView;
   connection: Connection;
   run: ShownRun;
-  /** All problems, those of the stock among them. */
+  /** Takes all problems of the run, including those of the stock. */
   report: (report: StockReport) => void;
   notify: (kind: "warning", text: string) => void;
 }
 
-/** Where the program is: so much of the path is done, and the tool is there. */
+/** A moment of the run: how many rows are done, and where the tool is, relative to the origin of the path. */
 interface Moment {
   rows: number;
-  at: Vec3 | undefined;
+  position: Vec3 | undefined;
 }
 
-/** All of the program. */
-const PROGRAM_END: Moment = { rows: Infinity, at: undefined };
+const PROGRAM_END: Moment = { rows: Infinity, position: undefined };
+/** Colour slots of tools; slot 0 is the stock. */
+const TOOL_SLOTS = COLOR_SLOTS - 1;
 
 export function millStock(parts: MillStockParts) {
   const { view } = parts;
-  let drops: StockTimeline | undefined;
+  let timeline: StockTimeline | undefined;
   let gaps = new Gaps();
   let moment = PROGRAM_END;
   let progress = 1;
@@ -43,9 +45,10 @@ export function millStock(parts: MillStockParts) {
     columns: (columns) => parts.connection.send("stock", { columns }),
   });
 
+  /** The colour slot of the tool of a row. */
   function slotOf(row: number): number {
     const found = parts.run.path.find(row);
-    return found ? 1 + (parts.run.path.cutterIndex(found[0].tool[found[1]]!) % 23) : 1;
+    return found ? 1 + (parts.run.path.cutterIndex(found[0].tool[found[1]]!) % TOOL_SLOTS) : 1;
   }
 
   function begin(frame: Frame): void {
@@ -60,7 +63,7 @@ export function millStock(parts: MillStockParts) {
       toleranceMm: Number(header.tolerance_mm ?? 0),
       fixtures: f32(frame, "fixtures"),
     };
-    drops = new StockTimeline(stock.heights);
+    timeline = new StockTimeline(stock.heights);
     gaps = new Gaps();
     progress = 0;
     view.setStock(stock);
@@ -73,10 +76,10 @@ export function millStock(parts: MillStockParts) {
   }
 
   function add(frame: Frame): void {
-    if (!drops) return;
-    drops.add(u32(frame, "column"), u32(frame, "row"), f32(frame, "share"), f32(frame, "height"), slotOf);
+    if (!timeline) return;
+    timeline.add(u32(frame, "column"), u32(frame, "row"), f32(frame, "share"), f32(frame, "height"), slotOf);
     progress = Number(frame.header.progress);
-    controls.progress(progress, drops.count);
+    controls.progress(progress, timeline.count);
     show();
   }
 
@@ -86,56 +89,56 @@ export function millStock(parts: MillStockParts) {
     show();
   }
 
-  /** The part at the end, with what heights do not show. */
-  function part(frame: Frame): void {
+  /** Takes the mesh of the part at the end, which shows what heights cannot. */
+  function takePart(frame: Frame): void {
     view.stock.setPart(f32(frame, "corners"));
     controls.part();
     show();
   }
 
-  /** The tool at its present position, where it cuts: not in a rapid. */
+  /** The tool at its present position in the frame of the run; undefined in a rapid, and where position or shape are not known. */
   function toolInCut() {
-    const { rows, at } = moment;
-    if (!at || !Number.isFinite(rows)) return undefined;
+    const { rows, position } = moment;
+    if (!position || !Number.isFinite(rows)) return undefined;
     const path = parts.run.path;
     const found = path.find(Math.min(Math.floor(rows), path.rows - 1));
     if (!found) return undefined;
-    const [batch, row] = found;
-    if (kindOf(batch.kind[row]!) === RAPID || !(batch.kind[row]! & KNOWN_BIT)) return undefined;
-    const number = batch.tool[row]!;
+    const [batch, index] = found;
+    if (kindOf(batch.kind[index]!) === RAPID || !(batch.kind[index]! & KNOWN_BIT)) return undefined;
+    const number = batch.tool[index]!;
     const floor = floorOf(parts.run.machine?.tools.find((tool) => tool.number === number));
-    const place = at.map((value, axis) => value + path.origin[axis]!) as Vec3;
-    return floor && { floor, slot: 1 + (path.cutterIndex(number) % 23), at: place };
+    const at = position.map((value, axis) => value + path.origin[axis]!) as Vec3;
+    return floor && { floor, slot: 1 + (path.cutterIndex(number) % TOOL_SLOTS), at };
   }
 
   function show(): void {
     const { surface } = view.stock;
-    if (!drops || !surface) return;
-    const own = drops;
-    if (own.leap(moment.rows)) surface.setAll(own.heights, own.slots);
-    else own.seek(moment.rows, (column) => surface.set(column, own.heights[column]!, own.slots[column]!));
+    if (!timeline || !surface) return;
+    const { heights, slots } = timeline;
+    if (timeline.leap(moment.rows)) surface.setAll(heights, slots);
+    else timeline.seek(moment.rows, (column) => surface.set(column, heights[column]!, slots[column]!));
     gaps.seek(moment.rows, (column, bands) => {
       if (bands.length > 0) surface.mark(column, bands[0]!, bands.at(-1)!);
     });
-    surface.cutUnderTool(toolInCut(), own.heights, own.slots);
+    surface.cutUnderTool(toolInCut(), heights, slots);
     view.stock.showPart(moment.rows >= parts.run.path.rows);
     view.redraw();
   }
 
   return {
     root: controls.root,
-    drops: () => drops,
+    drops: () => timeline,
     gaps: () => gaps,
     /** A new run begins. */
     began(): void {
-      if (drops) view.setStock(undefined);
-      drops = undefined;
+      if (timeline) view.setStock(undefined);
+      timeline = undefined;
       moment = PROGRAM_END;
       controls.none();
     },
-    /** To a moment: so much of the path is done, and the tool is at a position, relative to the origin of the path. */
-    goTo(rows: number, at: Vec3 | undefined): void {
-      moment = { rows, at };
+    /** Goes to the moment when `rows` rows of the path are done and the tool is at a position relative to the origin of the path. */
+    goTo(rows: number, position: Vec3 | undefined): void {
+      moment = { rows, position };
       show();
     },
     take(message: ServerMessage): boolean {
@@ -153,7 +156,7 @@ export function millStock(parts: MillStockParts) {
     takeFrame(frame: Frame): boolean {
       const { type, run } = frame.header;
       if (type !== "stock" && type !== "stock_drops" && type !== "stock_gaps" && type !== "stock_part") return false;
-      if (run === parts.run.number) ({ stock: begin, stock_drops: add, stock_gaps: addGaps, stock_part: part })[type](frame);
+      if (run === parts.run.number) ({ stock: begin, stock_drops: add, stock_gaps: addGaps, stock_part: takePart })[type](frame);
       return true;
     },
   };

@@ -1,8 +1,8 @@
-// The part at the end of the program as triangles, where the heights of columns do not show all of it: undercuts, hollows,
-// cuts from other sides.
+// The part at the end of the program as triangles, where the heights of columns cannot show it: undercuts, cavities, cuts from
+// other sides.
 
 import { BufferAttribute, BufferGeometry, DataTexture, DoubleSide, FloatType, GLSL3, Mesh, RedFormat, ShaderMaterial, UnsignedByteType, Vector3, Vector4 } from "three";
-import { ON_RAMP } from "./stock-shader";
+import { COLOR_SLOTS, ON_RAMP } from "./stock-shader";
 import type { StockSurface } from "./surface";
 
 const VERTEX = `
@@ -17,8 +17,8 @@ void main() {
   gl_Position.z += push;
 }`;
 
-// Faces seen from inside are where the part is cut open: they have one colour, without light. The top of a column
-// has the colour of the column; gaps and other sides have no colour of a tool.
+// Back faces are where the part is cut open: they have one colour, without light. The top of a column has the colour of the
+// column; gaps and other sides have that of the stock.
 const FRAGMENT = `
 precision highp float;
 uniform vec4 keep;
@@ -28,7 +28,7 @@ uniform float pitch;
 uniform float bottom;
 uniform ivec2 columns;
 uniform int by;
-uniform vec3 colors[24];
+uniform vec3 colors[${COLOR_SLOTS}];
 uniform vec3 ramp[5];
 uniform sampler2D slots;
 uniform sampler2D heights;
@@ -61,7 +61,7 @@ export class PartMesh {
   private slots: DataTexture;
   private heights: DataTexture;
 
-  /** Of triangles, nine numbers each, mm in the frame of the run; `columns` are the uniforms of how columns are coloured. */
+  /** `corners` are triangles, nine numbers each, mm in the frame of the run; `columns` are the uniforms of the stock shader. */
   constructor(readonly corners: Float32Array, surface: StockSurface, columns: ShaderMaterial["uniforms"]) {
     const { stock, width, height } = surface;
     this.slots = new DataTexture(surface.slot, width, height, RedFormat, UnsignedByteType);
@@ -89,15 +89,15 @@ export class PartMesh {
     return this.corners.length / 9;
   }
 
-  /** Takes the columns as they are now. */
-  take(): void {
+  /** Uploads the present heights and slots of the columns. */
+  update(): void {
     this.slots.needsUpdate = true;
     this.heights.needsUpdate = true;
   }
 
-  /** What lies beyond a plane is left out: a direction, and how far along it the part is kept, mm. */
-  setCut(direction: [number, number, number], at: number): void {
-    this.object.material.uniforms.keep!.value.set(...direction, at);
+  /** Keeps the part up to a plane: its normal, and its distance from the zero of the run along it, mm. */
+  setCut(normal: [number, number, number], distance: number): void {
+    this.object.material.uniforms.keep!.value.set(...normal, distance);
   }
 
   dispose(): void {

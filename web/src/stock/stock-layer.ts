@@ -1,5 +1,5 @@
-// The stock in space. Its picture is reused: while a program plays only what changes is drawn again. While the view
-// turns, and while too much changes at once, a coarser surface replaces it.
+// Draws the stock into a render target that is reused: during playback only what has changed is drawn again. While the view turns,
+// and while too much changes at once, a coarser surface is drawn instead.
 
 import {
   type Camera,
@@ -21,13 +21,13 @@ import type { Bounds, Vec3 } from "../path/batch";
 import { type Palette, toolColor } from "../view/colors";
 import { yieldToEventLoop } from "../view/event-loop";
 import { gpuFinished } from "../view/gpu-fence";
-import type { PictureBelow } from "../view/painter";
+import type { Underlay } from "../view/painter";
 import { CoarseSurface } from "./coarse-surface";
 import { FixtureMesh } from "./fixtures";
 import { GapMesh } from "./gap-mesh";
 import type { Gaps } from "./gaps";
 import { PartMesh } from "./part-mesh";
-import { FRAGMENT, VERTEX } from "./stock-shader";
+import { COLOR_SLOTS, FRAGMENT, VERTEX } from "./stock-shader";
 import type { StockBefore } from "./stock-timeline";
 import { type TouchedBox, StockSurface } from "./surface";
 import { TILE_CELLS } from "./tile";
@@ -35,26 +35,24 @@ import { TileMeshes } from "./tile-meshes";
 
 export type StockColor = "tool" | "depth" | "deviation" | "plain";
 
-/** Where the stock is cut open, mm in the frame of the run: what lies beyond is left out. */
+/** Where the stock is cut open, mm in the frame of the run: beyond it nothing is drawn. */
 export interface StockCut {
   axis: "x" | "y" | "z";
   at: number;
 }
 
-/** Triangles and tiles that are drawn in one go, in a fraction of a frame: with a graphics card and without. */
+/** Triangles and tiles that are drawn at once, in a fraction of a frame: with a graphics card and without. */
 const MAX_PER_DRAW = { card: { triangles: 4_000_000, tiles: 256 }, software: { triangles: 12_000, tiles: 64 } };
-/** Columns of the surface that replaces the stock while the view turns. */
+/** The largest number of columns of the coarse surface. */
 const COARSE_COLUMNS = { card: 250_000, software: 9_000 };
-/** Triangles of a part that are drawn in every frame while the view turns. */
-const PART_TRIANGLES = { card: 400_000, software: 60_000 };
-/** How long the view must be still before all of it is drawn again, ms; and how long at most where too much changes at once. */
-const STILL_MS = 120;
-const MAX_STILL_MS = 2_000;
-/** Colours that a material has room for: that of the stock, and tools. */
-const COLOR_SLOTS = 24;
-/** Around what has changed so many pixels are drawn again. */
+/** A mesh of the part with more triangles is not drawn in every frame while the view turns. */
+const MAX_PART_TRIANGLES = { card: 400_000, software: 60_000 };
+/** How long the view must rest before the stock is drawn in full detail again, ms; doubled, up to the second, each time too much changes at once. */
+const REST_MS = 120;
+const MAX_REST_MS = 2_000;
+/** The margin around a change that is drawn again, pixels. */
 const MARGIN_PIXELS = 3;
-/** Deviations beyond so many tolerances have one colour. */
+/** Deviations of more than this number of tolerances have the last colour of the scale. */
 export const MAX_TOLERANCES = 10;
 
 export class StockLayer {
@@ -64,22 +62,28 @@ export class StockLayer {
   private shown = true;
   private tiles: TileMeshes | undefined;
   private coarse: { surface: CoarseSurface; tiles: TileMeshes; isStale: boolean } | undefined;
-  private material = material();
-  private coarseMaterial = sibling(this.material);
-  private whole: WebGLRenderTarget | undefined;
+  private material = stockMaterial();
+  private coarseMaterial = withOwnGrid(this.material);
+  /** The stock in full detail, where `state` is complete. */
+  private target: WebGLRenderTarget | undefined;
   private state: "stale" | "drawing" | "complete" = "stale";
+  /** Matrices of the camera for which it was drawn last. */
   private viewKey = "";
+  /** When the view moved last, ms. */
   private movedAt = 0;
-  private stillMs = STILL_MS;
+  private restMs = REST_MS;
   private timer = 0;
+  /** Number of the present picture: the drawing of an older one stops. */
   private number = 0;
   private origin: Vec3 = [0, 0, 0];
   private cut: StockCut | undefined;
   private by: StockColor = "tool";
-  private own: TouchedBox | undefined;
+  /** What has changed and is not drawn yet. */
+  private pending: TouchedBox | undefined;
   private fixtures = new FixtureMesh();
-  /** The part at the end, where heights do not show all of it; `isEnd` says whether it is shown. */
+  /** The part at the end of the program, where heights cannot show it. */
   private part: PartMesh | undefined;
+  /** The end of the program is shown. */
   private isEnd = false;
   private gaps: GapMesh | undefined;
 
@@ -89,17 +93,17 @@ export class StockLayer {
     private requestFrame: () => void,
   ) {}
 
-  private get atOnce() {
+  private get maxPerDraw() {
     return this.isSoftware ? MAX_PER_DRAW.software : MAX_PER_DRAW.card;
   }
 
-  /** Another stock, or none. */
+  /** Sets the stock, or none. */
   begin(stock: StockBefore | undefined, origin: Vec3): void {
     this.tiles?.dispose();
     this.coarse?.tiles.dispose();
     this.tiles = undefined;
     this.coarse = undefined;
-    this.own = undefined;
+    this.pending = undefined;
     this.part?.dispose();
     this.part = undefined;
     this.gaps?.dispose();
@@ -107,7 +111,7 @@ export class StockLayer {
     this.surface = stock && new StockSurface(stock);
     if (this.surface) this.build(this.surface);
     this.fixtures.set(stock?.fixtures, this.palette);
-    this.place(origin);
+    this.setOrigin(origin);
     this.updateMaterial();
     this.changed();
   }
@@ -118,40 +122,40 @@ export class StockLayer {
     this.coarse = { surface: coarse, tiles: new TileMeshes(coarse.surface, this.coarseMaterial), isStale: true };
   }
 
-  /** What is left at the end as triangles, nine numbers each, mm in the frame of the run. */
+  /** Sets the mesh of the part at the end: triangles, nine numbers each, mm in the frame of the run. */
   setPart(corners: Float32Array): void {
     if (!this.surface) return;
     this.part?.dispose();
     this.part = new PartMesh(corners, this.surface, this.material.uniforms);
-    this.part.take();
-    this.openPart();
-    this.place(this.origin);
+    this.part.update();
+    this.updatePartCut();
+    this.setOrigin(this.origin);
   }
 
-  /** The gaps of columns; they are drawn as they are whenever a column is touched. */
+  /** Sets the gaps of columns; their mesh is updated whenever a column changes. */
   setGaps(gaps: Gaps): void {
     if (!this.surface || this.gaps) return;
     this.gaps = new GapMesh(this.surface, gaps, this.material.uniforms);
-    this.gaps.take();
-    this.place(this.origin);
+    this.gaps.update();
+    this.setOrigin(this.origin);
   }
 
-  /** At the end the part is drawn instead of its columns. */
+  /** At the end of the program draws the mesh of the part instead of columns. */
   showPart(isEnd: boolean): void {
     if (isEnd === this.isEnd) return;
     this.isEnd = isEnd;
     if (!this.part) return;
-    if (isEnd) this.part.take();
+    if (isEnd) this.part.update();
     this.changed();
   }
 
-  /** The part, where it is drawn. */
+  /** The mesh of the part, where it is drawn. */
   get shownPart(): PartMesh | undefined {
     return this.isEnd ? this.part : undefined;
   }
 
-  /** The origin of the path is the zero of the picture. */
-  place(origin: Vec3): void {
+  /** Sets the origin of the path, to which positions in the view are relative. */
+  setOrigin(origin: Vec3): void {
     this.origin = origin;
     if (!this.surface) return;
     const { low, high } = this.surface.stock;
@@ -166,7 +170,7 @@ export class StockLayer {
     this.changed();
   }
 
-  /** Its box, relative to the origin of the path. */
+  /** Its box, relative to the origin of the path; undefined where it is not shown. */
   bounds(): Bounds | undefined {
     if (!this.surface || !this.shown) return undefined;
     const { low, high } = this.surface.stock;
@@ -203,149 +207,150 @@ export class StockLayer {
     this.changed();
   }
 
-  /** Everything of it is to be drawn again. */
+  /** Draws all of it again. */
   changed(): void {
     this.number++;
     this.state = "stale";
     this.requestFrame();
   }
 
-  /** The picture with depth, or, until there is one, what draws the coarse surface. */
-  get under(): PictureBelow | undefined {
+  /** The render target with depth, or, until it is complete, the function that draws the coarse surface. */
+  get underlay(): Underlay | undefined {
     if (!this.surface || !this.shown) return undefined;
-    return this.state === "complete" ? this.whole : this.drawCoarse;
+    return this.state === "complete" ? this.target : this.drawCoarse;
   }
 
-  /** The picture shows every column. */
+  /** Whether everything is drawn in full detail. */
   get isComplete(): boolean {
-    return !this.surface || !this.shown || (this.state === "complete" && !this.own);
+    return !this.surface || !this.shown || (this.state === "complete" && !this.pending);
   }
 
-  /** Draws what is due before a frame. */
+  /** Draws into the render target before a frame, where that is due. */
   prepare(renderer: WebGLRenderer, camera: OrthographicCamera, isTurning: boolean): void {
     const { surface } = this;
     this.drawnTriangles = 0;
     if (!surface || !this.shown) return;
     const touched = surface.takeTouched();
-    this.note(touched);
-    if (touched) this.gaps?.take();
-    // The mesh of the part replaces all columns.
-    if (this.shownPart) this.own = undefined;
+    this.addPending(touched);
+    if (touched) this.gaps?.update();
+    // The mesh of the part is drawn instead of all columns.
+    if (this.shownPart) this.pending = undefined;
     else if (touched && this.isLeap(touched)) void this.leap(renderer);
-    const from = `${camera.matrixWorld.elements.join()} ${camera.projectionMatrix.elements.join()}`;
-    if (this.resize(renderer) || from !== this.viewKey) {
-      this.viewKey = from;
-      this.wait();
+    const viewKey = `${camera.matrixWorld.elements.join()} ${camera.projectionMatrix.elements.join()}`;
+    if (this.resize(renderer) || viewKey !== this.viewKey) {
+      this.viewKey = viewKey;
+      this.restartRest();
     }
-    this.material.uniforms.push!.value = 2 * (pushOf(camera, renderer) + 0.5 * surface.stock.pitch) / (camera.far - camera.near);
+    this.material.uniforms.push!.value = 2 * (depthOffset(camera, renderer) + 0.5 * surface.stock.pitch) / (camera.far - camera.near);
     this.material.uniforms.viewpoint!.value.set(...viewpointOf(camera));
-    if (this.state === "complete" && this.own) this.repaint(renderer, camera, this.own);
+    if (this.state === "complete" && this.pending) this.repaint(renderer, camera, this.pending);
     if (this.state === "complete") return;
-    // Everything is drawn once the view is at rest.
+    // Full detail is drawn once the view rests.
     window.clearTimeout(this.timer);
     if (this.state === "drawing") return;
     if (isTurning) return;
-    if (this.rest <= 0) void this.drawAll(renderer, camera);
-    else this.settle();
+    if (this.remainingRest <= 0) void this.drawAll(renderer, camera);
+    else this.requestFrameAfterRest();
   }
 
-  /** How long the view must still be at rest, ms. */
-  private get rest(): number {
-    return this.stillMs - (performance.now() - this.movedAt);
+  /** How long the view must still rest, ms. */
+  private get remainingRest(): number {
+    return this.restMs - (performance.now() - this.movedAt);
   }
 
-  private settle(): void {
-    this.timer = window.setTimeout(() => (this.rest > 0 ? this.settle() : this.requestFrame()), this.rest + 1);
+  private requestFrameAfterRest(): void {
+    this.timer = window.setTimeout(() => (this.remainingRest > 0 ? this.requestFrameAfterRest() : this.requestFrame()), this.remainingRest + 1);
   }
 
-  /** Until the view is at rest only the coarse surface is drawn. */
-  private wait(): void {
+  /** The view has moved: only the coarse surface is drawn until it rests again. */
+  private restartRest(): void {
     this.number++;
     this.state = "stale";
     this.movedAt = performance.now();
   }
 
-  /** Goes to another moment: the waiting time begins when that one is drawn. */
+  /** Too much has changed at once: the rest begins when this frame is drawn. */
   private async leap(renderer: WebGLRenderer): Promise<void> {
-    this.wait();
+    this.restartRest();
     const { number } = this;
-    // What is drawn in this frame is counted.
+    // After the commands of this frame.
     await Promise.resolve();
     await gpuFinished(renderer);
     if (number === this.number) this.movedAt = performance.now();
   }
 
-  /** So much changes at once only while the time is dragged: more of it is likely to come. */
+  /** Whether so much has changed that the time slider is probably being dragged, and more will follow. */
   private isLeap({ columns, rows }: TouchedBox): boolean {
-    return (columns[1] - columns[0]) * (rows[1] - rows[0]) > this.atOnce.tiles * TILE_CELLS * TILE_CELLS;
+    return (columns[1] - columns[0]) * (rows[1] - rows[0]) > this.maxPerDraw.tiles * TILE_CELLS * TILE_CELLS;
   }
 
-  private note(touched: TouchedBox | undefined): void {
+  private addPending(touched: TouchedBox | undefined): void {
     if (!touched) return;
     this.coarse!.isStale = true;
-    const { own } = this;
+    const { pending } = this;
     const join = (a: [number, number], b: [number, number]): [number, number] => [Math.min(a[0], b[0]), Math.max(a[1], b[1])];
-    this.own = own
-      ? { columns: join(own.columns, touched.columns), rows: join(own.rows, touched.rows), heights: join(own.heights, touched.heights) }
+    this.pending = pending
+      ? { columns: join(pending.columns, touched.columns), rows: join(pending.rows, touched.rows), heights: join(pending.heights, touched.heights) }
       : touched;
   }
 
+  /** Adapts to the size of the renderer; returns whether that has changed. */
   private resize(renderer: WebGLRenderer): boolean {
     const ratio = Math.min(2, window.devicePixelRatio);
     const size = renderer.getSize(new Vector2()).multiplyScalar(ratio).floor().max(new Vector2(1, 1));
-    if (this.whole?.width === size.x && this.whole.height === size.y) return false;
-    this.whole?.dispose();
-    this.whole = new WebGLRenderTarget(size.x, size.y, { depthTexture: new DepthTexture(size.x, size.y, UnsignedIntType) });
+    if (this.target?.width === size.x && this.target.height === size.y) return false;
+    this.target?.dispose();
+    this.target = new WebGLRenderTarget(size.x, size.y, { depthTexture: new DepthTexture(size.x, size.y, UnsignedIntType) });
     return true;
   }
 
-  /** Draws again what has changed, where that is soon done. */
-  private repaint(renderer: WebGLRenderer, camera: Camera, own: TouchedBox): void {
+  /** Draws again what has changed, where that is fast enough for one frame. */
+  private repaint(renderer: WebGLRenderer, camera: Camera, changed: TouchedBox): void {
     const surface = this.surface!;
     const tiles = this.tiles!;
     const { x, y, width, height } = this.rectangle(surface, camera, [
-      [own.columns[0], own.rows[0]], [own.columns[1] + 2, own.rows[1] + 2],
-    ], own.heights, MARGIN_PIXELS);
+      [changed.columns[0], changed.rows[0]], [changed.columns[1] + 2, changed.rows[1] + 2],
+    ], changed.heights, MARGIN_PIXELS);
     if (width <= 0 || height <= 0) {
-      this.own = undefined;
+      this.pending = undefined;
       return;
     }
     const chosen: number[] = [];
     let sum = 0;
     for (let tile = 0; tile < tiles.count; tile++) {
-      tiles.take(tile);
+      tiles.update(tile);
       const [x0, y0] = surface.firstCorner(tile);
-      const own = this.rectangle(surface, camera, [[x0, y0], [x0 + TILE_CELLS, y0 + TILE_CELLS]], tiles.ends(tile), 1);
-      if (own.x > x + width || own.x + own.width < x || own.y > y + height || own.y + own.height < y) continue;
+      const area = this.rectangle(surface, camera, [[x0, y0], [x0 + TILE_CELLS, y0 + TILE_CELLS]], tiles.heights(tile), 1);
+      if (area.x > x + width || area.x + area.width < x || area.y > y + height || area.y + area.height < y) continue;
       chosen.push(tile);
       sum += tiles.triangles(tile);
-      if (sum > this.atOnce.triangles || chosen.length > this.atOnce.tiles) {
-        // Too much for one frame: the coarse surface until it is still.
-        this.wait();
-        this.stillMs = Math.min(MAX_STILL_MS, 2 * this.stillMs);
+      if (sum > this.maxPerDraw.triangles || chosen.length > this.maxPerDraw.tiles) {
+        // Too much for one frame: the coarse surface is drawn until nothing changes.
+        this.restartRest();
+        this.restMs = Math.min(MAX_REST_MS, 2 * this.restMs);
         return;
       }
     }
-    const target = this.whole!;
+    const target = this.target!;
     target.scissor.set(x, y, width, height);
     target.scissorTest = true;
     renderer.setRenderTarget(target);
     renderer.clear();
-    this.draw(renderer, camera, chosen);
+    this.drawTiles(renderer, camera, chosen);
     this.drawGaps(renderer, camera);
     this.drawFixtures(renderer, camera);
     target.scissorTest = false;
     renderer.setRenderTarget(null);
-    this.stillMs = STILL_MS;
-    this.own = undefined;
+    this.restMs = REST_MS;
+    this.pending = undefined;
   }
 
-  /** The part of the picture between two corners and two heights: pixels from the lower left. */
+  /** The rectangle of the render target that covers a box between two corners and two heights, pixels from the lower left. */
   private rectangle(surface: StockSurface, camera: Camera, [low, high]: [[number, number], [number, number]], heights: [number, number], margin: number) {
     const m = camera.matrixWorldInverse.elements;
     const p = camera.projectionMatrix.elements;
     const { position } = this.tiles!.group;
-    const { width, height } = this.whole!;
+    const { width, height } = this.target!;
     let [left, right, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
     for (let bits = 0; bits < 8; bits++) {
       const at = this.corner(surface, (bits & 1 ? high : low)[0], (bits & 2 ? high : low)[1]);
@@ -361,16 +366,16 @@ export class StockLayer {
     return { x, y, width: Math.min(width, Math.ceil(right) + margin) - x, height: Math.min(height, Math.ceil(top) + margin) - y };
   }
 
-  /** Where a corner is drawn, from the least corner of the stock, mm. */
+  /** X and Y of a corner as it is drawn, from the lowest corner of the stock, mm. */
   private corner({ stock }: StockSurface, x: number, y: number): [number, number] {
-    const place = (axis: 0 | 1, at: number) => {
+    const coordinate = (axis: 0 | 1, index: number) => {
       const size = stock.high[axis] - stock.low[axis];
-      return at <= 1 ? 0 : at >= stock.columns[axis] ? size : (at - 0.5) * stock.pitch;
+      return index <= 1 ? 0 : index >= stock.columns[axis] ? size : (index - 0.5) * stock.pitch;
     };
-    return [place(0, x), place(1, y)];
+    return [coordinate(0, x), coordinate(1, y)];
   }
 
-  private draw(renderer: WebGLRenderer, camera: Camera, chosen: number[]): void {
+  private drawTiles(renderer: WebGLRenderer, camera: Camera, chosen: number[]): void {
     this.drawnTriangles += this.tiles!.choose(chosen);
     this.render(renderer, camera, this.tiles!.group);
   }
@@ -388,7 +393,7 @@ export class StockLayer {
   private render(renderer: WebGLRenderer, camera: Camera, group: Group): void {
     renderer.render(group, camera);
     if (this.material.uniforms.viewpoint!.value.z >= 0) return;
-    // From below the underside is visible.
+    // Seen from below, the underside is drawn as well.
     this.material.uniforms.isFlat!.value = true;
     renderer.render(group, camera);
     this.material.uniforms.isFlat!.value = false;
@@ -402,9 +407,9 @@ export class StockLayer {
 
   private drawCoarse = (renderer: WebGLRenderer, camera: Camera): void => {
     const part = this.shownPart;
-    if (part && part.triangles <= PART_TRIANGLES[this.isSoftware ? "software" : "card"]) return this.drawPart(renderer, camera, part);
+    if (part && part.triangles <= MAX_PART_TRIANGLES[this.isSoftware ? "software" : "card"]) return this.drawPart(renderer, camera, part);
     const { surface, tiles, isStale } = this.coarse!;
-    if (isStale) surface.take();
+    if (isStale) surface.update();
     this.coarse!.isStale = false;
     this.drawnTriangles += tiles.choose(tiles.all);
     this.render(renderer, camera, tiles.group);
@@ -412,13 +417,13 @@ export class StockLayer {
     this.drawFixtures(renderer, camera);
   };
 
-  /** Draws all of it, some tiles at a time. */
+  /** Draws the stock in full detail, some tiles at a time. */
   private async drawAll(renderer: WebGLRenderer, camera: Camera): Promise<void> {
     this.state = "drawing";
     const number = ++this.number;
-    this.own = undefined;
+    this.pending = undefined;
     if (this.shownPart) {
-      renderer.setRenderTarget(this.whole!);
+      renderer.setRenderTarget(this.target!);
       renderer.clear();
       this.drawPart(renderer, camera, this.shownPart);
       renderer.setRenderTarget(null);
@@ -426,32 +431,32 @@ export class StockLayer {
       this.requestFrame();
       return;
     }
-    let cleared = false;
+    let isCleared = false;
     const tiles = this.tiles!;
-    // All corners first: a tile has on its edges those of the adjacent tiles.
-    for (const at of tiles.all) {
-      tiles.take(at);
-      if ((at + 1) % this.atOnce.tiles > 0) continue;
+    // All tiles are updated first: each has the corners of the adjacent ones on its edges.
+    for (const index of tiles.all) {
+      tiles.update(index);
+      if ((index + 1) % this.maxPerDraw.tiles > 0) continue;
       await yieldToEventLoop();
       if (number !== this.number) return;
     }
     let tile = 0;
     while (tile < tiles.count) {
-      const some: number[] = [];
+      const chosen: number[] = [];
       let sum = 0;
-      for (; tile < tiles.count && sum < this.atOnce.triangles && some.length < this.atOnce.tiles; tile++) {
-        tiles.take(tile);
-        some.push(tile);
+      for (; tile < tiles.count && sum < this.maxPerDraw.triangles && chosen.length < this.maxPerDraw.tiles; tile++) {
+        tiles.update(tile);
+        chosen.push(tile);
         sum += tiles.triangles(tile);
       }
-      renderer.setRenderTarget(this.whole!);
-      if (!cleared) {
+      renderer.setRenderTarget(this.target!);
+      if (!isCleared) {
         renderer.clear();
         this.drawFixtures(renderer, camera);
         this.drawGaps(renderer, camera);
       }
-      cleared = true;
-      this.draw(renderer, camera, some);
+      isCleared = true;
+      this.drawTiles(renderer, camera, chosen);
       renderer.setRenderTarget(null);
       if (tile < tiles.count) await gpuFinished(renderer);
       if (number !== this.number) return;
@@ -460,10 +465,10 @@ export class StockLayer {
     this.requestFrame();
   }
 
-  /** Where the part is cut open. */
-  private openPart(): void {
+  /** Cuts the mesh of the part open. */
+  private updatePartCut(): void {
     const { cut, part } = this;
-    // Largest X and Z are kept, and least Y.
+    // X and Z are kept up to the cut, Y from the cut on: so the section faces the isometric view.
     const sign = cut?.axis === "y" ? -1 : 1;
     const along = (axis: StockCut["axis"]) => (cut?.axis === axis ? sign : 0);
     part?.setCut([along("x"), along("y"), along("z")], cut ? sign * cut.at : 1);
@@ -476,12 +481,12 @@ export class StockLayer {
     const size = [stock.high[0] - stock.low[0], stock.high[1] - stock.low[1]] as const;
     const u = this.material.uniforms;
     u.size!.value.set(...size);
-    for (const { uniforms, own } of [
-      { uniforms: u, own: stock },
-      { uniforms: this.coarseMaterial.uniforms, own: this.coarse!.surface.surface.stock },
+    for (const { uniforms, grid } of [
+      { uniforms: u, grid: stock },
+      { uniforms: this.coarseMaterial.uniforms, grid: this.coarse!.surface.surface.stock },
     ]) {
-      uniforms.columns!.value.set(own.columns[0], own.columns[1]);
-      uniforms.pitch!.value = own.pitch;
+      uniforms.columns!.value.set(grid.columns[0], grid.columns[1]);
+      uniforms.pitch!.value = grid.pitch;
     }
     u.bottom!.value = surface.bottom;
     u.gapPitch!.value = stock.pitch;
@@ -493,7 +498,7 @@ export class StockLayer {
     u.uncut!.value.set(palette.stock);
     u.tolerance!.value = stock.toleranceMm;
     u.farthest!.value = MAX_TOLERANCES * stock.toleranceMm;
-    // At the middle of a column, so that the walls of the cut are straight.
+    // In the middle of a column, so that the walls of the section are straight.
     const column = (axis: 0 | 1) => {
       const at = ((cut?.at ?? 0) - stock.low[axis]) / stock.pitch;
       return Math.min(stock.columns[axis] - 1, Math.max(0, Math.round(at - 0.5)));
@@ -501,7 +506,7 @@ export class StockLayer {
     const snapped = (axis: 0 | 1) => this.corner(surface, column(0) + 1, column(1) + 1)[axis];
     this.coarse!.isStale = true;
     surface.setOpen(cut?.axis === "x" ? { column: column(0) + 1 } : cut?.axis === "y" ? { row: column(1) + 1 } : {});
-    this.openPart();
+    this.updatePartCut();
     u.keep!.value.set(
       cut?.axis === "x" ? snapped(0) : BEYOND_MACHINE_MM,
       cut?.axis === "y" ? snapped(1) : -BEYOND_MACHINE_MM,
@@ -511,20 +516,21 @@ export class StockLayer {
   }
 }
 
-/** Beyond every machine, mm. */
+/** A coordinate outside of any machine, mm. */
 const BEYOND_MACHINE_MM = 1e9;
 
 /** How far the stock is pushed back so that a path on it is visible, mm: a pixel and a half. */
-function pushOf(camera: OrthographicCamera, renderer: WebGLRenderer): number {
+function depthOffset(camera: OrthographicCamera, renderer: WebGLRenderer): number {
   return (1.5 * (camera.right - camera.left)) / camera.zoom / Math.max(1, renderer.domElement.width);
 }
 
+/** The direction to the camera. */
 function viewpointOf(camera: Camera): Vec3 {
   const m = camera.matrixWorld.elements;
   return [m[8]!, m[9]!, m[10]!];
 }
 
-function material(): ShaderMaterial {
+function stockMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     glslVersion: GLSL3,
     vertexShader: VERTEX,
@@ -554,9 +560,9 @@ function material(): ShaderMaterial {
   });
 }
 
-/** The same material for another grid of columns: all else is that of the first. */
-function sibling(of: ShaderMaterial): ShaderMaterial {
-  const made = of.clone();
-  made.uniforms = { ...of.uniforms, columns: { value: new Vector2() }, pitch: { value: 1 } };
-  return made;
+/** The same material for another grid of columns; all other uniforms are shared. */
+function withOwnGrid(material: ShaderMaterial): ShaderMaterial {
+  const clone = material.clone();
+  clone.uniforms = { ...material.uniforms, columns: { value: new Vector2() }, pitch: { value: 1 } };
+  return clone;
 }

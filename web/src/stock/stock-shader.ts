@@ -1,33 +1,35 @@
-// How the stock is drawn: corners are lifted to their heights, light comes from the upper left.
+// The shaders of the stock: corners are lifted to their heights, and light comes from the upper left.
 
-/** A colour of `ramp`. */
-export const ON_RAMP = `vec3 onRamp(float share) {
-  float scaled = clamp(share, 0.0, 1.0) * 4.0;
+/** GLSL: a colour of the five of `ramp`, for a fraction from 0 to 1. */
+export const ON_RAMP = `vec3 onRamp(float fraction) {
+  float scaled = clamp(fraction, 0.0, 1.0) * 4.0;
   int index = min(3, int(scaled));
   return mix(ramp[index], ramp[index + 1], scaled - float(index));
 }
 `;
 
-/** Gaps of a column by which walls are open, at most. */
+/** The largest number of gaps of a column that open walls. */
 export const MAX_BANDS = 8;
+/** Colours of a surface: that of the stock, and those of tools. */
+export const COLOR_SLOTS = 24;
 
 export const VERTEX = `
 in vec2 at;
 in float z;
 in float slot;
 in float target;
-/** The direction in which the surface falls there. */
+/** The downhill direction of the surface. */
 in vec2 lean;
-/** How far the corner is moved, in columns; zero where there is no such attribute. */
+/** Offset of the corner, in columns; zero where the attribute is missing. */
 in vec2 shift;
 uniform vec2 columns;
 uniform vec2 size;
 uniform float pitch;
 uniform float bottom;
-/** Largest X, least Y and largest Z that are kept, from the least corner and the top; whether there are any. */
+/** Highest X, lowest Y and highest Z that are kept, from the lowest corner and the top, mm; w: 1 where the stock is cut open. */
 uniform vec4 keep;
 uniform int by;
-uniform vec3 colors[24];
+uniform vec3 colors[${COLOR_SLOTS}];
 uniform vec3 ramp[5];
 uniform float tolerance;
 uniform float farthest;
@@ -39,7 +41,7 @@ out vec2 falls;
 
 ${ON_RAMP}
 void main() {
-  // The first and the last column reach to the edge, the ring around them is there, too.
+  // The first and the last column reach to the edge of the stock, and so does the ring around them.
   float x = at.x <= 1.0 ? 0.0 : at.x >= columns.x ? size.x : (at.x - 0.5 + shift.x) * pitch;
   float y = at.y <= 1.0 ? 0.0 : at.y >= columns.y ? size.y : (at.y - 0.5 + shift.y) * pitch;
   float h = z;
@@ -58,7 +60,7 @@ void main() {
   falls = lean;
   place = vec3(x, y, h);
   gl_Position = projectionMatrix * modelViewMatrix * vec4(x, y, isFlat ? bottom : h, 1.0);
-  // A little back, so that a path that lies on it is seen.
+  // Pushed back a little, so that a path that lies on it is visible.
   gl_Position.z += push;
 }
 `;
@@ -75,14 +77,14 @@ uniform vec3 inside;
 uniform vec3 viewpoint;
 uniform bool isFlat;
 uniform float bottom;
-/** Floor and top of the gaps of each column, so many of each below each other, and the side of their columns. */
+/** Floor and roof of the gaps of each column, with several rows of texels (bands) for each row of columns; side and number of these columns. */
 uniform sampler2D gaps;
 uniform int bands;
 uniform float gapPitch;
 uniform ivec2 gapColumns;
 out vec4 drawn;
 
-/** Whether a column on either side of a wall has a gap at a height: a wall lies between the middles of two columns. */
+/** Whether a column on either side of a wall has a gap at a height: a wall reaches from the middle of a column to that of the next. */
 bool isOpen(vec2 at, float z, vec2 across) {
   float most = max(abs(across.x), abs(across.y));
   vec2 off = most > 0.0 ? 0.49 * across / most : vec2(0.0);
@@ -103,13 +105,13 @@ void main() {
   if (dot(normal, viewpoint) < 0.0) normal = -normal;
   vec3 own = color;
   bool isWall = abs(normal.z) < 0.02;
-  // The walls of the box were cut by no tool.
+  // The sides of the stock were cut by no tool.
   if (isWall && (place.x < 1e-3 || place.y < 1e-3 || place.x > size.x - 1e-3 || place.y > size.y - 1e-3)) own = uncut;
   if (keep.w > 0.5 && (place.x >= keep.x - 1e-3 || place.y <= keep.y + 1e-3 || place.z >= keep.z - 1e-3)) own = inside;
-  // Columns make stairs of a round wall: it is lit by the direction in which the surface falls.
+  // Columns make steps of a round wall: its light is computed from the downhill direction.
   else if (abs(normal.z) < 0.35 && dot(falls, falls) > 0.2) normal = vec3(normalize(falls) * sqrt(1.0 - normal.z * normal.z), normal.z);
   float light = 0.6 + 0.4 * max(0.0, dot(normal, normalize(vec3(-0.35, -0.55, 0.9))));
-  // Walls that look right are darker than those that look forward.
+  // Walls that face +X are darker than those that face -Y.
   light -= 0.12 * max(0.0, normal.x);
   drawn = vec4(own * light, 1.0);
 }

@@ -16,19 +16,19 @@ const COLUMNS = 300;
 function made(count: number, between: number) {
   const next = random(7);
   const drops = new StockTimeline(new Float32Array(COLUMNS).fill(0), between);
-  const events: { column: number; row: number; share: number; height: number }[] = [];
+  const events: { column: number; row: number; fraction: number; height: number }[] = [];
   const now = new Float32Array(COLUMNS);
   for (let n = 0; n < count; n++) {
     const column = Math.floor(next() * COLUMNS);
     now[column] = Math.fround(now[column]! - 0.01 - next());
-    events.push({ column, row: Math.floor(n / 5), share: Math.fround((n % 5) / 5), height: now[column]! });
+    events.push({ column, row: Math.floor(n / 5), fraction: Math.fround((n % 5) / 5), height: now[column]! });
   }
   for (let from = 0; from < count; from += 97) {
     const some = events.slice(from, from + 97);
     drops.add(
       Uint32Array.from(some, ({ column }) => column),
       Uint32Array.from(some, ({ row }) => row),
-      Float32Array.from(some, ({ share }) => share),
+      Float32Array.from(some, ({ fraction }) => fraction),
       Float32Array.from(some, ({ height }) => height),
       (row) => 1 + (Math.floor(row / 40) % 3),
     );
@@ -36,8 +36,8 @@ function made(count: number, between: number) {
   const at = (rows: number) => {
     const heights = new Float32Array(COLUMNS);
     const slots = new Uint8Array(COLUMNS);
-    for (const { column, row, share, height } of events) {
-      if (row + share > rows) break;
+    for (const { column, row, fraction, height } of events) {
+      if (row + fraction > rows) break;
       heights[column] = height;
       slots[column] = 1 + (Math.floor(row / 40) % 3);
     }

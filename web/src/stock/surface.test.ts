@@ -38,7 +38,7 @@ test("the light on walls follows the way the surface falls", () => {
   const surface = new StockSurface(stock(100, 100));
   for (let y = 0; y < 100; y++) for (let x = 50; x < 100; x++) surface.set(y * 100 + x, -5, 1);
   const to = new Int8Array(2 * TILE_CORNERS * TILE_CORNERS);
-  surface.falls(1 + surface.tiles[0], to);
+  surface.downhill(1 + surface.tiles[0], to);
   // Column 49 is corner 50, 18 after the first of the tile.
   const at = (column: number) => [to[2 * (10 * TILE_CORNERS + column)], to[2 * (10 * TILE_CORNERS + column) + 1]];
   expect(at(18)).toEqual([127, 0]);
@@ -66,7 +66,7 @@ test("the tool cuts where it stands, and what it cut so is there again when it h
 });
 
 test("the floor of each shape is that of its outline", () => {
-  const at = (tool: Parameters<typeof floorOf>[0], distance: number) => floorOf(tool)!.at(distance);
+  const at = (tool: Parameters<typeof floorOf>[0], distance: number) => floorOf(tool)!.heightAt(distance);
   expect(at({ shape: "flat", diameter_mm: 10 }, 4.9)).toBe(0);
   expect(at({ shape: "bull", diameter_mm: 10, corner_radius_mm: 2 }, 4)).toBeCloseTo(2 - Math.sqrt(3), 9);
   expect(at({ shape: "drill", diameter_mm: 10, point_angle_rad: Math.PI / 2 }, 3)).toBeCloseTo(3, 9);

@@ -1,46 +1,47 @@
-// The surface of a stock as a grid of corners in tiles, and which of it has changed.
+// The surface of a stock as a grid of corners in tiles, and which parts of it have changed.
 
 import type { TileCorners } from "./facets";
 import type { StockBefore } from "./stock-timeline";
 import { TILE_CORNERS, TILE_CELLS } from "./tile";
 import type { ToolFloor } from "./tool-floor";
 
-/** Columns and heights between which something has changed. */
+/** Ranges of columns, rows of columns and heights in which something has changed. */
 export interface TouchedBox {
   columns: [number, number];
   rows: [number, number];
   heights: [number, number];
 }
 
-/**
- * The corners are at the middles of columns, with a ring around them at the bottom, which makes the walls. So column x
- * is corner x + 1.
- */
+/** Corners are in the middles of columns; a ring of corners around them at the bottom makes the sides. So column x is corner x + 1. */
 export class StockSurface {
   readonly width: number;
   readonly height: number;
-  /** From the top of the stock, mm. */
+  /** Heights of corners, mm from the top of the stock. */
   readonly z: Float32Array;
+  /** Colour slots of the tools that cut the corners; 0 where none did. */
   readonly slot: Uint8Array;
+  /** Heights of the target; undefined where there is none. */
   readonly target: Float32Array | undefined;
-  /** Where corners are moved: how far along X and Y, in 127ths of a column. */
+  /** Offsets of corners along X and Y, in 127ths of a column; undefined where they are not moved. */
   readonly shift: Int8Array | undefined;
+  /** Height of the bottom, mm from the top of the stock. */
   readonly bottom: number;
+  /** Number of tiles along X and Y. */
   readonly tiles: [number, number];
-  /** Tiles whose corners have changed since they were taken. */
+  /** 1 for each tile whose corners have changed since its mesh was updated. */
   readonly stale: Uint8Array;
   private touched: TouchedBox | undefined;
   /** The columns that the tool lowers at its present position. */
-  private under: number[] = [];
+  private loweredColumns: number[] = [];
 
-  /** The corners stay in the middles of columns unless `isMoved`. */
-  constructor(readonly stock: StockBefore, isMoved = false) {
+  /** With `hasShift` corners may be moved out of the middles of columns. */
+  constructor(readonly stock: StockBefore, hasShift = false) {
     const [nx, ny] = stock.columns;
     [this.width, this.height] = [nx + 2, ny + 2];
     this.bottom = stock.low[2] - stock.high[2];
     this.z = new Float32Array(this.width * this.height).fill(this.bottom);
     this.slot = new Uint8Array(this.z.length);
-    this.shift = isMoved ? new Int8Array(2 * this.z.length) : undefined;
+    this.shift = hasShift ? new Int8Array(2 * this.z.length) : undefined;
     this.target = stock.target && new Float32Array(this.z.length).fill(this.bottom);
     for (let row = 0; row < ny; row++) {
       const [from, to] = [row * nx, this.corner(0, row)];
@@ -51,11 +52,12 @@ export class StockSurface {
     this.stale = new Uint8Array(this.tiles[0] * this.tiles[1]).fill(1);
   }
 
+  /** The index of the corner of a column. */
   private corner(column: number, row: number): number {
     return (row + 1) * this.width + column + 1;
   }
 
-  /** Sets the height of a column, and the slot of the tool that cut it last. */
+  /** Sets the height of a column, and the colour slot of the tool that cut it last. */
   set(column: number, z: number, slot: number): void {
     const nx = this.stock.columns[0];
     const [x, y] = [column % nx, Math.floor(column / nx)];
@@ -68,7 +70,7 @@ export class StockSurface {
     this.outdate(x, y);
   }
 
-  /** The corner of a column is moved, by shares of a column from -1 to 1; with it those of the ring below it. */
+  /** Moves the corner of a column by fractions of a column, -1 to 1, and the corners of the ring next to it. */
   move(column: number, [dx, dy]: [number, number]): void {
     const [nx, ny] = this.stock.columns;
     const [x, y] = [column % nx, Math.floor(column / nx)];
@@ -84,9 +86,9 @@ export class StockSurface {
     this.outdate(x, y);
   }
 
-  /** The tiles of a column must be drawn again. */
+  /** Marks the tiles of a column as stale. */
   private outdate(x: number, y: number): void {
-    // Corner x + 1 is of the tile of cell x, too.
+    // Corner x + 1 also belongs to the tile of cell x.
     const [across] = this.tiles;
     const [left, right] = [Math.floor(x / TILE_CELLS), Math.floor((x + 1) / TILE_CELLS)];
     const [low, high] = [Math.floor(y / TILE_CELLS), Math.floor((y + 1) / TILE_CELLS)];
@@ -120,14 +122,14 @@ export class StockSurface {
         if (first < 0) continue;
         this.touch(first, y, low, high);
         this.touch(last, y, low, high);
-        // Corner x + 1 is of the tile of cell x, too.
+        // Corner x + 1 also belongs to the tile of cell x.
         const right = last === x0 + TILE_CELLS - 1 ? tile + 1 : tile;
         stale[below + tile] = stale[below + right] = stale[above + tile] = stale[above + right] = 1;
       }
     }
   }
 
-  /** A column has changed between two heights. */
+  /** Records that a column has changed between two heights. */
   mark(column: number, low: number, high: number): void {
     const nx = this.stock.columns[0];
     this.touch(column % nx, Math.floor(column / nx), low, high);
@@ -148,20 +150,20 @@ export class StockSurface {
     if (high > heights[1]) heights[1] = high;
   }
 
-  /** What has changed since the last time. */
+  /** The box of the changes since the last call; undefined where there are none. */
   takeTouched(): TouchedBox | undefined {
     const { touched } = this;
     this.touched = undefined;
     return touched;
   }
 
-  /** Lowers what the tool cuts at a position in the frame of the run; the next call takes it back. */
+  /** Lowers the columns that a tool cuts at a position in the frame of the run; the next call restores them. */
   cutUnderTool(tool: { floor: ToolFloor; slot: number; at: [number, number, number] } | undefined, heights: Float32Array, slots: Uint8Array): void {
-    for (const column of this.under) this.set(column, heights[column]!, slots[column]!);
-    this.under = [];
+    for (const column of this.loweredColumns) this.set(column, heights[column]!, slots[column]!);
+    this.loweredColumns = [];
     if (!tool) return;
     const { low, high, pitch, columns: [nx, ny] } = this.stock;
-    const { floor: { radius, at: floorAt }, at: [tx, ty, tz] } = tool;
+    const { floor: { radius, heightAt }, at: [tx, ty, tz] } = tool;
     const first = (axis: 0 | 1, from: number) => Math.max(0, Math.ceil((from - low[axis]) / pitch - 0.5));
     const last = (axis: 0 | 1, to: number, count: number) => Math.min(count - 1, Math.floor((to - low[axis]) / pitch - 0.5));
     const tip = tz - high[2];
@@ -170,10 +172,10 @@ export class StockSurface {
         const distance = Math.hypot(low[0] + (x + 0.5) * pitch - tx, low[1] + (y + 0.5) * pitch - ty);
         if (distance > radius) continue;
         const column = y * nx + x;
-        const z = Math.max(this.bottom, tip + floorAt(distance));
+        const z = Math.max(this.bottom, tip + heightAt(distance));
         if (z >= heights[column]!) continue;
         this.set(column, z, tool.slot);
-        this.under.push(column);
+        this.loweredColumns.push(column);
       }
     }
   }
@@ -184,7 +186,7 @@ export class StockSurface {
     return [(tile % across) * TILE_CELLS, Math.floor(tile / across) * TILE_CELLS];
   }
 
-  /** No flat square crosses this column or row of corners: the stock is cut open there. */
+  /** The column or row of corners along which the stock is cut open: no flat square crosses it. */
   open: { column?: number; row?: number } = {};
 
   /** Opens the stock along a column or a row of corners, or nowhere. */
@@ -194,8 +196,8 @@ export class StockSurface {
     this.stale.fill(1);
   }
 
-  /** The direction in which the surface falls at the corners of a tile, from -127 to 127 along X and Y: for the light on walls. */
-  falls(tile: number, to: Int8Array): void {
+  /** Writes the downhill direction at the corners of a tile, -127 to 127 along X and Y, found with a Sobel filter: for the light on walls. */
+  downhill(tile: number, to: Int8Array): void {
     const { z, width, height } = this;
     const [x0, y0] = this.firstCorner(tile);
     let at = 0;
@@ -205,9 +207,9 @@ export class StockSurface {
       for (let column = 0; column < TILE_CORNERS; column++, at += 2) {
         const x = Math.min(width - 1, x0 + column);
         const [left, right] = [Math.max(0, x - 1), Math.min(width - 1, x + 1)];
-        const own = y * width;
+        const center = y * width;
         const [a, b, c] = [z[below + left]!, z[below + x]!, z[below + right]!];
-        const [d, e] = [z[own + left]!, z[own + right]!];
+        const [d, e] = [z[center + left]!, z[center + right]!];
         const [f, g, h] = [z[above + left]!, z[above + x]!, z[above + right]!];
         const dx = a + 2 * d + f - c - 2 * e - h;
         const dy = a + 2 * b + c - f - 2 * g - h;
@@ -218,7 +220,7 @@ export class StockSurface {
     }
   }
 
-  /** Copies the corners of a tile; beyond the ring they are repeated. Gives the lowest and the highest. */
+  /** Copies the corners of a tile, those beyond the ring repeated; returns the lowest and the highest, mm. */
   copy(tile: number, { z, slot, target, shift }: TileCorners): [number, number] {
     const [x0, y0] = this.firstCorner(tile);
     let [low, high] = [Infinity, -Infinity];

@@ -1,4 +1,4 @@
-// The surface of a stock as meshes, one for each tile: made again where it has changed.
+// The meshes of a stock surface, one for each tile; updated where the surface has changed.
 
 import { type ShaderMaterial, BufferAttribute, BufferGeometry, Group, Mesh } from "three";
 import { type TileEdges, ADJACENT_TILES, noEdges, triangles } from "./facets";
@@ -7,30 +7,30 @@ import { TILE_CORNERS, TILE_CELLS } from "./tile";
 
 interface TileMesh {
   mesh: Mesh<BufferGeometry, ShaderMaterial>;
-  /** Lowest and highest corner, from the top, mm. */
-  ends: [number, number];
+  /** Lowest and highest corner, mm from the top of the stock. */
+  heights: [number, number];
   triangles: number;
-  /** The corners that its squares have on its edges. */
+  /** Which corners on its edges are corners of squares. */
   edges: TileEdges;
-  /** Those of an adjacent tile have changed. */
+  /** The corners of an adjacent tile on a shared edge have changed. */
   hasStaleEdges: boolean;
 }
 
 export class TileMeshes {
   readonly group = new Group();
-  /** The numbers of all tiles. */
+  /** The indices of all tiles. */
   readonly all: number[];
   private parts: TileMesh[] = [];
 
   constructor(readonly surface: StockSurface, material: ShaderMaterial) {
     for (let tile = 0; tile < surface.stale.length; tile++) {
       const [x, y] = surface.firstCorner(tile);
-      const places = new Uint16Array(2 * TILE_CORNERS * TILE_CORNERS);
-      for (let at = 0; at < TILE_CORNERS * TILE_CORNERS; at++) places.set([x + (at % TILE_CORNERS), y + Math.floor(at / TILE_CORNERS)], 2 * at);
-      const mesh = new Mesh(geometryOf(places, surface), material);
+      const gridCorners = new Uint16Array(2 * TILE_CORNERS * TILE_CORNERS);
+      for (let n = 0; n < TILE_CORNERS * TILE_CORNERS; n++) gridCorners.set([x + (n % TILE_CORNERS), y + Math.floor(n / TILE_CORNERS)], 2 * n);
+      const mesh = new Mesh(tileGeometry(gridCorners, surface), material);
       mesh.frustumCulled = false;
       this.group.add(mesh);
-      this.parts.push({ mesh, ends: [surface.bottom, 0], triangles: 0, edges: noEdges(), hasStaleEdges: false });
+      this.parts.push({ mesh, heights: [surface.bottom, 0], triangles: 0, edges: noEdges(), hasStaleEdges: false });
     }
     surface.stale.fill(1);
     this.all = [...surface.stale.keys()];
@@ -40,18 +40,18 @@ export class TileMeshes {
     return this.parts.length;
   }
 
-  /** Triangles of a tile as it was taken last. */
+  /** Number of triangles of a tile, as of its last update. */
   triangles(tile: number): number {
     return this.parts[tile]!.triangles;
   }
 
-  /** Its lowest and highest corner as it was taken last, from the top, mm. */
-  ends(tile: number): [number, number] {
-    return this.parts[tile]!.ends;
+  /** Lowest and highest corner of a tile, as of its last update, mm from the top of the stock. */
+  heights(tile: number): [number, number] {
+    return this.parts[tile]!.heights;
   }
 
-  /** Uploads what has changed of a tile; its edges may then differ from those of adjacent tiles until these are uploaded. */
-  take(tile: number): void {
+  /** Updates the mesh of a tile where it has changed; until the adjacent tiles are updated, their edges may differ. */
+  update(tile: number): void {
     const { surface } = this;
     const part = this.parts[tile]!;
     if (!surface.stale[tile] && !part.hasStaleEdges) return;
@@ -63,8 +63,8 @@ export class TileMeshes {
       shift: attributes.shift?.array as Int8Array | undefined,
     };
     if (surface.stale[tile]) {
-      part.ends = surface.copy(tile, corners);
-      surface.falls(tile, attributes.lean!.array as Int8Array);
+      part.heights = surface.copy(tile, corners);
+      surface.downhill(tile, attributes.lean!.array as Int8Array);
       for (const attribute of [attributes.z, attributes.slot, attributes.lean, attributes.target, attributes.shift]) if (attribute) attribute.needsUpdate = true;
     }
     surface.stale[tile] = 0;
@@ -82,38 +82,39 @@ export class TileMeshes {
     index!.needsUpdate = true;
   }
 
-  /** The corners that the adjacent tiles have on its edges. */
+  /** Which corners on the edges of a tile are corners of squares of adjacent tiles. */
   private neighborEdges(tile: number): TileEdges {
     const all = noEdges();
-    ADJACENT_TILES.forEach(([, , same], edge) => {
-      const other = this.beyond(tile, edge);
-      if (other) all.set(other.edges.subarray(same * TILE_CORNERS, (same + 1) * TILE_CORNERS), edge * TILE_CORNERS);
+    ADJACENT_TILES.forEach(([, , sharedEdge], edge) => {
+      const other = this.neighbor(tile, edge);
+      if (other) all.set(other.edges.subarray(sharedEdge * TILE_CORNERS, (sharedEdge + 1) * TILE_CORNERS), edge * TILE_CORNERS);
     });
     return all;
   }
 
+  /** Marks the adjacent tiles on whose shared edges corners have changed. */
   private markNeighbors(tile: number, before: TileEdges, after: TileEdges): void {
     for (let edge = 0; edge < ADJACENT_TILES.length; edge++) {
-      const other = this.beyond(tile, edge);
-      for (let at = edge * TILE_CORNERS; other && at < (edge + 1) * TILE_CORNERS; at++) if (before[at] !== after[at]) other.hasStaleEdges = true;
+      const other = this.neighbor(tile, edge);
+      for (let n = edge * TILE_CORNERS; other && n < (edge + 1) * TILE_CORNERS; n++) if (before[n] !== after[n]) other.hasStaleEdges = true;
     }
   }
 
-  private beyond(tile: number, edge: number): TileMesh | undefined {
-    const [across, up] = this.surface.tiles;
+  private neighbor(tile: number, edge: number): TileMesh | undefined {
+    const [nx, ny] = this.surface.tiles;
     const [dx, dy] = ADJACENT_TILES[edge]!;
-    const [x, y] = [(tile % across) + dx, Math.floor(tile / across) + dy];
-    return x >= 0 && y >= 0 && x < across && y < up ? this.parts[y * across + x] : undefined;
+    const [x, y] = [(tile % nx) + dx, Math.floor(tile / nx) + dy];
+    return x >= 0 && y >= 0 && x < nx && y < ny ? this.parts[y * nx + x] : undefined;
   }
 
-  /** Draws only these tiles, in their present state; returns the number of their triangles. */
+  /** Makes only these tiles visible, updated; returns the number of their triangles. */
   choose(tiles: readonly number[]): number {
     for (const { mesh } of this.parts) mesh.visible = false;
     let sum = 0;
-    for (const tile of tiles) this.take(tile);
+    for (const tile of tiles) this.update(tile);
     for (const tile of tiles) {
-      // Once more where a later one has other corners on their edge.
-      this.take(tile);
+      // Again, where a later tile has changed the corners on the shared edge.
+      this.update(tile);
       const { mesh, triangles } = this.parts[tile]!;
       mesh.visible = triangles > 0;
       sum += triangles;
@@ -126,10 +127,10 @@ export class TileMeshes {
   }
 }
 
-function geometryOf(places: Uint16Array, { target, shift }: StockSurface): BufferGeometry {
-  const count = places.length / 2;
+function tileGeometry(gridCorners: Uint16Array, { target, shift }: StockSurface): BufferGeometry {
+  const count = gridCorners.length / 2;
   const geometry = new BufferGeometry();
-  geometry.setAttribute("at", new BufferAttribute(places, 2));
+  geometry.setAttribute("at", new BufferAttribute(gridCorners, 2));
   geometry.setAttribute("z", new BufferAttribute(new Float32Array(count), 1));
   geometry.setAttribute("slot", new BufferAttribute(new Uint8Array(count), 1));
   geometry.setAttribute("lean", new BufferAttribute(new Int8Array(2 * count), 2, true));

@@ -1,14 +1,15 @@
-// The lowest point of a rotating tool over a distance from its axis: what it cuts without moving.
+// The lower side of a rotating tool: what it cuts without moving.
 
 import type { DrawnTool } from "../view/tool-shape";
 
-/** Height over the tip by the distance from the axis, both mm. */
+/** All in mm. */
 export interface ToolFloor {
   radius: number;
-  at: (distance: number) => number;
+  /** Height above the tip at a distance from the axis. */
+  heightAt: (distance: number) => number;
 }
 
-/** `undefined` where the shape is not known, or is of no mill: such a tool cuts no stock. */
+/** The lower side of a tool; undefined where its shape is not known, and for tools that cut only below a neck or a core. */
 export function floorOf(tool: DrawnTool | undefined): ToolFloor | undefined {
   if (!tool?.shape || tool.shape === "insert") return undefined;
   if (tool.shape === "form") return formFloor(tool.profile_mm ?? []);
@@ -16,10 +17,10 @@ export function floorOf(tool: DrawnTool | undefined): ToolFloor | undefined {
   if (!(radius > 0)) return undefined;
   switch (tool.shape) {
     case "ball":
-      return { radius, at: (distance) => radius - Math.sqrt(Math.max(0, radius * radius - distance * distance)) };
+      return { radius, heightAt: (distance) => radius - Math.sqrt(Math.max(0, radius * radius - distance * distance)) };
     case "bull": {
       const corner = Math.min(radius, Math.max(0, tool.corner_radius_mm ?? 0));
-      return { radius, at: (distance) => {
+      return { radius, heightAt: (distance) => {
         const out = Math.max(0, distance - (radius - corner));
         return corner - Math.sqrt(Math.max(0, corner * corner - out * out));
       } };
@@ -29,16 +30,16 @@ export function floorOf(tool: DrawnTool | undefined): ToolFloor | undefined {
       const tip = tool.shape === "chamfer" ? (tool.tip_diameter_mm ?? 0) / 2 : 0;
       if (!tool.point_angle_rad) return undefined;
       const rise = 1 / Math.tan(tool.point_angle_rad / 2);
-      return { radius, at: (distance) => Math.max(0, distance - tip) * rise };
+      return { radius, heightAt: (distance) => Math.max(0, distance - tip) * rise };
     }
     case "tap":
     case "thread mill":
     case "t-slot":
     case "lollipop":
-      // What they cut lies below a neck, or is a core whose diameter is not known: it is there once they have passed.
+      // They cut below a neck, or around a core of unknown diameter: their cuts are shown once they have passed.
       return undefined;
     default:
-      return { radius, at: () => 0 };
+      return { radius, heightAt: () => 0 };
   }
 }
 
@@ -46,16 +47,16 @@ export function floorOf(tool: DrawnTool | undefined): ToolFloor | undefined {
 function formFloor(profile: [number, number][]): ToolFloor | undefined {
   if (profile.length < 2) return undefined;
   const radius = Math.max(...profile.map(([, r]) => r));
-  return { radius, at: (distance) => {
-    let least = Infinity;
+  return { radius, heightAt: (distance) => {
+    let lowest = Infinity;
     let [height, from] = [profile[0]![0], 0];
-    for (const [next, to] of profile) {
+    for (const [nextHeight, to] of profile) {
       if (distance >= Math.min(from, to) && distance <= Math.max(from, to)) {
-        const share = to === from ? 0 : (distance - from) / (to - from);
-        least = Math.min(least, height + (next - height) * share);
+        const fraction = to === from ? 0 : (distance - from) / (to - from);
+        lowest = Math.min(lowest, height + (nextHeight - height) * fraction);
       }
-      [height, from] = [next, to];
+      [height, from] = [nextHeight, to];
     }
-    return least;
+    return lowest;
   } };
 }

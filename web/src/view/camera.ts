@@ -1,4 +1,4 @@
-// The camera: its views, how the pointer moves it, and how it fits the path.
+// The camera: its standard views, its control by the pointer, and fitting of the path.
 
 import { Matrix4, OrthographicCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -7,7 +7,7 @@ import { type ViewEdges, ViewExtent } from "./extent";
 
 export type ViewName = "top" | "front" | "right" | "iso";
 
-/** The direction from which each view looks. */
+/** The direction from the path to the camera, for each view. */
 const VIEW_DIRECTIONS: Record<ViewName, Vec3> = {
   top: [0, 0, 1],
   front: [0, -1, 0],
@@ -18,8 +18,8 @@ const VIEW_DIRECTIONS: Record<ViewName, Vec3> = {
 /** The side of the axis on which a lathe has its turret. */
 export type TurretSide = "rear" | "front";
 
-/** From where each view of a lathe looks, and what is up on the screen: Z to the right, X to the side of the turret. */
-function turning(turret: TurretSide, view: ViewName): { from: Vec3; up: Vec3 } {
+/** The direction to the camera and the up vector of each view of a lathe: Z points right on the screen, X to the side of the turret. */
+function latheView(turret: TurretSide, view: ViewName): { from: Vec3; up: Vec3 } {
   const side = turret === "rear" ? 1 : -1;
   const up: Vec3 = [side, 0, 0];
   switch (view) {
@@ -34,22 +34,22 @@ function turning(turret: TurretSide, view: ViewName): { from: Vec3; up: Vec3 } {
   }
 }
 
-/** How much of the view a fitted path takes. */
-const FIT_SHARE = 0.86;
-/** The same for a path that still grows: with more room it is not fitted and drawn for each batch. */
-const GROWING_FIT_SHARE = 0.55;
+/** How much of the view a fitted path takes up. */
+const FIT_FRACTION = 0.86;
+/** The same for a path that still grows: with room to grow it is not fitted and drawn again for each batch. */
+const GROWING_FIT_FRACTION = 0.55;
 
-/** How far in front of and behind the camera is visible, mm: beyond every machine, and depths are distinguished to 0.01 mm. */
-const DEPTH_MM = 5e4;
+/** Distance of the near and far planes, mm: larger than any machine, and small enough for a depth resolution of 0.01 mm. */
+const CLIP_DISTANCE_MM = 5e4;
 
 export class ViewCamera {
-  readonly camera = new OrthographicCamera(-1, 1, 1, -1, -DEPTH_MM, DEPTH_MM);
+  readonly camera = new OrthographicCamera(-1, 1, 1, -1, -CLIP_DISTANCE_MM, CLIP_DISTANCE_MM);
   private controls: OrbitControls;
   private view: ViewName = "iso";
   private turret: TurretSide | undefined;
-  /** Pixels from left to right. */
+  /** Width of the canvas, CSS pixels. */
   private width = 1;
-  /** The user has moved the camera: the path is not fitted automatically any more. */
+  /** The user has moved the camera: the path is no longer fitted automatically. */
   userMoved = false;
 
   constructor(
@@ -57,10 +57,10 @@ export class ViewCamera {
     private moved: () => void,
   ) {
     this.camera.up.set(0, 0, 1);
-    this.controls = this.control();
+    this.controls = this.makeControls();
   }
 
-  private control(): OrbitControls {
+  private makeControls(): OrbitControls {
     const controls = new OrbitControls(this.camera, this.canvas);
     controls.enableDamping = false;
     controls.zoomToCursor = true;
@@ -70,7 +70,7 @@ export class ViewCamera {
     return controls;
   }
 
-  /** Sets the side of a lathe's turret, undefined for a mill; true if that is a change. */
+  /** Sets the side of a lathe's turret, undefined for a mill; returns whether it has changed. */
   setLathe(turret: TurretSide | undefined): boolean {
     if (turret === this.turret) return false;
     this.turret = turret;
@@ -78,14 +78,14 @@ export class ViewCamera {
     return true;
   }
 
-  /** What is up: the pointer turns the view about it. */
-  private upright([x, y, z]: Vec3): void {
+  /** Sets the up vector, about which the pointer orbits; the controls read it only when they are constructed. */
+  private setUp([x, y, z]: Vec3): void {
     const { up } = this.camera;
     if (up.x === x && up.y === y && up.z === z) return;
     up.set(x, y, z);
     const { target } = this.controls;
     this.controls.dispose();
-    this.controls = this.control();
+    this.controls = this.makeControls();
     this.controls.target.copy(target);
   }
 
@@ -96,46 +96,48 @@ export class ViewCamera {
 
   resize(width: number, height: number): void {
     this.width = width;
+    // Half the height of the view at zoom 1, mm.
     const half = 50;
     const aspect = width / height;
     Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
     this.camera.updateProjectionMatrix();
   }
 
-  /** Fits a box into the view, or rather its content, whose edges `edgesOf` gives. */
+  /** Fits the content of a box into the view; `edgesOf` gives the edges of the content for a view matrix. With `grows` there is room for more. */
   fit({ low, high }: Bounds, edgesOf: (inverse: ArrayLike<number>) => ViewEdges, grows: boolean): void {
     const { camera } = this;
     const center = new Vector3(...low).add(new Vector3(...high)).multiplyScalar(0.5);
-    const reach = new Vector3(...high).sub(new Vector3(...low)).length() || 1;
-    const direction = this.turret ? turning(this.turret, this.view) : { from: VIEW_DIRECTIONS[this.view], up: [0, 0, 1] as Vec3 };
+    const diagonal = new Vector3(...high).sub(new Vector3(...low)).length() || 1;
+    const direction = this.turret ? latheView(this.turret, this.view) : { from: VIEW_DIRECTIONS[this.view], up: [0, 0, 1] as Vec3 };
     const from = new Vector3(...direction.from).normalize();
     // From exactly above, the rotation about Z would be undefined.
     if (!this.turret && this.view === "top") from.y -= 1e-5;
-    this.upright(direction.up);
-    const look = (at: Vector3) => {
-      camera.position.copy(at).addScaledVector(from, reach * 4 + 10);
-      this.controls.target.copy(at);
-      camera.lookAt(at);
+    this.setUp(direction.up);
+    const lookAt = (target: Vector3) => {
+      camera.position.copy(target).addScaledVector(from, diagonal * 4 + 10);
+      this.controls.target.copy(target);
+      camera.lookAt(target);
       camera.updateMatrixWorld();
     };
-    look(center);
+    lookAt(center);
     const [left, right, bottom, top] = edgesOf(camera.matrixWorldInverse.elements);
     const m = camera.matrixWorld.elements;
     center
       .addScaledVector(new Vector3(m[0]!, m[1]!, m[2]!), (left + right) / 2)
       .addScaledVector(new Vector3(m[4]!, m[5]!, m[6]!), (bottom + top) / 2);
-    look(center);
-    const least = reach * 1e-3;
-    camera.zoom = (grows ? GROWING_FIT_SHARE : FIT_SHARE) * Math.min(
-      (camera.right - camera.left) / Math.max(right - left, least),
-      (camera.top - camera.bottom) / Math.max(top - bottom, least),
+    lookAt(center);
+    // A path that is a point in this view must not be enlarged without limit.
+    const minSize = diagonal * 1e-3;
+    camera.zoom = (grows ? GROWING_FIT_FRACTION : FIT_FRACTION) * Math.min(
+      (camera.right - camera.left) / Math.max(right - left, minSize),
+      (camera.top - camera.bottom) / Math.max(top - bottom, minSize),
     );
     camera.updateProjectionMatrix();
     this.controls.update();
   }
 
-  /** A box takes a share of the view, seen from where it is seen now. */
-  show(box: Bounds, share: number): void {
+  /** Zooms so that a box takes up a fraction of the view, without rotating it. */
+  zoomTo(box: Bounds, fraction: number): void {
     const { camera, controls } = this;
     const center = new Vector3(...box.low).add(new Vector3(...box.high)).multiplyScalar(0.5);
     camera.position.sub(controls.target).add(center);
@@ -145,14 +147,14 @@ export class ViewCamera {
     extent.addBox(box);
     const [left, right, bottom, top] = extent.edges;
     const { left: l, right: r, top: t, bottom: b } = camera;
-    camera.zoom = share * Math.min((r - l) / Math.max(right - left, 1e-9), (t - b) / Math.max(top - bottom, 1e-9));
+    camera.zoom = fraction * Math.min((r - l) / Math.max(right - left, 1e-9), (t - b) / Math.max(top - bottom, 1e-9));
     camera.updateProjectionMatrix();
     this.userMoved = true;
     controls.update();
   }
 
-  /** Whether points are in the view; only every `step / 3`-th of them is checked. */
-  sees(points: Float32Array, step: number): boolean {
+  /** Whether points are in the view; of the coordinates only those of a point every `step` numbers are checked. */
+  contains(points: Float32Array, step: number): boolean {
     const extent = new ViewExtent(this.camera.matrixWorldInverse.elements);
     extent.add(points, step);
     const [left, right, bottom, top] = extent.edges;
@@ -164,12 +166,12 @@ export class ViewCamera {
     );
   }
 
-  /** World length of a pixel, mm. */
+  /** World length of a CSS pixel, mm. */
   pixel(): number {
     return (this.camera.right - this.camera.left) / this.camera.zoom / this.width;
   }
 
-  /** What lies to the right and up on the screen, and how long a pixel is, mm. */
+  /** The directions to the right and up on the screen, and the world length of a pixel, mm. */
   screen(): { right: Vec3; up: Vec3; pixel: number } {
     const m = this.camera.matrixWorld.elements;
     return { right: [m[0]!, m[1]!, m[2]!], up: [m[4]!, m[5]!, m[6]!], pixel: this.pixel() };
@@ -181,12 +183,12 @@ export class ViewCamera {
     return Math.min(right - left, top - bottom) / zoom;
   }
 
-  /** Takes points to the cube from -1 to 1. */
+  /** Takes points to normalized device coordinates. */
   matrix(): Matrix4 {
     return new Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse);
   }
 
-  /** Where a point, relative to the origin of the path, is on the canvas, pixels. */
+  /** The position on the canvas, CSS pixels, of a point relative to the origin of the path. */
   project(at: Vec3): [number, number] {
     const v = new Vector3(...at).project(this.camera);
     const { clientWidth, clientHeight } = this.canvas;
@@ -196,6 +198,6 @@ export class ViewCamera {
   /** The directions of X, Y and Z on the screen: right, up and towards the viewer. */
   axes(): Vec3[] {
     const { elements } = this.camera.matrixWorldInverse;
-    return [0, 4, 8].map((at) => [elements[at]!, elements[at + 1]!, elements[at + 2]!] as Vec3);
+    return [0, 4, 8].map((column) => [elements[column]!, elements[column + 1]!, elements[column + 2]!] as Vec3);
   }
 }

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import type { Batch } from "../path/batch";
 import { type ColorScale, type Palette, DARK, LIGHT, colorsOf, rampColor, rgb, toolColor } from "./colors";
-import { PALE_SHARE } from "./progress";
+import { PALE_FRACTION } from "./progress";
 
 type Numbers = number[];
 
@@ -79,7 +79,7 @@ test.each(SHEETS)("the ramp goes from one lightness to another, so that it has a
 test.each(SHEETS)("what is to come is told from what is done, and can still be seen: %s", (_, palette) => {
   const back = rgb(palette.background);
   for (const color of [...palette.tools, ...palette.ramp]) {
-    const pale = rgb(color).map((part, index) => back[index]! + (part - back[index]!) * PALE_SHARE);
+    const pale = rgb(color).map((part, index) => back[index]! + (part - back[index]!) * PALE_FRACTION);
     expect(colorDifference(pale, rgb(color), "normal"), color).toBeGreaterThan(15);
     expect(contrast(pale, back), color).toBeGreaterThan(1.25);
   }

@@ -16,23 +16,23 @@ export interface Palette {
   difference: string;
   chord: string;
   travel: string;
-  /** A marked line, and the edges on both sides of it: no tool has them. */
+  /** A highlighted line and its outline: colours of no tool. */
   mark: string;
   markEdge: string;
   measure: string;
   toolShape: string;
-  /** Stock that is not cut yet, and where it is cut open. */
+  /** Stock that is not cut yet. */
   stock: string;
-  /** What holds the stock. */
   fixture: string;
+  /** The section where the stock is cut open. */
   inside: string;
-  /** From much too deep to much too high; the middle is within the tolerance. */
+  /** Deviation from the target, from far below to far above; the middle is within the tolerance. */
   deviation: string[];
-  /** In the order in which the tools cut first. */
+  /** In the order of the tools' first cuts. */
   tools: string[];
-  /** From slow to fast, from low to high. */
+  /** From slow to fast, or from low to high. */
   ramp: string[];
-  /** What contrasts most with the background. */
+  /** The colour with the highest contrast to the background. */
   text: string;
 }
 
@@ -74,70 +74,72 @@ export const DARK: Palette = {
 
 type Rgb = [number, number, number];
 
-const known = new Map<string, Rgb>();
+const parsedColors = new Map<string, Rgb>();
 
+/** The components, 0 to 255, of a colour such as `#1d2227`. */
 export function rgb(color: string): Rgb {
-  let found = known.get(color);
-  if (!found) {
+  let parsed = parsedColors.get(color);
+  if (!parsed) {
     const value = Number.parseInt(color.slice(1), 16);
-    found = [(value >> 16) & 255, (value >> 8) & 255, value & 255];
-    known.set(color, found);
+    parsed = [(value >> 16) & 255, (value >> 8) & 255, value & 255];
+    parsedColors.set(color, parsed);
   }
-  return found;
+  return parsed;
 }
 
-/** The share of the text's colour that tools beyond the last colour get. */
-const SECOND_ROUND_SHARE = 0.5;
+/** When there are more tools than colours, every second round of colours is mixed with this fraction of the text colour. */
+const SECOND_ROUND_TEXT_FRACTION = 0.5;
 
-/** The colour of a tool, by its number in the order in which the tools cut first. */
+/** The colour of a tool, by its index in the order of the tools' first cuts. */
 export function toolColor({ tools, text }: Palette, index: number): string {
-  const own = tools[Math.max(0, index) % tools.length]!;
+  const color = tools[Math.max(0, index) % tools.length]!;
   const isFirstRound = Math.floor(Math.max(0, index) / tools.length) % 2 === 0;
-  return isFirstRound ? own : hex(mixed(rgb(own), rgb(text), SECOND_ROUND_SHARE));
+  return isFirstRound ? color : hex(mixed(rgb(color), rgb(text), SECOND_ROUND_TEXT_FRACTION));
 }
 
-function mixed(a: Rgb, b: Rgb, share: number): Rgb {
-  return [0, 1, 2].map((part) => Math.round(a[part]! + (b[part]! - a[part]!) * share)) as Rgb;
+function mixed(a: Rgb, b: Rgb, fraction: number): Rgb {
+  return [0, 1, 2].map((part) => Math.round(a[part]! + (b[part]! - a[part]!) * fraction)) as Rgb;
 }
 
 function hex(color: Rgb): string {
   return `#${color.map((part) => part.toString(16).padStart(2, "0")).join("")}`;
 }
 
-/** The colour of a value between the least and the most of the program. */
-export function rampColor({ ramp }: Palette, value: number, [least, most]: ValueRange): Rgb {
-  const at = shareOf(value, [least, most]) * (ramp.length - 1);
-  const index = Math.min(ramp.length - 2, Math.floor(at));
-  return mixed(rgb(ramp[index]!), rgb(ramp[index + 1]!), at - index);
+/** The colour of a value in a range; values beyond it have the colour of its end. */
+export function rampColor({ ramp }: Palette, value: number, range: ValueRange): Rgb {
+  const scaled = fractionOf(value, range) * (ramp.length - 1);
+  const index = Math.min(ramp.length - 2, Math.floor(scaled));
+  return mixed(rgb(ramp[index]!), rgb(ramp[index + 1]!), scaled - index);
 }
 
 export type ValueRange = [number, number];
 
-function shareOf(value: number, [least, most]: ValueRange): number {
-  return most > least ? Math.min(1, Math.max(0, (value - least) / (most - least))) : 0.5;
+/** Where a value is in a range, 0 to 1; the middle where the range is empty. */
+function fractionOf(value: number, [low, high]: ValueRange): number {
+  return high > low ? Math.min(1, Math.max(0, (value - low) / (high - low))) : 0.5;
 }
 
-/** Steps of the ramp: as many as can be distinguished. */
+/** Steps of the ramp: as many as eight bits can distinguish. */
 const RAMP_STEPS = 255;
 
 /** What the colours of a path depend on. */
 export interface ColorScale {
   by: ColorBy;
-  /** Tools in the order in which they cut first. */
+  /** Tools in the order of their first cuts. */
   tools: number[];
   /** Slowest and fastest cut, mm/min. */
   feeds: ValueRange;
-  /** Lowest and highest point of a cut, relative to the origin, mm. */
+  /** Lowest and highest Z of a cut, relative to the origin, mm. */
   depths: ValueRange;
-  /** From a laser that is off to the most S of a cut. */
+  /** From 0, a laser that is off, to the highest S of a cut. */
   powers: ValueRange;
 }
 
-/** The colours of both ends of each line, by the tool, the feed or the power of its row, or by its height. */
+/** The colours of both ends of each segment, by the tool, the feed or the power of its row, or by the Z of the end: six bytes each. */
 export function colorsOf(palette: Palette, { by, tools, feeds, depths, powers }: ColorScale, { tool, feed, power }: Batch, lines: LineArrays): Uint8Array {
   const steps: Rgb[] = [];
   for (let step = 0; step <= RAMP_STEPS && by !== "tool"; step++) steps.push(rampColor(palette, step, [0, RAMP_STEPS]));
-  const onRamp = (value: number, range: ValueRange) => steps[Math.round(shareOf(value, range) * RAMP_STEPS)]!;
+  const onRamp = (value: number, range: ValueRange) => steps[Math.round(fractionOf(value, range) * RAMP_STEPS)]!;
   const ofRow = (row: number) => (by === "power" ? onRamp(power?.[row] ?? 0, powers) : onRamp(feed[row]!, feeds));
   const ofTool = new Map(tools.map((number, index) => [number, rgb(toolColor(palette, index))]));
   const first = rgb(toolColor(palette, 0));
@@ -145,13 +147,13 @@ export function colorsOf(palette: Palette, { by, tools, feeds, depths, powers }:
   const { points } = lines;
   let last = -1;
   let color: Rgb = [0, 0, 0];
-  for (let at = 0; at < lines.count; at++) {
-    const row = lines.rows ? lines.rows[at]! : at;
+  for (let line = 0; line < lines.count; line++) {
+    const row = lines.rows ? lines.rows[line]! : line;
     if (row !== last && by !== "depth") color = by === "tool" ? (ofTool.get(tool[row]!) ?? first) : ofRow(row);
     last = row;
     for (let end = 0; end < 2; end++) {
-      if (by === "depth") color = onRamp(points[6 * at + 3 * end + 2]!, depths);
-      for (let part = 0; part < 3; part++) colors[6 * at + 3 * end + part] = color[part]!;
+      if (by === "depth") color = onRamp(points[6 * line + 3 * end + 2]!, depths);
+      for (let part = 0; part < 3; part++) colors[6 * line + 3 * end + part] = color[part]!;
     }
   }
   return colors;

@@ -1,4 +1,4 @@
-// The lines of the path as they are drawn, batch by batch, and the fewer lines that are drawn instead while the view turns.
+// The drawn lines of the path, batch by batch, and the simplified ones that replace them while the view turns.
 
 import { Group, LineDashedMaterial, LineSegments } from "three";
 import type { Batch } from "../path/batch";
@@ -8,20 +8,19 @@ import { Path } from "../path/path";
 import { type ColorBy, type Palette, colorsOf } from "./colors";
 import type { DrawnBatch } from "./draw-groups";
 import { yieldToEventLoop } from "./event-loop";
-import { longest } from "./extent";
-import { LineMaterials, LineMesh, emptyGroup, geometryOf, removeLines } from "./line-mesh";
+import { longestSide } from "./extent";
+import { LineMaterials, LineMesh, clearGroup, lineGeometry, disposeLines } from "./line-mesh";
 import { PathLevels } from "./lod";
 import type { Painter } from "./painter";
-import { type PathProgress, spansOf } from "./progress";
+import { type PathProgress, rowsAtEndsOf } from "./progress";
 
-/** Rows from which on fewer lines are drawn while the view turns, and work is done a batch at a time. */
+/** A path of more rows is simplified while the view turns, and the page handles input between its batches. */
 export const SIMPLIFIED_FROM_ROWS = 20_000;
-/** Rows from which on lines are drawn one pixel wide: wide ones are eight times the work. */
+/** The lines of a path of more rows are one pixel wide: wide ones cost eight times as much. With a graphics card and without. */
 const MAX_WIDE_ROWS = 20_000;
 const MAX_WIDE_ROWS_SOFTWARE = 2_000;
 
-/** No lines. */
-const NONE: LineArrays = { points: new Float32Array(0), rows: undefined, count: 0 };
+const NO_LINES: LineArrays = { points: new Float32Array(0), rows: undefined, count: 0 };
 
 export class DrawnPath {
   path = new Path();
@@ -32,83 +31,83 @@ export class DrawnPath {
   readonly cutMaterials: LineMaterials;
   readonly rapidMaterial = new LineDashedMaterial();
   private painter!: Painter;
-  /** The number of the newest recolouring: an older one stops between two batches. */
+  /** Number of the newest recolouring: an older one stops between two batches. */
   private recoloring = 0;
 
-  /** `render` draws the next frame. */
+  /** `render` requests a frame. */
   constructor(progress: PathProgress, private palette: Palette, private render: () => void) {
     this.cutMaterials = new LineMaterials(progress);
     progress.attach(this.rapidMaterial);
   }
 
-  /** The painter is made with the groups of this path, so it comes after it. */
+  /** Sets the painter, which is constructed with the groups of this path. */
   attach(painter: Painter): void {
     this.painter = painter;
   }
 
   clear(): void {
-    emptyGroup(this.cuts);
-    emptyGroup(this.painter.rapids);
+    clearGroup(this.cuts);
+    clearGroup(this.painter.rapids);
     this.levels.clear();
     this.batches = [];
   }
 
   add(batch: Batch, tolerance: ArcTolerance, filter: RowFilter | undefined): DrawnBatch {
-    const drawn: DrawnBatch = { batch, cuts: undefined, rapids: undefined, lines: { cuts: NONE, rapids: NONE } };
+    const drawn: DrawnBatch = { batch, cuts: undefined, rapids: undefined, lines: { cuts: NO_LINES, rapids: NO_LINES } };
     this.batches.push(drawn);
-    this.cut(drawn, tolerance, filter);
+    this.update(drawn, tolerance, filter);
     return drawn;
   }
 
-  /** Lines of a path of more rows are one pixel wide. */
+  /** The lines of a path of more rows are one pixel wide. */
   get maxWideRows(): number {
     return this.painter.isSoftware ? MAX_WIDE_ROWS_SOFTWARE : MAX_WIDE_ROWS;
   }
 
-  /** The first batches were drawn before it was known that there would be so many. */
+  /** Makes the lines of the first batches thin where the path has become too long for wide ones. */
   thinFirstBatches(): void {
     if (this.path.rows <= this.maxWideRows) return;
-    for (const drawn of this.batches) if (drawn.cuts?.isWide) this.put(drawn);
+    for (const drawn of this.batches) if (drawn.cuts?.isWide) this.replaceObjects(drawn);
   }
 
-  /** Cuts the arcs of a batch again and puts its lines into the scene. */
-  cut(drawn: DrawnBatch, tolerance: ArcTolerance, filter: RowFilter | undefined): void {
+  /** Computes the lines of a batch again, with chords within `tolerance` of its arcs. */
+  update(drawn: DrawnBatch, tolerance: ArcTolerance, filter: RowFilter | undefined): void {
     drawn.lines = linesOf(drawn.batch, tolerance, filter);
-    this.put(drawn);
+    this.replaceObjects(drawn);
   }
 
-  /** Puts the lines of a batch into the scene, instead of those before. */
-  private put(drawn: DrawnBatch): void {
-    // A picture that is being drawn must not use what is removed.
+  /** Replaces the objects that draw the lines of a batch. */
+  private replaceObjects(drawn: DrawnBatch): void {
+    // The painter must not go on drawing objects that are disposed of.
     if (drawn.cuts || drawn.rapids) this.painter.changed();
-    drawn.cuts?.removeLines();
-    removeLines(drawn.rapids);
+    drawn.cuts?.dispose();
+    disposeLines(drawn.rapids);
     const { batch, lines: { cuts, rapids } } = drawn;
     drawn.cuts = undefined;
     drawn.rapids = undefined;
     if (cuts.count > 0) {
       const isWide = this.path.rows <= this.maxWideRows && cuts.count <= this.maxWideRows;
-      drawn.cuts = new LineMesh(cuts.points, this.colors(batch, cuts), spansOf(batch.first, cuts), this.cutMaterials, isWide);
+      drawn.cuts = new LineMesh(cuts.points, this.colors(batch, cuts), rowsAtEndsOf(batch.first, cuts), this.cutMaterials, isWide);
       this.cuts.add(drawn.cuts.object);
     }
     if (rapids.count > 0) {
-      drawn.rapids = new LineSegments(geometryOf(rapids.points, spansOf(batch.first, rapids)), this.rapidMaterial);
+      drawn.rapids = new LineSegments(lineGeometry(rapids.points, rowsAtEndsOf(batch.first, rapids)), this.rapidMaterial);
       drawn.rapids.computeLineDistances();
       drawn.rapids.frustumCulled = false;
       this.painter.rapids.add(drawn.rapids);
     }
   }
 
-  /** Makes the fewer lines of a long path. */
+  /** Makes the levels of detail of a long path. */
   async simplify(): Promise<void> {
     if (this.path.rows < SIMPLIFIED_FROM_ROWS) return this.levels.clear();
-    const size = longest(this.path.bounds, 1);
+    const size = longestSide(this.path.bounds, 1);
     const colors = (batch: Batch, lines: LineArrays) => this.colors(batch, lines);
     const isBuilt = await this.levels.build(this.batches, size, colors, this.cutMaterials, this.rapidMaterial);
     if (isBuilt) this.render();
   }
 
-  /** The colours of both ends of each line. */
+  /** The colours of both ends of each segment. */
   private colors(batch: Batch, lines: LineArrays): Uint8Array {
     const { cutters, minFeed, maxFeed, depths, maxPower } = this.path;
     return colorsOf(this.palette, { by: this.colorBy, tools: cutters, feeds: [minFeed, maxFeed], depths, powers: [0, maxPower] }, batch, lines);
@@ -119,7 +118,7 @@ export class DrawnPath {
     this.rapidMaterial.color.set(palette.rapid);
   }
 
-  /** Gives all lines their colours again, a batch at a time. */
+  /** Computes the colours of all lines again, a batch at a time. */
   async recolor(): Promise<void> {
     const number = ++this.recoloring;
     for (const drawn of [...this.batches]) {

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { ViewExtent, corner, longest } from "./extent";
+import { ViewExtent, corner, longestSide } from "./extent";
 
 it("takes what points take as the view sees them", () => {
   // From the front: X is right, Z is up.
@@ -14,7 +14,7 @@ it("takes what points take as the view sees them", () => {
 it("knows boxes", () => {
   const box = { low: [0, 0, 0], high: [1, 2, 3] } as const;
   expect(corner({ low: [...box.low], high: [...box.high] }, 5)).toEqual([1, 0, 3]);
-  expect(longest({ low: [...box.low], high: [...box.high] }, 7)).toBe(3);
-  expect(longest(undefined, 7)).toBe(7);
-  expect(longest({ low: [1, 1, 1], high: [1, 1, 1] }, 7)).toBe(7);
+  expect(longestSide({ low: [...box.low], high: [...box.high] }, 7)).toBe(3);
+  expect(longestSide(undefined, 7)).toBe(7);
+  expect(longestSide({ low: [1, 1, 1], high: [1, 1, 1] }, 7)).toBe(7);
 });

@@ -1,11 +1,11 @@
-// The extent of points in the view, for fitting them into it.
+// The extent of points in the view, for fitting them, and helpers for boxes.
 
 import type { Bounds, Vec3 } from "../path/batch";
 
-/** Left, right, bottom and top, mm. */
+/** Left, right, bottom and top in the view, mm. */
 export type ViewEdges = [number, number, number, number];
 
-/** Gathers points; the matrix (column-major) takes them to the axes of the view. */
+/** Finds the extent of points; the view matrix (column-major) takes them to the axes of the view. */
 export class ViewExtent {
   readonly edges: ViewEdges = [Infinity, -Infinity, Infinity, -Infinity];
 
@@ -15,11 +15,11 @@ export class ViewExtent {
     return this.edges[0] > this.edges[1];
   }
 
-  /** Adds a point every `step` numbers. */
+  /** Adds one point every `step` numbers. */
   add(points: ArrayLike<number>, step = 3): void {
     const { edges, matrix: m } = this;
-    for (let at = 0; at + 2 < points.length; at += step) {
-      const [px, py, pz] = [points[at]!, points[at + 1]!, points[at + 2]!];
+    for (let offset = 0; offset + 2 < points.length; offset += step) {
+      const [px, py, pz] = [points[offset]!, points[offset + 1]!, points[offset + 2]!];
       const x = m[0]! * px + m[4]! * py + m[8]! * pz + m[12]!;
       const y = m[1]! * px + m[5]! * py + m[9]! * pz + m[13]!;
       if (x < edges[0]) edges[0] = x;
@@ -34,7 +34,7 @@ export class ViewExtent {
   }
 }
 
-/** A corner of a box: bit 0 is the high end of X, bit 1 of Y, bit 2 of Z. */
+/** A corner of a box: bits 0, 1 and 2 choose the high end of X, Y and Z. */
 export function corner({ low, high }: Bounds, bits: number): Vec3 {
   return [0, 1, 2].map((axis) => (bits & (1 << axis) ? high : low)[axis]!) as Vec3;
 }
@@ -43,7 +43,7 @@ export function difference(a: Vec3, b: Vec3): Vec3 {
   return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 }
 
-/** The longest side of a box; `otherwise` where there is none. */
-export function longest(box: Bounds | undefined, otherwise: number): number {
-  return box ? Math.max(...difference(box.high, box.low)) || otherwise : otherwise;
+/** The longestSide side of a box, mm; `fallback` where there is no box or it is a point. */
+export function longestSide(box: Bounds | undefined, fallback: number): number {
+  return box ? Math.max(...difference(box.high, box.low)) || fallback : fallback;
 }

@@ -1,11 +1,11 @@
-// What does not move: zeros of work offsets, the box that the machine can reach.
+// Objects that do not move with playback: zeros of work offsets, and the travel box of the machine.
 
 import { BufferAttribute, Group, LineBasicMaterial, LineSegments } from "three";
 import type { Bounds, Vec3 } from "../path/batch";
 import { corner } from "./extent";
-import { geometryOf } from "./line-mesh";
+import { lineGeometry } from "./line-mesh";
 
-/** X red, Y green, Z blue, for both ends of each. */
+/** X red, Y green, Z blue, for both ends of each axis. */
 const AXIS_COLORS = [[1, 0.3, 0.3], [0.3, 0.8, 0.3], [0.4, 0.6, 1]].flatMap((color) => [...color, ...color]);
 
 export class FixedObjects {
@@ -18,20 +18,20 @@ export class FixedObjects {
     this.travelMaterial.color.set(color);
   }
 
-  /** All relative to the origin of the path, mm; `size` is how long the arms of a zero are. */
-  set(zeros: Vec3[], travel: Bounds | undefined, size: number): void {
+  /** Positions are relative to the origin of the path; `axisLength` is that of the axes of a zero; mm. */
+  set(zeros: Vec3[], travel: Bounds | undefined, axisLength: number): void {
     for (const child of [...this.object.children]) {
       (child as LineSegments).geometry.dispose();
       child.removeFromParent();
     }
     for (const [x, y, z] of zeros) {
-      const geometry = geometryOf(new Float32Array([x, y, z, x + size, y, z, x, y, z, x, y + size, z, x, y, z, x, y, z + size]));
+      const geometry = lineGeometry(new Float32Array([x, y, z, x + axisLength, y, z, x, y, z, x, y + axisLength, z, x, y, z, x, y, z + axisLength]));
       geometry.setAttribute("color", new BufferAttribute(new Float32Array(AXIS_COLORS), 3));
       this.object.add(new LineSegments(geometry, this.zeroMaterial));
     }
     this.box = undefined;
     if (travel) {
-      this.box = new LineSegments(geometryOf(boxLines(travel)), this.travelMaterial);
+      this.box = new LineSegments(lineGeometry(boxEdges(travel)), this.travelMaterial);
       this.object.add(this.box);
     }
   }
@@ -41,7 +41,8 @@ export class FixedObjects {
   }
 }
 
-function boxLines(box: Bounds): Float32Array {
+/** The twelve edges of a box, six numbers each. */
+function boxEdges(box: Bounds): Float32Array {
   const points: number[] = [];
   for (let bits = 0; bits < 8; bits++) {
     for (const axis of [1, 2, 4]) if (!(bits & axis)) points.push(...corner(box, bits), ...corner(box, bits | axis));

@@ -1,7 +1,8 @@
-// Waits until the graphics card has carried out its commands.
+// Waiting for the graphics card.
 
 import type { WebGLRenderer } from "three";
 
+/** Resolves when the graphics card has carried out all commands so far. */
 export async function gpuFinished(renderer: WebGLRenderer): Promise<void> {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);

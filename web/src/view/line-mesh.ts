@@ -1,4 +1,4 @@
-// Coloured lines: wide ones where there are few, lines of one pixel where there are many.
+// Line segments with colours: wide ones where there are few, one pixel wide where there are many.
 
 import { type Group, BufferAttribute, BufferGeometry, InstancedBufferAttribute, InstancedInterleavedBuffer, InterleavedBufferAttribute, LineBasicMaterial, LineSegments } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
@@ -6,9 +6,12 @@ import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import type { PathProgress } from "./progress";
 
+/** Width of a wide line, pixels. */
+const WIDE_LINE_PX = 1.8;
+
 export class LineMaterials {
   thin = new LineBasicMaterial({ vertexColors: true });
-  wide = new LineMaterial({ vertexColors: true, linewidth: 1.8 });
+  wide = new LineMaterial({ vertexColors: true, linewidth: WIDE_LINE_PX });
 
   constructor(progress: PathProgress) {
     progress.attach(this.thin);
@@ -16,21 +19,23 @@ export class LineMaterials {
   }
 }
 
-/** Some lines with a colour each. */
+/** Line segments with a colour at each end. */
 export class LineMesh {
   readonly object: LineSegments | LineSegments2;
   constructor(
+    /** Both ends of each segment, mm: six numbers. */
     private points: Float32Array,
+    /** Both ends of each segment, RGB: six bytes. */
     private colors: Uint8Array,
-    /** The rows at both ends of each line. */
-    private spans: Float32Array,
+    /** The path row at both ends of each segment. */
+    private rowsAtEnds: Float32Array,
     materials: LineMaterials,
     readonly isWide: boolean,
   ) {
     if (isWide) {
       this.object = new LineSegments2(this.wideGeometry(), materials.wide);
     } else {
-      const geometry = geometryOf(points, spans);
+      const geometry = lineGeometry(points, rowsAtEnds);
       geometry.setAttribute("color", new BufferAttribute(colors, 3, true));
       this.object = new LineSegments(geometry, materials.thin);
     }
@@ -44,7 +49,7 @@ export class LineMesh {
     const colors = new InstancedInterleavedBuffer(this.colors, 6, 1);
     geometry.setAttribute("instanceColorStart", new InterleavedBufferAttribute(colors, 3, 0, true));
     geometry.setAttribute("instanceColorEnd", new InterleavedBufferAttribute(colors, 3, 3, true));
-    geometry.setAttribute("rowSpan", new InstancedBufferAttribute(this.spans, 2));
+    geometry.setAttribute("rowsAtEnds", new InstancedBufferAttribute(this.rowsAtEnds, 2));
     return geometry;
   }
 
@@ -56,26 +61,27 @@ export class LineMesh {
     } else this.object.geometry.setAttribute("color", new BufferAttribute(colors, 3, true));
   }
 
-  removeLines(): void {
+  dispose(): void {
     this.object.geometry.dispose();
     this.object.removeFromParent();
   }
 }
 
-/** Geometry of lines; `spans` are the rows at both ends of each, where what is not done yet is drawn pale. */
-export function geometryOf(points: Float32Array, spans?: Float32Array): BufferGeometry {
+/** Geometry of points, or of line segments with the path row at both ends of each: rows not reached yet are drawn pale. */
+export function lineGeometry(points: Float32Array, rowsAtEnds?: Float32Array): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(points, 3));
-  if (spans) geometry.setAttribute("rowAt", new BufferAttribute(spans, 1));
+  if (rowsAtEnds) geometry.setAttribute("rowAtEnd", new BufferAttribute(rowsAtEnds, 1));
   return geometry;
 }
 
-export function removeLines(object: LineSegments | undefined): void {
+export function disposeLines(object: LineSegments | LineSegments2 | undefined): void {
   if (!object) return;
   object.geometry.dispose();
   object.removeFromParent();
 }
 
-export function emptyGroup(group: Group): void {
-  for (const object of [...group.children]) removeLines(object as LineSegments);
+/** Disposes of all lines of a group. */
+export function clearGroup(group: Group): void {
+  for (const object of [...group.children]) disposeLines(object as LineSegments);
 }

@@ -1,6 +1,6 @@
-// Draws the path and what lies over it. A path that is too long for one frame is drawn piece by
-// piece into a picture that is reused: what lies over it, the tool above all, then costs no more than
-// with a short path, and the page answers in between.
+// Draws the path and the objects over it. A path that is too long for one frame is drawn in slices into a render target, the
+// picture, that is reused until the camera or the path changes: the tool over it then costs no more to move than with a short
+// path, and the page handles input between two slices.
 
 import {
   type Camera,
@@ -25,45 +25,44 @@ import { type FrameQuality, DrawSlices, FramePace } from "./frame-budget";
 import { gpuFinished } from "./gpu-fence";
 import { type PathLevels, LEVEL_LINES } from "./lod";
 
-/** Lines that any machine draws in a frame. */
+/** Lines that any computer can draw in a frame. */
 const MIN_SLICE_LINES = 8_000;
-/** Edges in a reused picture are smoothed on machines that draw so many lines in one go. */
-const SMOOTH_FROM_LINES = 100_000;
-/** While frames follow each other, the picture is drawn in the gaps: a quarter of the usual slice, and a pause after each, ms. */
+/** The picture is antialiased where a slice has at least this number of lines. */
+const ANTIALIASED_FROM_LINES = 100_000;
+/** While frames follow each other, the picture is drawn between them: in slices of a quarter of the usual size, with a pause after each, ms. */
 const BUSY_DIVISOR = 4;
 const BUSY_PAUSE_MS = 40;
-/** How often a picture that is being drawn is shown, ms. */
+/** Shortest time between two frames that show an incomplete picture, ms. */
 const SHOW_INTERVAL_MS = 150;
-
-/** Frames that follow each other faster than this, ms, mean that something moves. */
+/** Frames at shorter intervals, ms, mean that something moves. */
 const BUSY_MS = 200;
 
-/** What is drawn below the path: a picture with depth, or a function that draws it where it changes in each frame. */
-export type PictureBelow = WebGLRenderTarget | ((renderer: WebGLRenderer, camera: Camera) => void);
+/** What is drawn under the path: a render target with depth, or a function that draws in each frame. */
+export type Underlay = WebGLRenderTarget | ((renderer: WebGLRenderer, camera: Camera) => void);
 
 const STILL_QUALITY: FrameQuality = { level: -1, samples: 4, scale: 1 };
 
 export class Painter {
   readonly renderer: WebGLRenderer;
-  /** There is no graphics card: the processor draws. */
+  /** Whether the processor draws, without a graphics card. */
   readonly isSoftware: boolean;
-  /** What is drawn once for each position of the camera. */
+  /** Drawn once for each position of the camera. */
   readonly path = new Group();
   /** The part of `path` that is the program's own path, which may be hidden. */
   readonly own = new Group();
-  /** The rapids in `own`; while the view turns, the simplified path has some of them. */
+  /** The rapids in `own`; the levels of detail have some of them on their own. */
   readonly rapids = new Group();
-  /** The part of `path` that may be missing while the view turns. */
+  /** The part of `path` that may be left out while the view turns. */
   readonly extras = new Group();
-  /** What is drawn again in each frame, over the path. */
+  /** Drawn again in each frame, over the path. */
   readonly over = new Group();
   readonly pace: FramePace;
-  /** What is drawn below everything: the stock. */
-  under: () => PictureBelow | undefined = () => undefined;
-  /** Lines of the last frame, those of the reused picture included. */
+  /** The stock, which is drawn under everything; undefined where there is none. */
+  underlay: () => Underlay | undefined = () => undefined;
+  /** Lines of the last frame, including those of the picture. */
   drawnLines = 0;
   /** Whether an incomplete picture is shown. */
-  showsPart = true;
+  showsIncomplete = true;
   private slices: DrawSlices;
   private scene = new Scene();
   private copy = new PictureCopy();
@@ -74,17 +73,20 @@ export class Painter {
   private pictureTarget: WebGLRenderTarget | undefined;
   private pictureLines = 0;
   private state: "stale" | "drawing" | "complete" = "stale";
-  private drewAll = false;
+  private wasComplete = false;
   private queue: DrawGroup[] = [];
-  /** What has changed its colour while the picture was drawn. */
-  private late: DrawGroup[] = [];
-  /** The number of the picture that is being drawn: work for an older one stops. */
-  private picture = 0;
+  /** Lines whose colour has changed since they were drawn into the picture. */
+  private recolored: DrawGroup[] = [];
+  /** Number of the present picture: the drawing of an older one stops. */
+  private pictureNumber = 0;
+  /** When the picture was shown last, ms. */
   private shownAt = 0;
+  /** When the last frame was drawn, ms. */
   private paintedAt = -Infinity;
   /** The last frame came soon after the one before. */
   private isBusy = false;
-  private smoothLater = 0;
+  /** Timer of the frame that is antialiased once nothing moves. */
+  private antialiasTimer = 0;
 
   constructor(
     canvas: HTMLCanvasElement,
@@ -93,13 +95,13 @@ export class Painter {
     private coarse: PathLevels,
     private requestFrame: () => void,
   ) {
-    // Edges are smoothed in targets of our own, where the machine is fast enough for that.
+    // Antialiasing is done in multisampled targets, where the computer is fast enough for it.
     this.renderer = new WebGLRenderer({ canvas, antialias: false, preserveDrawingBuffer: false });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.setPixelRatio(this.pixelRatio);
     this.renderer.localClippingEnabled = true;
     this.renderer.autoClear = false;
-    // Objects are drawn in the order in which they were added; sorting would need the extent of each.
+    // Objects are drawn in the order in which they were added; sorting would need the bounding sphere of each.
     this.renderer.sortObjects = false;
     this.renderer.info.autoReset = false;
     this.isSoftware = drawsInSoftware(this.renderer.getContext());
@@ -118,38 +120,38 @@ export class Painter {
     this.changed();
   }
 
-  /** The path or the camera has changed: the picture is out of date. */
+  /** Marks the picture as out of date, after a change of the path or the camera. */
   changed(): void {
-    this.picture++;
+    this.pictureNumber++;
     this.state = "stale";
     this.queue = [];
-    this.late = [];
+    this.recolored = [];
   }
 
-  /** An object was added to the path: it is drawn into the present picture, too. */
+  /** Draws an object that was added to the path into the present picture, too. */
   added(object: LineSegments | LineSegments2): void {
     if (this.state === "stale" || !this.own.visible) return;
     this.queue.push(wholeGroup(object));
     if (this.state === "complete") void this.drawQueue();
   }
 
-  /** Some of the path has another colour now: it is drawn into the present picture, too. */
-  repaint(pieces: DrawGroup[]): void {
-    if (this.state === "stale" || !this.own.visible || pieces.length === 0) return;
-    this.late.push(...pieces);
+  /** Draws lines whose colour has changed into the present picture again. */
+  repaint(groups: DrawGroup[]): void {
+    if (this.state === "stale" || !this.own.visible || groups.length === 0) return;
+    this.recolored.push(...groups);
     // While the picture is being drawn, they are drawn at its end.
     if (this.state !== "complete") return;
-    // With so many lines a new picture is cheaper.
-    if (drawWeight(this.late) > 2 * Math.max(MIN_SLICE_LINES, this.slices.lines)) return this.changed();
-    this.drawLate();
+    // A new picture is cheaper than that many lines in one frame.
+    if (drawWeight(this.recolored) > 2 * Math.max(MIN_SLICE_LINES, this.slices.lines)) return this.changed();
+    this.drawRecolored();
   }
 
-  /** Draws them at once: during playback each frame adds some, and a queue would never be empty. */
-  private drawLate(): void {
+  /** Draws them at once: during playback each frame adds some, and the queue would never become empty. */
+  private drawRecolored(): void {
     const { pictureLines } = this;
-    this.queue = this.late;
-    this.late = [];
-    while (this.queue.length > 0) this.drawSome();
+    this.queue = this.recolored;
+    this.recolored = [];
+    while (this.queue.length > 0) this.drawSlice();
     this.pictureLines = pictureLines;
   }
 
@@ -160,10 +162,10 @@ export class Painter {
 
   /** The last frame showed everything. */
   get isComplete(): boolean {
-    return this.drewAll;
+    return this.wasComplete;
   }
 
-  /** Draws a frame; while the view turns, with a quality that is fast enough. */
+  /** Draws a frame; while the view turns, in a quality that is fast enough. */
   paint(isTurning: boolean): void {
     this.renderer.info.reset();
     const now = performance.now();
@@ -172,30 +174,30 @@ export class Painter {
     this.isBusy = gap <= BUSY_MS;
     const lines = drawWeight(drawGroups(this.path));
     const isShort = lines <= this.slices.lines;
-    const isRough = this.isRough();
-    this.drewAll = !isTurning && !isRough && (isShort || this.state === "complete");
+    const isAliased = this.skipsAntialiasing();
+    this.wasComplete = !isTurning && !isAliased && (isShort || this.state === "complete");
     if (isTurning && (this.coarse.isReady || isShort)) this.draw(this.pace.quality);
     else if (isShort) {
       this.changed();
       const began = performance.now();
-      this.draw(isRough ? { ...STILL_QUALITY, samples: 0 } : STILL_QUALITY);
+      this.draw(isAliased ? { ...STILL_QUALITY, samples: 0 } : STILL_QUALITY);
       void gpuFinished(this.renderer).then(() => this.slices.took(lines, performance.now() - began));
     } else {
-      if (this.state === "stale") this.begin();
-      // Until the picture is complete, the coarse path shows more than a part of the whole one.
-      if (this.state === "complete" || !this.coarse.isReady) this.show();
+      if (this.state === "stale") this.beginPicture();
+      // Until the picture is complete, a level of detail shows more of the path.
+      if (this.state === "complete" || !this.coarse.isReady) this.showPicture();
       else this.draw({ ...this.pace.quality, samples: 0 });
     }
   }
 
-  /** Without a graphics card, edges over a stock are smoothed only when the picture is complete and nothing moves. */
-  private isRough(): boolean {
-    window.clearTimeout(this.smoothLater);
-    const under = this.under();
-    if (!this.isSoftware || !under) return false;
-    if (typeof under === "function") return true;
+  /** Without a graphics card, a frame with stock is antialiased only when the stock is complete and nothing moves. */
+  private skipsAntialiasing(): boolean {
+    window.clearTimeout(this.antialiasTimer);
+    const underlay = this.underlay();
+    if (!this.isSoftware || !underlay) return false;
+    if (typeof underlay === "function") return true;
     if (!this.isBusy) return false;
-    this.smoothLater = window.setTimeout(this.requestFrame, BUSY_MS + 1);
+    this.antialiasTimer = window.setTimeout(this.requestFrame, BUSY_MS + 1);
     return true;
   }
 
@@ -207,57 +209,56 @@ export class Painter {
     coarse.show(isCoarse, level);
     cuts.visible = !isCoarse;
     rapids.visible = rapidsShown && !isCoarse;
-    // If the program's own path is hidden, nothing else would be visible.
+    // Where the program's own path is hidden, nothing would be left without them.
     extras.visible = !isCoarse || !this.own.visible || drawWeight(drawGroups(extras)) <= LEVEL_LINES[level]!;
     this.setScale(scale);
     const target = samples > 0 ? this.target(samples) : null;
     renderer.setRenderTarget(target);
     renderer.clear();
-    this.drawUnder();
+    this.drawUnderlay();
     renderer.render(scene, camera);
     coarse.show(false, level);
     cuts.visible = extras.visible = true;
     rapids.visible = rapidsShown;
     this.drawnLines = renderer.info.render.lines;
-    if (target) this.put(target);
+    if (target) this.copyToCanvas(target);
   }
 
-  /** Scales the canvas itself, not a target: enlarging a small picture would cost as much again. */
+  /** Changes the resolution of the canvas itself, not of a target: enlarging a small target would cost as much again. */
   private setScale(scale: number): void {
     if (scale === this.scale) return;
     this.scale = scale;
     this.renderer.setPixelRatio(this.pixelRatio * scale);
   }
 
-  /** Shows the reused picture and what lies over it. */
-  private show(): void {
+  /** Shows the picture and the objects over it. */
+  private showPicture(): void {
     this.shownAt = performance.now();
     this.setScale(1);
     this.renderer.setRenderTarget(null);
     this.renderer.clear();
-    this.drawUnder();
-    // Where the picture is empty, its depth is that of the background, so that the stock stays visible.
+    this.drawUnderlay();
+    // Where the picture is empty, its depth is that of the background, so the stock stays visible.
     if (this.pictureTarget) this.copy.draw(this.renderer, this.pictureTarget, true);
     this.renderer.render(this.over, this.camera);
     this.drawnLines = this.pictureLines;
   }
 
-  private put(target: WebGLRenderTarget): void {
+  private copyToCanvas(target: WebGLRenderTarget): void {
     this.renderer.setRenderTarget(null);
     this.renderer.clear();
     this.copy.draw(this.renderer, target, false);
   }
 
-  /** Draws the stock, before what lies on it. */
-  private drawUnder(): void {
-    const under = this.under();
-    if (typeof under === "function") under(this.renderer, this.camera);
-    else if (under) this.copy.draw(this.renderer, under, true);
+  private drawUnderlay(): void {
+    const underlay = this.underlay();
+    if (typeof underlay === "function") underlay(this.renderer, this.camera);
+    else if (underlay) this.copy.draw(this.renderer, underlay, true);
   }
 
-  private begin(): void {
+  private beginPicture(): void {
     const { renderer } = this;
-    this.pictureTarget = this.target(this.slices.lines >= SMOOTH_FROM_LINES ? 4 : 0);
+    this.pictureTarget = this.target(this.slices.lines >= ANTIALIASED_FROM_LINES ? 4 : 0);
     this.pictureLines = 0;
     renderer.setRenderTarget(this.pictureTarget);
     renderer.clear();
@@ -266,51 +267,52 @@ export class Painter {
     void this.drawQueue();
   }
 
-  /** Draws the queue into the reused picture, in slices that are done soon. */
+  /** Draws the queue into the picture, slice by slice. */
   private async drawQueue(): Promise<void> {
     this.state = "drawing";
-    const picture = ++this.picture;
-    // The frame that has begun it is shown first.
+    const number = ++this.pictureNumber;
+    // The frame that has begun the picture is shown first.
     await gpuFinished(this.renderer);
-    if (picture !== this.picture) return;
-    while (this.queue.length > 0 || drawWeight(this.late) > MIN_SLICE_LINES) {
-      if (this.queue.length === 0) [this.queue, this.late] = [this.late, []];
+    if (number !== this.pictureNumber) return;
+    while (this.queue.length > 0 || drawWeight(this.recolored) > MIN_SLICE_LINES) {
+      if (this.queue.length === 0) [this.queue, this.recolored] = [this.recolored, []];
       const began = performance.now();
-      const lines = this.drawSome();
+      const lines = this.drawSlice();
       await gpuFinished(this.renderer);
       this.slices.took(lines, performance.now() - began);
-      if (picture !== this.picture) return;
+      if (number !== this.pictureNumber) return;
       if (this.isBusyNow) {
         await new Promise((next) => setTimeout(next, BUSY_PAUSE_MS));
-        if (picture !== this.picture) return;
+        if (number !== this.pictureNumber) return;
       }
-      if (this.showsPart && performance.now() - this.shownAt > SHOW_INTERVAL_MS) this.requestFrame();
+      if (this.showsIncomplete && performance.now() - this.shownAt > SHOW_INTERVAL_MS) this.requestFrame();
     }
     this.state = "complete";
-    this.drawLate();
+    this.drawRecolored();
     this.requestFrame();
   }
 
-  private drawSome(): number {
+  /** Draws a slice of the queue; returns its cost, in lines of one pixel. */
+  private drawSlice(): number {
     const { renderer, camera, queue } = this;
-    const most = this.isBusyNow ? Math.max(2_000, this.slices.lines / BUSY_DIVISOR) : this.slices.lines;
-    let drawn = 0;
+    const maxCost = this.isBusyNow ? Math.max(2_000, this.slices.lines / BUSY_DIVISOR) : this.slices.lines;
+    let cost = 0;
     renderer.setRenderTarget(this.pictureTarget!);
-    while (queue.length > 0 && drawn < most) {
-      const piece = queue[0]!;
-      const { object, from } = piece;
+    while (queue.length > 0 && cost < maxCost) {
+      const group = queue[0]!;
+      const { object, from } = group;
       // Wide lines are not divided: there are never many.
-      const count = isWide(object) ? piece.count : Math.min(piece.count, most - drawn);
+      const count = isWide(object) ? group.count : Math.min(group.count, maxCost - cost);
       if (!isWide(object)) object.geometry.setDrawRange(2 * from, 2 * count);
       renderer.render(object, camera);
       object.geometry.setDrawRange(0, Infinity);
-      drawn += count * drawCost(object);
+      cost += count * drawCost(object);
       this.pictureLines += count;
-      if (count === piece.count) queue.shift();
-      else [piece.from, piece.count] = [from + count, piece.count - count];
+      if (count === group.count) queue.shift();
+      else [group.from, group.count] = [from + count, group.count - count];
     }
     renderer.setRenderTarget(null);
-    return drawn;
+    return cost;
   }
 
   private target(samples: 0 | 4): WebGLRenderTarget {
@@ -324,14 +326,14 @@ export class Painter {
   }
 }
 
-/** Guesses by the name of the renderer; later the speed is measured. */
+/** Guesses from the name of the renderer; later the speed is measured. */
 function drawsInSoftware(gl: WebGLRenderingContext | WebGL2RenderingContext): boolean {
   const names = gl.getExtension("WEBGL_debug_renderer_info");
   const name = String(gl.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 
-/** Puts a picture onto the canvas, with the depth of what is on it or without. */
+/** Copies a render target to the canvas, with its depth or without. */
 class PictureCopy {
   private camera = new OrthographicCamera(-1, 1, 1, -1, 0, 1);
   private plane = new Mesh(new PlaneGeometry(2, 2));

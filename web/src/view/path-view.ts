@@ -1,4 +1,4 @@
-// The path in space: three.js, drawn when something has changed and not otherwise.
+// The view of the path with three.js; a frame is drawn only when something has changed.
 
 import {
   Box3,
@@ -27,9 +27,9 @@ import type { ColorBy, Palette } from "./colors";
 import { drawGroupsOn } from "./draw-groups";
 import { DrawnPath, SIMPLIFIED_FROM_ROWS } from "./drawn-path";
 import { yieldToEventLoop } from "./event-loop";
-import { type ViewEdges, ViewExtent, difference, longest } from "./extent";
+import { type ViewEdges, ViewExtent, difference, longestSide } from "./extent";
 import { FixedObjects } from "./fixed-objects";
-import { emptyGroup, geometryOf } from "./line-mesh";
+import { clearGroup, lineGeometry } from "./line-mesh";
 import { Painter } from "./painter";
 import { type PickedPoint, pick } from "./picking";
 import { PathProgress } from "./progress";
@@ -38,16 +38,29 @@ import { type ArcTolerance, screenTolerance } from "./screen-tolerance";
 import { type DrawnTool, ToolShape } from "./tool-shape";
 import type { VisibleSection } from "./visible-section";
 
-/** How long the view must be still before all of it is drawn again, ms. */
-const STILL_MS = 160;
+/** How long the view must rest before it is drawn in full detail again, ms. */
+const REST_MS = 160;
+/** How much of the view a box takes up that is zoomed to. */
+const ZOOM_FRACTION = 0.8;
+/** Dashes and gaps of rapids and contours, pixels. */
+const RAPID_DASH_PIXELS: [number, number] = [6, 4];
+const CONTOUR_DASH_PIXELS: [number, number] = [3, 2];
+/** The chords of arcs are computed again when the view is enlarged or reduced by more than these factors. */
+const REFINE_FACTOR = 1.5;
+const COARSEN_FACTOR = 4;
+/** Points of a long path that its extent is computed from, about. */
+const EXTENT_POINTS = 50_000;
+/** Every n-th point of a batch is checked for being in the view. */
+const VISIBILITY_STRIDE = 16;
 
-// Colours are drawn as they are written: the page has no light that would need linear ones.
+// Colours are used as they are: the page has no lights, which would need linear ones.
 ColorManagement.enabled = false;
 
 export class PathView {
   private camera: ViewCamera;
   private painter: Painter;
   private drawn: DrawnPath;
+  /** The programmed contours of compensated moves. */
   private contour = new Group();
   private differences = new DifferenceMarkers();
   private other = new OtherPath(() => this.painter.changed(), this.differences.other.object);
@@ -64,20 +77,22 @@ export class PathView {
   /** The size of the picture, CSS pixels. */
   private width = 0;
   private height = 0;
+  /** The user is moving the camera. */
   private turning = false;
   /** The camera has moved since the last frame. */
   private hasMoved = false;
-  private marksMoved = false;
-  private stillTimer = 0;
+  /** The measured marks must be drawn again. */
+  private areMarksStale = false;
+  private restTimer = 0;
   private isFrameRequested = false;
-  /** The number of the newest refinement: an older one stops between two batches. */
-  private refining = 0;
-  /** World length of a pixel when arcs were cut last. */
-  private cutFor = 0;
+  /** Number of the newest refinement: an older one stops between two batches. */
+  private refinement = 0;
+  /** World length of a pixel, mm, for which the chords of arcs were computed last. */
+  private refinedForPixel = 0;
   private section: VisibleSection = {};
   private planes = [new Plane(new Vector3(0, 0, 1)), new Plane(new Vector3(0, 0, -1))];
   private measured = new MeasureOverlay();
-  /** Frames that were drawn: for measurements. */
+  /** Number of frames so far: for measurements. */
   drawnFrames = 0;
   onDrawn: () => void = () => {};
 
@@ -93,7 +108,7 @@ export class PathView {
     this.stock = new StockLayer(palette, this.painter.isSoftware, () => this.render());
     this.lathe = new HalfSectionLayer(palette, () => this.render());
     canvas.after(this.lathe.over);
-    this.painter.under = () => this.lathe.under ?? this.stock.under;
+    this.painter.underlay = () => this.lathe.underlay ?? this.stock.underlay;
     this.tool = new ToolShape(palette);
     this.painter.extras.add(this.contour, this.chords, this.other.object);
     this.painter.own.add(this.differences.own.object);
@@ -112,17 +127,17 @@ export class PathView {
     return this.drawn.path;
   }
 
-  /** A new path begins; the old one stays until the first batch of the new one is there. */
+  /** Replaces the path by a new one. */
   begin(path: Path): void {
     this.clearPath();
     this.drawn.path = path;
-    this.painter.showsPart = true;
+    this.painter.showsIncomplete = true;
     this.painter.changed();
   }
 
   private clearPath(): void {
     this.drawn.clear();
-    for (const group of [this.contour, this.chords]) emptyGroup(group);
+    for (const group of [this.contour, this.chords]) clearGroup(group);
     this.differences.clear();
     this.mark.clear();
   }
@@ -130,22 +145,22 @@ export class PathView {
   add(batch: Batch): void {
     const isFirst = this.drawn.batches.length === 0;
     const drawn = this.drawn.add(batch, this.tolerance(), this.rowFilter(batch));
-    if (isFirst) this.other.place(this.path.origin);
-    if (!this.camera.userMoved && (isFirst || !this.camera.sees(batch.points, 3 * 16))) this.fit(true);
+    if (isFirst) this.other.setViewOrigin(this.path.origin);
+    if (!this.camera.userMoved && (isFirst || !this.camera.contains(batch.points, 3 * VISIBILITY_STRIDE))) this.fit(true);
     for (const lines of [drawn.cuts?.object, drawn.rapids]) if (lines) this.painter.added(lines);
     this.render();
   }
 
-  /** The whole path is there. */
+  /** Draws the path in full, after its last batch. */
   async finish(): Promise<void> {
     const { path } = this;
-    this.other.place(path.origin);
+    this.other.setViewOrigin(path.origin);
     this.drawn.thinFirstBatches();
-    // The coarse path first: it is what shows until the picture of the whole one is drawn.
+    // The levels of detail first: they are shown until the picture of the whole path is drawn.
     if (this.drawn.colorBy !== "tool") await this.drawn.recolor();
     else await this.drawn.simplify();
     if (path !== this.path) return;
-    this.painter.showsPart = false;
+    this.painter.showsIncomplete = false;
     if (!this.camera.userMoved) this.fit();
     else await this.refine(true);
     this.changed();
@@ -175,41 +190,41 @@ export class PathView {
     this.changed();
   }
 
-  /** The stock of the path, or none; it comes after the path. */
+  /** Sets the stock of the path, which comes after the path, or none. */
   setStock(stock: StockBefore | undefined): void {
     this.stock.begin(stock, this.path.origin);
     if (stock && !this.camera.userMoved) this.fit();
     this.render();
   }
 
-  /** The sections of a lathe's stock, or none; `slot` gives the number of a tool among those that cut. */
+  /** Sets the half sections of a lathe's stock, or none; `slot` gives the colour index of a tool. */
   setHalfSections(sections: HalfSections | undefined, slot: (tool: number) => number): void {
     this.lathe.begin(sections, this.path.origin, slot);
     if (sections && !this.camera.userMoved) this.fit();
     this.render();
   }
 
-  /** The side of the turret where the machine is a lathe; undefined for a mill. */
+  /** Sets the side of a lathe's turret, undefined for a mill. */
   setLathe(turret: TurretSide | undefined): void {
     if (this.camera.setLathe(turret)) this.fit();
   }
 
-  /** The stock has changed, which draws itself. */
+  /** Draws a frame after a change of the stock. */
   redraw(): void {
     this.render();
   }
 
-  /** The programmed contour of compensated moves, next to the path of the tool centre. */
+  /** Adds the programmed contour of compensated moves, next to the path of the tool centre. */
   addContour(batch: Batch, origin: Vec3): void {
     const lines = linesOf(batch, this.tolerance());
-    const object = new LineSegments(geometryOf(lines.cuts.points), this.contourMaterial);
+    const object = new LineSegments(lineGeometry(lines.cuts.points), this.contourMaterial);
     object.computeLineDistances();
     object.position.set(...difference(origin, this.path.origin));
     this.contour.add(object);
     this.changed();
   }
 
-  /** The path of the other program begins; the one before is removed. */
+  /** Begins another path of the other program, and removes the one before. */
   beginOther(path: Path): void {
     this.differences.clear();
     this.other.begin(path);
@@ -218,11 +233,11 @@ export class PathView {
 
   addOther(batch: Batch): void {
     this.other.add(batch, this.tolerance(this.other.path), this.drawn.maxWideRows);
-    this.other.place(this.path.origin);
+    this.other.setViewOrigin(this.path.origin);
     this.changed();
   }
 
-  /** All of the other path is there. */
+  /** Draws the other path in full, after its last batch. */
   async finishOther(): Promise<void> {
     if (!this.camera.userMoved) return this.fit();
     if (await this.other.refine(this.tolerance(this.other.path), this.drawn.maxWideRows)) this.changed();
@@ -245,30 +260,30 @@ export class PathView {
     this.changed();
   }
 
-  /** Shows a box in the frame of the run, seen from where it is seen now. */
+  /** Zooms to a box in the frame of the run, without rotating the view. */
   zoomTo({ low, high }: Bounds): void {
-    const own = this.path.origin;
-    this.camera.show({ low: difference(low, own), high: difference(high, own) }, 0.8);
+    const { origin } = this.path;
+    this.camera.zoomTo({ low: difference(low, origin), high: difference(high, origin) }, ZOOM_FRACTION);
     void this.refine();
     this.changed();
   }
 
   setChords(points: Float32Array | undefined, origin: Vec3): void {
-    emptyGroup(this.chords);
+    clearGroup(this.chords);
     if (points && points.length > 0) {
-      const object = new LineSegments(geometryOf(points), this.chordMaterial);
+      const object = new LineSegments(lineGeometry(points), this.chordMaterial);
       object.position.set(...difference(origin, this.path.origin));
       this.chords.add(object);
     }
     this.changed();
   }
 
-  /** Zeros of work offsets, and the box that the machine can reach; both in the frame of the run. */
+  /** Sets the zeros of work offsets and the travel box of the machine, in the frame of the run. */
   setFixed(zeros: Vec3[], travel: Bounds | undefined): void {
-    const own = this.path.origin;
-    const box = travel && { low: difference(travel.low, own), high: difference(travel.high, own) };
-    const size = longest(this.path.bounds, 120) / 12;
-    this.fixed.set(zeros.map((zero) => difference(zero, own)), box, size);
+    const { origin } = this.path;
+    const box = travel && { low: difference(travel.low, origin), high: difference(travel.high, origin) };
+    const axisLength = longestSide(this.path.bounds, 120) / 12;
+    this.fixed.set(zeros.map((zero) => difference(zero, origin)), box, axisLength);
     this.render();
   }
 
@@ -284,24 +299,24 @@ export class PathView {
     this.changed();
   }
 
-  /** Marks rows; none: nothing is marked. What the other path has there is marked no more. */
+  /** Marks the rows from the first to the last, or none, and removes the marks of the other path. */
   markRows(rows: [number, number] | undefined): void {
     this.markBoth(rows ? [rows] : [], []);
   }
 
-  /** Marks ranges of rows of the path and of the other one. */
+  /** Marks ranges of rows of the path and of the other path. */
   markBoth(own: [number, number][], other: [number, number][]): void {
     this.mark.set(this.path, this.painter.own.visible ? own : [], this.tolerance());
     this.other.mark.set(this.other.path, other, this.tolerance(this.other.path));
     this.render();
   }
 
-  /** Draws pale what comes after so many rows; `Infinity`: nothing is to come. */
+  /** Draws the path pale after `rows` rows; `Infinity` draws nothing pale. */
   showDone(rows: number): void {
     const before = this.progress.done;
     if (rows === before) return;
     this.progress.set(rows);
-    // Going forward only changes the colour of what was done in between.
+    // Going forward only changes the colour of the rows in between.
     if (rows > before && rows !== Infinity) {
       this.painter.repaint(drawGroupsOn(this.drawn.batches, Math.floor(before), Math.floor(rows), this.painter.rapids.visible));
     } else this.painter.changed();
@@ -313,7 +328,7 @@ export class PathView {
     return this.progress.done;
   }
 
-  /** Shows the tool at a position, relative to the origin of the path, its shank along a direction. */
+  /** Shows the tool at a position relative to the origin of the path, with its shank along a direction; undefined hides it. */
   placeTool(at: Vec3 | undefined, up: Vec3 = [0, 0, 1]): void {
     this.tool.place(at, up);
     this.render();
@@ -326,20 +341,20 @@ export class PathView {
     return { at, up: new Vector3(0, 0, 1).applyQuaternion(quaternion).toArray(), width: this.tool.width, isShown: this.tool.object.visible };
   }
 
-  shapeTool(tool: DrawnTool | undefined): void {
-    this.tool.shape(tool, longest(this.path.bounds, 50));
+  setToolShape(tool: DrawnTool | undefined): void {
+    this.tool.setTool(tool, longestSide(this.path.bounds, 50));
     this.render();
   }
 
-  /** Shows a part of the path only. */
+  /** Limits which part of the path is shown. */
   setSection(section: VisibleSection): void {
     const { tool, lines } = this.section;
     const isSame = section.tool === tool && String(section.lines) === String(lines);
     this.section = section;
-    this.cutDepth();
+    this.updateClipping();
     if (!isSame) {
       const tolerance = this.tolerance();
-      for (const drawn of this.drawn.batches) this.drawn.cut(drawn, tolerance, this.rowFilter(drawn.batch));
+      for (const drawn of this.drawn.batches) this.drawn.update(drawn, tolerance, this.rowFilter(drawn.batch));
       void this.drawn.simplify();
     }
     this.changed();
@@ -354,8 +369,8 @@ export class PathView {
       (!lines || (batch.file[row] === 0 && batch.line[row]! >= from && batch.line[row]! <= to));
   }
 
-  /** Sets the two planes that cut off what is below and above. */
-  private cutDepth(): void {
+  /** Sets the clipping planes below and above the section. */
+  private updateClipping(): void {
     const { depth } = this.section;
     const planes = depth ? this.planes : [];
     if (depth) {
@@ -371,13 +386,13 @@ export class PathView {
     this.other.clip(planes);
   }
 
-  /** A line between two points, relative to the origin of the path. */
+  /** Shows a measured distance between two points, relative to the origin of the path. */
   showMeasured(from: Vec3 | undefined, to: Vec3 | undefined): void {
     this.measured.show(from, to, this.camera.screen());
     this.render();
   }
 
-  /** Marks what a click would measure; undefined marks nothing. */
+  /** Marks the feature that a click would measure; undefined marks nothing. */
   showSnap(feature: PathFeature | undefined): void {
     this.measured.showSnap(feature, this.camera.screen());
     this.render();
@@ -388,7 +403,7 @@ export class PathView {
     return this.measured.snapped;
   }
 
-  /** The row at a position on the canvas. */
+  /** The visible row at a position on the canvas, CSS pixels. */
   pick(x: number, y: number): PickedPoint | undefined {
     if (!this.painter.own.visible) return undefined;
     const [low, high] = this.section.depth ?? [-Infinity, Infinity];
@@ -398,12 +413,12 @@ export class PathView {
     });
   }
 
-  /** The row of the other path at a position on the canvas. */
+  /** The row of the other path at a position on the canvas, CSS pixels. */
   pickOther(x: number, y: number): PickedPoint | undefined {
     return this.other.pick(this.camera, this.canvas, [x, y]);
   }
 
-  /** Where a point, relative to the origin of the path, is on the canvas, pixels. */
+  /** The position on the canvas, CSS pixels, of a point relative to the origin of the path. */
   project(at: Vec3): [number, number] {
     return this.camera.project(at);
   }
@@ -418,16 +433,16 @@ export class PathView {
     this.fit();
   }
 
-  /** Everything that is drawn fills the view; with room for more where it still grows. */
+  /** Fits everything into the view; with `grows` there is room for more. */
   fit(grows = false): void {
     const box = this.drawnBox();
     this.camera.fit(box, (inverse) => this.edges(box, inverse), grows);
     this.moved();
-    // Arcs that were out of sight may be coarse.
+    // Arcs that were out of sight may have coarse chords.
     if (!grows) void this.refine(true);
   }
 
-  /** The box of everything that is to be seen, relative to the origin. */
+  /** The box of path, other path and stock, relative to the origin, mm. */
   private drawnBox(): Bounds {
     const box = new Box3();
     const { bounds } = this.path;
@@ -440,11 +455,11 @@ export class PathView {
     return { low: box.min.toArray(), high: box.max.toArray() };
   }
 
-  /** The extent of what is drawn in the view, mm from the camera's target. */
+  /** The extent of everything in the view, mm. */
   private edges(box: Bounds, inverse: ArrayLike<number>): ViewEdges {
     const extent = new ViewExtent(inverse);
-    // Of a long path some points are enough.
-    const step = 3 * Math.max(1, Math.floor(this.path.rows / 50_000));
+    // Some points of a long path are enough.
+    const step = 3 * Math.max(1, Math.floor(this.path.rows / EXTENT_POINTS));
     for (const { lines } of this.drawn.batches) {
       extent.add(lines.cuts.points, step);
       extent.add(lines.rapids.points);
@@ -453,36 +468,36 @@ export class PathView {
     return extent.edges;
   }
 
-  /** How far the pieces of an arc may be from it at the present zoom. */
+  /** How far the chords of an arc may be from it at the present zoom. */
   private tolerance(path = this.path): ArcTolerance {
     return screenTolerance(this.camera, difference(path.origin, this.path.origin), path.rows > SIMPLIFIED_FROM_ROWS);
   }
 
-  /** Cuts arcs again, a batch at a time, when the zoom has changed so much that it shows. */
+  /** Computes the chords of arcs again, a batch at a time, when the zoom has changed so much that it is visible, or `always`. */
   private async refine(always = false): Promise<void> {
-    const number = ++this.refining;
+    const number = ++this.refinement;
     const pixel = this.camera.pixel();
     const curved = this.drawn.batches.filter(({ batch }) => batch.arcRows.length > 0);
-    const near = pixel < this.cutFor / 1.5 || pixel > this.cutFor * 4;
-    // Arcs out of sight are coarse, so that moving the view needs a new cut, too.
-    if (!(near || always || this.camera.userMoved)) return;
-    this.mark.cut(this.tolerance());
-    this.differences.cut(this.tolerance(), this.tolerance(this.other.path));
+    const isZoomed = pixel < this.refinedForPixel / REFINE_FACTOR || pixel > this.refinedForPixel * COARSEN_FACTOR;
+    // The chords of arcs out of sight are coarse, so moving the view needs new ones, too.
+    if (!(isZoomed || always || this.camera.userMoved)) return;
+    this.mark.update(this.tolerance());
+    this.differences.update(this.tolerance(), this.tolerance(this.other.path));
     if (await this.other.refine(this.tolerance(this.other.path), this.drawn.maxWideRows)) this.changed();
-    if (curved.length === 0 || number !== this.refining) return;
-    this.cutFor = pixel;
+    if (curved.length === 0 || number !== this.refinement) return;
+    this.refinedForPixel = pixel;
     const tolerance = this.tolerance();
     for (const drawn of curved) {
-      this.drawn.cut(drawn, tolerance, this.rowFilter(drawn.batch));
+      this.drawn.update(drawn, tolerance, this.rowFilter(drawn.batch));
       if (drawn.batch.rows < SIMPLIFIED_FROM_ROWS) continue;
       await yieldToEventLoop();
-      if (number !== this.refining) return;
+      if (number !== this.refinement) return;
     }
     this.changed();
   }
 
   private moved(): void {
-    this.hasMoved = this.marksMoved = true;
+    this.hasMoved = this.areMarksStale = true;
     if (this.camera.userMoved && !this.turning) {
       this.turning = true;
       this.painter.pace.begin();
@@ -490,8 +505,8 @@ export class PathView {
     this.changed();
   }
 
-  /** The view has not moved for a while. */
-  private still(): void {
+  /** Draws in full detail once the view rests. */
+  private rest(): void {
     this.turning = false;
     void this.refine();
     this.changed();
@@ -501,14 +516,14 @@ export class PathView {
     return this.turning;
   }
 
-  /** The picture shows all of the path, and the coarse one is there for the next turn. */
+  /** Whether everything is drawn in full detail, and the levels of detail are ready. */
   get isComplete(): boolean {
     const isReady = this.path.rows < SIMPLIFIED_FROM_ROWS || this.drawn.levels.isReady;
-    return this.fillsItsPlace && !this.turning && isReady && this.painter.isComplete && this.stock.isComplete && this.lathe.isComplete;
+    return this.hasWindowSize && !this.turning && isReady && this.painter.isComplete && this.stock.isComplete && this.lathe.isComplete;
   }
 
-  /** Whether the picture has the size of the window. */
-  private get fillsItsPlace(): boolean {
+  /** Whether the canvas has the size of its pane. */
+  private get hasWindowSize(): boolean {
     const { clientWidth, clientHeight } = this.canvas.parentElement!;
     return this.width === Math.max(1, clientWidth) && this.height === Math.max(1, clientHeight);
   }
@@ -528,13 +543,13 @@ export class PathView {
     this.render();
   }
 
-  /** The content of the picture has changed, or the camera has moved. */
+  /** Draws the path again, after a change of it or of the camera. */
   private changed(): void {
     this.painter.changed();
     this.render();
   }
 
-  /** Draws the next frame. */
+  /** Requests a frame. */
   private render(): void {
     if (this.isFrameRequested) return;
     this.isFrameRequested = true;
@@ -543,19 +558,19 @@ export class PathView {
       if (this.turning && this.hasMoved) {
         this.hasMoved = false;
         this.painter.pace.frame(now);
-        // Counted from a frame: a slow frame must not count as standstill.
-        window.clearTimeout(this.stillTimer);
-        this.stillTimer = window.setTimeout(() => this.still(), STILL_MS);
+        // Counted from the start of a frame, so that a slow frame is not taken for rest.
+        window.clearTimeout(this.restTimer);
+        this.restTimer = window.setTimeout(() => this.rest(), REST_MS);
       }
       // Dashes keep their length on the screen.
       const pixel = this.camera.pixel();
-      this.drawn.rapidMaterial.dashSize = 6 * pixel;
-      this.drawn.rapidMaterial.gapSize = 4 * pixel;
-      this.contourMaterial.dashSize = 3 * pixel;
-      this.contourMaterial.gapSize = 2 * pixel;
-      this.other.dash(pixel);
-      if (this.marksMoved) this.measured.draw(this.camera.screen());
-      this.marksMoved = false;
+      for (const [material, [dash, gap]] of [[this.drawn.rapidMaterial, RAPID_DASH_PIXELS], [this.contourMaterial, CONTOUR_DASH_PIXELS]] as const) {
+        material.dashSize = dash * pixel;
+        material.gapSize = gap * pixel;
+      }
+      this.other.scaleDashes(pixel);
+      if (this.areMarksStale) this.measured.draw(this.camera.screen());
+      this.areMarksStale = false;
       this.stock.prepare(this.painter.renderer, this.camera.camera, this.turning);
       this.lathe.prepare(this.painter.renderer, this.camera.camera);
       this.painter.paint(this.turning);

@@ -1,12 +1,12 @@
 import { expect, test } from "vitest";
-import { linesOnRows, spansOf } from "./progress";
+import { linesOnRows, rowsAtEndsOf } from "./progress";
 
 /** Rows 0, 2 and 3; the second is an arc of four lines. */
 const lines = { rows: Uint32Array.of(0, 2, 2, 2, 2, 3), count: 6 };
 
 test("the lines of an arc share its row", () => {
-  expect([...spansOf(10, lines)]).toEqual([10, 11, 12, 12.25, 12.25, 12.5, 12.5, 12.75, 12.75, 13, 13, 14]);
-  expect([...spansOf(5, { rows: undefined, count: 2 })]).toEqual([5, 6, 6, 7]);
+  expect([...rowsAtEndsOf(10, lines)]).toEqual([10, 11, 12, 12.25, 12.25, 12.5, 12.5, 12.75, 12.75, 13, 13, 14]);
+  expect([...rowsAtEndsOf(5, { rows: undefined, count: 2 })]).toEqual([5, 6, 6, 7]);
 });
 
 test("lines are found by their rows", () => {

@@ -1,13 +1,13 @@
-// How much of the path is done: the remainder is drawn pale, in every material that draws the path.
+// Playback progress along the path: every material of the path draws pale what is not reached yet.
 
 import { type Material, Color } from "three";
 import type { LineArrays } from "../path/lines";
 
-/** The share of its own colour that the remaining path has; the other share is the background's. */
-export const PALE_SHARE = 0.4;
+/** How much of its own colour the remaining path keeps, as a fraction; the rest is the background's. */
+export const PALE_FRACTION = 0.4;
 
 export class PathProgress {
-  /** Rows that are done, with the share of the row that is being done; all of them while nothing plays. */
+  /** Rows done, with the fraction of the present one; infinite where nothing is drawn pale. */
   done = Infinity;
   private doneRows = { value: 1e9 };
   private background = { value: new Color() };
@@ -21,49 +21,49 @@ export class PathProgress {
     this.background.value.set(color);
   }
 
-  /** Makes a material draw pale what is not done yet. Its geometries need `rowAt`, wide ones `rowSpan`. */
+  /** Makes a material draw pale what is not reached yet. Its geometries need the attribute `rowAtEnd`, those of wide lines `rowsAtEnds`. */
   attach(material: Material, isWide = false): void {
     const [attribute, row] = isWide
-      ? ["attribute vec2 rowSpan;", "position.y < 0.5 ? rowSpan.x : rowSpan.y"]
-      : ["attribute float rowAt;", "rowAt"];
+      ? ["attribute vec2 rowsAtEnds;", "position.y < 0.5 ? rowsAtEnds.x : rowsAtEnds.y"]
+      : ["attribute float rowAtEnd;", "rowAtEnd"];
     const { doneRows, background } = this;
     material.onBeforeCompile = (shader) => {
       shader.uniforms.doneRows = doneRows;
       shader.uniforms.pageBackground = background;
       shader.vertexShader = shader.vertexShader.replace(
         "void main() {",
-        `${attribute} varying float vRowAt;\nvoid main() { vRowAt = ${row};`,
+        `${attribute} varying float vRow;\nvoid main() { vRow = ${row};`,
       );
       shader.fragmentShader = shader.fragmentShader
-        .replace("void main() {", "uniform float doneRows; uniform vec3 pageBackground; varying float vRowAt;\nvoid main() {")
+        .replace("void main() {", "uniform float doneRows; uniform vec3 pageBackground; varying float vRow;\nvoid main() {")
         .replace(
           "#include <color_fragment>",
-          `#include <color_fragment>\nif (vRowAt > doneRows) diffuseColor.rgb = mix(pageBackground, diffuseColor.rgb, ${PALE_SHARE});`,
+          `#include <color_fragment>\nif (vRow > doneRows) diffuseColor.rgb = mix(pageBackground, diffuseColor.rgb, ${PALE_FRACTION});`,
         );
     };
     material.customProgramCacheKey = () => `progress ${isWide}`;
   }
 }
 
-/** The rows at both ends of each line, with the share of the row; `first` is the row that the batch begins with. */
-export function spansOf(first: number, { rows, count }: Pick<LineArrays, "rows" | "count">): Float32Array {
-  const spans = new Float32Array(2 * count);
+/** The row and the fraction of it at both ends of each segment of a batch; `first` is the first row of the batch. */
+export function rowsAtEndsOf(first: number, { rows, count }: Pick<LineArrays, "rows" | "count">): Float32Array {
+  const rowsAtEnds = new Float32Array(2 * count);
   for (let from = 0; from < count; ) {
     const row = rows ? rows[from]! : from;
     let to = from + 1;
     while (rows && to < count && rows[to] === row) to++;
-    for (let at = from; at < to; at++) {
-      spans[2 * at] = first + row + (at - from) / (to - from);
-      spans[2 * at + 1] = first + row + (at + 1 - from) / (to - from);
+    for (let line = from; line < to; line++) {
+      rowsAtEnds[2 * line] = first + row + (line - from) / (to - from);
+      rowsAtEnds[2 * line + 1] = first + row + (line + 1 - from) / (to - from);
     }
     from = to;
   }
-  return spans;
+  return rowsAtEnds;
 }
 
-/** From and to of the lines that lie on rows of a batch, from and to, both counted. */
+/** The first segment on the rows `from` to `to` of a batch, both included, and the one after the last. */
 export function linesOnRows({ rows, count }: Pick<LineArrays, "rows" | "count">, from: number, to: number): [number, number] {
-  const before = (row: number): number => {
+  const countBefore = (row: number): number => {
     let low = 0;
     let high = count;
     while (low < high) {
@@ -73,5 +73,5 @@ export function linesOnRows({ rows, count }: Pick<LineArrays, "rows" | "count">,
     }
     return low;
   };
-  return [before(from), before(to + 1)];
+  return [countBefore(from), countBefore(to + 1)];
 }

@@ -1,41 +1,38 @@
-// Marked rows of a path, whose arcs are cut again when the zoom changes.
+// Highlighted rows of a path; the chords of their arcs are computed again when the zoom changes.
 
 import { type Plane, Group, InstancedBufferAttribute } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import type { Batch, Vec3 } from "../path/batch";
-import { type ArcTolerance, someRows } from "../path/lines";
+import { type ArcTolerance, segmentsOfRows } from "../path/lines";
 import { Path } from "../path/path";
 import type { PathProgress } from "./progress";
 
-/** Rows that are marked at most by default. */
+/** The default for the largest number of highlighted rows. */
 const MAX_ROWS = 50_000;
 
 export class RowHighlight {
   readonly object = new Group();
   private lines: LineSegments2;
   private material: LineMaterial;
-  private edge: LineMaterial | undefined;
-  private edges: LineSegments2 | undefined;
+  private outlineMaterial: LineMaterial | undefined;
+  private outline: LineSegments2 | undefined;
   private path = new Path();
   private ranges: [number, number][] = [];
 
-  /**
-   * Lines of a width in pixels, for `most` rows at most, with edges of a width on both sides;
-   * what is not done yet is pale where a progress is given.
-   */
+  /** Lines of `width` pixels, with an outline of `outline` pixels on both sides; with `progress` rows not reached yet are pale. */
   constructor(
     width: number,
-    private most = MAX_ROWS,
-    edge = 0,
+    private maxRows = MAX_ROWS,
+    outline = 0,
     progress?: PathProgress,
   ) {
     this.material = new LineMaterial({ linewidth: width, depthTest: false });
     progress?.attach(this.material, true);
-    if (edge > 0) {
-      this.edge = new LineMaterial({ linewidth: width + 2 * edge, depthTest: false });
-      this.edges = this.add(this.edge);
+    if (outline > 0) {
+      this.outlineMaterial = new LineMaterial({ linewidth: width + 2 * outline, depthTest: false });
+      this.outline = this.add(this.outlineMaterial);
     }
     this.lines = this.add(this.material);
     this.object.visible = false;
@@ -49,10 +46,10 @@ export class RowHighlight {
     return lines;
   }
 
-  /** Marks ranges of rows of a path instead of those before. */
+  /** Highlights ranges of rows of a path, first and last row each, instead of those before. */
   set(path: Path, ranges: [number, number][], tolerance: ArcTolerance): void {
     [this.path, this.ranges] = [path, ranges];
-    this.cut(tolerance);
+    this.update(tolerance);
   }
 
   clear(): void {
@@ -60,11 +57,11 @@ export class RowHighlight {
     this.object.visible = false;
   }
 
-  /** Cuts arcs as fine as they must be now. */
-  cut(tolerance: ArcTolerance): void {
+  /** Computes the lines again, with chords within `tolerance` of the arcs. */
+  update(tolerance: ArcTolerance): void {
     const points: number[] = [];
-    const spans: number[] = [];
-    let left = this.most;
+    const rowsAtEnds: number[] = [];
+    let left = this.maxRows;
     for (const [first, last] of this.ranges) {
       for (let row = first; row <= last && left > 0; ) {
         const found = this.path.find(row);
@@ -72,7 +69,7 @@ export class RowHighlight {
         const [batch, from] = found;
         const to = Math.min(batch.rows - 1, last - batch.first, from + left - 1);
         left -= to - from + 1;
-        for (let own = from; own <= to; own++) this.row(batch, own, tolerance, points, spans);
+        for (let index = from; index <= to; index++) this.addRow(batch, index, tolerance, points, rowsAtEnds);
         row = batch.first + to + 1;
       }
     }
@@ -80,30 +77,31 @@ export class RowHighlight {
     if (points.length === 0) return;
     this.lines.geometry.dispose();
     this.lines.geometry = new LineSegmentsGeometry().setPositions(points);
-    this.lines.geometry.setAttribute("rowSpan", new InstancedBufferAttribute(new Float32Array(spans), 2));
-    if (this.edges) this.edges.geometry = this.lines.geometry;
+    this.lines.geometry.setAttribute("rowsAtEnds", new InstancedBufferAttribute(new Float32Array(rowsAtEnds), 2));
+    if (this.outline) this.outline.geometry = this.lines.geometry;
   }
 
-  /** The lines of a row of a batch, and the share of the row at both ends of each. */
-  private row(batch: Batch, row: number, tolerance: ArcTolerance, points: number[], spans: number[]): void {
-    const own = someRows(batch, row, row, tolerance);
-    for (const value of own) points.push(value);
-    const lines = own.length / 6;
-    for (let line = 0; line < lines; line++) spans.push(batch.first + row + line / lines, batch.first + row + (line + 1) / lines);
+  /** Adds the segments of a row of a batch, and the row with its fraction at both ends of each. */
+  private addRow(batch: Batch, index: number, tolerance: ArcTolerance, points: number[], rowsAtEnds: number[]): void {
+    const segments = segmentsOfRows(batch, index, index, tolerance);
+    for (const value of segments) points.push(value);
+    const count = segments.length / 6;
+    const row = batch.first + index;
+    for (let n = 0; n < count; n++) rowsAtEnds.push(row + n / count, row + (n + 1) / count);
   }
 
-  /** How far the origin of its path is from that of the shown one. */
-  place(by: Vec3): void {
-    this.object.position.set(...by);
+  /** Sets the offset of the origin of its path from that of the program's path, mm. */
+  setOffset(offset: Vec3): void {
+    this.object.position.set(...offset);
   }
 
-  setColor(color: string, edge = color): void {
+  setColor(color: string, outline = color): void {
     this.material.color.set(color);
-    this.edge?.color.set(edge);
+    this.outlineMaterial?.color.set(outline);
   }
 
   clip(planes: Plane[]): void {
-    for (const material of [this.material, this.edge]) {
+    for (const material of [this.material, this.outlineMaterial]) {
       if (!material) continue;
       material.clippingPlanes = planes;
       material.needsUpdate = true;

@@ -1,10 +1,10 @@
-// Which part of the path is shown.
+// The part of the path that is shown.
 
 /** Limits of what is shown; a limit that is left out does not apply. */
 export interface VisibleSection {
   tool?: number;
-  /** Lines of the program, from and to, both counted. */
+  /** First and last line of the program. */
   lines?: [number, number];
-  /** Lowest and highest point, in the frame of the run, mm. */
+  /** Lowest and highest Z, in the frame of the run, mm. */
   depth?: [number, number];
 }
