@@ -10,7 +10,7 @@ use chordal_geometry::Vec2;
 use super::region::{RegionError, circle_of, in_range};
 use super::segment::OutlineSegment;
 
-/// Steps of a whole turn. One step is 1.5e-12 rad, about the accuracy of an angle between nearby points.
+/// Steps of a whole turn. One step is 1.4e-12 rad, about the accuracy of an angle between nearby points.
 pub(crate) const TURN: i64 = 1 << 42;
 /// Tangents that differ by at most this many steps join smoothly.
 const SMOOTH: i64 = 64;
