@@ -44,7 +44,9 @@ pub(super) struct NumericWinding {
     radius: f64,
     /// Change of the radius, mm.
     growth: f64,
-    /// Radians. sweep: f64, Change of height along the axis, mm.
+    /// Radians.
+    sweep: f64,
+    /// Change of height along the axis, mm.
     rise: f64,
 }
 
