@@ -30,7 +30,7 @@ pub struct ReadingChoices {
 /// One possible reading: controls that move the text alike, with names for programs and words for people.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadingChoice {
-    /// The names of the controls, the likeliest first.
+    /// The names of the controls, the most likely one first.
     pub controls: Vec<&'static str>,
     /// The built-in machine of the first of them.
     pub machine: &'static str,
@@ -64,7 +64,7 @@ pub struct ChoiceDifference {
 const SHOWN_READINGS: usize = 4;
 
 impl ReadingChoices {
-    /// The readings that are shown next to each other, the likeliest first.
+    /// The readings that are shown next to each other, the most likely one first.
     pub fn shown(&self) -> &[ReadingChoice] {
         &self.readings[..self.readings.len().min(SHOWN_READINGS)]
     }

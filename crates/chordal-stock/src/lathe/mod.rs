@@ -25,7 +25,7 @@
 //! | is the holder in the shoulder? | the same with [`ToolOutline::polygon`] |
 //! | what is in the cut at a place, what is the chip of one revolution? | the same without a move, or moved on by the feed: [`TurnedPass::area`] |
 //! | is a wall left between grooves, is a groove wider than its blade? | [`Region::spans_at`] below the surface |
-//! | is the part off, or does a pip hold it? | [`Region::neck`] over the blade's stretch, [`Region::bodies`] |
+//! | is the part cut off, or does a pip hold it? | [`Region::neck`] over the range of the blade, [`Region::bodies`] |
 //! | is the half section in a drawing? | [`read_dxf`] |
 //! | what is left, what is gouged? | [`Region::difference`] with the target, both ways |
 //!

@@ -36,7 +36,7 @@ pub enum ChordRemedy {
     Joined,
     /// Corners are passed within this distance, mm.
     Tolerance(f64),
-    /// Coordinates with so many decimals.
+    /// Coordinates with this number of decimals.
     Decimals(u32),
     /// Chords so short that the curve through their ends is no farther from them than this, mm.
     Finer(f64),
