@@ -8,11 +8,11 @@
 >>> program.diagnostics
 ()
 
-Everything of many rows is a :class:`Table` of Arrow columns, which pyarrow, Polars and DuckDB read
-where they lie, and which gives NumPy arrays. Lengths are millimetres, angles degrees,
-times seconds, feeds mm/min, whatever the program's units; every column names its unit.
+Results with many rows are a :class:`Table` of Arrow columns, which pyarrow, Polars and DuckDB read without a copy,
+and which gives NumPy arrays. Lengths are millimetres, angles degrees, times seconds and feeds mm/min, independent of
+the program's units; every column states its unit.
 
-Threads run at the same time: long calls release the interpreter lock.
+Long calls release the interpreter lock, so that other threads can run.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What the package is built on. Use ``chordal``, ``chordal.geometry`` and ``chordal.motion``."""
+"""The compiled module. Use ``chordal``, ``chordal.geometry`` and ``chordal.motion`` instead."""
 
 from collections.abc import Callable, Sequence
 from os import PathLike

@@ -10,6 +10,6 @@ from ._chordal import main as _main
 
 def main() -> int:
     """Run the command with the arguments of the process, and return its exit code."""
-    # Python would only note an interrupt until the command has ended.
+    # Python would handle an interrupt only after the command has ended.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     return _main(["chordal", *sys.argv[1:]])

@@ -15,17 +15,18 @@ __all__ = ["Comparison", "Conversion", "Refusal"]
 class Comparison:
     """Two programs compared with each other."""
 
-    #: The path and everything else are the same; the paths are within the tolerance; something is different;
-    #: no difference was found, and at least one program is not :attr:`~chordal.Program.verified`.
+    #: ``same``: the path and everything else are the same. ``within``: the paths are within the tolerance.
+    #: ``different``: something is different. ``not-verified``: no difference was found, but at least one program is
+    #: not :attr:`~chordal.Program.verified`.
     verdict: Literal["same", "within", "different", "not-verified"]
-    #: The largest distance of the two paths; ``None`` if one of them has no moves.
+    #: The largest distance between the two paths, mm; ``None`` if one of them has no moves.
     max_distance_mm: float | None
-    #: Each with its ``category``, and the ``lines``, ``text`` and ``value`` of both (``a``, ``b``), as
-    #: ``chordal compare --format json`` writes it.
+    #: The differences, each with its ``category`` and the ``lines``, ``text`` and ``value`` of both programs (``a``,
+    #: ``b``), as ``chordal compare --format json`` writes it.
     differences: tuple[Mapping[str, Any], ...]
 
     def __bool__(self) -> bool:
-        """Whether the motion is known to be the same, or within the tolerance."""
+        """Whether the motion is known to be the same or within the tolerance."""
         return self.verdict in ("same", "within")
 
 
@@ -37,7 +38,7 @@ class Refusal:
     line: int
     #: Its words.
     text: str
-    #: Why.
+    #: The reason.
     reason: str
 
 
@@ -45,29 +46,29 @@ class Refusal:
 class Conversion:
     """A program for another machine."""
 
-    #: The new text; empty where the program has errors on its own control.
+    #: The new text; empty if the program has errors on its own control.
     text: str
-    #: Nothing was refused, and the motion is proved the same.
+    #: Whether nothing was refused and the motion is proved to be the same.
     holds: bool
-    #: What was changed, in the order of the old text.
+    #: The changes, in the order of the old text.
     changes: tuple[Change, ...]
-    #: What could not be converted.
+    #: The blocks that could not be converted.
     refusals: tuple[Refusal, ...]
-    #: The old program on its machine against the new one on the other.
+    #: The comparison of the old program on its machine with the new one on its machine; ``None`` without a new text.
     proof: Comparison | None
-    #: Cycles that stay although the new control makes their pecks in other steps, as in the JSON of
-    #: ``chordal convert``; none with ``exact_cycles``.
+    #: Cycles that are kept although the new control makes different pecks, as in the JSON of ``chordal convert``;
+    #: empty with ``exact_cycles``.
     pecks: tuple[Mapping[str, Any], ...] = ()
 
 
 def comparison(document: Mapping[str, Any]) -> Comparison:
-    """A comparison of its JSON."""
+    """A comparison from its JSON."""
     differences = tuple(document["differences"])
     return Comparison(document["verdict"], document["max_distance_mm"], differences)
 
 
 def conversion(document: Mapping[str, Any]) -> Conversion:
-    """A conversion of its JSON."""
+    """A conversion from its JSON."""
     proof = document["proof"]
     return Conversion(
         document["text"],

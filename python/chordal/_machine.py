@@ -1,4 +1,4 @@
-"""Machines: built-in ones, those of files, and those of dictionaries."""
+"""Machines: built-in ones, and machines from files and dictionaries."""
 
 from __future__ import annotations
 
@@ -23,28 +23,27 @@ class Machine:
 
     @classmethod
     def named(cls, name: str) -> Machine:
-        """A built-in machine, such as ``haas-vf2``, or the machine of a file.
+        """A built-in machine, such as ``haas-vf2``, or a machine from a file.
 
-        Raises :class:`~chordal.UsageError` for a name that nothing has, and
-        :class:`~chordal.MachineError` for a file that is wrong.
+        Raises :class:`~chordal.UsageError` for an unknown name and :class:`~chordal.MachineError` for a wrong file.
         """
         return cls(_chordal.Machine.named(name))
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str]) -> Machine:
-        """The machine of a TOML file."""
+        """A machine from a TOML file."""
         with open(path, "rb"):
-            pass  # the system's own word for a file that is not there
+            pass  # raises the system's own error for a missing file
         return cls(_chordal.Machine.from_file(os.fspath(path)))
 
     @classmethod
     def from_toml(cls, text: str, name: str = "<machine>") -> Machine:
-        """The machine of a TOML text; ``name`` is what messages call the text."""
+        """A machine from a TOML text; messages show ``name``."""
         return cls(_chordal.Machine.from_toml(text, name))
 
     @classmethod
     def from_dict(cls, machine: Mapping[str, object], name: str = "<machine>") -> Machine:
-        """The machine of a dictionary that is built like a machine file.
+        """A machine from a dictionary with the structure of a machine file.
 
         >>> own = Machine.from_dict({
         ...     "inherits": "haas-vf2",
@@ -68,21 +67,21 @@ class Machine:
 
     @property
     def control(self) -> str:
-        """The control that runs its programs: fadal, haas, fanuc, mitsubishi, linuxcnc, grbl, grblhal,
-        fluidnc, mach3, or of a lathe fanuc-lathe, haas-lathe, mitsubishi-lathe, linuxcnc-lathe."""
+        """The control that runs its programs: fadal, haas, fanuc, mitsubishi, linuxcnc, grbl, grblhal, fluidnc,
+        mach3, or for a lathe fanuc-lathe, haas-lathe, mitsubishi-lathe, linuxcnc-lathe."""
         return self._machine.control
 
     @property
     def axes(self) -> str:
-        """The axes it has, such as ``XYZA``."""
+        """Its axes, such as ``XYZA``."""
         return self._machine.axes
 
     def to_toml(self) -> str:
-        """The whole machine as a machine file."""
+        """The complete machine as the text of a machine file."""
         return self._machine.to_toml()
 
     def replace(self, changes: Mapping[str, object]) -> Machine:
-        """The machine with other values, such as ``{"tools": {5: {"diameter": "0.5 in"}}}``."""
+        """A copy of the machine with other values, such as ``{"tools": {5: {"diameter": "0.5 in"}}}``."""
         return Machine(self._machine.with_set(_toml.assignments(changes)))
 
     def __eq__(self, other: object) -> bool:
@@ -98,12 +97,12 @@ class Machine:
         return f"<Machine {self.name}: {self.title}, control {self.control}, axes {self.axes}>"
 
 
-#: What stands for a machine: itself, a built-in name, a file, or a dictionary.
+#: Anything that specifies a machine: a :class:`Machine`, a built-in name, a file, or a dictionary.
 MachineLike = Machine | str | os.PathLike[str] | Mapping[str, object]
 
 
 def machine_of(given: MachineLike) -> Machine:
-    """The machine that something stands for."""
+    """The specified machine."""
     match given:
         case Machine():
             return given

@@ -1,4 +1,4 @@
-"""What a notebook shows of a program."""
+"""How a notebook shows a program."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from .diagnostics import problems_html
 if TYPE_CHECKING:
     from ._program import Program
 
-#: Longer pictures are not put into a notebook, which keeps them in its file.
+#: Longer SVG pictures, in characters, are replaced by PNG, because a notebook stores them in its file.
 _MOST_SVG = 2_000_000
 
-#: Problems that are shown.
+#: The most problems that are shown.
 _MOST_PROBLEMS = 20
 
 
 def program_html(program: Program) -> str:
-    """Picture, summary and problems."""
+    """The picture, the summary and the problems of a program as HTML."""
     return "".join((_picture(program), _summary(program), _problems(program)))
 
 

@@ -1,4 +1,4 @@
-"""Programs: loaded once, then asked any question."""
+"""Programs: load one, then compute its path, time, stock and more."""
 
 from __future__ import annotations
 
@@ -43,16 +43,16 @@ if TYPE_CHECKING:
 
 __all__ = ["Program", "load", "loads"]
 
-#: Tools: the file of a LinuxCNC tool table, or tools by number with the keys of a machine file.
+#: Tools: the path of a LinuxCNC tool table, or a dictionary from tool number to the keys of a machine file.
 Tools = str | os.PathLike[str] | Mapping[int, Mapping[str, object]]
 
-#: Settings by name, or the file of what a GRBL machine printed for ``$$``.
+#: Settings: a dictionary from name to value, or the path of a file with what a GRBL machine printed for ``$$``.
 Settings = str | os.PathLike[str] | Mapping[str, object]
 
 #: The default limit on the number of setpoints.
 MOST_SAMPLES = 100_000_000
 
-#: The default limit on the bytes of a stock's columns.
+#: The default limit on the memory for a stock's columns, bytes.
 MOST_STOCK = 1 << 30
 
 
@@ -69,30 +69,28 @@ def load(
     shop_codes: ShopCodes | None = None,
     strict: bool = False,
 ) -> Program:
-    """Load a program of a file, with the subprograms in its folder.
+    """Load a program from a file, with the subprograms in its folder.
 
-    ``machine`` is a :class:`~chordal.Machine`, a built-in name, a machine file or a dictionary. Without
-    it ``control`` takes the typical machine of a control; without that too, ``chordal.toml`` in the
-    program's folder decides, or else the control is recognized from the text
-    (:attr:`Program.recognized`). ``tools`` and ``settings`` come on top of the machine's own:
-    ``tools={1: {"diameter": "0.75 in"}}``, ``settings={"Setting 58": "yasnac"}``,
-    or ``settings="dump.txt"`` with what a GRBL machine printed for ``$$``.
+    ``machine`` is a :class:`~chordal.Machine`, a built-in name, a machine file or a dictionary. Without it,
+    ``control`` selects the default machine of a control. Without both, ``chordal.toml`` in the program's folder
+    decides, or else the control is recognized from the text (:attr:`Program.recognized`). ``tools`` and ``settings``
+    are added to the machine's own: ``tools={1: {"diameter": "0.75 in"}}``, ``settings={"Setting 58": "yasnac"}``, or
+    ``settings="dump.txt"`` with what a GRBL machine printed for ``$$``.
 
-    ``program`` runs only the program of this number, ``block_delete`` leaves out the blocks that
-    start with ``/``, ``max_blocks`` is how many blocks may be carried out in calls, repeats and jumps
-    before a program counts as endless.
+    ``program`` runs only the program of this number, ``block_delete`` skips the blocks that start with ``/``, and
+    ``max_blocks`` limits the blocks executed in calls, repeats and jumps before a program counts as endless.
 
-    ``shop_codes`` knows the M codes and the called programs that neither the control nor the files have:
-    a function that is given a :class:`~chordal.ShopCall`, or a dictionary from a code to seconds, to NC
-    blocks, or to such a function. It is asked once about each call, while the program is loaded; an
-    exception of it is raised here, with the block as a note.
+    ``shop_codes`` defines M codes and called programs that neither the control nor the files have: a function that
+    takes a :class:`~chordal.ShopCall`, or a dictionary from a code to seconds, to NC blocks, or to such a function.
+    The function is called once for each call in the program, while the program is loaded; its exceptions are raised
+    here, with the block as a note.
 
-    Problems of the program are its :attr:`~Program.diagnostics`. With ``strict`` a program with errors
-    raises :class:`~chordal.ProgramError`. A file that cannot be read raises :class:`OSError`, a wrong
-    machine :class:`~chordal.MachineError`, and what makes no sense :class:`~chordal.UsageError`.
+    The problems of the program are in :attr:`~Program.diagnostics`. With ``strict``, a program with errors raises
+    :class:`~chordal.ProgramError`. A file that cannot be read raises :class:`OSError`, a wrong machine
+    :class:`~chordal.MachineError`, and invalid arguments :class:`~chordal.UsageError`.
     """
     with open(path, "rb"):
-        pass  # the system's own word for a file that is not there
+        pass  # raises the system's own error for a missing file
     options = _options(
         machine, control, tools, settings, program, block_delete, max_blocks, shop_codes
     )
@@ -113,8 +111,8 @@ def loads(
     shop_codes: ShopCodes | None = None,
     strict: bool = False,
 ) -> Program:
-    """Load a program of a text. ``name`` is what messages call it; the rest is as in :func:`load`."""
-    # What is no character stays a byte that is none of a program's.
+    """Load a program from a text. Messages show ``name``; the other arguments are as in :func:`load`."""
+    # Surrogates stay the invalid bytes that they stand for, which no program contains.
     data = text.encode("utf-8", "surrogateescape") if isinstance(text, str) else bytes(text)
     options = _options(
         machine, control, tools, settings, program, block_delete, max_blocks, shop_codes
@@ -171,8 +169,8 @@ def _made(program: _chordal.Program, strict: bool) -> Program:
 class Program:
     """A program with its machine. It never changes; load it with :func:`load` or :func:`loads`.
 
-    Each question runs the program, without the interpreter lock; problems and the summary are
-    kept. In a notebook it shows its picture, its summary and its problems.
+    Each method runs the program, without the interpreter lock; problems and the summary are cached. A notebook shows
+    the picture, the summary and the problems.
     """
 
     def __init__(self, program: _chordal.Program) -> None:
@@ -195,38 +193,38 @@ class Program:
 
     @cached_property
     def machine(self) -> Machine:
-        """The machine that runs it."""
+        """The machine on which it runs."""
         return Machine(self._program.machine)
 
     @property
     def control(self) -> str:
-        """The control that runs it."""
+        """The control for which it runs."""
         return self.machine.control
 
     @property
     def recognized(self) -> str | None:
-        """Why this machine was chosen; ``None`` if the caller or the folder chose it."""
+        """Why this machine was chosen; ``None`` if the caller or a ``chordal.toml`` names it."""
         return self._program.recognized
 
     @cached_property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """Its problems, by place. Of each code the first 200 are kept."""
+        """Its problems, sorted by location. Of each code, the first 200 are kept."""
         return diagnostics.of_json(*self._program.problems())
 
     @property
     def errors(self) -> tuple[Diagnostic, ...]:
-        """The problems at which the control would stop, or do something else than the text says."""
+        """The problems at which the control would stop or do something other than the text says."""
         return tuple(each for each in self.diagnostics if each.severity == "error")
 
     def raise_errors(self) -> None:
-        """Raise :class:`~chordal.ProgramError` where the program has errors."""
+        """Raise :class:`~chordal.ProgramError` if the program has errors."""
         if self.errors:
             raise ProgramError(self.name, self.diagnostics)
 
     @cached_property
     def not_verified_from(self) -> tuple[str, int] | None:
-        """File and line from which on the path is not known, because the control does something there that
-        is not carried out; ``None`` if the whole run is verified.
+        """The file and the line from which on the path is unknown, because the control does something there that
+        Chordal does not simulate; ``None`` if the whole run is verified.
 
         >>> import chordal
         >>> text = "G21 G90 S900 M3\\nG1 X9. F50.\\nG12.1\\nX5.\\nM30\\n"
@@ -237,8 +235,8 @@ class Program:
 
     @property
     def verified(self) -> bool:
-        """Whether the whole run was followed as the control would go it. Where it was not, no answer about
-        the path from :attr:`not_verified_from` on holds: not the time, not travel, not a comparison."""
+        """Whether the whole run was simulated as the control would execute it. If not, results about the path from
+        :attr:`not_verified_from` on are not valid: time, travel and comparisons."""
         return self.not_verified_from is None
 
     @cached_property
@@ -252,11 +250,11 @@ class Program:
         return tuple(self._program.output())
 
     def commands(self) -> Moves:
-        """What the control makes of the program, as written: a row for each command."""
+        """The commands of the run as programmed: a row for each command."""
         return Moves(self._program.commands(False))
 
     def tool_path(self) -> Moves:
-        """The same of the tool centre, after cutter compensation."""
+        """The commands of the run for the tool centre, after cutter compensation."""
         return Moves(self._program.commands(True))
 
     def path(self) -> Moves:
@@ -266,10 +264,10 @@ class Program:
     def chords(
         self, tolerance: float, placement: Literal["inscribed", "balanced"] = "inscribed"
     ) -> Chords:
-        """The path as straight chords that stay within a tolerance, mm.
+        """The path as straight chords within a tolerance, mm.
 
-        ``inscribed`` chords have their corners on the curve; ``balanced`` ones lie on both sides of it,
-        and √2 times fewer are needed.
+        ``inscribed`` chords have their ends on the curve; ``balanced`` ones deviate to both sides of it, so that
+        fewer are needed by a factor of √2.
         """
         if placement not in ("inscribed", "balanced"):
             raise UsageError(
@@ -288,7 +286,7 @@ class Program:
     ) -> Time:
         """The time on its machine, within the limits of velocity, acceleration and jerk of every axis.
 
-        Overrides are parts: 0.5 is half. ``what_if`` times it with other overrides and path modes too,
+        Overrides are factors: 0.5 is half. ``what_if`` also computes the time with other overrides and path modes,
         ``bound`` computes the least possible time, which may take a minute.
         """
         told = self._program.time(level, feed_override, rapid_override, what_if, bound)
@@ -301,8 +299,8 @@ class Program:
         *,
         max_samples: int = MOST_SAMPLES,
     ) -> Trajectory:
-        """The setpoints of the axes every ``period`` seconds. More than ``max_samples`` of them are
-        a :class:`~chordal.UsageError`."""
+        """The setpoints of the axes every ``period`` seconds. More than ``max_samples`` of them raise
+        :class:`~chordal.UsageError`."""
         table, planned = self._program.trajectory(period, level, max_samples)
         return Trajectory(table, period, planned)
 
@@ -327,33 +325,33 @@ class Program:
         strip_comments: bool = False,
         shrink: int | None = None,
     ) -> Transformed:
-        """The program changed in place, and the proof that its motion is the one meant: see ``proved``.
+        """The transformed program, and whether its motion is proved to be the intended one: see ``proved``.
 
-        What ``chordal transform`` does, in its order: units, mirror, rotate, scale, shift, feed and speed,
-        chords, simplify, fit, arcs, comments, numbers, shrink. Each word is changed by what it means where it
-        stands; then the new program runs and its path is compared with the path that is meant. Lengths are
-        millimetres, whatever units the program has. Keywords that are not given change nothing.
+        It does the same as ``chordal transform``, in this order: units, mirror, rotate, scale, shift, feed and speed,
+        chords, simplify, fit, arcs, comments, numbers, shrink. Each word is changed according to its meaning in its
+        block; then the new program is run and its path is compared with the intended path. Lengths are millimetres,
+        independent of the program's units. Omitted keywords change nothing.
 
         ``shift``: distance along X, Y and Z, mm.
         ``rotate``: angle about Z, degrees, counter-clockwise.
         ``about``: centre of ``rotate``, X and Y, mm.
-        ``mirror``: ``"x"`` or ``"y"``, the axis that changes its sign.
+        ``mirror``: ``"x"`` or ``"y"``, the axis whose sign changes.
         ``scale``: factor of every length.
-        ``units``: ``"mm"`` or ``"inch"`` for every length, feeds too.
+        ``units``: ``"mm"`` or ``"inch"`` for every length, including feeds.
         ``feed``: factor of the feeds of cuts.
-        ``speed``: factor of spindle speeds, and of the feeds of taps with them.
-        ``arcs``: ``"radius"`` or ``"center"``, how arcs are written.
-        ``chords``: arcs and spirals as chords within this distance, mm.
-        ``simplify``: fewer chords, the path within this distance, mm.
-        ``fit``: chords as lines and tangent arcs within this distance, mm.
-        ``feed_tolerance``: feeds of chords that ``fit`` takes together may differ by this part of them.
+        ``speed``: factor of spindle speeds, and therefore of the feeds of taps.
+        ``arcs``: ``"radius"`` or ``"center"``, the form in which arcs are written.
+        ``chords``: replaces arcs and spirals by chords within this distance, mm.
+        ``simplify``: reduces the number of chords, with the path within this distance, mm.
+        ``fit``: replaces chords by lines and tangent arcs within this distance, mm.
+        ``feed_tolerance``: allowed relative difference in the feeds of chords that ``fit`` joins.
         ``renumber``: first N number and step.
-        ``no_numbers``: ``True`` takes out the N numbers that nothing refers to.
-        ``strip_comments``: ``True`` takes out comments.
-        ``shrink``: most bytes of the text; blanks, digits, N numbers and comments are removed as far as
+        ``no_numbers``: ``True`` removes the N numbers to which nothing refers.
+        ``strip_comments``: ``True`` removes comments.
+        ``shrink``: largest size of the text, bytes; spaces, digits, N numbers and comments are removed as far as
         necessary.
 
-        If no change is right for the program, :class:`~chordal.UsageError` is raised and names the line.
+        If a change is not possible for the program, :class:`~chordal.UsageError` is raised and names the line.
 
         >>> import chordal
         >>> text = "G21 G90 S900 M3\\nG0 X0 Y0 Z0\\nG1 X9. F50.\\nM30\\n"
@@ -383,11 +381,10 @@ class Program:
         return _transform.transformed(self._program, wanted)
 
     def split(self, most: int | Literal["tool"]) -> Split:
-        """The program in parts of at most ``most`` bytes, or one for each ``"tool"``: each stands by itself,
-        and all of them, run one after the other, are compared with the whole: see ``proved``.
+        """The program in parts of at most ``most`` bytes, or one part for each ``"tool"``. Each part is a complete
+        program; all of them, run one after the other, are compared with the whole: see ``proved``.
 
-        Lines without a position where they can be split raise :class:`~chordal.UsageError`, which names
-        them."""
+        Lines between which no split is possible raise :class:`~chordal.UsageError`, which names them."""
         if most != "tool" and (isinstance(most, str) or most <= 0):
             raise UsageError(f"{most!r} is not a size", 'give a number of bytes, or "tool"')
         return _transform.parts(*self._program.split(None if most == "tool" else int(most)))
@@ -401,13 +398,13 @@ class Program:
         tolerance: float = 0.01,
         clamp: bool = False,
     ) -> Transformed:
-        """The program raised by a surface that was measured, and the proof that each cut follows it.
+        """The program adapted to a measured surface (height map), and whether each cut is proved to follow it.
 
         ``heights``: the map as CSV text, X, Y and Z of a full grid of points.
-        ``units``: of the map.
-        ``zero``: X and Y of the place where Z was set, mm; without it heights count as measured.
-        ``tolerance``: the new path is within this distance of the surface, mm.
-        ``clamp``: beyond the map its edge goes on; otherwise a cut there raises :class:`~chordal.UsageError`.
+        ``units``: units of the map.
+        ``zero``: X and Y of the point at which Z was set to zero, mm; without it, heights are used as measured.
+        ``tolerance``: largest distance of the new path from the surface, mm.
+        ``clamp``: continues the edge of the map beyond it; otherwise a cut there raises :class:`~chordal.UsageError`.
 
         >>> import chordal
         >>> text = "G21 G90 S900 M3\\nG0 X0 Y0\\nZ5.\\nG1 Z-1. F50.\\nX9.\\nM30\\n"
@@ -421,10 +418,10 @@ class Program:
         return _transform.proved_text(*self._program.bend(text, unit, zero, float(tolerance), clamp))
 
     def restart(self, line: int) -> Restarted:
-        """The program that begins at a line, from 1: the head that the control needs there, then the text as it
-        is. Both are run, and from the line on they do the same.
+        """A program that begins at a line (from 1): the head that the control needs there, then the unchanged text.
+        Both programs are run, and from the line on they do the same.
 
-        Where the program cannot begin, :class:`~chordal.UsageError` says why and where it can.
+        If the program cannot begin there, :class:`~chordal.UsageError` says why, and where it can.
 
         >>> import chordal
         >>> text = "G21 G90 S900 M3\\nG0 X0 Y0 Z5.\\nG1 Z-1. F50.\\nX9.\\nX20.\\nM30\\n"
@@ -441,9 +438,9 @@ class Program:
         feed_tolerance: float = 1e-6,
         ignore: Sequence[str] = (),
     ) -> Comparison:
-        """This program held against another by what they do, not by their text. Paths up to ``tolerance`` mm
-        apart are no difference, nor are feeds and speeds that differ by that part, nor the categories of
-        ``ignore``, as ``"coolant"``.
+        """Compare this program with another by what they do, not by their text. Not counted as differences are paths
+        up to ``tolerance`` mm apart, feeds and speeds whose relative difference is within ``feed_tolerance``, and the
+        categories in ``ignore``, such as ``"coolant"``.
 
         >>> import chordal
         >>> text = "G21 G90 S100 M3\\nG0 X0 Y0 Z0\\nG1 X9. F50.\\nM30\\n"
@@ -465,10 +462,10 @@ class Program:
         despite_errors: bool = False,
         exact_cycles: bool = False,
     ) -> Conversion:
-        """The program for another machine, each change with its reason, and the new program held against this
-        one: see ``holds``. Where a form must be written out, the path is within ``tolerance`` mm; ``digits``
-        are those behind the point of computed words. A cycle stays where only its pecks differ, which
-        ``pecks`` tells; ``exact_cycles`` writes it out as moves.
+        """Convert the program for another machine. Each change has its reason, and the new program is compared with
+        this one: see ``holds``. Where a shape must be written out as moves, the path is within ``tolerance`` mm;
+        ``digits`` is the number of decimals of computed words. A cycle is kept when only its pecks differ, which are
+        listed in ``pecks``; ``exact_cycles`` writes it out as moves.
 
         >>> import chordal
         >>> fadal = chordal.loads("G0 G90 E1 X1. Y1.\\nM2\\n", "fadal-4020")
@@ -489,17 +486,17 @@ class Program:
         tolerance_mm: float = 0.01,
         memory: int = MOST_STOCK,
     ) -> Stock:
-        """What it leaves of the stock, and what rapids, shank and holder touch, between two bounds.
+        """What the program leaves of the stock, between two bounds, and collisions of rapids, shank and holder.
 
-        ``setup``: a setup file, or what :func:`load` takes as a machine, with ``stock`` and ``tools``; without it
-        the program's own machine.
+        ``setup``: a setup file, or a machine as for :func:`load`, with ``stock`` and ``tools``; without it, the
+        program's own machine.
         ``resolution_mm``: side of a column; without it, from the size of the stock.
-        ``finest_mm``: where columns cannot tell they are halved, no finer than this; without it, an eighth of
-        the resolution.
-        ``tolerance_mm``: touches that are no deeper are none.
-        ``memory``: most bytes of the columns.
+        ``finest_mm``: columns that cannot decide are halved, down to this side; without it, an eighth of the
+        resolution.
+        ``tolerance_mm``: contacts up to this depth are not reported.
+        ``memory``: the most memory for the columns, bytes.
 
-        Of a lathe the half section is exact: the result is a :class:`~chordal.TurnedStock`, with ``outline`` and
+        For a lathe, the half section is exact: the result is a :class:`~chordal.TurnedStock`, with ``outline`` and
         ``passes`` and without columns; ``resolution_mm``, ``finest_mm`` and ``memory`` have no effect.
 
         Without stock, with a wrong setup, or with too little memory, :class:`~chordal.UsageError` is raised.
@@ -524,8 +521,8 @@ class Program:
         return TurnedStock(found) if isinstance(found, _chordal.TurnedStock) else Stock(found)
 
     def report(self, *, date: str | None = None) -> str:
-        """The setup sheet: path, offsets, tools, times, travel, stops and problems on one HTML page that needs
-        nothing else. The same program gives the same text; a date is on it only where one is given."""
+        """The setup sheet: path, offsets, tools, times, travel, stops and problems on one self-contained HTML page.
+        The same program gives the same text; it has a date only if one is given."""
         return self._program.report_html(date)
 
     def svg(self, width: int = 1600, height: int = 1131, *, dark: bool = False) -> str:

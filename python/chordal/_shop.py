@@ -1,4 +1,4 @@
-"""Custom M codes and custom programs: what Chordal asks when it meets one, and the possible answers."""
+"""Custom M codes and custom programs: the data of each call, and the possible answers."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ __all__ = ["ShopAnswer", "ShopCall", "ShopCodes", "ShopRefusal", "ShopWait"]
 
 @dataclass(frozen=True, slots=True)
 class ShopCall:
-    """A custom code in its block, and the state of the control before the block moves."""
+    """A custom code in its block, and the state of the control before the moves of the block."""
 
-    #: The code, as ``"M120"``; ``"O9010"`` is a called program that is not there.
+    #: The code, such as ``"M120"``; ``"O9010"`` is a called program that does not exist.
     code: str
     #: The name of the file.
     file: str
@@ -23,47 +23,47 @@ class ShopCall:
     line: int
     #: The block.
     text: str
-    #: The block's words by letter, numbers as written; empty where they are arguments.
+    #: The block's words by letter, numbers as written; empty if they are arguments.
     words: Mapping[str, float]
     #: The local variables that a macro call sets, by number.
     arguments: Mapping[int, float]
     #: The tool in the spindle.
     tool: int
-    #: Where the tool tip is on X, Y, Z, A, B and C, program coordinates, mm and degrees; ``None`` where
-    #: that is not known.
+    #: The position of the tool tip on X, Y, Z, A, B and C in program coordinates, mm and degrees; ``None`` if
+    #: unknown.
     position: tuple[float | None, ...]
-    #: The program is in inches.
+    #: Whether the program is in inches.
     inch: bool
-    #: G91 is active.
+    #: Whether G91 is active.
     incremental: bool
-    #: Spindle speed if the spindle turns, rev/min, else 0.
+    #: The spindle speed, rev/min; 0 if the spindle does not turn.
     spindle_rpm: float
-    #: How many calls of this run were asked before.
+    #: The number of earlier calls in this run.
     nth: int
 
 
 @dataclass(frozen=True, slots=True)
 class ShopWait:
-    """The machine takes a time."""
+    """The machine waits."""
 
-    #: For how long.
+    #: The duration, s.
     seconds: float
-    #: For what; by default the code itself.
+    #: The reason for the wait; by default the code itself.
     label: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class ShopRefusal:
-    """The machine refuses: an error of the program, at the word."""
+    """The machine refuses the code: an error of the program at this word."""
 
-    #: Why.
+    #: The reason.
     message: str
 
 
-#: What the machine does: nothing that is known (``None``), seconds, NC blocks, a refusal.
+#: What the machine does: unknown (``None``), a wait in seconds, NC blocks, or a refusal.
 ShopAnswer = float | str | ShopWait | ShopRefusal | None
 
-#: A function that answers, or answers by code: ``{"M120": 2.5, "O9010": "G91 G28 Z0.\\nG90"}``.
+#: A function that answers, or a dictionary of answers by code: ``{"M120": 2.5, "O9010": "G91 G28 Z0.\\nG90"}``.
 ShopCodes = (
     Callable[[ShopCall], ShopAnswer] | Mapping[str, ShopAnswer | Callable[[ShopCall], ShopAnswer]]
 )
@@ -72,7 +72,7 @@ _Told = tuple[str, float, str | None] | None
 
 
 def hook(codes: ShopCodes) -> Callable[..., _Told]:
-    """The function that the compiled module asks."""
+    """The function that the compiled module calls."""
     rule = codes if callable(codes) else _by_code(codes)
 
     def asked(
@@ -114,7 +114,7 @@ def _by_code(
     rules = {_normal(code): rule for code, rule in codes.items()}
     for code, rule in rules.items():
         if not callable(rule):
-            _told(code, rule)  # a wrong answer is told before the program is read
+            _told(code, rule)  # wrong answers are reported before the program is read
 
     def rule_of(call: ShopCall) -> ShopAnswer:
         rule = rules.get(call.code)

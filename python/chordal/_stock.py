@@ -1,4 +1,4 @@
-"""What is left of the stock, between two bounds."""
+"""The remaining stock, between two bounds."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .errors import UsageError
 
 __all__ = ["Stock", "StockDifference", "StockMesh"]
 
-#: Columns whose heights differ by this part of the resolution are one face of a mesh.
+#: Columns whose heights differ by at most this fraction of the resolution become one face of a mesh.
 _SAME_FACE = 0.1
 
 
@@ -25,7 +25,7 @@ _SAME_FACE = 0.1
 class StockMesh:
     """A closed surface, mm."""
 
-    #: Places of its corners (n, 3), mm.
+    #: Its vertices (n, 3), mm.
     vertices: npt.NDArray[np.float64]
     #: The corners of each triangle (m, 3), counter-clockwise as seen from outside.
     faces: npt.NDArray[np.uint32]
@@ -33,15 +33,15 @@ class StockMesh:
 
 @dataclass(frozen=True, slots=True)
 class StockDifference:
-    """Where two stocks differ: see :meth:`Stock.compare`. True where they surely do.
+    """The differences between two stocks: see :meth:`Stock.compare`. It is true if they certainly differ.
 
-    Heights are those of columns, (rows along Y, columns along X), mm; the truth lies between least and most."""
+    Heights are those of columns, (rows along Y, columns along X), mm; the true values are between the bounds."""
 
-    #: How much more the first one has at least; below zero: how much less.
+    #: The least height that the first stock has more; negative: that it has less.
     least: npt.NDArray[np.float64]
-    #: How much more the first one has at most.
+    #: The largest height that the first stock may have more.
     more: npt.NDArray[np.float64]
-    #: How much less it has at most.
+    #: The largest height that the first stock may have less.
     less: npt.NDArray[np.float64]
     #: The side of a column, mm.
     resolution_mm: float
@@ -51,12 +51,12 @@ class StockDifference:
 
     @property
     def more_mm3(self) -> tuple[float, float]:
-        """What only the first one has, at least and at most."""
+        """The bounds of the volume that only the first stock has, mm³."""
         return self._volume(np.maximum(self.least, 0.0)), self._volume(self.more)
 
     @property
     def less_mm3(self) -> tuple[float, float]:
-        """What only the second one has, at least and at most."""
+        """The bounds of the volume that only the second stock has, mm³."""
         return self._volume(np.maximum(-self.least, 0.0)), self._volume(self.less)
 
     def _volume(self, heights: npt.NDArray[np.float64]) -> float:
@@ -69,7 +69,7 @@ class StockDifference:
 
 class Stock:
     """What a program leaves of its stock: see :meth:`Program.stock`. Coordinates are those of the first cut's work
-    offset, mm. It is true where it is proved that nothing touches that must not."""
+    offset, mm. It is true if it is proved that there are no collisions."""
 
     def __init__(self, stock: _chordal.Stock) -> None:
         self._stock = stock
@@ -80,13 +80,13 @@ class Stock:
 
     @cached_property
     def report(self) -> dict[str, Any]:
-        """Everything that is said of it: the object of ``chordal stock --format json``."""
+        """The whole report: the object of ``chordal stock --format json``."""
         told: dict[str, Any] = json.loads(self._json)
         return told
 
     @property
     def verdict(self) -> Literal["clean", "problems", "not-proved"]:
-        """``"clean"`` only where it is proved."""
+        """The verdict; ``"clean"`` only if it is proved."""
         verdict: Literal["clean", "problems", "not-proved"] = self.report["verdict"]
         return verdict
 
@@ -95,36 +95,36 @@ class Stock:
 
     @property
     def problems(self) -> list[dict[str, Any]]:
-        """What is touched, and what may be: code, line, tool, depth at least and at most, place."""
+        """The collisions, certain or possible: code, line, tool, bounds of the depth, and position."""
         problems: list[dict[str, Any]] = self.report["problems"]
         return problems
 
     @property
     def removed_mm3(self) -> tuple[float, float]:
-        """What is removed, at least and at most."""
+        """The bounds of the removed volume, mm³."""
         return _bounds(self.report["removed_mm3"])
 
     @property
     def left_mm3(self) -> tuple[float, float]:
-        """What is left, at least and at most."""
+        """The bounds of the remaining volume, mm³."""
         return _bounds(self.report["left_mm3"])
 
     @property
     def target(self) -> dict[str, Any] | None:
-        """What is left outside of the target: volume and height at least and at most, and the place of the highest;
-        ``None`` where the setup has none."""
+        """The excess over the target: bounds of its volume and height, and the position of the highest; ``None`` if
+        the setup has no target."""
         target: dict[str, Any] | None = self.report["target"]
         return target
 
     @property
     def resolution_mm(self) -> float:
-        """The side of a column."""
+        """The side of a column, mm."""
         resolution: float = self.report["resolution_mm"]
         return resolution
 
     @property
     def origin(self) -> tuple[float, float, float]:
-        """The least corner of the stock, mm: there the first column begins."""
+        """The lowest corner of the stock, mm, where the first column begins."""
         return self._stock.bounds[0]
 
     @cached_property
@@ -134,8 +134,8 @@ class Stock:
 
     @property
     def least(self) -> npt.NDArray[np.float64]:
-        """Below this height, mm, each column is stock: (rows along Y, columns along X). Gaps of undercuts are not seen
-        in it."""
+        """Below this height, mm, each column is stock: (rows along Y, columns along X). Gaps by undercuts are not
+        included."""
         return self._heights[..., 0]
 
     @property
@@ -144,8 +144,8 @@ class Stock:
         return self._heights[..., 1]
 
     def compare(self, other: Stock) -> StockDifference:
-        """Where this stock and another one of the same columns differ: two programs on one setup, say. A difference
-        is sure where the bounds of the heights are apart; gaps of undercuts are not compared."""
+        """Compare this stock with another one that has the same columns, such as two programs on one setup. A
+        difference is certain where the bounds of the heights do not overlap; gaps by undercuts are not compared."""
         if (self._stock.shape, self._stock.bounds[0], self.resolution_mm) != (
             other._stock.shape,
             other._stock.bounds[0],
@@ -165,24 +165,24 @@ class Stock:
         )
 
     def mesh(self, tolerance: float | None = None) -> StockMesh:
-        """What is left as a closed surface: what is in the middle of each column. Columns whose heights differ by no more
-        than ``tolerance`` mm are one face; without it, a tenth of the resolution."""
+        """The remaining stock as a closed surface, with the height in the middle of each column. Columns whose
+        heights differ by at most ``tolerance`` mm become one face; without it, a tenth of the resolution."""
         vertices, faces = self._stock.mesh(self._tolerance(tolerance))
         return StockMesh(np.asarray(vertices), np.asarray(faces))
 
     def save(
         self, path: str | os.PathLike[str], tolerance: float | None = None, *, smooth: float | None = None
     ) -> None:
-        """Writes what is left, by the ending: ``.stl``, ``.3mf``, ``.glb`` or a picture ``.png``. With ``smooth`` a mesh
-        has no steps but goes through the middles of the columns, no further from them than so many mm; a part with
-        undersides is refused then."""
+        """Write the remaining stock in the format of the file extension: ``.stl``, ``.3mf``, ``.glb`` or a picture
+        ``.png``. With ``smooth``, a mesh has no steps but passes the middles of the columns within this distance, mm;
+        a part with undersides is then refused."""
         smooth = None if smooth is None else float(smooth)
         path = Path(path)
         ending = path.suffix.removeprefix(".").lower()
         path.write_bytes(self._stock.file(ending, self._tolerance(tolerance), smooth, path.stem))
 
     def png(self) -> bytes:
-        """What is left, seen from above."""
+        """A picture of the remaining stock, seen from above."""
         return bytes(self._stock.file("png", 0.0, None, ""))
 
     def _tolerance(self, tolerance: float | None) -> float:

@@ -8,12 +8,12 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True)
 class AxisTravel:
-    """The travel of an axis, in the frame of the run: mm, or degrees."""
+    """The travel of an axis in the frame of the run, mm or degrees."""
 
     letter: str
     #: Lowest and highest position.
     range: tuple[float, float]
-    #: Lowest and highest position while cutting.
+    #: Lowest and highest position while cutting; ``None`` if it has none.
     cut_range: tuple[float, float] | None
     #: The sum of all distances.
     way: float
@@ -31,10 +31,10 @@ class ToolUse:
 
 @dataclass(frozen=True, slots=True)
 class Summary:
-    """Counts, lengths and times. Times here are distance over feed, without acceleration;
-    :meth:`chordal.Program.time` plans."""
+    """Counts, lengths and times. These times are distances divided by feeds, without acceleration;
+    :meth:`chordal.Program.time` plans the motion."""
 
-    #: The program ends in inches.
+    #: Whether the units are inches at the end of the program.
     inch: bool
     lines: int
     arcs: int
@@ -43,7 +43,7 @@ class Summary:
     splines: int
     rapids: int
     dwells: int
-    #: Cuts without a feed; their time is not known.
+    #: Cuts without a feed; their time is unknown.
     cuts_without_time: int
     feed_length_mm: float
     rapid_length_mm: float

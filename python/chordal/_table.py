@@ -18,8 +18,7 @@ class Table:
 
     ``pyarrow.table(t)`` and ``polars.DataFrame(t)`` read it through ``__arrow_c_stream__`` without copying
     numbers, and DuckDB queries what pyarrow has read; ``pandas.DataFrame.from_arrow(t)`` copies.
-    ``t["x_to_mm"]`` is a NumPy array on the same memory. Arrays are read-only, and keep the
-    memory alive.
+    ``t["x_to_mm"]`` is a NumPy array on the same memory. Arrays are read-only and keep the memory alive.
     """
 
     __slots__ = ("_table",)
@@ -42,7 +41,7 @@ class Table:
 
     @property
     def metadata(self) -> dict[str, str]:
-        """What the table says about itself: schema and its version, program, SHA-256, machine."""
+        """The metadata of the table: schema and its version, program, SHA-256, machine."""
         return dict(self._table.metadata)
 
     @property
@@ -56,8 +55,8 @@ class Table:
         return "".join(axis for axis in "XYZABC" if self._place_of(axis) is not None)
 
     def __getitem__(self, name: str) -> npt.NDArray[Any]:
-        """A column: numbers on the memory of the table, with NaN for gaps; words, texts, flags
-        and whole numbers with gaps as an array of objects, with ``None`` for gaps."""
+        """A column. Numbers share the memory of the table, with NaN for gaps; words, texts, flags and integers with
+        gaps are an array of objects, with ``None`` for gaps."""
         block = self._table.column(name)
         if block is not None:
             return np.asarray(block)
@@ -67,8 +66,8 @@ class Table:
         return array
 
     def array(self, *names: str) -> npt.NDArray[np.float64]:
-        """Columns of numbers as one array (rows, columns). Columns that lie evenly apart, as the
-        axes do, are not copied."""
+        """Columns of numbers as one array (rows, columns). Columns at equal distances in memory, such as the axes,
+        are not copied."""
         block = self._table.block(list(names))
         if block is not None:
             return np.asarray(block)
@@ -110,29 +109,29 @@ class Table:
 
 
 class Moves(Table):
-    """Commands or pieces of path, with the positions of their ends."""
+    """Commands or path segments, with their start and end positions."""
 
     __slots__ = ()
 
     @property
     def start(self) -> npt.NDArray[np.float64]:
-        """Where each move begins (rows, axes), mm and degrees; NaN where a row is not a move."""
+        """The start of each move (rows, axes), mm and degrees; NaN if a row is not a move."""
         return self._places("from")
 
     @property
     def end(self) -> npt.NDArray[np.float64]:
-        """Where each move ends (rows, axes), mm and degrees; NaN where a row is not a move."""
+        """The end of each move (rows, axes), mm and degrees; NaN if a row is not a move."""
         return self._places("to")
 
 
 class Chords(Moves):
-    """The path as straight pieces within a tolerance; ``start`` and ``end`` are (rows, 3), mm."""
+    """The path as chords within a tolerance; ``start`` and ``end`` are (rows, 3), mm."""
 
     __slots__ = ()
 
 
 class Trajectory(Table):
-    """Setpoints of the axes at a fixed period, s. Positions are continuous where offsets jump."""
+    """Setpoints of the axes at a fixed period. Positions are continuous even where offsets change."""
 
     __slots__ = ("period", "moves", "cuts_without_feed", "refused", "assumed")
 
@@ -142,7 +141,7 @@ class Trajectory(Table):
     moves: int
     #: Cuts that were left out, because they have no feed.
     cuts_without_feed: int
-    #: Moves that could not be planned: line and reason, of the first ones.
+    #: The first moves that could not be planned: line and reason.
     refused: tuple[tuple[int, str], ...]
     #: Limits that the machine file does not give, for which typical ones were used.
     assumed: tuple[str, ...]

@@ -1,4 +1,4 @@
-"""The time of a program, and where it goes."""
+"""The time of a program and its parts."""
 
 from __future__ import annotations
 
@@ -22,19 +22,19 @@ class ToolTime:
 
 @dataclass(frozen=True, slots=True)
 class BlockTime:
-    """The time of one block, all its runs together, s."""
+    """The total time of all executions of one block, s."""
 
     line: int
-    #: The file, where it is not the program's own.
+    #: The file; ``None`` for the program's own.
     file: str | None
     text: str
     runs: int
     time_s: float
-    #: The time of its moves above that at feed or rapid speed.
+    #: The time of its moves in excess of that at feed or rapid speed.
     lost_s: float
-    #: Why it takes its time.
+    #: What determines its time.
     reason: str
-    #: Why it loses time, if it does.
+    #: Why it loses time; ``None`` if it does not.
     loses_by: str | None
 
 
@@ -47,20 +47,20 @@ class Time:
     rapid_s: float
     #: Tool changes, the spindle, dwells.
     other_s: float
-    #: What the moves take beyond their length at feed or rapid speed.
+    #: The time of the moves in excess of that at feed or rapid speed.
     lost_s: float
-    #: Length over feed, and of rapids over rapid speed.
+    #: Lengths divided by the feed, or by the rapid speed for rapids.
     at_feed_s: float
     moves: int
     tool_changes: int
-    #: The times of waiting by their reason.
+    #: The waiting times by reason.
     waits: dict[str, float]
     tools: tuple[ToolTime, ...]
-    #: The blocks that take the most time, most first.
+    #: The blocks that take the most time, the longest first.
     longest_blocks: tuple[BlockTime, ...]
-    #: The blocks that lose the most time, most first.
+    #: The blocks that lose the most time, the costliest first.
     costliest_blocks: tuple[BlockTime, ...]
-    #: The least time within the limits of velocity and acceleration, if it was asked for.
+    #: The least time within the limits of velocity and acceleration; ``None`` unless ``bound`` was set.
     bound_s: float | None
     #: Everything, as ``chordal time --format json`` writes it.
     document: dict[str, Any]

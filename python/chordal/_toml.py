@@ -12,7 +12,7 @@ _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def key(name: object) -> str:
-    """A key, quoted where it must be."""
+    """A key, quoted if necessary."""
     if not isinstance(name, (str, int)) or isinstance(name, bool):
         raise UsageError(f"{name!r} cannot be a key", "keys are text, or whole numbers of tools")
     text = str(name)
@@ -21,7 +21,7 @@ def key(name: object) -> str:
 
 def string(text: str) -> str:
     """A string."""
-    # JSON escapes what TOML does, but for the delete character.
+    # JSON escapes the same characters as TOML, except for the delete character.
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
@@ -67,7 +67,7 @@ def _table(table: Mapping[str, object], path: tuple[str, ...], lines: list[str])
 
 
 def assignments(table: Mapping[str, object], *path: str) -> list[str]:
-    """The same as assignments, as ``chordal run --set`` takes them."""
+    """A table as assignments for ``chordal run --set``."""
     found: list[str] = []
     for name, what in table.items():
         here = (*path, key(name))

@@ -1,4 +1,4 @@
-"""Programs changed in place, and the proof that the motion is as intended."""
+"""Transformed programs, and the proof that the motion is as intended."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Change:
     before: str
     #: The line as it is now; several lines are separated by ``\\n``.
     after: str
-    #: Why.
+    #: The reason.
     reason: str
 
 
@@ -35,13 +35,13 @@ class Transformed:
 
     #: The new text.
     text: bytes
-    #: The new program was run and makes the intended motion, within the tolerance of the certificate.
+    #: Whether the new program was run and makes the intended motion, within the tolerance of the certificate.
     proved: bool
     #: The changes, in the order of the steps.
     changes: tuple[Change, ...]
-    #: Notes about them.
+    #: Notes about the changes.
     notes: tuple[str, ...]
-    #: The intended path against the new one, as ``chordal compare --format json`` writes it.
+    #: The comparison of the intended path with the new one, as ``chordal compare --format json`` writes it.
     certificate: Mapping[str, Any]
 
     @property
@@ -53,17 +53,17 @@ class Transformed:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """One of the programs that a program was split into."""
+    """One of the programs into which a program was split."""
 
     #: Its text.
     text: bytes
     #: Its O number, if the whole program has one.
     number: int | None
-    #: The first and last line of the whole program that it carries out.
+    #: The first and last line of the whole program that it executes.
     lines: tuple[int, int]
     #: The lines inserted so that it starts in the state of the whole program at that point.
     put_in: tuple[str, ...]
-    #: ``"as the whole"``, ``"before a tool change"`` or, where the tool is clear of all cuts, ``"clear"``.
+    #: ``"as the whole"``, ``"before a tool change"`` or, if the tool is clear of all cuts, ``"clear"``.
     begins: Literal["as the whole", "before a tool change", "clear"]
 
 
@@ -71,13 +71,13 @@ class Part:
 class Split:
     """A program in parts."""
 
-    #: In order.
+    #: The parts in order.
     parts: tuple[Part, ...]
-    #: The parts, run one after the other, make the motion of the whole.
+    #: Whether the parts, run one after the other, make the motion of the whole program.
     proved: bool
-    #: Notes about it.
+    #: Notes about the split.
     notes: tuple[str, ...]
-    #: The whole program against the parts, as ``chordal compare --format json`` writes it.
+    #: The comparison of the whole program with the parts, as ``chordal compare --format json`` writes it.
     certificate: Mapping[str, Any]
 
 
@@ -87,18 +87,18 @@ class Restarted:
 
     #: Its text.
     text: bytes
-    #: The line of the whole program that it begins at.
+    #: The line of the whole program at which it begins.
     line: int
-    #: The lines that were put in before it.
+    #: The lines that were inserted before it.
     put_in: tuple[str, ...]
-    #: So many moves follow, the same in both.
+    #: The number of moves that follow, equal in both programs.
     moves: int
-    #: What follows goes to its first place by itself: retract the spindle before the start.
+    #: Whether the text that follows moves to its first position by itself: retract the spindle before the start.
     goes_to_first_place_itself: bool
-    #: The lines repeat G92: the machine must stand where the whole program starts.
+    #: Whether the lines repeat G92: the machine must be at the start position of the whole program.
     from_the_start_of_the_whole: bool
     #: M codes before the line that are not repeated, each with its words and its line: clamps, outputs, pallets,
-    #: overrides. What they have set is not part of the proof.
+    #: overrides. The proof does not cover what they set.
     not_repeated: tuple[tuple[str, int], ...]
 
 
@@ -148,7 +148,7 @@ def steps(
 
 
 def transformed(program: _chordal.Program, wanted: _Steps) -> Transformed:
-    """Carries the steps out; a refusal is a ``UsageError`` that names the line."""
+    """Executes the steps; a refusal is a ``UsageError`` that names the line."""
     return proved_text(*program.transform(wanted))
 
 

@@ -1,4 +1,4 @@
-"""What is left of the stock of a lathe: exact."""
+"""The exact remaining stock of a lathe."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ __all__ = ["TurnedStock"]
 
 
 class TurnedStock(Stock):
-    """What a program of a lathe leaves of its stock: see :meth:`Program.stock`. The half section consists of lines and
-    arcs and is exact, so ``least`` and ``most`` of a volume are one number, but for threads. Coordinates are those of
-    the first cut's work offset, mm: z along the axis, r the distance from it, a radius. It is true where nothing
-    touches that must not, and every move was followed."""
+    """What a lathe program leaves of its stock: see :meth:`Program.stock`. The half section consists of lines and
+    arcs and is exact, so both bounds of a volume are equal, except for threads. Coordinates are those of the first
+    cut's work offset, mm: z along the axis, r the distance from it (radius). It is true if there are no collisions
+    and every move was simulated."""
 
     def __init__(self, stock: _chordal.TurnedStock) -> None:
         self._turned = stock
@@ -33,32 +33,33 @@ class TurnedStock(Stock):
 
     @cached_property
     def outline(self) -> Table:
-        """Everything that is left as lines and arcs, one row each: part (0 is in the chuck), loop, ends, centre, radius
-        and angle, and the tool and the line that made it. ``docs/columns.md`` has the columns."""
+        """The outline of everything that remains, one row for each line or arc: part (0 is in the chuck), loop, ends,
+        centre, radius and angle, and the tool and the program line that made it. ``docs/columns.md`` lists the
+        columns."""
         return Table(self._turned.outline)
 
     @cached_property
     def passes(self) -> Table:
-        """What every move at feed takes: depth of cut, area, volume, chip, power. ``docs/columns.md`` has the
-        columns."""
+        """The cutting data of every move at feed: depth of cut, area, volume, chip, power. ``docs/columns.md`` lists
+        the columns."""
         return Table(self._turned.passes)
 
     @property
     def volume_mm3(self) -> float:
-        """What is left, in the chuck and cut off; threads count as not cut."""
+        """The remaining volume, in the chuck and cut off, mm³; threads count as not cut."""
         return self.left_mm3[1]
 
     def radii(self, z: float) -> npt.NDArray[np.float64]:
-        """The radii between which material is at a z, mm: one row from the axis out for each ring, from and to. At a
-        face the side towards +Z counts."""
+        """The radii of the material at a z, mm: one row (from, to) for each ring, from the axis outwards. At a face,
+        the side towards +Z counts."""
         return np.asarray(self._turned.radii(float(z)), dtype=np.float64).reshape(-1, 2)
 
     def save(
         self, path: str | os.PathLike[str], tolerance: float | None = None, *, smooth: float | None = None
     ) -> None:
-        """Writes the half section (``.dxf``: lines and arcs, X along the axis, Y the radius; ``.svg``, ``.png``) or the
-        solid (``.stl``, ``.3mf``, ``.glb``), by the ending. ``tolerance`` and ``smooth`` have no effect: solids have chords
-        within 0.005 mm."""
+        """Write the half section (``.dxf``: lines and arcs, X along the axis, Y the radius; ``.svg``, ``.png``) or
+        the solid (``.stl``, ``.3mf``, ``.glb``), by the file extension. ``tolerance`` and ``smooth`` have no effect:
+        solids have chords within 0.005 mm."""
         path = Path(path)
         ending = path.suffix.removeprefix(".").lower()
         path.write_bytes(self._turned.file(ending, path.stem))
@@ -69,30 +70,31 @@ class TurnedStock(Stock):
 
     @property
     def resolution_mm(self) -> float:
-        """0: there are no columns."""
+        """0, because there are no columns."""
         return 0.0
 
     @property
     def origin(self) -> tuple[float, float, float]:
-        """A lathe has no columns: an error."""
+        """Raises :class:`~chordal.UsageError`, because a lathe's stock has no columns."""
         return _no_columns("origin")
 
     @property
     def least(self) -> npt.NDArray[np.float64]:
-        """A lathe has no columns: an error."""
+        """Raises :class:`~chordal.UsageError`, because a lathe's stock has no columns."""
         return _no_columns("least")
 
     @property
     def most(self) -> npt.NDArray[np.float64]:
-        """A lathe has no columns: an error."""
+        """Raises :class:`~chordal.UsageError`, because a lathe's stock has no columns."""
         return _no_columns("most")
 
     def compare(self, other: Stock) -> StockDifference:
-        """A lathe has no columns: an error. Its outlines can be compared."""
+        """Raises :class:`~chordal.UsageError`, because a lathe's stock has no columns. Its outlines can be
+        compared."""
         return _no_columns("compare")
 
     def mesh(self, tolerance: float | None = None) -> StockMesh:
-        """A lathe has no columns: an error. ``save`` writes the solid."""
+        """Raises :class:`~chordal.UsageError`, because a lathe's stock has no columns. ``save`` writes the solid."""
         return _no_columns("mesh")
 
     def __repr__(self) -> str:

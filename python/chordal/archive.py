@@ -1,12 +1,12 @@
-"""Whole archives: every program of folder trees in one table.
+"""Whole archives: checks all programs of folder trees into one table.
 
 >>> from chordal import archive
 >>> done = archive.check("archive/", "results.parquet")                 # doctest: +SKIP
 >>> done.programs, done.with_errors                                     # doctest: +SKIP
 (9812, 431)
 
-The table is the one of ``chordal archive check``, byte for byte, whatever the engine and the number of
-workers. Interrupted and started again with the same ``out``, a run goes on where it was.
+The table is equal to that of ``chordal archive check``, byte for byte, independent of the engine and the number of
+workers. A run that was interrupted continues when it is started again with the same ``out``.
 """
 
 from __future__ import annotations
@@ -33,10 +33,10 @@ if TYPE_CHECKING:
 
 __all__ = ["Done", "check"]
 
-#: Files of one batch: some tenths of a second of work, and what is lost with a worker.
+#: Files in one batch: some tenths of a second of work, which is lost when a worker dies.
 _FILES_OF_A_BATCH = 16
 
-#: How often a batch is tried whose worker dies, before its files are tried one by one.
+#: How often a batch is tried when its workers die, before its files are tried one by one.
 _TRIES = 3
 
 
@@ -44,13 +44,13 @@ _TRIES = 3
 class Done:
     """The result of an archive."""
 
-    #: Files that got a row.
+    #: Files with at least one row.
     files: int
-    #: Rows.
+    #: Rows of the table.
     rows: int
     #: Programs that were run.
     programs: int
-    #: Programs with errors, or stopped by their budget.
+    #: Programs with errors, or stopped by the limit on blocks.
     with_errors: int
     #: Programs with only warnings.
     with_warnings: int
@@ -58,12 +58,12 @@ class Done:
     failed: int
     #: Files that are not programs.
     skipped: int
-    #: Files that an earlier run had done.
+    #: Files that an earlier run has done.
     resumed: int
 
 
 class _Tree(NamedTuple):
-    """A folder of a file system of fsspec."""
+    """A folder in an fsspec file system."""
 
     url: str
     system: Any
@@ -74,7 +74,7 @@ class _Tree(NamedTuple):
 
 
 class _File(NamedTuple):
-    """A file of the archive: in a tree its path is the one below."""
+    """A file of the archive. In a tree, ``path`` is relative to the tree."""
 
     name: str
     path: str
@@ -83,7 +83,7 @@ class _File(NamedTuple):
 
 
 class _Batch(NamedTuple):
-    """Files of one tree or of the disk, by their places in the table and the keys of old records."""
+    """Files of one tree or of the disk: index in the table, name, path, and the key of an old record."""
 
     tree: _Tree | None
     files: list[tuple[int, str, str, str | None]]
@@ -140,21 +140,21 @@ def check(
 ) -> Done:
     """Check every program of folder trees and write one Parquet table.
 
-    ``paths`` are folders and files, on disk or, as ``s3://bucket/archive``, on any file system of
-    fsspec (``storage_options`` are handed to it). ``out`` is a file on the disk of the caller.
+    ``paths`` are folders and files, on disk or, such as ``s3://bucket/archive``, on any fsspec file system
+    (``storage_options`` are passed to it). ``out`` is a file on the caller's disk.
 
-    ``engine="local"`` works with threads of this process, as many as there are processors unless ``jobs``
-    says. ``"ray"`` works with the workers of the Ray cluster at ``address``, or of one that is started
-    here (``pip install chordal[ray]``); ``jobs`` is then the most batches at a time. Paths on disk must be
-    visible to every worker under the same names. A batch whose worker dies is done again.
+    ``engine="local"`` uses threads of this process: ``jobs``, or as many as there are processors. ``"ray"`` uses the
+    workers of the Ray cluster at ``address``, or of one that is started here (``pip install chordal[ray]``); ``jobs``
+    then limits the batches at a time. Paths on disk must be visible to every worker under the same names. A batch
+    whose worker dies is done again.
 
     ``machine``, ``control``, ``tools``, ``settings``, ``block_delete`` and ``max_blocks`` are as in
-    :func:`chordal.load`. Without ``plan`` there are no times with acceleration and jerk, and it takes half
-    as long. ``progress`` is called with the number of files done and of all.
+    :func:`chordal.load`. Without ``plan`` there are no times with acceleration and jerk, and the check takes half as
+    long. ``progress`` is called with the number of finished files and of all files.
 
-    Raises :class:`OSError` where a path is not there or the table cannot be written,
-    :class:`~chordal.UsageError` for what makes no sense and :class:`~chordal.MachineError` for a wrong
-    machine. A problem of a file of the archive is a row of the table.
+    Raises :class:`OSError` if a path does not exist or the table cannot be written, :class:`~chordal.UsageError` for
+    invalid arguments and :class:`~chordal.MachineError` for a wrong machine. A problem with a file of the archive is
+    a row of the table.
     """
     given = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
     target = os.path.abspath(os.fspath(out))
@@ -202,10 +202,10 @@ def check(
 
 
 def _listed(roots: Sequence[str], target: str, storage: Mapping[str, Any]) -> list[_File]:
-    """All files in the order of the table, each once."""
+    """All files in the order of the table, without duplicates."""
     local = [root for root in roots if "://" not in root]
     for root in local:
-        os.stat(root)  # what is not there at all is a slip
+        os.stat(root)  # a path that does not exist is an error
     own = [target, _chordal.Journal.folder_of(target)]
     files = [_File(*found, None) for found in _chordal.archive_walk(local, own)]
     for root in roots:
@@ -251,12 +251,12 @@ def _batches(files: Sequence[_File], journal: _chordal.Journal) -> list[_Batch]:
     return batches
 
 
-#: The worker of a thread, with the run that it is for.
+#: The worker of the current thread, and the run to which it belongs.
 _held = threading.local()
 
 
 def _done(batch: _Batch, run: _Run) -> list[bytes]:
-    """The records of a batch: the one unit of work, whatever the engine."""
+    """The records of a batch, which is the unit of work of both engines."""
     if batch.tree is not None:
         return _done_of_tree(batch.tree, batch.files, run)
     if getattr(_held, "run", None) != run.id:
@@ -269,7 +269,7 @@ def _done(batch: _Batch, run: _Run) -> list[bytes]:
 def _done_of_tree(
     tree: _Tree, files: Sequence[tuple[int, str, str, str | None]], run: _Run
 ) -> list[bytes]:
-    """The same of files elsewhere, brought here with all that their runs look for."""
+    """The records of files in an fsspec tree, which are copied here with all files that their runs need."""
     with tempfile.TemporaryDirectory(prefix="chordal-") as stage:
         failures = {name: _bring(tree, below, stage) for _, name, below, _ in files}
         here = [below for _, name, below, _ in files if failures[name] is None]
@@ -292,7 +292,7 @@ def _place(stage: str, below: str) -> str:
 
 
 def _bring(tree: _Tree, below: str, stage: str) -> str | None:
-    """Brings a file, or says why it cannot be read. Failures that may pass are raised."""
+    """Copies a file here; returns a message if it cannot be read. Temporary failures are raised."""
     place = _place(stage, below)
     os.makedirs(os.path.dirname(place), exist_ok=True)
     try:
@@ -305,11 +305,11 @@ def _bring(tree: _Tree, below: str, stage: str) -> str | None:
 
 
 def _bring_beside(tree: _Tree, folder: str, texts: Sequence[str], stage: str) -> None:
-    """Machine files of the folders above, and the whole folder where a program calls others."""
+    """Copies the machine files of the parent folders, and the whole folder if a program calls others."""
     above = folder
     while True:
         if tree.system.isfile(tree.at(posixpath.join(above, "chordal.toml"))):
-            # It may name a machine file in its folder.
+            # It may refer to a machine file in its folder.
             _bring_all(tree, above, ".toml", stage)
         if not above:
             break
@@ -319,7 +319,7 @@ def _bring_beside(tree: _Tree, folder: str, texts: Sequence[str], stage: str) ->
 
 
 def _bring_all(tree: _Tree, folder: str, ending: str, stage: str) -> None:
-    """Brings the files of a folder that end so and are not here yet."""
+    """Copies the files of a folder that have this ending and are not here yet."""
     for entry in tree.system.ls(tree.at(folder), detail=True):
         below = posixpath.join(folder, posixpath.basename(entry["name"].rstrip("/")))
         wanted = entry["type"] == "file" and below.endswith(ending)
@@ -378,7 +378,7 @@ def _on_ray(
 
 
 def _by_ray(ray: Any, batches: Sequence[_Batch], run: _Run, jobs: int | None) -> _Results:
-    # A batch that waits for every worker, so that none is idle.
+    # One batch waits for every worker, so that none is idle.
     most = jobs if jobs is not None else 2 * int(ray.cluster_resources().get("CPU", 1))
     task = ray.remote(max_retries=_TRIES - 1, retry_exceptions=[OSError])(_done_on_ray)
     shared = ray.put(run)
@@ -395,7 +395,7 @@ def _by_ray(ray: Any, batches: Sequence[_Batch], run: _Run, jobs: int | None) ->
                 yield batch, ray.get(reference)
             except (ray.exceptions.WorkerCrashedError, ray.exceptions.NodeDiedError):
                 if len(batch.files) > 1:
-                    # One of them kills its worker; the others have nothing to do with it.
+                    # One of the files kills its worker; the others must not be affected.
                     left.extend(_Batch(batch.tree, [file]) for file in batch.files)
                 else:
                     message = f"its worker died {_TRIES} times"

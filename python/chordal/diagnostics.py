@@ -10,7 +10,7 @@ from . import _chordal
 
 __all__ = ["CodeInfo", "Diagnostic", "Fix", "Label", "Place", "codes"]
 
-#: What a notebook needs in addition to the problems as the setup sheet shows them.
+#: The style that a notebook needs for problems in the form of the setup sheet.
 _STYLE = (
     "<style>.chordal-problems .problem{border-left:3px solid #2f5d8a;margin:0 0 .6em;padding:.1em .8em}"
     ".chordal-problems .error{border-color:#b3261e}.chordal-problems .warning{border-color:#8a6100}"
@@ -21,8 +21,8 @@ _STYLE = (
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Words of a text. Lines and columns count from 1, columns in characters; ends are one past
-    the last. ``start`` and ``end`` are offsets in bytes."""
+    """A range of words in a text. Lines and columns count from 1, columns in characters; ends are after the last one.
+    ``start`` and ``end`` are byte offsets."""
 
     file: str
     line: int
@@ -61,7 +61,7 @@ class Fix:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """A block that called."""
+    """A block with a call."""
 
     file: str | None
     line: int | None
@@ -76,7 +76,7 @@ class Diagnostic:
     code: str
     #: Stable name, such as ``radius-mismatch``.
     name: str
-    #: Its severity here.
+    #: Its severity in this case.
     severity: Literal["error", "warning", "note"]
     #: One sentence with the measured numbers in the program's units.
     message: str
@@ -84,21 +84,21 @@ class Diagnostic:
     primary: Label
     #: Other words that belong to it.
     secondary: tuple[Label, ...]
-    #: What the control itself would show.
+    #: What the control itself would show; ``None`` if unknown.
     alarm: str | None
-    #: Further facts.
+    #: Further information.
     notes: tuple[str, ...]
-    #: What to do.
+    #: What to do; ``None`` without advice.
     help: str | None
-    #: A replacement that does it.
+    #: The most likely fix; ``None`` without one.
     fix: Fix | None
-    #: Others that would do as well, the likeliest first.
+    #: Alternative fixes, the most likely one first.
     other_fixes: tuple[Fix, ...]
-    #: The calls through which the block was reached, innermost first.
+    #: The calls through which the block was reached, the innermost first.
     calls: tuple[Call, ...]
     #: The whole problem as text, with the words underlined.
     text: str
-    #: The same as a setup sheet shows it.
+    #: The problem in HTML, as on a setup sheet.
     html: str = field(repr=False, compare=False)
 
     @property

@@ -1,8 +1,8 @@
-"""What can go wrong, as exceptions with the facts inside.
+"""Exceptions, with details as attributes.
 
-Problems of a *program* are not exceptions: a program with problems still has a path and a time, and
-its :attr:`~chordal.Program.diagnostics` report them. They become a :class:`ProgramError` where you ask
-for it, with ``load(..., strict=True)`` or :meth:`chordal.Program.raise_errors`.
+Problems of a *program* are not exceptions: a program with problems still has a path and a time, and its
+:attr:`~chordal.Program.diagnostics` list them. They raise :class:`ProgramError` on request, with ``load(...,
+strict=True)`` or :meth:`chordal.Program.raise_errors`.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class UsageError(ChordalError, ValueError):
 
     #: What is not possible.
     message: str
-    #: What to do instead, if there is advice.
+    #: What to do instead; ``None`` without advice.
     help: str | None
 
     def __init__(self, message: str, help: str | None = None) -> None:
@@ -47,11 +47,11 @@ class MachineProblem:
     line: int | None
     #: What is wrong.
     message: str
-    #: What to write instead.
+    #: What to write instead; ``None`` without advice.
     help: str | None
     #: The words that are wrong.
     underlined: str
-    #: All of it as text, with the words underlined.
+    #: The whole error as text, with the words underlined.
     text: str
 
     def __str__(self) -> str:
@@ -61,7 +61,7 @@ class MachineProblem:
 class MachineError(ChordalError, ValueError):
     """A machine that cannot be used."""
 
-    #: Everything that is wrong with it.
+    #: All errors found.
     problems: tuple[MachineProblem, ...]
 
     def __init__(self, problems: tuple[MachineProblem, ...]) -> None:
@@ -73,11 +73,11 @@ class MachineError(ChordalError, ValueError):
 
 
 class ProgramError(ChordalError):
-    """A program with errors, raised where the caller asked for it."""
+    """A program with errors, raised only on request of the caller."""
 
     #: The name of the program.
     name: str
-    #: All its problems, warnings and notes too, by place.
+    #: All its problems, including warnings and notes, sorted by location.
     diagnostics: tuple[Diagnostic, ...]
 
     def __init__(self, name: str, diagnostics: tuple[Diagnostic, ...]) -> None:

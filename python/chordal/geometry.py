@@ -1,7 +1,7 @@
-"""The exact curves of machining, alone: lines, arcs, helices, spirals and curves on cones.
+"""The exact curves of machining on their own: lines, arcs, helices, spirals and curves on cones.
 
-Lengths are mm, angles radians, points are three numbers X Y Z. A curve is asked by its arc length
-``s`` from the start; ``s`` outside the curve means the nearer end.
+Lengths are mm, angles radians, points are three numbers X Y Z. Positions on a curve are arc lengths ``s`` from the
+start; ``s`` outside the curve means the nearer end.
 
 >>> from chordal.geometry import arc
 >>> quarter = arc((10, 0, 0), (0, 10, 0), center=(0, 0))
@@ -23,7 +23,7 @@ from . import _chordal
 from .errors import UsageError
 
 if TYPE_CHECKING:
-    #: A plane, with the order of its axes in which counter-clockwise is seen.
+    #: A plane, named by its axes in the order that defines counter-clockwise.
     _PlaneName = Literal["xy", "zx", "yz"]
 
 __all__ = ["Curve", "Point", "PointLike", "arc", "arc_through", "helix", "line", "spiral"]
@@ -51,12 +51,12 @@ class Curve:
 
     @property
     def start(self) -> Point:
-        """Where it begins, exactly as it was given."""
+        """The start point, exactly as given."""
         return self._curve.start
 
     @property
     def end(self) -> Point:
-        """Where it ends, exactly as it was given."""
+        """The end point, exactly as given."""
         return self._curve.end
 
     @property
@@ -66,7 +66,7 @@ class Curve:
 
     @property
     def sweep(self) -> float:
-        """The angle that it turns, rad, counter-clockwise above zero; 0 for a line."""
+        """The angle that it turns, rad; positive counter-clockwise, 0 for a line."""
         return self._curve.sweep
 
     @property
@@ -86,7 +86,7 @@ class Curve:
 
     @property
     def bounds(self) -> tuple[Point, Point]:
-        """The lowest and the highest corner of the smallest box around it: exact extremes."""
+        """The lowest and the highest corner of its exact bounding box."""
         return self._curve.bounds
 
     def points(self, s: Iterable[float]) -> npt.NDArray[np.float64]:
@@ -104,7 +104,7 @@ class Curve:
     def chords(
         self, tolerance: float, placement: Literal["inscribed", "balanced"] = "inscribed"
     ) -> npt.NDArray[np.float64]:
-        """The corners (n + 1, 3) of n chords that stay within a tolerance, mm."""
+        """The end points (n + 1, 3) of n chords within a tolerance, mm."""
         if placement not in ("inscribed", "balanced"):
             raise UsageError(
                 f"there is no placement {placement!r}", "chords are `inscribed` or `balanced`"
@@ -112,16 +112,16 @@ class Curve:
         return np.asarray(self._curve.chords(tolerance, placement == "balanced"))
 
     def nearest(self, point: PointLike) -> tuple[float, Point, float]:
-        """The point of the curve nearest to a point: its arc length, itself, its distance."""
+        """The nearest point of the curve to a point: its arc length, the point, and the distance, mm."""
         return self._curve.nearest(_point(point))
 
     def split(self, s: float) -> tuple[Curve, Curve]:
-        """The part before an arc length and the part after it. The inner ends are equal."""
+        """The part before an arc length and the part after it; they share the end point between them."""
         before, after = self._curve.split(s)
         return Curve(before), Curve(after)
 
     def reversed(self) -> Curve:
-        """The same points from the end to the start."""
+        """The same curve in the opposite direction."""
         return Curve(self._curve.reversed())
 
     def __eq__(self, other: object) -> bool:
@@ -150,12 +150,12 @@ def arc(
     extra_turns: int = 0,
     tolerance: float = 1e-9,
 ) -> Curve:
-    """The arc, or the helix where the height changes, from ``start`` to ``end``.
+    """The arc, or the helix if the height changes, from ``start`` to ``end``.
 
-    Its centre is given by ``center``, in the two coordinates of the plane, or by ``radius``: below zero
-    for the arc of more than half a turn. Ends that lie on one ray from the centre make a full turn,
-    and ``extra_turns`` are added. Radii at the ends that differ by more than ``tolerance`` mm make a
-    spiral; half a chord that exceeds the radius by up to half of it is a half circle.
+    The centre is given by ``center``, in the two coordinates of the plane, or by ``radius``, which is negative for an
+    arc of more than half a turn. Ends on the same ray from the centre make a full turn, and ``extra_turns`` are
+    added. Radii at the ends that differ by more than ``tolerance`` mm make a spiral. If the chord exceeds the
+    diameter by up to ``tolerance`` mm, the arc is a half circle.
     """
     a, b = _point(start), _point(end)
     if center is not None and radius is None:

@@ -1,4 +1,4 @@
-"""The planner and the sampler, alone: from curves to timed setpoints within every limit.
+"""The planner and the sampler on their own: from curves to timed setpoints within all limits.
 
 >>> from chordal.motion import AxisLimit, Path, plan
 >>> limit = AxisLimit(velocity=400.0, acceleration=3000.0, jerk=100_000.0)
@@ -36,7 +36,7 @@ _AXES = "XYZABC"
 
 @dataclass(frozen=True, slots=True)
 class AxisLimit:
-    """What an axis can do: mm/s, mm/s², mm/s³, or rad."""
+    """The limits of an axis: mm/s, mm/s², mm/s³, or rad/s, rad/s², rad/s³."""
 
     velocity: float
     acceleration: float
@@ -45,19 +45,18 @@ class AxisLimit:
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """A piece of path and its speed. Rotary axes turn evenly along it."""
+    """A curve of the path and its speed. Rotary axes turn uniformly along it."""
 
     curve: Curve
-    #: Largest speed along it, mm/s (rad/s where rotary axes alone move); ``None`` for as fast as the
-    #: axes can.
+    #: The largest speed along it, mm/s (rad/s if only rotary axes move); ``None`` for as fast as the axes can move.
     speed: float | None = None
-    #: How far from its end the corner may be cut, mm; 0 for exactly, ``None`` for a stop.
+    #: How far from its end the corner may be rounded, mm; 0 for an exact corner, ``None`` for a stop.
     tolerance: float | None = None
-    #: The same of rotary axes, rad.
+    #: The same tolerance for rotary axes, rad.
     rotary_tolerance: float = 0.0
-    #: A rapid, not a cut.
+    #: Whether it is a rapid and not a cut.
     rapid: bool = False
-    #: Rotary axes at the start and at the end.
+    #: The rotary axes at the start and at the end, rad.
     rotary_from: Rotary = (0.0, 0.0, 0.0)
     rotary_to: Rotary = (0.0, 0.0, 0.0)
 
@@ -72,15 +71,15 @@ class Dwell:
 
 @dataclass(frozen=True, slots=True)
 class Path:
-    """A path: each method returns a new path with one more piece."""
+    """A path: each method returns a new path with one more move."""
 
-    #: Where it begins, mm.
+    #: The start point, mm.
     start: PointLike
     moves: tuple[Move | Dwell, ...] = field(default=())
 
     @property
     def end(self) -> PointLike:
-        """Where it ends, mm."""
+        """The end point, mm."""
         moves = (move for move in reversed(self.moves) if isinstance(move, Move))
         return next((move.curve.end for move in moves), self.start)
 
@@ -92,18 +91,18 @@ class Path:
         tolerance: float | None = None,
         rapid: bool = False,
     ) -> Path:
-        """With a curve, which must begin where the path ends."""
+        """Adds a curve, which must begin at the end of the path."""
         move = Move(curve, speed=speed, tolerance=tolerance, rapid=rapid)
         return Path(self.start, (*self.moves, move))
 
     def line_to(
         self, end: PointLike, *, speed: float | None = None, tolerance: float | None = None
     ) -> Path:
-        """With a straight cut."""
+        """Adds a straight cut."""
         return self.then(geometry.line(self.end, end), speed=speed, tolerance=tolerance)
 
     def rapid_to(self, end: PointLike, *, tolerance: float | None = None) -> Path:
-        """With a straight rapid, as fast as the axes can."""
+        """Adds a straight rapid, as fast as the axes can move."""
         return self.then(geometry.line(self.end, end), tolerance=tolerance, rapid=True)
 
     def arc_to(
@@ -117,14 +116,14 @@ class Path:
         speed: float | None = None,
         tolerance: float | None = None,
     ) -> Path:
-        """With an arc or a helix, as :func:`chordal.geometry.arc` takes it."""
+        """Adds an arc or a helix, with the arguments of :func:`chordal.geometry.arc`."""
         curve = geometry.arc(
             self.end, end, center=center, radius=radius, clockwise=clockwise, plane=plane
         )
         return self.then(curve, speed=speed, tolerance=tolerance)
 
     def dwell(self, seconds: float) -> Path:
-        """With a time in which the axes stand still, s."""
+        """Adds a time in which the axes stand still, s."""
         return Path(self.start, (*self.moves, Dwell(seconds)))
 
     def __iter__(self) -> Iterator[Move | Dwell]:
@@ -178,7 +177,7 @@ class Motion:
 
     @property
     def duration(self) -> float:
-        """How long it takes, s."""
+        """The duration, s."""
         return self._motion.duration
 
     def sample(self, period: float, *, max_samples: int = 100_000_000) -> Setpoints:
@@ -194,10 +193,10 @@ def plan(
     limits: Mapping[str, AxisLimit],
     level: Literal["fast", "best"] = "fast",
 ) -> Motion:
-    """Plan moves that join on to each other, from standstill to standstill, within the limits of every axis.
+    """Plan connected moves, from standstill to standstill, within the limits of all axes.
 
-    ``limits`` are by the letter of the axis; an axis without limits must not move. What cannot be planned
-    is a :class:`~chordal.UsageError` with the number of the move.
+    ``limits`` is a dictionary by axis letter; an axis without limits must not move. Moves that cannot be planned
+    raise :class:`~chordal.UsageError` with the number of the move.
     """
     unknown = [axis for axis in limits if axis not in tuple(_AXES)]
     if unknown:

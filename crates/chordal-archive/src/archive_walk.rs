@@ -1,20 +1,19 @@
-//! The files of an archive.
+//! Lists the files of an archive.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Something of an archive that gets a row.
+/// A file of an archive, or a folder that cannot be read: each gets a row.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ArchiveEntry {
-    /// The file, under the name of the folder that was given; or a folder that cannot be read.
+    /// The path, beginning with the folder as the caller named it.
     pub path: PathBuf,
-    /// Why a folder cannot be read.
+    /// Why a folder cannot be read; `None` for a file.
     pub failure: Option<String>,
 }
 
-/// All files of folder trees, and files that are named themselves, in the order of the bytes of
-/// their paths, each once. Names that begin with a point and links to folders are skipped, and
-/// so is what `leave_out` names.
+/// All files of folder trees, and files named directly, sorted by the bytes of their paths and without duplicates.
+/// Names that begin with a dot, links to folders, and the paths in `leave_out` are skipped.
 pub fn walk(arguments: &[PathBuf], leave_out: &[PathBuf]) -> Vec<ArchiveEntry> {
     let left_out: Vec<PathBuf> =
         leave_out.iter().filter_map(|path| fs::canonicalize(path).ok()).collect();
@@ -36,7 +35,7 @@ fn bytes(path: &Path) -> &[u8] {
 }
 
 fn search(folder: PathBuf, left_out: &[PathBuf], entries: &mut Vec<ArchiveEntry>) {
-    // A list instead of calls: a tree may be deep.
+    // A list instead of recursion, because a tree may be deep.
     let mut folders = vec![folder];
     while let Some(folder) = folders.pop() {
         let listed = match fs::read_dir(&folder) {
@@ -65,12 +64,12 @@ fn search(folder: PathBuf, left_out: &[PathBuf], entries: &mut Vec<ArchiveEntry>
     }
 }
 
-/// A link to a file, or to nothing: that a program is missing shows when it is read.
+/// Whether a link leads to a file or to nothing. A missing file is reported when it is read.
 fn is_file_or_lost(link: &Path) -> bool {
     fs::metadata(link).map_or(true, |about| about.is_file())
 }
 
-/// Asked of every file, so the name is compared before the system is asked for the whole path.
+/// Called for every file, so the name is compared before the path is resolved, which is slow.
 fn is_left_out(path: &Path, left_out: &[PathBuf]) -> bool {
     left_out.iter().any(|own| {
         own.file_name() == path.file_name()

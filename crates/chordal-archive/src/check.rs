@@ -1,4 +1,4 @@
-//! A file's rows.
+//! Computes the rows of a file.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -14,63 +14,61 @@ use chordal_export::sha256_hex;
 use crate::columns::ARCHIVE_COLUMNS;
 use crate::row::{ArchiveRow, ArchivedProblem, FileRecord, RanStock, RunTotals};
 
-/// Most problems of a program whose text is kept; all are counted.
+/// The most problems of a program that are listed; all are counted.
 const MAX_PROBLEMS: usize = 20;
 
-/// Most bytes that are gone through for the programs of one file, each of which looks for its
-/// subprograms in the whole text. A file beyond is run as one.
+/// The most bytes that are searched for the programs of one file, because each program searches the whole text for
+/// its subprograms. A file that needs more is run as one program.
 const MAX_SEARCHED: u64 = 1 << 33;
 
-/// A program of more moves than its text lets expect loops, perhaps without end: it is planned
-/// only when it is known to end. Planning takes several times as long as all the rest.
+/// A program with more moves than its text suggests (`MOVES_AT_ONCE` plus `MOVES_OF_A_LINE` per line) contains loops,
+/// perhaps endless ones. It is planned only when it is known to end, because planning takes several times as long as
+/// everything else.
 const MOVES_AT_ONCE: u64 = 10_000;
 const MOVES_OF_A_LINE: u64 = 4;
 
-/// A file with everything that its run depends on.
+/// A file with everything on which its run depends.
 #[derive(Clone, Debug)]
 pub struct PreparedFile {
-    /// Names and texts: the program's, as a control reads it, then those of its subprograms.
+    /// Names and texts: first the program as a control reads it, then its subprograms.
     pub texts: Vec<(String, Vec<u8>)>,
-    /// What it is run on.
+    /// The machine on which it is run.
     pub machine: Machine,
-    /// Why this machine, in a line or a word.
+    /// Why this machine was chosen, in a line or a word.
     pub chosen: String,
-    /// Budgets.
+    /// The options of the run, such as its limit on blocks.
     pub options: RunOptions,
-    /// The meshes that the setup of its machine names, where its stock is asked for.
+    /// The meshes that the setup of its machine names, by file name; empty when the stock is not cut.
     pub meshes: Vec<(String, Result<Vec<u8>, String>)>,
 }
 
-/// Where files come from and what they are run on. Errors are a line for people.
+/// Loads files and their machines. Errors are one-line messages.
 pub trait FileLoader {
-    /// The name alone says that the file is no program, so that it is not even read.
+    /// Whether the name alone shows that the file is not a program, so that it is not read.
     fn is_other_by_name(&self, path: &Path) -> bool;
 
-    /// The bytes of a file.
+    /// Reads a file.
     ///
-    /// # Errors
-    /// What the system says.
+    /// # Errors The message of the system.
     fn read(&mut self, path: &Path) -> Result<Vec<u8>, String>;
 
-    /// True when the content may be a program.
+    /// Whether the content may be a program.
     fn may_be_program(&self, bytes: &[u8]) -> bool;
 
-    /// The machine of a program and the texts of its subprograms.
+    /// Determines the machine of a program and loads its subprograms.
     ///
-    /// # Errors
-    /// A machine file or an assignment that is wrong.
+    /// # Errors A machine file or an assignment is wrong.
     fn prepare(&mut self, path: &Path, bytes: Vec<u8>) -> Result<PreparedFile, String>;
 
-    /// A file that the setup of a machine names: a mesh.
+    /// Reads a mesh file that the setup of a machine names.
     ///
-    /// # Errors
-    /// What the system says, or that there are no such files.
+    /// # Errors The message of the system, or that there are no such files.
     fn named_file(&mut self, name: &str) -> Result<Vec<u8>, String> {
         Err(format!("there is no file {name}"))
     }
 }
 
-/// What is asked of every program.
+/// What is computed for every program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ArchiveOptions {
     /// Plans the motion, for times with acceleration and jerk.
@@ -79,8 +77,8 @@ pub struct ArchiveOptions {
     pub stock: bool,
 }
 
-/// What the rows of a file depend on, as a digest: version of Chordal and of the columns, options,
-/// machine, the file and the files of its subprograms.
+/// A digest of everything on which the rows of a file depend: the versions of Chordal and of the columns, the
+/// options, the machine, the file and the files of its subprograms.
 pub fn file_key(file_sha256: &str, prepared: &PreparedFile, options: ArchiveOptions) -> String {
     let budget = prepared.options.max_repeated_blocks;
     let mut about = format!(
@@ -103,9 +101,9 @@ pub fn file_key(file_sha256: &str, prepared: &PreparedFile, options: ArchiveOpti
     sha256_hex(about.as_bytes())
 }
 
-/// The rows of a file, or nothing where they are known: `is_known` is asked with their key.
+/// Checks a file; `None` when `is_known` returns true for its key.
 ///
-/// Nothing that a file holds ends this: what cannot be read or run is a row that says so.
+/// No content of a file is an error here: a file that cannot be read or run gets a row with a message.
 pub fn check_file(
     loader: &mut impl FileLoader,
     path: &Path,
@@ -121,7 +119,7 @@ pub fn check_file(
     }
 }
 
-/// Size and digest of a file.
+/// The size and the digest of a file.
 struct FileDigest {
     bytes: u64,
     sha256: String,
@@ -133,7 +131,7 @@ impl FileDigest {
     }
 }
 
-/// A file before anything is run.
+/// A file classified before running it.
 enum ClassifiedFile {
     Program { key: String, about: FileDigest, prepared: Box<PreparedFile> },
     Other(FileRecord),
@@ -202,7 +200,7 @@ fn meshes(machine: &Machine) -> Vec<String> {
     names
 }
 
-/// A file of which no program is run.
+/// The record of a file of which no program is run.
 fn other(about: Option<FileDigest>, kind: &str, status: &str, message: &str) -> FileRecord {
     let about = about.unwrap_or(FileDigest { bytes: 0, sha256: String::new() });
     let described = format!("{ARCHIVE_COLUMNS}\n{kind}\n{}\n{message}", about.sha256);
@@ -218,7 +216,7 @@ fn other(about: Option<FileDigest>, kind: &str, status: &str, message: &str) -> 
     record
 }
 
-/// A row for each program of a file.
+/// The rows of all programs of a file.
 fn rows(prepared: &PreparedFile, options: ArchiveOptions) -> Vec<ArchiveRow> {
     let whole = TextProgram {
         head: chordal::syntax::find_programs(b"", &chordal::syntax::Lexicon::COMMON)[0],
@@ -245,7 +243,7 @@ fn rows(prepared: &PreparedFile, options: ArchiveOptions) -> Vec<ArchiveRow> {
         .collect()
 }
 
-/// The row of a program; without a place, of all that the file runs.
+/// The row of the program at `place`; `None` runs the file as a whole.
 fn one(
     prepared: &PreparedFile,
     program: &TextProgram,
@@ -288,12 +286,12 @@ fn failed(
     ArchiveRow { status: "failed".into(), message: Some(message), ..row }
 }
 
-/// What is known of a program without running it.
+/// The values of a row that are known without running the program.
 fn described(prepared: &PreparedFile, program: &TextProgram, place: usize) -> ArchiveRow {
     let text = &prepared.texts[0].1;
     let head = program.head;
     let start = head.start.offset as usize;
-    // The program that stands for the whole file has an empty range.
+    // The program that represents the whole file has an empty range.
     let end = if head.end == 0 { text.len() } else { head.end as usize };
     let own = text.get(start..end).unwrap_or_default();
     ArchiveRow {
@@ -311,13 +309,13 @@ fn described(prepared: &PreparedFile, program: &TextProgram, place: usize) -> Ar
     }
 }
 
-/// Lines of a text, however they end; a last one without an end counts.
+/// The number of lines of a text with any line ends; a last line without an end counts.
 fn lines(text: &[u8]) -> u64 {
     let count = line_ends(text).count() as u64;
     count + u64::from(!matches!(text.last(), None | Some(b'\n' | b'\r')))
 }
 
-/// What a question gives; a panic inside is an error like any other.
+/// Calls a function and turns a panic in it into an error.
 pub(crate) fn guarded<T>(question: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(question)).unwrap_or_else(|payload| {
         let reported = payload.downcast_ref::<String>().map(String::as_str);
@@ -336,12 +334,12 @@ pub(crate) fn job(prepared: &PreparedFile) -> Result<Job<'_>, String> {
     Ok(job.options(prepared.options.clone()))
 }
 
-/// Sees nothing of a run.
+/// Ignores everything of a run.
 struct NoStockProgress;
 
 impl RunWatch for NoStockProgress {}
 
-/// What a run comes to, and why it was not planned, where it should have been.
+/// Runs a program; the message says why its time or its stock is missing.
 fn run(
     prepared: &PreparedFile,
     place: Option<usize>,
@@ -357,7 +355,7 @@ fn run(
         None => message,
         Some(Err(why)) => message.or(Some(why)),
         Some(Ok(found)) => {
-            // Its problems are those of the run and of the stock.
+            // This report has the problems of the run and of the stock.
             let counts = found.report().counts;
             (ran.codes, ran.problems) = problems(&job, found.report());
             ran.counts = [counts.errors, counts.warnings, counts.notes];
@@ -376,13 +374,13 @@ fn run(
     Ok((ran, message))
 }
 
-/// What a program leaves of the stock of its setup.
+/// Computes what a program leaves of the stock of its setup.
 fn cut(job: &Job<'_>, prepared: &PreparedFile) -> Result<StockLeft, String> {
     let files = |name: &str| {
         let own = prepared.meshes.iter().find(|(known, _)| known == name);
         own.map_or_else(|| Err(format!("there is no file {name}")), |(_, mesh)| mesh.clone())
     };
-    // Programs have threads of their own.
+    // Programs already run in parallel, so the tiles of one program are computed in sequence.
     let one_by_one = |tiles: Vec<TileJob>| tiles.into_iter().map(TileJob::run).collect();
     job.stock_left(&StockOptions::default(), &files, &one_by_one).map_err(|error| error.to_string())
 }
@@ -399,12 +397,12 @@ fn run_job(
     })
 }
 
-/// A run and its cutting, rapid and other time, s, or why it has none. Without a time are a program
-/// whose budget was used up and one that is not to be planned.
+/// The report of a run with its cutting, rapid and other time, s, or why it has none. The times are `None` for a
+/// program that reached its limit on blocks and for one that was not planned.
 pub(crate) type PlannedRun = (Report, Result<Option<[f64; 3]>, LimitError>);
 
-/// Runs a job and plans its motion if that is asked. What saw the run that counts comes with it: a
-/// program of very many moves is run once more when it is known to end.
+/// Runs a job and plans its motion if `plan` is set. Returns the watch of the decisive run: a program with very many
+/// moves is run a second time once it is known to end.
 pub(crate) fn run_planned<W: RunWatch>(
     job: &Job<'_>,
     prepared: &PreparedFile,
@@ -424,7 +422,7 @@ pub(crate) fn run_planned<W: RunWatch>(
         seen = watch();
         (report, timed) = job.report_timed(&motion, u64::MAX, &mut seen);
     }
-    // Its time is as long as the budget, not as the program.
+    // The time of a stopped program depends on the limit and not on the program.
     let times = timed.map(|timed| timed.filter(|_| !is_stopped).map(|timed| timed.time.times));
     let parts =
         times.map(|times| times.map(|times| [times.cutting_s, times.rapid_s, times.other_s]));
@@ -462,7 +460,7 @@ fn ran(job: &Job<'_>, report: &Report, planned: Option<[f64; 3]>) -> RunTotals {
     }
 }
 
-/// How a run ended; of several programs, the one that ended worst.
+/// How a run ended; for several programs, the worst end.
 fn end_word(report: &Report) -> &'static str {
     let words = [
         (EndReason::Budget, "budget"),
@@ -476,7 +474,7 @@ fn end_word(report: &Report) -> &'static str {
     words.iter().find(|(reason, _)| ended(*reason)).map_or("not run", |(_, word)| word)
 }
 
-/// The codes and the first problems, gravest first and then by place.
+/// The codes and the first problems, the most severe first and then by position.
 fn problems(job: &Job<'_>, report: &Report) -> (Vec<String>, Vec<ArchivedProblem>) {
     let mut by_weight: Vec<&Diagnostic> = report.diagnostics.iter().collect();
     by_weight.sort_by_key(|diagnostic| std::cmp::Reverse(diagnostic.severity));
@@ -491,7 +489,7 @@ fn problems(job: &Job<'_>, report: &Report) -> (Vec<String>, Vec<ArchivedProblem
     (codes, first.map(|diagnostic| problem(job, diagnostic)).collect())
 }
 
-/// A diagnostic as a row has it.
+/// A diagnostic in the form of a row.
 pub(crate) fn problem(job: &Job<'_>, diagnostic: &Diagnostic) -> ArchivedProblem {
     ArchivedProblem {
         severity: diagnostic.severity.word().into(),

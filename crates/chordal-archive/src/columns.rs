@@ -1,4 +1,4 @@
-//! The columns of the table of an archive.
+//! The columns of an archive's table.
 
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -17,7 +17,7 @@ use crate::row::{ArchiveRow, FileRecord, RunTotals};
 /// Name and version of the columns.
 pub const ARCHIVE_COLUMNS: &str = "chordal.archive-columns/1";
 
-/// What a column holds. Every one may have gaps but `Always`.
+/// The type of a column. All types except `…Always` allow nulls (gaps).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ColumnType {
     TextAlways,
@@ -112,7 +112,7 @@ const COLUMNS: &[(&str, ColumnType, &str, &str)] = {
     ]
 };
 
-/// The fields of a problem; its line is 0 in another text.
+/// The fields of a problem; `line` is 0 when it is in another text.
 fn problem_fields() -> Fields {
     Fields::from(vec![
         Field::new("severity", DataType::Utf8, true),
@@ -155,7 +155,7 @@ impl ColumnType {
     }
 }
 
-/// The columns, with their units.
+/// The Arrow schema, with units as metadata.
 fn schema() -> SchemaRef {
     let field = |(name, holds, unit, _): &(&str, ColumnType, &str, &str)| {
         let field = Field::new(*name, holds.data_type(), holds.has_gaps());
@@ -168,13 +168,13 @@ fn schema() -> SchemaRef {
     Arc::new(Schema::new_with_metadata(fields, about(ARCHIVE_COLUMNS)))
 }
 
-/// What a table says about itself.
+/// The metadata of a table: its schema and the version of Chordal.
 pub(crate) fn about(columns: &str) -> HashMap<String, String> {
     let about = [("schema", columns), ("version", env!("CARGO_PKG_VERSION"))];
     about.map(|(key, value)| (format!("chordal.{key}"), value.to_string())).into()
 }
 
-/// The columns as a table of Markdown: a section of `docs/archives.md`.
+/// The columns as a Markdown table for `docs/archives.md`.
 pub fn archive_reference() -> String {
     let mut page =
         format!("`{ARCHIVE_COLUMNS}`\n\n| column | type | unit | |\n|---|---|---|---|\n");
@@ -184,7 +184,7 @@ pub fn archive_reference() -> String {
     page
 }
 
-/// Texts of which the columns are known to hold the type.
+/// The Arrow builder of a column.
 enum ColumnBuffer {
     Text(StringBuilder),
     Count(UInt64Builder),
@@ -226,14 +226,14 @@ impl ColumnBuffer {
     }
 }
 
-/// Gathers rows.
+/// Collects rows for the table.
 pub(crate) struct ArchiveColumns {
     schema: SchemaRef,
     cells: Vec<ColumnBuffer>,
     rows: usize,
 }
 
-/// What a row says in a column.
+/// The value of a row in a column.
 enum RowValue<'a> {
     Text(Option<&'a str>),
     Count(Option<u64>),
@@ -326,7 +326,7 @@ fn value_in_row<'a>(
         "notes" => count(|ran| ran.counts[2]),
         "codes" => RowValue::Codes(ran.map(|ran| ran.codes.as_slice())),
         "problems" => RowValue::Problems(ran),
-        // `x_min_mm` and the like.
+        // `x_min_mm` and the other travel columns.
         travel => {
             let axis = travel.chars().next().and_then(|letter| "xyzabc".find(letter)).unwrap_or(0);
             let is_low = travel.contains("_min_");
@@ -351,7 +351,7 @@ fn put(cells: &mut ColumnBuffer, stated: RowValue) {
             cells.append_option(codes.map(|codes| codes.iter().map(Some)));
         }
         (ColumnBuffer::Problems(cells), RowValue::Problems(ran)) => put_problems(cells, ran),
-        // The tests fill every column: a column and what is said in it are of one kind.
+        // The tests fill every column, so the types of columns and values are known to match.
         _ => unreachable!("a column holds what the table of columns says"),
     }
 }

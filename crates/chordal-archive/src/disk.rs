@@ -1,4 +1,4 @@
-//! The files of an archive on disk.
+//! Loads the files of an archive from disk.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,30 +11,30 @@ use chordal_load::{
 
 use crate::check::{FileLoader, PreparedFile};
 
-/// Files are read into memory, not mapped: one that is shortened meanwhile must not end the run.
+/// The largest file, bytes. Files are read into memory and not mapped, so that a file that is shortened meanwhile
+/// cannot end the run.
 const MAX_FILE_BYTES: u64 = u32::MAX as u64;
 
-/// The files of a disk, each loaded with its own machine and subprograms.
+/// Loads files from disk, each with its own machine and subprograms.
 pub struct DiskFiles {
     loader: chordal_load::Loader,
-    /// The folders of the archive: `chordal.toml` counts up to there.
+    /// The folders of the archive: a `chordal.toml` is searched up to there.
     roots: Vec<PathBuf>,
-    /// How the beginning of paths is told: from, to.
+    /// A replacement in reported paths: from, to.
     renamed: Option<(String, String)>,
 }
 
 impl DiskFiles {
-    /// A loader of files in folders. Nobody is asked about codes of a shop's own.
+    /// A loader of the files in these folders. The shop's own codes are not expanded.
     ///
-    /// # Errors
-    /// A machine that cannot be used.
+    /// # Errors The machine of the request cannot be used.
     pub fn new(request: Request, roots: &[PathBuf]) -> Result<DiskFiles, LoadError> {
         let loader = chordal_load::Loader::new(Request { shop_codes: None, ..request })?;
         Ok(DiskFiles { loader, roots: roots.to_vec(), renamed: None })
     }
 
-    /// The same, and paths that begin in one way are reported as if they began in another: files that
-    /// were brought from elsewhere are named by where they come from.
+    /// The same loader, reporting paths with `from` replaced by `to`: files that were copied from elsewhere are then
+    /// named by their origin.
     pub fn renamed(self, from: String, to: String) -> DiskFiles {
         let renamed = (!from.is_empty()).then_some((from, to));
         DiskFiles { renamed, ..self }
@@ -47,7 +47,7 @@ impl DiskFiles {
         }
     }
 
-    /// The same for another worker.
+    /// The same loader for another worker.
     pub fn again(&self) -> DiskFiles {
         let (roots, renamed) = (self.roots.clone(), self.renamed.clone());
         DiskFiles { loader: self.loader.again(), roots, renamed }
@@ -106,7 +106,7 @@ impl FileLoader for DiskFiles {
     }
 }
 
-/// A failure in a line, with the first thing that is wrong with a machine.
+/// An error in one line, with the first problem of a machine.
 fn failure_line(failure: &LoadError) -> String {
     match failure {
         LoadError::Machine(errors) => {

@@ -1,20 +1,20 @@
-//! Why an archive could not be checked at all.
+//! Errors that stop the check of a whole archive.
 
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Why an archive could not be done. What is wrong with one of its files is a row of the table.
+/// Why an archive could not be checked. A problem with a single file is a row of the table instead.
 #[derive(Debug, thiserror::Error)]
 pub enum ArchiveError {
-    /// A file or folder of the result or of its journal.
+    /// A file or folder of the result or of its journal could not be written.
     #[error("cannot write {}: {error}", .path.display())]
     Write {
-        /// Which.
+        /// The file or folder.
         path: PathBuf,
-        /// The system's word.
+        /// The error of the operating system.
         error: io::Error,
     },
-    /// A record of the journal is gone or changed while the table was being written.
+    /// A record of the journal is missing or was changed while the table was being written.
     #[error("the journal {} has no complete record of {file}; start again, and the file will be checked again", .path.display())]
     Journal {
         /// The journal's folder.

@@ -1,14 +1,14 @@
-//! What of an archive is done: shards that only grow, each record with its checksum.
+//! The journal of finished files of an archive: append-only shards, whose records have checksums.
 //!
-//! A shard is written by one worker, a record with one call, so that a killed process loses the
-//! files under work and no other. A power cut may also take what the system had not brought to the
-//! disk: shards are synced every few seconds. What is left is whole records and perhaps a torn one
-//! or zeros at the end, which nobody reads. A later run writes shards of its own next to the old
-//! ones, and so does one that runs at the same time: each reads what it has opened, and takes its own shards away.
-//! The folder goes when the table is in its place and nobody else has a shard in it.
+//! Each shard is written by one worker, each record with one write call, so that a killed process loses only the
+//! files in progress. A power failure may also lose data that the system has not yet written to the disk, so shards
+//! are synced every few seconds. What remains is complete records and perhaps an incomplete one or zeros at the end,
+//! which are not read. A later run writes new shards next to the old ones, and so does a concurrent run: each reads
+//! the shards that it has opened, and removes them at the end. The folder is removed when the table is complete and
+//! no other run has a shard in it.
 //!
-//! A record is the length of its payload and the payload's CRC-32 (four bytes each, low byte
-//! first), then the payload: place-independent, so it names its file.
+//! A record is the length of its payload and the payload's CRC-32 (four bytes each, little-endian), then the payload.
+//! Records can be in any order, so the payload contains the name of its file.
 
 use std::collections::HashMap;
 use std::ffi::OsString;
@@ -25,18 +25,18 @@ use crate::columns::ArchiveColumns;
 use crate::error::ArchiveError;
 use crate::row::FileRecord;
 
-/// No record is this long: a length beyond is a torn or foreign file.
+/// The limit for the length of a record, bytes: a longer one means a damaged or foreign file.
 const MAX_RECORD_BYTES: u32 = 1 << 30;
 
-/// How often a shard is brought to the disk: what a power cut may take from it.
+/// How often a shard is synced to the disk: the work that a power failure can lose.
 const SYNCED_EVERY: Duration = Duration::from_secs(5);
 
-/// Where a record stands.
+/// The location of a record.
 #[derive(Clone, Copy, Debug)]
 struct RecordLocation {
     shard: u32,
     offset: u64,
-    /// What the record was made of, shortened: enough to see that it is another's.
+    /// The first 64 bits of the record's key: enough to detect that the inputs have changed.
     key: u64,
 }
 
@@ -45,11 +45,11 @@ struct RecordLocation {
 pub struct TableJournal {
     out: PathBuf,
     folder: PathBuf,
-    /// Files of the archive in their order, as the table names them.
+    /// The names of the files in the order of the table.
     names: Vec<String>,
     places: Mutex<Vec<Option<RecordLocation>>>,
     next_shard: Mutex<u32>,
-    /// The shards that this run knows, open to be read: another run may take their names away.
+    /// The shards that this run knows, open for reading, because another run may delete the files.
     readers: Mutex<HashMap<u32, File>>,
 }
 
@@ -64,11 +64,11 @@ pub struct JournalShard {
 }
 
 impl JournalShard {
-    /// Adds a record and says where it stands.
+    /// Appends a record; returns its offset.
     fn append(&mut self, bytes: &[u8]) -> io::Result<u64> {
         let place = self.offset;
         if let Err(error) = self.file.write_all(bytes) {
-            // What comes later must stand after the last whole record.
+            // Later records must follow the last complete record.
             self.file.set_len(place)?;
             self.file.seek(SeekFrom::Start(place))?;
             return Err(error);
@@ -82,9 +82,9 @@ impl JournalShard {
     }
 }
 
-/// A record as bytes: what a worker elsewhere sends back.
+/// Serializes a record, also for workers on other computers.
 pub fn record_of(name: &str, record: &FileRecord) -> Vec<u8> {
-    // Texts and numbers only, so there is nothing that could not be written.
+    // The record has only texts and numbers, so serialization cannot fail.
     let payload = postcard::to_stdvec(&(name, record)).unwrap_or_default();
     let mut bytes = Vec::with_capacity(payload.len() + 8);
     bytes.extend_from_slice(&(payload.len() as u32).to_le_bytes());
@@ -94,18 +94,17 @@ pub fn record_of(name: &str, record: &FileRecord) -> Vec<u8> {
 }
 
 impl TableJournal {
-    /// The folder next to a table that holds its journal.
+    /// The folder of the journal, next to the table `out`.
     pub fn folder_of(out: &Path) -> PathBuf {
         let mut name = out.file_name().map_or_else(OsString::new, OsString::from);
         name.push(".journal");
         out.with_file_name(name)
     }
 
-    /// Opens the journal of a table, with what an earlier run did. `names` are the files of the
-    /// archive in the order of the table; records of other files are skipped.
+    /// Opens the journal of a table, with the records of earlier runs. `names` are the files of the archive in the
+    /// order of the table; records of other files are ignored.
     ///
-    /// # Errors
-    /// A folder that cannot be made or read.
+    /// # Errors The folder cannot be created or read.
     pub fn open(out: &Path, names: Vec<String>) -> Result<TableJournal, ArchiveError> {
         let folder = TableJournal::folder_of(out);
         fs::create_dir_all(&folder).map_err(ArchiveError::write(&folder))?;
@@ -117,7 +116,7 @@ impl TableJournal {
             names.iter().enumerate().map(|(index, name)| (name.as_str(), index)).collect();
         let mut readers = HashMap::new();
         for shard in shards {
-            // A shard that cannot be read holds nothing: its files are done again.
+            // A shard that cannot be read is ignored: its files are checked again.
             let Ok(file) = File::open(shard_path(&folder, shard)) else { continue };
             let _ = each_record(&file, |offset, name, record| {
                 if let Some(index) = order.get(name) {
@@ -143,26 +142,25 @@ impl TableJournal {
         &self.names
     }
 
-    /// How many files have a record.
+    /// The number of files with a record.
     pub fn done(&self) -> usize {
         self.places().iter().flatten().count()
     }
 
-    /// The key of the record that a file has, shortened to 16 digits.
+    /// The first 16 hexadecimal digits of the key of a file's record; `None` without a record.
     pub fn key(&self, index: usize) -> Option<String> {
         let place = self.places().get(index).copied().flatten();
         place.map(|place| format!("{:016x}", place.key))
     }
 
-    /// True when a file has a record of this key.
+    /// Whether a file has a record with this key.
     pub fn has_key(&self, index: usize, key: &str) -> bool {
         self.places()[index].is_some_and(|place| place.key == short(key))
     }
 
-    /// A new shard for a worker.
+    /// Creates a new shard for a worker.
     ///
-    /// # Errors
-    /// A file that cannot be made.
+    /// # Errors The file cannot be created.
     pub fn shard(&self) -> Result<JournalShard, ArchiveError> {
         let mut next = self.next_shard.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         loop {
@@ -182,7 +180,7 @@ impl TableJournal {
                         synced: Instant::now(),
                     });
                 }
-                // A run of the same table at the same time has this number, or has just taken the folder away.
+                // A concurrent run for the same table has used this number, or has just removed the folder.
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
                 Err(error) if error.kind() == io::ErrorKind::NotFound => {
                     fs::create_dir_all(&self.folder).map_err(ArchiveError::write(&self.folder))?;
@@ -192,11 +190,9 @@ impl TableJournal {
         }
     }
 
-    /// Writes the record of a file. A record made elsewhere counts only where it is whole and
-    /// names the file.
+    /// Writes the record of a file. It is rejected unless it is complete and names this file.
     ///
-    /// # Errors
-    /// A full or broken disk, and a record that is none.
+    /// # Errors The disk cannot be written, or the record is invalid.
     pub fn put(
         &self,
         shard: &mut JournalShard,
@@ -215,15 +211,14 @@ impl TableJournal {
         Ok(())
     }
 
-    /// Brings all records into the table, in order, puts it in its place and takes the journal
-    /// away.
+    /// Writes all records into the table, in order, moves it to its final path, and removes the journal. `see` is
+    /// called with each record.
     ///
-    /// # Errors
-    /// A file without a record, and a disk that is full.
+    /// # Errors A file has no record, or the disk cannot be written.
     pub fn finish(self, see: impl FnMut(&str, &FileRecord)) -> Result<(), ArchiveError> {
         self.write_table(see)?;
         for number in self.readers().keys() {
-            // Another run that had the same one has taken it away.
+            // Fails when another run has already removed this shard.
             let _ = fs::remove_file(shard_path(&self.folder, *number));
         }
         match shards(&self.folder) {
@@ -321,7 +316,7 @@ fn shards(folder: &Path) -> io::Result<Vec<u32>> {
     Ok(numbers)
 }
 
-/// Brings the names of a folder to the disk: the journal goes only when the table's name is there.
+/// Syncs the folder of a file, so that the journal is removed only after the table's directory entry is on disk.
 fn sync_folder_of(file: &Path) -> io::Result<()> {
     #[cfg(unix)]
     {
@@ -333,7 +328,7 @@ fn sync_folder_of(file: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// A record whose length, checksum and form are right.
+/// Decodes a record; `None` when its length, checksum or format is wrong.
 fn whole(bytes: &[u8]) -> Option<(String, FileRecord)> {
     let (head, payload) = bytes.split_at_checked(8)?;
     let length = u32::from_le_bytes(head[..4].try_into().ok()?);
@@ -344,7 +339,7 @@ fn whole(bytes: &[u8]) -> Option<(String, FileRecord)> {
     postcard::from_bytes(payload).ok()
 }
 
-/// Emits the whole records of a shard up to the first torn one.
+/// Calls `take` with each record of a shard up to the first incomplete one.
 fn each_record(file: &File, mut take: impl FnMut(u64, &str, &FileRecord)) -> io::Result<()> {
     let mut reader = BufReader::with_capacity(1 << 18, file);
     let mut offset = 0;

@@ -1,11 +1,10 @@
-//! Whole archives: every program of a folder tree checked into one table, and two archives compared.
+//! Checks all programs of a folder tree into one table, and compares two such archives.
 //!
-//! The unit of work is a file: [`check_file`] makes its rows of its bytes and what a [`FileLoader`]
-//! says about it ([`DiskFiles`] for files), and of nothing else, so that the rows are the same wherever
-//! and in whatever order the files are done. What is done stands in a [`TableJournal`];
-//! [`TableJournal::finish`] brings all of it into one Parquet file in the order of paths. [`check_all`]
-//! does the rest with the threads of one machine; who has several machines hands files to
-//! [`check_file`] and records to the journal.
+//! The unit of work is a file: [`check_file`] computes its rows only from its bytes and from the answers of a
+//! [`FileLoader`] ([`DiskFiles`] for files on disk), so that the rows do not depend on where and in which order the
+//! files are checked. Finished records are stored in a [`TableJournal`]; [`TableJournal::finish`] writes all of them
+//! into one Parquet file, sorted by path. [`check_all`] does this with the threads of one computer. To use several
+//! computers, distribute files to [`check_file`] and put the records into the journal.
 //!
 //! ```
 //! use std::path::Path;

@@ -1,4 +1,4 @@
-//! What is found about a file, as it goes through the journal.
+//! The results for a file, as stored in the journal.
 
 use chordal::machine::PerAxis;
 use serde::{Deserialize, Serialize};
@@ -8,111 +8,112 @@ use serde::{Deserialize, Serialize};
 pub struct ArchivedProblem {
     /// `error`, `warning` or `note`.
     pub severity: String,
-    /// The registered code, as `CH401`.
+    /// The diagnostic code, such as `CH401`.
     pub code: String,
-    /// Line of the file, from 1; 0 in another text.
+    /// The line of the file, from 1; 0 when the problem is in another text.
     pub line: u32,
     /// One sentence with the measured numbers.
     pub message: String,
 }
 
-/// What a run of a program came to. Lengths are mm, times s.
+/// The results of the run of a program.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RunTotals {
-    /// How it ended.
+    /// How the run ended, in words such as `program end` or `budget`.
     pub end: String,
-    /// The units of its last block are inches.
+    /// Whether the units are inches at the end.
     pub inch: bool,
-    /// Blocks carried out, repeats counted.
+    /// The number of executed blocks, including repeated ones.
     pub blocks: u64,
-    /// Cuts.
+    /// The number of cutting moves.
     pub cuts: u64,
-    /// Rapids.
+    /// The number of rapids.
     pub rapids: u64,
     /// Tools in the order of their first use.
     pub tools: Vec<u32>,
-    /// Lowest and highest place of X, Y, Z (mm) and A, B, C (degrees), where it moves.
+    /// The lowest and the highest position of X, Y, Z (mm) and A, B, C (degrees); `None` for an axis that does not
+    /// move.
     pub travel: PerAxis<Option<(f64, f64)>>,
-    /// Length of the cuts.
+    /// The total length of the cuts, mm.
     pub cut_length_mm: f64,
-    /// Length of the rapids.
+    /// The total length of the rapids, mm.
     pub rapid_length_mm: f64,
-    /// Length over feed and waits, without acceleration.
+    /// The time without acceleration: lengths divided by feeds, plus waits, s.
     pub at_feed_s: f64,
-    /// Cutting, rapid and other time with acceleration and jerk, where it was planned.
+    /// The cutting, rapid and other time with acceleration and jerk, s; `None` when the motion was not planned.
     pub planned: Option<[f64; 3]>,
-    /// What it leaves of the stock of its setup, where that was asked.
+    /// What remains of the stock of its setup; `None` when this was not requested or there is no stock.
     #[serde(default)]
     pub stock: Option<RanStock>,
-    /// Errors, warnings and notes.
+    /// The numbers of errors, warnings and notes.
     pub counts: [u64; 3],
-    /// The codes that occurred, gravest first.
+    /// The codes that occurred, the most severe first.
     pub codes: Vec<String>,
-    /// The first problems, gravest first.
+    /// The first problems, the most severe first.
     pub problems: Vec<ArchivedProblem>,
 }
 
-/// What a program leaves of its stock: volumes are between two bounds, mm³.
+/// What a program leaves of its stock; volumes are a lower and an upper bound, mm³.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RanStock {
-    /// `clean`, `problems`, `not-proved`.
+    /// `clean`, `problems` or `not-proved`.
     pub verdict: String,
-    /// What is touched, or cannot be excluded.
+    /// The number of collisions that occur or cannot be excluded.
     pub problems: u64,
-    /// At least and at most so much is removed.
+    /// The bounds of the removed volume, mm³.
     pub removed_mm3: [f64; 2],
-    /// At least and at most so much is left.
+    /// The bounds of the remaining volume, mm³.
     pub left_mm3: [f64; 2],
-    /// The side of a column, mm; without one where the stock is exact.
+    /// The side of a column, mm; `None` when the stock is exact.
     pub resolution_mm: Option<f64>,
 }
 
-/// A row of the table: a program, or a file that holds none.
+/// A row of the table: a program, or a file without one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ArchiveRow {
-    /// What it is: see the reference of the columns.
+    /// The kind of the row: see the reference of the columns.
     pub kind: String,
-    /// How it fared.
+    /// The result: see the reference of the columns.
     pub status: String,
-    /// Why it was not run to its end, where it was not.
+    /// Why it was not run to its end or has no time; `None` otherwise.
     pub message: Option<String>,
-    /// Its number, where it has one.
+    /// The program number; `None` without one.
     pub program: Option<u32>,
-    /// Its place among the programs of the file, from 0.
+    /// Its position among the programs of the file, from 0.
     pub place: u32,
-    /// The line of the file that it begins on.
+    /// The line of the file on which it begins, from 1.
     pub line: u32,
-    /// Lines of its text.
+    /// The number of lines of its text.
     pub lines: u64,
-    /// Bytes of its text.
+    /// The size of its text, bytes.
     pub bytes: u64,
-    /// SHA-256 of its text.
+    /// SHA-256 of its text; `None` for a file without a program.
     pub sha256: Option<String>,
-    /// The control whose rules it was read by.
+    /// The control whose rules were used; `None` for a file without a program.
     pub control: Option<String>,
-    /// The machine it was run on.
+    /// The machine on which it was run; `None` for a file without a program.
     pub machine: Option<String>,
-    /// Why this machine.
+    /// Why this machine was used; `None` for a file without a program.
     pub chosen: Option<String>,
-    /// What the run came to.
+    /// The results of the run; `None` when it was not run.
     pub ran: Option<RunTotals>,
 }
 
-/// Everything about a file.
+/// The record of a file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FileRecord {
-    /// What the rows depend on, as a digest: the same key means the same rows.
+    /// A digest of everything on which the rows depend: equal keys mean equal rows.
     pub key: String,
-    /// Bytes of the file.
+    /// The size of the file, bytes.
     pub file_bytes: u64,
-    /// SHA-256 of the file, as `sha256sum` prints it.
+    /// SHA-256 of the file, as `sha256sum` prints it; `None` when the file was not read.
     pub file_sha256: Option<String>,
-    /// Its rows.
+    /// The rows of the file.
     pub rows: Vec<ArchiveRow>,
 }
 
 impl FileRecord {
-    /// A file that could not be read.
+    /// The record of a file that could not be read.
     pub fn unreadable(key: String, message: String) -> FileRecord {
         let row = ArchiveRow {
             kind: "unreadable".into(),

@@ -1,4 +1,4 @@
-//! An archive by the threads of one machine.
+//! Checks an archive with the threads of one computer.
 
 use std::path::Path;
 use std::sync::Mutex;
@@ -10,40 +10,41 @@ use crate::error::ArchiveError;
 use crate::journal::{TableJournal, record_of};
 use crate::row::FileRecord;
 
-/// Stack of a thread, as large as that of the process itself usually is.
+/// The stack size of a thread, bytes: as large as the main thread's usually is.
 const STACK: usize = 8 << 20;
 
-/// Hears how far it is; from several threads.
+/// Receives the progress, from several threads.
 pub trait ArchiveProgress: Sync {
-    /// A file is done; `anew` unless an earlier run did it. Bytes are those of the file.
+    /// A file is done. `anew` is false when an earlier run has done it; `bytes` is the size of the file, 0 when it
+    /// was not read.
     fn file(&self, bytes: u64, anew: bool);
 }
 
-/// What an archive comes to.
+/// The totals of an archive.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ArchiveTotals {
-    /// Files that got a row.
+    /// Files with at least one row.
     pub files: u64,
-    /// Rows.
+    /// Rows of the table.
     pub rows: u64,
     /// Programs that were run.
     pub programs: u64,
-    /// Programs with errors, or stopped by their budget.
+    /// Programs with errors, or stopped by the limit on blocks.
     pub with_errors: u64,
     /// Programs with warnings only.
     pub with_warnings: u64,
-    /// Programs whose stock is not proved clean, though they have no errors and no warnings.
+    /// Programs without errors and warnings whose stock is not proved to be clean.
     pub not_proved: u64,
     /// Files and programs that could not be run.
     pub failed: u64,
-    /// Files that are no programs.
+    /// Files that are not programs.
     pub skipped: u64,
-    /// Files that an earlier run had done.
+    /// Files that an earlier run has done.
     pub resumed: u64,
 }
 
 impl ArchiveTotals {
-    /// Counts a file.
+    /// Adds the rows of a file.
     pub fn add(&mut self, record: &FileRecord) {
         self.files += 1;
         for row in &record.rows {
@@ -64,12 +65,11 @@ impl ArchiveTotals {
     }
 }
 
-/// Checks all files with as many threads as there are `jobs`, each with a loader of its own, and
-/// writes the table. What an earlier run with the same result did is not done again, where the
-/// file, what it is run on and Chordal are the same.
+/// Checks all files with `jobs` threads, each with its own loader, and writes the table. Files that an earlier,
+/// incomplete run for the same table has done are not checked again if the file, the machine and options, and the
+/// version of Chordal are unchanged.
 ///
-/// # Errors
-/// Where the journal or the table cannot be written. What is done stays done.
+/// # Errors The journal or the table cannot be written. Finished files remain in the journal.
 pub fn check_all<L: FileLoader>(
     entries: &[ArchiveEntry],
     out: &Path,
@@ -122,8 +122,8 @@ pub fn check_all<L: FileLoader>(
     Ok(done)
 }
 
-/// Lets several threads do the same work, which they share out among themselves: this one and as
-/// many more as the system gives.
+/// Runs the same closure on several threads, which distribute the work among themselves: on this thread, and on up to
+/// `jobs - 1` more as far as the system provides them.
 pub(crate) fn with_jobs(jobs: usize, work: impl Fn() + Sync) {
     std::thread::scope(|scope| {
         for _ in 1..jobs {

@@ -1,4 +1,4 @@
-//! The columns that `docs/archives.md` lists are those of the code.
+//! Checks that `docs/archives.md` lists the columns of the code.
 
 #![allow(clippy::disallowed_methods, reason = "reads a document")]
 

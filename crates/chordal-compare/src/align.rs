@@ -1,4 +1,4 @@
-//! Which steps of two runs belong together.
+//! Finds which steps of two runs correspond.
 
 use std::ops::Range;
 
@@ -8,19 +8,19 @@ use imara_diff::{Algorithm, Diff, InternedInput, Interner, Token as InternedToke
 
 use crate::course::{ComparedMove, ComparedMoveKind, ComparedRun, RunEvent, RunStep};
 
-/// A stretch of both runs.
+/// A range of steps in both runs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum AlignedRegion {
-    /// Step for step the same, as far as the grid shows.
+    /// Steps that are equal one by one, up to the grid.
     Matched(Range<usize>, Range<usize>),
-    /// A rapid of both, each with its bends.
+    /// A rapid in both runs, each with all its straight parts.
     Rapid(Range<usize>, Range<usize>),
-    /// Everything else between two of those.
+    /// Everything between two of those.
     Gap(Range<usize>, Range<usize>),
 }
 
-/// What is the same on both sides is the same here. Places are rounded to a grid, so that rounding
-/// does not keep moves from finding each other; how far apart they are is measured afterwards.
+/// The key by which steps are matched. Positions are rounded to a grid, so that rounding errors do not prevent a
+/// match; the exact distance is measured afterwards.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 enum AlignmentToken {
     Line {
@@ -33,7 +33,7 @@ enum AlignmentToken {
         length: i64,
         turn: PerAxis<i64>,
     },
-    /// Where it goes is not known, but whither in numbers: moves that say the same find each other.
+    /// A move whose position is unknown: it is matched by its displacement.
     Unknown {
         rapid: bool,
         length_cells: [i64; 3],
@@ -52,16 +52,16 @@ enum AlignmentToken {
     Deletable,
 }
 
-/// Which steps of two runs belong together.
+/// The correspondence between the steps of two runs.
 #[derive(Debug, Default)]
 pub(crate) struct StepAlignment {
-    /// Regions in order; together they hold every step once.
+    /// Regions in order; together they contain every step once.
     pub(crate) regions: Vec<AlignedRegion>,
-    /// Moves of the gaps that both runs make, at another time: as many steps on both sides, each the same.
+    /// Sequences of moves in gaps that both runs make, but at different times: pairs of equally many equal steps.
     pub(crate) moved: Vec<[Vec<usize>; 2]>,
 }
 
-/// Puts together what does the same; places are rounded to the grid.
+/// Matches steps that do the same; positions are rounded to the grid.
 pub(crate) fn align(a: &ComparedRun, b: &ComparedRun, grid_mm: f64) -> StepAlignment {
     let (before, after) = (Vec::new(), Vec::new());
     let interner = Interner::new(a.steps.len() + b.steps.len());
@@ -81,14 +81,14 @@ pub(crate) fn align(a: &ComparedRun, b: &ComparedRun, grid_mm: f64) -> StepAlign
     StepAlignment { regions, moved }
 }
 
-/// Puts the steps of both together one by one, where both make as many of the same kinds in the same
-/// order; moves from or to places that are not known are left out. Nothing where they do not.
+/// Matches the steps one by one when both runs have the same number of the same kinds in the same order; `None`
+/// otherwise. Moves from or to unknown positions are left out.
 pub(crate) fn in_step(
     a: &ComparedRun,
     b: &ComparedRun,
     with_unknown: bool,
 ) -> Option<StepAlignment> {
-    // The steps of a rapid are one.
+    // All parts of a rapid form one group.
     let groups = |course: &ComparedRun| -> Vec<Range<usize>> {
         let mut groups: Vec<Range<usize>> = Vec::new();
         for (at, step) in course.steps.iter().enumerate() {
@@ -128,7 +128,7 @@ pub(crate) fn in_step(
         if is_rapid { AlignedRegion::Rapid(at, to) } else { AlignedRegion::Matched(at, to) }
     });
     let mut regions: Vec<AlignedRegion> = regions.collect();
-    // Of a move from a place that is not known all is compared but the path, at its first step.
+    // For a move from an unknown position everything but the path is compared, at its first step.
     let unknown = [a, b].map(|course| {
         let moves = (0..course.steps.len()).filter_map(|at| Some((at, course.moved(at)?)));
         let mut first: Vec<(usize, u32)> = moves
@@ -145,7 +145,7 @@ pub(crate) fn in_step(
     Some(StepAlignment { regions, moved: Vec::new() })
 }
 
-/// What is the same and what is not, in order.
+/// The ranges that are equal and those that differ, in order.
 fn aligned_ranges(diff: &Diff, ends: [usize; 2]) -> Vec<(bool, Range<usize>, Range<usize>)> {
     let mut all = Vec::new();
     let mut at = [0, 0];
@@ -163,7 +163,7 @@ fn aligned_ranges(diff: &Diff, ends: [usize; 2]) -> Vec<(bool, Range<usize>, Ran
     all
 }
 
-/// What one run lacks in a gap and has in another: found by leaving out all that matched.
+/// Moves that are missing in one gap and present in another: found by a second comparison without the matched steps.
 fn moved(
     courses: [&ComparedRun; 2],
     input: &InternedInput<AlignmentToken>,
@@ -189,7 +189,7 @@ fn moved(
     let same = aligned_ranges(&diff, [before.len(), after.len()]).into_iter();
     let same = same.filter(|(is_matched, ..)| *is_matched);
     let same = same.map(|(_, a, b)| [left[0][a].to_vec(), left[1][b].to_vec()]);
-    // A rapid alone may be the same by chance: to one retract plane, to one tool change.
+    // Rapids alone may be equal by chance: to the same retract plane or the same tool change position.
     let has_cut = |[moves, _]: &[Vec<usize>; 2]| {
         let mut moves = moves.iter().filter_map(|at| courses[0].moved(*at));
         moves.any(|moved| moved.kind == ComparedMoveKind::Cut)
@@ -218,7 +218,7 @@ fn token(course: &ComparedRun, step: &RunStep, grid_mm: f64) -> AlignmentToken {
 }
 
 fn move_token(course: &ComparedRun, moved: &ComparedMove, grid_mm: f64) -> AlignmentToken {
-    // Rounding saturates: a place that is no number is at zero, one beyond all bounds at the bound.
+    // The conversion saturates: NaN becomes zero, and values beyond the range become its bounds.
     let grid = |value: f64| (value / grid_mm).round() as i64;
     let place = |place: Vec3| place.to_array().map(grid);
     if !moved.known {
@@ -230,7 +230,7 @@ fn move_token(course: &ComparedRun, moved: &ComparedMove, grid_mm: f64) -> Align
     }
     let (start, end) = (place(moved.curve.start()), place(moved.curve.end()));
     let ends = [start[0], start[1], start[2], end[0], end[1], end[2]];
-    // An angle moves what is turned by about a tenth of a metre.
+    // An angle counts as the movement of a point 100 mm from the axis.
     let angle = |value: f64| grid(100.0 * value);
     let [from, to] = course.turn(moved).map(|turn| turn.map(angle));
     let turn = [from[0], from[1], from[2], to[0], to[1], to[2]];

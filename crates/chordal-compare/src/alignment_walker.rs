@@ -1,4 +1,4 @@
-//! The walk along both runs: distances of what belongs together, and what differs there.
+//! Traverses both runs along their alignment and measures the distance and the differences of corresponding steps.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -15,7 +15,7 @@ use crate::frechet::{MAX_CELLS, frechet};
 use crate::steps::{DifferenceCollector, lacking};
 use crate::{COINCIDENT_MM, ComparisonOptions};
 
-/// What a walk has found.
+/// What the traversal has found.
 #[derive(Debug, Default)]
 pub(crate) struct ComparisonFindings {
     pub(crate) differences: Vec<Difference>,
@@ -45,9 +45,9 @@ pub(crate) struct AlignmentWalker<'a> {
     options: &'a ComparisonOptions,
     steps: DifferenceCollector<'a>,
     found: ComparisonFindings,
-    /// A stretch of the path that is too far apart, not yet at its end.
+    /// The current sequence of moves that are too far apart, not yet complete.
     open: Option<Difference>,
-    /// Moves that the other run makes at another time.
+    /// Moves that the other run makes at another time, per run.
     at_other_time: [HashSet<usize>; 2],
 }
 
@@ -70,7 +70,7 @@ impl<'a> AlignmentWalker<'a> {
         }
     }
 
-    /// Goes along both.
+    /// Traverses all regions.
     pub(crate) fn along(&mut self, alignment: &StepAlignment) {
         for moved in &alignment.moved {
             self.moved(moved);
@@ -88,7 +88,7 @@ impl<'a> AlignmentWalker<'a> {
         }
     }
 
-    /// Moves that both make, at another time: compared with each other where they are.
+    /// Compares moves that both runs make at different times, and reports them as a difference of order.
     fn moved(&mut self, moves: &[Vec<usize>; 2]) {
         let nowhere = [0..0, 0..0];
         let steps = moves.each_ref().map(Vec::as_slice);
@@ -102,7 +102,7 @@ impl<'a> AlignmentWalker<'a> {
         }
     }
 
-    /// Ends the walk.
+    /// Completes the traversal; returns the findings in order.
     pub(crate) fn finish(mut self) -> ComparisonFindings {
         self.close();
         self.found.differences.append(&mut self.steps.finish());
@@ -128,7 +128,7 @@ impl<'a> AlignmentWalker<'a> {
         }
     }
 
-    /// A rapid of both. One that bends elsewhere, between the same places, is no other path.
+    /// Compares a rapid of both runs. Between the same end points, a different dog-leg is not a difference of path.
     fn rapid(&mut self, ranges: [Range<usize>; 2]) {
         let moves = [0, 1].map(|side: usize| {
             let course = self.courses[side];
@@ -161,7 +161,7 @@ impl<'a> AlignmentWalker<'a> {
         }
     }
 
-    /// Finer than what makes a difference.
+    /// The precision of bounds, mm: at most a hundredth of the tolerance.
     fn precision(&self) -> f64 {
         let tolerance = self.options.tolerance_mm;
         if tolerance > 0.0 {
@@ -171,13 +171,14 @@ impl<'a> AlignmentWalker<'a> {
         }
     }
 
-    /// Two moves, or parts of them, that are walked together.
+    /// Compares two moves, or parts of them, that are traversed together.
     fn pair(&mut self, couple: &PathCoupling) {
         let [a, b] = couple.moves;
         let (Some(one), Some(other)) = (self.courses[0].moved(a), self.courses[1].moved(b)) else {
             return;
         };
-        // Where one of the two ends a little before the other, what comes next only begins.
+        // When one move ends slightly before the other, its next move is paired with the short rest of the other,
+        // whose state must not be compared with it.
         let walked = |moved: &ComparedMove, [from, to]: [f64; 2]| moved.length_mm * (to - from);
         let is_whole = couple.is_whole();
         let [of_one, of_other] = couple.parts;
@@ -188,7 +189,7 @@ impl<'a> AlignmentWalker<'a> {
         let at = [BlockLocation::from(&one.origin), BlockLocation::from(&other.origin)];
         let spot = || widest(spots([one, other], couple.parts), couple.max_distance_mm);
         self.found.distance(couple.max_distance_mm, at, spot);
-        // What is no number is too far.
+        // NaN counts as too far.
         if couple.max_distance_mm <= self.threshold() {
             self.close();
             return;
@@ -197,7 +198,7 @@ impl<'a> AlignmentWalker<'a> {
         self.extend(at, couple.max_distance_mm, spot, shift);
     }
 
-    /// The path is too far apart here, as it may have been just before.
+    /// Starts or extends the current sequence of moves that are too far apart.
     fn extend(
         &mut self,
         at: [BlockLocation; 2],
@@ -255,7 +256,7 @@ impl<'a> AlignmentWalker<'a> {
         }
     }
 
-    /// Walks the moves of a gap together.
+    /// Traverses the moves of a gap together.
     fn paths(&mut self, ranges: &[Range<usize>; 2], moves: &[Vec<usize>; 2]) {
         let curves = [0, 1].map(|side| {
             let moved = moves[side].iter().filter_map(|at| self.courses[side].moved(*at));
@@ -273,8 +274,8 @@ impl<'a> AlignmentWalker<'a> {
         self.close();
     }
 
-    /// Move by move, which is how a person reads two programs, unless another way to walk shows that the
-    /// paths are much nearer.
+    /// Pairs moves one by one, as a person compares two programs, unless another traversal shows that the paths are
+    /// much closer (by more than a factor of 2).
     fn couples(&self, curves: &[Vec<&Curve>; 2]) -> Vec<PathCoupling> {
         let [a, b] = curves;
         let by_moves = move_by_move(a, b, self.precision());
@@ -293,12 +294,12 @@ impl<'a> AlignmentWalker<'a> {
             .unwrap_or(couples)
     }
 
-    /// What is further apart than this is a difference, mm.
+    /// A larger distance is a difference, mm.
     fn threshold(&self) -> f64 {
         self.options.tolerance_mm.max(COINCIDENT_MM)
     }
 
-    /// Where the simple walk stays too far apart, the best walk along chords may not.
+    /// Lowers the bounds of a traversal that is too far apart to the Fréchet distance of chords along the curves.
     fn tighten(&self, curves: &[Vec<&Curve>; 2], couples: &mut [PathCoupling]) {
         let most = most(couples);
         let precision = self.precision();
@@ -320,7 +321,7 @@ impl<'a> AlignmentWalker<'a> {
         }
     }
 
-    /// Moves that only one of the two has are compared with where the other stands meanwhile.
+    /// Compares moves that only one run has with the position of the other run meanwhile.
     fn only_one(
         &mut self,
         ranges: &[Range<usize>; 2],
@@ -354,7 +355,8 @@ impl<'a> AlignmentWalker<'a> {
         self.found.differences.push(missing);
     }
 
-    /// Where a path stands before a range of steps; else where it goes on after it.
+    /// The position of a path before a range of steps, or else at its first known move after it; `None` when there is
+    /// neither.
     fn rest(&self, side: usize, range: &Range<usize>) -> Option<Vec3> {
         let course = self.courses[side];
         let known = |at: usize| course.moved(at).filter(|moved| moved.known);
@@ -366,7 +368,8 @@ impl<'a> AlignmentWalker<'a> {
     }
 }
 
-/// Places of two moves, or of parts of them, that are passed at the same time when both are walked evenly.
+/// Nine pairs of points that are passed at the same time when two moves, or parts of them, are traversed at constant
+/// speed.
 fn spots(moves: [&ComparedMove; 2], parts: [[f64; 2]; 2]) -> impl Iterator<Item = [Vec3; 2]> {
     (0..=8).map(move |eighth| {
         let share = f64::from(eighth) / 8.0;
@@ -378,7 +381,8 @@ fn spots(moves: [&ComparedMove; 2], parts: [[f64; 2]; 2]) -> impl Iterator<Item 
     })
 }
 
-/// The two places that are furthest apart; of those that the best walk passes at other times, the nearest.
+/// The pair of points with the largest distance up to `most_mm`; when all are further apart (a better traversal
+/// passes them at other times), the closest pair.
 fn widest(spots: impl IntoIterator<Item = [Vec3; 2]>, most_mm: f64) -> [Vec3; 2] {
     let key = |[a, b]: &[Vec3; 2]| {
         let separate = (*a - *b).length();
@@ -388,7 +392,7 @@ fn widest(spots: impl IntoIterator<Item = [Vec3; 2]>, most_mm: f64) -> [Vec3; 2]
     spots.into_iter().max_by(wider).unwrap_or([Vec3::ZERO; 2])
 }
 
-/// By how much a whole curve is moved to be the other, mm; nothing where it is not only moved.
+/// The translation from one curve to the other, mm; `None` when they differ in more than a translation.
 fn shift(a: &Curve, b: &Curve) -> Option<[f64; 3]> {
     let at_start = (b.start() - a.start()).to_array();
     let at_end = (b.end() - a.end()).to_array();
@@ -401,7 +405,7 @@ fn is_near(a: [f64; 3], b: [f64; 3]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= COINCIDENT_MM)
 }
 
-/// The corners of the chords within a precision; nothing where there would be too many.
+/// The vertices of chords within a precision, mm; `None` when there would be more than [`MAX_CELLS`].
 fn chain(curves: &[&Curve], precision_mm: f64) -> Option<Vec<Vec3>> {
     let mut points: Vec<Vec3> = Vec::new();
     for curve in curves {

@@ -1,11 +1,11 @@
-//! How far two curves are from each other when both are travelled evenly.
+//! An upper bound of the distance between two curves that are traversed at constant speed.
 
 use chordal::geometry::{Arc, Curve, Frame, Line, ParamCurve, Spiral, Vec3};
 
-/// Most places at which two curves are asked; beyond, the bound stays wider than the precision.
+/// The most pairs of points that are evaluated; beyond this the bound stays wider than the precision.
 const MAX_EVALUATIONS: usize = 1 << 16;
 
-/// A stretch of a curve, by the way from its start, mm.
+/// A part of a curve, between two arc lengths from its start, mm.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CurveRange<'a> {
     pub(crate) curve: &'a Curve,
@@ -14,13 +14,13 @@ pub(crate) struct CurveRange<'a> {
 }
 
 impl<'a> CurveRange<'a> {
-    /// All of a curve, which is so long, mm.
+    /// A whole curve of this length, mm.
     pub(crate) fn whole(curve: &'a Curve, length_mm: f64) -> CurveRange<'a> {
         CurveRange { curve, from: 0.0, to: length_mm }
     }
 
     fn at(&self, fraction: f64) -> Vec3 {
-        // The ends as they are: whole curves have their ends as given.
+        // The ends are taken from the curve itself, so that those of a whole curve are exact.
         if fraction <= 0.0 {
             self.curve.point_at(self.from)
         } else if fraction >= 1.0 {
@@ -30,22 +30,22 @@ impl<'a> CurveRange<'a> {
         }
     }
 
-    /// Largest second derivative by the fraction of the stretch, mm.
+    /// The largest second derivative with respect to the fraction of the part, mm.
     fn bend(&self) -> f64 {
         let length = self.to - self.from;
         self.curve.max_curvature() * length * length
     }
 }
 
-/// An upper bound of the distance of two places that go along the stretches evenly and arrive
-/// together, mm: not above the largest such distance by more than `precision_mm`, unless that takes
-/// too many places. Never below the Fréchet distance of the stretches, up to rounding.
+/// An upper bound of the distance between two points that traverse the parts at constant speed and arrive together,
+/// mm. It exceeds the largest such distance by at most `precision_mm`, unless that takes too many evaluations. It is
+/// never below the Fréchet distance of the parts, up to rounding.
 ///
-/// Between straight lines the distance is largest at an end. Two arcs or spirals about parallel axes
-/// are first compared with each other by their numbers, which finds equality without sampling. Else
-/// the difference D of the places, as a function of the fraction of the way, leaves the straight line
-/// between two of its places by at most Δ²/8·max|D''| (the remainder of linear interpolation), and a
-/// norm is largest at an end of a straight line; intervals are halved, the widest first.
+/// Between straight lines the distance is largest at an end. Two arcs or spirals about parallel axes are first
+/// compared by their parameters, which finds equality without sampling. Otherwise intervals are bisected: over an
+/// interval of width Δ, the difference D of the two points as a function of the fraction deviates from its chord by
+/// at most Δ²/8·max|D''| (the remainder of linear interpolation), and the norm along a chord is largest at one of its
+/// ends.
 pub(crate) fn bound(a: CurveRange<'_>, b: CurveRange<'_>, precision_mm: f64) -> f64 {
     let ends = (a.at(0.0) - b.at(0.0)).length().max((a.at(1.0) - b.at(1.0)).length());
     if let (Curve::Line(_), Curve::Line(_)) = (a.curve, b.curve) {
@@ -54,8 +54,8 @@ pub(crate) fn bound(a: CurveRange<'_>, b: CurveRange<'_>, precision_mm: f64) -> 
     if let Some(same) = of_splines(&a, &b).filter(|same| *same <= precision_mm) {
         return ends.max(same);
     }
-    // The ends as given need not lie where the rest of the curve leads (radii that differ a
-    // little): ends against ends, the curve proper against the other.
+    // The stored end points may deviate slightly from the curve that its parameters describe (radii that differ a
+    // little), so end points and curves are compared separately.
     let curves = (formal(a.curve), formal(b.curve));
     let (a, b) = (CurveRange { curve: &curves.0, ..a }, CurveRange { curve: &curves.1, ..b });
     let by_numbers =
@@ -67,8 +67,8 @@ pub(crate) fn bound(a: CurveRange<'_>, b: CurveRange<'_>, precision_mm: f64) -> 
     }
 }
 
-/// Of two whole spans of splines with like weights: they are as far apart as their control points at most where
-/// both go by their parameter. Nothing for others.
+/// A bound for two whole spline spans with equal weights: at equal parameters they are at most as far apart as their
+/// control points, mm. `None` for other curves.
 fn of_splines(a: &CurveRange<'_>, b: &CurveRange<'_>) -> Option<f64> {
     let (Curve::Spline(one), Curve::Spline(two)) = (a.curve, b.curve) else { return None };
     if one == two && (a.from, a.to) == (b.from, b.to) {
@@ -80,7 +80,7 @@ fn of_splines(a: &CurveRange<'_>, b: &CurveRange<'_>) -> Option<f64> {
     alike.then(|| pairs.fold(0.0, |far: f64, (p, q)| far.max((*p - *q).length())))
 }
 
-/// The curve with its ends where its numbers lead.
+/// The curve with its ends computed from its parameters.
 fn formal(curve: &Curve) -> Curve {
     match curve {
         Curve::Line(_) | Curve::Spline(_) => *curve,
@@ -88,7 +88,7 @@ fn formal(curve: &Curve) -> Curve {
             let frame = frame(arc.center, arc.u, arc.w);
             Arc::new(frame, arc.radius, arc.sweep, arc.rise).into()
         }
-        // Without a sweep it is the line between its ends.
+        // A spiral without sweep is the line between its ends.
         Curve::Spiral(spiral) if spiral.sweep == 0.0 => {
             Line { start: spiral.start, end: spiral.end }.into()
         }
@@ -110,13 +110,13 @@ fn by_halving(a: CurveRange<'_>, b: CurveRange<'_>, precision_mm: f64) -> f64 {
     let ends = [separate(0.0), separate(1.0)];
     let mut low = ends[0].max(ends[1]);
     let mut high = low;
-    let mut requested = 2;
+    let mut evaluations = 2;
     let mut width = 1.0;
     let mut open = vec![(0.0, ends)];
     while !open.is_empty() {
         let excess = width * width / 8.0 * bend;
         let bound = |ends: [f64; 2]| ends[0].max(ends[1]) + excess;
-        // What is hardly above a distance that was found needs no halving.
+        // An interval whose bound is within the precision of a distance found needs no bisection.
         open.retain(|(_, ends)| {
             let is_open = bound(*ends) > low + precision_mm;
             if !is_open {
@@ -124,11 +124,11 @@ fn by_halving(a: CurveRange<'_>, b: CurveRange<'_>, precision_mm: f64) -> f64 {
             }
             is_open
         });
-        if requested + open.len() > MAX_EVALUATIONS || excess.is_nan() {
+        if evaluations + open.len() > MAX_EVALUATIONS || excess.is_nan() {
             return open.iter().map(|(_, ends)| bound(*ends)).fold(high, f64::max);
         }
         width /= 2.0;
-        requested += open.len();
+        evaluations += open.len();
         let mut halves = Vec::with_capacity(2 * open.len());
         for (from, ends) in open {
             let middle = separate(from + width);
@@ -141,8 +141,8 @@ fn by_halving(a: CurveRange<'_>, b: CurveRange<'_>, precision_mm: f64) -> f64 {
     high.max(low)
 }
 
-/// An arc or a spiral by numbers: place = axis + radius·(turned u) + height·w, all linear in the
-/// angle travelled.
+/// An arc or a spiral by its parameters: point = center + radius·(rotated u) + height·w, where the angle, radius and
+/// height are linear in the fraction.
 struct RotatingCurve {
     center: Vec3,
     u: Vec3,
@@ -175,13 +175,13 @@ impl RotatingCurve {
         Some(RotatingCurve { center, u, w, angles, radii, heights })
     }
 
-    /// The largest distance when both turn evenly; nothing where the axes are not parallel.
+    /// A bound of the distance when both turn uniformly, mm; `None` when the axes are not parallel.
     fn bound(&self, other: &RotatingCurve) -> Option<f64> {
         let along = self.w.dot(other.w);
         if (self.w.cross(other.w)).length() > 1e-15 {
             return None;
         }
-        // About the opposite axis the same turn has the opposite sign.
+        // About an opposite axis, the same rotation has the opposite sign.
         let sign = along.signum();
         let between = {
             let v = self.w.cross(self.u);

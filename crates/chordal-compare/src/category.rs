@@ -1,79 +1,80 @@
-//! The list of what two programs must share: each command that holds programs against each other compares every item, or
-//! ignores it by intent.
+//! The properties that two programs must have in common. Each command that compares programs compares every property
+//! or ignores it with a reason.
 
 use chordal::{CommandKind, Effect};
 use serde::Serialize;
 
-/// In what two runs differ.
+/// The property in which two runs differ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Category {
     /// The path of the tool centre.
     Path,
-    /// The same moves at another time.
+    /// The same moves in another order.
     Order,
-    /// The place of a rotary axis on the way, and the surface that it turns.
+    /// The positions of the rotary axes during a move, and the rotating surface of polar or cylindrical
+    /// interpolation.
     Rotary,
     /// A rapid instead of a cut.
     Rapid,
-    /// A dog-leg rapid instead of a straight one.
+    /// A dog-leg rapid instead of a straight rapid.
     RapidPath,
-    /// Moves to places that are not known relative to the part.
+    /// Moves to positions that are unknown relative to the part.
     Unknown,
     /// The feed.
     Feed,
-    /// The time of cuts and dwells, where neither feeds nor paths show why.
+    /// The time of cuts and dwells, when no difference in feed or path explains it.
     Time,
     /// The spindle's direction or speed.
     Spindle,
     /// The tool.
     Tool,
-    /// The tool that is made ready.
+    /// The tool that is prepared for the next change.
     ReadyTool,
-    /// The number of the tool length offset, or the offsets that the program gives itself.
+    /// The number of the tool length offset, or offsets that the program sets directly (G43.1).
     LengthOffset,
     /// The number of the radius offset.
     RadiusOffset,
     /// The work offset.
     WorkOffset,
-    /// A value that the control keeps: of a work offset, a tool, a reference point.
+    /// A value written to the control's memory: of a work offset, a tool or a reference point.
     Written,
-    /// A variable of the control that is an output, a setting, or outlives the program.
+    /// A variable that is an output or a setting, or that keeps its value after the program.
     Variable,
     /// The coolant.
     Coolant,
-    /// How corners are passed.
+    /// The path mode at corners (exact stop or continuous).
     PathMode,
-    /// Which overrides act.
+    /// Which overrides are enabled.
     Overrides,
     /// A dwell.
     Dwell,
     /// A stop for the operator.
     Stop,
-    /// A code that acts on something which is not simulated, with its words: a clamp, an output, limits.
+    /// A code with its words that acts on something not simulated: a clamp, an output, limits.
     Code,
     /// A text for the operator.
     Message,
     /// An alarm of the program (#3000).
     Alarm,
-    /// A block that a switch of the panel leaves out.
+    /// A block that a block delete switch skips.
     BlockDelete,
     /// A probe move.
     Probe,
     /// A printed line.
     Output,
-    /// A value that is read and not known: a variable, an input.
+    /// An unknown value that is read: a variable or an input.
     Value,
-    /// Blocks that neither run has come to, behind a condition that is not known.
+    /// Blocks that neither run reaches because a condition is unknown.
     NotRun,
-    /// A problem that only one of the two has.
+    /// A problem that only one of the two programs has.
     Problem,
 }
 
-/// Who holds two programs against each other.
+/// The commands that compare two programs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ComparingCommand {
-    /// `chordal diff`: whole folders.
+    /// `chordal diff`, which compares whole folders.
     Diff,
     /// `chordal compare`.
     Compare,
@@ -86,7 +87,7 @@ pub enum ComparingCommand {
 }
 
 impl ComparingCommand {
-    /// All of them.
+    /// All commands.
     pub const ALL: [ComparingCommand; 5] = [
         ComparingCommand::Diff,
         ComparingCommand::Compare,
@@ -95,7 +96,7 @@ impl ComparingCommand {
         ComparingCommand::Restart,
     ];
 
-    /// Its name.
+    /// The name of the command.
     pub fn word(self) -> &'static str {
         match self {
             ComparingCommand::Diff => "diff",
@@ -108,7 +109,7 @@ impl ComparingCommand {
 }
 
 impl Category {
-    /// All of them, in the order in which they are declared.
+    /// All categories in the order of declaration.
     pub const ALL: [Category; 30] = [
         Category::Path,
         Category::Order,
@@ -142,7 +143,7 @@ impl Category {
         Category::Problem,
     ];
 
-    /// The word for people and programs.
+    /// The name in output and in options.
     pub fn word(self) -> &'static str {
         match self {
             Category::Path => "path",
@@ -178,7 +179,7 @@ impl Category {
         }
     }
 
-    /// What it is, for people.
+    /// Its description in the documentation.
     pub fn meaning(self) -> &'static str {
         match self {
             Category::Path => "the path of the tool centre",
@@ -226,8 +227,8 @@ impl Category {
         }
     }
 
-    /// Which item of the list a command of a run is part of; nothing for those that only say how other commands are to
-    /// be read, or that nothing comes of. A move is part of several, of which the path is the first.
+    /// The category of a command of a run; `None` for commands that only change how other commands are interpreted or
+    /// that have no effect. A move belongs to several categories; the result is the first, the path.
     pub fn of(kind: &CommandKind) -> Option<Category> {
         match kind {
             CommandKind::Rapid { .. }
@@ -251,7 +252,7 @@ impl Category {
             CommandKind::Message(_) => Some(Category::Message),
             CommandKind::Output { .. } => Some(Category::Output),
             CommandKind::Effect(effect) => Some(Category::of_effect(effect)),
-            // The path, the feed and the places are in the moves that follow; the end is where the run ends.
+            // The effects of these are in the moves that follow; the end of the program is the end of the run.
             CommandKind::CornerArc { .. }
             | CommandKind::Idle
             | CommandKind::End
@@ -272,7 +273,7 @@ impl Category {
         }
     }
 
-    /// Why a command does not compare this, or only in part; nothing where it compares all of it.
+    /// Why a command does not compare this category completely; `None` when it does.
     pub fn ignored_by(self, command: ComparingCommand) -> Option<&'static str> {
         match (self, command) {
             (
@@ -317,7 +318,7 @@ impl Category {
     }
 }
 
-/// The list as a table of the documentation.
+/// The categories as a Markdown table for the documentation.
 pub fn shared_reference() -> String {
     let mut page = String::from("| item | what | not compared, or only in part |\n|---|---|---|\n");
     for item in Category::ALL {

@@ -1,40 +1,39 @@
-//! Two paths walked together.
+//! Traverses two paths together and bounds their distance.
 
 use chordal::geometry::{Curve, Line, ParamCurve, Vec3};
 
 use crate::bound::{CurveRange, bound};
 
-/// A stretch of each path, walked evenly from end to end.
+/// A pair of parts of the two paths, each traversed at constant speed from end to end.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PathCoupling {
-    /// The moves of the two paths, by their place in what was given; the nearest one where a path
-    /// waits at its end.
+    /// The indices of the moves in the two paths; the last move when a path has ended and waits.
     pub(crate) moves: [usize; 2],
-    /// The two walkers are never further apart, mm.
+    /// An upper bound of the distance between the two points, mm.
     pub(crate) max_distance_mm: f64,
-    /// From which fraction to which of its move each went.
+    /// The part of each move, as a start and an end fraction.
     pub(crate) parts: [[f64; 2]; 2],
 }
 
-/// All of both moves.
+/// The whole of both moves.
 const WHOLE: [[f64; 2]; 2] = [[0.0, 1.0]; 2];
 
 impl PathCoupling {
-    /// Two moves from beginning to end.
+    /// Two whole moves.
     pub(crate) fn whole(moves: [usize; 2], separate_mm: f64) -> PathCoupling {
         PathCoupling { moves, max_distance_mm: separate_mm, parts: WHOLE }
     }
 
-    /// Both go along a whole move.
+    /// Whether both parts are whole moves.
     pub(crate) fn is_whole(&self) -> bool {
         self.parts == WHOLE
     }
 }
 
-/// A path and how far it was walked.
+/// A path and the position reached on it.
 struct PathWalker<'a> {
     curves: &'a [&'a Curve],
-    /// Where the path is when it has no curves.
+    /// The position of the path after its end or when it has no curves.
     rest: Curve,
     lengths: Vec<f64>,
     at: usize,
@@ -74,7 +73,8 @@ impl<'a> PathWalker<'a> {
         CurveRange { curve: self.curve(), from: self.distance, to }
     }
 
-    /// The way to the place of the rest of this curve that is nearest, and its distance.
+    /// The point on the rest of this curve that is nearest to `place`: its arc length on the curve and its distance,
+    /// mm.
     fn nearest(&self, place: Vec3) -> (f64, f64) {
         let (course, length) = (self.distance, self.length());
         let rest =
@@ -92,7 +92,7 @@ impl<'a> PathWalker<'a> {
         }
     }
 
-    /// The fractions of the move from here to there; nothing of it is left where the path has ended.
+    /// The fractions of the current move from here to the arc length `to`; `[1, 1]` when the path has ended.
     fn part(&self, to: f64) -> [f64; 2] {
         if self.is_done() {
             return [1.0; 2];
@@ -108,12 +108,12 @@ impl<'a> PathWalker<'a> {
     }
 }
 
-/// Walks two paths together, curve by curve: at each end of a curve the other walker goes to the end of
-/// its own curve, or to where it is nearest, whichever keeps them closer. Linear in the number of
-/// curves. The largest distance is an upper bound of the Fréchet distance of the two paths.
+/// Traverses two paths together, curve by curve. At each end of a curve, the other path advances to the end of its
+/// own curve or to the nearest point, whichever keeps the two closer. The effort is linear in the number of curves.
+/// The largest distance is an upper bound of the Fréchet distance between the two paths.
 ///
-/// A path without curves waits at `rest`. Bounds are found to `precision_mm`; ends that are within the
-/// tolerance of each other are taken for the same.
+/// A path without curves waits at `rest`. Bounds are found to `precision_mm`; end points within the tolerance of each
+/// other count as equal.
 pub(crate) fn couple(
     a: &[&Curve],
     b: &[&Curve],
@@ -139,7 +139,7 @@ pub(crate) fn couple(
     couples
 }
 
-/// Walks two paths move by move; nothing where they are not made of as many moves of the same kinds.
+/// Traverses two paths move by move; `None` when they do not consist of equally many moves of the same kinds.
 pub(crate) fn move_by_move(
     a: &[&Curve],
     b: &[&Curve],
@@ -158,12 +158,12 @@ pub(crate) fn move_by_move(
     Some(couples.collect())
 }
 
-/// The largest distance of a walk, mm.
+/// The largest distance in a traversal, mm.
 pub(crate) fn most(couples: &[PathCoupling]) -> f64 {
     couples.iter().map(|couple| couple.max_distance_mm).fold(0.0, f64::max)
 }
 
-/// How far both go next; at least one to the end of its curve.
+/// The arc lengths to which the two paths advance next; at least one advances to the end of its curve.
 fn together(walkers: &[PathWalker<'_>; 2], tolerance_mm: f64, precision_mm: f64) -> [f64; 2] {
     let [a, b] = walkers;
     let ends = [a.length(), b.length()];
@@ -177,13 +177,13 @@ fn together(walkers: &[PathWalker<'_>; 2], tolerance_mm: f64, precision_mm: f64)
     let (of_b, separate_b) = b.nearest(a.end());
     let (of_a, separate_a) = a.nearest(b.end());
     let least = separate_a.min(separate_b);
-    // Where it makes no difference that counts, whole curves go with whole curves.
+    // When the distance is the same up to rounding, whole curves are paired.
     let rounding = 1e-12 * (1.0 + a.end().length().max(b.end().length()));
     if both <= least + rounding {
         return ends;
     }
-    // Nor where ends belong together that are within the tolerance: unless one walker, who lags behind on the
-    // way there, is beyond it then.
+    // Whole curves are also paired when their ends are within the tolerance, unless a point that lags behind leaves
+    // the tolerance before.
     let whole = || bound(a.range_to(ends[0]), b.range_to(ends[1]), precision_mm);
     if both <= tolerance_mm && whole() <= tolerance_mm {
         return ends;
@@ -192,7 +192,7 @@ fn together(walkers: &[PathWalker<'_>; 2], tolerance_mm: f64, precision_mm: f64)
     let [first, second] = if walkers.iter().all(|walker| matches!(walker.curve(), Curve::Line(_))) {
         [separate_b, separate_a]
     } else {
-        // A curve may come by the same place again: a circle ends where it begins.
+        // A curve may pass the same point twice (a circle ends where it begins), so the distance on the way decides.
         choices.map(|to| bound(a.range_to(to[0]), b.range_to(to[1]), precision_mm))
     };
     if first <= second { choices[0] } else { choices[1] }
@@ -249,11 +249,11 @@ mod tests {
             .collect();
         let sagitta = 10.0 * (1.0 - (std::f64::consts::PI / 32.0).cos());
         let found = most(&a, &chain(&points));
-        // Walked evenly the chord lags behind the arc by a little more than the sagitta.
+        // At constant speed, the point on the chord is a little further from the arc's than the sagitta.
         assert!(found >= sagitta - 1e-9 && found < sagitta * 1.01, "{found} against {sagitta}");
     }
 
-    /// The end of a circle is where it begins: the chords are not waited for there.
+    /// A circle ends where it begins; it must not wait there for the chords.
     #[test]
     fn chords_of_a_circle() {
         let points: Vec<[f64; 2]> = (0..=64)
@@ -265,8 +265,8 @@ mod tests {
         assert!(found >= sagitta - 1e-9 && found < sagitta * 1.02, "{found} against {sagitta}");
     }
 
-    /// An arc that ends a little after a point of the chords, by less than the tolerance, and is nearly as far
-    /// from them in its middle: who waits for its end would be too far from it there.
+    /// An arc that ends slightly after a chord point, by less than the tolerance, and is nearly as far from the chord
+    /// in its middle: pairing their ends would exceed the tolerance in the middle.
     #[test]
     fn a_joint_beside_a_point() {
         let (length, sagitta, tolerance) = (2.0019, 0.0018, 0.002);

@@ -1,4 +1,4 @@
-//! What a program does, in order.
+//! Records what a program does, in order, for comparison.
 
 use chordal::control::{
     Command, CommandKind, CompensationSide, Coolant, EndReason, FeedMode, Origin, Overrides,
@@ -13,13 +13,13 @@ use crate::RunMapping;
 use crate::category::Category;
 use crate::machine_places::MachinePlaces;
 
-/// A run: its moves, each with the state that it is made in, and what happens between them.
+/// A recorded run: its moves, each with the state in which it is made, and the events between them.
 #[derive(Debug)]
 pub(crate) struct ComparedRun {
     pub(crate) steps: Vec<RunStep>,
-    /// States, by the numbers that moves have.
+    /// The states; moves refer to them by index.
     pub(crate) states: Vec<MoveState>,
-    /// Rotary axes A B C at both ends of a move, rad, by the numbers that moves have.
+    /// The rotary axes A, B and C at both ends of a move, rad; moves refer to them by index.
     pub(crate) turns: Vec<[[f64; 3]; 2]>,
     pub(crate) report: Report,
 }
@@ -45,69 +45,70 @@ impl RunStep {
 pub(crate) struct ComparedMove {
     pub(crate) curve: Curve,
     pub(crate) length_mm: f64,
-    /// Both ends are known relative to the part.
+    /// Whether both ends are known relative to the part.
     pub(crate) known: bool,
     pub(crate) kind: ComparedMoveKind,
-    /// The feed of a cut; nothing for rapids and before any F.
+    /// The feed of a cut; `None` for rapids and before the first F.
     pub(crate) feed: Option<CutSpeed>,
-    /// F counts by revolutions.
+    /// Whether F is per revolution.
     pub(crate) per_revolution: bool,
     pub(crate) turn: u32,
     pub(crate) state: u32,
     pub(crate) origin: Origin,
-    /// Which command of the run made it: a dog-leg has several moves.
+    /// The number of the command that made it: a dog-leg rapid has several moves.
     pub(crate) command: u32,
 }
 
-/// How a move goes.
+/// The kind of a move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ComparedMoveKind {
     Cut,
     Rapid,
-    /// A rapid on which each axis goes at its own speed, so that it is no straight line.
+    /// A rapid on which each axis moves at its own speed, so that it is not a straight line.
     DogLeg,
 }
 
-/// How fast a cut is, so that it does not matter how the program counts it.
+/// The speed of a cut, independent of the program's feed mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum CutSpeed {
-    /// Of the path, mm/s.
+    /// The speed along the path, mm/s.
     Path(f64),
-    /// Of a move of rotary axes alone, 1/s: one over its time.
+    /// For a move of rotary axes only: the reciprocal of its duration, 1/s.
     Turn(f64),
-    /// For each revolution of a spindle that has no speed, mm.
+    /// The feed per revolution of a spindle without a known speed, mm.
     PerRevolution(f64),
 }
 
-/// What holds while a move is made.
+/// The modal state during a move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct MoveState {
     pub(crate) spindle: SpindleState,
     pub(crate) rpm: f64,
     pub(crate) coolant: Coolant,
     pub(crate) length_offset: Option<u32>,
-    /// The tool offsets in force where the program gives them itself (G43.1), mm and rad.
+    /// The tool offsets that the program sets directly (G43.1), mm and rad; `None` when they come from the offset
+    /// table.
     pub(crate) own_length: Option<Position>,
     pub(crate) radius_offset: Option<u32>,
-    /// The side of compensation, where the path does not show it.
+    /// The side of cutter compensation; `Off` when the compensated path is compared.
     pub(crate) side: CompensationSide,
     pub(crate) work_offset: u32,
     pub(crate) path_mode: PathMode,
     pub(crate) overrides: Overrides,
-    /// The surface on which two coordinates lie.
+    /// The rotating surface of polar or cylindrical interpolation.
     pub(crate) surface: Option<RotarySurface>,
-    /// A switch leaves out the block.
+    /// The block delete switch that can skip the block.
     pub(crate) deletable: Option<BlockDeleteUse>,
 }
 
-/// A switch of the panel leaves a block out, or a part of it.
+/// A block, or a part of it, that a block delete switch can skip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct BlockDeleteUse {
     pub(crate) switch: u8,
     pub(crate) partly: bool,
 }
 
-/// What happens between moves.
+/// An event between moves.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum RunEvent {
     Tool(u32),
@@ -126,7 +127,7 @@ pub(crate) enum RunEvent {
         number: f64,
         text: String,
     },
-    /// A block that may be left out, and that neither moves nor makes anything else happen here.
+    /// A block with block delete that causes no move and no other event.
     Deletable(BlockDeleteUse),
     Dwell(f64),
     Stop {
@@ -160,12 +161,12 @@ impl ComparedRun {
         ComparedRun { steps, states, turns, report }
     }
 
-    /// The run was given up before its end.
+    /// Whether the run was interrupted.
     pub(crate) fn was_interrupted(&self) -> bool {
         was_interrupted(&self.report)
     }
 
-    /// Moves everything, and changes feeds and speeds.
+    /// Transforms all moves, and scales feeds and speeds.
     pub(crate) fn map(&mut self, mapping: &RunMapping) {
         let scale = mapping.path.scale_factor();
         for step in &mut self.steps {
@@ -173,7 +174,7 @@ impl ComparedRun {
             moved.curve = moved.curve.transformed(&mapping.path);
             moved.length_mm *= scale;
             let state = &self.states[moved.state as usize];
-            // In a tap the panel's feed override does not act.
+            // Taps are recognized by the disabled feed override.
             let is_tap = moved.origin.cycle && !state.overrides.feed;
             let feed = match (is_tap, moved.per_revolution) {
                 (true, _) => mapping.speed,
@@ -191,7 +192,7 @@ impl ComparedRun {
         }
     }
 
-    /// The length of the cuts whose ends are known, mm.
+    /// The total length of the cuts whose ends are known, mm.
     pub(crate) fn cut_mm(&self) -> f64 {
         let cuts = self.steps.iter().map(|step| match step {
             RunStep::Move(moved) if moved.known && moved.kind == ComparedMoveKind::Cut => {
@@ -202,7 +203,7 @@ impl ComparedRun {
         cuts.sum()
     }
 
-    /// The lowest feed of a cut, mm/s.
+    /// The lowest feed along the path of a cut, mm/s; `None` when no cut has one.
     pub(crate) fn slowest(&self) -> Option<f64> {
         let feeds = self.steps.iter().filter_map(|step| match step {
             RunStep::Move(ComparedMove { feed: Some(CutSpeed::Path(speed)), .. }) => Some(*speed),
@@ -211,10 +212,10 @@ impl ComparedRun {
         feeds.min_by(f64::total_cmp)
     }
 
-    /// The time of cuts and dwells as far as their feeds are known, s.
+    /// The total time of dwells and of the cuts whose feed is known, s.
     pub(crate) fn cutting_s(&self) -> f64 {
         let times = self.steps.iter().map(|step| match step {
-            // Where a move from an unknown place begins is not known, nor how long it is.
+            // The length of a move from an unknown position is unknown.
             RunStep::Move(moved) if !moved.known => 0.0,
             RunStep::Move(moved) => match moved.feed {
                 Some(CutSpeed::Path(speed)) => moved.length_mm / speed,
@@ -231,7 +232,7 @@ impl ComparedRun {
         self.steps.iter().filter(|step| matches!(step, RunStep::Move(_))).count() as u64
     }
 
-    /// The move at a step.
+    /// The move at a step index; `None` for an event.
     pub(crate) fn moved(&self, step: usize) -> Option<&ComparedMove> {
         match self.steps.get(step)? {
             RunStep::Move(moved) => Some(moved),
@@ -248,12 +249,12 @@ impl ComparedRun {
     }
 }
 
-/// The run was given up before its end.
+/// Whether the run was interrupted.
 pub(crate) fn was_interrupted(report: &Report) -> bool {
     report.outcomes.iter().any(|outcome| outcome.end == EndReason::Interrupted)
 }
 
-/// Arcs of more turns stay whole.
+/// Arcs with more turns are not split.
 const MAX_TURNS: f64 = 1e5;
 
 struct RunRecorder<'j> {
@@ -262,7 +263,7 @@ struct RunRecorder<'j> {
     ready_tools: bool,
     programmed: bool,
     in_step: bool,
-    /// The block that a switch leaves out, and whether a step of it has come.
+    /// The current block with block delete, and whether it has made a step.
     deletable: Option<(Origin, BlockDeleteUse, bool)>,
     steps: Vec<RunStep>,
     states: Vec<MoveState>,
@@ -270,7 +271,7 @@ struct RunRecorder<'j> {
     now: MoveState,
     machine_places: Option<MachinePlaces>,
     commands: u32,
-    /// Every place is taken as it is counted.
+    /// Takes every position as known.
     assume_known: bool,
 }
 
@@ -284,7 +285,7 @@ impl<'j> RunRecorder<'j> {
             own_length: None,
             radius_offset: None,
             side: CompensationSide::Off,
-            // Which offset holds before the program names one is the control's business: its first.
+            // Before the program selects a work offset, the control's first one is assumed.
             work_offset: 1,
             path_mode: PathMode::Continuous { tolerance_mm: None, joined: false },
             overrides: Overrides::ON,
@@ -315,7 +316,7 @@ impl<'j> RunRecorder<'j> {
         self.states.len() as u32 - 1
     }
 
-    /// An arc of several turns passes its own places again and again: it is held turn by turn.
+    /// Splits an arc of several turns into single turns, because it passes the same points repeatedly.
     fn push(&mut self, moved: ComparedMove) {
         let turns = match moved.curve {
             Curve::Arc(arc)
@@ -352,7 +353,7 @@ impl<'j> RunRecorder<'j> {
         if matches!(what, RunEvent::ReadyTool(_)) && !self.ready_tools {
             return;
         }
-        // An event of one run alone would keep others from finding each other.
+        // An ignored event in only one run could prevent other events from being matched.
         if Category::of(&command.kind).is_some_and(|category| self.ignored.contains(&category)) {
             return;
         }
@@ -360,7 +361,7 @@ impl<'j> RunRecorder<'j> {
         self.steps.push(RunStep::Event { what, origin: command.origin, deletable });
     }
 
-    /// What leaves out the block of a step.
+    /// The block delete of the block of a step.
     fn deletable_of(&mut self, origin: &Origin) -> Option<BlockDeleteUse> {
         let (of, deletable, is_shown) = self.deletable.as_mut()?;
         if (of.span, of.call) != (origin.span, origin.call) {
@@ -370,7 +371,7 @@ impl<'j> RunRecorder<'j> {
         Some(*deletable)
     }
 
-    /// The block that may be left out is over: one of which no step came is an event of its own.
+    /// Ends the current block with block delete: one that made no step becomes an event.
     fn end_deletable(&mut self) {
         if let Some((origin, deletable, false)) = self.deletable.take() {
             let what = RunEvent::Deletable(deletable);
@@ -426,7 +427,7 @@ impl<'j> RunRecorder<'j> {
             Kind::Output { text } => self.event(command, RunEvent::Output(text.clone())),
             Kind::Spindle { state, rpm } => {
                 self.now.spindle = *state;
-                // A spindle that stands has no speed, whatever S says for later.
+                // A stopped spindle has no speed, even when S is programmed for later.
                 let turns = matches!(state, SpindleState::Cw | SpindleState::Ccw);
                 self.now.rpm = if turns { *rpm } else { 0.0 };
             }
@@ -446,7 +447,7 @@ impl<'j> RunRecorder<'j> {
             Kind::Overrides(overrides) => self.now.overrides = *overrides,
             Kind::Surface { surface, .. } => self.now.surface = *surface,
             Kind::End => self.now.surface = None,
-            // How the words are to be read is in the moves already.
+            // The effects of these are in the moves.
             Kind::Rapid { .. }
             | Kind::Line { .. }
             | Kind::Arc { .. }
@@ -469,7 +470,7 @@ impl RunWatch for RunRecorder<'_> {
     }
 }
 
-/// The path before cutter compensation.
+/// Records the programmed path, before cutter compensation.
 struct ProgrammedPathSink<'g, 'j, 'm> {
     gather: &'g mut RunRecorder<'j>,
     builder: PathBuilder<'m>,
@@ -493,7 +494,7 @@ impl RunRecorder<'_> {
         let feed_mode = command.kind.feed().map(|feed| feed.mode);
         for segment in segments {
             let turn = self.turn(segment);
-            // From a place that is not known the numbers may say that nothing moves.
+            // From an unknown position, a move may have length zero in numbers although the machine moves.
             let is_counted = self.in_step && !segment.known && !self.assume_known;
             let stays = segment.length_mm == 0.0 && segment.rotary_from == segment.rotary_to;
             if stays && !is_counted {
@@ -520,7 +521,7 @@ impl RunRecorder<'_> {
 fn kind(command: &Command) -> ComparedMoveKind {
     match &command.kind {
         CommandKind::Rapid { path: RapidPath::DogLeg, motion } => {
-            // Along a single axis both are the same line.
+            // Along a single axis, both kinds are the same line.
             let moving = (0..3).filter(|axis| motion.from[*axis] != motion.to[*axis]).count();
             if moving > 1 { ComparedMoveKind::DogLeg } else { ComparedMoveKind::Rapid }
         }
@@ -529,7 +530,7 @@ fn kind(command: &Command) -> ComparedMoveKind {
     }
 }
 
-/// The feed as speed, from the time that the segment takes without acceleration.
+/// The speed of a segment, from its duration without acceleration; `None` when unknown.
 fn speed(command: &Command, segment: &Segment) -> Option<CutSpeed> {
     let feed = command.kind.feed()?;
     if !(segment.duration_s > 0.0 && segment.duration_s.is_finite()) {

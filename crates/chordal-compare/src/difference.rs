@@ -1,24 +1,24 @@
-//! What differs, as plain data.
+//! The differences between two runs as plain data.
 
 use chordal::Span;
 use chordal::control::{Coolant, Origin, Overrides, PathMode, SpindleState};
 
 use crate::category::Category;
 
-/// What one of the two has.
+/// The value on one of the two sides of a difference.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DifferenceValue {
-    /// Nothing of the kind.
+    /// No such value.
     Nothing,
-    /// A number: of a tool, of an offset.
+    /// A number of a tool or an offset.
     Number(u32),
     /// A feed, mm/s.
     Feed(f64),
-    /// A feed of rotary axes alone, 1/s: one over the time of the move.
+    /// The feed of a move of rotary axes only, 1/s: the reciprocal of its duration.
     Turn(f64),
-    /// A feed for each revolution, mm.
+    /// A feed per revolution, mm.
     FeedPerRevolution(f64),
-    /// A spindle, and its speed in revolutions a minute.
+    /// A spindle state and speed, revolutions per minute.
     Spindle(SpindleState, f64),
     /// Coolant.
     Coolant(Coolant),
@@ -30,16 +30,16 @@ pub enum DifferenceValue {
     Seconds(f64),
     /// Rotary axes A B C, rad.
     Rotary([f64; 3]),
-    /// Said in words.
+    /// Any other value, in words.
     Text(String),
 }
 
-/// A block of one of the two programs.
+/// The location of a block in one of the two programs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BlockLocation {
-    /// The block, in the sources of its job.
+    /// Its text range in the sources of its job.
     pub span: Span,
-    /// Its line, from 1.
+    /// Its line number, from 1.
     pub line: u32,
 }
 
@@ -49,17 +49,17 @@ impl From<&Origin> for BlockLocation {
     }
 }
 
-/// The first and the last block of a stretch, in the order in which they are run.
+/// The first and the last block of a sequence, in the order of execution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BlockRange {
-    /// Where it begins.
+    /// The first block.
     pub first: BlockLocation,
-    /// Where it ends.
+    /// The last block.
     pub last: BlockLocation,
 }
 
 impl Difference {
-    /// A difference made once, of which no more is known yet.
+    /// A difference that occurs once, without distance and shift.
     pub(crate) fn new(
         category: Category,
         blocks: [Option<BlockRange>; 2],
@@ -78,7 +78,7 @@ impl Difference {
         }
     }
 
-    /// A difference of one block and another.
+    /// A difference between two single blocks.
     pub(crate) fn at(
         category: Category,
         at: [BlockLocation; 2],
@@ -87,7 +87,7 @@ impl Difference {
         Difference::new(category, at.map(|place| Some(BlockRange::at(place))), [1; 2], values)
     }
 
-    /// Goes on to the next blocks.
+    /// Extends the difference to further blocks.
     pub(crate) fn extend(&mut self, at: [BlockLocation; 2]) {
         for ((blocks, place), steps) in self.blocks.iter_mut().zip(at).zip(&mut self.steps) {
             if let Some(blocks) = blocks
@@ -99,7 +99,7 @@ impl Difference {
         }
     }
 
-    /// Takes the same difference of another turn; false where it is another one.
+    /// Merges an equal difference of another loop iteration or call; `false` when it is not equal.
     fn again(&mut self, other: &Difference) -> bool {
         let key = |one: &Difference| (one.category, one.blocks, one.steps);
         let is_same = key(self) == key(other) && self.values == other.values;
@@ -112,7 +112,7 @@ impl Difference {
     }
 }
 
-/// Puts differences in the order of the first program, each once.
+/// Sorts differences by their place in the first program and merges equal ones.
 pub(crate) fn in_order(differences: &mut Vec<Difference>) {
     let lines = |difference: &Difference| {
         let at = difference.blocks.map(|blocks| blocks.map(|at| at.lines()));
@@ -127,7 +127,7 @@ impl BlockRange {
         BlockRange { first: place, last: place }
     }
 
-    /// The smallest and largest line of its two ends; the line of the first alone where they are in
+    /// The smallest and the largest line of its two ends; the line of the first block twice when the ends are in
     /// different files.
     pub fn lines(&self) -> (u32, u32) {
         if self.first.span.file != self.last.span.file {
@@ -137,24 +137,26 @@ impl BlockRange {
     }
 }
 
-/// A difference of two runs.
+/// A difference between two runs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
-    /// In what.
+    /// What differs.
     pub category: Category,
-    /// Where in each of the two; where only one has it, the other says after which block it lacks.
+    /// The blocks in each program. When only one program has the step, the other entry is the block after which it is
+    /// missing, or `None` when there is none.
     pub blocks: [Option<BlockRange>; 2],
-    /// How many moves, or other steps, it holds in each.
+    /// The number of moves or other steps in each program.
     pub steps: [u64; 2],
-    /// How often, where a loop or a subprogram makes the same difference again.
+    /// How often the difference occurs, in a loop or a subprogram.
     pub times: u64,
-    /// What each has, where that is one value.
+    /// The values on both sides; `None` when the difference is not in a single value.
     pub values: Option<[DifferenceValue; 2]>,
-    /// The two paths are nowhere further apart here, mm.
+    /// An upper bound of the distance between the two paths here, mm; `None` when it is not known or not a difference
+    /// of paths.
     pub distance_mm: Option<f64>,
-    /// A place on each of the two paths where they are about furthest apart here, in the frame of the
-    /// run, mm: where to look, not a measure.
+    /// A point on each path near their largest distance here, in the frame of the run, mm. It shows where to look and
+    /// is not exact. `None` as for `distance_mm`.
     pub at_mm: Option<[[f64; 3]; 2]>,
-    /// The second path is the first moved by this, mm, where it is that.
+    /// The translation from the first path to the second, mm; `None` when they differ by more than a translation.
     pub shift_mm: Option<[f64; 3]>,
 }

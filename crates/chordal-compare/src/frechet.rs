@@ -1,13 +1,13 @@
-//! The Fréchet distance of two chains of straight lines, by Alt and Godau (1995).
+//! The Fréchet distance between two polylines, after Alt and Godau (1995).
 
 use chordal::geometry::Vec3;
 
-/// Most cells of the free-space diagram; longer chains keep the bound of their coupling.
+/// The most cells of a free-space diagram, for time and memory; longer polylines keep the bound of their coupling.
 pub(crate) const MAX_CELLS: usize = 1 << 20;
 
-/// The least distance within which somebody on one chain and somebody on the other can walk from the
-/// beginning to the end without going back: at most this, and above it by no more than `precision`
-/// (both mm). Never above `most`, which must be reachable.
+/// An upper bound of the Fréchet distance between two polylines, mm: the smallest distance within which two points
+/// can move along both from beginning to end without going back. It exceeds the exact value by at most `precision`
+/// (mm) and is at most `most`, which must itself be an upper bound.
 pub(crate) fn frechet(a: &[Vec3], b: &[Vec3], most: f64, precision: f64) -> f64 {
     let (Some(first), Some(last)) = (a.first().zip(b.first()), a.last().zip(b.last())) else {
         return most;
@@ -27,7 +27,7 @@ pub(crate) fn frechet(a: &[Vec3], b: &[Vec3], most: f64, precision: f64) -> f64 
     high
 }
 
-/// The part of a line, as fractions, that lies within a distance of a place.
+/// The part of a line that lies within a distance of a point, as fractions of the line; `None` when there is none.
 fn within(place: Vec3, from: Vec3, to: Vec3, distance: f64) -> Option<(f64, f64)> {
     let (path, off) = (to - from, place - from);
     let square = path.length_squared();
@@ -47,10 +47,10 @@ fn within(place: Vec3, from: Vec3, to: Vec3, distance: f64) -> Option<(f64, f64)
 
 type FreeInterval = Option<(f64, f64)>;
 
-/// Whether the end of the free-space diagram can be reached from its beginning going up and right.
+/// Whether a monotone path leads from the beginning of the free-space diagram to its end.
 ///
-/// `below[i]` is what can be reached of line i of `a` at place j of `b`, `left` what can be reached of
-/// line j of `b` at place i of `a`.
+/// `below[i]` is the reachable part of line i of `a` at point j of `b`, and `left` the reachable part of line j of
+/// `b` at point i of `a`.
 fn reachable(a: &[Vec3], b: &[Vec3], distance: f64) -> bool {
     let (n, m) = (a.len() - 1, b.len() - 1);
     let is_near = |a: Vec3, b: Vec3| (a - b).length() <= distance;
@@ -61,7 +61,7 @@ fn reachable(a: &[Vec3], b: &[Vec3], distance: f64) -> bool {
         let (point, chain) = if n == 0 { (a[0], b) } else { (b[0], a) };
         return chain.iter().all(|place| is_near(point, *place));
     }
-    // Along the lower edge one can only go as long as it is free without a gap.
+    // Along the lower edge, points are reachable only up to the first gap in the free space.
     let mut below: Vec<FreeInterval> = vec![None; n];
     let mut is_open = true;
     for i in 0..n {
@@ -78,8 +78,8 @@ fn reachable(a: &[Vec3], b: &[Vec3], distance: f64) -> bool {
             let right = within(a[i + 1], b[j], b[j + 1], distance);
             let top = within(b[j + 1], a[i], a[i + 1], distance);
             let (from_left, from_below) = (left, below[i]);
-            // A cell is convex: from its lower edge all of its right edge can be reached, from its
-            // left edge what lies above.
+            // The free space in a cell is convex: from its lower edge the whole free right edge is reachable, from
+            // its left edge only what lies at or above the lowest reachable point.
             left = onward(right, from_below, from_left);
             below[i] = onward(top, from_left, from_below);
         }
@@ -90,7 +90,7 @@ fn reachable(a: &[Vec3], b: &[Vec3], distance: f64) -> bool {
     false
 }
 
-/// What can be reached of an edge from the edge across the corner and from the one opposite.
+/// The reachable part of an edge, from the adjacent edge (`across`) and from the opposite edge.
 fn onward(edge: FreeInterval, across: FreeInterval, opposite: FreeInterval) -> FreeInterval {
     let (from, to) = edge?;
     if across.is_some() {
@@ -124,7 +124,7 @@ mod tests {
         assert!((found - 2.0).abs() < 1e-8, "{found}");
     }
 
-    /// As sets of points these are the same; walked, one has to wait half the way of the return.
+    /// As sets of points these are equal; moving along both, one point must wait halfway along the return.
     #[test]
     fn going_back_and_forth_is_another_path() {
         let forth = [[0.0, 0.0], [10.0, 0.0]];
@@ -138,13 +138,13 @@ mod tests {
         let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]];
         let mut other = square;
         other.reverse();
-        // Both begin and end at the same corner; halfway they are together again, and in between a
-        // quarter of the square is between them.
+        // Both begin and end at the same corner and meet again halfway; between, they are a quarter of the square
+        // apart.
         let found = distance(&square, &other);
         assert!(found > 3.9 && found < 4.1 * 2f64.sqrt(), "{found}");
     }
 
-    /// Against the discrete distance over many samples, which is never below by more than a step.
+    /// Compared with the discrete distance over many samples, which exceeds the exact one by at most a step.
     #[test]
     fn as_samples_say() {
         let a = [[0.0, 0.0], [3.0, 1.0], [5.0, -2.0], [9.0, 0.5]];

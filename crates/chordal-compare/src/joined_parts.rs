@@ -1,4 +1,4 @@
-//! Several runs one after the other, as one that they take the place of.
+//! Compares several runs, one after the other, with the single run that they replace.
 
 use std::collections::HashMap;
 
@@ -11,19 +11,19 @@ use crate::category::Category;
 use crate::course::{ComparedMove, ComparedMoveKind, ComparedRun, RunEvent, RunStep};
 use crate::{COINCIDENT_MM, Comparison, ComparisonOptions, conclude};
 
-/// A text that a part has from the whole, byte for byte.
+/// A text that a part has copied from the whole program, byte for byte.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RetainedText {
-    /// Where it stands in the part.
+    /// Its range in the part.
     pub part: TextRange,
-    /// Where it begins in the whole.
+    /// Its start offset in the whole program.
     pub whole: u32,
-    /// Its first line in the part and in the whole, from 1.
+    /// The number of its first line in the part and in the whole program, from 1.
     pub lines: [u32; 2],
 }
 
 impl RetainedText {
-    /// A block of the part as one of the whole.
+    /// The location in the whole program of a block of the part; `None` when the block is not in this text.
     fn origin(&self, origin: &Origin) -> Option<Origin> {
         let span = self.span(origin.span)?;
         let line = origin.line - self.lines[0] + self.lines[1];
@@ -40,14 +40,14 @@ impl RetainedText {
     }
 }
 
-/// One of the programs that are run one after the other.
+/// One of the programs that are run one after the other in place of the whole.
 #[derive(Debug)]
 pub struct JoinedPart<'j, 't> {
-    /// Its text and machine.
+    /// The job that runs its text on its machine.
     pub job: &'j Job<'t>,
-    /// The blocks of the main program that it carries out.
+    /// The blocks of the main program that it executes.
     pub body: RetainedText,
-    /// What else its text has from the whole: subprograms. The rest is put in to begin and to end it.
+    /// The other texts copied from the whole: subprograms. Everything else was added to begin and end the part.
     pub other_texts: Vec<RetainedText>,
 }
 
@@ -57,12 +57,11 @@ impl JoinedPart<'_, '_> {
     }
 }
 
-/// Holds parts, run one after the other, against the whole that they are made of, move by move.
+/// Compares parts, run one after the other, with the whole program that they were made from, move by move.
 ///
-/// Rapids of blocks that a part puts in are not compared with anything, nor the tool that they bring into
-/// the spindle, if it is the one that was there. Where a part then comes from another place than the whole,
-/// so are the rapids before its first cut, as far as they are others. Places of the differences
-/// are those of the whole.
+/// Rapids in the blocks added to a part are not compared, and neither is a tool change in them to the tool already in
+/// the spindle. If the part then starts from another position than the whole, the rapids before its first cut that
+/// differ are not compared either. The blocks of the differences refer to the whole program.
 pub fn compare_joined(
     whole: &Job,
     parts: &[JoinedPart],
@@ -70,7 +69,7 @@ pub fn compare_joined(
 ) -> Comparison {
     let options = ComparisonOptions { in_step: true, ..options.clone() };
     let found = joined(whole, parts, &options);
-    // All begin at the same place.
+    // All start at the same position.
     let nothing_known = found.max_distance_mm.is_none() && found.moves != [0, 0];
     if nothing_known && !options.assume_known {
         return joined(whole, parts, &ComparisonOptions { assume_known: true, ..options });
@@ -79,7 +78,8 @@ pub fn compare_joined(
 }
 
 fn joined(whole: &Job, parts: &[JoinedPart], options: &ComparisonOptions) -> Comparison {
-    // What each part says once the whole says once: the texts are the same.
+    // Each part reports these once and the whole program reports them once. They need no comparison, because the
+    // texts are equal.
     let mut options = options.clone();
     options.ignored.extend([Category::Value, Category::NotRun, Category::Variable]);
     let options = &options;
@@ -97,7 +97,7 @@ fn joined(whole: &Job, parts: &[JoinedPart], options: &ComparisonOptions) -> Com
     conclude([whole, whole], a, b, &Default::default(), options)
 }
 
-/// The steps of the whole at which its parts begin: after the last one that a block before them makes.
+/// The steps of the whole program at which its parts begin: after the last step of a block before the part.
 fn begins(whole: &ComparedRun, parts: &[JoinedPart]) -> Vec<usize> {
     let calls = whole.report.outcomes.first().map(|outcome| &outcome.calls);
     let mut callers: HashMap<CallPath, u32> = HashMap::new();
@@ -120,7 +120,7 @@ fn begins(whole: &ComparedRun, parts: &[JoinedPart]) -> Vec<usize> {
     begins
 }
 
-/// What nothing that was run found.
+/// The report of an empty run.
 fn empty() -> Report {
     Report {
         summary: Summary::default(),
@@ -135,7 +135,7 @@ fn empty() -> Report {
     }
 }
 
-/// Puts the run of a part after those before it.
+/// Appends the run of a part.
 fn join(joined: &mut ComparedRun, part: &JoinedPart, options: &ComparisonOptions) {
     let run = ComparedRun::of(part.job, options, None);
     let (states, turns) = (joined.states.len() as u32, joined.turns.len() as u32);
@@ -155,7 +155,7 @@ fn join(joined: &mut ComparedRun, part: &JoinedPart, options: &ComparisonOptions
             }
             RunStep::Event { what: RunEvent::Tool(number), .. }
                 if is_own && tool(joined) == Some(number) => {}
-            // The head says again what was said before.
+            // The added head repeats what was set before.
             RunStep::Event {
                 what:
                     what @ (RunEvent::Code(_) | RunEvent::Written { .. } | RunEvent::Variable { .. }),
@@ -196,8 +196,8 @@ fn join_reports(joined: &mut Report, report: Report, part: &JoinedPart) {
     joined.output.extend(report.output);
 }
 
-/// The last of the moves before the first cut that both do not make alike is where the part comes from
-/// elsewhere: that one and those before it are left out, where the cut begins at one place.
+/// Excludes from the comparison the rapids of a part that approach its first cut from another position: the last
+/// rapid that differs and all rapids before it. This is done only when the first cut starts at the same point.
 fn arrive(courses: [&mut ComparedRun; 2], begins: [usize; 2], tolerance_mm: f64) {
     let [a, b] = courses;
     let (Some(one), Some(other)) = (approach(a, begins[0]), approach(b, begins[1])) else { return };
@@ -222,13 +222,13 @@ fn arrive(courses: [&mut ComparedRun; 2], begins: [usize; 2], tolerance_mm: f64)
     }
 }
 
-/// The rapids before a cut, by their steps.
+/// The start of a cut, and the indices of the rapids before it.
 struct CutApproach {
     cut_from: Vec3,
     rapids: Vec<usize>,
 }
 
-/// The way to the first cut from a step on.
+/// The approach to the first cut from a step on; `None` without a cut.
 fn approach(course: &ComparedRun, from: usize) -> Option<CutApproach> {
     let mut rapids = Vec::new();
     for at in from..course.steps.len() {

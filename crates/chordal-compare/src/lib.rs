@@ -1,13 +1,13 @@
-//! Two runs compared with each other: how far apart their paths are, and in what else they differ.
+//! Compares two runs: the distance between their paths, and all other differences.
 //!
-//! Programs are compared by what they do, not by their text: steps that do the same find each other
-//! wherever they stand, and what lies between is walked together. Neither spaces, numbers of blocks,
-//! subprograms, units nor the way lines and arcs are cut make a difference.
+//! Programs are compared by what they do, not by their text: steps that do the same are matched wherever they are in
+//! the text, and the paths between them are traversed together. Spaces, block numbers, subprograms, units and the
+//! subdivision of lines and arcs make no difference.
 //!
-//! The distance is an upper bound of the Fréchet distance of the two paths of the tool centre, in the
-//! frame of the run (the program coordinates of the first cut), rapids and cuts in the order in which
-//! they are made: two who walk the paths from beginning to end without going back are never further
-//! apart than this. It is exact for straight lines and for equal arcs and spirals, else found within
+//! The distance is an upper bound of the Fréchet distance between the two paths of the tool centre, in the frame of
+//! the run (the program coordinates of the first cut), with rapids and cuts in the order in which they are made: two
+//! points can move along the paths from beginning to end, without going back, and never be further apart than this.
+//! It is exact for straight lines and for equal arcs and spirals; otherwise it is found within
 //! [`ComparisonOptions::precision_mm`].
 //!
 //! ```
@@ -56,46 +56,47 @@ pub use passes::{CyclePasses, FreePasses, LastPass};
 pub use pecks::HolePecks;
 pub use values::are_same_values;
 
-/// How two runs are compared with each other.
+/// How two runs are compared.
 #[derive(Clone, Debug)]
 pub struct ComparisonOptions {
-    /// Paths may be this far apart, mm.
+    /// The allowed distance between the paths, mm.
     pub tolerance_mm: f64,
-    /// Feeds may differ by this part of them.
+    /// The allowed relative difference of feeds.
     pub feed_tolerance: f64,
-    /// Spindle speeds may differ by this part of them.
+    /// The allowed relative difference of spindle speeds.
     pub speed_tolerance: f64,
-    /// The time of all cuts and dwells may differ by this part of it.
+    /// The allowed relative difference in the total time of cuts and dwells.
     pub time_tolerance: f64,
-    /// Rotary axes may stand this far apart, rad.
+    /// The allowed difference in the positions of rotary axes, rad.
     pub rotary_tolerance_rad: f64,
-    /// Bounds of distances between curves of different kinds are found to this, mm.
+    /// The precision of bounds of the distance between curves of different kinds, mm.
     pub precision_mm: f64,
-    /// The path as it is programmed is compared, not that of the tool centre: cutter compensation
-    /// is a state of its moves.
+    /// Compares the programmed path instead of the path of the tool centre; cutter compensation is then a state of
+    /// the moves.
     pub programmed: bool,
-    /// Places that are not known relative to the part are taken as they are counted: for two runs that
-    /// begin at the same place, on machines with the same offsets and reference points.
+    /// Takes positions that are unknown relative to the part as they are computed: for two runs that start at the
+    /// same position, on machines with the same offsets and reference points.
     pub assume_known: bool,
-    /// Differences of these are none.
+    /// Differences of these categories are ignored.
     pub ignored: Vec<Category>,
-    /// Tools that are made ready count. They move nothing, and programs name them sooner or later.
+    /// Compares prepared tools too. By default it does not, because preparing a tool moves nothing, and programs do
+    /// it at different times.
     pub ready_tools: bool,
-    /// So many differences are kept; the rest is counted.
+    /// The most differences that are returned; the others are counted.
     pub kept: usize,
-    /// The two are meant to make the same moves: where both make as many of the same kinds, they are held
-    /// against each other one by one in their order, and moves between places that are not known not at all.
+    /// The programs are meant to make the same moves: if both make the same number of the same kinds, the moves are
+    /// compared one by one in order, and moves between unknown positions are not compared.
     pub in_step: bool,
-    /// In step, of moves between places that are not known all is compared but the path: the way, the feed, the state.
+    /// With `in_step`, moves between unknown positions are compared too, except for their path.
     pub unknown_in_step: bool,
-    /// Whoever asks compares the other sides of conditions that nobody knows as runs of their own: blocks that they run
-    /// are not held against each other by their words.
+    /// The caller compares the other sides of unknown conditions as separate runs, so blocks that those run are not
+    /// compared by their words.
     pub separate_sides: bool,
-    /// Lines of either program whose canned cycles may drill in other steps: there a hole counts as one
-    /// cut from R to its bottom, and how the steps differ is reported apart ([`Comparison::pecks`]).
+    /// Lines of each program whose canned cycles may drill in different pecks: a hole counts as one cut from R to its
+    /// bottom, and different pecks are reported separately ([`Comparison::pecks`]).
     pub free_pecks: [BTreeSet<u32>; 2],
-    /// Lines of either program whose cycles of a lathe may cut in passes of their own: there the last pass counts, and
-    /// how the others differ is reported apart ([`Comparison::passes`]).
+    /// Lines of each program whose lathe cycles may cut in different passes: only the last pass is compared, and
+    /// different passes are reported separately ([`Comparison::passes`]).
     pub free_passes: [FreePasses; 2],
 }
 
@@ -122,15 +123,15 @@ impl Default for ComparisonOptions {
     }
 }
 
-/// What is to become of a run, so that another one may be the same.
+/// How the first run is transformed before it is compared with the second.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RunMapping {
-    /// Where the path goes, in the frame of the run. Places of the machine stay: where it stands at the
-    /// start and where G28 and G53 go; moves from and to them are not compared with each other.
+    /// The transformation of the path, in the frame of the run. Machine positions (the start position and the targets
+    /// of G28 and G53) do not move with it, so moves from and to them are not compared.
     pub path: Transform,
-    /// What feeds are multiplied by: of cuts, not of taps, whose feed goes with the spindle.
+    /// The factor for the feeds of cuts. The feed of a tap follows the spindle speed instead.
     pub feed: f64,
-    /// What spindle speeds are multiplied by.
+    /// The factor for spindle speeds.
     pub speed: f64,
 }
 
@@ -140,50 +141,49 @@ impl Default for RunMapping {
     }
 }
 
-/// The answer.
+/// The result of a comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ComparisonVerdict {
-    /// The same motion, and everything else the same.
+    /// The motion and everything else are the same.
     Same,
-    /// The paths are apart, but nowhere by more than the tolerance; everything else is the same.
+    /// The paths differ by no more than the tolerance; everything else is the same.
     Within,
     /// Something differs.
     Different,
-    /// No difference was found, and one of the programs does something that is not followed: from
-    /// there on nothing is known.
+    /// No difference was found, but one of the programs does something that the simulation cannot follow.
     NotVerified,
 }
 
-/// What came out.
+/// The outcome of a comparison.
 #[derive(Debug)]
 pub struct Comparison {
-    /// The answer.
+    /// The result in one word.
     pub verdict: ComparisonVerdict,
-    /// The paths are nowhere further apart than this, mm; nothing where one of the two has no moves that
-    /// the other's could be compared with.
+    /// An upper bound of the distance between the paths, mm; `None` when no moves of the two could be compared.
     pub max_distance_mm: Option<f64>,
-    /// The blocks where they are furthest apart.
+    /// The blocks at the largest distance; `None` when the paths coincide.
     pub farthest: Option<[BlockLocation; 2]>,
-    /// A place on each path, about there, in the frame of the run, mm: where to look, not a measure.
+    /// A point on each path near the largest distance, in the frame of the run, mm. It shows where to look and is not
+    /// exact.
     pub farthest_at_mm: Option<[[f64; 3]; 2]>,
-    /// The differences, in the order of the first program; paths within the tolerance are none.
+    /// The differences in the order of the first program. Paths within the tolerance are not listed.
     pub differences: Vec<Difference>,
-    /// How many more there are.
+    /// How many further differences there are.
     pub dropped: u64,
-    /// How many moves each has.
+    /// The number of moves in each run.
     pub moves: [u64; 2],
-    /// Holes that the two drill in other steps, where they may.
+    /// Holes that the two runs drill in different pecks, where the options allow it.
     pub pecks: Vec<[HolePecks; 2]>,
-    /// Cycles of lathes that the two cut in other passes, where they may.
+    /// Lathe cycles that the two runs cut in different passes, where the options allow it.
     pub passes: Vec<[CyclePasses; 2]>,
-    /// What the runs themselves found.
+    /// The reports of the two runs.
     pub reports: [Report; 2],
 }
 
-/// Runs both and holds them against each other. A run that [`Job::interrupt`] ends leaves the comparison
-/// without a word, as its report says. Where no place of either is known relative to the part,
-/// and their machines have the same tables, both are taken to begin at the same place.
+/// Runs both programs and compares them. When [`Job::interrupt`] ends a run, the comparison is empty; the report
+/// shows the interruption. When no positions are known relative to the part and the machines have the same offsets
+/// and reference points, both are assumed to start at the same position.
 pub fn compare(a: &Job, b: &Job, options: &ComparisonOptions) -> Comparison {
     let mapping = RunMapping::default();
     let found = compare_mapped(a, b, options, &mapping);
@@ -203,7 +203,7 @@ fn have_same_places(a: &Machine, b: &Machine) -> bool {
     places(a) == places(b)
 }
 
-/// Holds what the first does, moved and at other feeds and speeds, against the second.
+/// Compares the first run, transformed by a mapping, with the second.
 pub fn compare_mapped(
     a: &Job,
     b: &Job,
@@ -226,14 +226,14 @@ pub fn compare_mapped(
     conclude(jobs, a, b, &AllowedDifferences { holes, cycles }, options)
 }
 
-/// What two runs may do otherwise.
+/// The pecks and passes that the options allow to differ.
 #[derive(Default)]
 struct AllowedDifferences {
     holes: [Vec<HolePecks>; 2],
     cycles: [Vec<CyclePasses>; 2],
 }
 
-/// Walks along two runs.
+/// Compares two recorded runs.
 fn conclude(
     jobs: [&Job; 2],
     a: course::ComparedRun,
@@ -245,8 +245,8 @@ fn conclude(
         return interrupted([a, b]);
     }
     let mut walk = alignment_walker::AlignmentWalker::new(&a, &b, options);
-    // Half of the tolerance, so that what the grid takes for the same is within it; not finer than
-    // what rounding may do.
+    // Half of the tolerance, so that steps matched on the grid are within it; at least 1e-6 mm because of rounding
+    // errors.
     let grid_mm = (options.tolerance_mm / 2.0).max(1e-6);
     let in_step =
         if options.in_step { align::in_step(&a, &b, options.unknown_in_step) } else { None };
@@ -271,7 +271,7 @@ fn conclude(
     let verdict = match (found.differences.is_empty(), has_path) {
         (true, _) if !verified => ComparisonVerdict::NotVerified,
         (true, false) => ComparisonVerdict::Same,
-        // Paths further apart than the tolerance are among the differences, unless they do not count.
+        // Paths further apart than the tolerance are among the differences, unless they are ignored.
         (true, true) => ComparisonVerdict::Within,
         (false, _) => ComparisonVerdict::Different,
     };
@@ -291,7 +291,8 @@ fn conclude(
     }
 }
 
-/// The time of cuts and dwells, where nothing else shows why it differs.
+/// The difference in the time of cuts and dwells; `None` when it is within the tolerance or another difference
+/// explains it.
 fn time_difference(
     courses: [&course::ComparedRun; 2],
     found: &alignment_walker::ComparisonFindings,
@@ -312,7 +313,7 @@ fn time_difference(
     let times = courses.map(course::ComparedRun::cutting_s);
     let separate = (times[0] - times[1]).abs();
     let most = times[0].max(times[1]);
-    // A path within the tolerance may be longer, and takes longer then: at the lowest feed the longest.
+    // A path within the tolerance may be longer and take longer, at most as long as at the lowest feed.
     let lengths = courses.map(course::ComparedRun::cut_mm);
     let slowest =
         courses.into_iter().filter_map(course::ComparedRun::slowest).fold(f64::INFINITY, f64::min);
@@ -332,7 +333,7 @@ fn time_difference(
     Some(Difference::new(Category::Time, ends, steps, values))
 }
 
-/// Nothing can be said of a run that was given up.
+/// The empty comparison of runs of which one was interrupted.
 fn interrupted(courses: [course::ComparedRun; 2]) -> Comparison {
     Comparison {
         verdict: ComparisonVerdict::Different,

@@ -1,5 +1,5 @@
-//! Places that belong to the machine and not to the program: where it stands at the start, and where
-//! G28 and G53 send it. When a path is meant to be moved, they stay.
+//! Tracks positions that belong to the machine and not to the program: the start position, and the targets of G28 and
+//! G53. They stay where they are when the program's path is transformed.
 
 use chordal::control::{Action, OnceCode};
 use std::collections::HashMap;
@@ -8,35 +8,35 @@ use chordal::Job;
 use chordal::diagnostics::Span;
 use chordal::syntax::{Block, BlockReader};
 
-/// Which of X, Y and Z a block names, and whether it sends them to places of the machine.
+/// Which of X, Y and Z a block programs, and whether it moves them to machine positions.
 #[derive(Clone, Copy, Debug, Default)]
 struct NamedAxes {
     axes: [bool; 3],
     is_machine: bool,
 }
 
-/// Follows which axes stand at places of the machine.
+/// Tracks which axes are at machine positions.
 #[derive(Debug)]
 pub(crate) struct MachinePlaces {
     names: HashMap<(u32, u32), NamedAxes>,
     at_machine: [bool; 3],
-    /// Axes that the machine has.
+    /// Whether the machine has X, Y and Z.
     exists: [bool; 3],
 }
 
 impl MachinePlaces {
     pub(crate) fn of(job: &Job) -> MachinePlaces {
         let exists = [0, 1, 2].map(|axis| job.machine().axes[axis].is_some());
-        // A machine without any axis says nothing about them.
+        // A machine file without axes does not describe them, so all are assumed.
         let exists = if exists == [false; 3] { [true; 3] } else { exists };
         MachinePlaces { names: names(job), at_machine: exists, exists }
     }
 
-    /// Whether a move of a block begins or ends at such a place; moves are reported in their order.
+    /// Whether a move of a block begins or ends at a machine position. Must be called for all moves in order.
     pub(crate) fn has(&mut self, span: Span) -> bool {
         let block = self.names.get(&(span.file.0, span.range.start)).copied().unwrap_or_default();
         let began = self.at_machine;
-        // G28 alone moves all axes.
+        // G28 without axis words moves all axes.
         let all = block.is_machine && block.axes == [false; 3];
         for (axis, is_at_machine) in self.at_machine.iter_mut().enumerate() {
             if self.exists[axis] && (block.axes[axis] || all) {

@@ -1,9 +1,9 @@
-//! Cycles of lathes cut in passes of their own: the last pass as it is, and what the others were.
+//! Lathe cycles whose passes the control chooses: keeps the last pass of each, and records the others.
 //!
-//! Two controls that have the same cycle lay its roughing passes at other levels, back off by other settings, and divide a
-//! thread's depth in another way. What makes the part is the last pass along the contour, the last pass of the thread, the
-//! bottom of each plunge: these stay and are compared move by move, with rapids from where the cycle begins and to where it
-//! ends. Cycles with a cut beyond their last pass are not joined.
+//! For the same cycle, two controls place the roughing passes at different levels, retract by different settings, and
+//! divide the depth of a thread differently. The part is determined by the last pass along the contour, the last pass
+//! of the thread, and the bottom of each plunge. These are kept and compared move by move, with rapids from the start
+//! of the cycle and to its end. Cycles with a cut beyond their last pass are not joined.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ use crate::category::Category;
 use crate::course::{ComparedMove, ComparedMoveKind, ComparedRun, RunStep};
 use crate::difference::{BlockLocation, BlockRange, Difference};
 
-/// What of a cycle stays.
+/// Which part of a cycle is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LastPass {
     /// The last pass along the blocks of a contour.
@@ -24,24 +24,24 @@ pub enum LastPass {
     Plunges,
 }
 
-/// The lines whose cycles may cut in passes of their own.
+/// The lines whose cycles may be cut in different passes, and which part of them is kept.
 pub type FreePasses = BTreeMap<u32, LastPass>;
 
-/// Places and lengths nearer than this, mm, are the same: what two texts leave by rounding.
+/// Positions and lengths that differ by at most this are equal, mm: the rounding of the numbers in two texts.
 const EQUAL_LENGTH_MM: f64 = 1e-6;
 
 /// The passes of one cycle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CyclePasses {
-    /// The block.
+    /// The block of the cycle.
     pub place: BlockLocation,
-    /// How many cuts it makes, one after a rapid or the cycle's start to the next rapid.
+    /// The number of passes: sequences of cuts without a rapid.
     pub count: usize,
-    /// Where each move of them ends, in the frame of the run, mm.
+    /// The end point of each cut, in the frame of the run, mm.
     pub ends_mm: Vec<[f64; 3]>,
-    /// Their length, mm.
+    /// The total length of the cuts, mm.
     pub length_mm: f64,
-    /// The largest distance of two levels next to each other, mm on the radius; nothing for fewer than two.
+    /// The largest distance between adjacent levels, mm (in X: of the radius); `None` for fewer than two levels.
     pub largest_step_mm: Option<f64>,
 }
 
@@ -57,7 +57,8 @@ impl CyclePasses {
     }
 }
 
-/// The cycles of two runs that are cut in other passes. Cycles that do not belong together are a difference of the paths.
+/// The pairs of cycles that the two runs cut in different passes. Cycles without a counterpart are added as a
+/// difference of the paths.
 pub(crate) fn compare(
     cycles: &[Vec<CyclePasses>; 2],
     tolerance_mm: f64,
@@ -83,7 +84,7 @@ pub(crate) fn compare(
     others
 }
 
-/// Leaves the last pass of the cycles of these lines, and says what the passes were.
+/// Reduces the cycles in these lines to their last pass; returns all their passes.
 pub(crate) fn join(course: &mut ComparedRun, lines: &FreePasses) -> Vec<CyclePasses> {
     let mut found = Vec::new();
     if lines.is_empty() {
@@ -115,7 +116,7 @@ fn moved(step: &RunStep) -> Option<&ComparedMove> {
     }
 }
 
-/// After the last step of the cycle that begins at a step; the step itself where none does.
+/// The index after the last step of the cycle that begins at the step `at`; `at` when no cycle begins there.
 fn end_of_cycle(steps: &[RunStep], at: usize, lines: &FreePasses) -> usize {
     let is_first =
         |moved: &ComparedMove| moved.origin.cycle && lines.contains_key(&moved.origin.line);
@@ -129,7 +130,8 @@ fn end_of_cycle(steps: &[RunStep], at: usize, lines: &FreePasses) -> usize {
     at + steps[at..].iter().take_while(|step| is_own(step)).count()
 }
 
-/// The moves that stay, with rapids from the cycle's start and to its end.
+/// The moves that are kept, with rapids from the cycle's start and to its end; `None` when the cycle cannot be
+/// reduced to them.
 fn last_pass(moves: &[&ComparedMove], kind: LastPass) -> Option<Vec<ComparedMove>> {
     let (first, last) = (moves.first()?, moves.last()?);
     let line = first.origin.line;
@@ -164,7 +166,7 @@ fn last_pass(moves: &[&ComparedMove], kind: LastPass) -> Option<Vec<ComparedMove
     Some(joined)
 }
 
-/// A rapid between two places, in the state of a move.
+/// A rapid between two points, in the state of the move `like`; `None` when the points coincide.
 fn rapid(from: Vec3, to: Vec3, like: &ComparedMove) -> Option<ComparedMove> {
     let length_mm = from.distance(to);
     (length_mm > EQUAL_LENGTH_MM).then(|| ComparedMove {
@@ -177,7 +179,7 @@ fn rapid(from: Vec3, to: Vec3, like: &ComparedMove) -> Option<ComparedMove> {
     })
 }
 
-/// One cut to the bottom of each plunge; nothing where the cuts are no plunges along one direction.
+/// One cut to the bottom of each plunge; `None` when a cut is not a straight line.
 fn plunges(moves: &[&ComparedMove]) -> Option<Vec<ComparedMove>> {
     let mut found: Vec<ComparedMove> = Vec::new();
     for own in moves.iter().filter(|moved| moved.kind == ComparedMoveKind::Cut) {
@@ -204,14 +206,14 @@ fn plunges(moves: &[&ComparedMove]) -> Option<Vec<ComparedMove>> {
     Some(found)
 }
 
-/// No cut goes beyond what stays, seen from where the cycle begins.
+/// Whether no cut goes beyond the kept moves, as seen from the cycle's start.
 fn stays_within(moves: &[&ComparedMove], kept: &[ComparedMove], from: Vec3) -> bool {
     let boxes = || kept.iter().map(|own| own.curve.bounds());
     let from = from.to_array();
     let sides: [(f64, f64); 3] = std::array::from_fn(|axis| {
         let low = boxes().map(|one| one.min.to_array()[axis]).fold(f64::INFINITY, f64::min);
         let high = boxes().map(|one| one.max.to_array()[axis]).fold(f64::NEG_INFINITY, f64::max);
-        // The side of the start is open: passes come from there.
+        // The side towards the start is open, because the passes come from there.
         match (high - from[axis]).abs() <= (from[axis] - low).abs() {
             true => (low, f64::INFINITY),
             false => (f64::NEG_INFINITY, high),
@@ -226,7 +228,7 @@ fn stays_within(moves: &[&ComparedMove], kept: &[ComparedMove], from: Vec3) -> b
     })
 }
 
-/// What the passes of a cycle were.
+/// The data of the passes of a cycle.
 fn passes(moves: &[&ComparedMove]) -> CyclePasses {
     let mut count = 0;
     let mut before = ComparedMoveKind::Rapid;
@@ -241,7 +243,7 @@ fn passes(moves: &[&ComparedMove]) -> CyclePasses {
             ends_mm.push(own.curve.end().to_array());
             if let Curve::Line(line) = own.curve {
                 let [dx, _, dz] = (line.end - line.start).to_array().map(f64::abs);
-                // Along Z at a level of X, along X at a level of Z.
+                // Cuts along Z have a level in X, cuts along X a level in Z.
                 for (which, (path, across, level)) in
                     [(dz, dx, line.end.to_array()[0]), (dx, dz, line.end.to_array()[2])]
                         .into_iter()

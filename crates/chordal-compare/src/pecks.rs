@@ -1,9 +1,9 @@
-//! Holes drilled in steps: the steps as one cut from R to the bottom, and what they were.
+//! Holes drilled in pecks: joins the pecks to one cut from R to the bottom, and records them.
 //!
-//! The steps of a hole are joined only if they take away the same as one cut: all on one line, each
-//! deeper than the one before, with rapids between that never go below what is drilled already, at one
-//! feed, with one state of spindle and coolant, and with nothing else between. What is not so stays as it
-//! is, and is compared move by move.
+//! The pecks of a hole are joined only if they remove the same material as one cut: they lie on one line, each is
+//! deeper than the one before, the rapids between them stay within the drilled depth, the feed and the state of
+//! spindle and coolant are constant, and nothing else happens between them. All other moves are kept and compared one
+//! by one.
 
 use std::collections::BTreeSet;
 
@@ -14,23 +14,23 @@ use crate::category::Category;
 use crate::course::{ComparedMove, ComparedMoveKind, ComparedRun, CutSpeed, RunStep};
 use crate::difference::{BlockLocation, BlockRange, Difference};
 
-/// Steps closer to each other than this, mm, are the same: what two texts leave by rounding.
+/// Depths that differ by at most this are equal, mm: the rounding of the numbers in two texts.
 const EQUAL_STEP_MM: f64 = 1e-6;
 
-/// The steps in which one hole is drilled.
+/// The pecks in which one hole is drilled.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HolePecks {
-    /// The block.
+    /// The block that drills the hole.
     pub place: BlockLocation,
     /// Where the first cut begins (R), in the frame of the run, mm.
     pub from_mm: [f64; 3],
-    /// The bottom.
+    /// The bottom of the hole, in the frame of the run, mm.
     pub to_mm: [f64; 3],
-    /// How deep below R each cut ends, mm.
+    /// The depth below R at which each cut ends, mm.
     pub depths_mm: Vec<f64>,
-    /// After each cut but the last, how deep below R the tool is at its highest, mm.
+    /// After each cut but the last, the depth below R of the tool's highest position, mm; negative above R.
     pub highest_mm: Vec<f64>,
-    /// After each cut but the last, how deep below R the next one begins, mm.
+    /// After each cut but the last, the depth below R at which the next one begins, mm.
     pub again_mm: Vec<f64>,
 }
 
@@ -46,24 +46,26 @@ impl HolePecks {
         }
     }
 
-    /// The deepest step, mm.
+    /// The largest depth of a single peck, mm.
     pub fn largest_step_mm(&self) -> f64 {
         let before = std::iter::once(&0.0).chain(&self.depths_mm);
         before.zip(&self.depths_mm).map(|(from, to)| to - from).fold(0.0, f64::max)
     }
 
-    /// How far above the last depth the rapid back stops at most, mm; nothing for a hole in one cut.
+    /// The largest distance above the previous depth at which the rapid into the hole stops, mm; `None` for a hole in
+    /// one cut.
     pub fn clearance_mm(&self) -> Option<f64> {
         let ends = self.depths_mm.iter().zip(&self.again_mm);
         ends.map(|(depth, again)| depth - again).reduce(f64::max)
     }
 
-    /// How far above R the tool goes between cuts, mm: less than nothing where it stays below R.
+    /// The largest height above R to which the tool retracts between cuts, mm: negative when it stays below R; `None`
+    /// for a hole in one cut.
     pub fn above_r_mm(&self) -> Option<f64> {
         self.highest_mm.iter().map(|depth| -depth).reduce(f64::max)
     }
 
-    /// The same hole, whatever its steps.
+    /// Whether both are the same hole, regardless of the pecks.
     fn is_hole(&self, other: &HolePecks, tolerance_mm: f64) -> bool {
         let is_near = |one: [f64; 3], other: [f64; 3]| {
             Vec3::from_array(one).distance(Vec3::from_array(other)) <= tolerance_mm
@@ -82,7 +84,7 @@ impl HolePecks {
     }
 }
 
-/// The holes of two runs that are drilled in other steps. Holes that do not belong together are a
+/// The pairs of holes that the two runs drill in different pecks. Holes that do not correspond are added as a
 /// difference of the paths.
 pub(crate) fn compare(
     holes: &[Vec<HolePecks>; 2],
@@ -110,7 +112,7 @@ pub(crate) fn compare(
     others
 }
 
-/// Joins the steps of the holes that canned cycles of these lines drill, and says what they were.
+/// Joins the pecks of all holes drilled by canned cycles in these lines; returns the pecks.
 pub(crate) fn join(course: &mut ComparedRun, lines: &BTreeSet<u32>) -> Vec<HolePecks> {
     let mut holes = Vec::new();
     if lines.is_empty() {
@@ -135,7 +137,8 @@ pub(crate) fn join(course: &mut ComparedRun, lines: &BTreeSet<u32>) -> Vec<HoleP
     holes
 }
 
-/// The hole whose first cut is a step, that cut down to its bottom, and the step after it.
+/// The hole whose first cut is the step at `at`: its pecks, the joined cut, and the index of the next step. `None`
+/// when that step is not such a cut.
 fn hole(
     steps: &[RunStep],
     at: usize,
@@ -174,8 +177,8 @@ fn hole(
     Some((pecks, ComparedMove { curve, length_mm, ..first.clone() }, next))
 }
 
-/// Rapids and the cut after them, in the same block and in the same state as the first cut: the ends of the
-/// rapids, the cut, and the step after it.
+/// The next peck: rapids and a cut in the same block and state as the first cut. Returns the ends of the rapids, the
+/// cut, and the index of the next step; `None` when there is no such peck.
 fn step(steps: &[RunStep], from: usize, first: &ComparedMove) -> Option<(Vec<Vec3>, Line, usize)> {
     let mut ends = Vec::new();
     for (at, step) in steps.iter().enumerate().skip(from) {
@@ -203,7 +206,7 @@ fn line_of(moved: &ComparedMove) -> Option<Line> {
     }
 }
 
-/// Feeds come from lengths and times: the same F differs by what rounding leaves.
+/// Whether two feeds are equal up to rounding: they are computed from lengths and times.
 fn is_feed(one: Option<CutSpeed>, other: Option<CutSpeed>) -> bool {
     match (one, other) {
         (Some(CutSpeed::Path(one)), Some(CutSpeed::Path(other))) => {

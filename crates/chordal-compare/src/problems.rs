@@ -1,4 +1,4 @@
-//! Errors that only one of the two runs has.
+//! Compares the errors and the unknown values of two runs.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,7 +8,7 @@ use crate::alignment_walker::ComparisonFindings;
 use crate::category::Category;
 use crate::difference::{BlockLocation, BlockRange, Difference, DifferenceValue};
 
-/// Adds the errors by code that occur in one run more often than in the other.
+/// Adds a difference for each error code that the two runs report a different number of times.
 pub(crate) fn compare(jobs: [&Job; 2], reports: [&Report; 2], found: &mut ComparisonFindings) {
     let errors = reports.map(errors);
     let codes: BTreeSet<&str> = errors.iter().flat_map(BTreeMap::keys).copied().collect();
@@ -28,7 +28,7 @@ pub(crate) fn compare(jobs: [&Job; 2], reports: [&Report; 2], found: &mut Compar
     }
 }
 
-/// The errors of a run: how many of each code, and the first.
+/// The errors of a run by code: their number and the first one.
 fn errors(report: &Report) -> BTreeMap<&'static str, (u64, &Diagnostic)> {
     let mut errors: BTreeMap<&'static str, (u64, &Diagnostic)> = BTreeMap::new();
     for diagnostic in report.diagnostics.iter().filter(|one| one.severity == Severity::Error) {
@@ -42,24 +42,25 @@ fn errors(report: &Report) -> BTreeMap<&'static str, (u64, &Diagnostic)> {
     errors
 }
 
-/// Adds the values that one run reads and does not know, and the other does not read.
+/// Adds a difference for each unknown value that the two runs read a different number of times.
 pub(crate) fn compare_values(
     jobs: [&Job; 2],
     reports: [&Report; 2],
     found: &mut ComparisonFindings,
 ) {
-    let stated = reports.map(|report| {
-        let mut stated: BTreeMap<&str, Vec<&Diagnostic>> = BTreeMap::new();
+    let by_message = reports.map(|report| {
+        let mut by_message: BTreeMap<&str, Vec<&Diagnostic>> = BTreeMap::new();
         for diagnostic in &report.diagnostics {
             if VALUES.contains(&diagnostic.code) {
-                stated.entry(diagnostic.message.as_str()).or_default().push(diagnostic);
+                by_message.entry(diagnostic.message.as_str()).or_default().push(diagnostic);
             }
         }
-        stated
+        by_message
     });
-    let messages: BTreeSet<&str> = stated.iter().flat_map(BTreeMap::keys).copied().collect();
+    let messages: BTreeSet<&str> = by_message.iter().flat_map(BTreeMap::keys).copied().collect();
     for message in messages {
-        let of = stated.each_ref().map(|places| places.get(message).map_or(&[][..], Vec::as_slice));
+        let of =
+            by_message.each_ref().map(|places| places.get(message).map_or(&[][..], Vec::as_slice));
         if of[0].len() == of[1].len() {
             continue;
         }
@@ -73,7 +74,7 @@ pub(crate) fn compare_values(
     }
 }
 
-/// What a run says of values that nobody knows.
+/// The diagnostics about unknown values.
 const VALUES: &[Code] = &[
     Code::UnknownVariable,
     Code::SystemVariable,
@@ -84,7 +85,7 @@ const VALUES: &[Code] = &[
     Code::DateNotSet,
 ];
 
-/// Where a diagnostic stands.
+/// The block of a diagnostic.
 fn place(job: &Job, diagnostic: &Diagnostic) -> Option<BlockRange> {
     let span = diagnostic.primary.span;
     let line = job.sources().get(span.file)?.line_of(span.range.start);

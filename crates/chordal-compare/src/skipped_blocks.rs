@@ -1,4 +1,4 @@
-//! Blocks that no run comes to because a condition before them is not known: their words are held against each other.
+//! Compares the words of blocks that no run reaches because a condition before them is unknown.
 
 use std::collections::BTreeSet;
 
@@ -11,7 +11,7 @@ use crate::alignment_walker::ComparisonFindings;
 use crate::category::Category;
 use crate::difference::{BlockLocation, BlockRange, Difference, DifferenceValue};
 
-/// Adds the first block that differs among those that one of two runs on one control has not come to.
+/// Adds the first difference between the blocks that the two runs, on the same control, have not reached.
 pub(crate) fn compare(
     jobs: [&Job; 2],
     reports: [&Report; 2],
@@ -20,7 +20,8 @@ pub(crate) fn compare(
 ) {
     let is_assumed =
         |report: &Report| report.diagnostics.iter().any(|one| one.code == Code::AssumedBranch);
-    // What it does not come to, the first run does, or a further one.
+    // A job that takes the other side of a condition needs no such comparison: what it does not reach, the first run
+    // or a further one does.
     if separate_sides && jobs.iter().any(|job| job.takes_other_side()) {
         return;
     }
@@ -95,7 +96,7 @@ impl SkippedBlock {
     }
 }
 
-/// The words of a block without its number, without blanks and, unless a statement shows them, without remarks.
+/// The words of a block without its number and spaces, and without comments unless a macro statement displays them.
 fn words(text: &[u8], block: &Block) -> String {
     let range = block.range;
     let from = block.word(b'N').map_or(range.start, |word| word.range.end);
@@ -108,7 +109,7 @@ fn words(text: &[u8], block: &Block) -> String {
     String::from_utf8_lossy(&kept.collect::<Vec<u8>>()).to_ascii_uppercase()
 }
 
-/// The blocks that a run has carried out.
+/// The blocks that a run has executed.
 #[derive(Default)]
 struct ExecutedBlocks {
     blocks: BTreeSet<(FileId, u32)>,

@@ -1,4 +1,4 @@
-//! What differs in addition to the path: the state that moves are made in, and what happens between them.
+//! Compares everything in addition to the path: the state of the moves, and the events between them.
 
 use std::ops::Range;
 
@@ -15,16 +15,16 @@ use crate::course::{
 use crate::difference::{BlockLocation, BlockRange, Difference, DifferenceValue};
 use crate::values::are_same_values;
 
-/// Dwells that differ by this part are the same: no control counts as finely.
+/// Dwells whose relative difference is at most this are equal: no control measures time that finely.
 const EQUAL_DWELL_SHARE: f64 = 1e-5;
 
-/// Gathers differences; those of one kind that follow each other are one.
+/// Collects differences; consecutive equal differences of one category are merged.
 pub(crate) struct DifferenceCollector<'a> {
     courses: [&'a ComparedRun; 2],
     feed_tolerance: f64,
     speed_tolerance: f64,
     rotary_tolerance: f64,
-    /// By category: what differs at the moves just seen.
+    /// For each category, the difference at the preceding moves that may continue.
     open: [Option<Difference>; Category::ALL.len()],
     done: Vec<Difference>,
 }
@@ -51,7 +51,7 @@ impl<'a> DifferenceCollector<'a> {
         std::mem::take(&mut self.done)
     }
 
-    /// What holds at two moves that belong together.
+    /// Records the values of a category at two corresponding moves; `None` when they are equal.
     fn note(
         &mut self,
         category: Category,
@@ -72,13 +72,13 @@ impl<'a> DifferenceCollector<'a> {
         }
     }
 
-    /// The state, the way and the feed of two moves that belong together.
+    /// Compares the state, the kind and the feed of two corresponding moves.
     pub(crate) fn moves(&mut self, one: &ComparedMove, other: &ComparedMove) {
         let at = [BlockLocation::from(&one.origin), BlockLocation::from(&other.origin)];
         let both = (one.kind, other.kind);
         let is_cut = |kind: ComparedMoveKind| kind == ComparedMoveKind::Cut;
         let rapid = (is_cut(both.0) != is_cut(both.1)).then(|| [word(both.0), word(both.1)]);
-        // How many axes move from a place that is not known is not known either.
+        // From an unknown position it is unknown how many axes move.
         let is_known = one.known && other.known;
         let is_path = rapid.is_none() && is_known && both.0 != both.1;
         self.note(Category::Rapid, rapid, at);
@@ -89,14 +89,14 @@ impl<'a> DifferenceCollector<'a> {
             self.note(Category::Feed, feed, at);
         }
         let states = (self.courses[0].state(one), self.courses[1].state(other));
-        // Revolutions that keep a cutting speed follow the diameter, which is not known there either.
+        // With constant surface speed, the spindle speed follows the diameter, which is unknown there.
         let speed_tolerance = if is_known { self.speed_tolerance } else { 1.0 };
         for (category, values) in differences(states.0, states.1, speed_tolerance) {
             self.note(category, values, at);
         }
     }
 
-    /// Two rapids between the same places that bend elsewhere.
+    /// Records two rapids between the same points with different dog-legs.
     pub(crate) fn bend(&mut self, one: &ComparedMove, other: &ComparedMove) {
         let at = [BlockLocation::from(&one.origin), BlockLocation::from(&other.origin)];
         let values = Some([word(one.kind), word(other.kind)]);
@@ -114,7 +114,7 @@ impl<'a> DifferenceCollector<'a> {
         }
     }
 
-    /// The rotary axes at both ends of what is walked together.
+    /// Compares the rotary axes at both ends of two parts that are traversed together.
     pub(crate) fn rotary(&mut self, moves: [&ComparedMove; 2], parts: [[f64; 2]; 2]) {
         let [one, other] = moves;
         if one.turn == 0 && other.turn == 0 {
@@ -136,7 +136,7 @@ impl<'a> DifferenceCollector<'a> {
         self.note(Category::Rotary, values, moves.map(|moved| BlockLocation::from(&moved.origin)));
     }
 
-    /// Two events of one kind.
+    /// Compares two corresponding events.
     pub(crate) fn events(&mut self, at: [usize; 2]) {
         let [Some((one, a)), Some((other, b))] =
             [0, 1].map(|side| event(self.courses[side], at[side]))
@@ -166,7 +166,7 @@ impl<'a> DifferenceCollector<'a> {
         }
     }
 
-    /// The events of a gap: those of one kind that stand in the same order belong together.
+    /// Compares the events of a gap, which are matched by kind and order.
     pub(crate) fn gap_events(&mut self, ranges: &[Range<usize>; 2]) {
         let events = [0, 1].map(|side: usize| -> Vec<usize> {
             let course = self.courses[side];
@@ -214,8 +214,7 @@ impl<'a> DifferenceCollector<'a> {
     }
 }
 
-/// A difference of steps that are not the same number on both sides. Where a side has none, its block is
-/// the one before the gap.
+/// A difference in the number of steps. When a side has none, its block is the one before the gap.
 pub(crate) fn lacking(
     courses: [&ComparedRun; 2],
     ranges: &[Range<usize>; 2],
@@ -283,12 +282,13 @@ fn category(event: &RunEvent) -> Category {
     }
 }
 
-/// What events of one category are told apart by: another code is not the same code with another word.
+/// The name that events of one category must share to be matched: two different codes do not correspond, but one code
+/// with different words does.
 fn name(event: &RunEvent) -> &str {
     match event {
         RunEvent::Code(words) => words.split(' ').next().unwrap_or_default(),
         RunEvent::Written { name, .. } => name,
-        // Each is known by its number, which is in its token.
+        // These are matched by category alone.
         RunEvent::Variable { .. }
         | RunEvent::Tool(_)
         | RunEvent::ReadyTool(_)
@@ -345,12 +345,12 @@ fn feed_value(feed: Option<CutSpeed>) -> DifferenceValue {
     }
 }
 
-/// The two differ by no more than this part of the larger.
+/// Whether two values differ by at most this fraction of the larger.
 fn is_part(a: f64, b: f64, part: f64) -> bool {
     (a - b).abs() <= part * a.abs().max(b.abs())
 }
 
-/// Angles and lengths of a surface nearer than this are the same, rad or mm.
+/// Angles and lengths of a surface that differ by at most this are equal, rad or mm.
 const EQUAL_SURFACE: f64 = 1e-6;
 
 fn is_same_surface(a: Option<RotarySurface>, b: Option<RotarySurface>) -> bool {
@@ -393,7 +393,7 @@ fn surface_value(surface: Option<RotarySurface>) -> DifferenceValue {
     })
 }
 
-/// Tool offsets that programs give themselves are the same, whatever their units.
+/// Whether two tool offsets set directly by programs (G43.1) are equal.
 fn is_same_length(a: Option<Position>, b: Option<Position>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => are_same_values(&a.map(Some), &b.map(Some)),
@@ -401,7 +401,7 @@ fn is_same_length(a: Option<Position>, b: Option<Position>) -> bool {
     }
 }
 
-/// `Z 25 mm`, of the axes that have an offset.
+/// The axes that have an offset, such as `Z 25 mm`.
 fn own_length_text(values: &Position) -> String {
     let linear = values.iter().zip("XYZ".chars()).filter(|(value, _)| **value != 0.0);
     let texts: Vec<String> =
@@ -409,7 +409,7 @@ fn own_length_text(values: &Position) -> String {
     texts.join(", ")
 }
 
-/// What differs of two states; nothing for each category that is the same.
+/// The values of each category that differs between two states; `None` for categories that are equal.
 fn differences(
     a: &MoveState,
     b: &MoveState,

@@ -1,4 +1,4 @@
-//! Programs compared with each other: what makes a difference and what makes none.
+//! Comparisons of programs: what is a difference and what is not.
 
 use chordal::{Job, Machine, Source, SourceMap};
 use chordal_compare::{
@@ -48,8 +48,8 @@ M9
 M30
 ";
 
-/// The same part in other words: other numbers of blocks, spaces, R for the centre, increments, lines
-/// and arcs in pieces, the contour in a subprogram.
+/// The same part programmed differently: other block numbers, spaces, R instead of the centre, increments, divided
+/// lines and arcs, the contour in a subprogram.
 const OTHERWISE: &str = "\
 N5 G54 G17 G90 G21
 N10 T01 M06
@@ -88,7 +88,7 @@ fn other_words_for_the_same_motion() {
     let found = plain(PART, OTHERWISE);
     assert_eq!(found.verdict, ComparisonVerdict::Same, "{:#?}", found.differences);
     assert!(found.max_distance_mm.unwrap() < 1e-9);
-    // 7 lines and an arc against lines in two, an arc in two.
+    // 7 lines and an arc, compared with divided lines and a divided arc.
     assert!(found.moves[1] > found.moves[0]);
 }
 
@@ -105,7 +105,7 @@ fn a_digit_of_a_coordinate() {
     let found = plain(PART, &PART.replace("X0\nY0\n", "X.1\nY0\n"));
     let one = only(&found, Category::Path);
     assert!((one.distance_mm.unwrap() - 0.1).abs() < 1e-9, "{one:?}");
-    // The line to the place, the one along it, and the rapid from there.
+    // The line to the point, the line from it, and the rapid after that.
     assert_eq!(lines(&found, 0), [(11, 13), (11, 13)]);
     assert_eq!(one.steps, [3, 3]);
 }
@@ -114,7 +114,7 @@ fn a_digit_of_a_coordinate() {
 fn an_arc_that_leaves_its_circle_is_another_path_and_a_problem() {
     let found = plain(PART, &PART.replace("X40. F600.", "X40.1 F600."));
     let path = found.differences.iter().find(|one| one.category == Category::Path).unwrap();
-    // The end of the line moves by 0.1 mm along itself, the arc with it by less than that.
+    // The end of the line moves by 0.1 mm along the line, and the arc with it by less.
     assert!(path.distance_mm.unwrap() > 0.01 && path.distance_mm.unwrap() < 0.1, "{path:?}");
     let problem = found.differences.iter().find(|one| one.category == Category::Problem).unwrap();
     assert_eq!((problem.steps, problem.blocks[1].unwrap().lines()), ([0, 1], (9, 9)));
@@ -125,7 +125,7 @@ fn a_corner_moved_by_a_quarter() {
     let found = plain(PART, &PART.replace("G1 Y30.", "G1 Y30.25"));
     let one = only(&found, Category::Path);
     assert!((one.distance_mm.unwrap() - 0.25).abs() < 1e-9, "{one:?}");
-    // The line to the corner, the one along it and the one from there.
+    // The line to the corner, and the lines after it.
     assert_eq!(lines(&found, 0), [(10, 12), (10, 12)]);
 }
 
@@ -157,7 +157,7 @@ fn the_other_way_round_is_another_path() {
     let ccw = "G21 G90\nG0 X10. Y0 Z0\nG3 X-10. Y0 I-10. F100.\nM30\n";
     let found = plain(ccw, &ccw.replace("G3", "G2"));
     let one = only(&found, Category::Path);
-    // Half circles on either side of their diameter, 20 mm apart in the middle.
+    // Half circles on the two sides of their diameter, 20 mm apart in the middle.
     assert!((one.distance_mm.unwrap() - 20.0).abs() < 1e-5, "{one:?}");
 }
 
@@ -170,7 +170,7 @@ fn an_arc_and_its_chords() {
         chords += &format!("X{:.9} Y{:.9}\n", 10.0 * angle.cos(), 10.0 * angle.sin());
     }
     chords += "M30\n";
-    // Each chord leaves the arc by r(1 − cos(π/80)) = 7.709 µm.
+    // Each chord deviates from the arc by r(1 − cos(π/80)) = 7.709 µm.
     let sagitta = 10.0 * (1.0 - (std::f64::consts::PI / 80.0).cos());
     let options = ComparisonOptions { tolerance_mm: 0.01, ..ComparisonOptions::default() };
     let found = held(arc, &chords, &options);
@@ -222,7 +222,7 @@ fn a_move_more() {
     assert_eq!(one.steps, [0, 1]);
     assert!((one.distance_mm.unwrap() - 30.0).abs() < 1e-9);
     assert_eq!(lines(&found, 0)[1], (14, 14));
-    // It is missing after line 13 of the other.
+    // It is missing after line 13 of the other program.
     assert_eq!(lines(&found, 0)[0], (13, 13));
 }
 
@@ -258,7 +258,7 @@ fn nothing_against_something() {
     assert_eq!(found.max_distance_mm, None);
 }
 
-/// One program on two controls: G90 G91 in one line, arcs, all the same here but for what the machines do.
+/// One program on two controls: G90 G91 in one line and arcs have the same effect; only the machines differ.
 #[test]
 fn one_program_on_two_machines() {
     let text = "G20 G90\nG0 X0 Y0 Z.1\nG1 Z-.1 F10.\nX1.\nG3 X2. Y1. I0 J1.\nM2\n";
@@ -267,7 +267,7 @@ fn one_program_on_two_machines() {
     assert!(found.max_distance_mm.unwrap() < 1e-9, "{:#?}", found.differences);
 }
 
-/// A turn at a time or all at once: places that are passed several times do not confuse the walk.
+/// One turn at a time or all at once: points that are passed several times must not confuse the traversal.
 #[test]
 fn turns_of_a_helix_in_pieces() {
     let head = "G21 G90 S100 M3\nG0 X10. Y0 Z0\nG1 F100.\n";
@@ -279,7 +279,7 @@ fn turns_of_a_helix_in_pieces() {
     assert_eq!(found.verdict, ComparisonVerdict::Same, "{:#?}", found.differences);
 }
 
-/// A rapid of two legs that rounding makes one of: the legs are walked together, not a leg with a cut.
+/// A rapid of two legs that rounding reduces to one: legs must be paired with legs and not with a cut.
 #[test]
 fn rounding_makes_no_difference_within_the_tolerance() {
     let head = "G21 G90 S100 M3\nG0 X0 Y0 Z2.\n";
@@ -291,7 +291,7 @@ fn rounding_makes_no_difference_within_the_tolerance() {
     assert!(found.max_distance_mm.unwrap() <= 0.0011);
 }
 
-/// The contours of both, whatever the controls make of them at corners.
+/// Compares the programmed contours, independent of the corner behaviour of the controls.
 #[test]
 fn contours_as_programmed() {
     let text =
@@ -314,7 +314,7 @@ fn contours_as_programmed() {
     assert_eq!(contour.verdict, ComparisonVerdict::Same, "{:#?}", contour.differences);
 }
 
-/// Without a place that is known, both begin at the same one.
+/// Without a known position, both are assumed to start at the same one.
 #[test]
 fn increments_from_anywhere() {
     let text = "G21 G91 S100 M3\nG1 X10. F100.\nY5.\nM30\n";
@@ -334,11 +334,11 @@ fn a_difference_says_where_to_look() {
     assert!((b[1] - a[1] - 0.4).abs() < 1e-9 && a[0] == b[0], "{a:?} {b:?}");
     assert_eq!((a[1], a[2]), (30.0, -2.0));
     assert_eq!(found.farthest_at_mm, path.at_mm);
-    // Where only one of the two moves, the other stands.
+    // When only one of the two moves, the other stands still.
     let detour = PART.replace("Y30.\n", "Y30.\nX60.\nX50.\n");
     let found = plain(&detour, PART);
     assert_eq!(found.farthest_at_mm, Some([[60.0, 30.0, -2.0], [50.0, 30.0, -2.0]]));
-    // The same path has no such place.
+    // Equal paths have no such point.
     assert_eq!(plain(PART, PART).farthest_at_mm, None);
 }
 
@@ -367,7 +367,7 @@ fn splines_as_far_apart_as_their_control_points_and_their_chords() {
     let moved = text.replace("J30", "J31");
     let found = on(text, &moved, &plain);
     assert_eq!(found.verdict, ComparisonVerdict::Different);
-    // As far as the control points at most, and no nearer than the curves, 4/9 mm at t = 1/3.
+    // At most the distance of the control points, and at least that of the curves, 4/9 mm at t = 1/3.
     let far = found.max_distance_mm.unwrap();
     assert!(far > 0.3 && far <= 1.0, "{far}");
 }

@@ -1,4 +1,4 @@
-//! Holes drilled in other steps: the same hole where that is allowed, and in nothing else.
+//! Holes drilled in different pecks: equal only where this is allowed and nothing else differs.
 
 use std::collections::BTreeSet;
 
@@ -18,7 +18,7 @@ fn job(cycle: &str, settings: &[&str]) -> Job<'static> {
     Job::new(sources, machine).expect("good settings")
 }
 
-/// Lines 5 and 6 may drill in other steps.
+/// Lines 5 and 6 may drill in different pecks.
 fn compared(a: &Job, b: &Job) -> Comparison {
     let lines = BTreeSet::from([5, 6]);
     let free_pecks = [lines.clone(), lines];
@@ -92,7 +92,7 @@ fn steps_of_other_lines_are_compared_move_by_move() {
     assert!(lines.into_iter().all(|lines| lines == (6, 6)), "{:?}", found.differences);
 }
 
-/// Pecks by hand are not those of a cycle.
+/// Pecks programmed as moves are not those of a cycle.
 #[test]
 fn pecks_by_hand_are_compared_move_by_move() {
     let [a, b] = ["Z-5.", "Z-6."].map(|depth| {

@@ -1,5 +1,5 @@
-//! One digit changed anywhere in a program: what moves otherwise is found where it is, and what moves the same is
-//! the same.
+//! Changes one digit anywhere in a program: a different motion must be found at its place, and an equal motion must
+//! compare as the same.
 
 #![allow(clippy::disallowed_methods, reason = "the programs are files")]
 
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use chordal::{Job, Machine, Segment, Source, SourceMap};
 use chordal_compare::{Category, ComparisonOptions, ComparisonVerdict, Difference, compare};
 
-/// Examples with the machine that their folder says.
+/// Examples with the machine of their folder.
 fn examples() -> Vec<(PathBuf, &'static str)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
     let machines = [
@@ -37,7 +37,7 @@ fn job<'a>(text: &'a [u8], machine: &str) -> Job<'a> {
     Job::new(sources, Machine::from_builtin(machine).unwrap()).unwrap()
 }
 
-/// Every segment, as plainly as it can be had.
+/// All segments, directly from the run.
 fn segments(job: &Job) -> Vec<Segment> {
     let mut all = Vec::new();
     job.path(|segment| {
@@ -48,7 +48,7 @@ fn segments(job: &Job) -> Vec<Segment> {
     all
 }
 
-/// Digits of words, not of comments, program numbers or block numbers.
+/// The digits of words, except those in comments, program numbers and block numbers.
 fn digits(text: &[u8]) -> Vec<usize> {
     let mut found = Vec::new();
     let (mut depth, mut is_comment, mut letter) = (0, false, b' ');
@@ -72,7 +72,7 @@ fn digits(text: &[u8]) -> Vec<usize> {
     found
 }
 
-/// The largest distance of ends, and of a place between, when both have the same moves one by one; nothing where they have not.
+/// The largest distance of the ends and of a point between, when both have corresponding moves; `None` otherwise.
 fn apart(a: &[Segment], b: &[Segment]) -> Option<f64> {
     use chordal::geometry::ParamCurve;
     if a.len() != b.len() {
@@ -94,7 +94,7 @@ fn apart(a: &[Segment], b: &[Segment]) -> Option<f64> {
     Some(most)
 }
 
-/// Where another digit makes other moves of the same path: a retract ends elsewhere, and the next rapid goes on along
+/// Whether the change divides the same path differently: a retract ends elsewhere, and the next rapid continues along
 /// the same line.
 const SAME_PATH: [&str; 5] = [
     "drilled-plate.nc:13",
@@ -104,7 +104,7 @@ const SAME_PATH: [&str; 5] = [
     "parametric.nc:411",
 ];
 
-/// `CHORDAL_DIGITS=1` plants each digit; without it, one in 19.
+/// `CHORDAL_DIGITS=1` changes each digit; without it, one in 19.
 #[test]
 fn a_planted_digit_is_found() {
     let step = std::env::var("CHORDAL_DIGITS").ok().and_then(|text| text.parse().ok());
@@ -145,7 +145,7 @@ fn a_planted_digit_is_found() {
                     }
                     found += 1;
                     assert_eq!(held.verdict, ComparisonVerdict::Different, "{name}");
-                    // Along one line only where rapids and cuts meet, or two feeds, may have moved.
+                    // Along one line, only the point where a rapid and a cut or two feeds meet may have moved.
                     let is_path = |one: &Difference| one.category == Category::Path;
                     along += usize::from(!held.differences.iter().any(is_path));
                 }

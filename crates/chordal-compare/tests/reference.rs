@@ -1,4 +1,4 @@
-//! The list of what two programs must share that `docs/compare.md` shows is that of the code.
+//! Checks that `docs/compare.md` lists the categories of the code.
 
 #![allow(clippy::disallowed_methods, reason = "reads a document")]
 

@@ -1,4 +1,4 @@
-//! What two programs must share: a difference of every item is seen.
+//! A difference in every category must be found.
 
 use chordal::{Job, Machine, Source, SourceMap};
 use chordal_compare::{Category, ComparisonOptions, ComparisonVerdict, compare};
@@ -9,7 +9,7 @@ fn job(text: &str, machine: &str) -> Job<'static> {
     Job::new(sources, Machine::from_builtin(machine).unwrap()).unwrap()
 }
 
-/// Lines of a program with one in another form, and what that makes differ.
+/// A machine, a line of its program, the replacement, and the category that then differs.
 const PLANTED: &[(&str, &str, &str, Category)] = &[
     ("fanuc-0i", "G41 D1 X20. F100.", "G41 D2 X20. F100.", Category::RadiusOffset),
     ("fanuc-0i", "M10", "M11", Category::Code),

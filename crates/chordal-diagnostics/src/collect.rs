@@ -1,10 +1,10 @@
-//! Diagnostics of a run, collected within bounded memory.
+//! Collects the diagnostics of a run in bounded memory.
 
 use std::collections::{BTreeMap, HashSet};
 
 use crate::{Code, Diagnostic, Severity, Span};
 
-/// How many diagnostics of each severity there were, the uncollected ones included.
+/// The number of diagnostics of each severity, including those that were not kept.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct SeverityCounts {
     /// Errors.
@@ -16,7 +16,7 @@ pub struct SeverityCounts {
 }
 
 impl SeverityCounts {
-    /// Adds one.
+    /// Counts one diagnostic.
     pub fn add(&mut self, severity: Severity) {
         match severity {
             Severity::Error => self.errors += 1,
@@ -26,8 +26,8 @@ impl SeverityCounts {
     }
 }
 
-/// Collects diagnostics within bounded memory: of each code only the first few are kept,
-/// and a place is reported once however often a repeat or a call comes through it.
+/// Collects diagnostics in bounded memory: of each code only the first few are kept, and each location is reported
+/// once, even if repeats or calls execute it several times.
 #[derive(Debug)]
 pub struct Collector {
     limit_per_code: usize,
@@ -55,14 +55,14 @@ impl Collector {
         }
     }
 
-    /// Takes one.
+    /// Adds a diagnostic.
     pub fn push(&mut self, diagnostic: Diagnostic) {
         let span = diagnostic.primary.span;
         if self.path_lost.is_none() && diagnostic.code.loses_path(diagnostic.severity) {
             self.path_lost = Some(span);
         }
         if self.time_lost.is_none() && diagnostic.code.loses_time() {
-            // What is lost first counts.
+            // The earlier of the two losses counts.
             self.time_lost = Some(self.path_lost.unwrap_or(span));
         }
         let code = diagnostic.code;
@@ -83,7 +83,7 @@ impl Collector {
         self.kept.push(diagnostic);
     }
 
-    /// Takes one that is copied only where it is kept.
+    /// Adds a diagnostic, which is copied only when it is kept.
     pub fn push_copy(&mut self, diagnostic: &Diagnostic) {
         let (code, span) = (diagnostic.code, diagnostic.primary.span);
         let full = self.kept_per_code.get(&code).is_some_and(|kept| *kept >= self.limit_per_code);
@@ -94,7 +94,7 @@ impl Collector {
         }
     }
 
-    /// Takes some of one place of which no more than this is known: none of them is kept.
+    /// Counts `times` diagnostics at one location without keeping them.
     pub fn push_uncopied(&mut self, code: Code, severity: Severity, span: Span, times: u64) {
         if self.reported.contains(&(code, span)) || self.is_repeated_in_file(code, span) {
             return;
@@ -105,38 +105,39 @@ impl Collector {
         *self.dropped.entry(code).or_insert(0) += times;
     }
 
-    /// A code that is said once in a file, and was.
+    /// Whether the code is reported only once per file and was already reported in this file.
     fn is_repeated_in_file(&self, code: Code, span: Span) -> bool {
         code.is_once_per_file()
             && self.kept.iter().any(|kept| kept.code == code && kept.primary.span.file == span.file)
     }
 
-    /// What was kept, in the order it came.
+    /// The kept diagnostics in the order in which they were added.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.kept
     }
 
-    /// How many of each code were reported but not kept.
+    /// The number of diagnostics of each code that were not kept.
     pub fn dropped(&self) -> impl Iterator<Item = (Code, u64)> + '_ {
         self.dropped.iter().map(|(&code, &count)| (code, count))
     }
 
-    /// All counted.
+    /// The counts of all diagnostics, kept or not.
     pub fn counts(&self) -> SeverityCounts {
         self.counts
     }
 
-    /// The first place in the order of the run from which on the path is not known.
+    /// The location, in the order of the run, from which on the path is unknown; `None` when it is known.
     pub fn path_lost(&self) -> Option<Span> {
         self.path_lost
     }
 
-    /// The first place in the order of the run from which on the path or the time is not known.
+    /// The location, in the order of the run, from which on the path or the time is unknown; `None` when both are
+    /// known.
     pub fn lost(&self) -> Option<Span> {
         self.time_lost.or(self.path_lost)
     }
 
-    /// What was kept, by place.
+    /// The kept diagnostics, sorted by location.
     pub fn into_sorted(mut self) -> Vec<Diagnostic> {
         self.kept.sort_by_key(|d| (d.primary.span.file, d.primary.span.range.start));
         self.kept

@@ -2,34 +2,34 @@
 
 use crate::{Code, Severity, Span};
 
-/// Words of a source with something to say about them.
+/// A span of a source with a text about it.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Label {
-    /// The words.
+    /// The labelled words.
     pub span: Span,
-    /// What to say; may be empty.
+    /// The text of the label; may be empty.
     pub text: String,
 }
 
-/// Whether a fix may be made without asking.
+/// Whether a fix may be applied without asking the user.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Applicability {
-    /// Keeps or restores what was certainly meant.
+    /// The fix certainly keeps or restores what was meant.
     Safe,
-    /// Probably what was meant; a person must look.
+    /// The fix is probably what was meant; a person must check it.
     Unsafe,
 }
 
 /// A replacement of some words.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Fix {
-    /// What it does, as an order: "write `I2.`".
+    /// What it does, as an imperative: "write `I2.`".
     pub title: String,
-    /// The words that go.
+    /// The words that are replaced.
     pub span: Span,
-    /// The words that come.
+    /// The replacement.
     pub replacement: String,
-    /// Whether it may be made without asking.
+    /// Whether it may be applied without asking.
     pub applicability: Applicability,
 }
 
@@ -38,7 +38,7 @@ pub struct Fix {
 pub struct Diagnostic {
     /// The registered code.
     pub code: Code,
-    /// How bad it is here.
+    /// The severity in this case.
     pub severity: Severity,
     /// One sentence with the measured numbers in the program's units.
     pub message: String,
@@ -46,22 +46,22 @@ pub struct Diagnostic {
     pub primary: Label,
     /// Other words that matter.
     pub secondary: Vec<Label>,
-    /// What the user's own control would show.
+    /// The message that the user's own control would show; `None` when unknown.
     pub alarm: Option<String>,
-    /// Further facts.
+    /// Further information.
     pub notes: Vec<String>,
-    /// What to do.
+    /// The advice for the user; `None` when there is none.
     pub help: Option<String>,
-    /// A replacement that does it.
+    /// The most likely fix; `None` without one.
     pub fix: Option<Fix>,
-    /// Others that would do it as well, the likeliest first.
+    /// Alternative fixes, the most likely one first.
     pub other_fixes: Vec<Fix>,
-    /// The calls through which the block was reached, innermost first.
+    /// The calls through which the block was reached, the innermost first.
     pub calls: Vec<Span>,
 }
 
 impl Diagnostic {
-    /// A problem of the registered severity at some words.
+    /// A problem at a span, with the registered severity.
     pub fn new(code: Code, span: Span, message: impl Into<String>) -> Diagnostic {
         Diagnostic {
             code,
@@ -78,48 +78,48 @@ impl Diagnostic {
         }
     }
 
-    /// The label next to the underlined words.
+    /// Sets the label of the underlined words.
     pub fn label(mut self, text: impl Into<String>) -> Diagnostic {
         self.primary.text = text.into();
         self
     }
 
-    /// Points at other words too.
+    /// Adds a label for other words.
     pub fn also(mut self, span: Span, text: impl Into<String>) -> Diagnostic {
         self.secondary.push(Label { span, text: text.into() });
         self
     }
 
-    /// What the user's own control would show.
+    /// Sets the message that the user's own control would show.
     pub fn alarm(mut self, text: impl Into<String>) -> Diagnostic {
         self.alarm = Some(text.into());
         self
     }
 
-    /// Adds a fact.
+    /// Adds a note.
     pub fn note(mut self, text: impl Into<String>) -> Diagnostic {
         self.notes.push(text.into());
         self
     }
 
-    /// What to do.
+    /// Sets the advice.
     pub fn help(mut self, text: impl Into<String>) -> Diagnostic {
         self.help = Some(text.into());
         self
     }
 
-    /// A replacement for some words.
+    /// Sets the fix.
     pub fn fix(mut self, fix: Fix) -> Diagnostic {
         self.fix = Some(fix);
         self
     }
 
-    /// The fix, and the others that would do.
+    /// The fix and its alternatives.
     pub fn fixes(&self) -> impl Iterator<Item = &Fix> {
         self.fix.iter().chain(&self.other_fixes)
     }
 
-    /// Another severity than the registered one.
+    /// Sets another severity than the registered one.
     pub fn severity(mut self, severity: Severity) -> Diagnostic {
         self.severity = severity;
         self

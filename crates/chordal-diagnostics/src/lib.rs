@@ -1,8 +1,8 @@
 //! Spans, sources and diagnostics as plain data, and the registry of codes.
 //!
-//! Nothing here draws, reads or writes: a [`Diagnostic`] says *where* (spans into a
-//! [`SourceMap`]), *what* (a message with the measured numbers), what the user's own
-//! control would show, and what to do about it. How it looks is the business of a shell.
+//! Nothing here displays, reads or writes: a [`Diagnostic`] says *where* (spans into a [`SourceMap`]), *what* (a
+//! message with the measured numbers), what the user's own control would show, and what to do about it. Front ends
+//! decide how it looks.
 //!
 //! ```
 //! use chordal_diagnostics::{Code, Diagnostic, Severity, Source, SourceMap, Span, TextRange};

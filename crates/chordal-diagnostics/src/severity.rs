@@ -1,18 +1,18 @@
-//! How bad a problem is.
+//! The severity of a problem.
 
-/// How bad it is. The order is from mild to grave.
+/// The severity of a problem, ordered from note to error.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub enum Severity {
-    /// Something the reader should know; nothing is wrong with the program.
+    /// Information; nothing is wrong with the program.
     Note,
-    /// The control would run it, and it is probably not what was meant.
+    /// The control would run the program, but it is probably not what was meant.
     Warning,
-    /// The control would stop, or do something else than the text says.
+    /// The control would stop, or do something other than the text says.
     Error,
 }
 
 impl Severity {
-    /// The word for people: `error`, `warning`, `note`.
+    /// The word in messages: `error`, `warning` or `note`.
     pub const fn word(self) -> &'static str {
         match self {
             Severity::Note => "note",

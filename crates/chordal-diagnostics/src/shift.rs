@@ -1,14 +1,14 @@
-//! Where the words of a text are after a change of it.
+//! Maps locations in a text to their locations after a change.
 
 use crate::source::line_ends;
 use crate::{Diagnostic, FileId, Span, TextRange};
 
-/// How one text became another: what stands before and after the one place where they differ.
+/// The difference between two texts as one changed range, and how far the text after it has moved.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TextShift {
-    /// The bytes that went, in the old text.
+    /// The replaced bytes in the old text.
     changed: TextRange,
-    /// The same with the lines around it, whose reading the change may touch.
+    /// The replaced bytes with the lines around them, whose interpretation the change may affect.
     touched: TextRange,
     bytes: i64,
     lines: i64,
@@ -33,17 +33,17 @@ impl TextShift {
         }
     }
 
-    /// By how many lines what stands after has moved.
+    /// By how many lines the text after the change has moved.
     pub fn lines(&self) -> i64 {
         self.lines
     }
 
-    /// True for a range of the old text that neither the change nor the lines next to it reach.
+    /// Whether a range of the old text is outside of the change and of the lines next to it.
     pub fn leaves(&self, range: TextRange) -> bool {
         range.end <= self.touched.start || range.start >= self.touched.end
     }
 
-    /// Where a place of the old text is; `None` within what went.
+    /// The new offset of an offset in the old text; `None` inside the replaced bytes.
     pub fn offset(&self, offset: u32) -> Option<u32> {
         if offset < self.changed.end {
             return (offset <= self.changed.start).then_some(offset);
@@ -51,7 +51,7 @@ impl TextShift {
         Some(self.moved(offset))
     }
 
-    /// Where a place of the old text is, with its line.
+    /// The new offset and line of an offset and its line in the old text; `None` inside the replaced bytes.
     pub fn place(&self, offset: u32, line: u32) -> Option<(u32, u32)> {
         let lines = if offset < self.changed.end { 0 } else { self.lines };
         Some((self.offset(offset)?, u32::try_from(i64::from(line) + lines).ok()?))
@@ -61,7 +61,7 @@ impl TextShift {
         (i64::from(offset) + self.bytes) as u32
     }
 
-    /// Where words of the old text are.
+    /// The new range of a range in the old text; `None` when it overlaps the replaced bytes.
     pub fn range(&self, range: TextRange) -> Option<TextRange> {
         if range.end <= self.changed.start {
             return Some(range);
@@ -70,7 +70,7 @@ impl TextShift {
         following.then(|| TextRange::new(self.moved(range.start), self.moved(range.end)))
     }
 
-    /// The same of a span; only the first text of a job has changed.
+    /// The new span of a span; only the first text of a job has changed.
     pub fn span(&self, span: Span) -> Option<Span> {
         if span.file != FileId(0) {
             return Some(span);
@@ -78,7 +78,7 @@ impl TextShift {
         self.range(span.range).map(|range| range.in_file(span.file))
     }
 
-    /// Makes a problem of the old text one of the new; `None` where it speaks of words that went.
+    /// Moves a diagnostic of the old text to the new text; `None` when one of its spans overlaps the replaced bytes.
     pub fn diagnostic(&self, diagnostic: &mut Diagnostic) -> Option<()> {
         let Diagnostic { primary, secondary, fix, other_fixes, calls, .. } = diagnostic;
         let labels = std::iter::once(primary).chain(secondary).map(|label| &mut label.span);
@@ -90,7 +90,7 @@ impl TextShift {
     }
 }
 
-/// How many bytes two texts begin with alike.
+/// The length of the common beginning of two texts, bytes.
 fn common(one: &[u8], other: &[u8]) -> usize {
     const STEP: usize = 4096;
     let mut at = 0;
@@ -101,7 +101,7 @@ fn common(one: &[u8], other: &[u8]) -> usize {
     at + one[at..most].iter().zip(&other[at..most]).take_while(|(a, b)| a == b).count()
 }
 
-/// How many bytes two texts of one length end with alike.
+/// The length of the common end of two texts of equal length, bytes.
 fn common_end(one: &[u8], other: &[u8]) -> usize {
     const STEP: usize = 4096;
     let mut left = one.len();
@@ -112,7 +112,7 @@ fn common_end(one: &[u8], other: &[u8]) -> usize {
     one.len() - left + same.take_while(|(a, b)| a == b).count()
 }
 
-/// The start of the line above that of a place.
+/// The start of the line above the line of an offset.
 fn line_start_above(text: &[u8], at: usize) -> usize {
     let mut starts = memchr::memchr2_iter(b'\n', b'\r', &text[..at])
         .rev()

@@ -1,34 +1,35 @@
-//! A text under its name, and the lines and columns in it.
+//! A text with its name, and the lines and columns in it.
 
 use std::borrow::Cow;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-/// Every this many lines the line index keeps one offset: a gigabyte of short lines
-/// then costs about six megabytes of index, and a look-up counts at most this many.
+/// The line index stores one offset per this many lines: the index of a gigabyte of short lines then takes about six
+/// megabytes, and a look-up counts at most this many lines.
 const LINES_PER_MARK: u32 = 64;
 
-/// A text and its name. The bytes are kept as they came (`Cow`, so that a mapped file
-/// is not copied); the line index is made on the first question.
+/// A text with its name. The bytes are stored unchanged (as a `Cow`, so that a mapped file is not copied); the line
+/// index is built at its first use.
 #[derive(Debug)]
 pub struct Source<'a> {
     name: String,
     text: Cow<'a, [u8]>,
     marks: OnceLock<Vec<u32>>,
-    /// The place that was counted last: the next is mostly a little further on, perhaps in a line without an end.
+    /// The last computed offset with its line and column. The next one is mostly a little further on, perhaps in a
+    /// very long line.
     counted: Mutex<Option<(u32, LineColumn)>>,
 }
 
-/// A place as people count it.
+/// A line and column as displayed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
 pub struct LineColumn {
-    /// Line, from 1.
+    /// The line, from 1.
     pub line: u32,
-    /// Column, from 1, in characters.
+    /// The column, from 1, in characters.
     pub column: u32,
 }
 
 impl<'a> Source<'a> {
-    /// A text under a name that messages show.
+    /// A text with the name that messages show.
     pub fn new(name: impl Into<String>, text: impl Into<Cow<'a, [u8]>>) -> Source<'a> {
         let (name, text) = (name.into(), text.into());
         Source { name, text, marks: OnceLock::new(), counted: Mutex::new(None) }
@@ -44,7 +45,7 @@ impl<'a> Source<'a> {
         &self.text
     }
 
-    /// The text alone.
+    /// Returns the text without its name.
     pub fn into_text(self) -> Cow<'a, [u8]> {
         self.text
     }
@@ -63,7 +64,7 @@ impl<'a> Source<'a> {
         })
     }
 
-    /// Line (from 1) that holds the byte at `offset`.
+    /// The line (from 1) that contains the byte at `offset`.
     pub fn line_of(&self, offset: u32) -> u32 {
         let marks = self.marks();
         let mark = marks.partition_point(|&start| start <= offset) - 1;
@@ -73,7 +74,7 @@ impl<'a> Source<'a> {
         mark as u32 * LINES_PER_MARK + inside as u32 + 1
     }
 
-    /// Offset of the first byte of a line (from 1); the end of the text for lines past it.
+    /// The offset of the first byte of a line (from 1); the end of the text for lines after the last.
     pub fn line_start(&self, line: u32) -> u32 {
         let index = line.saturating_sub(1);
         let mark = (index / LINES_PER_MARK) as usize;
@@ -95,7 +96,7 @@ impl<'a> Source<'a> {
         &rest[..end]
     }
 
-    /// Line and column of a byte.
+    /// The line and the column of a byte offset.
     pub fn line_column(&self, offset: u32) -> LineColumn {
         let mut counted = self.counted.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(place) = counted.and_then(|last| self.counted_on(last, offset)) {
@@ -114,10 +115,11 @@ impl<'a> Source<'a> {
         place
     }
 
-    /// A place further on in the line of one that is known.
+    /// The line and column of an offset on the same line after a known one; `None` on another line or when the text
+    /// between is not UTF-8.
     fn counted_on(&self, (from, place): (u32, LineColumn), offset: u32) -> Option<LineColumn> {
         let between = self.text.get(from as usize..offset as usize)?;
-        // Behind a line end the same offset may count as the end of a line or as the begin of the next.
+        // After a line end, the same offset may count as the end of a line or as the beginning of the next.
         if memchr::memchr2(b'\n', b'\r', between).is_some() {
             return None;
         }
@@ -126,7 +128,7 @@ impl<'a> Source<'a> {
     }
 }
 
-/// Offsets just past each line end: LF, CR LF, a lone CR, and LF CR CR, which controls punch, end a line.
+/// The offsets after each line end. Line ends are LF, CR LF, a single CR, and LF CR CR, which controls punch.
 pub fn line_ends(text: &[u8]) -> impl Iterator<Item = usize> + '_ {
     let mut done = 0;
     memchr::memchr2_iter(b'\n', b'\r', text).filter_map(move |at| {
@@ -138,7 +140,7 @@ pub fn line_ends(text: &[u8]) -> impl Iterator<Item = usize> + '_ {
     })
 }
 
-/// How many bytes the line end has with which a text begins.
+/// The length of the line end at the beginning of `text`, bytes.
 #[inline]
 pub fn line_end_length(text: &[u8]) -> usize {
     match text {

@@ -1,4 +1,4 @@
-//! The texts of a job, by number.
+//! The texts of a job.
 
 use std::borrow::Cow;
 
@@ -13,19 +13,19 @@ pub struct SourceMap<'a> {
 }
 
 impl<'a> SourceMap<'a> {
-    /// No texts yet.
+    /// An empty map.
     pub fn new() -> SourceMap<'a> {
         SourceMap::default()
     }
 
-    /// Adds a text and returns its number. All are added before one is appended.
+    /// Adds a text and returns its number. All texts must be added before the first one is appended.
     pub fn add(&mut self, source: Source<'a>) -> FileId {
         self.sources.push(source);
         FileId(self.sources.len() as u32 - 1)
     }
 
-    /// Keeps a text that a run has come by and returns its number: the same one for the same
-    /// name and text. `None` beyond 10,000 texts or 64 MiB.
+    /// Stores a text during a run and returns its number: the same number for the same name and text. `None` beyond
+    /// 10,000 texts or 64 MiB.
     pub fn append(&self, name: &str, text: &str) -> Option<FileId> {
         let place = self.appended.place(name, text)?;
         u32::try_from(self.sources.len() + place).ok().map(FileId)
@@ -36,7 +36,7 @@ impl<'a> SourceMap<'a> {
         self.appended.iter().map(|source| -> &Source<'a> { source })
     }
 
-    /// The text of a number that this map gave out.
+    /// The text of a number; `None` when this map has no such text.
     pub fn get(&self, file: FileId) -> Option<&Source<'a>> {
         let place = file.0 as usize;
         self.sources.get(place).or_else(|| self.appended.get(place - self.sources.len()))
@@ -47,7 +47,7 @@ impl<'a> SourceMap<'a> {
         self.sources.iter().enumerate().map(|(index, source)| (FileId(index as u32), source))
     }
 
-    /// The words of a span, as text for people (bytes that are not UTF-8 are replaced).
+    /// The words of a span as text; bytes that are not UTF-8 are replaced. Empty when there is no such text.
     pub fn words(&self, span: Span) -> Cow<'_, str> {
         self.get(span.file)
             .map_or(Cow::Borrowed(""), |s| String::from_utf8_lossy(span.range.slice(s.text())))

@@ -6,12 +6,12 @@ use std::fmt;
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug, Default)]
 pub struct FileId(pub u32);
 
-/// A half-open range of bytes in one text. Texts are limited to 4 GiB, so 32 bits serve.
+/// A half-open range of bytes in one text. Texts are limited to 4 GiB, so 32 bits suffice.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub struct TextRange {
-    /// First byte.
+    /// The offset of the first byte.
     pub start: u32,
-    /// One past the last byte.
+    /// The offset after the last byte.
     pub end: u32,
 }
 
@@ -21,17 +21,17 @@ impl TextRange {
         TextRange { start, end }
     }
 
-    /// Number of bytes.
+    /// The number of bytes.
     pub const fn len(self) -> u32 {
         self.end.saturating_sub(self.start)
     }
 
-    /// True when the range holds no byte.
+    /// Whether the range is empty.
     pub const fn is_empty(self) -> bool {
         self.end <= self.start
     }
 
-    /// The smallest range that holds both.
+    /// The smallest range that contains both.
     pub fn cover(self, other: TextRange) -> TextRange {
         TextRange::new(self.start.min(other.start), self.end.max(other.end))
     }
@@ -41,7 +41,7 @@ impl TextRange {
         Span { file, range: self }
     }
 
-    /// The bytes of `text` that the range names; empty where it lies outside.
+    /// The bytes of `text` in the range; empty when the range is outside of the text.
     pub fn slice(self, text: &[u8]) -> &[u8] {
         text.get(self.start as usize..self.end as usize).unwrap_or(&[])
     }
@@ -58,7 +58,7 @@ impl fmt::Debug for TextRange {
 pub struct Span {
     /// The file.
     pub file: FileId,
-    /// The bytes of the file.
+    /// The range of bytes in the file.
     pub range: TextRange,
 }
 

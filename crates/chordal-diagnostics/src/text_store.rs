@@ -1,4 +1,4 @@
-//! Texts that a run comes by while others are being read.
+//! Stores texts that are added during a run while others are being read.
 
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -6,11 +6,11 @@ use std::sync::{Mutex, PoisonError};
 
 use crate::Source;
 
-/// Most different texts, and most bytes of them: what a run comes by has a bound.
+/// Limits on the number of different texts and on their total size, bytes, so that a run uses bounded memory.
 const MAX_TEXTS: usize = 10_000;
 const MAX_BYTES: usize = 64 << 20;
 
-/// Texts that never move and never go, so that those who read them may go on.
+/// Texts that are never moved or removed, so that references to them stay valid.
 #[derive(Debug, Default)]
 pub(crate) struct AppendOnlyTexts {
     texts: boxcar::Vec<Source<'static>>,
@@ -24,7 +24,7 @@ struct TextIndex {
 }
 
 impl AppendOnlyTexts {
-    /// The place of a text, which is kept once; `None` when there are too many.
+    /// Stores a text once and returns its index; `None` when a limit is reached.
     pub fn place(&self, name: &str, text: &str) -> Option<usize> {
         let mut hasher = DefaultHasher::new();
         (name, text).hash(&mut hasher);

@@ -1,4 +1,4 @@
-//! The machine that is assumed when only its control is known.
+//! The machine that is assumed when only the control is known.
 
 use chordal::control::RunOptions;
 use chordal::machine::{AXIS_LETTERS, builtin_names};
@@ -6,16 +6,16 @@ use chordal::{Code, Job, Machine, Source, SourceMap};
 
 use crate::head::whole_lines;
 
-/// So much of the beginning is run to see which axes move, bytes.
+/// How much of the beginning is run to see which axes move, bytes.
 const HEAD: usize = 256 << 10;
 
-/// Repeated blocks in this run.
+/// The limit on repeated blocks in this run.
 const MAX_REPEATED: u64 = 2_000;
 
-/// Why the machine is not the usual one of its control.
+/// Why the assumed machine is not the default one of its control.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MovedAxes {
-    /// Axes that the program moves and the usual machine does not have.
+    /// Axes that the program moves and the default machine does not have.
     pub letters: Vec<char>,
     /// The title of the machine that has them.
     pub machine: String,
@@ -33,8 +33,8 @@ impl MovedAxes {
     }
 }
 
-/// The machine of a control that nobody named: the usual one or, where the program moves axes that
-/// this one does not have, a built-in one that has them.
+/// The machine to assume for a control: the default one or, when the program moves axes that this one does not have,
+/// a built-in one that has them.
 pub(crate) fn assume(usual: Machine, text: &[u8]) -> (Machine, Option<MovedAxes>) {
     let head = whole_lines(text, HEAD);
     if !names_missing_axis(&usual, head) {
@@ -59,8 +59,8 @@ fn has(machine: &Machine, letter: char) -> bool {
     AXIS_LETTERS.find(letter).is_some_and(|index| machine.axes[index].is_some())
 }
 
-/// A quick look: the letter of an axis that the machine does not have, with a value after it. Most
-/// programs end here.
+/// A quick test: whether the letter of an axis that the machine does not have occurs with a value after it. Most
+/// programs need no further test.
 fn names_missing_axis(machine: &Machine, text: &[u8]) -> bool {
     let begins_value = |byte: &u8| matches!(byte, b'0'..=b'9' | b'.' | b'-' | b'+' | b'#' | b'[');
     text.windows(2).any(|pair| {
@@ -69,7 +69,7 @@ fn names_missing_axis(machine: &Machine, text: &[u8]) -> bool {
     })
 }
 
-/// The axes that a run misses: each is said once, at its word.
+/// The axes that a run reports as missing.
 fn missing_axes(machine: &Machine, text: &[u8]) -> Vec<char> {
     let mut sources = SourceMap::new();
     sources.add(Source::new("", text));
@@ -80,8 +80,8 @@ fn missing_axes(machine: &Machine, text: &[u8]) -> Vec<char> {
     };
     let Ok(job) = Job::new(sources, machine.clone()) else { return Vec::new() };
     let report = job.options(options).check();
-    let missing = report.diagnostics.iter().filter(|stated| stated.code == Code::NoSuchAxis);
-    let words = missing.filter_map(|stated| text.get(stated.primary.span.range.start as usize));
+    let missing = report.diagnostics.iter().filter(|one| one.code == Code::NoSuchAxis);
+    let words = missing.filter_map(|one| text.get(one.primary.span.range.start as usize));
     let mut letters: Vec<char> =
         words.map(|letter| char::from(letter.to_ascii_uppercase())).collect();
     letters.sort_unstable();

@@ -1,4 +1,4 @@
-//! Reading from the disk, where a name may lead to anything: a pipe that nobody writes into, a device without an end.
+//! Reads from the disk, where a path may be anything: also a pipe without a writer, or an endless device.
 
 use std::fs::{File, Metadata};
 use std::io::{self, Read};
@@ -6,13 +6,13 @@ use std::path::Path;
 
 use crate::ledger;
 
-/// Places in a text are 32-bit numbers.
+/// The largest file, bytes: positions in a text are 32-bit numbers.
 pub(crate) const MAX_FILE_BYTES: u64 = u32::MAX as u64;
 
-/// Pipes and devices say no size and are held in memory: they are read up to this.
+/// The most that is read from a pipe or a device (512 MiB): it has no known size and is kept in memory.
 const MAX_STREAM_BYTES: u64 = 1 << 29;
 
-/// Opens a file that is read from here on, and says what it is.
+/// Opens a file for reading and records it in the ledger. Returns its metadata as well.
 pub(crate) fn open(path: &Path) -> io::Result<(File, Metadata)> {
     let file = opened(path)?;
     let about = file.metadata()?;
@@ -23,7 +23,7 @@ pub(crate) fn open(path: &Path) -> io::Result<(File, Metadata)> {
     Ok((file, about))
 }
 
-/// The bytes of a file.
+/// Reads a whole file.
 pub(crate) fn bytes(path: &Path) -> io::Result<Vec<u8>> {
     let (mut file, about) = open(path)?;
     if !about.is_file() {
@@ -34,7 +34,7 @@ pub(crate) fn bytes(path: &Path) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// What comes out of a pipe or a device, up to a limit.
+/// Reads a pipe or a device up to [`MAX_STREAM_BYTES`].
 pub(crate) fn stream(reader: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     reader.take(MAX_STREAM_BYTES + 1).read_to_end(&mut bytes)?;
@@ -57,7 +57,7 @@ fn opened(path: &Path) -> io::Result<File> {
     File::open(path)
 }
 
-/// Opening a pipe waits for who writes into it: not for ever.
+/// Opening a pipe waits for a writer, so it is done with a timeout.
 #[cfg(unix)]
 fn opened(path: &Path) -> io::Result<File> {
     use std::os::unix::fs::FileTypeExt;

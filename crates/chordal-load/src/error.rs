@@ -4,26 +4,26 @@ use std::io;
 
 use chordal::machine::MachineError;
 
-/// Why a program or a machine could not be loaded. Problems of programs are diagnostics, not this.
+/// Why a program or a machine could not be loaded. Problems inside a program are diagnostics instead.
 #[derive(Debug, thiserror::Error)]
 pub enum LoadError {
     /// A file or folder could not be read.
     #[error("cannot read {file}: {reason}")]
     Read {
-        /// Its name as the caller gave it.
+        /// The file's name as the caller wrote it.
         file: String,
-        /// The system's word, or ours.
+        /// The operating system's message, or one of this crate.
         reason: String,
     },
     /// A machine file, an assignment or a tool table is wrong.
     #[error("the machine cannot be used")]
     Machine(Vec<MachineError>),
-    /// The request asks for something that is not there, or for a file that is no program.
+    /// The request names something that does not exist, or a file that is not a program.
     #[error("{message}")]
     Request {
-        /// What does not go.
+        /// What is wrong.
         message: String,
-        /// What does.
+        /// What to do instead; `None` when there is no suggestion.
         help: Option<String>,
     },
 }
@@ -34,13 +34,14 @@ impl LoadError {
         LoadError::Read { file: file.into(), reason: reason(error) }
     }
 
-    /// A wrong request and what to ask for instead.
+    /// A wrong request, with a suggestion.
     pub(crate) fn wrong(message: impl Into<String>, help: impl Into<String>) -> LoadError {
         LoadError::Request { message: message.into(), help: Some(help.into()) }
     }
 }
 
-/// The system's message without its number: "(os error 2)" helps nobody at a machine.
+/// The operating system's message without its error number, such as "(os error 2)", which means nothing to a
+/// machinist. The first letter is lowercase.
 pub fn reason(error: &io::Error) -> String {
     let text = error.to_string();
     let plain = text.rfind(" (os error ").map_or(text.as_str(), |at| &text[..at]);

@@ -1,4 +1,4 @@
-//! Where files are: on the disk, or texts that the caller has.
+//! Access to files: on the disk, or in memory.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File};
@@ -8,27 +8,26 @@ use std::sync::Arc;
 
 use crate::disk;
 
-/// Where programs, machine files and subprograms are looked for.
+/// Where programs, machine files and subprograms are searched.
 #[derive(Clone, Debug, Default)]
 pub enum FileAccess {
     /// On the disk.
     #[default]
     Disk,
-    /// Among these, by path, and nowhere else: for a caller without a disk.
+    /// Only in this map from path to content: for a caller without a disk.
     InMemory(Arc<BTreeMap<PathBuf, Vec<u8>>>),
 }
 
 impl FileAccess {
-    /// Files that the caller has, by their paths.
+    /// Files in memory by their paths.
     pub fn in_memory(files: impl IntoIterator<Item = (PathBuf, Vec<u8>)>) -> FileAccess {
         let files = files.into_iter().map(|(path, bytes)| (plain(&path), bytes));
         FileAccess::InMemory(Arc::new(files.collect()))
     }
 
-    /// The bytes of a file.
+    /// Reads a whole file.
     ///
-    /// # Errors
-    /// A file that is not there or cannot be read.
+    /// # Errors The file does not exist or cannot be read.
     pub fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {
         match self {
             FileAccess::Disk => disk::bytes(path),
@@ -36,7 +35,7 @@ impl FileAccess {
         }
     }
 
-    /// There is a file of this path.
+    /// Whether there is a file of this path.
     pub(crate) fn is_file(&self, path: &Path) -> bool {
         match self {
             FileAccess::Disk => path.is_file(),
@@ -56,16 +55,15 @@ impl FileAccess {
         Ok(bytes)
     }
 
-    /// A text file; the byte order mark that some editors write is not part of the text.
+    /// Reads a text file without the byte order mark that some editors write.
     ///
-    /// # Errors
-    /// A file that is not there, cannot be read or is no UTF-8.
+    /// # Errors The file does not exist, cannot be read or is not UTF-8.
     pub fn text(&self, path: &Path) -> io::Result<String> {
         let text = String::from_utf8(self.bytes(path)?).map_err(|_| not_utf8())?;
         Ok(text.strip_prefix('\u{feff}').map(str::to_string).unwrap_or(text))
     }
 
-    /// The files next to a program, itself included, named as it is.
+    /// The files in the folder of a program, including the program itself, with paths of the same form, sorted.
     pub(crate) fn next_to(&self, program: &Path) -> Vec<PathBuf> {
         let mut files: Vec<PathBuf> = match self {
             FileAccess::Disk => {
@@ -88,7 +86,7 @@ impl FileAccess {
     }
 }
 
-/// The bytes of a file that the caller has.
+/// The bytes of a file in memory.
 pub(crate) fn found<'f>(
     files: &'f BTreeMap<PathBuf, Vec<u8>>,
     path: &Path,
@@ -97,12 +95,12 @@ pub(crate) fn found<'f>(
     bytes.ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, "it is not among the given files"))
 }
 
-/// As `std::fs` says it.
+/// The error that `std::fs::read_to_string` returns.
 fn not_utf8() -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, "stream did not contain valid UTF-8")
 }
 
-/// A path without `.` and without a folder that `..` leaves again.
+/// A path with its `.` and `..` components resolved, as far as possible without the disk.
 fn plain(path: &Path) -> PathBuf {
     let mut plain = PathBuf::new();
     for part in path.components() {

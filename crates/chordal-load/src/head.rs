@@ -1,6 +1,6 @@
 //! The beginning of a text.
 
-/// Whole lines of the beginning, at most so many bytes.
+/// The whole lines within the first `most` bytes; the cut line itself when it is the only one.
 pub(crate) fn whole_lines(text: &[u8], most: usize) -> &[u8] {
     if text.len() <= most {
         return text;

@@ -1,4 +1,4 @@
-//! Finding program files.
+//! Finds program files.
 
 use std::borrow::Cow;
 use std::fs;
@@ -11,10 +11,10 @@ use crate::error::LoadError;
 use crate::files::FileAccess;
 use crate::not_a_program::is_other_file;
 
-/// How much of a file in a folder is looked at to decide whether it is a program.
+/// How much of a file in a folder is read to decide whether it is a program, bytes.
 const SAMPLE: u64 = 16 * 1024;
 
-/// Endings of files that lie next to programs and are none, whatever they hold.
+/// File extensions that are found next to programs and never belong to a program.
 const NOT_PROGRAMS: &[&str] = &[
     "toml", "md", "svg", "png", "jpg", "jpeg", "gif", "bmp", "dxf", "dwg", "step", "stp", "stl",
     "pdf", "html", "htm", "css", "xml", "csv", "json", "jsonl", "sarif", "canon", "parquet",
@@ -22,23 +22,24 @@ const NOT_PROGRAMS: &[&str] = &[
     "ps1", "zip", "gz", "7z", "exe", "dll", "lock",
 ];
 
-/// A program to run, as the caller names it.
+/// A program to run, as the caller names it: a file or standard input.
 #[derive(Clone, Debug)]
 pub struct ProgramInput {
     /// The file; `None` for standard input.
     pub path: Option<PathBuf>,
-    /// The folder that the caller named and that it was found in: `chordal.toml` counts up to there.
+    /// The folder that the caller named and in which the file was found; `None` when the caller named the file.
+    /// `chordal.toml` is looked up from the file's folder up to this one.
     pub root: Option<PathBuf>,
 }
 
 impl ProgramInput {
-    /// The name for people.
+    /// The name for messages.
     pub fn name(&self) -> Cow<'_, str> {
         self.path.as_ref().map_or(Cow::Borrowed("<stdin>"), |path| path.to_string_lossy())
     }
 
-    /// Path below the folder that the caller named, or the file's name: what output in a folder
-    /// is named after.
+    /// The path relative to the folder that the caller named, or the file's name. Output files in a folder are named
+    /// after it.
     pub fn below_root(&self) -> PathBuf {
         let Some(path) = &self.path else { return PathBuf::from("stdin") };
         let below = self.root.as_ref().and_then(|root| path.strip_prefix(root).ok());
@@ -49,8 +50,8 @@ impl ProgramInput {
     }
 }
 
-/// The programs that the arguments name. A folder stands for all programs below it; what
-/// cannot be read is reported with the rest.
+/// The programs that the arguments name. A folder means all programs in it and its subfolders. The second value lists
+/// what could not be read, and folders without a program.
 pub fn find(arguments: &[PathBuf]) -> (Vec<ProgramInput>, Vec<LoadError>) {
     let mut inputs = Vec::new();
     let mut failures = Vec::new();
@@ -73,8 +74,7 @@ pub fn find(arguments: &[PathBuf]) -> (Vec<ProgramInput>, Vec<LoadError>) {
     (inputs, failures)
 }
 
-/// All programs of a folder, by name. Links to folders are not followed, so there are no
-/// circles.
+/// Collects all programs of a folder, sorted by name. Links to folders are not followed, so the recursion ends.
 fn search(
     folder: &Path,
     root: &Path,
@@ -110,21 +110,21 @@ fn search(
     }
 }
 
-/// Neither its name nor its content speak against a program.
+/// Whether neither the name nor the content contradicts that the file is a program.
 pub(crate) fn may_be_program(files: &FileAccess, path: &Path) -> bool {
     let sample = || files.head(path, SAMPLE);
     !has_other_ending(path) && sample().is_ok_and(|sample| looks_like_program(&sample))
 }
 
-/// The ending of its name says that a file is no program.
+/// Whether the extension shows that a file is not a program.
 pub fn has_other_ending(path: &Path) -> bool {
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
     ending.is_some_and(|ending| NOT_PROGRAMS.contains(&ending.as_str()))
 }
 
-/// It is of no other known kind, and some line starts as a block does: a letter with a number, a program head, a
-/// percent sign.
-/// Only asked of files that nobody named.
+/// Whether this beginning of a file looks like a program: it is of no other known kind, and some line starts like a
+/// block, with a letter and a number, a program head or a percent sign. Used only for files that the caller did not
+/// name.
 pub fn looks_like_program(sample: &[u8]) -> bool {
     let decoded = decode(sample);
     !decoded.binary

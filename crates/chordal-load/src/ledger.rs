@@ -1,7 +1,9 @@
-//! What a command of this process has read and what it writes, so that no input is written over and no output twice.
+//! Which files the current command has read and will write, so that it overwrites no input and writes no output
+//! twice.
 //!
-//! A program, its subprograms, its machine and the files that these name are read in many places. Each of them goes
-//! through [`FileAccess`](crate::FileAccess) or [`ProgramText`](crate::ProgramText) and is noted here; whoever writes a file asks.
+//! Programs, subprograms, machine files and the files that these name are read in many places. All of them are read
+//! through [`FileAccess`](crate::FileAccess) or [`ProgramText`](crate::ProgramText) and recorded here. Code that
+//! writes a file checks this ledger first.
 
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -38,28 +40,28 @@ fn identity(path: &Path) -> Option<FileIdentity> {
     path.canonicalize().ok()
 }
 
-/// A new command begins: what the one before has read is nothing to it.
+/// Clears the ledger for a new command.
 pub fn begin() {
     *ledger() = FileLedger::default();
 }
 
-/// A file was read.
+/// Records that a file was read.
 pub(crate) fn note_input(path: &Path) {
     if let Some(identity) = identity(path) {
         ledger().inputs.insert(identity);
     }
 }
 
-/// The file was read, by this name or another.
+/// Whether the file was read, under this name or another one (a link).
 pub fn is_input(path: &Path) -> bool {
     identity(path).is_some_and(|identity| ledger().inputs.contains(&identity))
 }
 
-/// A file is to be written; false where it is to be already.
+/// Records that a file will be written; `false` when it was recorded before.
 pub fn note_output(path: &Path) -> bool {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     let folder = folder.unwrap_or(Path::new(".")).canonicalize();
-    // A link and what it leads to are one file.
+    // A link and its target are one file.
     let place = path.canonicalize().ok().or_else(|| Some(folder.ok()?.join(path.file_name()?)));
     ledger().outputs.insert(place.unwrap_or_else(|| path.to_path_buf()))
 }

@@ -1,9 +1,10 @@
-//! Loads programs for every shell: their texts, the machines they run on, the subprograms beside them.
+//! Loads programs for all front ends (command line, editor, Python, browser): their texts, the machines they run on
+//! and the subprograms in the same folder.
 //!
-//! A [`Request`] says what is otherwise than the folder's `chordal.toml` or the text itself says.
-//! [`file`] and [`text`] load one program, a [`Loader`] many by the same request; [`find`] lists the
-//! programs of folders. What comes out is a [`Loaded`]: a job, its machine, and why this one
-//! ([`MachineReason`]). What does not go is one [`LoadError`].
+//! A [`Request`] overrides what the folder's `chordal.toml` or the text itself specifies. [`file`] and [`text`] load
+//! one program, a [`Loader`] many programs with the same request; [`find`] lists the programs in folders. The result
+//! is a [`Loaded`]: the program, its machine and the reason for this machine ([`MachineReason`]). Every failure is a
+//! [`LoadError`].
 //!
 //! ```
 //! use chordal_load::{RequestedMachine, Request, text};
@@ -60,26 +61,25 @@ pub use text::ProgramText;
 
 /// Loads a file.
 ///
-/// # Errors
-/// A file that cannot be read, a machine that cannot be used, a program that is not there.
+/// # Errors The file cannot be read, the machine cannot be used, or the requested program number does not exist.
 pub fn file(path: &Path, request: &Request) -> Result<Loaded, LoadError> {
     let input = ProgramInput { path: Some(path.to_path_buf()), root: None };
     Loader::new(request.clone())?.load_text(ProgramText::read(&input)?, &input)
 }
 
-/// Loads a text, under a name that messages show. It is read whatever it is: that it is no program is said of files.
+/// Loads a text under a name that messages show. Unlike a file, a text that does not look like a program is not
+/// refused.
 ///
-/// # Errors
-/// A machine that cannot be used, a program that is not there.
+/// # Errors The machine cannot be used, or the requested program number does not exist.
 pub fn text(name: &str, bytes: Vec<u8>, request: &Request) -> Result<Loaded, LoadError> {
     let input = ProgramInput { path: None, root: None };
     Loader::new(request.clone())?.load_unsaved(ProgramText::of(name, bytes)?, &input)
 }
 
-/// Loads the text of an editor, which lies or will lie at a path. While somebody writes it, it may be anything.
+/// Loads an unsaved text from an editor; `path` is where it is or will be saved. It is not refused when it does not
+/// look like a program, because it may be half written.
 ///
-/// # Errors
-/// A machine that cannot be used, a program that is not there.
+/// # Errors The machine cannot be used, or the requested program number does not exist.
 pub fn unsaved(
     path: Option<&Path>,
     bytes: Vec<u8>,

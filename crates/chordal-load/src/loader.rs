@@ -1,4 +1,4 @@
-//! Loads programs by one request.
+//! Loads programs with one request.
 
 use chordal::Machine;
 use chordal::control::{Control, RunOptions};
@@ -15,8 +15,7 @@ use crate::readings::ReadingPremise;
 use crate::request::{BlockDeleteSwitch, Request, RequestedMachine};
 use crate::text::ProgramText;
 
-/// Loads programs by one request. The machine that it names is loaded once, and each folder is listed
-/// once.
+/// Loads programs with one request. The requested machine is loaded once, and each folder is listed once.
 pub struct Loader {
     request: Request,
     machine: Option<Machine>,
@@ -24,50 +23,47 @@ pub struct Loader {
 }
 
 impl Loader {
-    /// A loader, with the machine that the request names.
+    /// Loads the machine that the request names.
     ///
-    /// # Errors
-    /// A machine that cannot be used.
+    /// # Errors The machine cannot be used.
     pub fn new(request: Request) -> Result<Loader, LoadError> {
-        let provided = machine::requested_machine(&request)?;
-        Ok(Loader { request, machine: provided, folders: FolderCache::default() })
+        let machine = machine::requested_machine(&request)?;
+        Ok(Loader { request, machine, folders: FolderCache::default() })
     }
 
-    /// The same with nothing remembered of folders: for another thread, or when files may have
-    /// changed.
+    /// The same loader with empty caches of folders: for another thread, or when files may have changed.
     pub fn again(&self) -> Loader {
-        let (request, provided) = (self.request.clone(), self.machine.clone());
-        Loader { request, machine: provided, folders: FolderCache::default() }
+        let (request, machine) = (self.request.clone(), self.machine.clone());
+        Loader { request, machine, folders: FolderCache::default() }
     }
 
-    /// The same on another machine, for which the assignments and the tool table count as well; `more` are further
-    /// assignments.
+    /// The same loader with another machine, to which the assignments, those in `more` and the tool table are
+    /// applied.
     ///
-    /// # Errors
-    /// A machine that cannot be used.
+    /// # Errors The machine cannot be used.
     pub fn on(&self, machine: RequestedMachine, more: Vec<String>) -> Result<Loader, LoadError> {
         let mut request = Request { machine: Some(machine), ..self.request.clone() };
         request.set.extend(more);
         Loader::new(request)
     }
 
-    /// The same on another machine as it is: assignments and tool table do not count for it.
+    /// The same loader with another machine as it is: assignments and tool table are not applied to it.
     pub fn on_exactly(&self, machine: Machine) -> Loader {
         Loader { machine: Some(machine), ..self.again() }
     }
 
     /// Loads a program, its machine and its subprograms.
     ///
-    /// # Errors
-    /// A file that cannot be read or is no program, a machine that cannot be used, a program that is not there.
+    /// # Errors The file cannot be read or is not a program, the machine cannot be used, or the requested program
+    /// number does not exist.
     pub fn load(&mut self, input: &ProgramInput) -> Result<Loaded, LoadError> {
         self.load_text(ProgramText::read_of(&self.request.files, input)?, input)
     }
 
-    /// The same with the text of the input at hand.
+    /// [`Loader::load`] for an input whose text is already read.
     ///
-    /// # Errors
-    /// A text that is no program, a machine that cannot be used, a program that is not there.
+    /// # Errors The text is not a program, the machine cannot be used, or the requested program number does not
+    /// exist.
     pub fn load_text(
         &mut self,
         text: ProgramText,
@@ -81,7 +77,7 @@ impl Loader {
         self.load_unsaved(text, input)
     }
 
-    /// The same, whatever the text is.
+    /// [`Loader::load_text`] without the test whether the text looks like a program.
     pub(crate) fn load_unsaved(
         &mut self,
         text: ProgramText,
@@ -130,7 +126,7 @@ impl Loader {
     }
 }
 
-/// How the text is run: within the budgets of the request, and as what it was recognized.
+/// The options of the run: the limits of the request, and how the text was recognized.
 fn options(request: &Request, chosen: &MachineReason, text: &[u8]) -> RunOptions {
     let usual = RunOptions::default();
     let named_control = says(request, &["control"]);
@@ -143,10 +139,10 @@ fn options(request: &Request, chosen: &MachineReason, text: &[u8]) -> RunOptions
     }
 }
 
-/// Keys of a machine that say its limits.
+/// Keys of a machine that set its limits.
 const LIMITS: &[&str] = &["axes", "feed", "spindle"];
 
-/// Some assignment of the request is about one of these keys.
+/// Whether some assignment of the request sets one of these keys.
 fn says(request: &Request, keys: &[&str]) -> bool {
     request.set.iter().any(|assignment| {
         let key = assignment.split(['.', '=']).next().unwrap_or("").trim();

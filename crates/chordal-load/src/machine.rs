@@ -1,5 +1,5 @@
-//! Machines by name and of files, and which one runs a program: the caller's, the folder's, or the
-//! one that the text speaks for.
+//! Loads machines by name and from files, and chooses the machine of a program: the one that the caller or the folder
+//! names, or the one recognized from the text.
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -21,10 +21,10 @@ use crate::machine_reason::MachineReason;
 use crate::readings::{ReadingPremise, machine_name, set_units, settle};
 use crate::request::{BlockDeleteSwitch, Request, RequestedMachine};
 
-/// The file that says a folder's machine.
+/// The file that names the machine of a folder.
 const FOLDER_FILE: &str = "chordal.toml";
 
-/// The machine that a request names, with everything else that it says of it.
+/// The machine that a request names, with the settings of the request applied; `None` when it names none.
 pub(crate) fn requested_machine(request: &Request) -> Result<Option<Machine>, LoadError> {
     let machine = match &request.machine {
         None => return Ok(None),
@@ -51,7 +51,7 @@ pub(crate) fn choose(
     let recognition = recognize(text);
     let ending = input.path.as_ref().and_then(|path| path.extension());
     let (machine, chosen, premise) = match ending {
-        // Other endings mean nothing.
+        // Other extensions do not identify a control.
         Some(ending)
             if recognition.strength() == EvidenceStrength::Assumed
                 && ending.eq_ignore_ascii_case("ngc") =>
@@ -72,13 +72,13 @@ pub(crate) fn choose(
     Ok((finish(machine, request)?, chosen, premise))
 }
 
-/// The `chordal.toml` that counts for a program.
+/// The `chordal.toml` that applies to a program.
 fn folder_file(input: &ProgramInput, request: &Request) -> Option<PathBuf> {
     let mut files = folders(input).into_iter().map(|folder| folder.join(FOLDER_FILE));
     files.find(|file| request.files.is_file(file))
 }
 
-/// A folder, the printed settings or an assignment say for which control a program is.
+/// Whether a `chordal.toml`, printed settings or an assignment name the control of a program.
 pub(crate) fn is_named(input: &ProgramInput, request: &Request) -> bool {
     let control = |assignment: &String| assignment.trim_start().starts_with("control");
     request.settings.is_some()
@@ -86,25 +86,23 @@ pub(crate) fn is_named(input: &ProgramInput, request: &Request) -> bool {
         || folder_file(input, request).is_some()
 }
 
-/// The machine of a built-in name or, where there is none of it, of a file.
+/// The built-in machine of this name or, when there is none, the machine of this file.
 ///
-/// # Errors
-/// A name that nothing has; the help lists the built-in ones. What is wrong with a file.
+/// # Errors There is no such machine (the help lists the built-in ones), or the file is wrong.
 pub fn named(name: &str) -> Result<Machine, LoadError> {
     named_of(&FileAccess::Disk, name)
 }
 
-/// The same among these files.
+/// [`named`] with another file access.
 ///
-/// # Errors
-/// Those of [`named`].
+/// # Errors As [`named`].
 pub fn named_of(files: &FileAccess, name: &str) -> Result<Machine, LoadError> {
     let path = Path::new(name);
     if builtin(name).is_none() && (files.is_file(path) || name.ends_with(".toml")) {
         return file_of(files, path);
     }
     Machine::from_builtin(name).map_err(|mut errors| match errors.pop() {
-        // A wrong name in a request: there is no file to draw.
+        // A wrong name in a request: there is no file to show.
         Some(error) if builtin(name).is_none() => {
             LoadError::Request { message: error.message, help: error.help }
         }
@@ -112,8 +110,7 @@ pub fn named_of(files: &FileAccess, name: &str) -> Result<Machine, LoadError> {
     })
 }
 
-/// The folders whose `chordal.toml` counts: the program's, and those above it up to the one
-/// that the caller names.
+/// The folders whose `chordal.toml` applies: the program's, and its parents up to the folder that the caller named.
 fn folders(input: &ProgramInput) -> Vec<PathBuf> {
     let Some(path) = &input.path else { return Vec::new() };
     let mut folders: Vec<PathBuf> = Vec::new();
@@ -126,23 +123,22 @@ fn folders(input: &ProgramInput) -> Vec<PathBuf> {
     folders
 }
 
-/// What a program is run on when only its control is known.
+/// The default machine of a control, used when only the control is known.
 pub fn typical(control: ControlName) -> Machine {
     let name = typical_name(control);
     Machine::from_builtin(name).unwrap_or_else(|_| Machine::new(name, control))
 }
 
-/// The control whose firmware prints its settings.
+/// The control whose firmware prints its settings for `$$`.
 pub fn dumped() -> ControlName {
     let has_dump = |table: &&&ControlTable| table.firmware.is_some_and(|f| !f.dump.is_empty());
     let name = CONTROLS.iter().find(has_dump).and_then(|table| table.name.parse().ok());
     name.unwrap_or(ControlName::Grbl)
 }
 
-/// Sets what a firmware printed for `$$`.
+/// Applies the settings that a firmware printed for `$$` to a machine.
 ///
-/// # Errors
-/// A file that cannot be read, what is wrong in it, and a machine whose control prints no settings.
+/// # Errors The file cannot be read or is wrong, or the machine's control prints no settings.
 pub fn set_dump(machine: &mut Machine, path: &Path) -> Result<(), LoadError> {
     set_dump_of(&FileAccess::Disk, machine, path)
 }
@@ -167,15 +163,14 @@ fn set_dump_of(files: &FileAccess, machine: &mut Machine, path: &Path) -> Result
     if errors.is_empty() { Ok(()) } else { Err(LoadError::Machine(errors)) }
 }
 
-/// The name of that machine.
+/// The name of the default machine of a control.
 pub fn typical_name(control: ControlName) -> &'static str {
     table(control).default_machine
 }
 
-/// The machine of a file.
+/// Reads a machine file.
 ///
-/// # Errors
-/// A file that cannot be read, and everything that is wrong in it.
+/// # Errors The file cannot be read, or all problems found in it.
 pub fn from_file(path: &Path) -> Result<Machine, LoadError> {
     file_of(&FileAccess::Disk, path)
 }
@@ -186,10 +181,9 @@ fn file_of(files: &FileAccess, path: &Path) -> Result<Machine, LoadError> {
     text_of(files, &name, &text)
 }
 
-/// The machine of a TOML text, under a name that messages show.
+/// Reads a machine from a TOML text; messages show `name`.
 ///
-/// # Errors
-/// Everything that is wrong in it.
+/// # Errors All problems found in the text.
 pub fn from_text(name: &str, text: &str) -> Result<Machine, LoadError> {
     text_of(&FileAccess::Disk, name, text)
 }
@@ -199,8 +193,8 @@ fn text_of(files: &FileAccess, name: &str, text: &str) -> Result<Machine, LoadEr
     Machine::from_toml(name, text, &load).map_err(LoadError::Machine)
 }
 
-/// The machine as a file of its own, to start one from. What was said about its figures becomes
-/// a comment at the top: it is no longer so once they are changed.
+/// The text of a machine file to start from. The machine's notes become comments at the top, because they no longer
+/// hold once the values are changed.
 pub fn own_file(mut machine: Machine) -> String {
     let mut text = format!("# Copied from {}: put in the figures of your machine.\n", machine.name);
     for note in std::mem::take(&mut machine.notes) {
@@ -209,7 +203,7 @@ pub fn own_file(mut machine: Machine) -> String {
     text + &machine.to_toml()
 }
 
-/// Everything that a request says of a machine, whichever it is.
+/// Applies the settings of a request to a machine.
 fn finish(mut machine: Machine, request: &Request) -> Result<Machine, LoadError> {
     let assign = |machine: &mut Machine| {
         let errors: Vec<MachineError> =
@@ -231,8 +225,8 @@ fn finish(mut machine: Machine, request: &Request) -> Result<Machine, LoadError>
             LoadError::Machine(errors)
         })?;
         machine.tools.extend(tools);
-        // A tool that an assignment gives comes before the table's, and the table's units were only
-        // known after the assignments: once more.
+        // The assignments are applied twice: before the tool table, whose units they may set, and after it, because a
+        // tool from an assignment takes precedence over the table.
         assign(&mut machine)?;
     }
     if request.block_delete == BlockDeleteSwitch::On {
@@ -241,7 +235,7 @@ fn finish(mut machine: Machine, request: &Request) -> Result<Machine, LoadError>
     Ok(machine)
 }
 
-/// Draws the settings that the control does not know where they were written.
+/// Reports the settings that the control does not know, at the location where they were written.
 fn check_settings(machine: &Machine) -> Result<(), LoadError> {
     let (control, errors) = Control::of(machine);
     if errors.is_empty() {
@@ -249,7 +243,7 @@ fn check_settings(machine: &Machine) -> Result<(), LoadError> {
     }
     let drawn = errors.into_iter().map(|error| {
         let setting =
-            machine.settings.get(&error.name).and_then(|provided| provided.location.as_ref());
+            machine.settings.get(&error.name).and_then(|setting| setting.location.as_ref());
         let location = setting.or_else(|| code_place(machine, &error.name));
         MachineError {
             span: location.map(|at| place_of(&error, at, &control)),
@@ -262,7 +256,7 @@ fn check_settings(machine: &Machine) -> Result<(), LoadError> {
     Err(LoadError::Machine(drawn.collect()))
 }
 
-/// Where a custom code stands, by its name in errors: `shop_codes.M48`.
+/// The location of a custom code by its name in errors, such as `shop_codes.M48`.
 fn code_place<'m>(machine: &'m Machine, name: &str) -> Option<&'m ValueLocation> {
     let code = name.strip_prefix("shop_codes.")?;
     let number = code.get(1..)?.parse::<u32>().ok()?;
@@ -273,7 +267,7 @@ fn code_place<'m>(machine: &'m Machine, name: &str) -> Option<&'m ValueLocation>
     code?.location.as_ref()
 }
 
-/// A location is that of the value; where the name is wrong, the name before it on its line.
+/// The range to mark for an error: the value, or the setting's name before it on the line when the name is unknown.
 fn place_of(error: &SettingError, at: &ValueLocation, control: &Control) -> Range<usize> {
     let known = control.table.settings.iter().chain(COMMON_SETTINGS);
     if known.into_iter().any(|setting| setting.name.eq_ignore_ascii_case(&error.name)) {

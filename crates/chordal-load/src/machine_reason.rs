@@ -1,4 +1,4 @@
-//! Why a program runs on its machine: in words, and what is said of a text that is not read.
+//! Why a program runs on its machine, in words, and the error for a text in a language that Chordal does not read.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -9,26 +9,26 @@ use chordal::{Code, Diagnostic};
 
 use crate::assumption::MovedAxes;
 
-/// Signs that a message about a language lists.
+/// The most signs that a message about a language lists.
 const MAX_SIGNS: usize = 4;
 
-/// Why this machine.
+/// Why this machine was chosen.
 #[derive(Clone, Debug)]
 pub enum MachineReason {
-    /// The caller says so.
+    /// The caller requested it.
     Requested,
-    /// `chordal.toml` says so.
+    /// This `chordal.toml` names it.
     Folder(PathBuf),
-    /// Nothing in the text says so, and the file extension is LinuxCNC's own.
+    /// The text has no signs of a control, and the file extension is LinuxCNC's (`.ngc`).
     Ending,
-    /// The program looks like one of this control. It may move axes that the control's usual machine
-    /// does not have.
+    /// The text was recognized as a program of this control. The second value is present when the program moves axes
+    /// that the control's default machine does not have.
     Recognized(Recognition, Option<MovedAxes>),
 }
 
 impl MachineReason {
-    /// What was recognized and by what, in a line; nothing where somebody said the machine. `title` is
-    /// the control's.
+    /// What was recognized and by which sign, in one line; `None` when the machine was named. `title` is the title of
+    /// the control.
     pub fn why(&self, title: &str) -> Option<String> {
         Some(match self {
             MachineReason::Requested | MachineReason::Folder(_) => return None,
@@ -41,7 +41,7 @@ impl MachineReason {
         })
     }
 
-    /// What was recognized, where it was.
+    /// The recognition; `None` when the machine was named or assumed by the file extension.
     pub fn recognition(&self) -> Option<&Recognition> {
         match self {
             MachineReason::Recognized(found, _) => Some(found),
@@ -49,7 +49,7 @@ impl MachineReason {
         }
     }
 
-    /// Who says so, in a word: `given`, `folder`, `extension`, `text`.
+    /// The source of the choice in one word: `given`, `folder`, `extension` or `text`.
     pub fn from(&self) -> &'static str {
         match self {
             MachineReason::Requested => "given",
@@ -59,12 +59,12 @@ impl MachineReason {
         }
     }
 
-    /// Nobody named the machine, so its limits are a guess.
+    /// Whether nobody named the machine, so that its limits are a guess.
     pub fn is_guess(&self) -> bool {
         matches!(self, MachineReason::Ending | MachineReason::Recognized(..))
     }
 
-    /// What is said of a text in a language that is not read.
+    /// The error for a text in a language that Chordal does not read; `None` for other texts.
     pub fn refusal(&self, text: &[u8]) -> Option<Arc<Diagnostic>> {
         let found = self.recognition().filter(|found| found.chosen().not_read)?;
         let language = not_read(found.chosen().name)?;
@@ -100,7 +100,7 @@ fn why(found: &Recognition, title: &str) -> String {
     }
 }
 
-/// Nothing speaks: what was assumed, and who gives fewer errors.
+/// The sentence for a text without signs: what was assumed, and how many errors it and the next best control give.
 fn assumed(found: &Recognition, title: &str) -> String {
     let line = format!("assumed {title}: nothing in the text says which control it is for");
     let errors = |count: u64| if count == 1 { "1 error".into() } else { format!("{count} errors") };
@@ -117,7 +117,7 @@ fn assumed(found: &Recognition, title: &str) -> String {
     }
 }
 
-/// The words of the line that begins there.
+/// The span of the line that begins at `start`.
 fn line_span(text: &[u8], start: usize) -> Span {
     let rest = text.get(start..).unwrap_or_default();
     let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());

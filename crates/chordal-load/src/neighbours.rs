@@ -1,4 +1,4 @@
-//! The files beside a program: subprograms lie there, as on a control's disk.
+//! The files in a program's folder: subprograms are found there, as on a control's disk.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -12,19 +12,19 @@ use crate::input::{ProgramInput, may_be_program};
 use crate::text::ProgramText;
 use crate::variables::FolderVariables;
 
-/// Most files that are added to a program.
+/// The most subprogram files that are added to a program.
 const MAX_FILES: usize = 256;
 
-/// Most folders that are remembered: an archive goes from one to the next.
+/// The most folders in the cache. A run over an archive visits one folder after the other.
 const MAX_FOLDERS: usize = 64;
 
-/// Most files of a folder whose heads are looked at.
+/// The most files of a folder whose program heads are read.
 const MAX_HEADS: usize = 10_000;
 
-/// How much of a file is looked at for its head.
+/// How much of a file is read to find its program head, bytes.
 const HEAD: u64 = 4096;
 
-/// The folders that were looked into, each listed once however many programs it holds.
+/// A cache of folder listings, so that a folder with many programs is listed once.
 #[derive(Default)]
 pub struct FolderCache {
     folders: BTreeMap<PathBuf, FolderListing>,
@@ -32,9 +32,8 @@ pub struct FolderCache {
 }
 
 impl FolderCache {
-    /// The files that hold the programs which a text calls, and those which they call, as far
-    /// as they lie in the same folder. Files that cannot be read are skipped: then the
-    /// subprogram is missing, and the run says so.
+    /// The texts of the subprograms that a text calls, directly or indirectly, and that are in the same folder. Files
+    /// that cannot be read are skipped; the run then reports the subprogram as missing.
     pub fn find(
         &mut self,
         files: &FileAccess,
@@ -43,9 +42,9 @@ impl FolderCache {
         lexicon: &Lexicon,
     ) -> Vec<ProgramText> {
         let mut found: Vec<ProgramText> = Vec::new();
-        let mut target: BTreeSet<u32> = referenced_programs(text, lexicon).into_iter().collect();
+        let mut pending: BTreeSet<u32> = referenced_programs(text, lexicon).into_iter().collect();
         let mut names: BTreeSet<String> = called_subs(text, lexicon).into_iter().collect();
-        if target.is_empty() && names.is_empty() {
+        if pending.is_empty() && names.is_empty() {
             return found;
         }
         let mut known: BTreeSet<u32> = numbers(text, lexicon).collect();
@@ -54,7 +53,7 @@ impl FolderCache {
         }
         let folder =
             self.folders.entry(folder_of(path)).or_insert_with(|| FolderListing::of(files, path));
-        while let Some(number) = target.pop_first() {
+        while let Some(number) = pending.pop_first() {
             if known.contains(&number) || found.len() >= MAX_FILES {
                 continue;
             }
@@ -66,15 +65,15 @@ impl FolderCache {
                     text.give_head(number);
                 }
                 known.extend(numbers(text.bytes(), lexicon));
-                target.extend(referenced_programs(text.bytes(), lexicon));
+                pending.extend(referenced_programs(text.bytes(), lexicon));
                 found.push(text);
             }
-            // Found or not, it is not looked for again.
+            // Found or not, it is not searched again.
             known.insert(number);
         }
-        let mut inspected = BTreeSet::new();
+        let mut visited = BTreeSet::new();
         while let Some(name) = names.pop_first() {
-            if found.len() >= MAX_FILES || !inspected.insert(name.clone()) {
+            if found.len() >= MAX_FILES || !visited.insert(name.clone()) {
                 continue;
             }
             let Some(path) = folder.subroutine(&name, path) else { continue };
@@ -88,7 +87,7 @@ impl FolderCache {
         found
     }
 
-    /// The variables that the control has written into files of the folder.
+    /// The variables that the control has written into files in the program's folder.
     pub fn variables(&mut self, files: &FileAccess, program: &Path) -> &FolderVariables {
         if self.variables.len() > MAX_FOLDERS {
             self.variables.clear();
@@ -98,16 +97,16 @@ impl FolderCache {
     }
 }
 
-/// Leaves out the files of a folder that hold only subprograms which others of the folder
-/// call: they run where they are called. Run by itself, a subprogram seems to have no spindle,
-/// no feed and no end. A file that the caller names stays.
+/// Removes files that contain only subprograms which other files of the same folder call: these run where they are
+/// called. Run by itself, a subprogram would seem to have no spindle, no feed and no end. Files that the caller named
+/// are kept.
 pub fn without_called(inputs: Vec<ProgramInput>) -> Vec<ProgramInput> {
     let lexicon = &Lexicon::COMMON;
     let mut called: BTreeMap<PathBuf, BTreeSet<u32>> = BTreeMap::new();
     let mut endless: BTreeMap<usize, Vec<u32>> = BTreeMap::new();
     for (index, input) in inputs.iter().enumerate() {
         let (Some(path), Some(_)) = (&input.path, &input.root) else { continue };
-        // Who cannot be read is reported when it is to be run.
+        // A file that cannot be read is reported later, when it is run.
         let Ok(text) = ProgramText::read(input) else { continue };
         let own: Vec<u32> = numbers(text.bytes(), lexicon).collect();
         let calls = called.entry(folder_of(path)).or_default();
@@ -136,7 +135,7 @@ fn folder_of(path: &Path) -> PathBuf {
     path.parent().map(Path::to_path_buf).unwrap_or_default()
 }
 
-/// Some block says M2 or M30. Subprograms are short: a long text is taken for a program.
+/// Whether some block has M2 or M30. Subprograms are short, so a text longer than 1 MiB counts as a main program.
 fn has_end(text: &[u8], lexicon: &Lexicon) -> bool {
     const LONG_FILE_BYTES: usize = 1 << 20;
     if text.len() > LONG_FILE_BYTES {
@@ -157,8 +156,8 @@ fn numbers(text: &[u8], lexicon: &Lexicon) -> impl Iterator<Item = u32> {
     find_programs(text, lexicon).into_iter().filter_map(|head| head.number)
 }
 
-/// The files of a folder by what their names say, and their first program numbers once a name did
-/// not tell.
+/// The files of a folder by the program number or subroutine name in their file names. Their program heads are read
+/// only when a file name was not enough.
 struct FolderListing {
     files: Vec<PathBuf>,
     numbers: BTreeMap<u32, Vec<PathBuf>>,
@@ -167,7 +166,7 @@ struct FolderListing {
 }
 
 impl FolderListing {
-    /// The folder of a program. Its files are named as the program is.
+    /// Lists the folder of a program. The paths have the same form as the program's path.
     fn of(files: &FileAccess, program: &Path) -> FolderListing {
         let files = files.next_to(program);
         let mut numbers: BTreeMap<u32, Vec<PathBuf>> = BTreeMap::new();
@@ -183,14 +182,15 @@ impl FolderListing {
         FolderListing { files, numbers, subroutines, heads: None }
     }
 
-    /// The file of a subroutine of O words.
+    /// The file of a named subroutine (`O<name> call`).
     fn subroutine(&self, name: &str, caller: &Path) -> Option<PathBuf> {
         let named = self.subroutines.get(&name.to_ascii_lowercase())?;
         named.iter().find(|path| *path != caller).cloned()
     }
 
-    /// The file of a program other than its caller: by its name, or else by its first head, or
-    /// else by its name alone, where it has no head at all.
+    /// The file of a program number, other than the caller's file. Preferred is a file with this number in its name
+    /// and in its first program head, then one with this number in its head, then one with this number in its name
+    /// and no head.
     fn program(&mut self, disk: &FileAccess, number: u32, caller: &Path) -> Option<PathBuf> {
         let named =
             || self.numbers.get(&number).into_iter().flatten().filter(|path| *path != caller);
@@ -218,7 +218,7 @@ impl FolderListing {
     }
 }
 
-/// The subroutine that a control would look for in a file of this name, in small letters.
+/// The name of the subroutine that a control would search in a file of this name, in lower case.
 fn subroutine_of_name(path: &Path) -> Option<String> {
     let file = path.file_name()?.to_str()?.to_ascii_lowercase();
     let stem = file.strip_suffix(".ngc").or_else(|| file.strip_suffix(".nc"))?;
@@ -231,7 +231,7 @@ fn first_head(files: &FileAccess, path: &Path) -> Option<u32> {
     if text.binary { None } else { numbers(&text.text, &Lexicon::COMMON).next() }
 }
 
-/// The program number that a file's name says: `O1000`, `O1000.nc`, `1000.nc`, `o01000.tap`.
+/// The program number in a file's name, such as `O1000`, `O1000.nc`, `1000.nc` or `o01000.tap`.
 fn number_of_name(path: &Path) -> Option<u32> {
     let name = path.file_name()?.to_str()?;
     let stem = name.split_once('.').map_or(name, |(stem, _)| stem);

@@ -1,4 +1,4 @@
-//! A program that is loaded: texts, machine, and why this machine.
+//! A loaded program: its texts, its machine and the reason for this machine.
 
 use std::sync::Arc;
 
@@ -15,36 +15,35 @@ use crate::text::ProgramText;
 
 /// A program with everything it needs to run.
 pub struct Loaded {
-    /// The program's text, then those of its subprograms.
+    /// The text of the program, then the texts of its subprograms.
     pub(crate) texts: Vec<ProgramText>,
     pub(crate) machine: Machine,
     pub(crate) options: RunOptions,
-    /// Names and blocks of what the shop answered, in the order of the run.
+    /// Names and blocks of the expanded shop codes, in the order of the run.
     pub(crate) shop_texts: Vec<(String, String)>,
-    /// The one program to run, where the request names it.
+    /// The number of the only program to run; `None` when the request names none.
     pub program: Option<u32>,
-    /// Why this machine.
+    /// Why this machine was chosen.
     pub chosen: MachineReason,
-    /// What was assumed, where the text does not name its control and its units for certain.
+    /// What was assumed about the text; `None` when its control and its units are certain.
     pub premise: Option<ReadingPremise>,
 }
 
 impl Loaded {
-    /// The name for people.
+    /// The program's name for messages.
     pub fn name(&self) -> &str {
         self.texts[0].name()
     }
 
-    /// The job, which borrows the texts.
+    /// The job of running the program. It borrows the texts.
     ///
-    /// # Errors
-    /// Settings that the control does not know; those of files were checked before.
+    /// # Errors The control does not know a setting of the machine. Settings from files were checked before.
     pub fn job(&self) -> Result<Job<'_>, LoadError> {
         self.job_on(self.machine.clone())
     }
 
-    /// Runs the program once, so that the shop is asked about each of its codes; every later
-    /// run finds these answers.
+    /// Runs the program once so that `shop` is called for each of the shop's own codes. Later runs reuse the recorded
+    /// answers.
     pub(crate) fn ask_shop(
         &mut self,
         shop: Arc<dyn ShopCodes>,
@@ -69,34 +68,35 @@ impl Loaded {
         self.texts[0].bytes()
     }
 
-    /// Why it is this machine, in a line; nothing where the user said so.
+    /// Why this machine was chosen, in one line; `None` when the user or a `chordal.toml` names it.
     pub fn why(&self) -> Option<String> {
         self.chosen.why(chordal::control::table(self.machine.control).title)
     }
 
-    /// Names and texts, the machine and the budgets.
+    /// Splits into names and texts, the machine, and the options of the run.
     pub fn into_parts(self) -> (Vec<(String, Vec<u8>)>, Machine, RunOptions) {
         let texts = self.texts.into_iter().map(ProgramText::into_parts).collect();
         (texts, self.machine, self.options)
     }
 
-    /// Bytes of the program's text.
+    /// The size of the program's text, bytes.
     pub fn size(&self) -> usize {
         self.text().len()
     }
 
-    /// The language of the text where it is one that is not read, as `fanuc-lathe`.
+    /// The name of the text's language when it is one that Chordal does not read, such as `fanuc-lathe`; `None`
+    /// otherwise.
     pub fn not_read(&self) -> Option<&'static str> {
         let refused = self.options.not_read.is_some();
         self.chosen.recognition().filter(|_| refused).map(|found| found.chosen().name)
     }
 
-    /// The name of its control, or of the language that is not read.
+    /// The name of the control, or of the language that Chordal does not read.
     pub fn control(&self) -> &'static str {
         self.not_read().unwrap_or_else(|| self.machine.control.as_str())
     }
 
-    /// On what it is read, and why.
+    /// As what the text is read, and why.
     pub fn reading(&self) -> ProgramReading<'_> {
         let machine = Some(self.machine.name.as_str()).filter(|_| self.not_read().is_none());
         ProgramReading {
@@ -108,37 +108,36 @@ impl Loaded {
         }
     }
 
-    /// As what else the text may be read; nothing where its control and its units are named or certain.
+    /// As what else the text could be read; `None` when its control and its units are named or certain.
     pub fn choices(&self) -> Option<ReadingChoices> {
         self.premise.as_ref().map(ReadingPremise::choices)
     }
 
-    /// Its machine.
+    /// The program's machine.
     pub fn machine(&self) -> &Machine {
         &self.machine
     }
 
-    /// The job on another machine.
+    /// The job of running the program on another machine.
     ///
-    /// # Errors
-    /// Settings of the machine that its control does not know.
+    /// # Errors The control of this machine does not know one of its settings.
     pub fn job_on(&self, machine: Machine) -> Result<Job<'_>, LoadError> {
         let mut sources = SourceMap::new();
         for text in &self.texts {
             sources.add(Source::new(text.name(), text.bytes()));
         }
-        // So that a place in them has its words before this job has run.
+        // Added now so that locations in these texts can be shown before this job has run.
         for (name, text) in &self.shop_texts {
             sources.append(name, text);
         }
-        // The settings were checked with their places when the machine was chosen.
+        // The settings were checked, with their locations, when the machine was chosen.
         let job = Job::new(sources, machine)
             .map_err(|error| LoadError::Request { message: error.to_string(), help: None })?;
         Ok(job.program(self.program).options(self.options.clone()))
     }
 }
 
-/// Hears nothing of a run.
+/// A sink that ignores everything.
 struct DiscardingSink;
 
 impl Sink for DiscardingSink {

@@ -1,4 +1,4 @@
-//! What a program is to run on, and how.
+//! What the caller specifies about loading a program: machine, settings and files.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -9,26 +9,26 @@ use chordal::machine::ControlName;
 
 use crate::files::FileAccess;
 
-/// The machine that a caller wants.
+/// The machine that a caller requests.
 #[derive(Clone, Debug)]
 pub enum RequestedMachine {
-    /// That of a built-in name or, where there is none of it, of a file.
+    /// A built-in machine of this name or, when there is none, a machine file.
     Name(String),
-    /// The typical machine of a control.
+    /// The default machine of a control.
     Control(ControlName),
-    /// One that is loaded already.
+    /// A machine that is already loaded.
     Machine(Box<Machine>),
 }
 
-/// How the switch of block delete stands.
+/// The position of the block delete switch.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Debug)]
 pub enum BlockDeleteSwitch {
-    /// As the machine file has it; off, where it says nothing.
+    /// As in the machine file; off when the file does not set it.
     #[default]
     AsMachine,
-    /// The blocks that start with `/` are left out.
+    /// The blocks that start with `/` are skipped.
     On,
-    /// The program is run as the machine file has it, and once more the other way.
+    /// The program is run with the switch as in the machine file, and once more with the opposite position.
     Both,
 }
 
@@ -38,29 +38,28 @@ impl From<bool> for BlockDeleteSwitch {
     }
 }
 
-/// What a program is to run on, and what is otherwise than its machine says. Nothing said: the
-/// folder's `chordal.toml` says the machine, or the text does.
+/// The machine to run on, and changes to its settings. By default the folder's `chordal.toml` names the machine, or
+/// it is recognized from the text.
 #[derive(Clone, Default)]
 pub struct Request {
-    /// The machine.
+    /// The machine; `None`: from the folder's `chordal.toml`, or recognized from the text.
     pub machine: Option<RequestedMachine>,
-    /// Where machine files, tool tables and subprograms are.
+    /// Where machine files, tool tables and subprograms are read from.
     pub files: FileAccess,
-    /// Assignments to keys of the machine, as `tools.5.diameter="0.5 in"`.
+    /// Assignments to keys of the machine, such as `tools.5.diameter="0.5 in"`.
     pub set: Vec<String>,
-    /// What a firmware printed for `$$` (GRBL): its settings, before the assignments.
+    /// A file with the settings that a firmware (GRBL) printed for `$$`. They are applied before the assignments.
     pub settings: Option<PathBuf>,
-    /// A LinuxCNC tool table, in the machine's units at power-on.
+    /// A LinuxCNC tool table file, in the machine's units at power-on.
     pub tools: Option<PathBuf>,
-    /// Runs only this program of the file.
+    /// Runs only the program of this number in the file; `None` runs the file from its beginning.
     pub program: Option<u32>,
-    /// What becomes of the blocks that start with `/`.
+    /// Whether blocks that start with `/` are skipped.
     pub block_delete: BlockDeleteSwitch,
-    /// Most blocks carried out in calls, repeats and jumps.
+    /// The limit on blocks executed in calls, repeats and jumps; `None`: the default.
     pub max_blocks: Option<u64>,
-    /// Who knows the codes of the shop's own. It is asked once about each, while the program is
-    /// loaded.
+    /// Expands the shop's own codes. It is called once for each use, while the program is loaded.
     pub shop_codes: Option<Arc<dyn ShopCodes>>,
-    /// Ends that asking early.
+    /// Interrupts these calls early.
     pub interrupt: Option<InterruptCheck>,
 }

@@ -1,4 +1,4 @@
-//! Reading the texts of programs, mapped where they are large.
+//! Reads program texts; large files are memory-mapped.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -14,10 +14,10 @@ use crate::error::LoadError;
 use crate::files::{FileAccess, found};
 use crate::input::ProgramInput;
 
-/// Files below this size are read: a mapping costs more than copying them.
+/// Smaller files are copied into memory, bytes: mapping them would cost more.
 const MAP_FROM: u64 = 1 << 20;
 
-/// A text in memory or mapped.
+/// The bytes of a file, in memory or mapped.
 enum TextBytes {
     Owned(Vec<u8>),
     Mapped(Mmap),
@@ -34,24 +34,23 @@ impl Deref for TextBytes {
     }
 }
 
-/// A program text as the reader takes it, and its name.
+/// A program text, decoded for the reader, with its name.
 pub struct ProgramText {
     name: String,
     bytes: TextBytes,
-    /// Where the text begins: after a byte order mark.
+    /// Where the text begins in `bytes`: after a byte order mark.
     start: usize,
 }
 
 impl ProgramText {
-    /// Reads the text of an input.
+    /// Reads the text of an input from the disk or from standard input.
     ///
-    /// # Errors
-    /// A file that cannot be read, or is larger than 4 GiB.
+    /// # Errors The file cannot be read or is larger than 4 GiB.
     pub fn read(input: &ProgramInput) -> Result<ProgramText, LoadError> {
         ProgramText::read_of(&FileAccess::Disk, input)
     }
 
-    /// The same among these files.
+    /// [`ProgramText::read`] with another file access.
     pub(crate) fn read_of(
         files: &FileAccess,
         input: &ProgramInput,
@@ -68,20 +67,19 @@ impl ProgramText {
         ProgramText::new(name, bytes)
     }
 
-    /// A text that is in memory already.
+    /// A text that is already in memory.
     ///
-    /// # Errors
-    /// A text that is larger than 4 GiB.
+    /// # Errors The text is larger than 4 GiB.
     pub fn of(name: &str, bytes: Vec<u8>) -> Result<ProgramText, LoadError> {
         ProgramText::new(name.to_string(), TextBytes::Owned(bytes))
     }
 
-    /// The name for people.
+    /// The name that messages show.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The text.
+    /// The text, without a byte order mark.
     pub fn bytes(&self) -> &[u8] {
         &self.bytes[self.start..]
     }
@@ -96,8 +94,8 @@ impl ProgramText {
         (self.name, bytes)
     }
 
-    /// Gives a program without a head the number that its file's name says. The head comes
-    /// before the words of the first line after `%`, so that lines keep their numbers.
+    /// Adds a program head with the number from its file name to a program without one. The head is put before the
+    /// words of the first line after `%`, so that line numbers do not change.
     pub(crate) fn give_head(&mut self, number: u32) {
         let text = self.bytes();
         let lines = text.split_inclusive(|byte| matches!(byte, b'\n' | b'\r'));
@@ -141,7 +139,7 @@ fn open(path: &Path) -> io::Result<TextBytes> {
     Ok(TextBytes::Owned(bytes))
 }
 
-/// Maps a file, so that a gigabyte is not copied before its first block is read.
+/// Maps a file, so that a large file is not copied before its first block is read.
 #[allow(
     unsafe_code,
     reason = "the one unsafe call: a map is only sound while nobody shortens or changes the file; \

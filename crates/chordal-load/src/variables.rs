@@ -1,5 +1,5 @@
-//! The control's own output of its macro variables, next to a program: MACRO.TXT of a Fanuc, COMMON.VAR of a
-//! Mitsubishi, the .var files of Haas and LinuxCNC.
+//! Reads macro variables from files that a control has written next to a program: MACRO.TXT of a Fanuc, COMMON.VAR of
+//! a Mitsubishi, the .var files of Haas and LinuxCNC.
 
 use std::path::{Path, PathBuf};
 
@@ -11,18 +11,18 @@ use chordal::{Code, Diagnostic, Machine, Span};
 use crate::files::FileAccess;
 use crate::ledger;
 
-/// A larger file is none of variables, bytes.
+/// A larger file is not taken for a variable file, bytes.
 const MAX_VARIABLE_FILE_BYTES: u64 = 8 << 20;
 
-/// Most bad lines of a file that are said.
+/// The most bad lines of a file that are reported.
 const MAX_LISTED_LINES: usize = 5;
 
-/// What the files of a folder say, in the order in which they count: the first one that has a variable.
+/// The variable files of a folder in order of precedence: the first file that contains a variable determines it.
 #[derive(Default)]
 pub struct FolderVariables(Vec<(PathBuf, VariableDump)>);
 
 impl FolderVariables {
-    /// Reads the files next to a program. One that cannot be read, or holds something else, says nothing.
+    /// Reads the variable files next to a program. Files that are unreadable or contain something else are ignored.
     pub(crate) fn next_to(files: &FileAccess, program: &Path) -> FolderVariables {
         let mut found: Vec<(u8, PathBuf)> = files
             .next_to(program)
@@ -42,23 +42,23 @@ impl FolderVariables {
         FolderVariables(read.collect())
     }
 
-    /// Gives the machine those that it does not have, and says which lines cannot be read.
+    /// Adds the variables that the machine does not have yet; returns warnings about lines that cannot be read.
     pub(crate) fn give(
         &self,
         machine: &mut Machine,
         table: &ControlTable,
         text: &[u8],
     ) -> Vec<Diagnostic> {
-        let mut stated = Vec::new();
+        let mut warnings = Vec::new();
         if table.macros.form == MacroForm::None || !text.contains(&b'#') {
-            return stated;
+            return warnings;
         }
         for (path, dump) in &self.0 {
             for (&number, &value) in &dump.values {
                 let macros = &mut machine.macros;
-                let is_provided =
+                let is_set =
                     macros.variables.contains_key(&number) || macros.vacant.contains(&number);
-                if is_provided || !is_programs(table, number) {
+                if is_set || !is_programs(table, number) {
                     continue;
                 }
                 match value {
@@ -74,18 +74,18 @@ impl FolderVariables {
             for bad in dump.bad_lines.iter().take(MAX_LISTED_LINES) {
                 let (line, text) = (bad.line, &bad.text);
                 let message = format!("{file}:{line}: `{text}` is no value of a variable");
-                stated.push(
+                warnings.push(
                     Diagnostic::new(Code::VariableFile, Span::default(), message)
                         .label("a file of variables next to this program")
                         .help("correct the line, or take the file out of the folder"),
                 );
             }
         }
-        stated
+        warnings
     }
 }
 
-/// The place of a file among those that count; `None` for other files.
+/// The precedence of a variable file by its name, the lowest first; `None` for other files.
 fn order_of(path: &Path) -> Option<u8> {
     let name = path.file_name()?.to_str()?.to_ascii_lowercase();
     match name.as_str() {
@@ -96,8 +96,8 @@ fn order_of(path: &Path) -> Option<u8> {
     }
 }
 
-/// A variable of programs, or one that shows what only the machine knows. Offsets and positions have other
-/// files.
+/// Whether the variable is a common variable, or a system variable that only the machine knows. Offsets and positions
+/// come from other files.
 fn is_programs(table: &ControlTable, number: u32) -> bool {
     let macros = table.macros;
     macros.common_range(number).is_some()

@@ -1,4 +1,4 @@
-//! Changes that the editor offers: fixes, spaces, numbers.
+//! Code actions: fixes and renumbering.
 
 use std::collections::HashMap;
 
@@ -11,12 +11,12 @@ use lsp_types::{
 use crate::convert::{diagnostic, text_edits, touch};
 use crate::place::offset_of;
 
-/// Renumbering, worked out when it is chosen.
+/// The kind of the renumbering action. Its edit is computed when the user chooses it.
 pub const RENUMBER: CodeActionKind = CodeActionKind::new("source.renumber.chordal");
-/// All safe fixes of a text.
+/// The kind of the action that makes all safe fixes of a text.
 pub const FIX_ALL: CodeActionKind = CodeActionKind::SOURCE_FIX_ALL;
 
-/// Numbers by ten, as editors of controls do.
+/// Block numbers in steps of ten, as in the editors of controls.
 const NUMBERING: NumberingOptions = NumberingOptions { first: 10, step: 10, all: true };
 
 /// An edit of one document.
@@ -26,7 +26,7 @@ pub fn edit_of(uri: &Uri, edits: Vec<TextEdit>) -> WorkspaceEdit {
     WorkspaceEdit { changes, ..WorkspaceEdit::default() }
 }
 
-/// What is offered for a range of the text.
+/// The actions for a range of the text.
 pub fn actions(
     program: &EditorProgram,
     ran: &RunMoves,
@@ -34,10 +34,10 @@ pub fn actions(
 ) -> Vec<CodeActionOrCommand> {
     let uri = &params.text_document.uri;
     let only = params.context.only.as_deref();
-    let target = |kind: &CodeActionKind| {
+    let is_included = |kind: &CodeActionKind| {
         only.is_none_or(|kinds| {
-            kinds.iter().any(|target| {
-                let rest = kind.as_str().strip_prefix(target.as_str());
+            kinds.iter().any(|prefix| {
+                let rest = kind.as_str().strip_prefix(prefix.as_str());
                 rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
             })
         })
@@ -48,7 +48,7 @@ pub fn actions(
         offset_of(source, params.range.end),
     );
     let mut found = Vec::new();
-    if target(&CodeActionKind::QUICKFIX) {
+    if is_included(&CodeActionKind::QUICKFIX) {
         let problems = ran.report.diagnostics.iter();
         for (problem, fix) in problems.flat_map(|one| one.fixes().map(move |fix| (one, fix))) {
             if fix.span.file == FileId(0) && touch(problem.primary.span.range, range) {
@@ -67,7 +67,7 @@ pub fn actions(
         }
     }
     let safe = safe_fixes(ran);
-    if target(&FIX_ALL) && !safe.is_empty() {
+    if is_included(&FIX_ALL) && !safe.is_empty() {
         found.push(CodeAction {
             title: format!("Make all safe fixes ({})", safe.len()),
             kind: Some(FIX_ALL),
@@ -75,7 +75,7 @@ pub fn actions(
             ..CodeAction::default()
         });
     }
-    if target(&RENUMBER) {
+    if is_included(&RENUMBER) {
         found.push(CodeAction {
             title: "Renumber blocks by ten".into(),
             kind: Some(RENUMBER),
@@ -86,7 +86,7 @@ pub fn actions(
     found.into_iter().map(CodeActionOrCommand::CodeAction).collect()
 }
 
-/// The edit of an action that was offered without one; or why there is none.
+/// Adds the edit to an action that was offered without one; the error is shown to the user.
 pub fn resolved(
     program: &EditorProgram,
     uri: &Uri,
@@ -103,7 +103,7 @@ fn edit(fix: &Fix) -> FormatEdit {
     FormatEdit { range: fix.span.range, text: fix.replacement.clone() }
 }
 
-/// The safe fixes, each once, in order and apart.
+/// The edits of the safe fixes, in order, without duplicates and overlaps.
 fn safe_fixes(ran: &RunMoves) -> Vec<FormatEdit> {
     let fixes = ran.report.diagnostics.iter().filter_map(|problem| problem.fix.as_ref());
     let safe =

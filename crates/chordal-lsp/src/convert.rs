@@ -1,4 +1,4 @@
-//! Answers in the protocol's own types.
+//! Converts results to the types of the protocol.
 
 use chordal::diagnostics::{FileId, Label, TextRange};
 use chordal::{Diagnostic, Severity};
@@ -10,7 +10,7 @@ use lsp_types::{
 
 use crate::place::{place_of, range_of};
 
-/// The kinds of tokens, in the order of [`TokenClass::ALL`]. Editors have colours for these names.
+/// The token types in the order of [`TokenClass::ALL`]. Editors have colours for these names.
 pub fn token_types() -> Vec<SemanticTokenType> {
     TokenClass::ALL
         .iter()
@@ -34,7 +34,7 @@ pub fn token_types() -> Vec<SemanticTokenType> {
         .collect()
 }
 
-/// Tokens, each relative to the one before it.
+/// The tokens in the encoding of the protocol, each position relative to the previous token.
 pub fn semantic_tokens(program: &EditorProgram, tokens: &[Token]) -> Vec<SemanticToken> {
     let mut last = lsp_types::Position::default();
     tokens
@@ -55,7 +55,7 @@ pub fn semantic_tokens(program: &EditorProgram, tokens: &[Token]) -> Vec<Semanti
         .collect()
 }
 
-/// Entries of the outline.
+/// The entries of the outline.
 pub fn symbols(program: &EditorProgram, entries: Vec<OutlineEntry>) -> Vec<DocumentSymbol> {
     entries
         .into_iter()
@@ -82,7 +82,7 @@ pub fn symbols(program: &EditorProgram, entries: Vec<OutlineEntry>) -> Vec<Docum
         .collect()
 }
 
-/// A problem; words of other files are reported where the calls go through this one.
+/// Converts a problem. One in another file is reported at the innermost call in this file.
 pub fn diagnostic(program: &EditorProgram, uri: &Uri, found: &Diagnostic) -> lsp_types::Diagnostic {
     let source = program.source();
     let here = |label: &&Label| label.span.file == FileId(0);
@@ -137,7 +137,7 @@ pub fn diagnostic(program: &EditorProgram, uri: &Uri, found: &Diagnostic) -> lsp
     }
 }
 
-/// Replacements.
+/// The edits of a text.
 pub fn text_edits(program: &EditorProgram, edits: Vec<FormatEdit>) -> Vec<TextEdit> {
     let edit = |edit: FormatEdit| TextEdit {
         range: range_of(program.source(), edit.range),
@@ -146,19 +146,19 @@ pub fn text_edits(program: &EditorProgram, edits: Vec<FormatEdit>) -> Vec<TextEd
     edits.into_iter().map(edit).collect()
 }
 
-/// The end of a line's words.
+/// The end of a line without trailing spaces.
 pub fn line_end(program: &EditorProgram, line: u32) -> lsp_types::Position {
     let start = program.source().line_start(line);
     let end = start + program.source().line_text(line).trim_ascii_end().len() as u32;
     place_of(program.source(), end)
 }
 
-/// A range of bytes of a line range.
+/// The lines of a range: the first, and the one after the last, from 1.
 pub fn lines(range: lsp_types::Range) -> (u32, u32) {
     (range.start.line.saturating_add(1), range.end.line.saturating_add(2))
 }
 
-/// Whether two ranges touch.
+/// Whether two ranges overlap or touch.
 pub fn touch(one: TextRange, other: TextRange) -> bool {
     one.start <= other.end && other.start <= one.end
 }

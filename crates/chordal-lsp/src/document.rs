@@ -1,4 +1,4 @@
-//! An open text.
+//! An open document.
 
 use std::sync::Arc;
 
@@ -8,23 +8,23 @@ use lsp_types::{Range, TextDocumentContentChangeEvent};
 
 use crate::place::offset_of;
 
-/// An open text and what is known of it.
+/// An open document with its text and its newest run.
 #[derive(Debug)]
 pub struct OpenDocument {
-    /// The editor's count of its changes.
+    /// The editor's version number of the text.
     pub version: i32,
-    /// The text with its machine; `None` where none could be found.
+    /// The text with its machine; `None` when no machine could be found.
     pub program: Option<Arc<EditorProgram>>,
-    /// The text as it is, where there is no program.
+    /// The current text when there is no program.
     text: Vec<u8>,
-    /// The newest run, and the version that ran.
+    /// The newest run and its version; `None` before the first run.
     pub ran: Option<(i32, Arc<RunMoves>)>,
-    /// The version whose run was broken off by a failure of ours.
+    /// The version whose run ended with a panic; `None` without one.
     pub failed: Option<i32>,
 }
 
 impl OpenDocument {
-    /// A text without a machine yet.
+    /// A document without a machine yet.
     pub fn new(version: i32, text: Vec<u8>) -> OpenDocument {
         OpenDocument { version, program: None, text, ran: None, failed: None }
     }
@@ -34,7 +34,7 @@ impl OpenDocument {
         self.program.as_ref().map_or(&self.text, |program| program.text())
     }
 
-    /// Gives it a machine, or takes it away.
+    /// Sets or removes the program with its machine.
     pub fn set_program(&mut self, program: Option<EditorProgram>) {
         if program.is_none() {
             self.text = self.text().to_vec();
@@ -43,7 +43,7 @@ impl OpenDocument {
         (self.ran, self.failed) = (None, None);
     }
 
-    /// Makes the editor's changes, one after the other.
+    /// Applies the editor's changes in order.
     pub fn change(&mut self, version: i32, changes: Vec<TextDocumentContentChangeEvent>) {
         self.version = version;
         let mut newest: Option<Source<'static>> = None;
@@ -63,12 +63,12 @@ impl OpenDocument {
         }
     }
 
-    /// A run of the text is still to come.
+    /// Whether a run of the current text is still outstanding.
     pub fn is_running(&self) -> bool {
         self.program.is_some() && self.current().is_none() && self.failed != Some(self.version)
     }
 
-    /// The newest run, if nothing has changed since.
+    /// The run of the current text; `None` when the text has changed since.
     pub fn current(&self) -> Option<&Arc<RunMoves>> {
         self.ran.as_ref().filter(|(version, _)| *version == self.version).map(|(_, ran)| ran)
     }

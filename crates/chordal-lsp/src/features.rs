@@ -1,4 +1,4 @@
-//! What the editor asks of one document.
+//! Answers the editor's requests about one document.
 
 use chordal::Source;
 use chordal::control::number_text;
@@ -20,7 +20,7 @@ fn markdown(value: String) -> MarkupContent {
     MarkupContent { kind: MarkupKind::Markdown, value }
 }
 
-/// What a word does, and what is active after its line.
+/// The meaning of a word, and the modal state after its line; `None` when there is no word.
 pub fn hover(program: &EditorProgram, ran: Option<&RunMoves>, place: Position) -> Option<Hover> {
     let offset = offset_of(program.source(), place);
     let found = program.hover(offset, ran)?;
@@ -33,7 +33,7 @@ pub fn hover(program: &EditorProgram, ran: Option<&RunMoves>, place: Position) -
     Some(Hover { contents: HoverContents::Markup(markdown(text)), range })
 }
 
-/// What may stand at a place.
+/// The completions at a position.
 pub fn completions(program: &EditorProgram, place: Position) -> Vec<CompletionItem> {
     let offset = offset_of(program.source(), place);
     let (start, found) = program.completions(offset);
@@ -63,13 +63,13 @@ pub fn completions(program: &EditorProgram, place: Position) -> Vec<CompletionIt
         .collect()
 }
 
-/// Where the name at a place is made; a variable: where it gets a value.
+/// The definitions of the name at a position; for a variable, its assignments.
 pub fn definitions(program: &EditorProgram, uri: &Uri, place: Position) -> Vec<Location> {
     let Some(name) = name_at(program, place) else { return Vec::new() };
     locations(program, uri, program.definitions(&name))
 }
 
-/// Everywhere that the name at a place stands.
+/// All occurrences of the name at a position.
 pub fn references(
     program: &EditorProgram,
     uri: &Uri,
@@ -82,7 +82,7 @@ pub fn references(
     locations(program, uri, found)
 }
 
-/// Places as an editor finds them: those of other texts by the files that hold them.
+/// Converts occurrences to protocol locations; those in other texts are given by their files.
 fn locations(program: &EditorProgram, uri: &Uri, found: Vec<OccurrenceInFile>) -> Vec<Location> {
     let mut last: Option<(FileId, Uri, Source<'_>)> = None;
     let mut locations = Vec::new();
@@ -103,7 +103,7 @@ fn locations(program: &EditorProgram, uri: &Uri, found: Vec<OccurrenceInFile>) -
     locations
 }
 
-/// The address of a file, by which other texts are named.
+/// The URI of the file of another text; `None` when its path is not absolute.
 fn uri_of(file: &str) -> Option<Uri> {
     address_of(file)?.parse().ok()
 }
@@ -112,14 +112,15 @@ fn name_at(program: &EditorProgram, place: Position) -> Option<SymbolName> {
     program.name_at(offset_of(program.source(), place)).map(|found| found.name)
 }
 
-/// The variable at a place, as far as it can have another name.
+/// The range of the variable at a position; `None` when there is nothing that can be renamed.
 pub fn renamable(program: &EditorProgram, place: Position) -> Option<Range> {
     let found = program.name_at(offset_of(program.source(), place))?;
     let variable = matches!(found.name, SymbolName::Variable { .. });
     variable.then(|| range_of(program.source(), found.range))
 }
 
-/// Length and place after the moves of some lines.
+/// Inlay hints after the lines `from` up to, not including, `to` that move: the length, with the end position and the
+/// time in the tooltip.
 pub fn hints(program: &EditorProgram, ran: &RunMoves, from: u32, to: u32) -> Vec<InlayHint> {
     let units = ran.units();
     let first = ran.lines.partition_point(|moves| moves.line < from);

@@ -1,4 +1,4 @@
-//! Addresses of files: `file:///shop/part%20one.nc`, `file:///c%3A/shop/part.nc` and
+//! Converts between paths and file URIs such as `file:///shop/part%20one.nc`, `file:///c%3A/shop/part.nc` and
 //! `file://server/shop/part.nc`.
 
 use std::ffi::OsString;
@@ -6,12 +6,12 @@ use std::path::PathBuf;
 
 const WINDOWS: bool = cfg!(windows);
 
-/// The address of a file, where its path is whole.
+/// The URI of a file; `None` when its path is not absolute.
 pub fn address_of(file: &str) -> Option<String> {
     address(file, WINDOWS)
 }
 
-/// The file of an address, where it is one of this machine, or of a share on Windows.
+/// The path of a file URI; `None` when it is not a file on this computer or, on Windows, on a network share.
 pub fn path_of(address: &str) -> Option<PathBuf> {
     let bytes = path(address, WINDOWS)?;
     #[cfg(unix)]
@@ -26,7 +26,7 @@ fn address(file: &str, windows: bool) -> Option<String> {
         return file.starts_with('/').then(|| format!("file://{}", encoded(file)));
     }
     let file = file.replace('\\', "/");
-    // What the system itself calls a file: `\\?\C:\shop`, `\\?\UNC\server\shop`.
+    // The verbatim form of Windows paths: `\\?\C:\shop`, `\\?\UNC\server\shop`.
     let plain = file.strip_prefix("//?/UNC/").map(|share| format!("//{share}"));
     let plain = plain.unwrap_or_else(|| file.strip_prefix("//?/").unwrap_or(&file).to_string());
     match plain.strip_prefix("//") {
@@ -59,7 +59,7 @@ fn path(address: &str, windows: bool) -> Option<Vec<u8>> {
     Some(path.into_iter().map(|byte| if byte == b'/' { b'\\' } else { byte }).collect())
 }
 
-/// `C:/`
+/// Whether the path begins with a drive, such as `C:/`.
 fn has_drive(path: &[u8]) -> bool {
     matches!(path, [letter, b':', b'/', ..] if letter.is_ascii_alphabetic())
 }

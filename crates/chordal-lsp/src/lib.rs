@@ -1,8 +1,8 @@
-//! The language server: a synchronous loop that answers an editor, and one thread that runs the
-//! programs as they change. Where there are no threads, the caller takes its steps ([`SteppedServer`]).
+//! The language server: a synchronous loop that answers an editor, and one thread that runs the programs when they
+//! change. Without threads, the caller executes it step by step ([`SteppedServer`]).
 //!
-//! What is answered comes from `chordal-editor`; this crate knows the protocol and nothing of
-//! programs. How a file gets its machine and its subprograms is the caller's [`SetupFinder`].
+//! The answers come from `chordal-editor`; this crate knows only the protocol. The caller's [`SetupFinder`] finds the
+//! machine and the subprograms of a file.
 //!
 //! ```
 //! use std::path::Path;
@@ -46,13 +46,12 @@ use chordal_editor::EditorSetup;
 pub use server::{ServeError, serve};
 pub use stepwise::SteppedServer;
 
-/// Finds what a text needs to run.
+/// Finds the machine and the subprograms that a text needs to run.
 pub trait SetupFinder {
-    /// For a text that lies, or will lie, at a path. `machine` is what the editor's settings
-    /// say: a built-in name or a file.
+    /// Finds the setup of a text. `path` is where it is or will be saved; `None` for a text without a file. `machine`
+    /// is the machine in the editor's settings, a built-in name or a file; `None` when they do not name one.
     ///
-    /// # Errors
-    /// A sentence for people.
+    /// # Errors A sentence that is shown to the user.
     fn open(
         &self,
         path: Option<&Path>,

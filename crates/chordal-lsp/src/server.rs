@@ -1,4 +1,4 @@
-//! The loop: messages of the editor and results of the worker, one after the other.
+//! The main loop: handles messages from the editor and results from the worker, one at a time.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -22,25 +22,24 @@ use crate::panic_guard::caught;
 use crate::place::{offset_of, range_of};
 use crate::worker::{RunFindings, RunResult, RunTask, RunWorker};
 
-/// Why the server ended other than by the editor's wish.
+/// Why the server ended without a request of the editor.
 #[derive(Debug, thiserror::Error)]
 pub enum ServeError {
-    /// The editor spoke out of turn, or went away.
+    /// The editor violated the protocol or disconnected.
     #[error("the editor did not follow the protocol: {0}")]
     Protocol(#[from] lsp_server::ProtocolError),
-    /// Nobody listens.
+    /// The connection was closed.
     #[error("the connection to the editor was closed")]
     Gone,
 }
 
-/// Serves an editor until it asks to end.
+/// Serves an editor until it requests the end.
 ///
-/// # Errors
-/// An editor that does not keep to the protocol.
+/// # Errors The editor violates the protocol or disconnects.
 pub fn serve(connection: &Connection, opener: &dyn SetupFinder) -> Result<(), ServeError> {
     let (id, params) = connection.initialize_start()?;
-    // Nothing else of the first message is used: what an editor says wrongly there is no reason to refuse it. Nor is
-    // `initialized` waited for; some editors ask before it.
+    // Nothing else in the first message is used, so that mistakes of an editor in it do not matter. `initialized` is
+    // not awaited either, because some editors send requests before it.
     let settings = params.get("initializationOptions").cloned().unwrap_or_default();
     connection.sender.send(Response::new_ok(id, about()).into()).map_err(|_| ServeError::Gone)?;
     let mut server =
@@ -48,7 +47,7 @@ pub fn serve(connection: &Connection, opener: &dyn SetupFinder) -> Result<(), Se
     server.run(connection)
 }
 
-/// The answer to an editor's first message.
+/// The answer to the `initialize` request.
 pub(crate) fn about() -> Value {
     json!({
         "capabilities": capabilities(),
@@ -93,30 +92,30 @@ fn capabilities() -> ServerCapabilities {
     }
 }
 
-/// `machine` of the settings, which some editors put below `chordal`.
+/// The `machine` setting, which some editors nest in `chordal`; `None` when it is not set.
 fn machine_of(settings: &Value) -> Option<String> {
     let own = settings.get("chordal").unwrap_or(settings);
     own.get("machine")?.as_str().filter(|name| !name.is_empty()).map(String::from)
 }
 
 pub(crate) struct Server<'a> {
-    /// What goes to the editor.
+    /// The channel for messages to the editor.
     out: Sender<Message>,
     opener: Box<dyn SetupFinder + 'a>,
     worker: RunWorker,
     documents: HashMap<String, (Uri, OpenDocument)>,
-    /// Questions for which the text must have run.
+    /// Requests that wait for a run of the text.
     waiting: Vec<Request>,
-    /// The machine of the editor's settings.
+    /// The machine in the editor's settings.
     machine: Option<String>,
 }
 
-/// Bytes of a text whose words are all told at once, at most: the answer has ten times as many.
+/// The largest text whose tokens are sent all at once, bytes: the answer has ten times as many bytes.
 const MAX_COLOURED_BYTES: usize = 4 << 20;
-/// Lines whose words are told at once, at most: more than a screen shows.
+/// The most lines whose tokens are sent at once: more than a screen shows.
 const MAX_COLOURED_LINES: u32 = 50_000;
 
-/// What a request asks of a document.
+/// The result of a request about a document.
 type RequestAnswer = Result<Value, ResponseError>;
 
 impl<'a> Server<'a> {
@@ -147,7 +146,7 @@ impl<'a> Server<'a> {
         }
     }
 
-    /// A message of the editor.
+    /// Handles a message from the editor.
     pub(crate) fn hear(&mut self, message: Message) {
         match message {
             Message::Request(request) if self.must_wait(&request) => self.waiting.push(request),
@@ -167,21 +166,21 @@ impl<'a> Server<'a> {
         }
     }
 
-    /// What the worker has found so far.
+    /// Handles the results that the worker has sent so far.
     pub(crate) fn take_found(&mut self) {
         while let Ok(done) = self.worker.done.try_recv() {
             self.take(done);
         }
     }
 
-    /// Every open text gets its machine anew: other files may decide now.
+    /// Finds the machines of all open documents again, because other files may determine them now.
     pub(crate) fn find_machines(&mut self) {
         let all: Vec<String> = self.documents.keys().cloned().collect();
         all.iter().for_each(|uri| self.find_machine(uri));
     }
 
-    /// Answers, then waits for `exit`. Whatever was under way before it may still come in: answers of the
-    /// editor and changes are passed over, requests are refused.
+    /// Answers, then waits for `exit`. Messages that were already in transit may still arrive: responses and changes
+    /// are ignored, requests are refused.
     fn shut_down(&self, connection: &Connection, request: Request) -> Result<(), ServeError> {
         self.send(Response::new_ok(request.id, ()).into());
         loop {
@@ -199,7 +198,8 @@ impl<'a> Server<'a> {
         }
     }
 
-    /// A message to an editor that went away is lost; the loop ends at its next turn.
+    /// Sends a message. When the editor has disconnected the message is lost, and the loop ends at its next
+    /// iteration.
     fn send(&self, message: Message) {
         let _ = self.out.send(message);
     }
@@ -256,7 +256,7 @@ impl<'a> Server<'a> {
         self.find_machine(&key);
     }
 
-    /// Finds the machine and the subprograms of a document, and runs it.
+    /// Finds the machine and the subprograms of a document, and starts its run.
     fn find_machine(&mut self, key: &str) {
         self.give_up(key);
         let Some((uri, document)) = self.documents.get_mut(key) else { return };
@@ -302,12 +302,12 @@ impl<'a> Server<'a> {
         if let Some(program) = &document.program {
             let (uri, version) = (key.into(), document.version);
             let program = Some(program.clone());
-            // The worker lives as long as the server.
+            // This cannot fail: the worker lives as long as the server.
             let _ = self.worker.tasks.send(RunTask { uri, version, program });
         }
     }
 
-    /// A run is over: what it found is reported, if the text is still the same.
+    /// Sends the results of a run if the text is still the same.
     fn take(&mut self, RunResult { uri: key, version, found }: RunResult) {
         let Some((uri, document)) = self.documents.get_mut(&key) else { return };
         let Some(program) = document.program.clone().filter(|_| document.version == version) else {
@@ -316,14 +316,15 @@ impl<'a> Server<'a> {
         match found {
             RunFindings::Problems(problems) => {
                 let uri = uri.clone();
-                let noted = problems.iter().map(|problem| diagnostic(&program, &uri, problem));
-                self.publish(uri.clone(), noted.collect(), Some(version));
+                let diagnostics =
+                    problems.iter().map(|problem| diagnostic(&program, &uri, problem));
+                self.publish(uri.clone(), diagnostics.collect(), Some(version));
             }
             RunFindings::Failed(why) => {
                 document.failed = Some(version);
-                let (uri, noted) =
+                let (uri, failure) =
                     (uri.clone(), Diagnostic::new_simple(Range::default(), why.clone()));
-                self.publish(uri, vec![noted], Some(version));
+                self.publish(uri, vec![failure], Some(version));
                 for request in self.waiting_for(&key) {
                     let code = ErrorCode::InternalError as i32;
                     self.send(Response::new_err(request.id, code, why.clone()).into());
@@ -331,7 +332,7 @@ impl<'a> Server<'a> {
             }
             RunFindings::Ran(ran) => {
                 document.ran = Some((version, ran));
-                // Hints are asked for again when there is something new to show.
+                // Makes the editor request the inlay hints again, because there are new ones.
                 let id = lsp_server::RequestId::from(format!("hints-{version}"));
                 let refresh = request::InlayHintRefreshRequest::METHOD.to_string();
                 self.send(Request::new(id, refresh, Value::Null).into());
@@ -343,27 +344,28 @@ impl<'a> Server<'a> {
         }
     }
 
-    /// Whether a question is about what the lines did, and the text is still running: the answer
-    /// then comes with the run, so that nothing else waits for it.
+    /// Whether a request needs the moves of the lines and the text is still running. It is then answered after the
+    /// run, so that other requests need not wait for it.
     fn must_wait(&self, request: &Request) -> bool {
-        let asks = matches!(
+        let needs_run = matches!(
             request.method.as_str(),
             request::InlayHintRequest::METHOD | request::CodeActionRequest::METHOD
         );
-        asks && document_of(request)
-            .and_then(|uri| self.documents.get(uri))
-            .is_some_and(|(_, document)| document.is_running())
+        needs_run
+            && document_of(request)
+                .and_then(|uri| self.documents.get(uri))
+                .is_some_and(|(_, document)| document.is_running())
     }
 
-    /// The questions about a document that wait, which they do no longer.
+    /// Removes and returns the waiting requests about a document.
     fn waiting_for(&mut self, uri: &str) -> Vec<Request> {
         let of_this = |request: &Request| document_of(request) == Some(uri);
-        let (requested, others) = self.waiting.drain(..).partition(of_this);
+        let (own, others) = self.waiting.drain(..).partition(of_this);
         self.waiting = others;
-        requested
+        own
     }
 
-    /// The text has changed or gone: questions about how it ran have no answer.
+    /// Refuses the waiting requests about a document, because its text was changed or closed.
     fn give_up(&mut self, uri: &str) {
         for request in self.waiting_for(uri) {
             let code = ErrorCode::ContentModified as i32;
@@ -405,7 +407,7 @@ impl<'a> Server<'a> {
         }
     }
 
-    /// The program of a document that is open and has a machine.
+    /// The program of an open document that has a machine.
     fn program(&self, uri: &Uri) -> Result<Arc<EditorProgram>, ResponseError> {
         let program = self.document(uri)?.program.clone();
         program.ok_or_else(|| failed(ErrorCode::RequestFailed, "the text has no machine".into()))
@@ -417,7 +419,7 @@ impl<'a> Server<'a> {
         found.ok_or_else(|| failed(ErrorCode::InvalidParams, unknown()))
     }
 
-    /// The run of the text as it is now.
+    /// The program of a document and the run of its current text.
     fn ran(&self, uri: &Uri) -> Result<(Arc<EditorProgram>, Arc<RunMoves>), ResponseError> {
         let program = self.program(uri)?;
         let ran = self.document(uri)?.current().cloned();
@@ -518,7 +520,7 @@ impl<'a> Server<'a> {
 
     fn tokens(&self, params: Value) -> RequestAnswer {
         let SemanticTokensParams { text_document, .. } = parse(params)?;
-        // Of a long text editors ask for what they show, once they hear that all of it is not to be had.
+        // When the tokens of a long text are refused as a whole, editors request them for the visible lines.
         if self.document(&text_document.uri)?.text().len() > MAX_COLOURED_BYTES {
             return answer_value(Value::Null);
         }
@@ -552,12 +554,13 @@ fn parse<T: DeserializeOwned>(params: Value) -> Result<T, ResponseError> {
         .map_err(|error| failed(ErrorCode::InvalidParams, error.to_string()))
 }
 
-/// A notification that cannot be read has nobody to be reported to.
+/// Parses the parameters of a notification; `None` when they are invalid, because a notification has no reply for
+/// errors.
 fn read<T: DeserializeOwned>(params: Value) -> Option<T> {
     serde_json::from_value(params).ok()
 }
 
-/// The document that a request is about.
+/// The URI of the document that a request is about.
 fn document_of(request: &Request) -> Option<&str> {
     request.params.get("textDocument")?.get("uri")?.as_str()
 }

@@ -1,4 +1,4 @@
-//! The server without a thread and without waiting: the caller brings messages and gives it time.
+//! The server without threads and without waiting: the caller passes messages and calls it to do work.
 
 use crossbeam_channel::{Receiver, unbounded};
 use lsp_server::{ErrorCode, Message, Response};
@@ -9,8 +9,8 @@ use crate::SetupFinder;
 use crate::server::{Server, about};
 use crate::worker::{RunWorker, WorkQueue};
 
-/// A server that runs where it is called: each message of the editor is heard at once, and programs
-/// are run by [`work`](SteppedServer::work), one piece at a time.
+/// A server that runs in its caller's thread: each message from the editor is handled immediately, and programs are
+/// run by [`work`](SteppedServer::work), one step at a time.
 ///
 /// ```
 /// use std::path::Path;
@@ -48,12 +48,12 @@ pub struct SteppedServer {
 }
 
 impl SteppedServer {
-    /// Waits for the editor's first message.
+    /// A server that expects the editor's `initialize` request.
     pub fn new(opener: Box<dyn SetupFinder>) -> SteppedServer {
         SteppedServer { server: None, opener: Some(opener), bench: None, out: None }
     }
 
-    /// Hears a message; gives what goes to the editor.
+    /// Handles a message from the editor; returns the messages to the editor.
     pub fn hear(&mut self, message: Message) -> Vec<Message> {
         match (&mut self.server, message) {
             (None, Message::Request(request)) if request.method == Initialize::METHOD => {
@@ -85,12 +85,12 @@ impl SteppedServer {
         (self.bench, self.out) = (Some(bench), Some(out));
     }
 
-    /// There is a program to run.
+    /// Whether there is a program to run.
     pub fn has_work(&self) -> bool {
         self.bench.as_ref().is_some_and(WorkQueue::has_work)
     }
 
-    /// Runs a program, or does nothing where none waits; gives what goes to the editor.
+    /// Runs a program if one is waiting; returns the messages to the editor.
     pub fn work(&mut self) -> Vec<Message> {
         if let (Some(bench), Some(server)) = (&mut self.bench, &mut self.server) {
             if bench.has_work() {
@@ -101,7 +101,8 @@ impl SteppedServer {
         self.sent_messages()
     }
 
-    /// Files that the opener sees have changed: machines are chosen anew.
+    /// Chooses the machines again because files that the opener reads have changed; returns the messages to the
+    /// editor.
     pub fn files_changed(&mut self) -> Vec<Message> {
         if let Some(server) = &mut self.server {
             server.find_machines();

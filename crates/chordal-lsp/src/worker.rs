@@ -1,4 +1,4 @@
-//! Runs programs, the newest text of each document only: in a thread of its own, or piece by piece.
+//! Runs programs, only the newest text of each document: in a thread, or step by step.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -21,34 +21,34 @@ pub struct RunTask {
     pub program: Option<Arc<EditorProgram>>,
 }
 
-/// A program that has run.
+/// A result of running a program.
 #[derive(Debug)]
 pub struct RunResult {
     /// The document.
     pub uri: String,
     /// The version that ran.
     pub version: i32,
-    /// What was found.
+    /// The result.
     pub found: RunFindings,
 }
 
-/// What a run found.
+/// The result of a run.
 #[derive(Debug)]
 pub enum RunFindings {
-    /// The problems, which are reported first.
+    /// The problems, which are sent first.
     Problems(Vec<Diagnostic>),
-    /// What the lines did, too.
+    /// The moves of each line.
     Ran(Arc<RunMoves>),
-    /// Nothing: Chordal itself failed, and why.
+    /// Chordal itself failed; the message says why.
     Failed(String),
 }
 
-/// The thread, by its two ends. It ends when the tasks do.
+/// The channels to the thread that runs programs. The thread ends when the sender of tasks is dropped.
 #[derive(Debug)]
 pub struct RunWorker {
-    /// Takes tasks.
+    /// The sender for tasks.
     pub tasks: Sender<RunTask>,
-    /// Gives results.
+    /// The receiver of results.
     pub done: Receiver<RunResult>,
 }
 
@@ -61,7 +61,7 @@ impl RunWorker {
         worker
     }
 
-    /// For a caller that works at the bench itself.
+    /// The channels and the queue for a caller that executes the work itself.
     pub fn with_bench() -> (RunWorker, WorkQueue) {
         let (tasks, todo) = unbounded::<RunTask>();
         let (results, done) = unbounded();
@@ -70,24 +70,24 @@ impl RunWorker {
     }
 }
 
-/// What is worked on.
+/// The queue of programs to run.
 #[derive(Debug)]
 pub struct WorkQueue {
     todo: Receiver<RunTask>,
     results: Sender<RunResult>,
-    /// What the last check of each document remembers.
+    /// The state of each document's last check, for a faster check of the next text.
     checked: HashMap<String, PreviousCheck>,
-    /// Programs whose problems were reported and of which it is not known yet what the lines do.
+    /// Programs whose problems were sent and whose moves are not known yet.
     due: Vec<(String, i32, Arc<EditorProgram>)>,
 }
 
 impl WorkQueue {
-    /// There is something to do: a round does not wait.
+    /// Whether there is work, so that [`WorkQueue::work`] does not wait.
     pub fn has_work(&self) -> bool {
         !(self.todo.is_empty() && self.due.is_empty())
     }
 
-    /// One round; nothing when nobody wants more.
+    /// Does one round of work and waits for a task if there is none; `None` when the channels are closed.
     pub fn work(&mut self) -> Option<()> {
         let mut waiting = Vec::new();
         if self.due.is_empty() {
@@ -101,7 +101,7 @@ impl WorkQueue {
             self.check(task)?;
         }
         let Some((uri, version, program)) = self.due.pop() else { return Some(()) };
-        // Whoever types on wants the problems of the next text first.
+        // The run is interrupted when new text arrives, whose problems are more urgent.
         let todo = self.todo.clone();
         match caught(|| program.ran_unless(Arc::new(move || !todo.is_empty()))) {
             Ok(Some(ran)) => self.send(uri, version, RunFindings::Ran(Arc::new(ran))),

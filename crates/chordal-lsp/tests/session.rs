@@ -1,4 +1,4 @@
-//! A client speaks with the server about every feature.
+//! A client uses every feature of the server.
 
 #![allow(clippy::disallowed_methods, reason = "the client stands on the other side of a thread")]
 
@@ -12,7 +12,7 @@ use chordal_lsp::{SetupFinder, serve};
 use lsp_server::{Connection, Message, Notification, Request, RequestId};
 use serde_json::{Value, json};
 
-/// Every text runs on one machine, or the one of the settings.
+/// Every text runs on one machine, or on the one in the settings.
 struct Typical;
 
 impl SetupFinder for Typical {
@@ -35,9 +35,9 @@ impl SetupFinder for Typical {
     }
 }
 
-/// A run of this code is a failure of ours: it panics.
+/// Running this code panics, to simulate a defect in Chordal.
 const FAILS: &str = "M777";
-/// So does opening a text that begins so.
+/// Opening a text that begins with this panics too.
 const OPENING_FAILS: &[u8] = b"(OPENING FAILS)";
 
 fn fails(call: &ShopCall<'_>) -> ShopAnswer {
@@ -45,7 +45,7 @@ fn fails(call: &ShopCall<'_>) -> ShopAnswer {
     ShopAnswer::NotMine
 }
 
-/// An editor, by its end of the connection.
+/// The editor's end of the connection.
 struct Editor {
     connection: Connection,
     server: JoinHandle<()>,
@@ -98,7 +98,7 @@ impl Editor {
         self.connection.receiver.recv_timeout(limit).expect("an answer within a minute")
     }
 
-    /// Asks something of the one document.
+    /// Sends a request about the only document.
     fn of(&mut self, method: &str, more: Value) -> Result<Value, String> {
         let mut params = json!({ "textDocument": { "uri": URI } });
         for (key, value) in more.as_object().expect("an object") {
@@ -120,7 +120,7 @@ impl Editor {
         );
     }
 
-    /// The problems of a version, once it has run.
+    /// Waits for the problems of a version.
     fn problems(&mut self, version: i32) -> Vec<Value> {
         loop {
             let notices = std::mem::take(&mut self.notices);
@@ -138,7 +138,7 @@ impl Editor {
         }
     }
 
-    /// Waits until the server asks for hints to be asked for anew: what lines did is known.
+    /// Waits until the server requests a refresh of the inlay hints, because the moves of the lines are known.
     fn ran(&mut self) {
         loop {
             match self.receive() {
@@ -151,7 +151,7 @@ impl Editor {
         }
     }
 
-    /// Waits for a notice, and keeps the others.
+    /// Waits for a notification and keeps the others.
     fn wait(&mut self, method: &str, wanted: impl Fn(&Value) -> bool) {
         loop {
             let Message::Notification(notice) = self.receive() else { continue };
@@ -198,7 +198,7 @@ const PART: &str = "%\nO100 (PLATE)\nT1 M6 (MILL)\nG20 G90 G54 S900 M3\n#101=2.\
                     N10 G1 X#101 F20.\nG2 X3. Y1. I0 J1.\nIF[#101GT5]GOTO10\nM98 P200\nM30\n\
                     O200\nM99\n%\n";
 
-/// The editor answered what the server asked before it read the answer to `shutdown`.
+/// The editor answers a request of the server before it reads the answer to `shutdown`.
 #[test]
 fn what_comes_in_between_shutdown_and_exit_is_passed_over() {
     let mut editor = Editor::start(Value::Null);
@@ -242,7 +242,7 @@ fn every_question_has_its_answer() {
 
     let hover = editor.of("hover", place(7, 1)).expect("a hover");
     let text = hover["contents"]["value"].as_str().expect("a text");
-    // Three quarters of a circle of radius 1 in, and what is active after it.
+    // Three quarters of a circle of radius 1 in, and the modal state after it.
     assert!(text.contains("clockwise") && text.contains("4.7124 in"), "{text}");
     assert!(text.contains("G2 G17 G90 G94 G20 G40") && text.contains("X3 Y1"), "{text}");
 
@@ -339,7 +339,7 @@ fn texts_are_formatted_and_numbered() {
 #[test]
 fn fixes_are_offered_where_they_belong() {
     let mut editor = Editor::start(json!({}));
-    // A letter O for a zero, and nothing else.
+    // A letter O instead of a zero, and nothing else.
     editor.open("G20 G90\nG1 X1O.5 F20.\nM30\n");
     let problems = editor.problems(1);
     assert!(!problems.is_empty());
@@ -425,7 +425,7 @@ fn questions_about_a_run_wait_for_it_or_are_given_up() {
     let mut editor = Editor::start(json!({}));
     let text: String = (0..30_000).map(|step| format!("G1 X{}. F9.\n", step % 7)).collect();
     editor.open(&text);
-    // Asked at once, answered once the text has run.
+    // Requested immediately, answered after the text has run.
     let hints = editor.of("inlayHint", json!({ "range": range((0, 0), (3, 0)) })).expect("hints");
     assert!(hints.as_array().is_some_and(|hints| !hints.is_empty()), "{hints}");
     editor.change(2, range((0, 0), (0, 0)), " ");
@@ -459,7 +459,7 @@ fn problems_of_a_long_text_are_those_of_a_whole_check() {
     let arc = |problems: &[Value]| {
         let wrong = problems.iter().filter(|problem| problem["severity"] == 1);
         let line = |problem: &Value| problem["range"]["start"]["line"].as_u64().expect("a line");
-        // What is wrong with the program as a whole stands at its beginning.
+        // Problems of the program as a whole are shown at its beginning.
         wrong.map(line).max().expect("an error")
     };
     assert_eq!(arc(&first), 9_005);
@@ -467,7 +467,7 @@ fn problems_of_a_long_text_are_those_of_a_whole_check() {
     assert_eq!(arc(&editor.problems(2)), 9_006);
     editor.change(3, range((5_000, 0), (5_002, 0)), "");
     assert_eq!(arc(&editor.problems(3)), 9_004);
-    // Every position after it is another one.
+    // Every position after it changes.
     editor.change(4, range((5, 0), (5, 0)), "G91\n");
     let fourth = editor.problems(4);
     editor.change(5, range((5, 0), (6, 0)), "");
@@ -484,11 +484,11 @@ fn a_failure_of_ours_ends_one_run_and_not_the_server() {
     let told = editor.problems(1);
     let message = told[0]["message"].as_str().unwrap();
     assert!(message.starts_with("Chordal failed: ") && message.contains("a made-up failure"));
-    // What is active there, a run would say: the question has its answer even so.
+    // The modal state there would come from a run; the request is answered nevertheless.
     let refused = editor.of("hover", place(2, 1)).expect_err("no state");
     assert!(refused.starts_with("Chordal failed: "), "{refused}");
     editor.of("documentSymbol", json!({})).expect("an outline");
-    // What asks for a run is not left waiting.
+    // Requests that need a run are not left waiting.
     let at = json!({ "range": range((0, 0), (4, 0)) });
     editor.of("inlayHint", at).expect_err("no run");
     editor.change(2, range((1, 0), (2, 0)), "");

@@ -1,4 +1,4 @@
-//! The file on disk: whether it may have changed, and writing it whole or not at all.
+//! The file on disk: detects changes, and writes it completely or not at all.
 
 use std::fs;
 use std::io::{self, Write};
@@ -8,7 +8,7 @@ use std::time::SystemTime;
 use chordal_files::FileDraft;
 use chordal_view::ProgramRefusal;
 
-/// Length and time of change of a file: cheap to read, and enough to notice most changes.
+/// The length and the modification time of a file: cheap to read, and sufficient to notice most changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ServedFileStamp {
     length: u64,
@@ -16,17 +16,16 @@ pub struct ServedFileStamp {
 }
 
 impl ServedFileStamp {
-    /// The present stamp of a file; `None` where there is no file.
+    /// The current stamp of a file; `None` when there is no file.
     pub fn of(path: &Path) -> Option<ServedFileStamp> {
         let about = fs::metadata(path).ok()?;
         Some(ServedFileStamp { length: about.len(), modified: about.modified().ok() })
     }
 }
 
-/// Saves a program of [`chordal_view::Programs`] in its file.
+/// Saves a program of a [`ProgramSource`](chordal_view::ProgramSource) to its file.
 ///
-/// # Errors
-/// The system's reason; the file is then as before.
+/// # Errors The file cannot be written; it is then unchanged.
 pub fn save(path: &Path, bytes: &[u8]) -> Result<(), ProgramRefusal> {
     write(path, bytes).map_err(|error| ProgramRefusal {
         message: format!("cannot write {}: {error}", path.display()),
@@ -34,7 +33,7 @@ pub fn save(path: &Path, bytes: &[u8]) -> Result<(), ProgramRefusal> {
     })
 }
 
-/// Writes a file whole or not at all. What was there is on the disk until the new text is.
+/// Writes a file completely or not at all. The old content stays on the disk until the new one is complete.
 fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut draft = FileDraft::open(path)?;
     draft.write_all(bytes)?;

@@ -1,8 +1,8 @@
-//! Which requests are answered: those that know the address, from this machine, from the page itself.
+//! Decides which requests are answered: those from this computer, from the page itself, with the secret address.
 //!
-//! Any web site may send requests to loopback, and a name of its own may be made to point there.
-//! So a request must name this server (`Host`), must not come from another page (`Origin`), and
-//! must know the token. Other requests get no content.
+//! Any web site can send requests to loopback, and can make a host name of its own point there (DNS rebinding). So a
+//! request must name this server (`Host`), must not come from another page (`Origin`), and must contain the token.
+//! Other requests get no content.
 
 use axum::http::header::{HOST, ORIGIN};
 use axum::http::{HeaderMap, StatusCode};
@@ -15,41 +15,40 @@ const TOKEN_BYTES: usize = 24;
 pub struct AccessToken(String);
 
 impl AccessToken {
-    /// A new one: 192 random bits in hexadecimal.
+    /// Creates a token of 192 random bits, in hexadecimal.
     ///
-    /// # Errors
-    /// When the system gives no random numbers.
+    /// # Errors The system provides no random numbers.
     pub fn random() -> Result<AccessToken, getrandom::Error> {
         let mut bytes = [0; TOKEN_BYTES];
         getrandom::fill(&mut bytes)?;
         Ok(AccessToken(bytes.iter().map(|byte| format!("{byte:02x}")).collect()))
     }
 
-    /// As it is written in the address.
+    /// The token as it is written in the address.
     pub fn text(&self) -> &str {
         &self.0
     }
 
-    /// Compares in constant time, so that the time does not reveal how much of it is right.
+    /// Whether the candidate is the token. The comparison takes constant time, so that the time does not reveal how
+    /// many characters are right.
     pub fn is(&self, candidate: &str) -> bool {
         self.0.as_bytes().ct_eq(candidate.as_bytes()).into()
     }
 }
 
-/// The names that a browser may know this server by.
+/// The host names under which a browser may address this server.
 #[derive(Clone, Debug)]
 pub struct AllowedHosts([String; 2]);
 
 impl AllowedHosts {
-    /// The names with a port.
+    /// The host names with this port.
     pub fn of(port: u16) -> AllowedHosts {
         AllowedHosts([format!("127.0.0.1:{port}"), format!("localhost:{port}")])
     }
 
-    /// Refuses a request that names another server, or comes from another page.
+    /// Refuses a request that names another server or comes from another page.
     ///
-    /// # Errors
-    /// The status of the refusal.
+    /// # Errors The HTTP status of the refusal.
     pub fn check(&self, headers: &HeaderMap) -> Result<(), StatusCode> {
         let only = |name| {
             let mut values = headers.get_all(name).iter();

@@ -1,4 +1,4 @@
-//! Closes idle connections: otherwise each would take one of the limited places for ever.
+//! Closes idle connections, which would otherwise occupy one of the limited places forever.
 
 use std::io::{self, ErrorKind};
 use std::net::SocketAddr;
@@ -11,7 +11,7 @@ use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
 use tokio::net::{TcpListener, TcpStream};
 use tokio::time::{Instant, Sleep, sleep};
 
-/// Accepts connections that end when they receive nothing for a time.
+/// Accepts connections that end when they receive nothing for the time `after`.
 pub struct IdleListener {
     pub listener: TcpListener,
     pub after: Duration,
@@ -40,7 +40,7 @@ pub struct IdleConnection {
 }
 
 impl IdleConnection {
-    /// The result of an operation, or the end of an idle connection.
+    /// Returns the result of an operation, or a timeout error when the connection is idle for too long.
     fn watched<T>(
         &mut self,
         context: &mut Context<'_>,
@@ -64,7 +64,7 @@ impl AsyncRead for IdleConnection {
     ) -> Poll<io::Result<()>> {
         let done = Pin::new(&mut self.stream).poll_read(context, into);
         if done.is_ready() {
-            // Only received bytes postpone the end: what is written may stay unread.
+            // Only received bytes postpone the end, because written bytes may never be read.
             let end = Instant::now() + self.after;
             self.end.as_mut().reset(end);
         }

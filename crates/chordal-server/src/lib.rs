@@ -1,9 +1,10 @@
-//! The server of `chordal view`: a page on loopback that shows a program and its path, live.
+//! The server of `chordal view`: serves a page on loopback that shows a program and its path while it is edited.
 //!
-//! A thin shell around [`chordal_view`]. The page is built beforehand (`web/`, embedded from `page/`) and never
-//! reads a program: it gets the results of the library. One file per concern: `guard` refuses requests that do not come
-//! from the page, `page` has the files, `page_connection` is the one connection of a page and `outbox` sends to it, `session` has
-//! the threads that answer and work, `idle_timeout` closes idle connections, `file` is the program on disk.
+//! It is a thin layer around [`chordal_view`]. The page is built beforehand (`web/`, embedded from `page/`) and never
+//! interprets a program: it gets the results of the library. The modules: `guard` refuses requests that do not come
+//! from the page, `page` has the files, `page_connection` is the connection of a page and `outbox` sends to it,
+//! `session` has the threads that answer and work, `idle_timeout` closes idle connections, `file` is the program on
+//! disk.
 //!
 //! ```
 //! let server = chordal_server::PageServer::listen(0).unwrap();
@@ -36,26 +37,26 @@ pub use chordal_view::{ComparedProgram, ListedMachine, ProgramRefusal, ProgramSo
 pub use file::save;
 pub use guard::AccessToken;
 
-/// Why there is no server.
+/// Why the server could not start or ended.
 #[derive(Debug, thiserror::Error)]
 pub enum PageServerError {
-    /// The port is taken, or may not be used.
+    /// The port is in use or not permitted.
     #[error("cannot listen on 127.0.0.1:{port}: {error}")]
     Listen {
         /// The requested port.
         port: u16,
-        /// The system's word.
+        /// The error of the operating system.
         error: io::Error,
     },
-    /// The system gives no random numbers.
+    /// The system provides no random numbers.
     #[error("the system gave no random numbers for the address: {0}")]
     Random(getrandom::Error),
-    /// The server broke off.
+    /// The server ended with an error.
     #[error("the server ended: {0}")]
     Ended(#[from] io::Error),
 }
 
-/// A server that listens, and has not answered yet.
+/// A server that listens and does not answer yet.
 #[derive(Debug)]
 pub struct PageServer {
     listener: TcpListener,
@@ -64,15 +65,14 @@ pub struct PageServer {
     idle: Duration,
 }
 
-/// A connection that receives nothing for so long is closed. A page gets pings in between, which its browser
-/// answers without the page.
+/// A connection that receives nothing for this time is closed. The server sends pings in between, which the browser
+/// answers by itself, so that open pages stay connected.
 const IDLE_LIMIT: Duration = Duration::from_secs(120);
 
 impl PageServer {
-    /// Listens on loopback; port 0 takes any that is free. The token is 192 random bits.
+    /// Listens on loopback; port 0 takes any free port. The token has 192 random bits.
     ///
-    /// # Errors
-    /// A port that is taken.
+    /// # Errors The port is in use or not permitted, or the system provides no random numbers.
     pub fn listen(port: u16) -> Result<PageServer, PageServerError> {
         let failed = |error| PageServerError::Listen { port, error };
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(failed)?;
@@ -87,16 +87,15 @@ impl PageServer {
         format!("http://{}/{}/", self.address, self.token.text())
     }
 
-    /// Sets after how long an idle connection is closed; two minutes by default.
+    /// Sets the time after which an idle connection is closed; two minutes by default.
     #[must_use]
     pub fn closing_after(self, idle: Duration) -> PageServer {
         PageServer { idle, ..self }
     }
 
-    /// Answers until the process ends.
+    /// Answers requests until the process ends.
     ///
-    /// # Errors
-    /// When the socket breaks.
+    /// # Errors The runtime cannot be started or the socket fails.
     pub fn serve(self, programs: Arc<dyn ProgramSource>) -> Result<(), PageServerError> {
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
         runtime.block_on(async {

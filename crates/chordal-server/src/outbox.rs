@@ -1,4 +1,4 @@
-//! Passes messages for a page from any thread to its connection.
+//! Sends messages for a page from any thread to its connection.
 
 use axum::extract::ws::Message;
 use chordal_view::PagePort;
@@ -7,13 +7,13 @@ use tokio::sync::mpsc;
 /// The channels to the connection.
 #[derive(Clone, Debug)]
 pub struct PageChannels {
-    /// What goes out in its order.
+    /// Messages that are sent in order.
     pub soon: mpsc::Sender<Message>,
-    /// What waits for the first picture.
+    /// Messages that are sent after the first columns of the path.
     pub later: mpsc::Sender<Message>,
 }
 
-// A closed page is noticed where its requests are read.
+// Errors of sending are ignored: a closed page is detected where its requests are read.
 impl PagePort for PageChannels {
     fn text(&self, text: String) {
         let _ = self.soon.blocking_send(Message::Text(text.into()));

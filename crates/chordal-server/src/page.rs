@@ -1,4 +1,4 @@
-//! The files of the page, and the routes.
+//! The files of the page, and the HTTP routes.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -16,7 +16,7 @@ use tokio::sync::Semaphore;
 use crate::guard::{AccessToken, AllowedHosts};
 use crate::page_connection;
 
-/// Built from `web/`; nothing else is ever served.
+/// The only files that are served, built from `web/`: name, type and content.
 const PAGE_FILES: &[(&str, &str, &[u8])] = &[
     ("", "text/html; charset=utf-8", include_bytes!("../page/index.html")),
     ("app.js", "text/javascript; charset=utf-8", include_bytes!("../page/app.js")),
@@ -24,13 +24,13 @@ const PAGE_FILES: &[(&str, &str, &[u8])] = &[
     ("icon.svg", "image/svg+xml", include_bytes!("../page/icon.svg")),
 ];
 
-/// Pages that may be open at once: each has threads of its own.
+/// The most pages that may be open at the same time: each has its own threads.
 const MAX_PAGES: usize = 16;
 
-/// Where the page says with which nonce its editor may add styles.
+/// The placeholder in the page for the nonce with which its editor may add styles.
 const NONCE_PLACEHOLDER: &str = "NONCE-OF-THE-PAGE";
 
-/// The state that every route uses.
+/// The shared state of the routes.
 #[derive(Clone)]
 pub struct PageSite {
     token: AccessToken,
@@ -40,7 +40,7 @@ pub struct PageSite {
     idle: Duration,
 }
 
-/// The routes after their guard.
+/// The routes, behind the guard.
 pub fn router(
     token: AccessToken,
     port: u16,
@@ -57,7 +57,7 @@ pub fn router(
         .with_state(site)
 }
 
-/// Refuses before anything is looked at, and says on every answer what the page may do.
+/// Refuses foreign requests before anything else, and adds the protection headers to every answer.
 async fn guard(State(site): State<PageSite>, request: Request, next: Next) -> Response {
     if let Err(status) = site.hosts.check(request.headers()) {
         return status.into_response();
@@ -77,7 +77,7 @@ async fn guard(State(site): State<PageSite>, request: Request, next: Next) -> Re
 const PROTECTION_HEADERS: [(HeaderName, &str); 6] = [
     (header::CONTENT_SECURITY_POLICY, "default-src 'none'; frame-ancestors 'none'"),
     (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
-    // The address contains the token, and must not be sent to other servers.
+    // The address contains the token and must not be sent to other servers.
     (header::REFERRER_POLICY, "no-referrer"),
     (header::CACHE_CONTROL, "no-store"),
     (HeaderName::from_static("cross-origin-resource-policy"), "same-origin"),

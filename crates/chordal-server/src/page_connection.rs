@@ -1,4 +1,4 @@
-//! The one connection of a page: requests in, answers and columns out.
+//! The connection of a page: receives requests, and sends answers and columns.
 
 use std::pin::pin;
 use std::sync::Arc;
@@ -12,16 +12,16 @@ use tokio::sync::mpsc;
 use crate::outbox::PageChannels;
 use crate::session::PageSession;
 
-/// The longest message that a page may send, bytes: room for a long pasted program.
+/// The longest message that a page may send, bytes: enough for a long pasted program.
 pub const MAX_MESSAGE_BYTES: usize = 32 << 20;
 
-/// Messages that may wait for a page. A slow page makes the run wait, instead of using more memory.
+/// The most messages that wait for a page. A slow page makes the run wait instead of using more memory.
 const MAX_WAITING_MESSAGES: usize = 16;
 
-/// How long a long text waits for the first lines of the path.
+/// How long the rest of a long text waits for the first columns.
 const TEXT_DELAY: Duration = Duration::from_secs(1);
 
-/// How many pings a page gets in the time that its connection may be idle.
+/// The number of pings that a page gets during the idle limit.
 const PINGS_PER_IDLE_LIMIT: u32 = 4;
 
 /// Serves a page until it is closed.
@@ -49,7 +49,7 @@ pub async fn serve_page(mut socket: WebSocket, programs: Arc<dyn ProgramSource>,
                     Some(Ok(Message::Ping(_) | Message::Pong(_))) => Ok(()),
                     Some(Ok(Message::Close(_))) | None => break,
                     Some(Err(error)) => {
-                        // Too long, or no WebSocket at all: there is no going on.
+                        // The message was too long or violated the protocol, so the connection cannot continue.
                         let reason = error.to_string().chars().take(100).collect::<String>().into();
                         let frame = CloseFrame { code: close_code::POLICY, reason };
                         let _ = socket.send(Message::Close(Some(frame))).await;
@@ -77,7 +77,7 @@ pub async fn serve_page(mut socket: WebSocket, programs: Arc<dyn ProgramSource>,
             }
             () = &mut hold, if !hold.is_elapsed() => {}
             _ = look.tick() => {
-                // A page that does not answer counts as idle, and its connection ends.
+                // A page that does not answer the pings becomes idle, and its connection ends.
                 if socket.send(Message::Ping(Default::default())).await.is_err() {
                     break;
                 }
@@ -85,7 +85,7 @@ pub async fn serve_page(mut socket: WebSocket, programs: Arc<dyn ProgramSource>,
         }
     }
     session.end();
-    // Threads that wait for room in the outbox go on.
+    // Closing the channels lets threads continue that wait for room in the outbox.
     outgoing.close();
     outgoing_later.close();
 }

@@ -1,4 +1,4 @@
-//! The threads of one page: they answer and do the work of its view.
+//! The threads of one page, which answer requests and do the work of its view.
 //!
 //! | thread | does |
 //! |---|---|
@@ -18,16 +18,17 @@ use serde_json::json;
 
 use crate::file::ServedFileStamp;
 
-/// How often the file is looked at.
+/// How often the file is checked for changes.
 const POLL_INTERVAL: Duration = Duration::from_millis(400);
 
-/// The page's end of the threads.
+/// The connection's handle to the threads of a page.
 pub struct PageSession {
     view: Arc<ProgramView>,
     requests: Sender<PageRequest>,
 }
 
-/// A queue for each kind of work. A thread has no sender of its own queue: it ends when all others are dropped.
+/// A queue for each kind of work. A thread has no sender to its own queue, so that it ends when all other senders are
+/// dropped.
 #[derive(Clone)]
 struct WorkQueues {
     runs: Option<Sender<WorkItem>>,
@@ -45,22 +46,21 @@ impl WorkQueues {
             WorkItem::Cut(_) => Some(&self.stocks),
         };
         if let Some(queue) = queue {
-            // The thread that receives ends with the session only.
+            // This cannot fail: the receiving thread ends only with the session.
             let _ = queue.send(work);
         }
     }
 }
 
 impl PageSession {
-    /// Starts the threads, which begin with the file as it is.
+    /// Starts the threads, which first read the file.
     ///
-    /// # Errors
-    /// When the system gives no threads.
+    /// # Errors The system cannot start a thread.
     pub fn begin(
         programs: Arc<dyn ProgramSource>,
         out: PageOutbox,
     ) -> std::io::Result<PageSession> {
-        // Before anything is read: what changes from here on is a change.
+        // The stamps are taken before anything is read, so that no later change is missed.
         let watched = WatchedFiles::of(&*programs);
         let view = Arc::new(ProgramView::new(programs.clone(), out));
         let (requests, incoming) = channel();
@@ -80,13 +80,13 @@ impl PageSession {
         Ok(PageSession { view, requests })
     }
 
-    /// Passes a request to the thread that answers.
+    /// Sends a request to the answering thread.
     pub fn send(&self, request: PageRequest) {
-        // The thread that answers ends with the session only.
+        // This cannot fail: the answering thread ends only with the session.
         let _ = self.requests.send(request);
     }
 
-    /// The page has gone.
+    /// Ends the work because the page was closed.
     pub fn end(self) {
         self.view.close();
     }
@@ -99,8 +99,8 @@ fn spawn(
 ) -> std::io::Result<()> {
     let view = view.clone();
     thread::Builder::new().name(name.into()).spawn(move || {
-        // A panic of one request or one run is caught where it is answered. If a thread ends even so, the
-        // page must not wait for ever without a message.
+        // A panic of a single request or run is caught where it is answered. If a thread ends nevertheless, the page
+        // must get a message and not wait forever.
         if catch_unwind(AssertUnwindSafe(|| work(&view))).is_err() {
             view.out().refuse(
                 0,
@@ -114,7 +114,7 @@ fn spawn(
 
 fn answer_all(view: &ProgramView, incoming: &Receiver<PageRequest>, queues: &WorkQueues) {
     let mut want = |work| queues.put(work);
-    // The run first: its picture is made while the text goes over.
+    // The run is requested first, so that its path is computed while the text is transferred.
     let begun = catch_panic(|| {
         if view.begin(&mut want) {
             view.send_text();
@@ -131,7 +131,7 @@ fn answer_all(view: &ProgramView, incoming: &Receiver<PageRequest>, queues: &Wor
     }
 }
 
-/// A panic ends one answer, not the view; returns its message.
+/// Catches a panic, so that it ends one answer and not the view; returns its message.
 fn catch_panic(work: impl FnOnce()) -> Result<(), String> {
     catch_unwind(AssertUnwindSafe(work)).map_err(|payload| {
         let words = payload.downcast_ref::<String>().map(String::as_str);
@@ -147,13 +147,13 @@ fn work_all(view: &ProgramView, queue: &Receiver<WorkItem>, mut want: impl FnMut
     }
 }
 
-/// The newest of what waits, or the next that comes; `None` when nothing can come.
+/// The newest waiting item, or the next one that arrives; `None` when all senders are dropped.
 fn newest<T>(queue: &Receiver<T>) -> Option<T> {
     let first = queue.recv().ok()?;
     Some(queue.try_iter().last().unwrap_or(first))
 }
 
-/// The files that may change, as they were at the beginning.
+/// The watched files with their stamps at the beginning.
 struct WatchedFiles {
     path: Option<PathBuf>,
     other: Option<PathBuf>,
@@ -175,8 +175,8 @@ impl WatchedFiles {
     }
 }
 
-/// Reports when the content of the file is another than was read or written last, and compares again when the
-/// other one does.
+/// Reports when the content of the file differs from when it was last read or written, and compares again when the
+/// other program's file changes.
 fn watch(
     view: &ProgramView,
     programs: &dyn ProgramSource,

@@ -1,24 +1,22 @@
-//! What tools remove from stock along exact moves, with two bounds that enclose the truth: what is
-//! surely removed, and what is surely left.
+//! What tools remove from stock along exact moves, between two bounds that enclose the truth: what is
+//! certainly removed, and what is certainly left.
 //!
 //! Lengths are in millimetres, angles in radians. The tool axis is Z; a position is that of the tool
-//! tip. Stock that turns is exact instead: see [`lathe`]. The crate knows no program, no control and no
+//! tip. Turned stock is exact instead: see [`lathe`]. The crate knows no program, no control and no
 //! machine, and uses no file and no thread.
 //!
 //! | to | see |
 //! |---|---|
-//! | say what a tool is: its edges, its shank, its holder | [`cutter`] |
-//! | ask whether a shank, a holder or a rapid touches it | [`RevolvedBody`], [`ColumnStock::touch`], [`ColumnStock::cut_watching`] |
-//! | remove what it sweeps from stock, and measure | [`ColumnStock`], [`columns`] |
-//! | ask how deep one exact move reaches above a place | [`floor`] |
+//! | describe a tool: its edges, its shank, its holder | [`cutter`], [`RevolvedBody`] |
+//! | describe stock, fixtures and targets, and find what they fill over cells or how far a tool is from them | [`shape`] |
 //! | read, check, make and write triangles | [`mesh`] |
-//! | say what stock, fixtures and targets are, what they fill over cells, how far a tool is | [`shape`] |
-//! | remove what it sweeps from stock, and measure | [`ColumnStock::cut`], [`ColumnStock::removed`], [`ColumnStock::left`] |
+//! | remove from stock what a tool sweeps, and measure it | [`columns`], [`ColumnStock::cut`], [`ColumnStock::removed`], [`ColumnStock::left`] |
 //! | do so tile by tile on threads | [`ColumnStock::plan`], [`ColumnStock::jobs`] |
-//! | ask whether a rapid, a shank or a holder touches it | [`RevolvedBody`], [`ColumnStock::touch`], [`ColumnStock::cut_watching`] |
+//! | find whether a rapid, a shank or a holder touches the stock | [`ColumnStock::touch`], [`ColumnStock::cut_watching`] |
+//! | repeat with finer cells what cells cannot decide | [`StockCheck`] |
+//! | measure the width, the depth and the chip of a cut | [`engagement`], [`ColumnStock::cut_measuring`] |
+//! | find how deep one exact move reaches above a point in plan | [`floor`] |
 //! | cut turned stock: exact half sections, volumes, passes | [`lathe`] |
-//! | have what cells cannot say done again finer | [`StockCheck`] |
-//! | ask how wide, how deep and how thick a cut is | [`engagement`], [`ColumnStock::cut_measuring`] |
 //!
 //! ```
 //! use chordal_geometry::{Aabb, Line, Vec3};

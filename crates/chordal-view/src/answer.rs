@@ -1,4 +1,4 @@
-//! The data for the page, as JSON.
+//! The reports, machines and times for the page, as JSON.
 
 use chordal::control::AxisMask;
 use chordal::diagnostics::{Applicability, FileId, Fix, Span};
@@ -12,10 +12,10 @@ use chordal_editor::LineColumnIndex;
 use chordal_export::{GIVE_OFFSETS, left_out_texts};
 use serde_json::{Value, json};
 
-/// Diagnostics that are sent; more are only counted.
+/// The most diagnostics that are sent; further ones are only counted.
 const MAX_DIAGNOSTICS: usize = 2_000;
 
-/// Why there is no stock. A machine without stock is nothing to speak of.
+/// The message that there is no stock, with the reason; without one when the machine simply has no stock.
 pub fn no_stock(run: u64, failed: &StockRunError) -> Value {
     let help = match failed {
         StockRunError::Setup(setup) => Some(setup.help.clone()),
@@ -29,7 +29,7 @@ pub fn no_stock(run: u64, failed: &StockRunError) -> Value {
     json!({ "type": "no_stock", "run": run, "message": message, "help": help })
 }
 
-/// The report of a run, apart from its path.
+/// The report of a run, without its path.
 pub fn report(report: &Report, job: &Job) -> Value {
     let sources = job.sources();
     let mut spots = SourcePlaces { sources, last: None };
@@ -69,7 +69,8 @@ pub fn report(report: &Report, job: &Job) -> Value {
     })
 }
 
-/// Sentences about moves in work offsets whose zero is not known, and what to do about it; empty where all are drawn.
+/// Sentences about moves that are not drawn because the zero of their work offset is unknown, and what to do about
+/// it; empty when all are drawn.
 fn moves_left_out(report: &Report, job: &Job) -> Vec<String> {
     let zeros = &report.summary.unrelated_zeros;
     let mut texts = left_out_texts(zeros, job.control().table.work_names);
@@ -117,14 +118,14 @@ fn fix(fix: &Fix, spots: &mut SourcePlaces<'_, '_>) -> Value {
     })
 }
 
-/// Places of problems, which mostly follow one another.
+/// Converts the locations of problems, which are mostly in order, to lines and columns.
 struct SourcePlaces<'s, 't> {
     sources: &'s SourceMap<'t>,
     last: Option<(FileId, LineColumnIndex<'s, 't>)>,
 }
 
 impl SourcePlaces<'_, '_> {
-    /// File, lines from 1 and columns from 0 in UTF-16 code units; null for the program as a whole.
+    /// The file, the lines (from 1) and the columns (from 0, in UTF-16 code units); null for the program as a whole.
     fn place(&mut self, span: Span) -> Value {
         let source = self.sources.get(span.file).filter(|_| span != Span::default());
         let Some(source) = source else { return Value::Null };
@@ -145,7 +146,7 @@ impl SourcePlaces<'_, '_> {
     }
 }
 
-/// The machine, as far as it is drawn.
+/// The properties of the machine that the page draws or shows.
 pub fn machine(job: &Job) -> Value {
     let machine = job.machine();
     let travel =
@@ -162,7 +163,7 @@ pub fn machine(job: &Job) -> Value {
         .iter()
         .map(|rotation| json!({ "axis": rotation.axis, "about": point(rotation.about) }))
         .collect();
-    // A tool that only a comment describes is drawn from that.
+    // Includes tools that only comments of the program describe.
     let known = known_tools(job);
     let tools = known.iter().map(|(number, known)| {
         let tool = &known.tool;
@@ -189,9 +190,9 @@ pub fn machine(job: &Job) -> Value {
     let has = [Axis::X, Axis::Y, Axis::Z].map(|axis| !machine.lacks(axis));
     let factors = [0, 1, 2].map(|axis| machine.written_factor(axis));
     json!({
-        // X is up for a turret at the rear of the axis and down for one at the front.
+        // +X is drawn upwards for a rear turret and downwards for a front turret.
         "turret": turns.then(|| machine.turret.as_str()),
-        // What is programmed as a diameter is shown as one.
+        // Axes programmed as diameters are shown as diameters.
         "factors": factors,
         "has": has,
         "name": machine.name,
@@ -204,12 +205,12 @@ pub fn machine(job: &Job) -> Value {
     })
 }
 
-/// Height, lower and upper diameter, mm.
+/// The height, the lower and the upper diameter, mm.
 fn solid(solid: &HolderSegment) -> [f64; 3] {
     [solid.height_mm, solid.lower_mm, solid.upper_mm]
 }
 
-/// Times of the run, its tools and its longest blocks, s.
+/// The times of the run, its tools and its longest blocks, s.
 pub fn times(time: &TimeReport) -> Value {
     let of = |times: &TimeShares| {
         json!({

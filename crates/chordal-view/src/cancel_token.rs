@@ -1,11 +1,11 @@
-//! Cancels work that is out of date.
+//! Cancels outdated work.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use chordal::control::InterruptCheck;
 
-/// Belongs to one run, comparison or stock, by its number. A newer one of the same kind, or the end of the page, cancels it.
+/// The cancel token of one run, comparison or stock. Newer work of the same kind, or closing the page, cancels it.
 #[derive(Clone, Debug)]
 pub struct CancelToken {
     /// The number of the newest work of this kind.
@@ -16,12 +16,12 @@ pub struct CancelToken {
 }
 
 impl CancelToken {
-    /// Whether the work is still the newest of its kind, and the page open.
+    /// Whether the work is still the newest of its kind and the page is open.
     pub fn is_current(&self) -> bool {
         self.newest.load(Ordering::Relaxed) == self.number && !self.closed.load(Ordering::Relaxed)
     }
 
-    /// For a job: ends its run once the token is canceled.
+    /// A check for a job that ends its run once the token is canceled.
     pub fn interrupt(&self) -> InterruptCheck {
         let token = self.clone();
         Arc::new(move || !token.is_current())

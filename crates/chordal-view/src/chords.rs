@@ -1,4 +1,4 @@
-//! The chords that replace arcs within a tolerance, as the library cuts them.
+//! The chords that replace arcs within a tolerance, as computed by the library.
 
 use chordal::Job;
 use chordal::geometry::{Arc, ChordError, Curve, ParamCurve, Placement, Vec3};
@@ -7,13 +7,12 @@ use serde_json::{Value, json};
 use crate::frame::ColumnFrame;
 use crate::request::ChordRequest;
 
-/// Chords that are sent at most.
+/// The most chords that are sent.
 const MAX_CHORDS: u64 = 1_000_000;
 
-/// Cuts every arc of a job into chords within a tolerance.
+/// Divides every arc of a job into chords within a tolerance.
 ///
-/// # Errors
-/// A tolerance that is not above zero.
+/// # Errors The tolerance is not above zero.
 pub fn chords(job: &Job, request: &ChordRequest) -> Result<Vec<u8>, ChordError> {
     let placement = if request.balanced { Placement::Balanced } else { Placement::Inscribed };
     let own = job.own_chords().filter(|_| request.as_control);
@@ -25,7 +24,7 @@ pub fn chords(job: &Job, request: &ChordRequest) -> Result<Vec<u8>, ChordError> 
     let mut gathered = ChordCollector::default();
     job.path(|segment| {
         if !matches!(segment.curve, Curve::Line(_)) && segment.is_drawn() {
-            // A curve that cannot be cut does not keep the others from being shown.
+            // A curve that cannot be divided does not prevent the others from being shown.
             if gathered.curve(&segment.curve, tolerance_mm, placement).is_err() {
                 gathered.left_out += 1;
             }
@@ -41,9 +40,10 @@ struct ChordCollector {
     curves: u64,
     chords: u64,
     left_out: u64,
-    /// How far a chord of an arc is from it at most, mm.
+    /// The largest distance between a chord and its arc, mm.
     error_mm: f64,
-    /// There are curves that are no arcs: their chords are within the tolerance, and how far is not known.
+    /// The number of curves that are not arcs: their chords are within the tolerance, but the exact distance is
+    /// unknown.
     inexact_curves: u64,
 }
 
@@ -96,7 +96,7 @@ impl ChordCollector {
     }
 }
 
-/// How far the corners of an arc's chords, and their middles, are from its circle at most, mm.
+/// The largest distance from an arc's circle of the end points and the midpoints of its chords, mm.
 fn error_of(arc: &Arc, corners: impl Iterator<Item = Vec3>) -> f64 {
     let distance = |at: Vec3| {
         let arm = at - arc.center;

@@ -1,4 +1,4 @@
-//! The other program, which the shown one is compared with: its path, and the differences.
+//! Compares the shown program with another one: sends the other path and the differences.
 
 use std::sync::Arc;
 
@@ -22,20 +22,20 @@ use crate::request::ComparedWith;
 use crate::run::FinishedRun;
 use crate::stream::PathStream;
 
-/// Moves of both programs that are compared in a page: each takes about 350 bytes meanwhile.
+/// The most moves of both programs that are compared in a page: each temporarily takes about 350 bytes.
 const MAX_COMPARED_MOVES: u64 = 4_000_000;
 
-/// Characters of a block that are sent.
+/// The most characters of a block that are sent.
 const MAX_BLOCK_CHARACTERS: usize = 200;
 
-/// Where the other program comes from: the same one is not sent again.
+/// The origin of the other program. An equal one is not sent again.
 #[derive(Clone, Debug, PartialEq)]
 enum ComparedSource {
     File(ContentHash),
     Own { run: u64, on: ComparedWith },
 }
 
-/// The other program as the page shows it.
+/// The other program that the page shows.
 struct OpenComparison {
     origin: ComparedSource,
     program: Arc<EditorProgram>,
@@ -43,12 +43,12 @@ struct OpenComparison {
     rows: u64,
 }
 
-/// Shows the other program, and says what differs.
+/// Shows the other program and compares it.
 pub struct ComparisonSession {
     programs: Arc<dyn ProgramSource>,
     out: PageOutbox,
     shown: Option<OpenComparison>,
-    /// The page knows of another program.
+    /// Whether the page knows of another program.
     pub is_shown: bool,
 }
 
@@ -63,7 +63,7 @@ impl ComparisonSession {
         self.shown.as_ref().map(|shown| shown.program.clone())
     }
 
-    /// There is no other program any more. `version` is the number of the comparison, here and everywhere.
+    /// Removes the other program from the page. `version` is the number of the comparison, as in all messages.
     pub fn clear(&mut self, version: u64) {
         self.shown = None;
         if !std::mem::take(&mut self.is_shown) {
@@ -76,7 +76,7 @@ impl ComparisonSession {
         }));
     }
 
-    /// Shows the other program, where it is another than before.
+    /// Shows the other program, unless it is already shown.
     pub fn show(&mut self, finished: &FinishedRun, other: &ComparedWith, cancel: &CancelToken) {
         self.is_shown = true;
         match self.open(finished, other) {
@@ -136,7 +136,7 @@ impl ComparisonSession {
         compared.map(|compared| compared.options.clone()).unwrap_or_default()
     }
 
-    /// The other program; `None` if it is the one that is shown already.
+    /// Opens the other program; `None` when it is already shown.
     fn open(
         &self,
         finished: &FinishedRun,
@@ -166,7 +166,7 @@ impl ComparisonSession {
         Ok(Some((origin, program)))
     }
 
-    /// Sends the path; `None` if that was canceled.
+    /// Sends the path of the other program; `None` when canceled.
     fn send(
         &self,
         origin: ComparedSource,
@@ -211,7 +211,7 @@ impl ComparisonSession {
     }
 }
 
-/// Passes the path on, and drops everything else of the run.
+/// Forwards the path of a run and ignores everything else.
 struct PathForwarder<'m>(PathStream<'m>);
 
 impl RunWatch for PathForwarder<'_> {
@@ -222,7 +222,7 @@ impl RunWatch for PathForwarder<'_> {
     }
 }
 
-/// What came out, for people.
+/// The message with the result of a comparison.
 fn comparison(found: &Comparison, names: [&str; 2], jobs: [&Job; 2], tolerance_mm: f64) -> Value {
     let units = SummaryUnits::of(found.reports[0].summary.inch);
     let called = comparison_names(names, jobs);
@@ -280,9 +280,9 @@ fn place(at: BlockLocation) -> Value {
     json!({ "file": at.span.file.0, "line": at.line })
 }
 
-/// Lines of the other program around one, to be read.
+/// The lines of the other program around a line, for display.
 pub fn text_around(program: &EditorProgram, file: u32, line: u32) -> Value {
-    /// Lines before and after that are sent.
+    /// The number of lines before and after.
     const CONTEXT_LINES: usize = 2_000;
     const MAX_TEXT_BYTES: usize = 1 << 20;
     let file = FileId(file);

@@ -1,6 +1,6 @@
-//! Whether the content of a file has changed.
+//! Detects that the content of a file has changed.
 
-/// Length and checksum of a file, to notice that its content has changed.
+/// The length and a checksum of a file, to detect changes of its content.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ContentHash {
     length: usize,
@@ -8,9 +8,10 @@ pub struct ContentHash {
 }
 
 impl ContentHash {
-    /// The hash of these bytes. There is no attacker who makes a file with an equal hash, so that a fast one is enough.
+    /// The hash of these bytes. It is fast and not secure, because no attacker gains from a file with an equal hash.
     pub fn of(bytes: &[u8]) -> ContentHash {
-        /// Odd, with about as many ones as zeros: the fraction of the golden ratio.
+        /// The fraction of the golden ratio, a multiplier that mixes bits well: it is odd and has about as many ones
+        /// as zeros.
         const GOLDEN_FACTOR: u64 = 0x9e37_79b9_7f4a_7c15;
         let add = |sum: u64, word: u64| (sum.rotate_left(23) ^ word).wrapping_mul(GOLDEN_FACTOR);
         let (words, rest) = bytes.as_chunks::<8>();

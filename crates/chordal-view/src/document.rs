@@ -1,8 +1,7 @@
-//! The text as it is edited, and how the file on disk is written.
+//! The edited text, and the format in which its file is written.
 //!
-//! The page knows lines only by their order, so the text is stored with LF alone; the ending and the
-//! encoding of the file come back when it is saved. Places in changes are UTF-16 code units, as a
-//! browser counts.
+//! The page needs only the order of lines, so the text is stored with LF line ends; the line ends and the encoding of
+//! the file are restored when it is saved. Offsets in changes are UTF-16 code units, as in a browser.
 
 use chordal::diagnostics::line_ends;
 use chordal::syntax;
@@ -10,39 +9,39 @@ use encoding_rs::mem::{decode_latin1, encode_latin1_lossy, is_str_latin1};
 
 use crate::request::TextChange;
 
-/// How the characters of a file are written.
+/// The character encoding of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum FileEncoding {
     Utf8,
-    /// Some 8-bit encoding: every byte is kept as the character of its number.
+    /// An unknown 8-bit encoding: every byte is stored as the character with its number (Latin-1).
     Bytes,
     Utf16Le,
     Utf16Be,
 }
 
-/// How a file is written.
+/// The format of a file: encoding and line ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TextFileForm {
     encoding: FileEncoding,
     mark: bool,
     ending: &'static str,
-    /// Lines end in different ways; saving writes one of them.
+    /// The file has different line ends; saving writes only the most frequent one.
     pub mixed: bool,
 }
 
-/// Why a text cannot be written as its file is.
+/// A character that the encoding of the file does not have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "line {line} has the character `{character}`, which the file's 8-bit encoding does not have"
 )]
 pub struct UnencodableCharacter {
-    /// From 1.
+    /// The line of the first such character, from 1.
     pub line: usize,
     /// The first such character.
     pub character: char,
 }
 
-/// A change that does not fit the text.
+/// A change whose offsets do not fit the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the change from {from} to {to} does not fit the text of {length} characters")]
 pub struct ChangeMismatch {
@@ -51,17 +50,17 @@ pub struct ChangeMismatch {
     length: usize,
 }
 
-/// A text and how its file is written.
+/// A text with the format of its file.
 #[derive(Clone, Debug)]
 pub struct EditedText {
     text: String,
     form: TextFileForm,
-    /// The file is not text: nothing of it is shown or saved.
+    /// The file is binary: nothing of it is shown or saved.
     pub binary: bool,
 }
 
 impl EditedText {
-    /// Reads the bytes of a file.
+    /// Decodes the bytes of a file.
     pub fn read(bytes: &[u8]) -> EditedText {
         let decoded = syntax::decode(bytes);
         let wide = matches!(bytes, [0xff, 0xfe, ..] | [0xfe, 0xff, ..]);
@@ -83,27 +82,26 @@ impl EditedText {
         EditedText { text, form, binary: decoded.binary }
     }
 
-    /// A text that is only shown, never saved.
+    /// A text that is only shown and never saved.
     pub fn of(text: String) -> EditedText {
         let form =
             TextFileForm { encoding: FileEncoding::Utf8, mark: false, ending: "\n", mixed: false };
         EditedText { text, form, binary: false }
     }
 
-    /// The text, its lines ended by LF.
+    /// The text with LF line ends.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// How the file is written.
+    /// The format of the file.
     pub fn form(&self) -> TextFileForm {
         self.form
     }
 
-    /// The text as it is written to the file, in its encoding and with its line ends.
+    /// The bytes to write to the file, in its encoding and with its line ends.
     ///
-    /// # Errors
-    /// A character that the file's encoding lacks.
+    /// # Errors The text has a character that the file's encoding lacks.
     pub fn bytes(&self) -> Result<Vec<u8>, UnencodableCharacter> {
         let text = match self.form.ending {
             "\n" => self.text.clone(),
@@ -135,10 +133,9 @@ impl EditedText {
         UnencodableCharacter { line, character }
     }
 
-    /// Carries out changes, whose places are those of the text before all of them, in order.
+    /// Applies changes in order; their offsets refer to the text before all of them.
     ///
-    /// # Errors
-    /// A change that does not fit; the text is then as before.
+    /// # Errors A change does not fit; the text is then unchanged.
     pub fn apply(&mut self, changes: &[TextChange]) -> Result<(), ChangeMismatch> {
         let mut places = Utf16Offsets::new(&self.text);
         let mut changed = String::with_capacity(self.text.len() + 64);
@@ -163,7 +160,7 @@ impl EditedText {
     }
 }
 
-/// Converts UTF-16 positions, in rising order, to bytes.
+/// Converts UTF-16 offsets, in ascending order, to byte offsets.
 struct Utf16Offsets<'a> {
     text: &'a str,
     ascii: bool,
@@ -190,10 +187,11 @@ impl<'a> Utf16Offsets<'a> {
     }
 }
 
-/// The ending of most lines, and whether there are others.
+/// The most frequent line end, and whether there are others.
 fn ending_of(text: &str) -> (&'static str, bool) {
     let bytes = text.as_bytes();
-    // Of equal counts the last: a file without line ends gets LF all the same.
+    // `max_by_key` takes the last of equal counts, so the order is reversed: LF wins, also for a file without line
+    // ends.
     let mut kinds = [(0, "\n"), (0, "\r\n"), (0, "\r"), (0, "\n\r\r")];
     let mut start = 0;
     for end in line_ends(bytes) {

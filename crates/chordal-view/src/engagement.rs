@@ -1,4 +1,4 @@
-//! The cutting loads of a run as columns, for the time line.
+//! The cutting loads of a run as columns, for the timeline.
 
 use chordal::diagnostics::Code;
 use chordal::stock::{EngagementOptions, EngagementReport, MoveEngagement};
@@ -6,15 +6,15 @@ use serde_json::json;
 
 use crate::frame::ColumnFrame;
 
-/// With more pieces of path the loads are not computed: it would take minutes.
+/// With more path segments the loads are not computed, because it would take minutes.
 pub const MAX_ROWS: u64 = 300_000;
 
-/// The options of a page: those of the command.
+/// The options of a page: the defaults, as for the command.
 pub fn options() -> EngagementOptions {
     EngagementOptions::default()
 }
 
-/// A number of the columns: no problem, a chip too thick, a tool that rubs, a spindle without the power.
+/// The number of a problem in the columns: 0 none, 1 chip too thick, 2 tool rubs, 3 spindle overloaded.
 fn problem(code: Option<Code>) -> u8 {
     match code {
         None => 0,
@@ -24,7 +24,7 @@ fn problem(code: Option<Code>) -> u8 {
     }
 }
 
-/// The moves that cut; what is not known is below zero.
+/// The frame with the loads of the moves that cut; -1 is an unknown value.
 pub fn frame(run: u64, found: &EngagementReport) -> Vec<u8> {
     let cuts: Vec<&MoveEngagement> =
         found.moves.iter().filter(|each| each.across_mm.most > 0.0).collect();

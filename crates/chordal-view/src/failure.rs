@@ -1,4 +1,5 @@
-//! The messages to a page where Chordal itself has failed: the owner of the view catches the panic, and the view goes on.
+//! The messages to a page when Chordal itself has failed: the owner of the view catches the panic, and the view
+//! continues.
 
 use serde_json::json;
 
@@ -13,7 +14,7 @@ pub fn failure_message(why: &str) -> String {
 }
 
 impl ProgramView {
-    /// A work item ended with a panic: reports it, so that the page does not wait for its result.
+    /// Reports that a work item ended with a panic, so that the page does not wait for its result.
     pub fn work_failed(&self, work: WorkItem, why: &str) {
         let (message, help, number) = (failure_message(why), REPORT_HELP, work.number());
         let run = self.state().finished_run.as_ref().map_or(0, |finished| finished.number);
@@ -32,8 +33,7 @@ impl ProgramView {
         self.out().json(&reply);
     }
 
-    /// A request ended with a panic. The text is sent again: it is not known whether the request
-    /// had changed it.
+    /// Reports that a request ended with a panic. The text is sent again, because the request may have changed it.
     pub fn answer_failed(&self, id: u64, why: &str) {
         self.out().refuse(id, &failure_message(why), Some(REPORT_HELP));
         self.send_text();

@@ -4,20 +4,20 @@
 //! u32 length of the header │ header, JSON, padded with blanks │ columns, each from a multiple of 8
 //! ```
 //!
-//! The header's `columns` say of each its type, its offset from the end of the header, and how many
-//! numbers it has. Header and length together are a multiple of 8, so that a browser may look at
-//! the columns where they lie, without a copy.
+//! The header's `columns` object has the type of each column, its offset from the end of the header, and its count of
+//! numbers. The length and the header together are a multiple of 8 bytes, so that a browser can use the columns in
+//! place without a copy.
 
 use serde_json::{Map, Value, json};
 
-/// Columns that are gathered.
+/// A frame being built.
 #[derive(Debug, Default)]
 pub struct ColumnFrame {
     columns: Map<String, Value>,
     data: Vec<u8>,
 }
 
-/// A type of number that a column may have.
+/// A number type for columns.
 pub trait ColumnNumber: Copy {
     /// The name of the type in the header: `f32`.
     const WORD: &'static str;
@@ -54,7 +54,7 @@ impl ColumnFrame {
         self.data.resize(self.data.len().next_multiple_of(8), 0);
     }
 
-    /// The frame, with what else the header says.
+    /// The frame, with the other entries of its header.
     pub fn finish(self, header: Value) -> Vec<u8> {
         let mut object = match header {
             Value::Object(object) => object,

@@ -1,14 +1,15 @@
-//! The answers for the page of `chordal view`, wherever it runs: with a server or in a browser alone.
+//! Answers the requests of the page of `chordal view`, with a server or entirely in a browser.
 //!
-//! A [`ProgramView`] has the text of one page and its machine. It takes the requests of the page and gives answers
-//! and columns to a [`PageOutbox`]. What takes long is a [`WorkItem`]: the owner of the view decides on what thread, or in what
-//! worker, [`ProgramView::work`] does it. Nothing here starts a thread, reads a clock, a file or a socket.
+//! A [`ProgramView`] holds the text of one page and its machine. It takes the requests of the page and sends answers
+//! and columns to a [`PageOutbox`]. Long work is a [`WorkItem`]: the owner of the view decides on which thread or in
+//! which worker [`ProgramView::work`] executes it. Nothing here starts a thread, or reads a clock, a file or a
+//! socket.
 //!
-//! One file per concern: `request` has the requests of a page and `outbox` takes what goes to it;
-//! `document` is the text as it is edited; `run` and `times` make columns of a path and of its time,
-//! `stream` and `frame` pack them, `comparison` compares it with another program, `stock` and `turned_stock` cut
-//! the stock with it, `text_answers` answers about the words of the text; `reading`
-//! lists the controls that a program may be for; `failure` reports panics; `work_order` lets a view work for another one.
+//! The files: `request` has the requests of a page and `outbox` sends messages to it; `document` is the edited text;
+//! `run` and `times` make columns of a path and of its timing, `stream` and `frame` pack them; `comparison` compares
+//! the program with another one; `stock` and `turned_stock` cut the stock; `text_answers` answers questions about the
+//! words of the text; `reading` lists the controls that the program may be for; `failure` reports panics;
+//! `work_order` lets a view work for another one.
 
 #![forbid(unsafe_code)]
 

@@ -1,4 +1,4 @@
-//! What is active, piece of path by piece of path.
+//! Records the modal state along the path.
 
 use chordal::control::{
     Command, CommandKind, CompensationSide, Control, Coolant, FeedMode, Overrides, PathMode,
@@ -9,13 +9,13 @@ use chordal::path::ProgramFrame;
 use chordal::{PathCommand, Segment};
 use serde_json::{Value, json};
 
-/// Changes of state that are stored; after them the last one stays active.
+/// The most state changes that are stored; later ones are ignored.
 const MAX_MARKS: usize = 500_000;
 
-/// A shift below this is rounding, mm.
+/// A smaller shift is a rounding error, mm.
 const MIN_SHIFT_MM: f64 = 1e-9;
 
-/// What a control remembers from block to block, as far as its commands show.
+/// The modal state of a control, as far as its commands show it.
 #[derive(Clone, Debug, PartialEq)]
 struct ModalState {
     units: Units,
@@ -33,38 +33,38 @@ struct ModalState {
     work: Option<WorkName>,
     path: Option<PathMode>,
     overrides: Overrides,
-    /// Added to program coordinates to get the frame of the run, mm.
+    /// The translation from program coordinates to the frame of the run, mm.
     shift: Vec3,
-    /// Which axes of the shift are known.
+    /// The offsets that are active, and which axes of them are known.
     frame: ProgramFrame,
 }
 
 #[derive(Clone, Debug)]
 struct ModalMark {
-    /// Pieces of path before it.
+    /// The number of path segments before it.
     after: u32,
     line: u32,
-    /// Of the program itself, not of a called one.
+    /// Whether it is in the main file, not in a subprogram file.
     main: bool,
     modal: ModalState,
 }
 
-/// Notes what is active while commands go by.
+/// Records the modal state while commands are executed.
 #[derive(Clone, Debug)]
 pub struct ModalTrack {
     now: ModalState,
     marks: Vec<ModalMark>,
-    /// The shift to the frame of the run must be computed again.
+    /// Whether the shift to the frame of the run must be recomputed.
     moved: bool,
-    /// The frame of the first cut: that of the run.
+    /// The frame of the first cut, which is the frame of the run; `None` before the first cut.
     base: Option<ProgramFrame>,
-    /// Names of work offsets that cuts ran under, and where their zero is in the frame of the run.
+    /// The work offsets that were active during cuts, with the position of their zero in the frame of the run, mm.
     zeros: Vec<(WorkName, Vec3)>,
     naming: chordal::control::WorkNaming,
 }
 
 impl ModalTrack {
-    /// Before the first command.
+    /// The state before the first command.
     pub fn new(control: &Control, frame: ProgramFrame) -> ModalTrack {
         let now = ModalState {
             units: control.parameters.rules.units,
@@ -90,7 +90,7 @@ impl ModalTrack {
         ModalTrack { now, marks: vec![first], moved: true, base: None, zeros: Vec::new(), naming }
     }
 
-    /// Follows a command of which the pieces of path begin after so many.
+    /// Follows a command; `before` is the number of path segments before its own.
     pub fn follow(&mut self, path: &PathCommand<'_>, segments: &[Segment], before: u32) {
         let command = path.command;
         let changed = match command.kind.motion() {
@@ -103,7 +103,7 @@ impl ModalTrack {
         }
     }
 
-    /// A move says where the program's zero is in the frame of the run.
+    /// Determines from a move the position of the program zero in the frame of the run; `true` when it has changed.
     fn motion(&mut self, command: &Command, segments: &[Segment]) -> bool {
         let cuts = command.kind.feed().is_some();
         if cuts && self.base.is_none() {
@@ -165,8 +165,8 @@ impl ModalTrack {
         true
     }
 
-    /// Where the zeros of work offsets are in the frame of the run, and where that frame is in
-    /// the machine, where it is known: by axis, mm.
+    /// The zeros of the work offsets in the frame of the run, and the origin of that frame in machine coordinates
+    /// (null per axis when unknown), mm.
     pub fn places(&self) -> Value {
         let zeros = self
             .zeros
@@ -178,15 +178,15 @@ impl ModalTrack {
         json!({ "zeros": zeros.collect::<Vec<_>>(), "machine": base })
     }
 
-    /// What is active once so many pieces of path are done, and beyond that on the blocks up to
-    /// a line that move nothing.
+    /// The modal state after `done` path segments, including the changes by following blocks without motion up to
+    /// `line`.
     pub fn at(&self, done: u32, line: u32) -> Value {
         let reached = self.marks.partition_point(|mark| mark.after < done);
         let beyond = self.marks[reached..]
             .iter()
             .take_while(|mark| mark.after == done && mark.main && mark.line <= line)
             .count();
-        // The first mark is before everything.
+        // The first mark precedes everything.
         self.text(&self.marks[(reached + beyond).saturating_sub(1)].modal)
     }
 
@@ -206,7 +206,7 @@ impl ModalTrack {
                 FeedMode::InverseTime => "inverse_time",
                 FeedMode::PerRevolution => "per_revolution",
             },
-            // Per minute where it is a speed or one over a time; mm.
+            // mm/min, 1/min for inverse time, or mm per revolution.
             "feed": feed.filter(|feed| feed.is_finite()).map(|feed| match modal.feed_mode {
                 FeedMode::PerRevolution => feed,
                 _ => feed * 60.0,

@@ -1,4 +1,4 @@
-//! What goes to a page: objects and columns.
+//! Sends messages to a page: JSON objects and columns.
 
 use std::fmt;
 use std::sync::Arc;
@@ -7,20 +7,20 @@ use serde_json::{Value, json};
 
 use crate::frame::ColumnFrame;
 
-/// Sends to a page, from any thread. It may block the sender until there is room; what is for a page that has
-/// been closed is dropped.
+/// The connection to a page, usable from any thread. It may block the sender until there is room; messages to a
+/// closed page are dropped.
 pub trait PagePort: Send + Sync + 'static {
-    /// Takes a JSON object.
+    /// Sends a JSON object.
     fn text(&self, text: String);
 
-    /// Takes a [`ColumnFrame`].
+    /// Sends a [`ColumnFrame`].
     fn binary(&self, frame: Vec<u8>);
 
-    /// Takes columns that the first picture need not wait for.
+    /// Sends columns with low priority: the first picture does not need them.
     fn binary_later(&self, frame: Vec<u8>);
 }
 
-/// Takes what is for the page.
+/// Sends messages to the page through its port.
 #[derive(Clone)]
 pub struct PageOutbox(Arc<dyn PagePort>);
 
@@ -46,19 +46,19 @@ impl PageOutbox {
         self.0.binary(frame);
     }
 
-    /// Sends columns that the first picture need not wait for.
+    /// Sends columns with low priority: the first picture does not need them.
     pub fn binary_later(&self, frame: Vec<u8>) {
         self.0.binary_later(frame);
     }
 
-    /// Sends the bytes of a file that the page is to keep.
+    /// Sends the bytes of a file for the page to store.
     pub fn file(&self, name: &str, bytes: &[u8]) {
         let mut frame = ColumnFrame::default();
         frame.column("bytes", bytes);
         self.binary(frame.finish(json!({ "type": "file", "name": name })));
     }
 
-    /// Sends that a request failed.
+    /// Reports that a request failed.
     pub fn refuse(&self, id: u64, message: &str, help: Option<&str>) {
         self.json(&json!({ "type": "error", "id": id, "message": message, "help": help }));
     }

@@ -1,23 +1,24 @@
-//! The path as it is on a part that rotary tables turn: the page draws the part without motion.
+//! The path relative to a part that rotary tables turn: the page draws the part at rest.
 
 use chordal::Segment;
 use chordal::geometry::{Curve, ParamCurve, Transform, Vec3};
 use chordal::machine::{RotaryAxis, RotaryTarget, part_transform};
 
-/// A move that turns the part is drawn in pieces of this angle, rad.
+/// The largest rotation of the part in one drawn piece of a move, rad (2°).
 const STEP_RAD: f64 = std::f64::consts::PI / 90.0;
-/// Pieces of one move at most.
+/// The most pieces of one move.
 const MAX_PIECES: u32 = 2_000;
-/// Pieces of an arc on a turning part at least: it is curved twice, by itself and by the rotation.
+/// The fewest pieces of an arc on a turning part, which is curved both by itself and by the rotation.
 const MIN_ARC_PIECES: u32 = 64;
 
-/// What the rotary axes of a machine do to its path.
+/// The effect of a machine's rotary axes on the path relative to the part.
 #[derive(Clone, Copy, Debug)]
 pub struct PartKinematics {
     rotary: [RotaryAxis; 3],
 }
 
-/// The angles of A, B and C along a move, rad; they change evenly. In single precision, as the page gets them.
+/// The angles of A, B and C along a move, rad; they change linearly. They are rounded to single precision, as sent to
+/// the page.
 #[derive(Clone, Copy, Debug)]
 pub struct AngleRange {
     from: [f64; 3],
@@ -42,34 +43,35 @@ impl AngleRange {
 }
 
 impl PartKinematics {
-    /// The axes of a machine; `None` where nothing is known of what they turn.
+    /// The rotary axes of a machine; `None` when it is unknown what they turn.
     pub fn of(rotary: &[RotaryAxis; 3]) -> Option<PartKinematics> {
         let is_known = rotary.iter().any(|own| own.turns.is_some());
         is_known.then_some(PartKinematics { rotary: *rotary })
     }
 
-    /// Takes program coordinates to those of the part at some angles, rad.
+    /// The transformation from program coordinates to part coordinates at these angles, rad.
     pub fn at(&self, angles: [f64; 3]) -> Transform {
         part_transform(&self.rotary, angles)
     }
 
-    /// Takes program coordinates to those of the part at a share of a move.
+    /// The transformation from program coordinates to part coordinates at a fraction of a move.
     pub fn along(&self, angles: AngleRange, share: f64) -> Transform {
         self.at(angles.at(share))
     }
 
-    /// In how many pieces a move is drawn: one where no axis turns that carries the part.
+    /// The number of pieces in which a move is drawn: one when no axis that carries the part turns.
     pub fn pieces(&self, angles: AngleRange) -> u32 {
         let turned = (0..3)
             .filter(|axis| self.rotary[*axis].turns == Some(RotaryTarget::Table))
             .map(|axis| (angles.to[axis] - angles.from[axis]).abs())
             .fold(0.0, f64::max);
-        // A NaN is one piece, too.
+        // NaN gives one piece as well.
         let pieces = (turned / STEP_RAD).ceil();
         if pieces > 1.0 { pieces.min(f64::from(MAX_PIECES)) as u32 } else { 1 }
     }
 
-    /// Points of a line or an arc on the turning part, at even shares of the move; none where it stays a line or an arc.
+    /// Calls `push` with points of a line or an arc on the turning part, at equal fractions of the move; not at all
+    /// when it remains a line or an arc.
     pub fn curve(&self, curve: &Curve, angles: AngleRange, mut push: impl FnMut(Vec3)) {
         let pieces = match (self.pieces(angles), curve) {
             (1, _) | (_, Curve::Spline(_)) => return,
@@ -83,7 +85,7 @@ impl PartKinematics {
     }
 }
 
-/// The point where a share of a move is done: of an arc a share of its angle.
+/// The point at a fraction of a move; for arcs and spirals, a fraction of the angle.
 fn point_at_share(curve: &Curve, share: f64) -> Vec3 {
     match curve {
         Curve::Spiral(spiral) if share > 0.0 && share < 1.0 => {

@@ -1,4 +1,4 @@
-//! Where a view gets programs, machines and subprograms from.
+//! The source of programs, machines and subprograms of a view.
 
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
@@ -9,31 +9,31 @@ use chordal_compare::ComparisonOptions;
 use chordal_editor::EditorProgram;
 use serde_json::{Value, json};
 
-/// Why a program cannot be run at all: in words for people.
+/// Why a program cannot be run at all, in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProgramRefusal {
     /// What is wrong, without a full stop.
     pub message: String,
-    /// What to do about it, if anything can be done.
+    /// What the user can do about it; `None` when there is no suggestion.
     pub help: Option<String>,
 }
 
-/// A machine to choose from.
+/// A machine in the list of a page.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ListedMachine {
-    /// The name it is chosen by.
+    /// The name that selects it.
     pub name: String,
-    /// The name that is shown in the list.
+    /// The title that the list shows.
     pub title: String,
 }
 
-/// The other program, which one is compared with.
+/// The other program of a comparison.
 pub struct ComparedProgram {
-    /// Finds the other program; its machine is the one that it takes by itself.
+    /// Opens the other program, on the machine that it names or that is recognized from it.
     pub programs: Arc<dyn ProgramSource>,
-    /// The text is that of the program itself, as it is edited, on another machine.
+    /// The text is that of the shown program itself, as edited, on another machine.
     pub own_text: bool,
-    /// What counts as a difference; the page may set another tolerance.
+    /// The options of the comparison; the page may set another tolerance.
     pub options: ComparisonOptions,
 }
 
@@ -44,9 +44,9 @@ impl ComparedProgram {
     }
 }
 
-/// Finds what a program needs, as the command line says.
+/// Opens programs as the command line specifies.
 pub trait ProgramSource: Send + Sync + 'static {
-    /// The file that is shown, where it is one of the disk that others may change.
+    /// The shown file; `None` when it is not a file on disk that could change.
     fn path(&self) -> Option<PathBuf> {
         None
     }
@@ -56,48 +56,44 @@ pub trait ProgramSource: Send + Sync + 'static {
         self.path().is_some()
     }
 
-    /// Writes the text to its file, whole or not at all.
+    /// Writes the text to its file, completely or not at all.
     ///
-    /// # Errors
-    /// A file that cannot be written; it is then as before.
+    /// # Errors The file cannot be written; it is then unchanged.
     fn write(&self, _bytes: &[u8]) -> Result<(), ProgramRefusal> {
         Err(ProgramRefusal { message: "there is no file to write".into(), help: None })
     }
 
-    /// The name that is shown: mostly the path of the file.
+    /// The displayed name, usually the path of the file.
     fn name(&self) -> String;
 
-    /// The bytes of the file as they are now.
+    /// Reads the file.
     ///
-    /// # Errors
-    /// A file that cannot be read.
+    /// # Errors The file cannot be read.
     fn read(&self) -> Result<Vec<u8>, ProgramRefusal>;
 
-    /// A text with its machine and its subprograms; without a machine the one that the command
-    /// line, the folder or the text says. The machine is a [`ChosenMachine`](crate::ChosenMachine).
+    /// Opens a text with its machine and its subprograms. `machine` is a [`ChosenMachine`](crate::ChosenMachine);
+    /// `None` uses the one from the command line, the folder or the text.
     ///
-    /// # Errors
-    /// A machine that cannot be used, a program that is not there.
+    /// # Errors The machine cannot be used, or the requested program number does not exist.
     fn open(&self, text: Vec<u8>, machine: Option<&str>) -> Result<EditorProgram, ProgramRefusal>;
 
-    /// The machines that [`ProgramSource::open`] knows.
+    /// The machines that [`ProgramSource::open`] accepts by name.
     fn machines(&self) -> Vec<ListedMachine>;
 
-    /// The bytes of a file that the machine's setup names: the mesh of a stock, a fixture or a target.
+    /// Reads a file that the machine's setup names: the mesh of a stock, a fixture or a target.
     ///
-    /// # Errors
-    /// Why it cannot be read.
+    /// # Errors The reason why it cannot be read.
     fn named_file(&self, name: &str) -> Result<Vec<u8>, String> {
         Err(format!("there is no file {name}"))
     }
 
-    /// What the program is compared with, where the command line says it, or a page without one.
+    /// The program to compare with; `None` when neither the command line nor the page names one.
     fn compared_program(&self) -> Option<Arc<ComparedProgram>> {
         None
     }
 }
 
-/// The machines that every page may choose from. Their files are read the first time.
+/// The built-in machines, which every page lists. Their files are read at the first call.
 pub fn builtin_machines() -> Vec<ListedMachine> {
     static MACHINES: OnceLock<Vec<ListedMachine>> = OnceLock::new();
     let choice = |name: &&str| {

@@ -1,4 +1,4 @@
-//! A text with its machine and its subprograms, as every page opens it.
+//! Opens a text with its machine and its subprograms, for all kinds of pages.
 
 use std::path::Path;
 
@@ -9,12 +9,11 @@ use chordal_load::{LoadError, Loader, MachineReason, ProgramInput, ProgramText};
 
 use crate::program::ProgramRefusal;
 
-/// Opens a text as the program of an input. `named_in` says in words where a machine file is that its folder names.
-/// Where another machine was chosen on the page, `set_up` loads the one that the program has without that: its tools,
-/// its stock and what else its setup says count on the other one, too.
+/// Opens a text as the program of an input. `named_in` describes in words the machine file of a folder. When another
+/// machine was chosen on the page, `set_up` loads the machine that the program has without that choice: its tools and
+/// its setup, such as the stock, are used on the chosen machine too.
 ///
-/// # Errors
-/// A machine that cannot be used, a program that is not there.
+/// # Errors The machine cannot be used, or the requested program number does not exist.
 pub fn open_program(
     mut loader: Loader,
     set_up: Option<Loader>,
@@ -25,13 +24,13 @@ pub fn open_program(
 ) -> Result<EditorProgram, ProgramRefusal> {
     let own = set_up.and_then(|mut loader| {
         let text = ProgramText::of(name, text.clone()).ok()?;
-        // Errors of its machine are reported where that is used.
+        // Errors of that machine are ignored here: they are reported when it is used.
         loader.load_text(text, input).ok().map(|loaded| loaded.into_parts().1)
     });
     let text = ProgramText::of(name, text).map_err(|error| refusal(&error))?;
     let loaded = loader.load_text(text, input).map_err(|error| refusal(&error))?;
-    // Of a machine that is not named only the control is known: its axes and its maker are those of the
-    // file that is used instead.
+    // When the machine is a guess, only the control is certain: the axes and the manufacturer are those of the
+    // assumed machine file.
     let is_guess = loaded.chosen.is_guess();
     let foreign = loaded.not_read().and(loaded.chosen.recognition());
     let title = match foreign {
@@ -64,8 +63,8 @@ pub fn open_program(
     })
 }
 
-/// Gives a machine the tools and the setup of another one, as far as it has none of its own. A lathe has those of
-/// lathes.
+/// Copies the tools and the setup of another machine that this one lacks. Nothing is copied between a lathe and a
+/// mill.
 fn keep_setup(machine: &mut Machine, own: Machine) {
     if machine.turns() != own.turns() {
         return;
@@ -78,7 +77,7 @@ fn keep_setup(machine: &mut Machine, own: Machine) {
     }
 }
 
-/// Why nothing was loaded, as a page shows it.
+/// A load error as a page shows it.
 pub fn refusal(error: &LoadError) -> ProgramRefusal {
     match error {
         LoadError::Machine(errors) => {

@@ -1,15 +1,15 @@
-//! The readings of a program that names no control for certain, as a page shows them, and the machine that
-//! such an answer names.
+//! The possible readings of a program whose control is not certain, as a page shows them, and the machine that the
+//! user's answer names.
 
 use chordal::{Machine, ReadingChoices, SourceMap};
 use serde_json::{Value, json};
 
-/// A machine as a page chooses it: `haas-vf2`, or with units at power-on `haas-vf2 in inch`.
+/// A machine as the page names it: `haas-vf2`, or with units at power-on `haas-vf2 in inch`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ChosenMachine<'n> {
-    /// The name as `chordal machines` lists it, or a file.
+    /// The name as in `chordal machines`, or a file.
     pub name: &'n str,
-    /// Units at power-on, where the choice names them.
+    /// Units at power-on; `None` when the choice does not name them.
     units: Option<&'static str>,
 }
 
@@ -23,14 +23,14 @@ impl<'n> ChosenMachine<'n> {
         with_units.unwrap_or(ChosenMachine { name: choice, units: None })
     }
 
-    /// The machine settings that the choice means.
+    /// The machine settings that the choice implies.
     pub fn assignments(&self) -> Vec<String> {
         self.units.iter().map(|units| format!("settings.units={units:?}")).collect()
     }
 }
 
-/// What the page asks: a reading by its words, the machine that it names in its answer, and the first difference;
-/// null where all readings move the program alike.
+/// The question that the page shows: the readings in words, the machine of each, and the first difference; null when
+/// all readings move the program equally.
 pub fn question(choices: Option<&ReadingChoices>, sources: &SourceMap<'_>) -> Value {
     let Some((choices, at)) = choices.and_then(|all| Some((all, all.difference.as_ref()?))) else {
         return Value::Null;

@@ -2,41 +2,40 @@
 
 use serde::{Deserialize, Serialize};
 
-/// A piece of the text that is replaced; places are UTF-16 code units of the text before.
+/// A replaced part of the text; offsets are UTF-16 code units in the text before all changes.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TextChange {
-    /// First code unit that is replaced.
+    /// The first replaced code unit.
     pub from: usize,
-    /// First code unit after it.
+    /// The first code unit after the replaced part.
     pub to: usize,
     /// The text that replaces it.
     pub insert: String,
 }
 
-/// What the program is compared with.
+/// The other program of a comparison.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ComparedWith {
-    /// It is not compared.
+    /// No comparison.
     #[default]
     Nothing,
-    /// What the command line names.
+    /// The program that the command line names.
     Named,
-    /// The same text on another machine; without a name on the one that the command line, the folder or the
-    /// text says.
+    /// The same text on another machine; `None` is the one from the command line, the folder or the text.
     Machine(Option<String>),
 }
 
-/// Which chords replace the arcs.
+/// How arcs are replaced by chords.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 pub struct ChordRequest {
-    /// Largest distance of a chord from its curve, mm; above 0.
+    /// The largest distance between a chord and its curve, mm; above 0.
     pub tolerance_mm: f64,
-    /// Corners on both sides of the curve.
+    /// Chords deviate to both sides of the curve; otherwise their ends are on the curve.
     #[serde(default)]
     pub balanced: bool,
-    /// The chords that the control itself cuts, if it does; the tolerance is then not used.
+    /// Uses the chords that the control itself computes, if it does so; the tolerance is then ignored.
     #[serde(default)]
     pub as_control: bool,
 }
@@ -44,10 +43,10 @@ pub struct ChordRequest {
 /// A request with its number.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 pub struct PageRequest {
-    /// The answer has the same number.
+    /// The answer carries the same number.
     #[serde(default)]
     pub id: u64,
-    /// What is requested.
+    /// The request itself.
     #[serde(flatten)]
     pub kind: RequestKind,
 }
@@ -56,81 +55,82 @@ pub struct PageRequest {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(tag = "request", rename_all = "snake_case")]
 pub enum RequestKind {
-    /// The text has changed, and runs again.
+    /// The text has changed and is run again.
     Edit {
-        /// In order, none over another.
+        /// In order, without overlaps.
         changes: Vec<TextChange>,
     },
-    /// Another machine; `None` is the one that the command line, the folder or the text says.
+    /// Run on another machine.
     Machine {
-        /// As `chordal machines` lists it, and the units at power-on where they are chosen, too: `haas-vf2 in inch`.
+        /// The name as in `chordal machines`, optionally with units at power-on: `haas-vf2 in inch`. `None` is the
+        /// machine from the command line, the folder or the text.
         name: Option<String>,
-        /// It answers the question of the reading: it is not compared with the machine before.
+        /// The machine answers the question about the reading, so the run is not compared with the previous machine.
         #[serde(default)]
         is_answer: bool,
     },
-    /// What the program is compared with.
+    /// Compare with another program.
     CompareWith {
-        /// Nothing, what the command line names, or the same text on another machine.
+        /// The other program.
         other: ComparedWith,
     },
-    /// Paths within this distance are the same.
+    /// The distance within which paths are equal.
     Tolerance {
         /// Zero or more, mm.
         tolerance_mm: f64,
     },
-    /// How finely the stock is cut.
+    /// The resolution of the stock.
     Stock {
-        /// About this number of columns; it is limited to what a page can draw.
+        /// The approximate number of columns; limited to what a page can draw.
         columns: u32,
     },
-    /// Lines of the other program, to be read.
+    /// Lines of the other program.
     OtherText {
-        /// 0 is the program itself, others are those of its subprograms.
+        /// 0 is the program itself; other numbers are its subprograms.
         #[serde(default)]
         file: u32,
-        /// From 1.
+        /// The line, from 1.
         line: u32,
     },
-    /// The chords that replace arcs.
+    /// The chords that replace the arcs.
     Chords(ChordRequest),
-    /// What is active once so many pieces of path are done and a line is reached.
+    /// The modal state at a position: after a number of path segments and at a line.
     State {
-        /// Pieces of path that are done.
+        /// The number of path segments that are done.
         done: u32,
-        /// Line of the program, from 1.
+        /// The line of the program, from 1.
         line: u32,
     },
-    /// The words of some lines, for colours.
+    /// The classes of the words in some lines, for syntax colouring.
     Tokens {
         /// The first line, from 1.
         from: u32,
         /// The line after the last.
         to: u32,
     },
-    /// What a word means.
+    /// The meaning of a word.
     Hover {
         /// Its line, from 1.
         line: u32,
         /// A column in it, from 0, in UTF-16 code units.
         column: u32,
     },
-    /// Where the name at a position is defined.
+    /// The definition of the name at a position.
     Definition {
         /// Its line, from 1.
         line: u32,
         /// A column in it, from 0, in UTF-16 code units.
         column: u32,
     },
-    /// Programs, tools and operations.
+    /// The outline of programs, tools and operations.
     Outline,
-    /// The text goes to its file.
+    /// Save the text to its file.
     Save {
-        /// Even if the file has changed since it was read.
+        /// Overwrite the file even if it has changed since it was read.
         #[serde(default)]
         force: bool,
     },
-    /// The file is read again; what was typed is gone.
+    /// Read the file again and discard unsaved changes.
     Reload,
 }
 

@@ -1,4 +1,4 @@
-//! A run: its path is sent in batches while it is computed, then its report.
+//! Runs a program: sends its path in batches while it is computed, then its report.
 
 use std::sync::Arc;
 
@@ -15,21 +15,21 @@ use crate::modal::ModalTrack;
 use crate::outbox::PageOutbox;
 use crate::stream::{MAX_ROWS, PathStream};
 
-/// A run that is over, for questions about it.
+/// A finished run, for requests about it.
 #[derive(Debug)]
 pub struct FinishedRun {
     pub program: Arc<EditorProgram>,
-    /// The active state by position.
+    /// The modal state along the path.
     pub modal: ModalTrack,
-    /// The number that its messages have.
+    /// The number of the run in messages.
     pub number: u64,
-    /// Pieces of path, including those that were not sent.
+    /// The number of path segments, including those that were not sent.
     pub rows: u64,
-    /// How long it takes without acceleration, s.
+    /// The duration without acceleration, s.
     pub about_s: f64,
 }
 
-/// Runs a job and sends its path; returns the run and its report for the page; `None` if it was canceled.
+/// Runs a job and sends its path. Returns the finished run and its report for the page; `None` when it was canceled.
 pub fn run(
     number: u64,
     program: &Arc<EditorProgram>,
@@ -69,7 +69,7 @@ pub fn run(
     Some((FinishedRun { program: program.clone(), modal, number, rows, about_s }, message))
 }
 
-/// How the programs of the file ended.
+/// How each program of the file ended.
 fn end_of(outcomes: &[chordal::Outcome]) -> Value {
     use chordal::control::EndReason;
     let word = |end| match end {
@@ -88,14 +88,14 @@ fn end_of(outcomes: &[chordal::Outcome]) -> Value {
         .collect()
 }
 
-/// Sends rows on as they come.
+/// Sends the rows of a run while it executes.
 struct PathSender<'m> {
     number: u64,
     out: &'m PageOutbox,
     rows: PathStream<'m>,
     contour: PathRows,
     programmed: PathBuilder<'m>,
-    /// Compensation is on, or about to end with the next move.
+    /// Whether compensation is on, or ends with the next move.
     compensated: bool,
     modal: ModalTrack,
 }
@@ -103,7 +103,7 @@ struct PathSender<'m> {
 impl PathSender<'_> {
     fn send_contour(&mut self) {
         if self.contour.rows() > 0 {
-            // In the frame of the path, so that the two lie over each other.
+            // The contour is in the frame of the path, so that both are drawn in the same coordinates.
             let header = json!({ "type": "contour", "run": self.number });
             self.out.binary(self.contour.take(&header));
         }

@@ -1,4 +1,4 @@
-//! The stock of a run: what is lowered when, as columns, then what is touched.
+//! The stock of a run: when each column of it is lowered, then the collisions.
 
 use chordal::Job;
 use chordal::stock::mesh::Mesh;
@@ -17,42 +17,43 @@ use crate::program::ProgramSource;
 use crate::run::FinishedRun;
 use crate::turned_stock;
 
-/// Columns of a stock where the page asks for no other number: as many as a page without a graphics card draws.
+/// The default number of columns of a stock: as many as a page can draw without a graphics card.
 pub const DEFAULT_COLUMNS: u32 = 250_000;
-/// The most that the page may ask for.
+/// The most columns that the page may request.
 pub const MAX_COLUMNS: u32 = 1_000_000;
-/// The fewest: coarser nothing is seen.
+/// The fewest columns: with fewer, nothing would be recognizable.
 const MIN_COLUMNS: u32 = 1_000;
-/// Drops that are sent at most: a page keeps 19 bytes of each, and as much again of keyframes and of what is free.
+/// The most drops that are sent: a page stores 19 bytes for each, and as much again for keyframes and spare capacity.
 const MAX_DROPS: usize = 6_000_000;
-/// Where there would be more, columns may seem this share of their side too high for a while; where that is not
-/// enough there are fewer columns.
+/// When there would be more drops, columns may temporarily be too high by this fraction of their side; when that is
+/// not enough, the number of columns is reduced.
 const LAG_SHARE: f64 = 0.5;
-/// Triangles of the part at most, 36 bytes each.
+/// The most triangles of the part, 36 bytes each.
 const MAX_TRIANGLES: usize = 400_000;
-/// Tops and undersides are joined that differ by no more than this share of a column: the next where it is too much.
+/// Tops and undersides that differ by at most this fraction of a column are joined. The next value is tried when the
+/// mesh has too many triangles.
 const JOIN_SHARES: [f64; 3] = [0.1, 0.5, 2.0];
-/// Drops of a message, about: a page is busy with each without a break.
+/// The approximate number of drops in a message, limited because a page processes each message without interruption.
 const BATCH_DROPS: usize = 65_536;
 
-/// What a stock is made of.
+/// The task of cutting the stock with a run.
 pub struct StockCutting<'a> {
     /// The run whose moves cut it.
     pub finished: &'a FinishedRun,
-    /// About so many columns.
+    /// The approximate number of columns.
     pub columns: u32,
-    /// The least number of drops that is too many.
+    /// The most drops.
     pub most_drops: usize,
 }
 
 impl<'a> StockCutting<'a> {
-    /// The stock of a run with about so many columns.
+    /// Cuts the stock of a run with about this number of columns.
     pub fn new(finished: &'a FinishedRun, columns: u32) -> StockCutting<'a> {
         let columns = columns.clamp(MIN_COLUMNS, MAX_COLUMNS);
         StockCutting { finished, columns, most_drops: MAX_DROPS }
     }
 
-    /// Sends the stock, what is lowered when, and then what is touched.
+    /// Sends the stock, the drops of its columns, and then the collisions.
     pub fn run(&self, programs: &dyn ProgramSource, out: &PageOutbox, cancel: &CancelToken) {
         let job = self.finished.program.job().interrupt(cancel.interrupt());
         let run = self.finished.number;
@@ -78,7 +79,7 @@ impl<'a> StockCutting<'a> {
         out.json(&answer::no_stock(run, &failed));
     }
 
-    /// Sends the cutting loads. An error here was reported for the stock already.
+    /// Sends the cutting loads. An error here was already reported for the stock.
     fn engagement(
         &self,
         job: &Job,
@@ -93,7 +94,7 @@ impl<'a> StockCutting<'a> {
         }
     }
 
-    /// Sends the stock and its drops; false if the run was canceled or there were too many drops.
+    /// Sends the stock and its drops; `false` when the run was canceled or there were too many drops.
     fn replay(
         &self,
         job: &Job,
@@ -128,7 +129,8 @@ impl<'a> StockCutting<'a> {
     }
 }
 
-/// What is left, and what is touched; with the problems of the run, as they are listed together.
+/// The remaining stock and the collisions, together with the problems of the run, because the page lists all in one
+/// list.
 fn report_json(run: u64, found: &StockReport, job: &Job) -> Value {
     let between = |amount: VolumeInterval| json!({ "least": amount.least, "most": amount.most });
     let mut message = answer::report(&found.report, job);
@@ -141,7 +143,7 @@ fn report_json(run: u64, found: &StockReport, job: &Job) -> Value {
     message
 }
 
-/// Sends what is left at the end as triangles: heights alone do not say it.
+/// Sends the finished part as triangles, because heights alone cannot describe its undersides.
 fn part(run: u64, found: &StockReport, out: &PageOutbox) {
     let is_too_much = |mesh: &Mesh| mesh.triangles().len() > MAX_TRIANGLES;
     let mesh = JOIN_SHARES.iter().find_map(|share| {
@@ -156,7 +158,7 @@ fn part(run: u64, found: &StockReport, out: &PageOutbox) {
     out.binary(frame.finish(json!({ "type": "stock_part", "run": run })));
 }
 
-/// Columns of drops that are not sent yet.
+/// Drops that are not sent yet, as columns.
 #[derive(Default)]
 struct DropBatch {
     column: Vec<u32>,
@@ -169,9 +171,9 @@ struct StockSender<'a> {
     run: u64,
     out: &'a PageOutbox,
     cancel: &'a CancelToken,
-    /// It was begun with more columns, which had too many drops.
+    /// An earlier attempt with more columns had too many drops.
     is_coarser: bool,
-    /// Some drops are sent late: `LAG_SHARE`.
+    /// Some drops are sent late (see [`LAG_SHARE`]).
     is_late: bool,
     most: usize,
     sent: usize,
@@ -209,7 +211,7 @@ impl ReplaySink for StockSender<'_> {
         });
         let names = stock.fixtures.iter().map(|fixture| fixture.name.as_str());
         header["fixtures"] = names.collect();
-        // One after the other: the picture is of all of them.
+        // The triangles of all fixtures are concatenated, because they are drawn together.
         let corners: Vec<f32> =
             stock.fixtures.iter().flat_map(|fixture| fixture.corners.iter().copied()).collect();
         frame.column("fixtures", &corners);
@@ -231,7 +233,7 @@ impl ReplaySink for StockSender<'_> {
             self.lot.share.push(drop.share);
             self.lot.height.push(drop.height);
             if self.lot.column.len() >= BATCH_DROPS {
-                // What is left of these moves is still to come.
+                // More drops of these moves follow, so the progress is not complete.
                 self.send(progress.min(INCOMPLETE_PROGRESS));
             }
         }
@@ -251,7 +253,7 @@ impl ReplaySink for StockSender<'_> {
             frame.column("count", &of(|change| change.gaps.len() as u32));
             let share: Vec<f32> = some.iter().map(|change| change.share).collect();
             frame.column("share", &share);
-            // Floor and top of each gap, of one column after the other.
+            // The floor and the top of each gap, column by column.
             let gaps = some.iter().flat_map(|change| change.gaps.iter().flatten());
             frame.column("gaps", &gaps.copied().collect::<Vec<f32>>());
             self.out.binary(frame.finish(json!({ "type": "stock_gaps", "run": self.run })));
@@ -260,5 +262,5 @@ impl ReplaySink for StockSender<'_> {
     }
 }
 
-/// The progress of what is not complete.
+/// The largest progress of an incomplete replay.
 const INCOMPLETE_PROGRESS: f64 = 0.999;

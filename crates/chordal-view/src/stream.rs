@@ -7,23 +7,23 @@ use crate::cancel_token::CancelToken;
 use crate::columns::PathRows;
 use crate::outbox::PageOutbox;
 
-/// Rows of the first batch: soon there, and most programs are no longer.
+/// The rows of the first batch: few, so that it arrives soon; most programs have no more.
 const FIRST_BATCH_ROWS: usize = 4_096;
 
-/// Rows of later batches, so that the page is not busy with any one of them for long.
+/// The rows of later batches, limited so that none keeps the page busy for long.
 const BATCH_ROWS: usize = 32_768;
 
-/// Most pieces of path that are sent. What comes after is run and judged, not drawn.
+/// The most path segments that are sent. Further ones are run and checked but not drawn.
 pub const MAX_ROWS: u32 = 8_000_000;
 
 /// Sends the rows of a path.
 pub struct PathStream<'m> {
-    /// What each batch says in addition to its rows.
+    /// The header of each batch.
     header: Value,
     out: &'m PageOutbox,
     cancel: &'m CancelToken,
     is_canceled: bool,
-    /// Bytes of the program's text.
+    /// The size of the program's text, bytes.
     size: f64,
     rows: PathRows,
     sent: u32,
@@ -31,7 +31,7 @@ pub struct PathStream<'m> {
 }
 
 impl<'m> PathStream<'m> {
-    /// The path of a program whose text has so many bytes, in these columns.
+    /// A stream for the path of a program whose text has `size` bytes, in these columns.
     pub fn new(
         header: Value,
         size: usize,
@@ -51,17 +51,17 @@ impl<'m> PathStream<'m> {
         }
     }
 
-    /// Rows so far, including those of the batch that is not sent yet.
+    /// The number of rows so far, including those of the batch that is not sent yet.
     pub fn sent(&self) -> u32 {
         self.sent
     }
 
-    /// Rows beyond what is sent.
+    /// The number of rows beyond [`MAX_ROWS`].
     pub fn left_out(&self) -> u64 {
         self.left_out
     }
 
-    /// The run was canceled: no more rows are sent.
+    /// Whether the run was canceled, so that no more rows are sent.
     pub fn is_canceled(&self) -> bool {
         self.is_canceled
     }
@@ -79,7 +79,7 @@ impl<'m> PathStream<'m> {
         if self.rows.rows() >= full {
             self.is_canceled = !self.cancel.is_current();
             if !self.is_canceled {
-                // Calls and loops go back in the text: the page shows the largest it has seen.
+                // Calls and loops go back in the text; the page shows the largest progress it has received.
                 let at = f64::from(segment.origin.span.range.end) / self.size;
                 self.send(at.min(1.0));
             }

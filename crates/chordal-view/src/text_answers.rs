@@ -1,4 +1,4 @@
-//! Classes, meanings and definitions of the words of a text, and its outline.
+//! Answers questions about a text: classes, meanings and definitions of words, and the outline.
 
 use chordal::Source;
 use chordal::diagnostics::FileId;
@@ -7,17 +7,17 @@ use chordal_editor::{
 };
 use serde_json::{Value, json};
 
-/// Entries of an outline that are sent.
+/// The most entries of an outline that are sent.
 const MAX_ENTRIES: usize = 2_000;
 
-/// Words of one answer that are coloured: the end of a very long line stays plain.
+/// The most coloured words of one answer: the end of a very long line stays uncoloured.
 const MAX_TOKENS: usize = 20_000;
 
-/// Bytes of another text that are sent to be shown: subprograms are short.
+/// The most bytes of another text that are sent: subprograms are short.
 const MAX_TEXT_BYTES: usize = 1 << 20;
 
-/// The words of the lines from `from` up to, not including, `to`: four numbers each, which are
-/// line (from 1), first and last column (from 0, UTF-16), and the place of its class.
+/// The words of the lines from `from` up to, not including, `to`, as four numbers each: line (from 1), start and end
+/// column (from 0, in UTF-16 code units), and the index of its class.
 pub fn tokens(program: &EditorProgram, from: u32, to: u32) -> Value {
     let mut places = LineColumnIndex::of(program.source());
     let mut numbers: Vec<u32> = Vec::new();
@@ -32,7 +32,7 @@ pub fn tokens(program: &EditorProgram, from: u32, to: u32) -> Value {
     json!({ "type": "tokens", "classes": classes, "tokens": numbers })
 }
 
-/// What the word at a line and a column means; null where there is none.
+/// The meaning of the word at a line and a column; null when there is none.
 pub fn hover(program: &EditorProgram, line: u32, column: u32) -> Value {
     let source = program.source();
     let hover = program.hover(byte_of(program.source(), line, column), None).map(|hover| {
@@ -43,8 +43,8 @@ pub fn hover(program: &EditorProgram, line: u32, column: u32) -> Value {
     json!({ "type": "hover", "hover": hover })
 }
 
-/// Where the program, the label or the variable at a line and a column is defined; null
-/// where it is not defined. A definition in another text comes with that text.
+/// The definition of the program, label or variable at a line and a column; null when it is not defined. A definition
+/// in another text is sent with that text.
 pub fn definition(program: &EditorProgram, line: u32, column: u32) -> Value {
     let name = program.name_at(byte_of(program.source(), line, column));
     let made = name.and_then(|found| program.definitions(&found.name).into_iter().next());
@@ -68,7 +68,7 @@ pub fn definition(program: &EditorProgram, line: u32, column: u32) -> Value {
     json!({ "type": "definition", "place": place })
 }
 
-/// Programs, in them tools, in those operations.
+/// The outline: programs contain tools, and tools contain operations.
 pub fn outline(program: &EditorProgram) -> Value {
     let mut left = MAX_ENTRIES;
     json!({ "type": "outline", "entries": entries(&program.outline(), &mut left) })

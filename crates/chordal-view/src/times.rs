@@ -1,4 +1,4 @@
-//! The motion in time: setpoints at an even period, which piece of path each is on, and the times.
+//! The motion over time: setpoints at a constant period, the path segment of each, and the times of the run.
 
 use std::collections::VecDeque;
 
@@ -17,20 +17,18 @@ use crate::cancel_token::CancelToken;
 use crate::frame::ColumnFrame;
 use crate::part_path::PartKinematics;
 
-/// Setpoints that are sent at most; beyond, every second is left out, and again.
+/// The most setpoints that are sent. When there are more, every second one is dropped, repeatedly.
 const MAX_SETPOINTS: usize = 200_000;
 
-/// Setpoints that are looked at at most: a program that dwells for a year must not take one.
+/// The most setpoints that are computed, so that a program with very long dwells ends soon.
 const MAX_SAMPLES: u64 = 20_000_000;
 
 /// The shortest period, s.
 const MIN_PERIOD_S: f64 = 0.002;
 
-/// Plans a run and packs its motion; `None` if it was canceled. `about_s` is its time
-/// without acceleration.
+/// Plans a run and packs its motion; `None` when it was canceled. `about_s` is its duration without acceleration, s.
 ///
-/// # Errors
-/// A limit of an axis that is not a positive number.
+/// # Errors A limit of an axis is not a positive number.
 pub fn times(
     number: u64,
     job: &Job,
@@ -44,7 +42,7 @@ pub fn times(
         sampler: SetpointSampler::new(period_s).at_most(MAX_SAMPLES),
         thinned: ThinnedSetpoints::default(),
     };
-    // Positions count here, so that a rapid takes the path of its axes.
+    // Rapids follow their dog-leg here, because the page shows positions.
     let options = MotionOptions { dog_leg_shape: true, ..MotionOptions::default() };
     let timed = job.time_with(&options, &mut sink)?;
     if !cancel.is_current() {
@@ -85,7 +83,7 @@ pub fn times(
     Ok(Some((frame.finish(header), message)))
 }
 
-/// A step whose setpoints are still to come.
+/// A planned step whose setpoints are not complete yet.
 #[derive(Clone, Copy)]
 struct PlannedStep {
     number: u32,
@@ -93,7 +91,7 @@ struct PlannedStep {
     shift: PerAxis<f64>,
 }
 
-/// Setpoints, thinned out to what is sent.
+/// The setpoints to send, thinned out.
 #[derive(Default)]
 struct ThinnedSetpoints {
     samples: usize,
@@ -127,7 +125,7 @@ impl ThinnedSetpoints {
         }
     }
 
-    /// The positions on the part.
+    /// The positions relative to the part.
     fn on_part(&self, kinematics: &PartKinematics) -> Vec<f32> {
         let (positions, turns) = (self.places.as_chunks::<3>().0, self.turns.as_chunks::<3>().0);
         let placed = positions.iter().zip(turns).flat_map(|(position, angles)| {
@@ -138,7 +136,7 @@ impl ThinnedSetpoints {
         placed.collect()
     }
 
-    /// Leaves out every second one.
+    /// Drops every second setpoint.
     fn thin_out(&mut self) {
         let halves = self.row.len().div_ceil(2);
         for at in 0..halves {
@@ -163,7 +161,7 @@ struct TimedSetpointSink {
 
 impl PlanSink for TimedSetpointSink {
     fn source(&mut self, source: &StepSource) {
-        // A piece of path is a row of what was sent.
+        // The index of a path segment is the row in the sent columns.
         let row = u32::try_from(source.piece).unwrap_or(u32::MAX);
         let number = StepSource::number_of(source.tag);
         self.steps.push_back(PlannedStep { number, row, shift: source.shift });
@@ -175,7 +173,7 @@ impl PlanSink for TimedSetpointSink {
         }
         let TimedSetpointSink { sampler, thinned, steps } = self;
         sampler.push(step, |sample| thinned.take(sample, steps));
-        // The sampler still has the last trajectory, whose steps the planner has dropped.
+        // The sampler lags behind by one trajectory, whose steps the planner has already dropped.
         let most = 2 * sources.len() + 100_000;
         let passed = steps.len().saturating_sub(most);
         steps.drain(..passed);

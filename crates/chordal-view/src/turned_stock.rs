@@ -1,5 +1,5 @@
-//! The stock of a lathe: the exact section after every pass, as lines and arcs that come and go, then what is
-//! touched and how hard the cuts are.
+//! The stock of a lathe: its exact cross-section after every pass, as lines and arcs with the moves at which they
+//! appear and disappear, then the collisions and the cutting loads.
 
 use std::collections::BTreeMap;
 
@@ -16,7 +16,7 @@ use crate::frame::ColumnFrame;
 use crate::outbox::PageOutbox;
 use crate::program::ProgramSource;
 
-/// Sends the sections of a run, its problems, and how hard its cuts are.
+/// Sends the sections of a run, its problems and its cutting loads.
 pub fn run(job: &Job, run: u64, programs: &dyn ProgramSource, out: &PageOutbox) {
     let files = |name: &str| programs.named_file(name);
     let options = TurnedOptions { replay: true, ..TurnedOptions::default() };
@@ -33,8 +33,8 @@ pub fn run(job: &Job, run: u64, programs: &dyn ProgramSource, out: &PageOutbox) 
     }
 }
 
-/// A line or an arc: both ends and the centre, as z and radius, and how it turns: 0 straight, 1 from z to the
-/// radius, −1 the other direction.
+/// A line or an arc as numbers: both ends and the centre (Z and radius, mm), and the direction: 0 straight, 1
+/// counterclockwise (from +Z to +radius), −1 clockwise.
 fn numbers(segment: &OutlineSegment) -> [f64; 7] {
     let OutlineSegment { start, end, bend, .. } = segment;
     let (center, turn) = match bend {
@@ -44,7 +44,7 @@ fn numbers(segment: &OutlineSegment) -> [f64; 7] {
     [start.a, start.b, end.a, end.b, center.a, center.b, turn]
 }
 
-/// Loops, each as the numbers of its segments one after the other.
+/// Closed outlines, each as the concatenated numbers of its segments.
 fn loops(outline: &[Vec<OutlineSegment>]) -> Value {
     outline.iter().map(|segments| segments.iter().flat_map(numbers).collect::<Vec<_>>()).collect()
 }
@@ -90,7 +90,8 @@ fn sections(run: u64, found: &TurnedReport, replay: &TurnedReplay) -> Vec<u8> {
     }))
 }
 
-/// What is left, and what is touched and where; with the problems of the run, as they are listed together.
+/// The remaining stock, the collisions and their positions, together with the problems of the run, because the page
+/// lists all in one list.
 fn report_json(run: u64, found: &TurnedReport, job: &Job) -> Value {
     let between = |amount: chordal::stock::VolumeInterval| json!({ "least": amount.least, "most": amount.most });
     let problems = found.problems.iter().map(|problem| {
@@ -107,7 +108,7 @@ fn report_json(run: u64, found: &TurnedReport, job: &Job) -> Value {
     message
 }
 
-/// The moves that cut; what is not known is below zero.
+/// The loads of the moves that cut; -1 is an unknown value.
 fn engagement(run: u64, found: &TurnedReport) -> Vec<u8> {
     let cuts: Vec<&TurnedMove> =
         found.moves.iter().filter(|each| each.area_mm2 > 0.0 && !each.is_thread).collect();

@@ -1,4 +1,4 @@
-//! What one page shows: its text, its machine, and the answers to its requests.
+//! The state of one page: its text, its machine, and the answers to its requests.
 //!
 //! | work | does |
 //! |---|---|
@@ -7,8 +7,8 @@
 //! | `Compare` | compares the newest run with the other program |
 //! | `Cut` | cuts the stock with the newest run, sends what is lowered when and what is touched |
 //!
-//! Work that is no longer the newest of its kind is canceled, so that typing never waits for it. Different kinds may be
-//! done at the same time.
+//! Work that is no longer the newest of its kind is canceled, so that typing never waits for it. Work of different
+//! kinds may run at the same time.
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -30,13 +30,15 @@ use crate::run::{FinishedRun, run};
 use crate::stock::{DEFAULT_COLUMNS, StockCutting};
 use crate::{answer, chords, reading, text_answers, times};
 
-/// Bytes of text that are sent in one message, about: a page is busy with each without a break.
+/// The approximate size of the text in one message, bytes, limited because a page processes each message without
+/// interruption.
 const TEXT_PIECE_BYTES: usize = 1 << 20;
 
-/// The version of the messages between a page and its view; it changes with every key or type that is renamed or removed.
+/// The version of the messages between a page and its view. It increases whenever a key or a type is renamed or
+/// removed.
 const PROTOCOL_VERSION: u32 = 2;
 
-/// What takes long, and the number that says whether it is the newest of its kind.
+/// A long computation, with a number that shows whether it is the newest of its kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum WorkItem {
@@ -51,7 +53,7 @@ pub enum WorkItem {
 }
 
 impl WorkItem {
-    /// Its number among the work items of its kind.
+    /// Its number among the items of its kind.
     pub fn number(self) -> u64 {
         match self {
             WorkItem::Run(number)
@@ -62,10 +64,10 @@ impl WorkItem {
     }
 }
 
-/// Takes the work items that the owner of the view is to carry out.
+/// Receives the work items that the owner of the view must execute.
 pub type WorkSink<'w> = &'w mut dyn FnMut(WorkItem);
 
-/// The text of a page, its machine, and the work that follows from them.
+/// The text of a page, its machine, and the work on them.
 pub struct ProgramView {
     pub(crate) programs: Arc<dyn ProgramSource>,
     pub(crate) out: PageOutbox,
@@ -82,38 +84,38 @@ pub struct ProgramView {
 
 pub(crate) struct PageState {
     pub(crate) document: EditedText,
-    /// How often its text has changed.
+    /// The number of changes of the text so far.
     edits: u64,
     /// The content of the file when it was last read or written.
     on_disk: ContentHash,
     pub(crate) machine: Option<String>,
     /// The program of the newest run, with its machine.
     pub(crate) opened: Option<Arc<EditorProgram>>,
-    /// The text as a program, for questions about its words; `None` after each change.
+    /// The current text as a program, for requests about its words; `None` after each change.
     pub(crate) text_program: Option<Arc<EditorProgram>>,
     pub(crate) finished_run: Option<Arc<FinishedRun>>,
-    /// What is known of the newest run where views in other workers do the work ([`crate::WorkOrder`]); `None` where this view does it.
+    /// The newest run, when views in other workers do the work ([`crate::WorkOrder`]); `None` when this view does it.
     pub(crate) remote_run: Option<RemoteRun>,
-    /// What the program is compared with.
+    /// The other program of the comparison.
     pub(crate) other: ComparedWith,
-    /// Paths within this distance are the same, mm.
+    /// The distance within which paths are equal, mm.
     pub(crate) tolerance_mm: f64,
-    /// Columns of the stock, about.
+    /// The approximate number of columns of the stock.
     pub(crate) columns: u32,
-    /// The other program as it is shown.
+    /// The other program that is shown; `None` without one.
     compared_program: Option<Arc<EditorProgram>>,
 }
 
-/// The report of a run that a view in another worker has done.
+/// The report of a run by a view in another worker.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct RemoteRun {
-    /// The number that its messages have.
+    /// The number of the run in messages.
     pub number: u64,
-    /// Pieces of path, including those that were not sent.
+    /// The number of path segments, including those that were not sent.
     pub rows: u64,
-    /// How long it takes without acceleration, s, where that is a number.
+    /// The duration without acceleration, s; `None` when it is not finite.
     pub about_s: Option<f64>,
-    /// The machine's setup or a comment of the program has a stock.
+    /// Whether the machine's setup or a comment of the program defines a stock.
     pub stock: bool,
 }
 
@@ -130,8 +132,9 @@ impl RemoteRun {
 }
 
 impl PageState {
-    /// Runs on another machine, and is compared with the one before. Not so where the command line names what to compare
-    /// with, nor where the machine answers the question of the reading: the one before was only assumed.
+    /// Selects another machine, and the previous one for comparison. There is no comparison with it when the command
+    /// line names another program to compare with, nor when the machine answers the question about the reading,
+    /// because the previous one was only assumed.
     fn run_on(&mut self, machine: Option<String>, is_answer: bool) {
         let before = std::mem::replace(&mut self.machine, machine);
         if self.other != ComparedWith::Named && !is_answer {
@@ -141,7 +144,7 @@ impl PageState {
 }
 
 impl ProgramView {
-    /// A view of a program that was not read yet.
+    /// A view of a program that is not read yet.
     pub fn new(programs: Arc<dyn ProgramSource>, out: PageOutbox) -> ProgramView {
         let compared = programs.compared_program();
         let state = PageState {
@@ -170,28 +173,29 @@ impl ProgramView {
         }
     }
 
-    /// Sends the page a `hello`, reads the file and requests its run. If it returns true, [`ProgramView::send_text`] is next; false if the file cannot be read.
+    /// Sends the page a `hello`, reads the file and requests its run. After `true` the caller must call
+    /// [`ProgramView::send_text`]; `false` means that the file cannot be read.
     pub fn begin(&self, want: WorkSink<'_>) -> bool {
         self.send_hello();
         self.read(0, want)
     }
 
-    /// The page was closed: all work for it is canceled.
+    /// Cancels all work because the page was closed.
     pub fn close(&self) {
         self.closed.store(true, Ordering::Relaxed);
     }
 
-    /// The page was closed.
+    /// Whether the page was closed.
     pub fn is_closed(&self) -> bool {
         self.closed.load(Ordering::Relaxed)
     }
 
-    /// Where answers and columns go.
+    /// The outbox for answers and columns.
     pub fn out(&self) -> &PageOutbox {
         &self.out
     }
 
-    /// Carries out a work item, unless it is out of date; passes on what is to be done next.
+    /// Executes a work item unless it is outdated; passes follow-up work to `want`.
     pub fn work(&self, work: WorkItem, want: WorkSink<'_>) {
         match work {
             WorkItem::Run(number) => self.run(number, want),
@@ -201,12 +205,12 @@ impl ProgramView {
         }
     }
 
-    /// The content of the file is another than when it was read or written last.
+    /// Whether the content of the file differs from when it was last read or written.
     pub fn is_changed(&self, bytes: &[u8]) -> bool {
         ContentHash::of(bytes) != self.state().on_disk
     }
 
-    /// The file of the other program has changed.
+    /// Requests a new comparison because the file of the other program has changed.
     pub fn other_changed(&self, want: WorkSink<'_>) {
         if self.state().other == ComparedWith::Named {
             self.compare(want);
@@ -214,11 +218,11 @@ impl ProgramView {
     }
 
     pub(crate) fn state(&self) -> MutexGuard<'_, PageState> {
-        // No statement that may panic leaves the state half changed.
+        // After a panic the state is still consistent: no statement that may panic leaves it half changed.
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The text as a program, for questions about its words; `None` before the first run.
+    /// The current text as a program, for requests about its words; `None` before the first run.
     fn text_program(&self) -> Option<Arc<EditorProgram>> {
         let mut state = self.state();
         if state.text_program.is_none() {
@@ -265,7 +269,7 @@ impl ProgramView {
         }));
     }
 
-    /// Answers a request at once, and passes on the work that follows from it.
+    /// Answers a request immediately; passes follow-up work to `want`.
     pub fn answer(&self, request: PageRequest, want: WorkSink<'_>) {
         let id = request.id;
         match request.kind {
@@ -329,28 +333,28 @@ impl ProgramView {
         }
     }
 
-    /// Requests the next run, and cancels the one before.
+    /// Requests the next run and cancels the previous one.
     fn start(&self, want: WorkSink<'_>) {
         let number = self.newest_run.fetch_add(1, Ordering::Relaxed) + 1;
-        // A comparison that runs now is of the text before; the run requests the next.
+        // A current comparison or stock is outdated as well; the new run requests the next ones.
         self.newest_comparison.fetch_add(1, Ordering::Relaxed);
         self.newest_stock.fetch_add(1, Ordering::Relaxed);
         want(WorkItem::Run(number));
     }
 
-    /// Requests the next comparison, and cancels the one before.
+    /// Requests the next comparison and cancels the previous one.
     fn compare(&self, want: WorkSink<'_>) {
         let number = self.newest_comparison.fetch_add(1, Ordering::Relaxed) + 1;
         want(WorkItem::Compare(number));
     }
 
-    /// Requests the next stock, and cancels the one before.
+    /// Requests the next stock and cancels the previous one.
     fn cut(&self, want: WorkSink<'_>) {
         let number = self.newest_stock.fetch_add(1, Ordering::Relaxed) + 1;
         want(WorkItem::Cut(number));
     }
 
-    /// Compares with another program, or with none any more.
+    /// Changes the other program of the comparison, or ends comparing.
     fn compare_with(&self, id: u64, other: ComparedWith, want: WorkSink<'_>) {
         if other == ComparedWith::Named && self.programs.compared_program().is_none() {
             let help = Some("start `chordal view` with --against to name one");
@@ -369,7 +373,7 @@ impl ProgramView {
         self.compare(want);
     }
 
-    /// Reads the file and requests its run.
+    /// Reads the file and requests its run; `false` when it cannot be read.
     fn read(&self, id: u64, want: WorkSink<'_>) -> bool {
         let bytes = match self.programs.read() {
             Ok(bytes) => bytes,
@@ -391,13 +395,13 @@ impl ProgramView {
 
     /// Reads the file again and sends its text.
     fn load(&self, id: u64, want: WorkSink<'_>) {
-        // The run first: its picture is made while the text goes over.
+        // The run is requested first, so that its path is computed while the text is transferred.
         if self.read(id, want) {
             self.send_text();
         }
     }
 
-    /// Sends the page the text, in pieces of about a megabyte.
+    /// Sends the text to the page in pieces of about a megabyte.
     pub fn send_text(&self) {
         let (text, mixed, binary) = {
             let state = self.state();
@@ -514,7 +518,7 @@ impl ProgramView {
         }
     }
 
-    /// Runs the program and sends its report; `None` if the run was canceled.
+    /// Runs the program and sends its report; `None` when the run was canceled.
     fn run_one(
         &self,
         number: u64,
@@ -531,7 +535,7 @@ impl ProgramView {
         }));
         let (finished, reply) = run(number, program, &job, &self.out, cancel)?;
         let about = RemoteRun::of(&finished);
-        // A page that knows of the run may send requests about it.
+        // Stored before the report is sent, because the page may then send requests about the run.
         self.state().finished_run = Some(Arc::new(finished));
         self.out.json(&reply);
         if !about.stock {
@@ -563,7 +567,7 @@ impl ProgramView {
             return comparing.clear(number);
         }
         let Some(finished) = finished.filter(|_| cancel.is_current()) else { return };
-        // The program must be in its place before the page knows of it and sends requests about it.
+        // The other program is stored after its path is sent; until then requests about its text are refused.
         comparing.show(&finished, &other, &cancel);
         self.state().compared_program = comparing.program();
         comparing.compare(&finished, &other, tolerance_mm, &cancel);

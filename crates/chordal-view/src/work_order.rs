@@ -1,7 +1,8 @@
-//! A view that works for another one, where the two share no memory: workers of a browser.
+//! Lets a view work for another one with which it shares no memory: workers of a browser.
 //!
-//! One view has the text and answers; [`ProgramView::dispatch`] gives what another one needs, which does the
-//! work in [`ProgramView::execute`] and sends the page the results. After a run it reports back ([`ProgramView::remote_run_finished`]).
+//! One view has the text and answers requests. Its [`ProgramView::dispatch`] makes a work order for another view,
+//! which does the work in [`ProgramView::execute`] and sends the results to the page. After a run it reports back
+//! ([`ProgramView::remote_run_finished`]).
 
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -17,23 +18,23 @@ use crate::request::ComparedWith;
 use crate::run::FinishedRun;
 use crate::view::{ProgramView, RemoteRun, WorkItem, WorkSink};
 
-/// What a view needs to do a piece of work for another one, apart from the text and the files.
+/// What a view needs to do a work item for another one, except the text and the files.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct WorkOrder {
     work: WorkItem,
-    /// The newest run, where there was one.
+    /// The newest run; `None` when there was none.
     remote_run: Option<RemoteRun>,
     machine: Option<String>,
     other: ComparedWith,
     tolerance_mm: f64,
     columns: u32,
-    /// The page may show another program already.
+    /// Whether the page may already show another program.
     #[serde(default)]
     is_shown: bool,
 }
 
 impl ProgramView {
-    /// What another view needs for a work item, and the text; `None` if the item is out of date.
+    /// The work order for a work item, and the text; `None` when the item is outdated.
     pub fn dispatch(&self, work: WorkItem) -> Option<(WorkOrder, String)> {
         let newest = match work {
             WorkItem::Run(_) | WorkItem::Plan(_) => &self.newest_run,
@@ -58,15 +59,14 @@ impl ProgramView {
         Some((order, state.document.text().to_string()))
     }
 
-    /// Views in other workers do all work from now on.
+    /// From now on views in other workers do all work.
     pub fn delegate_work(&self) {
         self.state().remote_run = Some(RemoteRun::default());
     }
 
-    /// A view in another worker has run the program: `report` is what [`ProgramView::execute`] returned there.
+    /// Takes the report of a run in another worker, as returned by [`ProgramView::execute`] there.
     ///
-    /// # Errors
-    /// A text that is no such report.
+    /// # Errors The text is not such a report.
     pub fn remote_run_finished(
         &self,
         report: &str,
@@ -79,17 +79,17 @@ impl ProgramView {
         {
             let mut state = self.state();
             state.remote_run = Some(remote);
-            // The text may name another machine than before.
+            // The text may name another machine than before, so programs opened earlier are outdated.
             (state.opened, state.text_program) = (None, None);
         }
         self.run_finished(remote, want);
         Ok(())
     }
 
-    /// Does the work of another view; after a run returns the report for that view.
+    /// Does the work of another view. Returns the report of a run for that view; `None` for other work, and for a run
+    /// that was canceled or refused.
     ///
-    /// # Errors
-    /// A program that cannot be opened.
+    /// # Errors The program cannot be opened.
     pub fn execute(
         &self,
         order: WorkOrder,
@@ -129,7 +129,7 @@ impl ProgramView {
         Ok(own.and_then(|own| serde_json::to_string(&own).ok()))
     }
 
-    /// Opens the program of a run that another worker has done, for questions about it.
+    /// Opens the program of a run that another worker has done, for requests about it.
     fn open_remote_run(&self, remote: RemoteRun) -> Result<(), ProgramRefusal> {
         let (text, machine) = {
             let state = self.state();

@@ -1,4 +1,4 @@
-//! For each compensated contour: the offsets with which it runs, and the block that limits them.
+//! For each compensated contour: the offsets with which it runs, and the blocks that limit them.
 
 use chordal_command::{Command, CommandKind, CompensationSide, Origin, Sink, Units};
 use chordal_dialect::Control;
@@ -14,33 +14,33 @@ use chordal_path::{Compensator, ContourLevel, ContourPiece, PathCommand, PathSin
 use crate::compensation_sink::name_sequence;
 use crate::job::Job;
 
-/// Commands kept of one contour; a longer one is left out, and that is said.
+/// Commands kept of one contour; a longer one is left out and counted in [`ContourRanges::left_out`].
 const KEPT_COMMANDS: usize = 1_000_000;
 
-/// Contours that are looked at; the same contour run again is one.
+/// Most contours that are examined; a contour that runs again counts once.
 const MAX_CONTOURS: usize = 1000;
 
-/// The radius for the first look at a contour, mm: small enough to fit anywhere.
+/// The radius with which a contour is first run, mm: small enough to fit anywhere.
 const TRIAL_RADIUS_MM: f64 = 1e-4;
 
-/// A found limit is within this of the true one, mm.
+/// A limit is bisected until it is within this of the true one, mm.
 const LIMIT_MM: f64 = 1e-6;
 
-/// Radii tried between the least and the largest.
+/// Radii tried between zero and the largest.
 const TRIED: u32 = 48;
 
 /// What limits the offset of a contour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OffsetLimit {
-    /// The largest offset, mm; infinite without a limit.
+    /// The largest offset radius, mm; infinite without a limit.
     pub radius_mm: f64,
-    /// Why not more.
+    /// What happens above it.
     pub reason: LimitReason,
-    /// The blocks that make it so.
+    /// The blocks that cause the limit.
     pub blocks: Vec<Origin>,
 }
 
-/// The control's own limit: its alarm, just above the largest offset that runs.
+/// The control's own limit: the largest offset that runs, and the alarm just above it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ControlLimit {
     /// The largest offset without an alarm, mm.
@@ -58,25 +58,25 @@ pub struct ContourRange {
     pub end: Origin,
     /// G41 or G42.
     pub side: CompensationSide,
-    /// The plane.
+    /// The plane of compensation.
     pub plane: Plane,
-    /// Units of the program there.
+    /// Units of the program at its start.
     pub units: Units,
-    /// Number of the offset, and its radius in the table, mm.
+    /// Number of the offset, and its radius in the table, mm; `None` where the program or the table does not give it.
     pub offset: (Option<u32>, Option<f64>),
-    /// How often it runs.
+    /// How often the program runs it.
     pub runs: u64,
-    /// Where the control alarms; `None` when it never does.
+    /// Where the control stops with an alarm; `None` when it never does.
     pub control: Option<ControlLimit>,
-    /// Up to here the tool cuts into no wall, whatever the control does.
+    /// Up to this offset the tool cuts into no wall, whatever the control does.
     pub no_gouge: OffsetLimit,
-    /// Up to here it touches every edge.
+    /// Up to this offset it touches every edge.
     pub every_edge: OffsetLimit,
-    /// Up to here the leads can be run.
+    /// Up to this offset the lead-in and lead-out moves can be run.
     pub leads: OffsetLimit,
-    /// A lead arc: its block, its radius and how near the lead line passes its centre, mm.
+    /// The first lead arc: its block, its radius and the distance of the lead line from its centre, mm.
     pub lead_arc: Option<(Origin, f64, Option<f64>)>,
-    /// The search came to its end.
+    /// True where the search was not cut short.
     pub complete: bool,
 }
 
@@ -93,12 +93,12 @@ impl ContourRange {
     }
 }
 
-/// The contours of a run.
+/// The ranges of all contours of a run.
 #[derive(Clone, Debug, Default)]
 pub struct ContourRanges {
     /// In the order of their first run.
     pub ranges: Vec<ContourRange>,
-    /// Contours that were too many or too long to be looked at.
+    /// Contours that were not examined because there are too many or they are too long.
     pub left_out: u64,
 }
 
@@ -132,7 +132,7 @@ struct RecordedContour {
     runs: u64,
 }
 
-/// Notes the contours of a run.
+/// Records the contours of a run.
 struct ContourRecorder {
     contours: BTreeMap<(u32, u32), RecordedContour>,
     open: Option<RecordedContour>,
@@ -206,7 +206,7 @@ impl Sink for ContourRecorder {
 
 impl RunSink for ContourRecorder {}
 
-/// What one offset makes of a contour.
+/// The result of running a contour with one offset.
 #[derive(Default)]
 struct OffsetTrial {
     levels: Vec<ContourLevel>,
@@ -353,7 +353,7 @@ impl OffsetLimit {
         }
     }
 
-    /// The words of the first block that limits.
+    /// The place of the first block that causes the limit; `None` without one.
     pub fn span(&self) -> Option<Span> {
         self.blocks.first().map(|origin| origin.span)
     }

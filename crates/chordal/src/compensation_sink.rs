@@ -1,4 +1,4 @@
-//! A run with cutter compensation between the control and what follows.
+//! A run with cutter compensation between the control and the path.
 
 use chordal_command::{CallPath, Command, CommandKind, CompensationSide, Origin, Sink};
 use chordal_diagnostics::{Diagnostic, SourceMap, Span};
@@ -11,24 +11,23 @@ use chordal_path::{
 
 use crate::job::Job;
 
-/// The offset with which the side is judged where the machine file gives no diameter, mm: it makes pieces of
-/// the contour and moves nothing.
+/// The offset with which the side is judged where the machine file gives no diameter, mm: small enough that the
+/// contour keeps its shape.
 const NOMINAL_RADIUS_MM: f64 = 1e-3;
 
-/// Most diagnostics that wait for the end of the run, when the calls are known.
+/// Most diagnostics that wait for the end of the run, when their chains of calls are known.
 pub(crate) const MAX_WAITING: usize = 10_000;
 
 impl Job<'_> {
-    /// Runs and pushes the exact path, segment by segment, in one frame.
+    /// Runs and pushes the exact path, segment by segment, all in the frame of the run.
     pub fn path(&self, push: impl FnMut(&Segment)) -> Vec<Outcome> {
         let builder = self.path_builder();
         let (outcomes, _) = CompensationSink::run(self, PathSegments { builder, push });
         outcomes
     }
 
-    /// Runs and pushes everything that cutter compensation makes: the commands of the tool
-    /// centre, problems, and the compensated contours; with another radius than the offset
-    /// table's, where one is given, mm.
+    /// Runs and pushes everything that cutter compensation produces: the commands of the tool centre, problems, and
+    /// the compensated contours. `radius_mm` replaces the radius of the offset table.
     pub fn compensated<S: PathSink>(&self, radius_mm: Option<f64>, sink: &mut S) -> Vec<Outcome> {
         CompensationSink::run_with(self, radius_mm, None, sink).0
     }
@@ -47,16 +46,16 @@ impl<F: FnMut(&Segment)> PathSink for PathSegments<'_, F> {
     fn diagnostic(&mut self, _: Diagnostic, _: &Origin) {}
 }
 
-/// Hands the commands of a control through compensation on to a path sink.
+/// Passes the commands of a control through compensation on to a path sink.
 pub(crate) struct CompensationSink<'a, S> {
     pub compensator: Compensator,
     pub pending: PendingDiagnostics<'a, S>,
     control: &'a Control,
-    /// Follows a contour whose offset is not known.
+    /// Follows a contour whose offset is not known, while there is one.
     nominal: Option<Box<NominalSink>>,
 }
 
-/// A contour without a diameter: only from where the tool comes to it can be judged.
+/// A contour without a diameter: only the side from which the tool approaches can be judged.
 struct NominalSink {
     compensator: Compensator,
     sides: SideCheck,
@@ -74,7 +73,7 @@ impl NominalSink {
     }
 }
 
-/// Takes the pieces of a contour and passes everything else over.
+/// Takes the pieces of a contour and ignores everything else.
 struct SideSink<'s> {
     sides: &'s mut SideCheck,
     report: &'s mut dyn FnMut(Diagnostic, &Origin),
@@ -90,22 +89,22 @@ impl PathSink for SideSink<'_> {
     }
 }
 
-/// The next sink, and the diagnostics of compensation that wait for their calls.
+/// The next sink, and the diagnostics of compensation that wait for their chains of calls.
 pub(crate) struct PendingDiagnostics<'a, S> {
     pub inner: S,
     sources: &'a SourceMap<'a>,
     pub waiting: Vec<(Diagnostic, CallPath)>,
-    /// Holds contours against the whole path, where a run is judged.
+    /// Checks contours against the whole path, where the run is judged.
     contours: Option<ContourCheck>,
 }
 
 impl<'a, S: PathSink> CompensationSink<'a, S> {
-    /// Runs a job into a sink and gives it back.
+    /// Runs a job into a sink and returns the sink.
     pub fn run(job: &'a Job<'a>, sink: S) -> (Vec<Outcome>, S) {
         CompensationSink::run_with(job, None, None, sink)
     }
 
-    /// The same, and says where the tool would cut into a contour.
+    /// The same, and reports where the tool would cut into a contour.
     pub fn judge(job: &'a Job<'a>, sink: S) -> (Vec<Outcome>, S) {
         CompensationSink::run_with(job, None, Some(ContourCheck::default()), sink)
     }
@@ -129,23 +128,24 @@ impl<'a, S: PathSink> CompensationSink<'a, S> {
         (outcomes, this.pending.inner)
     }
 
-    /// What is there before the first command.
+    /// The state before the first command.
     pub fn new(
         job: &'a Job<'a>,
         contours: Option<ContourCheck>,
         sink: S,
     ) -> CompensationSink<'a, S> {
         let compensator = Compensator::new(&job.control().parameters.rules, job.control().alarms());
-        let reported = PendingDiagnostics {
+        let pending = PendingDiagnostics {
             inner: sink,
             sources: job.sources(),
             waiting: Vec::new(),
             contours,
         };
-        CompensationSink { compensator, pending: reported, control: job.control(), nominal: None }
+        CompensationSink { compensator, pending, control: job.control(), nominal: None }
     }
 
-    /// Lets the nominal contour follow, from a G41 or G42 on whose offset is not known.
+    /// Passes a command to the contour with the nominal radius, which begins at a G41 or G42 whose offset is not
+    /// known.
     fn follow_nominal(&mut self, command: &Command) {
         if self.nominal.is_none() {
             let unknown = matches!(
@@ -210,7 +210,7 @@ impl<S: PathSink> Sink for CompensationSink<'_, S> {
 impl<S: PathSink> RunSink for CompensationSink<'_, S> {}
 
 impl<S: PathSink> PendingDiagnostics<'_, S> {
-    /// Lets the check of contours see something, and says what it finds.
+    /// Shows something to the check of contours, and reports what it finds.
     fn judge(&mut self, see: impl FnOnce(&mut ContourCheck, &mut dyn FnMut(Diagnostic, &Origin))) {
         if let Some(mut contours) = self.contours.take() {
             see(&mut contours, &mut |diagnostic, origin| self.diagnostic(diagnostic, origin));
@@ -218,7 +218,7 @@ impl<S: PathSink> PendingDiagnostics<'_, S> {
         }
     }
 
-    /// The calls of a run are known when it has ended.
+    /// Reports what waited: the chains of calls are known when the run has ended.
     fn resolve(&mut self, outcome: &Outcome) {
         for (mut diagnostic, call) in self.waiting.drain(..) {
             diagnostic.calls = outcome.calls.resolve(call);
@@ -251,7 +251,7 @@ impl<S: PathSink> PathSink for PendingDiagnostics<'_, S> {
     }
 }
 
-/// Puts the N number of the block into the alarm that shows it.
+/// Puts the N number of the block into an alarm text that shows it.
 pub(crate) fn name_sequence(diagnostic: &mut Diagnostic, sources: &SourceMap, span: Span) {
     if let Some(alarm) = &mut diagnostic.alarm
         && alarm.contains("{n}")

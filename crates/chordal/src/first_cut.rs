@@ -1,5 +1,5 @@
-//! What is found before the run: its frame, which is the work coordinate system of its first cut (without one, of its
-//! first move), and the axes that it never names.
+//! A first pass over the program that finds the frame of the run, which is the work coordinate system of its first
+//! cut (without a cut, of its first move), and the axes that the program never names.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -14,13 +14,13 @@ use chordal_path::{NotNamed, ProgramFrame, RunFrame};
 use crate::job::Job;
 use crate::premises::RunPremises;
 
-/// Waits for the first cut, and until X, Y and Z are all named, in a cut, too.
+/// Follows the run until the first cut is known and X, Y and Z have all been named, in a cut, too.
 struct AheadSink {
     frame: ProgramFrame,
     first_cut: Option<ProgramFrame>,
-    /// That of the first cut whose place is known: one before it, as a jog to the part, is not drawn.
+    /// The frame of the first cut whose place is known: a cut before it, as a jog to the part, is not drawn.
     first_known_cut: Option<ProgramFrame>,
-    /// Where a program without a cut begins.
+    /// The frame of the first move whose place is known, for a program without a cut.
     first_move: Option<ProgramFrame>,
     never: AxisMask,
     in_no_cut: AxisMask,
@@ -28,7 +28,7 @@ struct AheadSink {
 }
 
 impl AheadSink {
-    /// Of a program that names nothing there is nothing to draw.
+    /// The axes that were not named; none where no axis was, since there is nothing to draw then.
     fn not_named(&self) -> NotNamed {
         let in_no_cut = match self.first_cut {
             Some(_) => self.in_no_cut.without(self.never),
@@ -71,12 +71,13 @@ impl Sink for AheadSink {
 
 impl RunSink for AheadSink {}
 
-/// Where it goes on the part is known along some axis, from its start to its end.
+/// Whether its position relative to the part is known along some axis, at its start and at its end.
 fn is_known(motion: &Move) -> bool {
     motion.from_known.and(motion.to_known).and(AxisMask::LINEAR) != AxisMask::NONE
 }
 
-/// The axes of X, Y and Z that a move shows to be named: they are known, or move all the same, as to a reference point.
+/// The axes of X, Y and Z that the program must have named before the end of this move: their positions are known, or
+/// they move, as to a reference point.
 fn named_by(motion: &Move) -> AxisMask {
     let mut axes = motion.from_known.or(motion.to_known);
     (0..3).filter(|axis| motion.from[*axis] != motion.to[*axis]).for_each(|axis| axes.insert(axis));
@@ -84,13 +85,13 @@ fn named_by(motion: &Move) -> AxisMask {
 }
 
 impl Job<'_> {
-    /// The frame of the run; `None` where nothing moves, or somebody is asked on the way.
+    /// The frame of the run; `None` where nothing moves, or where the caller answers the program while it runs.
     pub(crate) fn run_frame(&self) -> Option<RunFrame> {
         self.ahead().run_frame
     }
 
-    /// Those of X, Y and Z that the program does not name, which are drawn at zero. None where it asks somebody on the
-    /// way.
+    /// The axes of X, Y and Z that the program does not name, which are drawn at zero. Empty where the caller answers
+    /// the program while it runs.
     pub fn not_named_axes(&self) -> NotNamed {
         self.ahead().not_named.unwrap_or_default()
     }
@@ -117,9 +118,9 @@ impl Job<'_> {
             in_no_cut: AxisMask::LINEAR,
             has_all: has_all.clone(),
         };
-        let target = options.interrupt.clone();
+        let interrupt = options.interrupt.clone();
         let ends = move || {
-            has_all.load(Ordering::Relaxed) || target.as_ref().is_some_and(|interrupt| interrupt())
+            has_all.load(Ordering::Relaxed) || interrupt.as_ref().is_some_and(|ends| ends())
         };
         let options = RunOptions { interrupt: Some(Arc::new(ends)), ..options.clone() };
         let language = WordAddress::new(self.sources(), self.machine(), self.control(), &options);

@@ -21,7 +21,7 @@ use crate::premises::RunPremises;
 /// Why there is no job.
 #[derive(Debug, thiserror::Error)]
 pub enum JobError {
-    /// Settings of the machine that its control does not have.
+    /// The machine has settings that its control does not know.
     #[error("the control does not know {} settings of the machine", .0.len())]
     Settings(Vec<SettingError>),
 }
@@ -60,31 +60,30 @@ pub struct Job<'a> {
     control: Control,
     options: RunOptions,
     program: Option<ProgramChoice>,
-    /// What is known before the run, where it was asked for.
+    /// What was found out before the run, once somebody needed it.
     pub(crate) ahead: OnceLock<RunPremises>,
 }
 
 /// Which program of the first text is run.
 #[derive(Clone, Copy, Debug)]
 enum ProgramChoice {
-    /// The one of this number.
+    /// The one with this number.
     Number(u32),
     /// The one at this place among the programs of the text.
     Place(usize),
 }
 
-/// A program of the first text, as [`Job::programs`] says it.
+/// A program of the first text, as [`Job::programs`] lists it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TextProgram {
-    /// Its head and its range in the text.
+    /// Its number, name and range in the text.
     pub head: ProgramHead,
-    /// A run begins with it; others are run where they are called.
+    /// True where a run begins with it; others are run where they are called.
     pub is_main: bool,
 }
 
 impl<'a> Job<'a> {
-    /// A job of texts and a machine. The first text is the program; the others are where
-    /// its subprograms may be.
+    /// Makes a job of texts and a machine. The first text is the program; the others may hold its subprograms.
     ///
     /// # Errors
     /// When the machine has settings that its control does not know.
@@ -129,7 +128,7 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// Runs only the program of this number.
+    /// Runs only the program with this number; all main programs where it is `None`.
     pub fn program(mut self, number: Option<u32>) -> Job<'a> {
         self.program = number.map(ProgramChoice::Number);
         self.ahead = OnceLock::new();
@@ -160,14 +159,14 @@ impl<'a> Job<'a> {
             .collect()
     }
 
-    /// Other budgets than the usual ones.
+    /// Replaces the options of the run, such as its budgets.
     pub fn options(mut self, options: RunOptions) -> Job<'a> {
         self.options = options;
         self.ahead = OnceLock::new();
         self
     }
 
-    /// Ends a run early when it says so; the outcome is then `EndReason::Interrupted`.
+    /// Sets a check that ends a run early when it returns true; the outcome is then `EndReason::Interrupted`.
     pub fn interrupt(mut self, interrupt: InterruptCheck) -> Job<'a> {
         self.options.interrupt = Some(interrupt);
         self
@@ -193,24 +192,24 @@ impl<'a> Job<'a> {
         &self.control
     }
 
-    /// The chords that the control itself cuts arcs into: how far they may be from them, mm, and where they lie;
-    /// `None` where it is not known to cut them.
+    /// The chords into which the control itself divides arcs: their largest distance from the arc, mm, and on which
+    /// side of it they lie; `None` where the control is not known to divide arcs, or divides them by length.
     pub fn own_chords(&self) -> Option<(f64, Placement)> {
         let junctions = self.control().parameters.rules.path.junctions?;
-        // Segments of one length are farther from a small arc than from a large one.
+        // Segments of a fixed length have no one distance: they are farther from a small arc than from a large one.
         junctions
             .arc_segments
             .is_none()
             .then_some((junctions.arc_tolerance_mm, Placement::RoundedDown))
     }
 
-    /// Runs the main programs of the first text, one after the other, and pushes commands
-    /// and diagnostics into a sink: the programmed ones, before cutter compensation.
+    /// Runs the main programs of the first text, one after the other, and pushes commands and diagnostics into a
+    /// sink. Commands are the programmed ones, before cutter compensation.
     pub fn run<S: RunSink>(&self, sink: &mut S) -> Vec<Outcome> {
         self.run_each(sink, |_, _, _| {})
     }
 
-    /// The same, and says when a program has ended.
+    /// Like [`Job::run`]; `ended` is called at the end of each program.
     pub(crate) fn run_each<S: RunSink>(
         &self,
         sink: &mut S,
@@ -224,7 +223,7 @@ impl<'a> Job<'a> {
         let mut outcomes = Vec::new();
         let mains = self.mains(&language);
         let heads = |program: usize| match mains.len() {
-            // What holds for the one program has no place of its own.
+            // What concerns the only program concerns the whole text, and has no place in it.
             1 => Span::default(),
             _ => language.library().programs().get(program).map_or_else(Span::default, head_of),
         };
@@ -241,15 +240,15 @@ impl<'a> Job<'a> {
         outcomes
     }
 
-    /// What is reported before the first block: what was assumed of the text and found next to it, and programs
-    /// of the same number.
+    /// What is reported before the first block: what was assumed about the text and the files next to it, tool tips
+    /// that were assumed, and programs with the same number.
     pub(crate) fn before_run(&self, library: &Library) -> impl Iterator<Item = Diagnostic> {
         let duplicates =
             library.duplicate_diagnostics().filter(|each| self.is_about(library, each));
         self.options.notes.iter().cloned().chain(usual_tips(&self.machine)).chain(duplicates)
     }
 
-    /// False for problems of a program's head where only another program is run.
+    /// False for the problem of a program's head where only another program is run.
     fn is_about(&self, library: &Library, diagnostic: &Diagnostic) -> bool {
         let Some(ProgramChoice::Place(place)) = self.program else { return true };
         let at = diagnostic.primary.span.range.start;
@@ -278,19 +277,20 @@ impl<'a> Job<'a> {
         true
     }
 
-    /// Runs, from a checkpoint on where one is given, and gives the sink checkpoints. False, and nothing is
-    /// run, where there are several programs to run or the shop is asked: then there are none.
+    /// Runs, from a checkpoint on if there is one, and gives the sink checkpoints. Returns false and runs nothing
+    /// where there are several programs to run, or where the caller answers shop codes or macro calls: such a run has
+    /// no checkpoints.
     pub fn run_on(&self, from: Option<&Checkpoint>, sink: &mut dyn RunSink) -> bool {
         let Some((language, main)) = self.single_main() else { return false };
         language.run(main, from, sink);
         true
     }
 
-    /// The program that is run, where it is one, and nobody is asked on the way.
+    /// The program that is run; `None` where there is not exactly one, or where the caller answers it while it runs.
     pub(crate) fn single_main(&self) -> Option<(WordAddress<'_>, usize)> {
         let readable = !chordal_syntax::decode(self.text()).binary;
-        let requested = self.options.shop_codes.is_some() || self.machine.answers_with_blocks();
-        if !readable || requested || self.options.not_read.is_some() {
+        let needs_answers = self.options.shop_codes.is_some() || self.machine.answers_with_blocks();
+        if !readable || needs_answers || self.options.not_read.is_some() {
             return None;
         }
         let language = self.language();
@@ -330,12 +330,12 @@ impl<'a> Job<'a> {
         self.sources.get(FileId(0)).map_or(&[], |source| source.text())
     }
 
-    /// Nobody named the machine, so its limits are a guess.
+    /// True where nobody named the machine, so that its limits are a guess.
     pub fn has_assumed_machine(&self) -> bool {
         self.options.assumed_machine
     }
 
-    /// Checks the path of one run of this job.
+    /// The checks of the path of one run of this job.
     pub(crate) fn checks(&self) -> RunChecks<'_> {
         let (offset, known) = self.initial_offset();
         let rules = &self.control().parameters.rules;
@@ -345,7 +345,7 @@ impl<'a> Job<'a> {
             .with_speed_limit_example(rules.turning.speed_limit_example)
     }
 
-    /// Makes the path of one run of this job from its commands.
+    /// The builder that makes the path of one run of this job from its commands.
     pub fn path_builder(&self) -> PathBuilder<'_> {
         let frame = self.initial_frame();
         PathBuilder::new(self.machine(), frame.work, frame.known)
@@ -366,7 +366,7 @@ impl<'a> Job<'a> {
     }
 }
 
-/// Where the head of a program stands.
+/// Where the head of a program is in the text.
 fn head_of(program: &Program) -> Span {
     program.head.head.in_file(program.file)
 }
@@ -376,7 +376,7 @@ pub(crate) fn no_block() -> Diagnostic {
     Diagnostic::new(Code::EmptyProgram, Span::default(), "there is no block to run")
 }
 
-/// Tools whose tip number nobody gave: that of the usual mounting of their holder is taken.
+/// Reports tools without a tip number, for which the usual mounting of their holder is taken.
 fn usual_tips(machine: &Machine) -> impl Iterator<Item = Diagnostic> {
     machine.tools.iter().filter(|(_, tool)| tool.turning.has_usual_tip).filter_map(
         |(number, tool)| {

@@ -1,8 +1,8 @@
 //! Runs an NC program the way its control would run it.
 //!
-//! A [`Job`] is a program and a machine. It answers every question a shell asks: the
-//! commands, the path, the summary, the diagnostics. Plain data out; files, terminals and
-//! sockets are the business of the shells.
+//! A [`Job`] is a program and a machine. It answers every question that a shell (command line, editor server, page)
+//! asks: the commands, the path, the summary, the diagnostics. It returns plain data; files, terminals and sockets
+//! are the business of the shells.
 //!
 //! ```
 //! use chordal::{Job, Machine, Source, SourceMap};
@@ -18,8 +18,8 @@
 
 #![forbid(unsafe_code)]
 
-/// What a control makes of a program: its tables and settings, its rules, its commands, and the
-/// run of a program of blocks.
+/// How a control interprets a program: its tables and settings, its rules, its commands, and the run of a program in
+/// blocks.
 pub mod control {
     pub use chordal_command::*;
     pub use chordal_dialect::*;

@@ -1,8 +1,8 @@
-//! Runs that take the other side where nobody knows which one the control takes.
+//! Further runs that take the other branch of a condition whose value nobody knows.
 //!
-//! A run takes a condition of an unknown value as not fulfilled. What the program does where it is fulfilled is run
-//! as well: each condition once, with those before it that lead there; and what it does with block delete switched the
-//! other way, where that decides about more than its own blocks. Not every combination is run.
+//! A run takes a condition on an unknown value as not fulfilled. The program is run again with the condition
+//! fulfilled: once for each condition, with the earlier conditions that lead to it. It is also run with block delete
+//! switched the other way, where that affects more than the deleted blocks themselves. Not every combination is run.
 
 use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
@@ -13,19 +13,19 @@ use chordal_gcode::RunOptions;
 use crate::job::Job;
 use crate::report::{KEPT_PER_CODE, OtherSides, Report};
 
-/// Most runs that take other sides.
+/// Most runs that take other sides: they multiply the time of a check.
 pub const MAX_SIDE_RUNS: usize = 16;
 
-/// Most of them that cut stock.
+/// Most such runs that cut stock, which takes far longer than a check.
 pub const MAX_STOCK_SIDE_RUNS: usize = 4;
 
-/// Most blocks that such a run carries out in calls, repeats and jumps.
+/// Most blocks that such a run carries out in calls, repeats and jumps: an assumed condition may loop for ever.
 const MAX_REPEATED_BLOCKS: u64 = 100_000;
 
-/// What a run takes otherwise than the first one.
+/// How a run differs from the first one.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum AlternativeRun {
-    /// This condition is fulfilled, and those that lead to it.
+    /// This condition is taken as fulfilled, and those that lead to it.
     Fulfilled(Span),
     /// Block delete is switched the other way.
     BlockDelete,
@@ -34,13 +34,14 @@ pub enum AlternativeRun {
 /// When block delete is run both ways.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum BlockDeleteRuns {
-    /// Where it decides about a mode or a value that later blocks use, and where the job asks for both.
+    /// Where a deleted block sets a mode or a value that later blocks use, and where the options of the job demand
+    /// both.
     WhereItDecides,
     /// Always.
     Both,
 }
 
-/// A run to do.
+/// A run that is still to be done.
 struct PendingRun {
     side: AlternativeRun,
     fulfilled: BTreeSet<(FileId, u32)>,
@@ -48,8 +49,8 @@ struct PendingRun {
 }
 
 impl Job<'_> {
-    /// The jobs of the runs that take other sides than this one, which has reported `first`: at most
-    /// [`MAX_SIDE_RUNS`], and whether those are all.
+    /// The jobs that take other sides than this one, which has reported `first`: at most [`MAX_SIDE_RUNS`], and
+    /// whether those are all.
     pub fn other_side_jobs(
         &self,
         first: &[Diagnostic],
@@ -64,13 +65,13 @@ impl Job<'_> {
         (jobs, sides.left_out.is_empty())
     }
 
-    /// Whether this is the run of another side than the usual one.
+    /// Whether this job takes another side than the usual one.
     pub fn takes_other_side(&self) -> bool {
         self.run_options().is_other_side
     }
 
-    /// Runs the other sides of what the first run has assumed, and of what is met on the way. `run` gets the job of
-    /// each and the side that it takes, and gives the problems found.
+    /// Runs the other sides of the conditions that the first run has assumed, and of those that the further runs
+    /// assume. `run` gets each job and the side that it takes, and returns the problems found.
     pub fn run_other_sides<'s>(
         &'s self,
         first: &[Diagnostic],
@@ -81,7 +82,7 @@ impl Job<'_> {
         let mut met: BTreeSet<(FileId, u32)> = BTreeSet::new();
         let mut pending = VecDeque::new();
         let mut sides = OtherSides::default();
-        // Where somebody has switched it on, that is how the program is run.
+        // Where the user has switched block delete on, the program is meant to run so.
         let is_on = self.machine().switches.block_delete.contains(&true);
         let decides = first.iter().any(|each| each.code == Code::BlockDeleteDecides);
         let is_requested =
@@ -126,12 +127,12 @@ impl Job<'_> {
         for (_, source) in self.sources().iter() {
             sources.add(Source::new(source.name(), source.text()));
         }
-        let provided = self.run_options();
+        let base = self.run_options();
         let options = RunOptions {
             is_other_side: true,
             fulfilled: Arc::new(fulfilled),
-            max_repeated_blocks: provided.max_repeated_blocks.min(MAX_REPEATED_BLOCKS),
-            ..provided.clone()
+            max_repeated_blocks: base.max_repeated_blocks.min(MAX_REPEATED_BLOCKS),
+            ..base.clone()
         };
         let job = self.with_sources(sources).options(options);
         if block_delete { job.with_other_block_delete() } else { job }
@@ -182,7 +183,7 @@ impl Job<'_> {
         report.other_sides = sides;
     }
 
-    /// A side in the words of a note.
+    /// Describes a side, for the note of a problem.
     fn words_of(&self, side: AlternativeRun) -> String {
         match side {
             AlternativeRun::Fulfilled(condition) => {
@@ -198,7 +199,7 @@ impl Job<'_> {
     }
 }
 
-/// The conditions that a run has assumed.
+/// The conditions that a run has assumed, by its problems.
 fn assumed_conditions(found: &[Diagnostic]) -> impl Iterator<Item = Span> + '_ {
     found.iter().filter(|each| each.code == Code::AssumedBranch).map(|each| each.primary.span)
 }

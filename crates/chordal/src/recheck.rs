@@ -1,9 +1,9 @@
-//! Checks a text again after a change: the run is cut into stretches between checkpoints, and those
-//! that the change does not touch, nor what it leads to, are kept with what was found in them.
+//! Checks a text again after a change: the run is divided into segments between checkpoints, and the segments that
+//! neither the change nor its consequences touch are kept with the problems found in them.
 //!
-//! A stretch is kept when the control, compensation and checks enter it with the same memory to
-//! the bit, and when nothing that it reads has changed: its own blocks, and what it calls or
-//! searches elsewhere in the text. So the answer is always that of a whole run.
+//! A segment is kept when the control, compensation and checks enter it with the same state to the bit, and when
+//! nothing that it reads has changed: its own blocks, and what it calls or searches elsewhere in the text. So the
+//! answer is always that of a whole run.
 
 use chordal_command::{CallPath, Command, Sink};
 use chordal_gcode::WordAddress;
@@ -26,13 +26,13 @@ use crate::report::{CheckSink, KEPT_PER_CODE, NoteSink, Report};
 use crate::summary::Summary;
 use crate::tool_comments::contradicted_tools;
 
-/// A stretch has about so many bytes of text, or one of [`MAX_STRETCHES`] parts of it.
+/// Bytes of text in a segment; long texts have longer ones, so that there are no more than [`MAX_SEGMENTS`].
 const SEGMENT_BYTES: usize = 16 << 10;
 
-/// About as many stretches at most: each holds what the control remembers where it begins.
+/// Most segments, about: each holds a copy of the control's state where it begins.
 const MAX_SEGMENTS: usize = 256;
 
-/// What a check remembers for the next one, of a changed text.
+/// What a check keeps for the next check, of a changed text.
 #[derive(Debug)]
 pub struct CheckMemory {
     run: Option<SegmentedRun>,
@@ -45,7 +45,7 @@ impl Default for CheckMemory {
     }
 }
 
-/// A run, cut into stretches.
+/// A run, divided into segments.
 #[derive(Debug)]
 struct SegmentedRun {
     text: Vec<u8>,
@@ -55,29 +55,29 @@ struct SegmentedRun {
     /// At least one.
     segments: Vec<CheckedSegment>,
     outcome: Outcome,
-    /// What the checks remember at the end.
+    /// The state of the checks at the end.
     end: ChecksMemory,
-    /// Blocks that were carried out for it, those of kept stretches not counted.
+    /// Blocks that were carried out for it, without those of segments that were kept.
     carried_out: u64,
 }
 
 /// A part of a run between two checkpoints.
 #[derive(Debug)]
 struct CheckedSegment {
-    /// Where it begins; the first one at the beginning.
+    /// Where it begins; `None` for the first segment, which begins with the program.
     start: Option<SegmentStart>,
     /// The byte of the main program at which it ends.
     end: u32,
-    /// What of the first text it reads elsewhere.
+    /// The range of the first text that it reads outside itself.
     text_read: Option<TextRange>,
     findings: SegmentFindings,
-    /// Problems that wait for the chains of calls.
+    /// Problems whose chains of calls are known only at the end of the run.
     waiting: Vec<(Diagnostic, CallPath)>,
     seen: CheckedRange,
     output: Vec<String>,
 }
 
-/// What decides about all that follows.
+/// The complete state at the start of a segment, which determines all that follows.
 #[derive(Clone, Debug)]
 struct SegmentStart {
     checkpoint: Checkpoint,
@@ -85,12 +85,12 @@ struct SegmentStart {
     checks: ChecksMemory,
 }
 
-/// The problems of a stretch, as many as a [`Collector`] may keep of it.
+/// The problems of a segment, as many as a [`Collector`] may keep of it.
 #[derive(Debug, Default)]
 struct SegmentFindings {
     kept: Vec<Diagnostic>,
     places: BTreeMap<Code, BTreeSet<Span>>,
-    /// How often problems were reported that are not kept.
+    /// How often each problem was reported that is not kept.
     more: BTreeMap<(Code, Severity, Span), u64>,
 }
 
@@ -153,14 +153,14 @@ impl SegmentStart {
 }
 
 impl CheckedSegment {
-    /// Makes it one of a text that has changed elsewhere; `None` where it speaks of what went.
+    /// Moves its places to a text that has changed elsewhere; `None` where it refers to text that is gone.
     fn shift(&mut self, shift: &TextShift) -> Option<()> {
         if let Some(start) = &mut self.start {
             start.shift(shift)?;
         }
         self.end = shift.offset(self.end)?;
-        if let Some(inspected) = &mut self.text_read {
-            *inspected = shift.range(*inspected)?;
+        if let Some(range) = &mut self.text_read {
+            *range = shift.range(*range)?;
         }
         self.findings.shift(shift)?;
         for (diagnostic, _) in &mut self.waiting {
@@ -169,12 +169,12 @@ impl CheckedSegment {
         self.seen.shift(shift)
     }
 
-    /// Whether what it reads elsewhere is still the same.
+    /// Whether the text that it reads outside itself is unchanged.
     fn reads_the_same(&self, shift: &TextShift) -> bool {
-        self.text_read.is_none_or(|inspected| shift.leaves(inspected))
+        self.text_read.is_none_or(|range| shift.leaves(range))
     }
 
-    /// Whether it names numbers of lines, which may have moved.
+    /// Whether its messages contain line numbers, which may have changed.
     fn has_lines(&self) -> bool {
         let waiting = self.waiting.iter().map(|(diagnostic, _)| diagnostic);
         self.findings.kept.iter().chain(waiting).any(|diagnostic| {
@@ -184,8 +184,8 @@ impl CheckedSegment {
 }
 
 impl Job<'_> {
-    /// The same as [`Job::check`] after a change of the first text, with what the check before remembers: only
-    /// what the change may touch is run. The machine, the options and the other texts must be
+    /// The same result as [`Job::check`] after a change of the first text, with the memory of the check before it:
+    /// only the segments that the change may touch are run. The machine, the options and the other texts must be
     /// those of that check.
     pub fn check_again(&self, memory: &mut CheckMemory) -> Report {
         match self.single_main() {
@@ -199,18 +199,18 @@ impl Job<'_> {
 }
 
 impl CheckMemory {
-    /// A memory that cuts runs into stretches of about so many bytes of text, or as many as make
-    /// a few hundred of them.
+    /// A memory that divides runs into segments of about `bytes` bytes of text, or more where there would be more
+    /// than a few hundred segments.
     pub fn with_segment_bytes(bytes: usize) -> CheckMemory {
         CheckMemory { run: None, segment_bytes: bytes }
     }
 
-    /// How many blocks the last check carried out; what it kept is not counted.
+    /// How many blocks the last check carried out, without the segments that it kept; `None` before the first check.
     pub fn carried_out(&self) -> Option<u64> {
         self.run.as_ref().map(|run| run.carried_out)
     }
 
-    /// Nothing of the next text is known.
+    /// Forgets the last run.
     pub(crate) fn forget(&mut self) {
         self.run = None;
     }
@@ -225,13 +225,13 @@ impl CheckMemory {
         let bytes = self.segment_bytes.max(job.text().len() / MAX_SEGMENTS) as u32;
         let run = before.and_then(|run| run.again(job, language, bytes));
         let run = run.unwrap_or_else(|| SegmentedRun::whole(job, language, numbers, main, bytes));
-        let waiting = run.segments.iter().map(|section| section.waiting.len()).sum::<usize>();
+        let waiting = run.segments.iter().map(|segment| segment.waiting.len()).sum::<usize>();
         if waiting >= MAX_WAITING {
             return job.check();
         }
         let mut report = run.report(job, language);
         job.check_other_sides(&mut report, KEPT_PER_CODE);
-        // Half a run is no beginning for the next.
+        // An interrupted run has no end to join on to.
         self.run = Some(run).filter(|run| run.outcome.end != EndReason::Interrupted);
         report
     }
@@ -260,28 +260,29 @@ impl SegmentedRun {
         }
     }
 
-    /// The run of a changed text with the same programs; `None` where nothing can be kept.
+    /// The run of a changed text with the same programs, which keeps the segments before the change and those after
+    /// it that begin with the same state; `None` where nothing can be kept.
     fn again(mut self, job: &Job, language: &WordAddress<'_>, bytes: u32) -> Option<SegmentedRun> {
         let shift = TextShift::between(&self.text, job.text());
         let start_of =
-            |section: &CheckedSegment| section.start.as_ref().map_or(0, SegmentStart::offset);
-        let same = |section: &&CheckedSegment| {
-            let own = TextRange::new(start_of(section), section.end);
+            |segment: &CheckedSegment| segment.start.as_ref().map_or(0, SegmentStart::offset);
+        let same = |segment: &&CheckedSegment| {
+            let own = TextRange::new(start_of(segment), segment.end);
             shift.leaves(own)
-                && section.reads_the_same(&shift)
-                && (shift.lines() == 0 || !section.has_lines())
+                && segment.reads_the_same(&shift)
+                && (shift.lines() == 0 || !segment.has_lines())
         };
         let last = self.segments.len() - 1;
-        let before = |section: &&CheckedSegment| {
-            shift.offset(section.end) == Some(section.end) && same(section)
+        let before = |segment: &&CheckedSegment| {
+            shift.offset(segment.end) == Some(segment.end) && same(segment)
         };
         let kept = self.segments[..last].iter().take_while(before).count();
         let tail = self.segments[kept + 1..].iter().rev().take_while(same).count();
         let mut tail = self.segments.split_off(self.segments.len() - tail);
         self.segments.truncate(kept + 1);
         let mut first = self.segments.pop()?.start;
-        for section in &mut self.segments {
-            section.shift(&shift)?;
+        for segment in &mut self.segments {
+            segment.shift(&shift)?;
         }
         if let Some(first) = &mut first {
             first.shift(&shift)?;
@@ -299,9 +300,9 @@ impl SegmentedRun {
             None => {
                 tail.drain(..met);
                 let was = tail.first()?.start.as_ref()?.checkpoint.blocks();
-                for section in &mut tail {
-                    section.shift(&shift)?;
-                    let checkpoint = &mut section.start.as_mut()?.checkpoint;
+                for segment in &mut tail {
+                    segment.shift(&shift)?;
+                    let checkpoint = &mut segment.start.as_mut()?.checkpoint;
                     checkpoint.count_blocks(checkpoint.blocks() - was + blocks);
                 }
                 self.outcome.calls.shift(&shift)?;
@@ -313,19 +314,19 @@ impl SegmentedRun {
         Some(self)
     }
 
-    /// What a whole run reports.
+    /// The report of the run, put together from its segments.
     fn report(&self, job: &Job, language: &WordAddress<'_>) -> Report {
         let mut collector = Collector::new(KEPT_PER_CODE);
         contradicted_tools(job).into_iter().for_each(|diagnostic| collector.push(diagnostic));
         job.before_run(language.library()).for_each(|diagnostic| collector.push(diagnostic));
         let mut sink = CheckSink::new(job, ());
         let mut output = Vec::new();
-        for section in &self.segments {
-            section.findings.add_to(&mut collector);
-            sink.checks.add_seen(&section.seen);
-            output.extend_from_slice(&section.output);
+        for segment in &self.segments {
+            segment.findings.add_to(&mut collector);
+            sink.checks.add_seen(&segment.seen);
+            output.extend_from_slice(&segment.output);
         }
-        for (diagnostic, call) in self.segments.iter().flat_map(|section| &section.waiting) {
+        for (diagnostic, call) in self.segments.iter().flat_map(|segment| &segment.waiting) {
             let mut diagnostic = diagnostic.clone();
             diagnostic.calls = self.outcome.calls.resolve(*call);
             collector.push(diagnostic);
@@ -339,17 +340,16 @@ impl SegmentedRun {
     }
 }
 
-/// Runs from a start, cuts what goes by into stretches, and ends where it comes upon one that
-/// is known.
+/// Runs from a start, divides the run into segments, and ends where it reaches a known segment in the same state.
 struct IncrementalRun<'a, 'o> {
     run: CompensationSink<'a, CheckSink<'a, SegmentFindings>>,
     start: Option<SegmentStart>,
     done: Vec<CheckedSegment>,
     bytes: u32,
-    /// Stretches of the text before the change that may follow.
+    /// Segments of the run before the change that may follow.
     tail: &'o [CheckedSegment],
     shift: Option<&'o TextShift>,
-    /// How many of them have been passed.
+    /// How many segments of `tail` have been passed.
     met: usize,
     /// Blocks carried out since the beginning where the run ended.
     blocks: u64,
@@ -372,7 +372,7 @@ impl<'a, 'o> IncrementalRun<'a, 'o> {
         IncrementalRun { run, start, done: Vec::new(), bytes, tail, shift, met: 0, blocks: 0 }
     }
 
-    /// Runs; no outcome where it came upon what is known.
+    /// Runs; the outcome is `None` where the run reached a known segment.
     fn run(
         &mut self,
         job: &'a Job<'a>,
@@ -381,21 +381,21 @@ impl<'a, 'o> IncrementalRun<'a, 'o> {
     ) -> (Option<Outcome>, ChecksMemory) {
         let checkpoint = self.start.as_ref().map(|start| start.checkpoint.clone());
         let ended = language.run(main, checkpoint.as_ref(), self);
-        let outcome = ended.map(|CompletedRun { outcome, text_read: inspected }| {
+        let outcome = ended.map(|CompletedRun { outcome, text_read }| {
             self.run.finish();
             self.blocks = outcome.blocks;
-            self.close(job.text().len() as u32, inspected);
+            self.close(job.text().len() as u32, text_read);
             outcome
         });
         (outcome, self.run.pending.inner.checks.memory().clone())
     }
 
-    fn close(&mut self, end: u32, inspected: Option<TextRange>) {
+    fn close(&mut self, end: u32, text_read: Option<TextRange>) {
         let sink = &mut self.run.pending.inner;
         self.done.push(CheckedSegment {
             start: self.start.take(),
             end,
-            text_read: inspected,
+            text_read,
             findings: std::mem::take(&mut sink.notes),
             waiting: std::mem::take(&mut self.run.pending.waiting),
             seen: sink.checks.take_seen(),
@@ -403,7 +403,7 @@ impl<'a, 'o> IncrementalRun<'a, 'o> {
         });
     }
 
-    /// Where the next known stretch begins in the new text.
+    /// Where the next known segment begins in the new text.
     fn known(&self) -> Option<u32> {
         let start = self.tail.get(self.met)?.start.as_ref()?;
         self.shift?.offset(start.offset())
@@ -438,10 +438,10 @@ impl RunSink for IncrementalRun<'_, '_> {
     fn checkpoint(
         &mut self,
         checkpoint: Checkpoint,
-        inspected: Option<TextRange>,
+        text_read: Option<TextRange>,
     ) -> ControlFlow<()> {
         let (here, blocks) = (checkpoint.offset(), checkpoint.blocks());
-        self.close(here, inspected);
+        self.close(here, text_read);
         let start = SegmentStart {
             checkpoint,
             compensator: self.run.compensator.memory(),

@@ -1,4 +1,4 @@
-//! What a run with its checks tells: problems, and numbers for people.
+//! The report of a run with its checks: problems, and numbers for people.
 
 use chordal_command::{Command, CommandKind, Origin};
 use chordal_diagnostics::{Code, Collector, Diagnostic, Severity, SeverityCounts, SourceMap, Span};
@@ -10,30 +10,31 @@ use crate::job::Job;
 use crate::summary::{Summary, SummaryBuilder};
 use crate::tool_comments::contradicted_tools;
 
-/// How many diagnostics of one code are kept, where nothing else is said.
+/// How many diagnostics of one code are kept by default.
 pub const KEPT_PER_CODE: usize = 200;
 
-/// Kept of each code where every place is asked for: a program of a million lines has room in memory.
+/// How many are kept of each code where every place is requested: enough for long programs, and still bounded in
+/// memory.
 pub const EVERY_PLACE: usize = 100_000;
 
-/// What the runs of other sides cover.
+/// Which alternative branches were run in addition to the first run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct OtherSides {
-    /// The conditions of which both sides were run.
+    /// The conditions whose other side was run, too.
     pub run: Vec<Span>,
-    /// Those that were met and of which one side was not run, because there are too many.
+    /// The conditions whose other side was not run, because there are too many.
     pub left_out: Vec<Span>,
-    /// Block delete was switched the other way in a run.
+    /// True where one run had block delete switched the other way.
     pub block_delete: bool,
 }
 
 impl OtherSides {
-    /// There was one side only.
+    /// True where no condition was open.
     pub fn is_empty(&self) -> bool {
         self.count() == 0 && self.left_out.is_empty()
     }
 
-    /// How many runs there were beside the first.
+    /// How many runs there were in addition to the first.
     pub fn count(&self) -> usize {
         self.run.len() + usize::from(self.block_delete)
     }
@@ -42,21 +43,21 @@ impl OtherSides {
 /// What a run reports in addition to its commands.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// Numbers for people.
+    /// Counts, lengths and times of the run.
     pub summary: Summary,
     /// Problems by place: file, then line, as an editor lists them; those of one place in the
     /// order of the run.
     pub diagnostics: Vec<Diagnostic>,
     /// Problems that were reported but not kept, by code.
     pub dropped: Vec<(Code, u64)>,
-    /// All problems counted.
+    /// Number of problems by severity, those not kept included.
     pub counts: SeverityCounts,
-    /// Where the run came first to something that is not followed, or that depends on what nobody gave: from there
-    /// on the path or its time is not verified, and whatever is said of it is said of another one.
+    /// Where the run first came to something that is not simulated, or that depends on a value nobody gave: from
+    /// there on path and time may differ from the machine's. `None` where everything is verified.
     pub not_verified_from: Option<Span>,
-    /// The same of the path alone.
+    /// The same for the path alone, without its time.
     pub path_lost_from: Option<Span>,
-    /// Conditions that were assumed, and of which the other side was run, too.
+    /// Conditions that were assumed, and whether their other side was run, too.
     pub other_sides: OtherSides,
     /// The lines that the program printed (DPRNT), in order.
     pub output: Vec<String>,
@@ -65,13 +66,13 @@ pub struct Report {
 }
 
 impl Job<'_> {
-    /// Runs with all checks and sums up; `observe` sees every command of the tool centre and
-    /// its segments on the way.
+    /// Runs with all checks and adds up the summary; `observe` sees every command of the tool centre with its
+    /// segments.
     pub fn report_with(&self, mut observe: impl FnMut(&Command, &[Segment])) -> Report {
         self.report_of_path(|path, segments| observe(path.command, segments))
     }
 
-    /// The same with what compensation did.
+    /// Like [`Job::report_with`]; `observe` also sees what cutter compensation did.
     pub fn report_of_path(&self, observe: impl FnMut(PathCommand<'_>, &[Segment])) -> Report {
         struct PathSinkChain<F>(F);
         impl<F: FnMut(PathCommand<'_>, &[Segment])> RunWatch for PathSinkChain<F> {
@@ -82,8 +83,8 @@ impl Job<'_> {
         self.report_watched(&mut PathSinkChain(observe))
     }
 
-    /// Runs with all checks and sums up; `observe` sees every command as programmed, before
-    /// cutter compensation.
+    /// Runs with all checks and adds up the summary; `observe` sees every command as programmed, before cutter
+    /// compensation.
     pub fn report_of_commands(&self, observe: impl FnMut(&Command)) -> Report {
         struct ProgrammedSink<F>(F);
         impl<F: FnMut(&Command)> RunWatch for ProgrammedSink<F> {
@@ -94,7 +95,7 @@ impl Job<'_> {
         self.report_watched(&mut ProgrammedSink(observe))
     }
 
-    /// Runs with all checks and sums up, watched.
+    /// Runs with all checks and adds up the summary; `watch` sees the run.
     pub fn report_watched(&self, watch: &mut dyn RunWatch) -> Report {
         let mut sink = ReportSink::new(self, watch);
         contradicted_tools(self).into_iter().for_each(|found| sink.collector.push(found));
@@ -104,24 +105,24 @@ impl Job<'_> {
         report
     }
 
-    /// Runs with all checks and sums up.
+    /// Runs with all checks and adds up the summary.
     pub fn report(&self) -> Report {
         self.report_with(|_, _| {})
     }
 
-    /// Runs with the checks only: what `chordal check` asks.
+    /// Runs with the checks only, without a summary: what `chordal check` needs.
     pub fn check(&self) -> Report {
         self.check_keeping(KEPT_PER_CODE)
     }
 
-    /// The same, and keeps so many diagnostics of each code; the others are counted.
+    /// Like [`Job::check`], but keeps `most_per_code` diagnostics of each code; the others are counted.
     pub fn check_keeping(&self, most_per_code: usize) -> Report {
         let mut report = self.check_of_run(most_per_code);
         self.check_other_sides(&mut report, most_per_code);
         report
     }
 
-    /// The same of one run, whatever it assumes.
+    /// The same for one run alone: other sides of the conditions that it assumes are not run.
     pub(crate) fn check_of_run(&self, most_per_code: usize) -> Report {
         let mut notes = Collector::new(most_per_code);
         contradicted_tools(self).into_iter().for_each(|diagnostic| notes.push(diagnostic));
@@ -152,7 +153,7 @@ impl Report {
         }
     }
 
-    /// Adds problems of a further pass, counted and in their places.
+    /// Adds problems of a further pass, counts them and sorts them in.
     pub(crate) fn add(&mut self, diagnostics: impl IntoIterator<Item = Diagnostic>) {
         for diagnostic in diagnostics {
             self.counts.add(diagnostic.severity);
@@ -164,24 +165,24 @@ impl Report {
         });
     }
 
-    /// The whole path was followed as the control would go it, and with its feeds and waits.
+    /// True where the whole path was simulated as the control would follow it, with its feeds and waits.
     pub fn verified(&self) -> bool {
         self.not_verified_from.is_none()
     }
 
-    /// The whole path was followed as the control would go it, however long it takes.
+    /// True where the whole path was simulated as the control would follow it; its time may not be.
     pub fn is_path_verified(&self) -> bool {
         self.path_lost_from.is_none()
     }
 
-    /// File and line from which on the path is not known.
+    /// File name and line from which on the run is not verified; `None` where all of it is.
     pub fn not_verified_line<'s>(&self, sources: &'s SourceMap) -> Option<(&'s str, u32)> {
         let span = self.not_verified_from?;
         let source = sources.get(span.file)?;
         Some((source.name(), source.line_of(span.range.start)))
     }
 
-    /// The gravest severity that occurred.
+    /// The most severe severity that occurred; `None` without problems.
     pub fn worst(&self) -> Option<Severity> {
         match self.counts {
             SeverityCounts { errors: 1.., .. } => Some(Severity::Error),
@@ -192,24 +193,23 @@ impl Report {
     }
 }
 
-/// Sees a run go by.
+/// Observes a run.
 pub trait RunWatch {
     /// A command as programmed, before cutter compensation.
     fn programmed(&mut self, _command: &Command) {}
-    /// A command of the tool centre and its piece of path.
+    /// A command of the tool centre and its segments of path.
     fn path(&mut self, _command: PathCommand<'_>, _segments: &[Segment]) {}
 }
 
-/// Notes a line that the program prints.
+/// Keeps a line that the program prints.
 fn note_output(command: &Command, output: &mut Vec<String>) {
     if let CommandKind::Output { text } = &command.kind {
         output.push(text.clone());
     }
 }
 
-/// Takes the problems of a check.
+/// Receives the problems of a check.
 pub(crate) trait NoteSink {
-    /// One problem.
     fn note(&mut self, diagnostic: Diagnostic);
 }
 
@@ -255,7 +255,7 @@ impl<N: NoteSink> chordal_path::PathSink for CheckSink<'_, N> {
     }
 }
 
-/// Checks, sums up and lets a run be watched.
+/// Checks a run, adds up its summary and shows it to a watch.
 pub(crate) struct ReportSink<'m, 'w> {
     builder: PathBuilder<'m>,
     checks: RunChecks<'m>,
@@ -307,7 +307,7 @@ impl<'m, 'w> ReportSink<'m, 'w> {
         }
     }
 
-    /// The pieces of path of the last command.
+    /// The segments of path of the last command.
     pub fn segments(&self) -> &[Segment] {
         &self.segments
     }

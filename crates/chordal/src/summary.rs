@@ -9,12 +9,12 @@ use chordal_diagnostics::FileId;
 use chordal_geometry::{Aabb, ParamCurve};
 use chordal_path::{Segment, SegmentKind, UnrelatedZero, places_on_axes};
 
-/// What one tool does.
+/// What one tool does in a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ToolUse {
     /// Its number; 0 before any tool was changed.
     pub number: u32,
-    /// Lines of the program between which it is in the spindle, in order.
+    /// Ranges of lines of the main program in which it is in the spindle, in order.
     pub lines: Vec<(u32, u32)>,
     /// Length of its cuts, mm.
     pub feed_length_mm: f64,
@@ -22,31 +22,31 @@ pub struct ToolUse {
     pub feed_time_s: f64,
     /// Time of its rapids, s.
     pub rapid_time_s: f64,
-    /// Smallest and largest feed, mm/s, where there is one.
+    /// Smallest and largest feed per time, mm/s; `None` where it has none.
     pub feeds_mm_per_s: Option<(f64, f64)>,
     /// Spindle speeds, rpm.
     pub speeds_rpm: Vec<f64>,
 }
 
-/// Where an axis goes, in the frame of the run. Places are diameters where the axis is programmed
-/// so; ways are ways of the slide.
+/// Where an axis goes, in the frame of the run. Positions are diameters where the axis is programmed in diameters;
+/// distances are those of the slide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisTravel {
     /// Letter of the axis.
     pub letter: char,
-    /// Lowest and highest place, mm or rad.
+    /// Lowest and highest position, mm or rad.
     pub range: (f64, f64),
-    /// Lowest and highest place while cutting, where it cuts.
+    /// Lowest and highest position while cutting, mm or rad; `None` where nothing is cut.
     pub cut_range: Option<(f64, f64)>,
-    /// All ways added up, mm or rad.
+    /// The distances of all moves added up, mm or rad.
     pub distance: f64,
 }
 
-/// What a run comes to. Times are distance over feed, and rapids at rapid speed: without
-/// acceleration, so the machine will be slower.
+/// The sums of a run. Times are distance over feed, and over rapid speed for rapids: without acceleration, so the
+/// machine will be slower.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Summary {
-    /// Units of the last block: those for people.
+    /// True where the last block is in inch: the units in which people are shown the numbers.
     pub inch: bool,
     /// Straight cuts.
     pub lines: u64,
@@ -72,18 +72,18 @@ pub struct Summary {
     pub rapid_time_s: f64,
     /// Time of all dwells, s.
     pub dwell_time_s: f64,
-    /// Cuts of which the time is not known, because they have no feed.
+    /// Cuts whose time is not known, because they have no feed.
     pub cuts_without_time: u64,
     /// Tools in the order of their first use.
     pub tools: Vec<ToolUse>,
     /// The axes that move.
     pub axes: Vec<AxisTravel>,
-    /// Zeros whose moves have no place in the frame of the run: the ranges of the axes are without them.
+    /// Zeros whose relation to the frame of the run is not known: the ranges of the axes leave their moves out.
     pub unrelated_zeros: Vec<UnrelatedZero>,
 }
 
 impl Summary {
-    /// Time of everything that has one, s.
+    /// Time of all cuts, rapids and dwells whose time is known, s.
     pub fn total_time_s(&self) -> f64 {
         self.feed_time_s + self.rapid_time_s + self.dwell_time_s
     }
@@ -98,17 +98,17 @@ struct PathExtent {
     distance: f64,
 }
 
-/// Sums up while commands go by.
+/// Adds up the summary from the commands of a run.
 pub(crate) struct SummaryBuilder {
     summary: Summary,
     tools: BTreeMap<u32, ToolUse>,
     order: Vec<u32>,
     tool: u32,
     axes: PerAxis<PathExtent>,
-    /// The surface on which two coordinates lie.
+    /// The face or cylinder on which two coordinates are programmed, while there is one.
     surface: Option<SurfaceRun>,
     written: PerAxis<f64>,
-    /// Those that the machine does not have.
+    /// The axes that the machine does not have.
     lacking: AxisMask,
 }
 
@@ -211,8 +211,8 @@ impl SummaryBuilder {
         }
     }
 
-    /// The line of the command in the first text; a subprogram in another file has lines of its
-    /// own, which would only confuse.
+    /// The line of the command in the first text; `None` in a subprogram of another file, whose line numbers would be
+    /// confused with those of the first.
     fn main_line(&self, command: &Command) -> Option<u32> {
         let origin = command.origin;
         (origin.span.file == FileId(0)).then_some(origin.line)
@@ -228,7 +228,7 @@ impl SummaryBuilder {
             self.tools.entry(number).or_insert_with(|| ToolUse { number, ..ToolUse::default() });
         let Some(line) = line else { return tool };
         match tool.lines.last_mut() {
-            // A subprogram may stand before its caller: the range holds both.
+            // A subprogram may come before its caller in the text: the range holds both.
             Some((first, last)) if !changed => {
                 *first = (*first).min(line);
                 *last = (*last).max(line);
@@ -280,7 +280,7 @@ impl SummaryBuilder {
         let cuts = kind.feed().is_some();
         for axis in (0..AXES).filter(|axis| known.has(*axis)) {
             let path = (end[axis] - start[axis]).abs();
-            // An axis that turns is listed when it turns, be it out and back.
+            // A rotary axis is listed when it turns, even if it comes back to where it began.
             let stands = |place: &chordal_command::Position| place[axis] == start[axis];
             if axis >= 3 && places.iter().all(stands) {
                 continue;
@@ -300,7 +300,7 @@ impl SummaryBuilder {
         }
         for (axis, letter) in AXIS_LETTERS.chars().enumerate() {
             let extent = self.axes[axis];
-            // An axis that is not there stands at zero.
+            // An axis that the machine does not have is always at zero.
             let is_there = !self.lacking.has(axis) || extent.low < extent.high;
             if is_there && extent.low <= extent.high {
                 let factor = self.written[axis];

@@ -1,4 +1,4 @@
-//! The comparison as a table.
+//! Writes a comparison as a table.
 
 use std::io::{self, Write};
 use std::sync::Arc;
@@ -60,7 +60,7 @@ const COLUMNS: &[(&str, &str, &str, &str)] = &[
     ("gone_problems", "uint64", "", "problems that it has no longer, counted by code"),
 ];
 
-/// The columns as a table of Markdown: a section of `docs/archives.md`.
+/// The columns as a Markdown table for `docs/archives.md`.
 pub fn diff_reference() -> String {
     let mut page = format!("`{DIFF_COLUMNS}`\n\n| column | type | unit | |\n|---|---|---|---|\n");
     for (name, kind, unit, meaning) in COLUMNS {
@@ -107,8 +107,7 @@ impl RowBatcher for DiffColumns<'_> {
 
 /// Writes a comparison as Parquet.
 ///
-/// # Errors
-/// Where nothing can be written.
+/// # Errors The output cannot be written.
 pub fn write_table<W: Write + Send + 'static>(rows: &[DiffRow], out: W) -> io::Result<W> {
     let columns = DiffColumns { schema: schema(), rows: &[] };
     let mut table = ColumnFile::new(out, ColumnFormat::Parquet, columns)?;

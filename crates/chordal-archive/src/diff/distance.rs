@@ -1,4 +1,4 @@
-//! How far two paths are from each other.
+//! The distance between two paths.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -6,24 +6,25 @@ use std::collections::BinaryHeap;
 use chordal::geometry::{Curve, ParamCurve, Vec3};
 use rstar::{AABB, PointDistance, RTree, RTreeObject};
 
-/// Most places that are asked for their distance; the interval is as narrow as they make it.
+/// The most points whose distance is evaluated, for the running time; with more, the interval stays wider than the
+/// tolerance.
 const MAX_EVALUATIONS: usize = 4_000_000;
 
 /// A curve of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathCurve {
-    /// A rapid, not a cut.
+    /// Whether it is a rapid and not a cut.
     pub is_rapid: bool,
     /// The exact curve, mm.
     pub curve: Curve,
 }
 
-/// An interval that holds a distance, mm.
+/// An interval that contains a distance, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistanceBounds {
-    /// It is at least this.
+    /// The lower bound.
     pub low: f64,
-    /// It is at most this.
+    /// The upper bound.
     pub high: f64,
 }
 
@@ -35,19 +36,18 @@ impl DistanceBounds {
     }
 }
 
-/// The Hausdorff distance of two paths: how far the point of one that is furthest from the other
-/// is from it. Zero for two paths without any piece; nothing where only one has pieces.
+/// The Hausdorff distance of two paths, mm: the largest distance of a point of either path from the other path. It is
+/// zero for two empty paths, and `None` when only one is empty or a coordinate is not finite.
 ///
-/// Proved, up to the rounding of doubles: a place of one path is as far from the other as the
-/// nearest curve, which is found exactly, so the largest of them is a lower bound. The distance
-/// changes no faster than the place, so that half the length of a piece about a place bounds it
-/// from above; from a straight line to a straight line it is largest at an end, and on a curve that
-/// both paths have it is zero. Pieces are split, the one with the highest bound first, until
-/// nothing is left above the lower bound by more than the tolerance. Where that takes too many
-/// places, the interval stays wider. What rounding alone may make of nothing (see [`rounding`])
-/// counts as nothing.
+/// The interval is proved, up to the rounding of doubles. The distance of a point of one path from the other path is
+/// its distance from the nearest curve, which is found exactly, so the largest such distance is a lower bound. The
+/// distance changes no faster than the point moves, so on a piece it exceeds the distance at the middle by at most
+/// half the length. From a straight line to a straight line it is largest at an end, and on a curve that both paths
+/// contain it is zero. Pieces are split, the one with the highest upper bound first, until no upper bound exceeds the
+/// lower bound by more than the tolerance. If that takes too many points, the interval stays wider. Distances that
+/// rounding alone can cause (see [`rounding`]) count as zero.
 ///
-/// Says nothing about the order or direction in which the points are passed.
+/// The order and the direction in which the points are passed are not considered.
 pub fn distance(a: &[PathCurve], b: &[PathCurve], tolerance_mm: f64) -> Option<DistanceBounds> {
     if a.is_empty() && b.is_empty() {
         return Some(DistanceBounds { low: 0.0, high: 0.0 });
@@ -61,10 +61,10 @@ pub fn distance(a: &[PathCurve], b: &[PathCurve], tolerance_mm: f64) -> Option<D
     Some(there.or(distance_to(&b[head..b.len() - tail], a, tolerance_mm, rounding)?))
 }
 
-/// The largest distance that rounding may make of none between straight lines, mm; nothing where
-/// a coordinate is no number.
+/// The largest distance that rounding can produce between equal straight lines, mm; `None` when a coordinate is not
+/// finite.
 ///
-/// With u = 2^-53 and M the largest coordinate of both paths, a line is at most 2√3 M long.
+/// Let u = 2^-53 and M be the largest coordinate of both paths; then a line is at most 2√3 M long.
 ///
 /// | step | off by at most |
 /// |---|---|
@@ -74,7 +74,8 @@ pub fn distance(a: &[PathCurve], b: &[PathCurve], tolerance_mm: f64) -> Option<D
 /// | the foot, as the place | 9 uM |
 /// | their difference, squares, sum and root | below 4 uM |
 ///
-/// Together below 64 uM. Curves get the same number; where they need more, it is told as a distance.
+/// The sum is below 64 uM. The same value is used for curves; where their rounding errors are larger, they appear as
+/// a distance.
 fn rounding<'a>(pieces: impl Iterator<Item = &'a PathCurve>) -> Option<f64> {
     let mut largest = 0.0f64;
     for piece in pieces {
@@ -89,7 +90,7 @@ fn rounding<'a>(pieces: impl Iterator<Item = &'a PathCurve>) -> Option<f64> {
     Some(64.0 * (f64::EPSILON / 2.0) * largest)
 }
 
-/// How many pieces are the same at the beginning, and at the end after those.
+/// The number of equal pieces at the beginning, and at the end of the rest.
 fn common(a: &[PathCurve], b: &[PathCurve]) -> (usize, usize) {
     let head = a.iter().zip(b).take_while(|(a, b)| a == b).count();
     let (a, b) = (&a[head..], &b[head..]);
@@ -97,7 +98,7 @@ fn common(a: &[PathCurve], b: &[PathCurve]) -> (usize, usize) {
     (head, tail)
 }
 
-/// A piece in the tree.
+/// A curve in the R-tree.
 struct CurveLeaf(Curve);
 
 impl RTreeObject for CurveLeaf {
@@ -116,15 +117,16 @@ impl PointDistance for CurveLeaf {
     }
 }
 
-/// A part of a curve whose distance is at most `high`.
+/// A part of a curve whose distance from the other path is at most `high`, mm.
 struct CurveInterval {
     curve: usize,
     from: f64,
     to: f64,
     high: f64,
-    /// Where it is split next.
+    /// The arc length at which it is split next, mm.
     split: f64,
-    /// It comes of a split that did not halve.
+    /// It results from a split that was not in the middle. The next split is in the middle, so that the parts become
+    /// short.
     uneven: bool,
 }
 
@@ -160,7 +162,7 @@ struct DistanceSearch<'a> {
     parts: BinaryHeap<CurveInterval>,
 }
 
-/// How far the pieces of one path are from another path.
+/// The largest distance of the points of one path from another path.
 fn distance_to(
     from: &[PathCurve],
     to: &[PathCurve],
@@ -189,14 +191,14 @@ fn distance_to(
 }
 
 impl DistanceSearch<'_> {
-    /// The distance of a place from a curve.
+    /// The distance between a point and a curve, mm; zero when rounding may explain it.
     fn distance_of(&self, curve: &Curve, place: Vec3) -> f64 {
         let distance = curve.nearest(place).distance;
         if distance <= self.rounding { 0.0 } else { distance }
     }
 
-    /// Asks at the ends of a curve, which need not lie where the rest of it leads: the radii of an
-    /// arc may differ a little.
+    /// Evaluates the distance at the stored ends of a curve, which may deviate from its parameters: the radii at the
+    /// ends of an arc may differ slightly.
     fn ends(&mut self, curve: &Curve) -> Option<()> {
         if matches!(curve, Curve::Line(_)) {
             return Some(());
@@ -209,7 +211,8 @@ impl DistanceSearch<'_> {
         Some(())
     }
 
-    /// Asks at the middle of a part, and keeps the part; nothing where a number is none.
+    /// Evaluates the distance at the middle of a part and adds the part to the queue; `None` when the bound is not
+    /// finite.
     fn bound(&mut self, index: usize, from: f64, to: f64, uneven: bool) -> Option<()> {
         let curve = &self.from[index].curve;
         let middle = from + (to - from) / 2.0;
@@ -225,10 +228,10 @@ impl DistanceSearch<'_> {
         if part.high > self.low + self.tolerance_mm
             && let (Curve::Line(_), Curve::Line(_)) = (curve, &nearest)
         {
-            // The distance from a line is convex along a line.
+            // The distance from a line is a convex function along another line.
             let end = |s: f64| self.distance_of(&nearest, curve.point_at(s));
             part.high = part.high.min(end(from).max(end(to)).max(here));
-            // Near an end of the other line, another one is likely to be the nearest.
+            // Beyond an end of the nearest line, another line is likely to be nearer, so the part is split there.
             let feet = [nearest.start(), nearest.end()].map(|end| curve.nearest(end).s);
             let inside = feet.into_iter().filter(|foot| from < *foot && *foot < to);
             let off = |foot: &f64| (foot - middle).abs();

@@ -1,10 +1,9 @@
-//! What came back from the machines, compared with what was released.
+//! Compares programs that came back from the machines with the released ones.
 //!
-//! "Same motion" is proved, not sampled: the exact curves, rapids and rotary axes of both runs are
-//! equal number for number and in the same order. Where they differ, the distance is the Hausdorff
-//! distance of the two paths as sets of points (cuts to cuts, rapids to rapids), enclosed in an
-//! interval no wider than the tolerance asked for, up to the rounding of doubles: see
-//! [`distance`].
+//! Equal motion is proved, not sampled: the curves, rapids and rotary axes of both runs have exactly equal numbers in
+//! the same order. When they differ, the distance is the Hausdorff distance of the two paths as sets of points (cuts
+//! to cuts, rapids to rapids), enclosed in an interval no wider than the requested tolerance, up to the rounding of
+//! doubles: see [`distance`].
 
 mod columns;
 mod distance;
@@ -31,24 +30,24 @@ use problems::{AddedProblems, ProblemList};
 pub use columns::{DIFF_COLUMNS, diff_reference, write_table};
 pub use distance::{DistanceBounds, PathCurve, distance};
 
-/// What became of a file.
+/// The result for a pair of files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FileStatus {
     /// The same bytes.
     Same,
-    /// Another text with the same motion, feeds, speeds and functions.
+    /// The text differs; motion, feeds, speeds and functions are equal.
     Text,
-    /// The same motion, and something else of what two programs must share is another one: tools, offsets, codes,
+    /// The motion is equal; something else that two programs must have in common differs: tools, offsets, codes,
     /// stops, messages, values.
     Functions,
-    /// No difference was found, and one of the two does something that is not followed.
+    /// No difference was found, but one of the two does something that the simulation cannot follow.
     NotVerified,
-    /// The same motion with other feeds, spindle speeds or times.
+    /// The motion is equal; feeds, spindle speeds or times differ.
     Feeds,
-    /// Another motion.
+    /// The motion differs.
     Path,
-    /// Differs, and is no program.
+    /// The files differ and are not programs.
     Other,
     /// At least one of the two cannot be read or run.
     Unreadable,
@@ -59,7 +58,7 @@ pub enum FileStatus {
 }
 
 impl FileStatus {
-    /// All of them, in the order in which they are reported.
+    /// All results in the order in which they are reported.
     pub const ALL: [FileStatus; 10] = [
         FileStatus::Same,
         FileStatus::Text,
@@ -73,7 +72,7 @@ impl FileStatus {
         FileStatus::New,
     ];
 
-    /// The word for people and programs.
+    /// The name in output.
     pub fn word(self) -> &'static str {
         match self {
             FileStatus::Same => "same",
@@ -90,36 +89,38 @@ impl FileStatus {
     }
 }
 
-/// A file of the two archives.
+/// The row of a file in the two archives.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DiffRow {
-    /// Its path below the folders.
+    /// Its path relative to the folders.
     pub path: String,
-    /// What became of it.
+    /// The result.
     pub status: FileStatus,
-    /// Why it could not be compared, or only in part.
+    /// What else differs, or why the files could not be compared or only in part; `None` otherwise.
     pub message: Option<String>,
-    /// SHA-256 of the released file.
+    /// SHA-256 of the released file; `None` without a readable one.
     pub released_sha256: Option<String>,
-    /// SHA-256 of the returned file.
+    /// SHA-256 of the returned file; `None` without a readable one.
     pub returned_sha256: Option<String>,
-    /// Lines of both where they first differ: in what the status says.
+    /// The lines of the first difference in both files, in the sense of the status; `None` when there is none or it
+    /// is unknown.
     pub lines: Option<(u32, u32)>,
-    /// Feeds or spindle speeds differ.
+    /// Whether feeds, spindle speeds or times differ; `None` when not compared.
     pub feeds_differ: Option<bool>,
-    /// Something else than motion, feeds, speeds and times differs.
+    /// Whether something else than motion, feeds, speeds and times differs; `None` when not compared.
     pub functions_differ: Option<bool>,
-    /// The distance of the paths is at least and at most this, mm.
+    /// The bounds of the distance between the paths, mm; `None` when the paths are equal or the distance is not
+    /// defined.
     pub distance_mm: Option<(f64, f64)>,
-    /// Time at feed of the released and of the returned program, s.
+    /// The times without acceleration of the released and the returned program, s; `None` when not run.
     pub at_feed_s: Option<(f64, f64)>,
-    /// Their times with acceleration and jerk, s, where both were planned.
+    /// Their times with acceleration and jerk, s; `None` unless both were planned.
     pub time_s: Option<(f64, f64)>,
-    /// Problems of the returned program beyond those of the released one, counted by code.
+    /// The number of problems of the returned program in excess of the released one, counted by code.
     pub new_problems: u64,
-    /// Problems of the released program that the returned one does not have, likewise.
+    /// The number of problems of the released program in excess of the returned one, counted by code.
     pub gone_problems: u64,
-    /// The first of the new problems, gravest first.
+    /// The first of the new problems, the most severe first.
     pub problems: Vec<ArchivedProblem>,
 }
 
@@ -149,17 +150,16 @@ impl DiffRow {
     }
 }
 
-/// What is asked of every pair of files.
+/// How every pair of files is compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DiffOptions {
-    /// Distances are found within this, mm.
+    /// The tolerance within which distances are found, mm.
     pub tolerance_mm: f64,
     /// Plans the motion, for times with acceleration and jerk.
     pub plan: bool,
 }
 
-/// Compares the files of two folders that have the same path below them, with as many threads as
-/// there are `jobs`. Rows come in the order of paths.
+/// Compares the files with equal relative paths in two folders, with `jobs` threads. The rows are sorted by path.
 pub fn compare_all<L: FileLoader>(
     released: &Path,
     returned: &Path,
@@ -197,7 +197,7 @@ pub fn compare_files(
     compare(loader, &name, &pair, options)
 }
 
-/// The files of a name: released and returned.
+/// The released and the returned file of a name.
 type ReleasedAndReturned = [Option<PathBuf>; 2];
 
 fn pairs(released: &Path, returned: &Path) -> Vec<(String, ReleasedAndReturned)> {
@@ -289,7 +289,7 @@ fn compare(
     }
 }
 
-/// What a program does, how long it takes and what is wrong with it.
+/// The motion, the time and the problems of a program.
 struct ProgramOutcome {
     motion: RunMotion,
     time_s: Option<f64>,
@@ -302,13 +302,13 @@ impl ProgramOutcome {
         let ((report, planned), mut motion) =
             run_planned(&job, prepared, options.plan, RunMotion::default);
         motion.time_s = report.summary.total_time_s();
-        // A machine without limits has no times; that is no fault of the program.
+        // A machine without limits has no times; this is not an error of the program.
         let time_s = planned.ok().flatten().map(|parts| parts.iter().sum());
         Ok(ProgramOutcome { motion, time_s, problems: ProblemList::of(&job, &report) })
     }
 }
 
-/// A file that was never released: all its problems are new.
+/// The row of a file that was never released: all its problems are new.
 fn new(loader: &mut impl FileLoader, name: &str, path: &Path, options: DiffOptions) -> DiffRow {
     let mut row = DiffRow::new(name, FileStatus::New);
     let text = match loader.read(path) {
@@ -338,7 +338,7 @@ fn is_no_program(loader: &mut impl FileLoader, path: &Path, text: &[u8]) -> bool
         || !loader.may_be_program(sample)
 }
 
-/// All that two programs must share.
+/// Compares everything that two programs must have in common.
 fn compare_shared(before: &Job, after: &Job) -> Comparison {
     chordal_compare::compare(
         before,
@@ -365,7 +365,7 @@ fn other_path(
     row
 }
 
-/// Judges two programs with the same moves.
+/// Completes the row of two programs with equal moves.
 fn judge(mut row: DiffRow, [before, after]: [&RunMotion; 2], found: &Comparison) -> DiffRow {
     let is_speed = |category: Category| {
         matches!(category, Category::Feed | Category::Spindle | Category::Time)
@@ -405,7 +405,7 @@ fn judge(mut row: DiffRow, [before, after]: [&RunMotion; 2], found: &Comparison)
     row
 }
 
-/// The line on which two texts first differ; the same in both.
+/// The line on which two texts first differ; it has the same number in both.
 fn first_line(before: &[u8], after: &[u8]) -> (u32, u32) {
     let same = before.iter().zip(after).take_while(|(a, b)| a == b).count();
     let line = 1 + before[..same].iter().filter(|byte| **byte == b'\n').count() as u32;

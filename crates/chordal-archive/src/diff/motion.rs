@@ -1,4 +1,4 @@
-//! What a program does, to be compared with what another does.
+//! Records what a program does, for comparison with another program.
 
 use chordal::control::{Command, CommandKind, Feed};
 use chordal::{PathCommand, RunWatch, Segment, SegmentKind};
@@ -6,15 +6,15 @@ use chordal_compare::Category;
 
 use super::distance::{DistanceBounds, PathCurve, distance};
 
-/// The run of a program.
+/// The recorded run of a program.
 #[derive(Debug, Default)]
 pub struct RunMotion {
     moves: Vec<ToolMove>,
     /// Spindle commands, each with the number of moves before it.
     speeds: Vec<(usize, String)>,
-    /// Other functions, likewise.
+    /// Other functions, each with the number of moves before it.
     pub functions: Vec<(usize, String)>,
-    /// Length over feed and waits, s.
+    /// The time without acceleration: lengths divided by feeds, plus waits, s.
     pub time_s: f64,
 }
 
@@ -70,25 +70,24 @@ impl RunMotion {
     fn note(&mut self, command: &Command) {
         let at = self.moves.len();
         match Category::of(&command.kind) {
-            // Moves are held against each other as they are, and what is shown to the operator is text.
+            // Moves are compared directly, and messages to the operator do not count as functions.
             None | Some(Category::Path | Category::Message) => {}
             Some(Category::Spindle) => self.speeds.push((at, format!("{:?}", command.kind))),
             Some(_) => self.functions.push((at, function(&command.kind))),
         }
     }
 
-    /// The lines of the first moves that differ; nothing where all moves are the same.
+    /// The lines of the first moves that differ; `None` when all moves are equal.
     pub fn first_other(&self, other: &RunMotion) -> Option<(u32, u32)> {
         self.first_where(other, |a, b| !a.is(b))
     }
 
-    /// The lines of the first moves whose feeds differ.
+    /// The lines of the first moves whose feeds differ; `None` when all feeds are equal.
     pub fn first_other_feed(&self, other: &RunMotion) -> Option<(u32, u32)> {
         self.first_where(other, |a, b| !a.has_feed_of(b))
     }
 
-    /// All moves have the feeds of the other's, as far as both have moves, and the spindle turns
-    /// alike.
+    /// Whether all moves, as far as both runs have them, have equal feeds, and the spindle commands are equal.
     pub fn has_feeds_of(&self, other: &RunMotion) -> bool {
         let mut both = self.moves.iter().zip(&other.moves);
         both.all(|(a, b)| a.has_feed_of(b)) && self.speeds == other.speeds
@@ -108,8 +107,8 @@ impl RunMotion {
         Some((line(&self.moves), line(&other.moves)))
     }
 
-    /// How far the paths are from each other; nothing where a rotary axis moves, where a place is
-    /// not known, or where only one of the two cuts or has rapids.
+    /// The distance between the paths; `None` when a rotary axis moves, the position of a cut is unknown, or only one
+    /// of the two has cuts or rapids.
     pub fn distance_to(&self, other: &RunMotion, tolerance_mm: f64) -> Option<DistanceBounds> {
         let has_place = |motion: &RunMotion| {
             motion.moves.iter().all(|moved| !moved.turns() && (moved.known || moved.piece.is_rapid))
@@ -129,7 +128,7 @@ impl RunMotion {
 
 fn function(kind: &CommandKind) -> String {
     match kind {
-        // Where a control puts its offsets is the table's business; which it takes is said.
+        // The values of offsets are in the tables of the control; the program only selects them.
         CommandKind::WorkOffset { name, .. } => format!("{name:?}"),
         CommandKind::Compensation { side, number, .. } => format!("{side:?} {number:?}"),
         kind => format!("{kind:?}"),

@@ -1,4 +1,4 @@
-//! The problems that a change brought.
+//! Finds the problems that a change has added.
 
 use std::collections::BTreeMap;
 
@@ -7,24 +7,24 @@ use chordal::{Job, Report};
 use crate::check::problem;
 use crate::row::ArchivedProblem;
 
-/// Most problems of a file that are listed; all are counted.
+/// The most problems of a file that are listed; all are counted.
 const MAX_LISTED: usize = 20;
 
 /// The problems of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ProblemList {
-    /// Those that the report kept, by place.
+    /// The problems that the report kept, the most severe first and then by position.
     listed: Vec<ArchivedProblem>,
-    /// How many there are of each code, with those that were not kept.
+    /// The number of problems of each code, including those that were not kept.
     counts: BTreeMap<String, u64>,
 }
 
-/// The problems that one of two runs has and the other does not.
+/// The problems that only one of two runs has.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AddedProblems {
-    /// How many.
+    /// Their number.
     pub count: u64,
-    /// The first of them, gravest first.
+    /// The first of them, the most severe first.
     pub listed: Vec<ArchivedProblem>,
 }
 
@@ -48,8 +48,8 @@ impl ProblemList {
         self.listed.push(problem);
     }
 
-    /// What is here of each code beyond what the other has of it. Which of them are the new ones is
-    /// known by their sentences only: those that the other does not have come first.
+    /// The problems of each code in excess of those of the other run. Only the messages can tell which of them are
+    /// new: problems whose message the other run does not have come first.
     pub fn more_than(&self, other: &ProblemList) -> AddedProblems {
         let mut known: BTreeMap<(&str, &str), u64> = BTreeMap::new();
         for problem in &other.listed {

@@ -1,4 +1,4 @@
-//! Canned cycles and patterns of holes.
+//! Canned cycles and hole patterns.
 
 use super::codes;
 

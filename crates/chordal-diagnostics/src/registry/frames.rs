@@ -1,4 +1,4 @@
-//! Frames of coordinates: mirror, scaling, rotation, polar coordinates.
+//! Coordinate frames: mirroring, scaling, rotation, polar coordinates.
 
 use super::codes;
 

@@ -1,7 +1,7 @@
-//! The codes of all diagnostics. A code never changes its meaning and is never used again.
+//! The codes of all diagnostics. A code never changes its meaning and is never reused.
 //!
-//! One file per family; each entry holds the number, the name, the severity, one line that
-//! says what it is, and the text that `chordal explain` prints.
+//! There is one file per family; each entry has the number, the name, the severity, a summary in one line, and the
+//! text that `chordal explain` prints.
 
 mod compensation;
 mod cycles;
@@ -20,18 +20,18 @@ use std::sync::LazyLock;
 
 use crate::Severity;
 
-/// What the registry knows of a code.
+/// The registry entry of a code.
 #[derive(Clone, Copy, Debug)]
 pub struct CodeInfo {
     /// The code itself.
     pub code: Code,
-    /// Stable number, `CH401`.
+    /// The stable number, such as `CH401`.
     pub id: &'static str,
-    /// Stable name, `radius-mismatch`.
+    /// The stable name, such as `radius-mismatch`.
     pub name: &'static str,
-    /// Severity unless a control makes it another.
+    /// The severity, unless a control has another one.
     pub severity: Severity,
-    /// One line.
+    /// The summary in one line.
     pub summary: &'static str,
     /// Paragraphs: what it means, why it matters, what to do, an example.
     pub explanation: &'static str,
@@ -41,7 +41,7 @@ pub struct CodeInfo {
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Code(u16);
 
-/// Declares the codes of a family: constants of [`Code`] and what is known of each.
+/// Declares the codes of a family: constants of [`Code`] and their registry entries.
 ///
 /// `Name = number, "stable-name", Severity; "one line"; "explanation";`
 macro_rules! codes {
@@ -91,12 +91,13 @@ impl Code {
         ALL.iter().map(|info| info.code)
     }
 
-    /// Said once in a file: what holds for all its numbers.
+    /// Whether the code is reported only once per file, because it holds for all numbers of the file.
     pub const fn is_once_per_file(self) -> bool {
         matches!(self, Code::ExcessDecimals)
     }
 
-    /// With this severity the path is not known from there on: the control may go on otherwise than is shown.
+    /// Whether a diagnostic of this code and severity means that the path is unknown from there on, because the
+    /// control may continue differently.
     pub const fn loses_path(self, severity: Severity) -> bool {
         match self {
             Code::NotFollowed
@@ -111,18 +112,18 @@ impl Code {
             | Code::SkipAssumed
             | Code::InputNotAnswered
             | Code::MacroAlone => true,
-            // A note says that the tip is taken as programmed.
+            // As a note it only says that the tip is taken as programmed.
             Code::TipNotKnown => !matches!(severity, Severity::Note),
             _ => false,
         }
     }
 
-    /// The time is not known from there on: a feed, a speed or a wait depends on what nobody gave.
+    /// Whether the time is unknown from there on, because a feed, a speed or a wait depends on an unknown value.
     pub const fn loses_time(self) -> bool {
         matches!(self, Code::UnknownTime)
     }
 
-    /// What the registry knows of it.
+    /// The registry entry.
     pub fn info(self) -> &'static CodeInfo {
         let place = ALL.binary_search_by_key(&self, |info| info.code);
         ALL[place.expect("only the families make codes, and each has its entry there")]
@@ -136,7 +137,7 @@ impl Code {
         ALL.iter().find(matches).map(|info| info.code)
     }
 
-    /// The stable number, `CH401`.
+    /// The stable number, such as `CH401`.
     pub fn id(self) -> &'static str {
         self.info().id
     }

@@ -1,4 +1,4 @@
-//! Stock: what is hit, what is left, what a tool cannot do.
+//! Stock: collisions, remaining material, and limits of tools.
 
 use super::codes;
 

@@ -1,8 +1,8 @@
-//! Kinds of files by their first bytes.
+//! Recognizes kinds of files by their first bytes.
 
 use super::FileKind;
 
-/// The bytes that a file begins with, and what it is then.
+/// The first bytes of a file, and its kind.
 const ROWS: &[(&[u8], FileKind)] = &[
     (b"CDF\x01", NETCDF),
     (b"CDF\x02", NETCDF),
@@ -41,7 +41,7 @@ const fn binary(what: &'static str) -> FileKind {
     FileKind::new(what).certain()
 }
 
-/// The kind of a file that begins like this.
+/// The kind of a file that begins with these bytes; `None` when unknown.
 pub(super) fn kind_of(text: &[u8]) -> Option<&'static FileKind> {
     ROWS.iter().find(|(first, _)| text.starts_with(first)).map(|(_, kind)| kind)
 }

@@ -1,4 +1,4 @@
-//! Kinds of files by their first lines.
+//! Recognizes kinds of files by their first lines.
 
 use super::FileKind;
 use super::sample::{TextSample, fits};
@@ -6,7 +6,7 @@ use super::sample::{TextSample, fits};
 /// A kind and its test.
 type FileKindTest = (FileKind, fn(&TextSample) -> bool);
 
-/// In order: the first that fits counts.
+/// Tested in this order: the first match decides.
 const ROWS: &[FileKindTest] = &[
     (certain("a drawing (SVG)"), |s| s.begins("<svg") || s.begins("<?xml") && s.has("<svg")),
     (certain("a web page (HTML)"), |s| s.begins("<!doctype html") || s.begins("<html")),
@@ -80,32 +80,32 @@ const fn certain(what: &'static str) -> FileKind {
     FileKind::new(what).certain()
 }
 
-/// The kind of a file with these lines.
+/// The kind of a file with these lines; `None` when unknown.
 pub(super) fn kind_of(sample: &TextSample) -> Option<&'static FileKind> {
     ROWS.iter().find(|(_, test)| test(sample)).map(|(kind, _)| kind)
 }
 
-/// A group code and its value on lines of their own: `0`, `SECTION`.
+/// A DXF file has a group code and its value on separate lines: `0`, `SECTION`.
 fn is_dxf(sample: &TextSample) -> bool {
     let first: Vec<&str> = sample.lines().take(8).collect();
     matches!(first.first(), Some(&"0" | &"999"))
         && first.windows(2).any(|pair| pair == ["0", "SECTION"])
 }
 
-/// Its format, its unit or an aperture between percent signs.
+/// A Gerber file has its format, its unit or an aperture between percent signs.
 fn is_gerber(sample: &TextSample) -> bool {
     let starts = ["%FSL", "%FST", "%MOMM*%", "%MOIN*%", "%ADD"];
     sample.lines().take(40).any(|line| starts.iter().any(|start| line.starts_with(start)))
 }
 
-/// M48 first, then the unit or a tool with its diameter.
+/// An Excellon file begins with M48, followed by the unit or a tool with its diameter.
 fn is_excellon(sample: &TextSample) -> bool {
     let is_head =
         |line: &str| line.starts_with("METRIC") || line.starts_with("INCH") || fits(line, "T9+C9");
     sample.first_without(&['%', ';']) == "M48" && sample.count(is_head) > 0
 }
 
-/// `T1 P1 Z0.5 D0.25 ;end mill`, and no other line.
+/// Only lines like `T1 P1 Z0.5 D0.25 ;end mill`, and comments.
 fn is_tool_table(sample: &TextSample) -> bool {
     let is_tool = |line: &str| {
         let words = line.split(';').next().unwrap_or("");
@@ -119,7 +119,7 @@ fn is_tool_table(sample: &TextSample) -> bool {
     sample.count(is_tool) > 0 && sample.share(1, 100, |line| comment(line) || is_tool(line))
 }
 
-/// `5161 0.000000`: a number and its value.
+/// Lines like `5161 0.000000`: a parameter number and its value.
 fn is_numbered_parameters(sample: &TextSample) -> bool {
     sample.share(3, 100, |line| {
         let mut words = line.split_whitespace();
@@ -129,14 +129,14 @@ fn is_numbered_parameters(sample: &TextSample) -> bool {
     })
 }
 
-/// `G10L85P500(4059…)` and `SETVN500[LEN]`.
+/// Lines like `G10L85P500(4059…)` and `SETVN500[LEN]`.
 fn is_macro_variables(sample: &TextSample) -> bool {
     sample.share(2, 80, |line| {
         fits(line, "G10L85P9+(") || line.starts_with("SETVN") || line.starts_with('%')
     }) && sample.begin(1, &["G10L85P", "SETVN"])
 }
 
-/// `N1320A1P650000A2P420000`, as a Fanuc writes its parameters.
+/// Lines like `N1320A1P650000A2P420000`: a parameter file of a Fanuc.
 fn is_control_parameters(sample: &TextSample) -> bool {
     sample.share(4, 75, |line| {
         let shapes = ["N99999P", "N9999P", "N9999A9P", "N99999A9P", "N9999Q", "N99999Q"];
@@ -144,7 +144,7 @@ fn is_control_parameters(sample: &TextSample) -> bool {
     })
 }
 
-/// Words of APT with a slash: `GOTO/10.0,10.0,5.0`.
+/// APT words with a slash: `GOTO/10.0,10.0,5.0`.
 fn is_apt(sample: &TextSample) -> bool {
     const WORDS: &[&str] = &[
         "PARTNO", "UNITS", "CUTTER", "LOADTL", "LOAD", "SPINDL", "FEDRAT", "GOTO", "FROM",
@@ -163,7 +163,7 @@ fn is_nesc(sample: &TextSample) -> bool {
         && sample.begin(1, &["configuration ", "module ", "generic ", "interface "])
 }
 
-/// A section in brackets first, and most lines as `key = value`.
+/// First a section in brackets, and most lines of the form `key = value`.
 fn is_settings(sample: &TextSample) -> bool {
     let is_section = |line: &str| line.starts_with('[') && line.ends_with(']');
     let is_setting = |line: &str| {
@@ -180,7 +180,7 @@ fn is_settings(sample: &TextSample) -> bool {
         })
 }
 
-/// Targets with a colon, variables `$(CC)`, indented commands.
+/// Targets with a colon, variables like `$(CC)`, and indented commands.
 fn is_makefile(sample: &TextSample) -> bool {
     let is_target = |line: &str| {
         let name = line.split_once(':').map_or("", |(name, _)| name);
@@ -189,7 +189,7 @@ fn is_makefile(sample: &TextSample) -> bool {
     sample.has("$(") && sample.count(is_target) > 0 && sample.indented(|line| line.contains('$'))
 }
 
-/// Every line has a number and a word of BASIC.
+/// Most lines have a line number and a BASIC keyword.
 fn is_basic(sample: &TextSample) -> bool {
     const WORDS: &[&str] = &[
         "REM", "LET", "PRINT", "IF", "GOTO", "GOSUB", "FOR", "NEXT", "INPUT", "END", "DIM", "DATA",
@@ -202,7 +202,7 @@ fn is_basic(sample: &TextSample) -> bool {
     })
 }
 
-/// A brace or a bracket, and within it names, lists and values of JSON.
+/// Begins with a brace or a bracket, followed by a JSON name, list or object.
 fn is_json(sample: &TextSample) -> bool {
     let mut start = sample.lines().flat_map(str::bytes).filter(|byte| !byte.is_ascii_whitespace());
     match (start.next(), start.next()) {
@@ -212,7 +212,7 @@ fn is_json(sample: &TextSample) -> bool {
     }
 }
 
-/// Most lines are `name: value` or items of a list.
+/// Most lines are `name: value` or list items.
 fn is_yaml(sample: &TextSample) -> bool {
     let is_entry = |line: &str| {
         let line = line.strip_prefix("- ").unwrap_or(line);
@@ -227,13 +227,13 @@ fn is_yaml(sample: &TextSample) -> bool {
     first == "---" || small && sample.share(3, 80, is_entry)
 }
 
-/// Most lines begin with a time.
+/// Most lines begin with a date or a time.
 fn is_log(sample: &TextSample) -> bool {
     let times = ["9999-99-99", "[99:99:99", "99:99:99", "[9999-99-99", "99.99.9999", "99/99/9999"];
     sample.share(3, 70, |line| times.iter().any(|time| fits(line, time)))
 }
 
-/// A head and rows of numbers with as many commas, semicolons or tabs.
+/// A header and rows of numbers with the same number of commas, semicolons or tabs.
 fn is_table(sample: &TextSample) -> bool {
     let is_row = |line: &str, mark: char| {
         line.split(mark).all(|field| field.trim().trim_matches('"').parse::<f64>().is_ok())

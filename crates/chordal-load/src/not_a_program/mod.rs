@@ -1,7 +1,7 @@
-//! Files that are no NC programs, whatever their names say: data, pictures, sources, tables, letters.
+//! Recognizes files that are not NC programs, whatever their names: data, pictures, source code, tables, prose.
 //!
-//! What a file is stands in two tables: [`bytes`] by its first bytes, [`lines`] by its first lines. The tests of lines
-//! are strict: a program that is taken for something else is worse than a letter that is run.
+//! There are two tables: [`bytes`] recognizes files by their first bytes, [`lines`] by their first lines. The tests
+//! of lines are strict, because refusing a program is worse than running a text that is not one.
 
 mod bytes;
 mod lines;
@@ -15,18 +15,18 @@ use chordal::control::{EvidenceStrength, recognize};
 use crate::error::LoadError;
 use sample::TextSample;
 
-/// A kind of file that is no program.
+/// A kind of file that is not a program.
 #[derive(Debug)]
 pub(crate) struct FileKind {
-    /// What it is, for people: `a NetCDF data file`.
+    /// Its description in messages, such as `a NetCDF data file`.
     what: &'static str,
-    /// What to do with it instead.
+    /// What the user can do instead; `None`: [`USUAL_HELP`].
     help: Option<&'static str>,
-    /// Nothing else begins like this: it is said even where the machine is named.
+    /// Nothing else begins like this, so the file is refused even when the machine is named.
     certain: bool,
 }
 
-/// What helps with most of them.
+/// The help text for most kinds.
 const USUAL_HELP: &str = "give the program's text file";
 
 impl FileKind {
@@ -43,19 +43,19 @@ impl FileKind {
     }
 }
 
-/// The kind of a file by its beginning.
+/// The kind of a file by its beginning; `None` when it may be a program.
 fn kind_of(text: &[u8]) -> Option<&'static FileKind> {
     bytes::kind_of(text).or_else(|| lines::kind_of(&TextSample::new(text)))
 }
 
-/// The file is of a kind that is no program, or a letter.
+/// Whether the file is of a kind that is not a program, or prose.
 pub(crate) fn is_other_file(text: &[u8]) -> bool {
     kind_of(text).is_some() || is_letter(text)
 }
 
-/// Text without a block, in no language that is known.
+/// Whether the text is prose: it has no block and is in no known NC language.
 fn is_letter(text: &[u8]) -> bool {
-    // A semicolon in a sentence looks like a comment: that alone makes no program.
+    // A semicolon in a sentence looks like a comment, so weak evidence does not suffice.
     let is_known = || {
         let found = recognize(text);
         found.chosen().not_read || found.strength() == EvidenceStrength::Sure
@@ -63,7 +63,7 @@ fn is_letter(text: &[u8]) -> bool {
     prose::is_prose(&TextSample::new(text)) && !is_known()
 }
 
-/// Refuses what is no program for certain.
+/// Refuses files that are certainly not programs.
 pub(crate) fn refuse_certain(name: &str, text: &[u8]) -> Result<(), LoadError> {
     match kind_of(text) {
         Some(kind) if kind.certain => Err(refusal(name, kind)),
@@ -71,7 +71,7 @@ pub(crate) fn refuse_certain(name: &str, text: &[u8]) -> Result<(), LoadError> {
     }
 }
 
-/// Refuses what looks like something else than a program, where nobody named the machine.
+/// Refuses files that probably are not programs; used when nobody named the machine.
 pub(crate) fn refuse_likely(name: &str, text: &[u8]) -> Result<(), LoadError> {
     if let Some(kind) = kind_of(text) {
         return Err(refusal(name, kind));

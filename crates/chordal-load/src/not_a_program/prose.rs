@@ -1,14 +1,14 @@
-//! Letters, notes and other text without a block.
+//! Recognizes letters, notes and other text without NC blocks.
 
 use super::sample::TextSample;
 
-/// Fewer words than these are no prose: a program that somebody begins to write.
+/// A text with fewer words is not called prose: it may be a program that somebody begins to write.
 const FEWEST_WORDS: usize = 5;
 
-/// Of so many lines one may look like a block.
+/// In prose, at most one line in this many looks like a block.
 const LINES_TO_A_BLOCK: usize = 20;
 
-/// Hardly any line begins as a block or as a comment of a program, and there are words.
+/// Whether hardly any line begins like a block or a comment of a program, and there are enough words.
 pub(super) fn is_prose(sample: &TextSample) -> bool {
     let all = sample.lines().count();
     let blocks = sample.count(may_be_block);
@@ -16,10 +16,11 @@ pub(super) fn is_prose(sample: &TextSample) -> bool {
     words >= FEWEST_WORDS && blocks * LINES_TO_A_BLOCK <= all
 }
 
-/// Words of a sentence: a block has no more outside comments.
+/// A line with this many words is a sentence: a block has fewer words outside comments.
 const SENTENCE: usize = 4;
 
-/// It begins with a letter and a number, a head, a comment, a variable or an option.
+/// Whether the line begins like a block: with a letter and a number, a program head, a comment, a variable or a
+/// setting.
 fn may_be_block(line: &str) -> bool {
     let mut bytes = line.bytes().filter(|byte| !matches!(byte, b' ' | b'\t' | 0));
     match (bytes.next(), bytes.next()) {
@@ -41,7 +42,7 @@ fn words(line: &str) -> usize {
     line.split_whitespace().filter(|word| is_word(word)).count()
 }
 
-/// Letters only, three or more, and a mark after them at most.
+/// Whether this consists of three or more letters, with at most punctuation after them.
 fn is_word(word: &str) -> bool {
     let word = word.trim_end_matches(['.', ',', ';', ':', '!', '?']);
     word.chars().count() >= 3 && word.chars().all(char::is_alphabetic)

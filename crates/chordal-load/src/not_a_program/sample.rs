@@ -1,17 +1,17 @@
-//! The first lines of a file, and what tests ask of them.
+//! The first lines of a file, with the predicates that the tests use.
 
-/// So much of a file is looked at, bytes.
+/// How much of a file is examined, bytes.
 const SAMPLE: usize = 16 * 1024;
 
 /// The first lines of a file.
 pub(super) struct TextSample {
-    /// Lines that are not empty, without blanks around them, and whether a blank was before.
+    /// The non-empty lines, trimmed, and whether each was indented.
     lines: Vec<(String, bool)>,
 }
 
 impl TextSample {
     pub fn new(text: &[u8]) -> TextSample {
-        // The last line may be cut.
+        // An incomplete last line is left out.
         let text = String::from_utf8_lossy(crate::head::whole_lines(text, SAMPLE));
         let lines = text.split(['\n', '\r']).map(|line| line.trim_matches('\0'));
         let lines = lines.filter(|line| !line.trim().is_empty());
@@ -24,55 +24,57 @@ impl TextSample {
         self.lines.iter().map(|(line, _)| line.as_str())
     }
 
-    /// The first line, empty where there is none.
+    /// The first line; empty when there is none.
     pub fn first(&self) -> &str {
         self.lines().next().unwrap_or("")
     }
 
-    /// The first line that is not a comment with this mark.
+    /// The first line that does not begin with one of these comment characters; empty when there is none.
     pub fn first_without(&self, mark: &[char]) -> &str {
         self.lines().find(|line| !line.starts_with(mark)).unwrap_or("")
     }
 
-    /// The first line begins with it, in capitals or not.
+    /// Whether the first line begins with this text, ignoring case.
     pub fn begins(&self, with: &str) -> bool {
         let first = self.first().as_bytes();
         first.get(..with.len()).is_some_and(|first| first.eq_ignore_ascii_case(with.as_bytes()))
     }
 
-    /// Some line has it.
+    /// Whether some line contains this text.
     pub fn has(&self, piece: &str) -> bool {
         self.lines().any(|line| line.contains(piece))
     }
 
-    /// So many lines pass a test.
+    /// The number of lines that pass a test.
     pub fn count(&self, test: impl Fn(&str) -> bool) -> usize {
         self.lines().filter(|line| test(line)).count()
     }
 
-    /// At least so many lines begin with one of these pieces.
+    /// Whether at least `least` lines begin with one of these texts.
     pub fn begin(&self, least: usize, pieces: &[&str]) -> bool {
         self.count(|line| pieces.iter().any(|piece| line.starts_with(piece))) >= least
     }
 
-    /// There are at least so many lines, and so many in a hundred of them pass a test.
+    /// Whether there are at least `least` lines and at least `percent` of them pass a test.
     pub fn share(&self, least: usize, percent: usize, test: impl Fn(&str) -> bool) -> bool {
         let all = self.lines.len();
         all >= least && self.count(test) * 100 >= all * percent
     }
 
-    /// Some line that begins with a blank or a tab passes a test.
+    /// Whether some indented line passes a test.
     pub fn indented(&self, test: impl Fn(&str) -> bool) -> bool {
         self.lines.iter().any(|(line, indented)| *indented && test(line))
     }
 }
 
-/// The line begins like this: `9` is a digit, `+` more of what is before it, everything else itself.
+/// Whether the line begins with this pattern: `9` matches a digit, `+` repeats the preceding character, any other
+/// character matches itself.
 pub(super) fn fits(line: &str, shape: &str) -> bool {
     let mut rest = line.as_bytes();
     let mut shape = shape.bytes().peekable();
-    while let Some(target) = shape.next() {
-        let same = |byte: u8| if target == b'9' { byte.is_ascii_digit() } else { byte == target };
+    while let Some(expected) = shape.next() {
+        let same =
+            |byte: u8| if expected == b'9' { byte.is_ascii_digit() } else { byte == expected };
         let least = 1;
         let most = if shape.next_if_eq(&b'+').is_some() { usize::MAX } else { least };
         let count = rest.iter().take_while(|byte| same(**byte)).count().min(most);

@@ -1,29 +1,30 @@
-//! The first block that two readings of a text move differently.
+//! Finds the first block that moves differently in two readings of a text.
 
 use super::trace::{BlockMotion, MotionTrace};
 
-/// Positions that differ by less are the same, mm and rad: controls round arcs within the last digit of a
+/// Positions that differ by less count as equal, mm or rad: controls round arcs differently in the last digit of a
 /// program.
 const EQUAL_POSITION_MM: f64 = 0.01;
 
-/// Feeds that differ by less, as a share of the larger, are the same.
+/// Feeds that differ by a smaller fraction of the larger one count as equal.
 const EQUAL_FEED_SHARE: f64 = 0.01;
 
-/// What differs in a block.
+/// What differs between two readings of a block.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum MotionAspect {
-    /// Where it ends, on this axis.
+    /// The end position on this axis.
     End(usize),
-    /// How far its cut goes, on this axis.
+    /// The extent of the cut along this axis.
     Reach(usize),
-    /// It cuts or it is a rapid, or it moves at all.
+    /// Whether it is a cut or a rapid, or whether it moves at all.
     Kind,
-    /// Its feed alone.
+    /// Only the feed.
     Feed,
 }
 
-/// The first difference of two traces; first those of the path, and only where there is none one of the feed.
-/// The place is the index of the block in each.
+/// The first difference between two traces; `None` when there is none. A difference in feed is returned only when the
+/// paths are equal. The two numbers are the indices of the block in `a` and `b`; `None` where that trace has no such
+/// block.
 pub fn first_difference(
     a: &MotionTrace,
     b: &MotionTrace,
@@ -36,7 +37,7 @@ pub fn first_difference(
             return Some((MotionAspect::Kind, at(one), at(other)));
         };
         if (one.file, one.range.0) != (other.file, other.range.0) {
-            // The earlier one moves on one control alone.
+            // The block that is earlier in the text moves in one reading only.
             let first = one.range.0 <= other.range.0;
             return Some((MotionAspect::Kind, first.then_some(index), (!first).then_some(index)));
         }

@@ -1,28 +1,28 @@
-//! What is run of a text to compare its readings: all of a short one; of a long one its beginning, its end, and the
-//! surroundings of every line between that has a kind of word which no line before it had.
+//! The part of a text that is run to compare its readings: all of a short text; of a long one its beginning, its end,
+//! and the context of every line between that contains a kind of word which no earlier line had.
 
 use std::borrow::Cow;
 
 use super::word_kinds::WordKinds;
 
-/// The beginning that is run of a long text, bytes: some thousand blocks.
+/// The length of the beginning of a long text that is run, bytes: some thousand blocks.
 const BEGINNING_BYTES: usize = 128 << 10;
 
-/// The end that is run of a long text, bytes.
+/// The length of the end of a long text that is run, bytes.
 const END_BYTES: usize = 4 << 10;
 
-/// Lines that are run before and after a line with a new kind of word, so that the modes and the position of
-/// its block are those of its surroundings.
+/// The number of lines that are run before and after a line with a new kind of word, so that the block has nearly the
+/// modes and the position of the whole program.
 const CONTEXT_LINES: usize = 24;
 
-/// A text with more such lines is run whole.
+/// A text with more lines of new kinds is run whole.
 const EXCERPT_PIECES_LIMIT: usize = 64;
 
-/// The parts of a text that are run, one after the other.
+/// The parts of a text that are run, joined.
 pub struct TrialExcerpt<'a> {
-    /// What is run.
+    /// The text to run.
     pub text: Cow<'a, [u8]>,
-    /// Where each piece begins: in the excerpt, and in the text.
+    /// Where each piece begins, as byte offsets in the excerpt and in the whole text.
     pieces: Vec<(usize, usize)>,
 }
 
@@ -32,7 +32,8 @@ impl<'a> TrialExcerpt<'a> {
         TrialExcerpt { text: Cow::Borrowed(text), pieces: vec![(0, 0)] }
     }
 
-    /// Of a text; all of it where it is short, or where a part of it may run more than once or not at all.
+    /// The excerpt of a text; the whole text when it is short, or when calls or jumps could run a part of it more
+    /// than once or not at all.
     pub fn of(text: &'a [u8]) -> TrialExcerpt<'a> {
         if text.len() <= BEGINNING_BYTES + END_BYTES {
             return TrialExcerpt::whole(text);
@@ -65,17 +66,17 @@ impl<'a> TrialExcerpt<'a> {
         TrialExcerpt { text: Cow::Owned(excerpt), pieces }
     }
 
-    /// Nothing of the text is left out.
+    /// Whether nothing of the text is left out.
     pub fn is_whole(&self) -> bool {
         self.pieces.len() == 1
     }
 
-    /// Where the beginning ends in the excerpt: the position is that of the program up to there.
+    /// The length of the first piece, bytes: up to there positions are exactly those of the whole program.
     pub fn beginning_bytes(&self) -> usize {
         self.pieces.get(1).map_or(self.text.len(), |(start, _)| *start)
     }
 
-    /// Where a byte of the excerpt stands in the text.
+    /// The offset in the whole text of a byte of the excerpt.
     pub fn offset_in_text(&self, offset: u32) -> u32 {
         let piece = self.pieces.partition_point(|(start, _)| *start <= offset as usize);
         let (start, in_text) = self.pieces[piece.saturating_sub(1)];
@@ -83,8 +84,8 @@ impl<'a> TrialExcerpt<'a> {
     }
 }
 
-/// The surroundings of the lines from there on that have a kind of word which no line before them had; nothing
-/// where there are too many.
+/// The byte ranges around the lines from `from` on that have a kind of word which no earlier line had; `None` when
+/// there are more than [`EXCERPT_PIECES_LIMIT`].
 fn lines_of_new_kinds(
     text: &[u8],
     from: usize,
@@ -105,7 +106,7 @@ fn lines_of_new_kinds(
     Some(ranges)
 }
 
-/// The end of the line at a place, after its line feed.
+/// The end of the line at an offset, after its line break.
 fn line_end(text: &[u8], at: usize) -> usize {
     memchr::memchr2(b'\n', b'\r', &text[at..]).map_or(text.len(), |end| at + end + 1)
 }

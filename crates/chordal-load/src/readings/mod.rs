@@ -1,6 +1,6 @@
-//! What a text may be read as where nothing in it names its control for certain: the controls that remain are
-//! run, and their motions compared. If all move alike, one of them is assumed. If they do not, the program is
-//! not verified, and a message says what differs.
+//! Compares the possible readings of a text whose control is not certain: the text is run on all controls that remain
+//! possible, and their motions are compared. If all motions are equal, one of the controls is assumed. Otherwise the
+//! program is not verified, and a message shows the difference.
 
 mod difference;
 mod excerpt;
@@ -18,27 +18,27 @@ use trace::MotionTrace;
 
 pub use premise::{ReadingDifference, ReadingGroup, ReadingPremise};
 
-/// A control stays possible while its score is at most this much lower than that of the best.
+/// A control remains possible while its score is less than this below the best score.
 const POSSIBLE_SCORE_GAP: i32 = 6;
 
-/// What the first error costs a control, where another has fewer. A firmware that stops at its first error has
-/// no more of them, however much it would refuse.
+/// The penalty of a control for its first error more than the control with the fewest has. It is large because a
+/// firmware that stops at its first error never has a second one.
 const FIRST_ERROR_PENALTY: i32 = 6;
 
-/// What errors cost a control at most.
+/// The largest penalty of a control for errors.
 const MAX_PENALTY: i32 = 12;
 
-/// A reading that remains: a control, the units where the text names none, and what it moves.
+/// A reading that remains possible: a control, the units when the text names none, and the motions.
 pub(crate) struct PossibleReading {
     pub control: ControlName,
-    /// The built-in machine that runs it.
+    /// The name of the built-in machine that runs it.
     pub machine: &'static str,
-    /// Units at power-on, where the text names none.
+    /// Units at power-on; `None` when the text names its units.
     pub units: Option<Units>,
     pub trace: MotionTrace,
 }
 
-/// The built-in machine of a candidate: that of its signs, or the usual one of its control.
+/// The built-in machine of a candidate: the one that its signs indicate, or the default one of its control.
 pub(crate) fn machine_name(candidate: &ControlCandidate) -> &'static str {
     candidate.machine().unwrap_or(table(candidate.control).default_machine)
 }
@@ -57,8 +57,8 @@ fn built_in(name: &'static str, control: ControlName) -> Machine {
     Machine::from_builtin(name).unwrap_or_else(|_| Machine::new(name, control))
 }
 
-/// Chooses the control that reads a text, and compares what remains. Nothing is compared where the text names
-/// its control and its units.
+/// Chooses the control that reads a text, and compares the remaining readings. The premise is `None` when the control
+/// and the units are certain, so that nothing is compared.
 pub fn settle(mut found: Recognition, text: &[u8]) -> (Recognition, Option<ReadingPremise>) {
     if found.chosen().not_read {
         return (found, None);
@@ -86,8 +86,8 @@ pub fn settle(mut found: Recognition, text: &[u8]) -> (Recognition, Option<Readi
     (found, Some(premise))
 }
 
-/// Runs the excerpt on the controls that the signs leave possible, puts the best of them first in the
-/// recognition, and gives those that remain, the best first.
+/// Runs the excerpt on the controls that the signs leave possible, and makes the best of them the choice of the
+/// recognition. Returns the readings that remain, the best first.
 fn possible(found: &mut Recognition, excerpt: &TrialExcerpt) -> Vec<PossibleReading> {
     let weakest = (found.chosen().weight - POSSIBLE_SCORE_GAP).max(ANOTHER_KIND + 1);
     let turns = table(found.control()).turns();
@@ -106,7 +106,7 @@ fn possible(found: &mut Recognition, excerpt: &TrialExcerpt) -> Vec<PossibleRead
     let score = |found: &Recognition, place: usize, trace: &MotionTrace| {
         found.ranking[place].weight - penalty(faults(trace) - fewest)
     };
-    // A stable sort: of those that score alike the order of the recognition counts.
+    // The sort is stable: controls of equal score keep the order of the recognition.
     runs.sort_by_key(|(place, trace)| -score(found, *place, trace));
     let Some((first, trace)) = runs.first() else { return Vec::new() };
     let best = score(found, *first, trace);
@@ -128,7 +128,7 @@ fn possible(found: &mut Recognition, excerpt: &TrialExcerpt) -> Vec<PossibleRead
     readings
 }
 
-/// Errors, and numbers in least increments that hardly anybody means so.
+/// The number of errors, plus the numbers read in least increments, which are rarely meant like that.
 fn faults(trace: &MotionTrace) -> u64 {
     trace.errors.saturating_add(trace.least_increment_numbers)
 }
@@ -141,8 +141,8 @@ fn penalty(faults: u64) -> i32 {
     }
 }
 
-/// Adds the other units to the readings of a text that names none, where neither a comment nor the size of
-/// the part and the feeds decide.
+/// Adds readings in the other units for a text that names none, except when a comment, the size of the part or the
+/// feeds decide.
 fn in_both_units(
     readings: Vec<PossibleReading>,
     text: &[u8],
@@ -175,12 +175,12 @@ fn other_units(units: Units) -> Units {
     }
 }
 
-/// The name of units in settings.
+/// The name of the units in machine settings.
 fn units_name(units: Units) -> &'static str {
     if units == Units::Inch { "inch" } else { "mm" }
 }
 
-/// Sets the units at power-on; false where the control has no such setting.
+/// Sets the units at power-on; `false` when the control has no such setting.
 pub(crate) fn set_units(machine: &mut Machine, units: Units) -> bool {
     machine.set(&format!("settings.units={:?}", units_name(units))).is_ok()
 }

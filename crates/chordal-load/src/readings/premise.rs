@@ -1,4 +1,4 @@
-//! What was assumed of a text, and where another reading would move otherwise.
+//! What was assumed about a text, and where another reading would move differently.
 
 use chordal::control::{Units, table};
 use chordal::diagnostics::{FileId, Span};
@@ -10,26 +10,26 @@ use super::excerpt::TrialExcerpt;
 use super::trace::{BlockMotion, MotionTrace};
 use super::{PossibleReading, machine_of, units_name};
 
-/// So many controls of one reading are named; the others are counted.
+/// The most controls of a reading that are named; the others are counted.
 const NAMED_CONTROLS: usize = 4;
 
-/// Controls that move a text alike.
+/// Controls on which a text has the same motions.
 #[derive(Clone, Debug)]
 pub struct ReadingGroup {
-    /// The controls, the likeliest first.
+    /// The controls, the most likely one first.
     pub controls: Vec<ControlName>,
-    /// The built-in machine of the first.
+    /// The name of the built-in machine of the first control.
     pub machine: &'static str,
-    /// Units at power-on, where the text names none.
+    /// Units at power-on; `None` when the text names its units.
     pub units: Option<Units>,
-    /// The box of all cuts, mm; nothing where only the beginning was run or nothing is cut.
+    /// The bounding box of all cuts, mm; `None` when only an excerpt was run or nothing is cut.
     pub cut_box: Option<([f64; 3], [f64; 3])>,
-    /// What the block of the difference does: `ends at Z 0.006 mm`; empty where there is no difference.
+    /// What the differing block does in this reading, such as `Z 0.006 mm`; empty when there is no difference.
     pub motion: String,
 }
 
 impl ReadingGroup {
-    /// What to type to read the text so.
+    /// The command-line options that select this reading.
     pub fn option(&self) -> String {
         let machine = self.machine;
         match self.units {
@@ -40,7 +40,8 @@ impl ReadingGroup {
         }
     }
 
-    /// Its controls for people: `GRBL, LinuxCNC and Mach3`, with the units where they are a guess.
+    /// The titles of the controls in a phrase, such as `GRBL, LinuxCNC and Mach3`, with the units when they are a
+    /// guess.
     pub fn title(&self) -> String {
         let titles: Vec<&str> = self.controls.iter().map(|control| table(*control).title).collect();
         let named = match titles.as_slice() {
@@ -60,24 +61,24 @@ impl ReadingGroup {
         }
     }
 
-    /// Its other controls, for people.
+    /// The titles of all controls but the first.
     pub fn other_titles(&self) -> Vec<&'static str> {
         self.controls.iter().skip(1).map(|control| table(*control).title).collect()
     }
 
-    /// The size of what it cuts, mm; nothing on an axis where nothing is cut.
+    /// The size of the box of all cuts, mm; `None` without a box, and for an axis that no cut determines.
     pub fn size_mm(&self) -> Option<[Option<f64>; 3]> {
         let (low, high) = self.cut_box?;
         Some([0, 1, 2].map(|axis| (low[axis] <= high[axis]).then(|| high[axis] - low[axis])))
     }
 
-    /// The same in words: `36 x 20 x 6 mm`.
+    /// [`ReadingGroup::size_mm`] in words, such as `36 x 20 x 6 mm`.
     pub fn size(&self) -> Option<String> {
         let sides: Vec<String> = self.size_mm()?.into_iter().flatten().map(millimetres).collect();
         Some(format!("{} mm", sides.join(" x ")))
     }
 
-    /// As a shell shows it.
+    /// The reading as front ends show it.
     fn choice(&self) -> ReadingChoice {
         ReadingChoice {
             controls: self.controls.iter().map(|control| control.as_str()).collect(),
@@ -92,32 +93,32 @@ impl ReadingGroup {
     }
 }
 
-/// Where two readings move a text differently.
+/// Where the motions of two readings differ.
 #[derive(Clone, Debug)]
 pub struct ReadingDifference {
-    /// The block.
+    /// The first block that differs.
     pub span: Span,
-    /// Only feeds differ, and so the time; the path is the same.
+    /// Only feeds differ, and therefore the time; the path is the same.
     pub only_feed: bool,
 }
 
-/// What was assumed of a text that does not name its control or its units.
+/// What was assumed about a text that does not name its control or its units.
 #[derive(Clone, Debug)]
 pub struct ReadingPremise {
-    /// The readings that remain; the first one is what runs.
+    /// The readings that remain possible; the first one is run.
     pub groups: Vec<ReadingGroup>,
-    /// The first block that they move differently; nothing where all move alike.
+    /// The first block whose motion differs between them; `None` when all motions are equal.
     pub difference: Option<ReadingDifference>,
 }
 
 impl ReadingPremise {
-    /// Of at least one reading of a text, each run on its excerpt.
+    /// Compares the readings of a text (at least one), each run on the excerpt.
     pub(super) fn of(
         readings: &[PossibleReading],
         text: &[u8],
         excerpt: &TrialExcerpt,
     ) -> ReadingPremise {
-        // The readings that move alike, by the index of the first of each.
+        // Groups of readings with equal motions, as indices in `readings`.
         let mut alike: Vec<Vec<usize>> = Vec::new();
         let mut difference: Option<FirstDifference> = None;
         for (index, reading) in readings.iter().enumerate() {
@@ -144,7 +145,7 @@ impl ReadingPremise {
                 alike.push(vec![index]);
             }
         }
-        // Without a difference in motion the units do not matter either.
+        // Without a difference in motion, the units do not matter.
         if difference.is_none() {
             alike = vec![(0..readings.len()).collect()];
         }
@@ -169,12 +170,12 @@ impl ReadingPremise {
         ReadingPremise { groups, difference }
     }
 
-    /// What the program runs as: units at power-on that are not the control's own.
+    /// The assumed units at power-on; `None` when the text names its units.
     pub(crate) fn units(&self) -> Option<Units> {
         self.groups.first()?.units
     }
 
-    /// The readings as a shell shows them.
+    /// The readings as front ends show them.
     pub fn choices(&self) -> ReadingChoices {
         let difference = self.difference.as_ref().map(|at| ChoiceDifference {
             span: at.span,
@@ -185,7 +186,7 @@ impl ReadingPremise {
         ReadingChoices { readings, difference }
     }
 
-    /// What is not known.
+    /// The sentence that states what is not known.
     fn message(&self, at: &ReadingDifference) -> String {
         let what = match at.only_feed {
             true => "how fast this program cuts depends on its control",
@@ -198,7 +199,7 @@ impl ReadingPremise {
         format!("{what}, and {unnamed}")
     }
 
-    /// The path, or the time, depends on a guess: what is said of it.
+    /// The message that the path or the time depends on a guess; `None` when no reading differs.
     pub fn diagnostic(&self) -> Option<Diagnostic> {
         let at = self.difference.as_ref()?;
         let code = if at.only_feed { Code::FeedNotKnown } else { Code::ReadingNotKnown };
@@ -220,7 +221,7 @@ impl ReadingPremise {
     }
 }
 
-/// What a reading cuts of the whole text. A long text is run whole only where the readings differ.
+/// The box of the cuts of the whole text. A long text is run whole only when the readings differ.
 fn cut_box(
     reading: &PossibleReading,
     differs: bool,
@@ -235,7 +236,7 @@ fn cut_box(
         .flatten()
 }
 
-/// The first difference, with the block as one of the two readings has it.
+/// The first difference, with the block as it is in one of the two readings.
 struct FirstDifference {
     aspect: MotionAspect,
     block: BlockMotion,
@@ -256,13 +257,13 @@ impl FirstDifference {
         FirstDifference { aspect, block: block.unwrap_or_else(BlockMotion::nowhere) }
     }
 
-    /// A difference of the path counts before one of the feed, and an earlier one before a later one.
+    /// A difference in path precedes one in feed, and an earlier one precedes a later one.
     fn comes_before(&self, other: &FirstDifference) -> bool {
         let key = |each: &FirstDifference| (each.aspect == MotionAspect::Feed, each.block.range.0);
         key(self) < key(other)
     }
 
-    /// What a reading does in this block.
+    /// What this block does in a reading, in words.
     fn motion_of(&self, trace: &MotionTrace) -> String {
         let block = &self.block;
         let own =
@@ -299,7 +300,7 @@ impl FirstDifference {
     }
 }
 
-/// Millimetres with at most four decimals.
+/// A number with at most four decimals.
 fn millimetres(value: f64) -> String {
     let text = format!("{value:.4}");
     let text = text.trim_end_matches('0').trim_end_matches('.');

@@ -1,4 +1,4 @@
-//! What a text moves on one control, block by block, so that controls can be compared.
+//! Records the motions of a text on one control, block by block, so that controls can be compared.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -10,30 +10,30 @@ use chordal::{
 
 use super::excerpt::TrialExcerpt;
 
-/// Repeated blocks in each of these runs.
+/// The limit on repeated blocks in each of these runs.
 const REPEATED_BLOCKS_LIMIT: u64 = 2_000;
 
-/// What one block moves.
+/// The motion of one block.
 #[derive(Clone, Debug)]
 pub struct BlockMotion {
-    /// Where the block stands: its file, its first byte and its end.
+    /// The location of the block: its file, and the offsets of its first byte and its end.
     pub file: FileId,
     pub range: (u32, u32),
     call: CallPath,
-    /// It cuts.
+    /// At least one of its moves has a feed.
     pub cuts: bool,
-    /// Where it ends, mm and rad, on the axes that are known relative to the part.
+    /// Its end position, mm and rad; `known` has the axes whose position relative to the part is known.
     pub end: Position,
     pub known: AxisMask,
-    /// The box of its cuts, mm.
+    /// The bounding box of its cuts, mm; empty (`low` above `high`) without a cut.
     pub low: [f64; 3],
     pub high: [f64; 3],
-    /// Its feed per minute, mm/s, or per revolution, mm; nothing where it has none.
+    /// Its feed, mm/s or mm per revolution depending on the feed mode; `None` when it has none.
     pub feed: Option<f64>,
 }
 
 impl BlockMotion {
-    /// No block.
+    /// A block without motion at no location.
     pub fn nowhere() -> BlockMotion {
         BlockMotion {
             file: FileId(0),
@@ -49,23 +49,24 @@ impl BlockMotion {
     }
 }
 
-/// What a text moves on one control.
+/// The motions of a text on one control.
 #[derive(Clone, Debug, Default)]
 pub struct MotionTrace {
     pub blocks: Vec<BlockMotion>,
-    /// Errors that say something about the control: not those of files that are not there.
+    /// The number of errors that are evidence against the control; missing files do not count.
     pub errors: u64,
-    /// From this byte on parts of the text are left out: an arc there may begin where no arc does.
+    /// The offset from which on parts of the text are left out. Arcs after it may have a wrong start point, so errors
+    /// about their radius do not count.
     gaps_from: u32,
-    /// Numbers that the control reads in least increments, and that may be meant in whole units.
+    /// How many numbers the control reads in least increments although they may be meant in whole units.
     pub least_increment_numbers: u64,
-    /// The largest cutting feeds: mm/s, and mm per revolution.
+    /// The largest cutting feeds, mm/s and mm per revolution; zero without any.
     pub largest_feed_mm_per_s: f64,
     pub largest_feed_mm_per_rev: f64,
 }
 
 impl MotionTrace {
-    /// Runs what is run of a text on a machine.
+    /// Runs the excerpt of a text on a machine.
     pub fn of(machine: Machine, excerpt: &TrialExcerpt) -> MotionTrace {
         let gaps_from = excerpt.beginning_bytes() as u32;
         let mut trace = MotionTrace { gaps_from, ..MotionTrace::default() };
@@ -83,7 +84,7 @@ impl MotionTrace {
         trace
     }
 
-    /// The box of all cuts, mm: the lowest and the highest place of X, Y and Z.
+    /// The bounding box of all cuts, mm: the lowest and the highest X, Y and Z; `None` without a cut.
     pub fn cut_box(&self) -> Option<([f64; 3], [f64; 3])> {
         let cuts = self.blocks.iter().filter(|block| block.cuts);
         let (low, high) = cuts.fold(EMPTY_BOX, |(mut low, mut high), block| {
@@ -150,7 +151,7 @@ impl MotionTrace {
 
 const EMPTY_BOX: ([f64; 3], [f64; 3]) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
 
-/// The places of an arc that lie farthest along the axes of its plane.
+/// Calls `reach` with the extreme points of an arc along the axes of its plane.
 fn extremes(shape: &ArcShape, motion: &Move, mut reach: impl FnMut(&Position)) {
     let (a, b, _) = shape.plane.axes();
     let start = (motion.from[b] - shape.center[1]).atan2(motion.from[a] - shape.center[0]);

@@ -1,4 +1,4 @@
-//! The units of a text that does not name them: what a comment says, and what the numbers allow.
+//! The units of a text without a units code: what comments state, and which units are plausible for its numbers.
 
 use chordal::control::Units;
 use chordal::diagnostics::FileId;
@@ -6,23 +6,23 @@ use chordal::syntax::{Block, BlockReader, Lexicon, Word};
 
 use super::trace::MotionTrace;
 
-/// Comments are looked at in so much of the beginning, bytes.
+/// How much of the beginning is searched for comments, bytes.
 const COMMENT_HEAD_BYTES: usize = 16 << 10;
 
-/// Nobody cuts a part larger than this on a machine that takes these programs, mm.
+/// The largest plausible part for a machine that runs such programs, mm.
 const MAX_PART_MM: f64 = 4_000.0;
 
-/// Nor at more than this feed, mm/s (15 m/min).
+/// The largest plausible feed, mm/s (15 m/min).
 const MAX_FEED_MM_PER_S: f64 = 250.0;
 
-/// Nor at less than this for all of a program, mm/s (12 mm/min).
+/// The smallest plausible value of the largest feed of a program, mm/s (12 mm/min).
 const MIN_FEED_MM_PER_S: f64 = 0.2;
 
-/// Feeds of lathes, mm per revolution: nobody turns with more, nor with less for all of a program.
+/// The plausible range of the largest turning feed of a program, mm per revolution.
 const MAX_FEED_MM_PER_REV: f64 = 1.6;
 const MIN_FEED_MM_PER_REV: f64 = 0.03;
 
-/// Some block names the units by G20, G21, G70 or G71.
+/// Whether some block sets the units with G20, G21, G70 or G71.
 pub fn names_units(text: &[u8]) -> bool {
     let mut reader = BlockReader::new(text, FileId(0), Lexicon::COMMON);
     let mut block = Block::new();
@@ -38,7 +38,8 @@ pub fn names_units(text: &[u8]) -> bool {
     false
 }
 
-/// The units that a comment of the beginning names next to `unit`, `units`, `output` or `dimension`.
+/// The units that a comment near the beginning names, either next to a word such as `units` or `output` or in a
+/// comment of at most two words; `None` when there is no such comment.
 pub fn units_of_comments(text: &[u8]) -> Option<Units> {
     let head = &text[..text.len().min(COMMENT_HEAD_BYTES)];
     for line in head.split(|byte| matches!(byte, b'\n' | b'\r')) {
@@ -66,7 +67,7 @@ pub fn units_of_comments(text: &[u8]) -> Option<Units> {
     None
 }
 
-/// A reading with these motions may be meant: nobody denies its part and its feeds.
+/// Whether the part and the feeds of a reading have plausible sizes.
 pub fn is_plausible(trace: &MotionTrace) -> bool {
     let Some((low, high)) = trace.cut_box() else { return true };
     let size = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);

@@ -1,11 +1,11 @@
-//! Which kinds of words a text has, so that all of a long one can be judged by a part of it.
+//! The kinds of words in a text, used to choose a part of a long text that represents all of it.
 
 use std::collections::HashSet;
 
-/// Codes below this number, in tenths, are kept as bits.
+/// Codes below this number, in tenths, are stored as bits.
 const CODE_BITS: usize = 2_048;
 
-/// G and M codes that call or jump, in tenths: what they reach may stand anywhere in the text.
+/// G and M codes that call or jump, in tenths: their targets may be anywhere in the text.
 const CALL_CODES: [(u8, u32); 9] = [
     (b'G', 650),
     (b'G', 660),
@@ -18,19 +18,19 @@ const CALL_CODES: [(u8, u32); 9] = [
     (b'M', 1980),
 ];
 
-/// The kinds of words of a text: letters with a whole number, letters with a decimal point, codes. What a text
-/// moves may differ between controls only where they read one of these differently.
+/// The kinds of words in a text: letters with a whole number, letters with a decimal point, and codes. The motions of
+/// a text can differ between controls only when they interpret one of these differently.
 #[derive(Debug)]
 pub struct WordKinds {
-    /// The letters of words without and with a decimal point, A in the lowest bit.
+    /// The letters of words without and with a decimal point, as bits; A is the lowest bit.
     whole: u32,
     decimal: u32,
-    /// G and M codes by ten times their number.
+    /// G and M codes, as bits numbered by ten times the code.
     codes: [[u64; CODE_BITS / 64]; 2],
     large_codes: HashSet<(u8, u32)>,
-    /// Something else than words: a macro statement.
+    /// There is a macro statement or expression.
     statements: bool,
-    /// Program numbers.
+    /// The number of program heads.
     programs: u32,
 }
 
@@ -48,7 +48,7 @@ impl Default for WordKinds {
 }
 
 impl WordKinds {
-    /// Reads a text, or a line of one; true where it has a kind of word that is new.
+    /// Reads a text or a line of it; `true` when it has a new kind of word.
     pub fn read(&mut self, text: &[u8]) -> bool {
         let mut is_new = false;
         let mut at = 0;
@@ -68,8 +68,8 @@ impl WordKinds {
         is_new
     }
 
-    /// Some word or statement calls, jumps or repeats, as `L` does on some controls, or there is more than one
-    /// program.
+    /// Whether some word or statement may call, jump or repeat (as `L` does on some controls), or there is more than
+    /// one program.
     pub fn jumps(&self) -> bool {
         self.statements
             || self.programs > 1
@@ -82,7 +82,7 @@ impl WordKinds {
         self.codes[code_row(letter)][tenths / 64] & (1 << (tenths % 64)) != 0
     }
 
-    /// Adds a code; true where it is new.
+    /// Adds a code; `true` when it is new.
     fn add_code(&mut self, letter: u8, tenths: u32) -> bool {
         if tenths as usize >= CODE_BITS {
             return self.large_codes.insert((letter, tenths));
@@ -127,7 +127,7 @@ impl WordKinds {
                 self.programs += 1;
                 return end;
             }
-            // Nothing reads a zero in another unit.
+            // A zero is the same in all units.
             _ if digits_after.is_some() || is_zero => &mut self.decimal,
             _ => &mut self.whole,
         };

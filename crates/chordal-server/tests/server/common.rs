@@ -1,4 +1,4 @@
-//! A server in a thread, and clients that speak to it.
+//! A server in a thread, and clients for it.
 
 use std::io::{Read, Write};
 use std::net::TcpStream;
@@ -20,12 +20,12 @@ use tungstenite::{Message, WebSocket};
 /// How long a test waits for an answer.
 const TIMEOUT: Duration = Duration::from_secs(30);
 
-/// A program in a file, or in memory alone.
+/// A program in a file or only in memory.
 pub struct Shown {
     pub path: Option<PathBuf>,
     pub text: Mutex<Vec<u8>>,
     pub compared: Option<Arc<ComparedProgram>>,
-    /// A setup file; without one the machine is a built-in one.
+    /// A setup file; `None` uses a built-in machine.
     pub setup: Option<String>,
 }
 
@@ -57,7 +57,7 @@ impl Shown {
     }
 }
 
-/// A run of this code is a failure of ours: it panics.
+/// Running this code panics, to simulate a defect in Chordal.
 pub const FAILS: &str = "M777";
 
 fn fails(call: &ShopCall<'_>) -> ShopAnswer {
@@ -138,7 +138,7 @@ impl Site {
         format!("127.0.0.1:{}", self.port)
     }
 
-    /// Status, headers and body of a request with the lines given after the first.
+    /// The status, headers and body of the answer to a request with this first line and these header lines.
     pub fn raw(&self, first: &str, lines: &[String]) -> (u16, String, Vec<u8>) {
         let mut socket = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
         socket.set_read_timeout(Some(TIMEOUT)).unwrap();
@@ -156,7 +156,7 @@ impl Site {
         self.raw(&format!("GET {path} HTTP/1.1"), &[format!("Host: {}", self.host())])
     }
 
-    /// A connection with these headers, or the status of the refusal.
+    /// Opens a connection with these headers; the error is the status of the refusal.
     pub fn connect(&self, path: &str, headers: &[(&str, &str)]) -> Result<Live, u16> {
         let socket = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
         socket.set_read_timeout(Some(TIMEOUT)).unwrap();
@@ -184,7 +184,7 @@ pub struct Live {
     pub socket: WebSocket<TcpStream>,
 }
 
-/// What a frame says and its columns' bytes.
+/// The header of a frame and the bytes of its columns.
 pub struct Columns {
     pub header: Value,
     data: Vec<u8>,
@@ -219,7 +219,7 @@ impl Columns {
     }
 }
 
-/// What comes from the server.
+/// A message from the server.
 pub enum PageMessage {
     Json(Value),
     Columns(Columns),
@@ -240,7 +240,7 @@ impl Live {
         }
     }
 
-    /// The next object of a type; what comes before is skipped.
+    /// Waits for the next object of a type; earlier messages are skipped.
     pub fn json(&mut self, kind: &str) -> Value {
         loop {
             match self.next() {
@@ -251,7 +251,7 @@ impl Live {
         }
     }
 
-    /// The next frame of a type; what comes before is skipped.
+    /// Waits for the next frame of a type; earlier messages are skipped.
     pub fn columns(&mut self, kind: &str) -> Columns {
         loop {
             match self.next() {

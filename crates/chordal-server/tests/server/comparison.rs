@@ -1,4 +1,4 @@
-//! Another program: its path, what differs, and what the page may ask of it.
+//! The other program: its path, the differences, and the page's requests about it.
 
 use std::fs;
 
@@ -9,7 +9,7 @@ use crate::common::{Live, PageMessage, Shown, serve};
 const A: &str =
     "G21 G90\nT1 M6\nS1000 M3\nG0 X10. Y0 Z5.\nG1 Z0 F100.\nG3 X0 Y10. I-10. J0\nG1 Y20.\nM30\n";
 
-/// The same in other words, the last cut 0.25 mm longer.
+/// The same program written differently, with the last cut 0.25 mm longer.
 const B: &str = "(B)\nG21 G90\nM6 T1\nM3 S1000\nG0 Z5.\nX10. Y0\nN5 G1 Z0 F100.\nG3 X0 Y10. R10.\n\
                  N6 G1 Y15.\nN7 Y20.25\nM30\n";
 
@@ -17,7 +17,7 @@ fn sides(difference: &Value) -> [&Value; 2] {
     [&difference["sides"][0], &difference["sides"][1]]
 }
 
-/// The next comparison of a run.
+/// Waits for the next comparison of a run.
 fn comparison(live: &mut Live, run: u64) -> Value {
     loop {
         let found = live.json("comparison");
@@ -58,7 +58,7 @@ fn the_other_path_comes_as_columns_and_what_differs_with_the_lines_of_both() {
     assert_eq!(a["blocks"], json!({ "file": 0, "from": 7, "to": 7 }));
     assert_eq!(b["blocks"]["to"], 10);
     assert_eq!(a["words"], "G1 Y20.");
-    // Where they are furthest apart: the two ends.
+    // The points that are furthest apart: the two ends.
     assert_eq!(difference["at_mm"], json!([[0.0, 20.0, 0.0], [0.0, 20.25, 0.0]]));
     assert_eq!(
         found["farthest"]["places"],
@@ -164,7 +164,7 @@ fn another_machine_is_held_against_the_one_before() {
     assert_eq!(comparison(&mut live, 2)["sides"][1]["name"], "haas-vf2");
     live.send(r#"{"request":"machine","name":null}"#);
     assert_eq!(live.json("compared_program")["other"], json!({ "machine": "linuxcnc-mill" }));
-    // What the command line names stays.
+    // The program that the command line names stays.
     let mut live = serve(Shown::text(A).compared(Shown::text(B), false)).live();
     comparison(&mut live, 1);
     live.send(r#"{"request":"machine","name":"linuxcnc-mill"}"#);
@@ -185,7 +185,7 @@ fn the_other_file_is_watched_and_told_when_it_cannot_be_read() {
     fs::remove_file(&path).unwrap();
     let refused = live.json("compared_program_refused");
     assert!(!refused["message"].as_str().unwrap().is_empty());
-    // It comes back.
+    // The comparison comes back.
     fs::write(&path, B).unwrap();
     assert_eq!(live.json("comparison")["verdict"], "different");
     live.send(r#"{"request":"compare_with","other":{"machine":"no-such-machine"}}"#);

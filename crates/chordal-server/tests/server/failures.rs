@@ -1,10 +1,10 @@
-//! A failure of ours ends one answer, and the page goes on.
+//! A panic in Chordal ends one answer, and the page continues.
 
 use crate::common::{FAILS, Live, Shown, serve};
 
 const GOOD: &str = "G21 G90\nG0 X10. Y0 Z5.\nG1 X20. F100.\nM30\n";
 
-/// Puts a text in place of the whole one.
+/// Replaces the whole text.
 fn edit(live: &mut Live, until: usize, text: &str) {
     let change = serde_json::json!({ "from": 0, "to": until, "insert": text });
     let replied = serde_json::json!({ "id": 5, "request": "edit", "changes": [change] });

@@ -1,4 +1,4 @@
-//! Connections that say nothing are closed; a page that is there stays.
+//! Idle connections are closed; the connection of an open page stays.
 
 use std::io::{Read, Write};
 use std::net::TcpStream;
@@ -22,7 +22,7 @@ fn whoever_says_nothing_or_half_a_request_is_closed() {
         let mut socket = TcpStream::connect(("127.0.0.1", site.port)).unwrap();
         socket.set_read_timeout(Some(Duration::from_secs(30))).unwrap();
         socket.write_all(received.as_bytes()).unwrap();
-        // It ends, and not because of our own patience.
+        // The server closes it, not the timeout of this test.
         let mut all = Vec::new();
         let ended = socket.read_to_end(&mut all);
         assert!(ended.is_ok(), "{received:?}: the connection is still open");
@@ -35,7 +35,7 @@ fn a_page_that_is_there_stays() {
     let mut live = site.live();
     live.json("times");
     let begun = Instant::now();
-    // Reading answers whoever asks whether the page is there.
+    // Reading answers the pings of the server.
     live.socket.get_ref().set_read_timeout(Some(IDLE / 10)).unwrap();
     while begun.elapsed() < 5 * IDLE {
         let _ = live.socket.read();

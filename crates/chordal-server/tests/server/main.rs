@@ -1,4 +1,4 @@
-//! The server as a page and as strangers meet it.
+//! The server as seen by a page and by other clients.
 
 #![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "speaks to a server")]
 #![allow(missing_docs, reason = "tests")]

@@ -1,4 +1,4 @@
-//! What a page gets: path, problems, times, and what it may ask.
+//! What a page receives (path, problems, times), and its requests.
 
 use std::f32::consts::FRAC_PI_2;
 use std::fs;
@@ -19,7 +19,7 @@ fn the_path_is_columns_and_arcs_have_their_exact_record() {
     let rows = path.header["rows"].as_u64().unwrap() as usize;
     let (lines, kinds) = (path.u32("line"), path.u8("kind"));
     assert_eq!(lines.len(), rows);
-    // Known from X and Y on; the arc is row of line 6.
+    // Known from X and Y on; the arc is the row of line 6.
     let arc = lines.iter().position(|line| *line == 6).unwrap();
     assert_eq!(kinds[arc], 0x12);
     assert_eq!(path.u32("arc_rows"), [arc as u32]);
@@ -52,7 +52,7 @@ fn the_axes_that_are_known_come_with_each_end() {
     let path = live.columns("path");
     let ends = path.u8("known").into_iter().map(|known| (known & 7, known >> 3));
     let known: Vec<(u32, (u8, u8))> = path.u32("line").into_iter().zip(ends).collect();
-    // X alone, X and Z, and X alone again after the reference point; Y never is.
+    // X only, X and Z, and X only again after the reference point; Y is never known.
     let of =
         |line: u32| known.iter().filter(|(own, _)| *own == line).map(|(_, ends)| *ends).next_back();
     assert_eq!(
@@ -117,7 +117,7 @@ fn a_long_text_comes_in_pieces_that_cut_no_character() {
 #[test]
 fn the_text_is_the_files_and_edits_are_run() {
     let mut live = serve(Shown::text("G21\r\nG1 X10. F100.\r\nG7 X20.\r\n")).live();
-    // The text and the run come from two threads, in any order.
+    // The text and the run are sent by two threads, in any order.
     let (mut text, mut report) = (None, None);
     while text.is_none() || report.is_none() {
         match live.next() {
@@ -154,7 +154,7 @@ fn the_motion_comes_after_the_path_in_true_time() {
     let period = points.header["period_s"].as_f64().unwrap();
     let total = points.header["total_s"].as_f64().unwrap();
     assert!((rows.len() as f64 * period - total).abs() < 2.0 * period);
-    // The cuts alone, 5 + 5π + 10 mm at 100 mm/min, take 18.4 s.
+    // The cuts (5 + 5π + 10 mm at 100 mm/min) take 18.4 s.
     let cuts = (15.0 + 5.0 * std::f64::consts::PI) / 100.0 * 60.0;
     assert!(total > cuts, "{total} {cuts}");
     // It ends at X0 Y20 Z0, in program coordinates.
@@ -164,7 +164,7 @@ fn the_motion_comes_after_the_path_in_true_time() {
         "{last:?}"
     );
     let arc = arc_row(QUARTER);
-    // On the arc every setpoint is on the circle, but for what easing its ends may take.
+    // Every setpoint of the arc is on the circle within 0.1 mm, which corner rounding at its ends may take.
     let path_rows = rows.iter().zip(places.chunks(3));
     let on_arc: Vec<&[f32]> = path_rows.filter(|(row, _)| **row == arc).map(|(_, at)| at).collect();
     assert!(on_arc.len() > 100);
@@ -180,7 +180,7 @@ fn the_motion_comes_after_the_path_in_true_time() {
     assert!((times["all"]["total_s"].as_f64().unwrap() - total).abs() < 1e-3);
 }
 
-/// The row of line 6 as the path numbers it.
+/// The number of the path row of line 6.
 fn arc_row(program: &str) -> u32 {
     let mut live = serve(Shown::text(program)).live();
     let lines = live.columns("path").u32("line");
@@ -227,7 +227,7 @@ fn chords_are_as_the_library_cuts_them() {
     for tolerance in [1.0, 0.01] {
         live.send(&format!(r#"{{"request":"chords","tolerance_mm":{tolerance}}}"#));
         let chords = live.columns("chords");
-        // A chord over the angle a is off by R (1 − cos a/2).
+        // A chord over the angle a deviates by R (1 − cos a/2).
         let step = 2.0 * (1.0 - tolerance / 10.0_f64).acos();
         let want = (std::f64::consts::FRAC_PI_2 / step).ceil();
         assert_eq!(chords.header["chords"].as_f64().unwrap(), want);
@@ -284,7 +284,7 @@ fn a_file_is_watched_and_written_whole() {
     live.send(r#"{"id":5,"request":"save"}"#);
     assert_eq!(live.json("saved")["id"], 5);
     assert_eq!(fs::read(&path).unwrap(), b"G21\r\nG1 X10. F100.\r\n");
-    // Somebody else writes it: that is reported, and not written over unasked.
+    // Another program writes the file: that is reported, and the file is not overwritten without a request.
     fs::write(&path, "G21\nG1 X77. F100.\n").unwrap();
     live.json("changed");
     live.send(r#"{"id":6,"request":"save"}"#);
@@ -318,7 +318,7 @@ fn words_have_classes_and_meanings_at_their_place() {
         .chunks(4)
         .map(|four| (four[0], four[1], four[2], received["classes"][four[3]].as_str().unwrap()))
         .collect();
-    // The face is two units.
+    // The emoji is two UTF-16 code units.
     assert_eq!(words[0], (1, 0, 10, "comment"));
     assert_eq!(words[1], (2, 0, 3, "gcode"));
     assert!(words.contains(&(2, 7, 11, "axis")), "{words:?}");

@@ -1,4 +1,4 @@
-//! Who does not know the address, or comes from elsewhere, gets nothing.
+//! Requests without the secret address or from elsewhere get nothing.
 
 use crate::common::{PageMessage, Shown, Site, serve};
 use tungstenite::Message;
@@ -41,7 +41,7 @@ fn the_page_may_load_nothing_from_other_servers() {
     let policy = head.lines().find(|line| line.starts_with("content-security-policy")).unwrap();
     assert!(policy.contains("default-src 'none'") && policy.contains("script-src 'self'"));
     assert!(!policy.contains("unsafe") && !policy.contains('*') && !policy.contains("http"));
-    // Styles of the editor bear the nonce of this answer; the next has another.
+    // Styles of the editor have the nonce of this answer; the next answer has another one.
     let body = String::from_utf8(body).unwrap();
     let nonce = policy.split("'nonce-").nth(1).unwrap().split('\'').next().unwrap();
     assert!(body.contains(nonce));
@@ -177,7 +177,7 @@ fn a_message_beyond_the_limit_ends_the_connection_and_not_the_server() {
     let mut live = site.live();
     live.json("report");
     let huge = "x".repeat(33 << 20);
-    // The server may close while this is under way.
+    // The server may close the connection while this is being sent.
     let _ = live.socket.send(Message::text(huge));
     loop {
         match live.next() {

@@ -1,4 +1,4 @@
-//! The stock of a page: its frames give the stock of a direct run again, forward and backward.
+//! The stock of a page: its frames reproduce the stock of a direct run, forward and backward.
 
 use chordal::stock::{ColumnDrop, ReplayOptions, ReplaySink, StockBefore};
 use chordal::{Job, Machine, Source, SourceMap};
@@ -33,7 +33,7 @@ diameter = "8 mm"
 flute_length = "20 mm"
 "#;
 
-/// A pocket and an arc with two tools; line 9 is the first of the second tool, line 13 a rapid through the part.
+/// A pocket and an arc with two tools; line 9 is the first of the second tool, line 13 is a rapid through the part.
 const FIRST: &str =
     "G21 G90 G17\nT1 M6\nS5000 M3\nG0 X10. Y10. Z5.\nG1 Z-4. F200.\nX50. F600.\nY30.\nG0 Z20.\n";
 const SECOND: &str =
@@ -43,7 +43,7 @@ fn whole() -> String {
     [FIRST, SECOND].concat()
 }
 
-/// What a page holds of it.
+/// The stock as a page stores it.
 struct Page {
     stock: Columns,
     drops: Vec<ColumnDrop>,
@@ -66,7 +66,7 @@ fn gather(live: &mut Live) -> Page {
     }
 }
 
-/// A direct run of a program: the stock before, and what is left of it.
+/// A direct run of a program: the stock before and after.
 fn direct(program: &str, columns: u32) -> (StockBefore, Vec<f32>) {
     struct Before(Option<StockBefore>);
     impl ReplaySink for Before {
@@ -102,7 +102,7 @@ fn the_frames_give_the_stock_of_a_direct_run_forward_and_backward() {
     assert_eq!(stock.f32("heights"), before.heights);
     assert_eq!(stock.header["cells"], serde_json::json!(before.columns));
     assert_eq!(stock.f32("target"), before.target.unwrap().0);
-    // Forward: to the change of tools, where a program that ends there has the same stock, and to the end.
+    // Forward: to the tool change, where a program that ends there has the same stock, and to the end.
     let second = lines.iter().position(|line| *line >= 9).unwrap() as u32;
     let mut now = stock.f32("heights");
     let mut undo = Vec::new();
@@ -119,7 +119,7 @@ fn the_frames_give_the_stock_of_a_direct_run_forward_and_backward() {
     assert!(left_by_first != left && left_by_first != before.heights);
     assert!(at_change.unwrap() == left_by_first);
     assert!(now == left);
-    // Backward: the same, and the whole stock again.
+    // Backward: to the tool change and to the uncut stock.
     for (row, column, height) in undo.into_iter().rev() {
         if row < second && !now.is_empty() && now != left_by_first {
             panic!("after the second tool is undone the stock is another");
@@ -140,7 +140,7 @@ fn what_is_touched_comes_with_its_line_and_the_other_problems() {
     let problems = report["diagnostics"].as_array().unwrap();
     let rapid = problems.iter().find(|problem| problem["code"] == "CH620").unwrap();
     assert_eq!((&rapid["place"]["line"], &rapid["place"]["own"]), (&13.into(), &true.into()));
-    // The cut of 1 mm into the target of the first tool.
+    // The first tool cuts 1 mm into the target.
     assert!(problems.iter().any(|problem| problem["code"] == "CH626"));
     assert!(report["removed_mm3"]["least"].as_f64().unwrap() > 1000.0);
 }
@@ -157,7 +157,7 @@ fn the_page_may_request_other_columns_and_an_edit_starts_again() {
     let cells = |stock: &Columns| stock.f32("heights").len();
     assert!(cells(&coarse) <= 10_000 && cells(&usual) <= 250_000 && cells(&usual) > 200_000);
     live.json("stock_report");
-    // A digit of the feed: the same stock, of another run.
+    // Another digit of the feed gives the same stock in another run.
     live.send(r#"{"request":"edit","changes":[{"from":0,"to":0,"insert":"(NEW)\n"}]}"#);
     assert_eq!(gather(&mut live).stock.header["run"], 2);
 }
@@ -182,7 +182,7 @@ fn gaps_of_undercuts_come_with_their_moments() {
     let found = live.columns("stock_gaps");
     let (columns, rows, counts) = (found.u32("column"), found.u32("row"), found.u32("count"));
     let (shares, gaps) = (found.f32("share"), found.f32("gaps"));
-    // Next to the slot, 8 mm from its middle: from 12 to 8 mm below the top, later the farther along it.
+    // Next to the slot, 8 mm from its middle: from 12 to 8 mm below the top, later the farther along the slot.
     let across = cells[0].as_u64().unwrap();
     let row = ((8.0 + 30.0) / side) as u64;
     let mut at = 0;
@@ -213,7 +213,7 @@ fn without_stock_and_with_a_wrong_setup_the_reason_is_reported() {
     let received = live.json("no_stock");
     assert!(received["message"].as_str().unwrap().contains("lost.stl"), "{received}");
     assert!(received["help"].is_string());
-    // The path is there all the same.
+    // The path is sent nevertheless.
     live.send(r#"{"id":1,"request":"outline"}"#);
     assert!(matches!(live.next(), PageMessage::Json(_) | PageMessage::Columns(_)));
 }
@@ -229,11 +229,11 @@ fn fixtures_and_how_hard_the_cuts_are_come_with_it() {
     assert!(corners.chunks(3).all(|at| (40.0..=60.0).contains(&at[1])));
     let found = live.columns("engagement");
     let (rows, radial, chips) = (found.u32("row"), found.f32("radial"), found.f32("chip"));
-    // 600 mm/min, 5000 rev/min, two teeth: 0.06 mm of each in the full width of the tool.
+    // 600 mm/min, 5000 rev/min, two teeth: 0.06 mm per tooth at the full width of the tool.
     let at = rows.iter().position(|row| lines[*row as usize] == 6).expect("the slot");
     assert!((radial[at] - 10.0).abs() < 0.3 && (chips[at] - 0.06).abs() < 1e-4);
     assert_eq!(found.u8("problem")[at], 1);
-    // The ball cutter has no teeth given.
+    // The number of teeth of the ball cutter is unknown.
     let ball = rows.iter().position(|row| lines[*row as usize] == 12).expect("the arc");
     assert!(chips[ball] < 0.0 && radial[ball] > 0.0 && found.u8("problem")[ball] == 0);
 }

@@ -1,4 +1,4 @@
-//! The stock of a lathe on a page: its lines and arcs give the section of a direct run at every moment.
+//! The stock of a lathe on a page: its lines and arcs give the section of a direct run at every time.
 
 use chordal::stock::{TurnedOptions, TurnedReport};
 use chordal::{Job, Machine, Source, SourceMap};
@@ -44,8 +44,8 @@ offset.X = "0 mm"
 offset.Z = "0 mm"
 "#;
 
-/// Two passes and an arc of the first tool; line 9 ends it. Then a groove, the part-off in line 13, and a rapid into
-/// what is left in line 16.
+/// Two passes and an arc with the first tool, which ends with line 9. Then a groove, the cut-off in line 13, and a
+/// rapid into the remaining stock in line 16.
 const FIRST: &str = "G21 G18 G40 G97 G99 S800 M3\nG28 U0 W0\nT0101\nG0 X46. Z3.\nG1 Z-20. F0.15\nX52.\nG0 Z3.\nX36.\nG3 X46. Z-2. R6. F0.3\n";
 const SECOND: &str =
     "G0 X60. Z10.\nT0505\nG0 X56. Z-25.\nG1 X-1. F0.08\nG0 X56.\nZ-40.\nX30.\nX80.\nM30\n";
@@ -64,7 +64,7 @@ fn direct(program: &str) -> TurnedReport {
     job.turned_stock(&TurnedOptions::default(), &none).unwrap()
 }
 
-/// The area within the lines and arcs of a section, of what is in the chuck or of what was cut off, mm².
+/// The area enclosed by the lines and arcs of a section, of the part in the chuck or of what was cut off, mm².
 fn area(page: &Columns, number: u32, loose: u8) -> f64 {
     let (lines, from, until) = (page.f32("lines"), page.u32("from"), page.u32("until"));
     let is_loose = page.u8("loose");
@@ -92,7 +92,7 @@ fn the_pieces_give_the_section_of_a_direct_run_at_every_moment() {
     assert_eq!(page.header["whole"], true);
     let near = |page: f64, direct: f64| assert!((page - direct).abs() < 1e-3, "{page} {direct}");
     near(area(&page, 0, 0), 25.0 * 61.0);
-    // At the change of tools the stock is that of a program that ends there.
+    // At the tool change the stock is that of a program that ends there.
     let second = lines.iter().position(|line| *line > 9).unwrap() as u32;
     let at_change = rows.iter().filter(|row| **row < second).count() as u32;
     near(area(&page, at_change, 0), direct(&[FIRST, "M30\n"].concat()).section.area());
@@ -128,12 +128,12 @@ fn what_is_touched_has_its_place_and_the_page_knows_a_lathe() {
     assert_eq!(rapid["line"], 16);
     let place: Vec<f64> =
         rapid["at"].as_array().unwrap().iter().map(|each| each.as_f64().unwrap()).collect();
-    // The blade is 3 mm wide and goes down to X30.
+    // The blade is 3 mm wide and cuts down to X30.
     let near = |found: f64, expected: f64| (found - expected).abs() < 1e-6;
     assert!(near(place[0], -38.5) && near(place[1], 20.0), "{place:?}");
     let listed = report["diagnostics"].as_array().unwrap();
     assert!(listed.iter().any(|problem| problem["code"] == "CH620"));
-    // 0.15 mm of a revolution is within the limit, 0.3 is not.
+    // 0.15 mm per revolution is within the limit, 0.3 is not.
     let cuts = live.columns("engagement");
     assert_eq!(cuts.header["turning"], true);
     assert!((cuts.f32("radial")[0] - 2.0).abs() < 1e-4);

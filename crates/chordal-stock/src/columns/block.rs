@@ -1,8 +1,8 @@
-//! The floor on the cells of a block, from both sides.
+//! Bounds of the floor on the cells of a block.
 //!
-//! The floor is a convex function of the column, so on a cell it is largest at a corner (`hi`), and by
-//! reflection through the middle nowhere below 2·F(middle) − hi (`lo`). A cell of which a corner is not
-//! reached has no `hi`, and as `lo` what its nearest place allows.
+//! The floor F is a convex function of the column, so on a cell it is largest at a corner (`hi`), and by reflection
+//! through the middle nowhere below 2·F(middle) − hi (`lo`). A cell with a corner that is not reached has no `hi`,
+//! and its `lo` follows from its nearest point.
 
 use wide::{CmpEq, f32x4};
 
@@ -13,7 +13,8 @@ use crate::sweep::shape::PartKind;
 /// Groups of four cells in a row of a block.
 const GROUPS_OF_ROW: usize = BLOCK / LANES;
 
-/// Some cells of a block: from a column and a row, so many groups of four columns, so many rows.
+/// A rectangle of cells of a block: its first column and row, its number of groups of four columns, and its number of
+/// rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BlockPart {
     pub column: usize,
@@ -23,12 +24,12 @@ pub(crate) struct BlockPart {
 }
 
 impl BlockPart {
-    /// Number of its cells.
+    /// Its number of cells.
     pub fn cells(&self) -> usize {
         self.groups * LANES * self.rows
     }
 
-    /// Its middle from the corner of the block, and half its diagonal, in cells.
+    /// Its middle relative to the corner of the block, and half its diagonal, in cells.
     pub fn middle(&self) -> ([f32; 2], f32) {
         let (width, height) = ((self.groups * LANES) as f32, self.rows as f32);
         let middle = [self.column as f32 + width / 2.0, self.row as f32 + height / 2.0];
@@ -36,7 +37,7 @@ impl BlockPart {
     }
 }
 
-/// Numbers from one corner row to the next: a corner more than cells, and room for a group.
+/// Distance between rows in the array of corners: one corner more than cells, rounded up to whole groups.
 const STRIDE: usize = BLOCK + LANES;
 
 #[inline(always)]
@@ -52,9 +53,9 @@ fn load(from: &[f32; STRIDE * STRIDE], at: usize) -> f32x4 {
     }
 }
 
-/// Tells `put` for each group of four cells of a part, by its number in the block: the floor is surely not
-/// above `hi` and not below `lo`, and what it is in the middle of each cell. `corner`: the block's, in cells of the tile. `lowest`: the least height of
-/// the part of the cutter on the block.
+/// Calls `put` for each group of four cells of a part with its number in the block, the bounds `hi` and `lo` of the
+/// floor, and the floor in the middle of each cell. `corner` is that of the block, in cells of the tile; `lowest` the
+/// least height of the part of the cutter on the block.
 #[inline(always)]
 pub(crate) fn certified<const LEVEL: bool, S: PartKind>(
     course: &TileCourse,
@@ -119,7 +120,7 @@ pub(crate) fn certified<const LEVEL: bool, S: PartKind>(
     }
 }
 
-/// As [`certified`], with the floor at the middle of each cell.
+/// Like [`certified`], but only with the floor in the middle of each cell.
 #[inline(always)]
 pub(crate) fn sampled<const LEVEL: bool, S: PartKind>(
     course: &TileCourse,

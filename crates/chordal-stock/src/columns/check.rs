@@ -1,4 +1,5 @@
-//! Touches decided as finely as they need: where cells cannot say, the tile is done again in halves.
+//! Decides contacts with adaptive resolution: where cells are too coarse, the tile is computed again with halved
+//! cells.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,49 +13,49 @@ use super::{
 };
 use crate::sweep::TipMove;
 
-/// A program of tasks on a stock that is at its beginning.
+/// A sequence of tasks on a fresh stock.
 #[derive(Clone, Copy)]
 pub struct StockCheck<'a> {
     /// The box of the stock, mm.
     pub bounds: Aabb,
-    /// How coarse it begins.
+    /// The options of its coarsest columns.
     pub options: ColumnOptions,
-    /// The stock's shape: see [`ColumnStock::shaped`].
+    /// The shape of the stock: see [`ColumnStock::shaped`].
     pub heights: &'a dyn Fn([f64; 2], [f64; 2]) -> [f64; 2],
-    /// Where it is hollow below its tops: see [`ColumnStock::hollow`].
+    /// Its hollows below its tops: see [`ColumnStock::hollow`]; `None` without any.
     pub hollows: Option<&'a CellHollows<'a>>,
-    /// What is done, in this order.
+    /// The tasks, in order.
     pub tasks: &'a [StockTask<'a>],
-    /// What else is gone before some tasks, by their numbers: see [`ColumnStock::lower`].
+    /// What else is removed before some tasks, with their numbers: see [`ColumnStock::lower`].
     pub lowered: &'a [(usize, &'a CellCeiling<'a>)],
-    /// Bodies may reach so deep into stock, mm: see [`ContactDepth::touch`].
+    /// Depth to which bodies may reach into stock, mm: see [`ContactDepth::touch`].
     pub tolerance: f64,
-    /// Cells are not made smaller than this, mm.
+    /// Least side of a cell, mm.
     pub finest: f64,
 }
 
-/// Runs all of some jobs.
+/// Runs jobs, in any order and on any threads.
 pub type JobRunner<'a> = dyn Fn(Vec<TileJob<'_>>) -> Vec<JobResult> + 'a;
 
-/// What a check found.
+/// The result of a check.
 #[derive(Clone, Debug)]
 pub struct CheckedStock {
-    /// The stock at the end, as coarse as it began.
+    /// The stock at the end, at its coarsest resolution.
     pub stock: ColumnStock,
-    /// For each task, each of its bodies, each move. A contact that is undecided for the tolerance is so at the
-    /// finest cells.
+    /// The contacts by task, body and move. A contact that is undecided for the tolerance is so with the finest
+    /// cells, too.
     pub contacts: Vec<Vec<Vec<ContactDepth>>>,
-    /// Tiles that were done again, each in four, at any size.
+    /// Number of tiles, of any size, that were computed again with finer cells.
     pub refined: usize,
 }
 
-/// A question: a task, a body and a move of it.
+/// A question: task, body and move.
 type ContactQuestion = (usize, u32, u32);
 
-/// The questions that a tile leaves open, with what it knows.
+/// The open questions by tile, with the bounds known so far.
 type OpenQuestions = BTreeMap<usize, BTreeMap<ContactQuestion, ContactDepth>>;
 
-/// What happens on a part of the stock: moves of each task, with their numbers in it.
+/// A part of the stock that is computed again: the moves of each task, with their numbers in it.
 struct RefinedRegion {
     bounds: Aabb,
     resolution: f64,
@@ -64,7 +65,7 @@ struct RefinedRegion {
 }
 
 impl StockCheck<'_> {
-    /// Runs the tasks, and again on tiles with questions that cells are too coarse for.
+    /// Runs the tasks, and runs them again with finer cells on tiles with undecided contacts.
     ///
     /// # Errors
     /// As [`ColumnStock::new`].
@@ -72,7 +73,7 @@ impl StockCheck<'_> {
         self.run_by(&|jobs| jobs.into_iter().map(TileJob::run).collect())
     }
 
-    /// As [`StockCheck::run`], with a function that runs all of some jobs, in any order and on any threads.
+    /// Like [`StockCheck::run`], with a function that runs jobs in any order and on any threads.
     ///
     /// # Errors
     /// As [`ColumnStock::new`].
@@ -111,7 +112,7 @@ impl StockCheck<'_> {
         Ok(CheckedStock { stock, contacts, refined })
     }
 
-    /// The stock in a box before everything.
+    /// The fresh stock in a box.
     fn begin(&self, bounds: Aabb, options: ColumnOptions) -> Result<ColumnStock, StockError> {
         let mut stock = ColumnStock::shaped(bounds, options, self.heights)?;
         if let Some(hollows) = self.hollows {
@@ -120,14 +121,15 @@ impl StockCheck<'_> {
         Ok(stock)
     }
 
-    /// Takes what else is gone before a task.
+    /// Removes what else is gone before a task.
     fn lower(&self, stock: &mut ColumnStock, task: usize) {
         for (_, lower) in self.lowered.iter().filter(|(before, _)| *before == task) {
             stock.lower(lower);
         }
     }
 
-    /// Puts what is decided, or as fine as it may be, to the contacts, and the rest to the tile's questions.
+    /// Adds contacts that are decided, or as fine as allowed, to the results, and the rest to the tile's open
+    /// questions.
     fn sort(
         &self,
         resolution: f64,
@@ -148,7 +150,7 @@ impl StockCheck<'_> {
         }
     }
 
-    /// Settles open questions that another tile has answered: the body surely touches there.
+    /// Closes open questions that another tile has answered: the body certainly touches there.
     fn answered(&self, open: &mut OpenQuestions, contacts: &mut [Vec<Vec<ContactDepth>>]) {
         open.retain(|_, questions| {
             questions.retain(|&question, &mut contact| {
@@ -164,7 +166,7 @@ impl StockCheck<'_> {
         });
     }
 
-    /// The tiles with open questions, each with the moves that meet it up to its last question.
+    /// The regions of tiles with open questions, each with the moves that meet it up to its last question.
     fn parts(
         &self,
         stock: &ColumnStock,
@@ -174,15 +176,12 @@ impl StockCheck<'_> {
     ) -> Vec<RefinedRegion> {
         let tasks = self.tasks.len();
         let mut parts: BTreeMap<usize, RefinedRegion> = BTreeMap::new();
-        for (tile, requested) in open {
+        for (tile, questions) in open {
             let (bounds, resolution) =
                 (stock.grid().box_of(tile), stock.options().resolution / 2.0);
             let (moves, numbers) = (vec![Vec::new(); tasks], vec![Vec::new(); tasks]);
-            let requested = requested.into_keys().collect();
-            parts.insert(
-                tile,
-                RefinedRegion { bounds, resolution, moves, numbers, questions: requested },
-            );
+            let questions = questions.into_keys().collect();
+            parts.insert(tile, RefinedRegion { bounds, resolution, moves, numbers, questions });
         }
         if parts.is_empty() {
             return Vec::new();
@@ -209,7 +208,7 @@ impl StockCheck<'_> {
         parts.into_values().collect()
     }
 
-    /// Runs a part at its resolution, and what stays open again.
+    /// Runs a region at its resolution, and recursively what stays open. Returns the number of regions.
     fn again(
         &self,
         part: RefinedRegion,
@@ -227,14 +226,14 @@ impl StockCheck<'_> {
         for (number, task) in self.tasks.iter().enumerate() {
             self.lower(&mut stock, number);
             let of_task = &part.numbers[number];
-            let is_requested = |at: &u32| {
+            let has_question = |at: &u32| {
                 let of_task = of_task[*at as usize];
                 part.questions
                     .range((number, 0, 0)..(number + 1, 0, 0))
-                    .any(|requested| requested.2 == of_task)
+                    .any(|question| question.2 == of_task)
             };
-            let requested: Vec<u32> = (0..of_task.len() as u32).filter(is_requested).collect();
-            let task = StockTask { moves: &part.moves[number], numbers: Some(&requested), ..*task };
+            let compared: Vec<u32> = (0..of_task.len() as u32).filter(has_question).collect();
+            let task = StockTask { moves: &part.moves[number], numbers: Some(&compared), ..*task };
             for (first, task) in chunks(task) {
                 for found in run(&mut stock, &task, runner) {
                     let questions = found.contacts.iter().filter_map(|&(body, at, contact)| {
@@ -269,7 +268,7 @@ fn run(stock: &mut ColumnStock, task: &StockTask<'_>, runner: &JobRunner<'_>) ->
     runner(stock.jobs(&plan))
 }
 
-/// A task in parts of so many moves as are planned at once, each with the number of its first move.
+/// A task in parts of as many moves as are planned at once, each with the number of its first move.
 pub(crate) fn chunks(task: StockTask<'_>) -> impl Iterator<Item = (u32, StockTask<'_>)> {
     let some = task.moves.chunks(MOVES_PER_PLAN).enumerate();
     some.map(move |(n, moves)| {

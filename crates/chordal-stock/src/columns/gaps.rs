@@ -1,8 +1,9 @@
 //! Gaps in columns: what undercuts have removed below the top of a column.
 //!
-//! A column with gaps still has its two heights. Below the outer one all may be stock but what its sure gaps have
-//! removed; below the inner one all is stock but what its possible gaps may have removed. A gap that comes to
-//! light is none any more: the height goes down to its floor. Few columns have gaps, so they are a table aside.
+//! A column with gaps still has its two heights. Everything below the outer one may be stock, except in its certain
+//! gaps; everything below the inner one is stock, except in its possible gaps. Where a height is lowered into a gap,
+//! the gap is open at the top: the height drops to its floor, and the gap is removed. Few columns have gaps, so they
+//! are kept in a separate table.
 
 use std::collections::BTreeMap;
 
@@ -10,17 +11,17 @@ use super::grid::{BLOCKS, CELLS};
 use super::heights::{round_down, round_up};
 use crate::RemovedSpan;
 
-/// A gap from its floor to its top, from the stock's top, mm.
+/// Floor and top of a gap relative to the stock's top, mm.
 pub(crate) type ColumnGap = [f32; 2];
 
-/// The gaps of a column from below, none of which touch each other or the height.
+/// The gaps of a column from below, which do not touch each other or the height.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ColumnGaps {
-    /// Surely no stock.
+    /// Where there is certainly no stock.
     pub surely: Vec<ColumnGap>,
-    /// Where there may be none.
+    /// Where there may be no stock.
     pub maybe: Vec<ColumnGap>,
-    /// Where there is none in the middle of the cell, where that is kept.
+    /// Where there is no stock in the middle of the cell, if that is kept.
     pub middle: Vec<ColumnGap>,
 }
 
@@ -38,15 +39,15 @@ impl ColumnGaps {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TileGaps {
     columns: BTreeMap<u16, ColumnGaps>,
-    /// Blocks with a column that has gaps.
+    /// The blocks with a column that has gaps, as a bit set.
     blocks: u64,
-    /// By block, no gap of it reaches higher, mm; empty without any.
+    /// Upper bound of the tops of the gaps in each block, mm; empty without any.
     tops: Vec<f32>,
-    /// Gaps of all columns together.
+    /// Total number of gaps.
     count: usize,
 }
 
-/// Bytes of a column in the table, about, and of a gap.
+/// Approximate bytes of a column in the table; of a gap below.
 const COLUMN_BYTES: usize = size_of::<ColumnGaps>() + 2 * size_of::<u64>();
 const GAP_BYTES: usize = size_of::<ColumnGap>();
 
@@ -64,7 +65,7 @@ impl TileGaps {
         self.blocks & (1 << block) != 0
     }
 
-    /// Whether a gap of a block may come to light where all heights of it are at least so high.
+    /// Whether a gap of a block may reach a height, if all heights of the block are at least `height`.
     pub fn may_reach(&self, block: usize, height: f32) -> bool {
         self.is_in(block) && self.tops[block] >= height
     }
@@ -85,9 +86,10 @@ impl TileGaps {
             .map(move |(at, column)| (usize::from(*at) - block * CELLS, column))
     }
 
-    /// Takes what is surely, what may be and what is in its middle removed from a column (from the stock's top, mm), and
-    /// gives its heights after that: outer, inner, in the middle. Where the table would be larger than `limit` bytes, sure gaps are forgotten and the inner height
-    /// goes below the possible ones: the bounds are wider, and still bounds.
+    /// Adds removed spans to a column (relative to the stock's top, mm): those certain, those possible and those in
+    /// its middle. Returns its new heights: outer, inner, middle. Where the table would be larger than `limit` bytes,
+    /// certain gaps are dropped and the inner height goes below the possible ones: the bounds are then wider, but
+    /// still valid.
     pub fn add(
         &mut self,
         place: [usize; 2],
@@ -99,7 +101,7 @@ impl TileGaps {
         let mut column = self.columns.remove(&key(place)).unwrap_or_default();
         self.count -= column.count();
         for span in surely {
-            // Rounded so that it is smaller.
+            // Rounded inwards.
             insert(&mut column.surely, [round_up(span.floor).max(bottom), round_down(span.top)]);
         }
         for span in maybe {
@@ -116,7 +118,7 @@ impl TileGaps {
         heights
     }
 
-    /// The heights of a column with gaps after others were lowered; the same where it has none.
+    /// The heights of a column after its gaps were merged with lowered heights; unchanged where it has no gaps.
     pub fn settle(&mut self, place: [usize; 2], heights: [f32; 3]) -> [f32; 3] {
         let Some(column) = self.columns.remove(&key(place)) else { return heights };
         self.count -= column.count();
@@ -130,7 +132,7 @@ impl TileGaps {
         [outer, inner, middle]: [f32; 3],
     ) -> [f32; 3] {
         let outer = come_to_light(&mut column.surely, outer);
-        // What is surely gone may be gone, too.
+        // What is certainly removed may be removed, too.
         let inner = come_to_light(&mut column.maybe, inner.min(outer));
         let middle = come_to_light(&mut column.middle, middle.min(outer));
         if !column.is_empty() {
@@ -153,7 +155,7 @@ impl TileGaps {
     }
 }
 
-/// Adds a gap, and joins it with those that it touches.
+/// Adds a gap, and merges it with those that it touches.
 fn insert(gaps: &mut Vec<ColumnGap>, [mut floor, mut top]: ColumnGap) {
     if floor >= top {
         return;
@@ -169,7 +171,7 @@ fn insert(gaps: &mut Vec<ColumnGap>, [mut floor, mut top]: ColumnGap) {
     gaps.insert(at, [floor, top]);
 }
 
-/// Gaps that reach the height, or are above it, are none; the height after that.
+/// Removes gaps that reach the height or are above it, and returns the height after that.
 fn come_to_light(gaps: &mut Vec<ColumnGap>, mut height: f32) -> f32 {
     while let Some(&[floor, top]) = gaps.last() {
         if top < height {
@@ -181,7 +183,7 @@ fn come_to_light(gaps: &mut Vec<ColumnGap>, mut height: f32) -> f32 {
     height
 }
 
-/// How much of a column from the bottom to a height is left beside gaps, mm.
+/// The length of a column from the bottom to a height without its gaps, mm.
 pub(crate) fn solid(height: f32, bottom: f64, gaps: &[ColumnGap]) -> f64 {
     (f64::from(height) - bottom).max(0.0) - gaps.iter().map(length).sum::<f64>()
 }
@@ -190,7 +192,7 @@ fn length([floor, top]: &ColumnGap) -> f64 {
     (f64::from(*top) - f64::from(*floor)).max(0.0)
 }
 
-/// A column as stretches of stock from below: its height with gaps.
+/// A column as intervals of stock: its height and gaps.
 #[derive(Clone, Copy)]
 pub(crate) struct SolidColumn<'a> {
     pub height: f32,
@@ -198,7 +200,7 @@ pub(crate) struct SolidColumn<'a> {
 }
 
 impl SolidColumn<'_> {
-    /// Its stretches from a bottom on.
+    /// Its intervals from a bottom on.
     fn intervals(&self, bottom: f64) -> impl Iterator<Item = [f64; 2]> {
         let floors = core::iter::once(bottom).chain(self.gaps.iter().map(|gap| f64::from(gap[1])));
         let tops = self.gaps.iter().map(|gap| f64::from(gap[0]));
@@ -206,12 +208,12 @@ impl SolidColumn<'_> {
         floors.zip(tops).map(|(floor, top)| [floor, top])
     }
 
-    /// How much of it a stretch has, mm.
+    /// The length of it within an interval, mm.
     pub fn within(&self, bottom: f64, [floor, top]: [f64; 2]) -> f64 {
         self.intervals(bottom).map(|[from, to]| (to.min(top) - from.max(floor)).max(0.0)).sum()
     }
 
-    /// How much of it is not in another one, mm.
+    /// The length of it that is not in another column, mm.
     pub fn without(&self, other: &SolidColumn<'_>, bottom: f64) -> f64 {
         let own = self.intervals(bottom);
         own.map(|part| (part[1] - part[0]).max(0.0) - other.within(bottom, part)).sum()

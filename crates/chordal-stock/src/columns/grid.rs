@@ -1,7 +1,7 @@
 //! The cells of a stock, their tiles and blocks.
 //!
-//! A tile has 64 × 64 cells, in 8 × 8 blocks of 8 × 8 cells. The first cell begins at the least corner of
-//! the stock's box; the last ones may reach over its edge, and count only with what is inside.
+//! A tile has 64 × 64 cells, in 8 × 8 blocks of 8 × 8 cells. The first cell begins at the corner of the stock's box
+//! with the least coordinates; the last ones may reach over its edge, and count only with the part inside.
 
 use chordal_geometry::Aabb;
 
@@ -14,9 +14,9 @@ pub(crate) const TILE: usize = BLOCK * BLOCKS;
 /// Cells of a block.
 pub(crate) const CELLS: usize = BLOCK * BLOCK;
 
-/// Cells that are treated at once.
+/// Cells that are processed at once.
 pub(crate) const LANES: usize = 4;
-/// Groups of so many cells of a block.
+/// Groups of [`LANES`] cells in a block.
 pub(crate) const GROUPS: usize = CELLS / LANES;
 
 /// The cells of a stock.
@@ -28,9 +28,9 @@ pub struct StockGrid {
     tiles: [u32; 2],
 }
 
-/// Cells along a length, mm.
+/// The number of cells along a length, mm.
 pub(crate) fn count(length: f64, resolution: f64) -> f64 {
-    /// A box that is longer than whole cells by less than this share of a cell has no further cell.
+    /// A box that exceeds a whole number of cells by less than this share of a cell gets no further cell.
     const CELL_ROUNDING_SHARE: f64 = 1e-9;
     (length / resolution - CELL_ROUNDING_SHARE).ceil().max(1.0)
 }
@@ -109,7 +109,7 @@ impl StockGrid {
         Aabb { min, max }
     }
 
-    /// The tile of a cell, and the cell's block and place in the block.
+    /// The tile of a cell, the cell's block, and its index in the block.
     pub(crate) fn tile_of(&self, column: u32, row: u32) -> (usize, [usize; 2]) {
         let (column, row) = (column as usize, row as usize);
         let tile = row / TILE * self.tiles[0] as usize + column / TILE;
@@ -117,7 +117,7 @@ impl StockGrid {
         (tile, [block, row % BLOCK * BLOCK + column % BLOCK])
     }
 
-    /// The widths and the heights of the cells of a block inside the stock's box, mm; zero outside.
+    /// The sides of the cells of a block along X and Y, inside the stock's box, mm; zero outside.
     pub(crate) fn sides(&self, tile: usize, block: usize) -> [[f64; BLOCK]; 2] {
         let [column, row] = self.first_cell(tile);
         let first =

@@ -1,4 +1,4 @@
-//! What one tile has to do of a plan.
+//! Carries out the steps of a plan on one tile.
 
 use wide::{CmpGt, f32x4};
 
@@ -27,12 +27,12 @@ pub struct TileJob<'a> {
 }
 
 impl TileJob<'_> {
-    /// Does the steps, in the order of the program.
+    /// Carries out the steps, in the order of the program.
     pub fn run(self) -> JobResult {
         self.run_with(None).0
     }
 
-    /// As [`TileJob::run`], and says which columns were lowered; `shares`: those of the plan's pieces.
+    /// Like [`TileJob::run`], and returns the columns that were lowered; `shares` are those of the plan's pieces.
     pub(crate) fn run_recording(self, shares: &[[f32; 2]]) -> (JobResult, Vec<LoweredColumn>) {
         self.run_with(Some(shares))
     }
@@ -84,16 +84,16 @@ struct TileRun<'a> {
     /// Whether the heights in the middles of cells are kept.
     keeps_middles: bool,
     by_tag: bool,
-    /// Bytes that the gaps of the tile may take.
+    /// Most bytes that the gaps of the tile may take.
     limit: usize,
     place: CourseFrame,
     /// Cells of the tile inside the stock's box, along X and Y.
     within: [usize; 2],
     bottom: f32,
     found: JobResult,
-    /// The deepest place of the step, where it compares.
+    /// The deepest contact of the step; `None` where it does not compare.
     contact: Option<DeepestReach>,
-    /// Only what is surely left is lowered by the step.
+    /// The step lowers only inner heights.
     only_inner: bool,
     recorder: Option<TileRecorder<'a>>,
 }
@@ -123,7 +123,7 @@ impl TileRun<'_> {
         }
         let piece = &piece;
         let part = &plan.parts[step.part as usize];
-        // The floor is nowhere below this: what is not higher is not met.
+        // Lower bound of the floor: stock that is not higher is not met.
         let lowest = piece.lowest() + part.height - self.place.top;
         if lowest >= f64::from(self.tile.top()) {
             return;
@@ -163,7 +163,7 @@ impl TileRun<'_> {
         }
     }
 
-    /// A whole move of an undercut.
+    /// Carries out a whole move of an undercut.
     fn below(&mut self, plan: &StockPlan, step: &PlanStep) {
         let below = &plan.below[step.piece as usize];
         let on_tile = OnTile {
@@ -195,7 +195,7 @@ impl TileRun<'_> {
         step: &PlanStep,
         course: &TileCourse,
     ) {
-        // Neighbours share the cutter: only the slope of the next piece is another.
+        // Neighbours have the same cutter; only the slope of the next piece differs.
         let next = AnyShape::new(part, piece.next.map_or(piece.slope, |joint| joint.slope));
         match (AnyShape::new(part, piece.slope), next) {
             (AnyShape::Flat(shape), _) => self.either(piece, step, course, [&shape; 2]),
@@ -353,7 +353,7 @@ impl TileRun<'_> {
         self.tile.settle_gaps(block);
     }
 
-    /// Looks how deep a part of a body reaches into a part of a block.
+    /// Finds how deep a part of a body reaches into a part of a block.
     fn compare<const LEVEL: bool, S: PartKind>(
         &mut self,
         course: &TileCourse,
@@ -409,7 +409,7 @@ impl TileRun<'_> {
         self.contact = Some(deepest);
     }
 
-    /// Makes a block even, if a level disc covers it and no cell is lower.
+    /// Sets a block to one height, if a level disc covers it and no cell is lower. Returns whether it did.
     fn even(
         &mut self,
         course: &TileCourse,
@@ -467,10 +467,10 @@ fn corner(block: usize) -> [f32; 2] {
     [(block % BLOCKS * BLOCK) as f32, (block / BLOCKS * BLOCK) as f32]
 }
 
-/// A block in four: squares where the path runs along X, else bands of rows.
+/// A block divided into four: squares where the path runs mostly along X, otherwise bands of rows.
 struct BlockUnits {
     squares: bool,
-    /// Half their sizes along the piece and across it, mm.
+    /// Half sizes along the piece and across it, mm.
     half: [f32; 2],
 }
 
@@ -507,7 +507,7 @@ impl BlockUnits {
             return None;
         }
         Some(if self.squares {
-            // By pairs of bits: columns left and right, rows below and above.
+            // Pairs of bits are the left and right columns, and the lower and upper rows.
             let (left, right) = (taken & 0b0101 != 0, taken & 0b1010 != 0);
             let (low, high) = (taken & 0b0011 != 0, taken & 0b1100 != 0);
             BlockPart {
@@ -530,10 +530,10 @@ impl BlockUnits {
     }
 }
 
-/// The first and the last of `count` equal steps between two places; none when the first is larger.
+/// The first and the last of `count` equal steps between two coordinates; none where the first is larger.
 fn between([from, to]: [f64; 2], length: f64, count: usize) -> [i32; 2] {
     let most = count as f64;
-    // Not below zero before they are cut off to whole numbers.
+    // Clamped to zero before truncation.
     let first = (from / length).clamp(0.0, most) as i32;
     let last = (to / length + 1.0).clamp(0.0, most) as i32 - 1;
     [first, last]

@@ -1,15 +1,15 @@
-//! What jobs find besides lower columns.
+//! What jobs report in addition to lowering columns.
 
 use super::ContactDepth;
 
-/// What was looked at.
+/// Counts of the work of a job.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ColumnCounts {
-    /// Columns whose floor was found, each time it was.
+    /// Evaluations of a column's floor.
     pub columns: u64,
     /// Blocks that were compared with a piece of the path.
     pub blocks: u64,
-    /// Blocks that became even at once.
+    /// Blocks that were set to one height as a whole.
     pub even: u64,
 }
 
@@ -23,12 +23,12 @@ impl ColumnCounts {
     }
 }
 
-/// What a job found.
+/// The result of a job.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct JobResult {
     pub(crate) tile: usize,
-    /// What was looked at.
+    /// Counts of its work.
     pub counts: ColumnCounts,
-    /// Body, move, and how deep the one touches on the other on this tile.
+    /// Body, move, and how deep the body touches on the move on this tile.
     pub(crate) contacts: Vec<(u32, u32, ContactDepth)>,
 }

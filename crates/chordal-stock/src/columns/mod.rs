@@ -1,11 +1,12 @@
-//! Stock as columns along Z, in tiles, with two heights for each cell that enclose the truth.
+//! Stock as columns along Z, in tiles, with two heights for each cell that bound the true surface.
 //!
-//! A cell is a square of the grid. Nothing of the stock is higher than its *outer* height anywhere on the
-//! cell; below its *inner* height, down to the bottom, everything on the cell is stock. A cut lowers the
-//! outer height to what it surely removes, and the inner one to what it may remove.
+//! A cell is a square of the grid. The stock is nowhere on the cell higher than its *outer* height; below its *inner*
+//! height, down to the bottom, everything on the cell is stock. A cut lowers the outer height to what it certainly
+//! removes, and the inner one to what it may remove.
 //!
-//! [`ColumnStock::cut`] does all by itself. A shell with threads makes a [`StockPlan`] of moves, gets a [`TileJob`] for each
-//! tile that they meet ([`ColumnStock::jobs`]), and runs these in any order: the result has the same bits.
+//! [`ColumnStock::cut`] does everything in one call. A caller with threads makes a [`StockPlan`] of moves, gets a
+//! [`TileJob`] for each tile that they meet ([`ColumnStock::jobs`]), and runs these in any order: the result is the
+//! same to the bit.
 
 mod block;
 mod check;
@@ -39,50 +40,49 @@ use crate::sweep::{RevolvedBody, TipMove};
 use crate::{CutterProfile, RemovedSpan, Undercut};
 use tile::StockTile;
 
-/// How the heights of cells are found.
+/// How the heights of cells are computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mode {
-    /// Two heights that enclose the truth everywhere on the cell.
+    /// Two heights that bound the true surface everywhere on the cell.
     #[default]
     Certified,
-    /// One height, that at the middle of the cell. No bound of anything, about half the time.
+    /// One height, that in the middle of the cell: not a bound, in about half the time.
     Sampled,
 }
 
-/// How fine a stock is.
+/// The options of a stock.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ColumnOptions {
     /// The side of a cell, mm.
     pub resolution: f64,
-    /// How heights are found.
+    /// How heights are computed.
     pub mode: Mode,
-    /// Curves are cut into straight pieces that lie within this share of the resolution. It is counted in
-    /// the bounds.
+    /// Curves are divided into straight pieces within this share of the resolution, which the bounds allow for.
     pub chord_share: f64,
-    /// Whether the height in the middle of each cell is kept besides the bounds, for surfaces and pictures
-    /// ([`ColumnStock::middles`]): half as much memory again.
+    /// Whether the height in the middle of each cell is kept in addition to the bounds, for surfaces and pictures
+    /// ([`ColumnStock::middles`]). Takes 50 % more memory.
     pub middles: bool,
-    /// Whether volumes are told apart by the tags of moves: blocks are then kept as they were while the moves
-    /// of one tag change them, which may take as much memory again.
+    /// Whether volumes are counted for each tag of moves. Copies of blocks are then kept while the moves of one tag
+    /// change them, which may double the memory.
     pub by_tag: bool,
-    /// The most memory the columns may take, bytes.
+    /// Most memory of the columns, bytes.
     pub budget: u64,
 }
 
 impl ColumnOptions {
-    /// Bytes that the gaps of undercuts may take in a tile: an even share of what the columns leave of the budget.
+    /// Most bytes of the gaps in a tile: an equal share of what the columns leave of the budget.
     pub(crate) fn gap_bytes(&self, grid: &StockGrid) -> usize {
         let rest = self.budget as f64 - tile::bytes(grid.bounds(), self.resolution, self);
         (rest.max(0.0) / grid.tiles() as f64) as usize
     }
 
-    /// Whether three heights are kept of each cell.
+    /// Whether three heights are kept for each cell.
     pub(crate) fn keeps_middles(&self) -> bool {
         self.middles && self.mode == Mode::Certified
     }
 
-    /// Certified, curves within a tenth of the resolution (mm), no heights in the middles, no volumes by tag, in a
-    /// budget of bytes.
+    /// Certified columns with a resolution (mm) and a budget (bytes), with curves within a tenth of the resolution,
+    /// without heights in the middles and volumes by tag.
     pub const fn new(resolution: f64, budget: u64) -> ColumnOptions {
         ColumnOptions {
             resolution,
@@ -95,7 +95,7 @@ impl ColumnOptions {
     }
 }
 
-/// Why there is no stock.
+/// Why a stock cannot be made.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StockError {
     /// A number of the options that must be above zero is not.
@@ -112,9 +112,9 @@ pub enum StockError {
     /// One column would be wider than the stock.
     #[error("at {resolution} mm one column is wider than the stock; at {widest:.3} mm it is not")]
     TooCoarse {
-        /// What was asked, mm.
+        /// The requested resolution, mm.
         resolution: f64,
-        /// The widest that the stock has room for, mm.
+        /// The widest column that fits in the stock, mm.
         widest: f64,
     },
     /// More columns than the budget allows.
@@ -122,7 +122,7 @@ pub enum StockError {
         "at {resolution} mm the stock needs up to {needed} bytes, {budget} are allowed; at {fits:.3} mm it fits"
     )]
     TooFine {
-        /// What was asked, mm.
+        /// The requested resolution, mm.
         resolution: f64,
         /// Bytes that it would need.
         needed: u64,
@@ -133,10 +133,10 @@ pub enum StockError {
     },
 }
 
-/// Moves in one plan: enough to make the tiles' lists worth it, few enough to stay in memory.
+/// Moves in one plan: enough to make the lists of tiles worthwhile, few enough to stay in memory.
 const MOVES_PER_PLAN: usize = 1 << 15;
 
-/// Stock that tools remove.
+/// A stock from which tools remove material.
 #[derive(Clone, Debug)]
 pub struct ColumnStock {
     grid: StockGrid,
@@ -149,16 +149,14 @@ pub struct ColumnStock {
 impl ColumnStock {
     /// A full box, mm.
     ///
-    /// # Errors
-    /// When the box or the options are no use, or the columns do not fit in the budget.
+    /// # Errors When the box or the options are not valid, or the columns do not fit in the budget.
     pub fn new(bounds: Aabb, options: ColumnOptions) -> Result<ColumnStock, StockError> {
         ColumnStock::shaped(bounds, options, |_, _| [bounds.max.z, bounds.max.z])
     }
 
-    /// Stock of any shape in a box, mm, by the heights of the cells: for the corners of a cell (least and
-    /// largest x and y) a height above which there is none of it, and one below which all of the cell is
-    /// stock, down to the bottom of the box. Where middles are kept and the two differ, it is asked for a cell of a
-    /// millionth of a millimetre in the middle, too.
+    /// Stock of any shape in a box, mm. `heights` gets the corners of a cell (least and largest x and y) and returns
+    /// a height above which there is no stock on it, and one below which all of the cell is stock, down to the bottom
+    /// of the box. Where middles are kept and the two differ, it is also called for a cell of 1e-6 mm in the middle.
     ///
     /// # Errors
     /// As [`ColumnStock::new`].
@@ -204,12 +202,12 @@ impl ColumnStock {
         &self.grid
     }
 
-    /// How fine it is.
+    /// Its options.
     pub fn options(&self) -> &ColumnOptions {
         &self.options
     }
 
-    /// Removes what a cutter sweeps on its moves, in this order.
+    /// Removes what a cutter sweeps on its moves, in order.
     pub fn cut(&mut self, cutter: &CutterProfile, moves: &[TipMove]) -> ColumnCounts {
         let mut counts = ColumnCounts::default();
         let task = StockTask { cutter: Some(cutter), moves, ..StockTask::default() };
@@ -229,7 +227,7 @@ impl ColumnStock {
         counts
     }
 
-    /// Takes what a cutter sweeps for what may be removed: what is surely left becomes less, and nothing else.
+    /// Counts what a cutter sweeps as possibly removed: only inner heights are lowered.
     pub fn cut_at_most(&mut self, cutter: &CutterProfile, moves: &[TipMove]) {
         let task = StockTask { may: Some(cutter), moves, ..StockTask::default() };
         for (_, task) in check::chunks(task) {
@@ -237,8 +235,9 @@ impl ColumnStock {
         }
     }
 
-    /// As [`ColumnStock::cut`], and says which columns were lowered, in the order in which the axis of the tool passes
-    /// them. What columns under the tool lose before that is missing until then: cut the tool where it stands.
+    /// Like [`ColumnStock::cut`], and returns the columns that were lowered, in the order in which the axis of the
+    /// tool passes them. Columns under the tool that its axis has not passed yet are reported later; a picture shows
+    /// them cut by the tool itself.
     pub fn cut_telling(&mut self, cutter: &CutterProfile, moves: &[TipMove]) -> Vec<LoweredColumn> {
         let mut all = Vec::new();
         let task = StockTask { cutter: Some(cutter), moves, ..StockTask::default() };
@@ -248,7 +247,7 @@ impl ColumnStock {
             let jobs = self.jobs(&plan).into_iter();
             let mut lowered: Vec<LoweredColumn> =
                 jobs.flat_map(|job| job.run_recording(&shares).1).collect();
-            // Stable: what lowers a column twice at one moment stays in its order.
+            // The sort is stable: two changes of a column at one moment keep their order.
             lowered.sort_by(|a, b| a.number.cmp(&b.number).then(a.share.total_cmp(&b.share)));
             let numbered = |at: LoweredColumn| LoweredColumn { number: first + at.number, ..at };
             all.extend(lowered.into_iter().map(numbered));
@@ -256,8 +255,8 @@ impl ColumnStock {
         all
     }
 
-    /// How deep a body touches the stock on each of its moves; nothing is removed. A rapid of a cutter, say: with
-    /// [`RoundBody::of_cutter`].
+    /// How deep a body touches the stock on each of its moves; nothing is removed. For a rapid of a cutter use
+    /// [`RevolvedBody::of_cutter`].
     pub fn touch(&mut self, body: &RevolvedBody, moves: &[TipMove]) -> Vec<ContactDepth> {
         let mut contacts = Vec::new();
         let task = StockTask { bodies: core::slice::from_ref(body), moves, ..StockTask::default() };
@@ -267,8 +266,8 @@ impl ColumnStock {
         contacts
     }
 
-    /// Removes what a cutter sweeps, and says for each body and each move how deep the body touches what the
-    /// cutter has left until then: the shank, the holder, what is above the edges. `drop`: see [`StockTask::drop`].
+    /// Removes what a cutter sweeps, and returns for each body (shank, holder, the part above the edges) and each
+    /// move how deep the body touches what the cutter has left so far. `drop`: see [`StockTask::drop`].
     pub fn cut_watching(
         &mut self,
         cutter: &CutterProfile,
@@ -287,8 +286,8 @@ impl ColumnStock {
         contacts
     }
 
-    /// As [`ColumnStock::cut_below`], and says for each body and each move how deep the body touches what is left when it
-    /// comes: a neck, a holder. Bodies are above the undercuts.
+    /// Like [`ColumnStock::cut_below`], and returns for each body (neck, holder) and each move how deep the body
+    /// touches what is left when it comes. Bodies are above the undercuts.
     pub fn cut_watching_below(
         &mut self,
         undercuts: &[(f64, Undercut)],
@@ -307,8 +306,8 @@ impl ColumnStock {
         contacts
     }
 
-    /// Takes what the stock lacks below its tops before anything is cut: hollows from below, say. What takes more memory
-    /// than the budget leaves makes the bounds wider.
+    /// Adds hollows that the stock has below its tops before the first cut. Where they take more memory than the
+    /// budget leaves, the bounds become wider.
     pub fn hollow(&mut self, hollows: &CellHollows<'_>) {
         let limit = self.options.gap_bytes(&self.grid);
         for (number, tile) in self.tiles.iter_mut().enumerate() {
@@ -317,20 +316,20 @@ impl ColumnStock {
         self.begun = self.left();
     }
 
-    /// Takes what is gone for another reason than moves: above which height nothing is left of each cell. Among
-    /// volumes by tag it is that of [`OTHERS`].
+    /// Lowers cells for a reason other than moves, to heights above which nothing is left. Volumes by tag count it
+    /// for [`OTHERS`].
     pub fn lower(&mut self, lower: &CellCeiling<'_>) {
         for (number, tile) in self.tiles.iter_mut().enumerate() {
             tile.lower(&self.grid, number, self.options.by_tag, lower);
         }
     }
 
-    /// The tiles that moves meet, and what each has to do.
+    /// The plan of a task: the tiles that its moves meet, and the steps on each.
     pub fn plan(&self, task: &StockTask<'_>) -> StockPlan {
         StockPlan::new(&self.grid, &self.options, task)
     }
 
-    /// All jobs of a plan, one after the other.
+    /// Runs all jobs of a plan, one after the other.
     fn run(&mut self, plan: &StockPlan) -> (Vec<Vec<ContactDepth>>, ColumnCounts) {
         let found: Vec<JobResult> = self.jobs(plan).into_iter().map(TileJob::run).collect();
         let counts = found
@@ -340,8 +339,8 @@ impl ColumnStock {
         (plan.contacts(&found), counts)
     }
 
-    /// One job for each tile of a plan of this stock: run in any order, on any thread, all of them before
-    /// those of the next plan.
+    /// One job for each tile of a plan of this stock. They may run in any order and on any thread, but all of them
+    /// before those of the next plan.
     pub fn jobs<'a>(&'a mut self, plan: &'a StockPlan) -> Vec<TileJob<'a>> {
         let grid = &self.grid;
         let options = &self.options;
@@ -354,7 +353,7 @@ impl ColumnStock {
             .collect()
     }
 
-    /// What is left, mm³.
+    /// The volume that is left, mm³.
     pub fn left(&self) -> VolumeInterval {
         let tiles = self.tiles.iter().enumerate();
         tiles
@@ -362,7 +361,7 @@ impl ColumnStock {
             .fold(VolumeInterval::default(), VolumeInterval::plus)
     }
 
-    /// What was removed, mm³.
+    /// The removed volume, mm³.
     pub fn removed(&self) -> VolumeInterval {
         let left = self.left();
         let all = VolumeInterval {
@@ -374,12 +373,12 @@ impl ColumnStock {
         }
         let by_tag = self.removed_by_tag().into_iter();
         let sum = by_tag.fold(VolumeInterval::default(), |sum, (_, amount)| sum.plus(amount));
-        // Both enclose the truth: the second says nothing of cells that no move has met, the first does not add
-        // up what is uncertain again for each tag.
+        // Both intervals contain the true volume. The sum by tag is not widened by cells that no move has met; the
+        // whole is not widened by the uncertainty that counts anew for each tag.
         VolumeInterval { least: all.least.max(sum.least), most: all.most.min(sum.most) }
     }
 
-    /// What the moves of each tag have removed, mm³, by rising tags; empty without [`ColumnOptions::by_tag`].
+    /// What the moves of each tag have removed, mm³, by ascending tags; empty without [`ColumnOptions::by_tag`].
     pub fn removed_by_tag(&self) -> Vec<(u32, VolumeInterval)> {
         let mut amounts = Vec::new();
         for (number, tile) in self.tiles.iter().enumerate() {
@@ -388,7 +387,7 @@ impl ColumnStock {
         amounts
     }
 
-    /// The outer and inner heights of all cells, mm: row by row from the least y on, in each by x.
+    /// The outer and inner heights of all cells, mm: row by row from the least y, each by x.
     pub fn height_pairs(&self) -> Vec<CellHeights> {
         let top = self.grid.bounds().max.z;
         self.by_cell(CellHeights { outer: top, inner: top }, |tile, block| {
@@ -400,7 +399,7 @@ impl ColumnStock {
         })
     }
 
-    /// A value of each cell, by the blocks of tiles: row by row from the least y on, in each by x.
+    /// A value for each cell, computed by blocks: row by row from the least y, each by x.
     fn by_cell<T: Copy>(
         &self,
         begun: T,
@@ -429,7 +428,7 @@ impl ColumnStock {
         all
     }
 
-    /// The outer and the inner height of a cell (column, row), mm.
+    /// The outer and the inner height of a cell (column, row), mm; `None` outside the grid.
     pub fn heights_at(&self, column: u32, row: u32) -> Option<CellHeights> {
         let [columns, rows] = self.grid.cells();
         if column >= columns || row >= rows {
@@ -441,9 +440,9 @@ impl ColumnStock {
         Some(CellHeights { outer: top + f64::from(outer), inner: top + f64::from(inner) })
     }
 
-    /// The height in the middle of each cell, between its bounds, mm: row by row from the least y on, in each by x.
-    /// It is what the moves make of the column there, to rounding and to what curves are off their straight pieces:
-    /// so a wall through a cell leaves it with one of the levels on both sides. Midway between the bounds without
+    /// The height in the middle of each cell, between its bounds, mm: row by row from the least y, each by x. It is
+    /// the height that the moves leave there, up to rounding and the deviation of straight pieces from curves; so a
+    /// cell with a wall through it has the level on one side of the wall. Midway between the bounds without
     /// [`ColumnOptions::middles`].
     pub fn middles(&self) -> Vec<f64> {
         let top = self.grid.bounds().max.z;
@@ -457,8 +456,8 @@ impl ColumnStock {
         })
     }
 
-    /// What undercuts have removed in the middle of a cell (column, row) below its height there, from below, mm; nothing
-    /// without [`ColumnOptions::middles`].
+    /// What undercuts have removed in the middle of a cell (column, row) below its height there, from below, mm;
+    /// empty without [`ColumnOptions::middles`].
     pub fn gaps_in_middle(&self, column: u32, row: u32) -> Vec<RemovedSpan> {
         let of = |column: &gaps::ColumnGaps| self.spans(&column.middle);
         self.column_at(column, row).map_or_else(Vec::new, of)
@@ -482,8 +481,8 @@ impl ColumnStock {
         gaps.iter().map(span).collect()
     }
 
-    /// What undercuts have removed from a cell (column, row) below its heights, from below, mm: surely from all of
-    /// it, and what may be removed anywhere on it.
+    /// What undercuts have removed from a cell (column, row) below its heights, from below, mm: what is certainly
+    /// removed everywhere on it, and what may be removed anywhere on it.
     pub fn gaps_at(&self, column: u32, row: u32) -> [Vec<RemovedSpan>; 2] {
         match self.column_at(column, row) {
             Some(column) => [self.spans(&column.surely), self.spans(&column.maybe)],
@@ -491,12 +490,12 @@ impl ColumnStock {
         }
     }
 
-    /// Whether columns have gaps: heights alone do not say all of what is left.
+    /// Whether columns have gaps, so that heights alone do not describe what is left.
     pub fn has_gaps(&self) -> bool {
         self.tiles.iter().any(|tile| !tile.gaps().is_empty())
     }
 
-    /// The bytes that its columns take now.
+    /// The bytes that its columns currently take.
     pub fn bytes(&self) -> u64 {
         self.tiles.iter().map(StockTile::bytes).sum()
     }

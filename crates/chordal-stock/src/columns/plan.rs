@@ -1,4 +1,4 @@
-//! What a list of moves has to do on which tile.
+//! Plans which steps of a list of moves are needed on which tile.
 
 use chordal_geometry::{ParamCurve, Transform, Vec3};
 
@@ -18,60 +18,61 @@ pub(crate) struct PlanStep {
     pub action: StepAction,
 }
 
-/// What a step does with the columns.
+/// What a step does to the columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum StepAction {
     /// Lowers them.
     Cut,
-    /// Lowers what is surely left of them alone.
+    /// Lowers only their inner heights.
     CutMost,
-    /// Compares them with a body, by its number.
+    /// Compares them with the body with this number.
     Compare(u32),
-    /// The same on a move whose cutter may have been there before: what is surely touched is not known.
+    /// The same on a move whose cutter may have been there before, so that the lower bound of the contact is not
+    /// known.
     CompareMost(u32),
-    /// Removes what an undercut sweeps on a whole move: `piece` counts those.
+    /// Removes what an undercut sweeps on a whole move; `piece` is then an index of `below`.
     CutBelow,
     /// Compares a whole move of an undercut with the columns.
     CompareBelow(u32),
 }
 
 impl StepAction {
-    /// Whether its piece is a whole move of an undercut.
+    /// Whether the step is a whole move of an undercut.
     pub fn is_below(self) -> bool {
         matches!(self, StepAction::CutBelow | StepAction::CompareBelow(_))
     }
 
-    /// Whether pieces of the path may leave columns to each other.
+    /// Whether pieces of the path may leave columns to their neighbours.
     pub fn is_cut(self) -> bool {
         matches!(self, StepAction::Cut | StepAction::CutMost)
     }
 }
 
-/// What moves do.
+/// A task: moves with what they cut and compare.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct StockTask<'a> {
-    /// The cutter that removes what it sweeps; none for moves that only ask.
+    /// The cutter that removes what it sweeps; `None` for moves that only compare.
     pub cutter: Option<&'a CutterProfile>,
-    /// A larger one of which it is not known how much it removes: what it sweeps may be gone.
+    /// A larger cutter for the upper bound: what it sweeps may be removed.
     pub may: Option<&'a CutterProfile>,
-    /// Undercuts that remove what they sweep, each with the height of its lower end above the tip, mm. Not together with
-    /// a cutter, which it would be for to say what is above.
+    /// Undercuts that remove what they sweep, each with the height of its lower end above the tip, mm. They are not
+    /// combined with a cutter.
     pub undercuts: &'a [(f64, Undercut)],
-    /// Bodies that are compared with the stock, each on each piece of the moves before the cutter is.
+    /// Bodies that are compared with the stock on each piece of the moves, before the piece is cut.
     pub bodies: &'a [RevolvedBody],
     /// The moves, in order.
     pub moves: &'a [TipMove],
-    /// The numbers, rising, of the moves whose bodies are compared; of all of them if there are none given.
+    /// The ascending numbers of the moves on which bodies are compared; `None` for all moves.
     pub numbers: Option<&'a [u32]>,
-    /// The number of the first move, for `asked`.
+    /// The number of the first move, for `numbers`.
     pub first: u32,
-    /// With bodies and a cutter moves are divided so that the tip rises or falls by no more than this, mm: so
-    /// much later than the cutter a body may seem to come, and so deep it may seem to touch what the cutter
-    /// takes away on the same move. Nothing is divided if it is not above zero.
+    /// With bodies and a cutter, moves are divided so that the tip rises or falls by at most this on a piece, mm. A
+    /// body may appear to touch what the cutter removes on the same piece, up to this depth. Nothing is divided if it
+    /// is not above zero.
     pub drop: f64,
 }
 
-/// The moves of a cutter, cut into pieces and told to the tiles that they meet.
+/// The pieces of moves, assigned to the tiles that they meet.
 #[derive(Clone, Debug)]
 pub struct StockPlan {
     pub(crate) pieces: Vec<SweepPiece>,
@@ -79,14 +80,14 @@ pub struct StockPlan {
     pub(crate) steps: Vec<PlanStep>,
     pub(crate) undercuts: Vec<Undercut>,
     pub(crate) below: Vec<UndercutMove>,
-    /// Tile and number of a step, by tile, then in the order of the program.
+    /// Tile and number of a step, sorted by tile, then in the order of the program.
     todo: Vec<(u32, u32)>,
     bodies: usize,
     moves: usize,
 }
 
-/// Strips are told to tiles with this much more around them, as a share of the tile: above the rounding that
-/// the tiles count.
+/// Margin around strips when they are assigned to tiles, as a share of the tile: more than the rounding that tiles
+/// allow for.
 const STRIP_MARGIN_SHARE: f64 = 1e-5;
 
 impl StockTask<'_> {
@@ -96,8 +97,8 @@ impl StockTask<'_> {
         !self.bodies.is_empty() && self.numbers.is_none_or(requested)
     }
 
-    /// The heights of the tip between which it may take something away: above it is over the stock, and below all
-    /// of its edges are under it.
+    /// The range of heights of the tip in which it may remove something: above it the tool is over the stock, and
+    /// below it all of its edges are under the stock.
     fn heights(&self, grid: &StockGrid) -> [f64; 2] {
         let cutters = self.cutter.into_iter().chain(self.may);
         let tops = cutters.map(|cutter| {
@@ -127,7 +128,7 @@ impl StockPlan {
         }
         let mut pieces = splitter.finish();
         for n in 1..pieces.len() {
-            // What is asked about before a piece, the pieces before it must have done themselves.
+            // Before a piece with a comparison, the piece before it must not leave columns to it.
             if task.asks(pieces[n].number) {
                 pieces[n - 1].next = None;
             }
@@ -158,7 +159,7 @@ impl StockPlan {
         plan
     }
 
-    /// For each body and each move how deep it touches, from what the jobs found, in any order.
+    /// For each body and each move the depth of the contact, from the results of the jobs in any order.
     pub fn contacts(&self, found: &[JobResult]) -> Vec<Vec<ContactDepth>> {
         let mut contacts = vec![vec![ContactDepth::NONE; self.moves]; self.bodies];
         for &(body, number, contact) in found.iter().flat_map(|found| &found.contacts) {
@@ -168,9 +169,9 @@ impl StockPlan {
         contacts
     }
 
-    /// Finds the tiles of each step. With undercuts a body, which is above their edges, meets what they leave: on the way down
-    /// they never again reach what it touches, so it is compared after them; on the way up they have not been there
-    /// yet, so it is compared before. On a move that does both it can only be said what is touched at most.
+    /// Finds the tiles of each step. With undercuts, a body above their edges meets what they leave. On the way down
+    /// they have passed where it touches, so it is compared after them; on the way up they have not been there yet,
+    /// so it is compared before. On a move that does both, only the upper bound of the contact is known.
     fn assign_steps(&mut self, grid: &StockGrid, task: &StockTask<'_>, actions: &[StepAction]) {
         let pieces = core::mem::take(&mut self.pieces);
         let mut first = 0;
@@ -232,7 +233,7 @@ impl StockPlan {
         }
     }
 
-    /// The undercuts of a move, and those of the bodies that are compared.
+    /// Adds the steps of the undercuts of a move, and of those of the bodies that are compared.
     fn assign_undercuts(
         &mut self,
         grid: &StockGrid,
@@ -256,7 +257,7 @@ impl StockPlan {
                 continue;
             }
             let below = UndercutMove { cutter: cutter as u32, curve, number, tag: path.tag };
-            // Cells are looked at with what is around them, so what meets a cell by rounding counts.
+            // The margin of a cell makes sure that a cell that is met only by rounding counts.
             let radius = self.undercuts[cutter].radius() + grid.resolution();
             let origin = [bounds.min.x, bounds.min.y];
             let counts = grid.tile_counts();
@@ -273,7 +274,7 @@ impl StockPlan {
         }
     }
 
-    /// The number of the move of a step.
+    /// The number of a step's move.
     pub(crate) fn number(&self, step: u32) -> u32 {
         let PlanStep { piece, action, .. } = self.steps[step as usize];
         if action.is_below() {
@@ -289,7 +290,7 @@ impl StockPlan {
     }
 }
 
-/// The first and the last of a row of tiles between two places; none when the first is larger.
+/// The first and the last tile of a row between two coordinates; none where the first is larger.
 fn between([from, to]: [f64; 2], width: f64, count: u32) -> [i64; 2] {
     let most = f64::from(count);
     [

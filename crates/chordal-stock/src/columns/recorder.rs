@@ -1,4 +1,4 @@
-//! Which columns a job lowers, when on which move.
+//! Records which columns a job lowers, and when.
 
 use super::grid::{BLOCK, BLOCKS, CELLS, TILE};
 use super::heights::BlockHeights;
@@ -7,17 +7,17 @@ use crate::sweep::SweepPiece;
 /// A column that a move has lowered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoweredColumn {
-    /// The column, by rows: that at (x, y) is `y · columns + x`.
+    /// The index of the column: that at (x, y) is `y · columns + x`.
     pub cell: u32,
-    /// The move, by its place in the list.
+    /// The index of the move in the list.
     pub number: u32,
-    /// How much of the move is done when the axis of the tool passes the column: from 0 to 1.
+    /// The share of the move that is done when the axis of the tool passes the column: from 0 to 1.
     pub share: f32,
-    /// Its new outer height, from the top of the stock, mm.
+    /// Its new outer height relative to the top of the stock, mm.
     pub height: f32,
 }
 
-/// Of each piece of a plan, from which share of its move to which it goes.
+/// For each piece of a plan, the shares of its move at its start and end.
 pub(crate) fn shares(pieces: &[SweepPiece]) -> Vec<[f32; 2]> {
     let of_move = |move_: &[SweepPiece]| {
         let count = move_.len() as f32;
@@ -28,11 +28,11 @@ pub(crate) fn shares(pieces: &[SweepPiece]) -> Vec<[f32; 2]> {
     pieces.chunk_by(|a, b| a.number == b.number).flat_map(of_move).collect()
 }
 
-/// Writes down what changes on a tile.
+/// Records the changes on a tile.
 #[derive(Debug)]
 pub(crate) struct TileRecorder<'a> {
     shares: &'a [[f32; 2]],
-    /// The first column of the tile, and columns in a row of the stock.
+    /// The first column of the tile, along X and Y; `columns` is the length of a row of the stock.
     first: [u32; 2],
     columns: u32,
     /// The middle of the tile's first column, mm.
@@ -43,7 +43,7 @@ pub(crate) struct TileRecorder<'a> {
 }
 
 impl<'a> TileRecorder<'a> {
-    /// For a tile by its first column, its corner (mm) and the side of a column (mm).
+    /// A recorder for a tile with this first column, corner (mm) and side of a column (mm).
     pub fn new(
         shares: &'a [[f32; 2]],
         first: [u32; 2],
@@ -55,12 +55,13 @@ impl<'a> TileRecorder<'a> {
         TileRecorder { shares, first, columns, middle, cell, now: None, lowered: Vec::new() }
     }
 
-    /// What changes now is of this piece, by its number in the plan.
+    /// Assigns the following changes to a piece, with its number in the plan.
     pub fn begin(&mut self, piece: &SweepPiece, number: u32) {
         self.now = Some((*piece, self.shares[number as usize]));
     }
 
-    /// Compares the heights of a block before with those after. `within`: columns of the tile in the stock.
+    /// Records the difference between the heights of a block before and after. `within`: number of columns of the
+    /// tile inside the stock, along X and Y.
     pub fn changed(
         &mut self,
         block: usize,
@@ -82,7 +83,7 @@ impl<'a> TileRecorder<'a> {
             let x = self.middle[0] + self.cell * column as f64 - piece.start.x;
             let y = self.middle[1] + self.cell * row as f64 - piece.start.y;
             let along = x * piece.along[0] + y * piece.along[1];
-            // A vertical piece has done its work at its end.
+            // A vertical piece counts at its end.
             let done =
                 if piece.length > 0.0 { (along / piece.length).clamp(0.0, 1.0) } else { 1.0 };
             let (x, y) = (self.first[0] + column as u32, self.first[1] + row as u32);

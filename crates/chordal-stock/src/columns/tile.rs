@@ -1,4 +1,4 @@
-//! A tile: 64 blocks, each of one height or of one for each cell.
+//! A tile: 64 blocks, each with one height, or with one for each cell.
 
 use chordal_geometry::Aabb;
 use wide::f32x4;
@@ -12,7 +12,7 @@ use super::volume::{BlockSnapshot, OTHERS, TagVolumes, integral};
 use super::{ColumnOptions, Mode, VolumeInterval};
 use crate::RemovedSpan;
 
-/// A block has no heights of its own: all cells have that of its range.
+/// Slot of a block of one height, which is that of its range.
 const UNIFORM: u32 = u32::MAX;
 
 #[derive(Clone, Copy, Debug)]
@@ -21,23 +21,23 @@ struct TileBlock {
     slot: u32,
 }
 
-/// The columns of a tile. A sampled one stores one height for each cell: outer and inner are the same. One with middles
-/// stores three.
+/// The columns of a tile. A sampled tile stores one height per cell, which is outer and inner height; a tile with
+/// middles stores three.
 #[derive(Clone, Debug)]
 pub(crate) struct StockTile {
     blocks: Box<[TileBlock]>,
     data: Vec<f32x4>,
     free: Vec<u32>,
-    /// Groups of a block: 16, 32 or 48.
+    /// Groups of four heights per block: 16, 32 or 48.
     stride: usize,
-    /// No outer height is above this, mm: as of the last job.
+    /// Upper bound of all outer heights, mm, as of the last job.
     top: f32,
     ledger: TagVolumes,
     /// What undercuts have removed below the tops of columns.
     gaps: TileGaps,
 }
 
-/// The most bytes of a tile. With volumes by tag every block may be kept as it was.
+/// Most bytes of a tile. With volumes by tag, a copy of every block may be kept.
 fn most_bytes(options: &ColumnOptions) -> usize {
     let kept =
         if options.by_tag { size_of::<BlockSnapshot>() + size_of::<BlockHeights>() } else { 0 };
@@ -45,7 +45,7 @@ fn most_bytes(options: &ColumnOptions) -> usize {
     BLOCKS * BLOCKS * block + size_of::<StockTile>()
 }
 
-/// The most bytes that columns of this resolution take.
+/// Most bytes that columns of this resolution take.
 pub(crate) fn bytes(bounds: Aabb, resolution: f64, options: &ColumnOptions) -> f64 {
     let size = bounds.size();
     let tiles = (count(size.x, resolution) / TILE as f64).ceil()
@@ -53,7 +53,7 @@ pub(crate) fn bytes(bounds: Aabb, resolution: f64, options: &ColumnOptions) -> f
     tiles * most_bytes(options) as f64
 }
 
-/// The finest resolution at which a box fits in a budget of bytes, mm, to a part in a thousand.
+/// The finest resolution at which a box fits in a budget of bytes, mm, within 0.1 %; infinite where none does.
 pub(crate) fn finest(bounds: Aabb, options: &ColumnOptions) -> f64 {
     const FINER: f64 = 1.001;
     let size = bounds.size();
@@ -62,7 +62,7 @@ pub(crate) fn finest(bounds: Aabb, options: &ColumnOptions) -> f64 {
         return f64::INFINITY;
     }
     let mut resolution = widest;
-    // Tiles are whole, so the need falls in steps: the first size from coarse to fine that does not fit.
+    // Tiles are whole, so memory grows in steps. The search goes from coarse to fine until a size does not fit.
     while resolution > widest * 1e-9
         && bytes(bounds, resolution / FINER, options) <= options.budget as f64
     {
@@ -79,10 +79,10 @@ fn stride(options: &ColumnOptions) -> usize {
     }
 }
 
-/// Groups of a block that stores the heights in the middles of its cells, after the outer and the inner ones.
+/// Groups of a block that also stores the heights in the middles of its cells, after the outer and the inner ones.
 const WITH_MIDDLES: usize = 3 * GROUPS;
 
-/// The corners of the cell that stands for the middle of another one.
+/// The corners of the tiny cell that represents the middle of another one.
 fn middle_of([low, high]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     let off = |by: f64| [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]) + by);
     [off(-0.5 * POINT), off(0.5 * POINT)]
@@ -116,8 +116,8 @@ impl StockTile {
             for (cell, middle) in middles.iter_mut().enumerate() {
                 let x = column + (block % BLOCKS * BLOCK + cell % BLOCK) as u32;
                 let y = row + (block / BLOCKS * BLOCK + cell / BLOCK) as u32;
-                // Cells beyond the box never count: they have the height of the last one, so that a block at
-                // the edge may be uniform too.
+                // Cells beyond the box never count. They get the height of the last one, so that a block at the edge
+                // may be uniform, too.
                 let [low, high] = grid.corners(x.min(columns - 1), y.min(rows - 1));
                 let [outer, inner] = heights(low, high);
                 cells.outer[cell] = round_up(outer - top).clamp(bottom, 0.0);
@@ -139,12 +139,12 @@ impl StockTile {
         tile
     }
 
-    /// Nothing of the tile is above this, mm from the stock's top.
+    /// Upper bound of the tile's heights relative to the stock's top, mm.
     pub fn top(&self) -> f32 {
         self.top
     }
 
-    /// Finds the top again, after heights were lowered.
+    /// Updates the top after heights were lowered.
     pub fn settle(&mut self) {
         let tops = self.blocks.iter().map(|block| block.range.outer[1]);
         self.top = tops.fold(f32::NEG_INFINITY, f32::max);
@@ -170,7 +170,7 @@ impl StockTile {
         }
     }
 
-    /// The heights in the middles of the cells of a block, where they are kept.
+    /// The heights in the middles of the cells of a block; `None` where they are not kept.
     pub fn middles(&self, block: usize) -> Option<[f32; CELLS]> {
         if self.stride != WITH_MIDDLES {
             return None;
@@ -183,8 +183,8 @@ impl StockTile {
         Some(cells_of(&self.data[end - GROUPS..end]))
     }
 
-    /// Where the heights of a block are stored: outer, inner, those in the middles where they are kept; one list in a
-    /// sampled tile. A uniform block gets a place for them.
+    /// The stored heights of a block: outer, inner and those in the middles, where they are kept; one list in a
+    /// sampled tile. A uniform block gets storage for them.
     pub fn open(&mut self, block: usize) -> &mut [f32x4] {
         let TileBlock { range, slot } = self.blocks[block];
         let slot = if slot == UNIFORM {
@@ -207,7 +207,7 @@ impl StockTile {
         &mut self.data[at..at + self.stride]
     }
 
-    /// Sets the range of a block, by its heights; one that is uniform gives up its place.
+    /// Sets the range of a block; a uniform block gives up its storage.
     pub fn close(&mut self, block: usize, range: HeightRange) {
         let entry = &mut self.blocks[block];
         entry.range = range;
@@ -217,7 +217,7 @@ impl StockTile {
         }
     }
 
-    /// Sets the heights of a block; those in the middles count where they are kept.
+    /// Sets the heights of a block; `middles` is ignored where they are not kept.
     fn put(&mut self, block: usize, heights: &BlockHeights, middles: &[f32; CELLS]) {
         let ends = |cells: &[f32; CELLS]| {
             let least = cells.iter().copied().fold(f32::INFINITY, f32::min);
@@ -256,7 +256,8 @@ impl StockTile {
         &self.gaps
     }
 
-    /// Takes what is surely, what may be and what is in its middle removed from a column: see [`TileGaps::add`].
+    /// Removes spans from a column, given as those certain, those possible and those in its middle: see
+    /// [`TileGaps::add`].
     pub fn hollow(
         &mut self,
         place: [usize; 2],
@@ -278,7 +279,7 @@ impl StockTile {
         self.middles(block).unwrap_or_else(|| self.get(block).outer)
     }
 
-    /// Has gaps of a block come to light, after its heights were lowered.
+    /// Merges gaps of a block that its lowered heights have reached.
     #[inline]
     pub fn settle_gaps(&mut self, block: usize) {
         let range = self.blocks[block].range;
@@ -298,7 +299,7 @@ impl StockTile {
         self.put(block, &heights, &middles);
     }
 
-    /// Takes what columns lack below their tops from the beginning.
+    /// Adds the hollows that columns have below their tops before the first cut.
     pub fn begin_hollow(
         &mut self,
         grid: &StockGrid,
@@ -343,7 +344,7 @@ impl StockTile {
         self.settle();
     }
 
-    /// Lowers what is gone for another reason than moves.
+    /// Lowers cells for a reason other than moves.
     pub fn lower(
         &mut self,
         grid: &StockGrid,
@@ -361,7 +362,7 @@ impl StockTile {
             for (cell, middle) in middles.iter_mut().enumerate() {
                 let x = column + (block % BLOCKS * BLOCK + cell % BLOCK) as u32;
                 let y = row + (block / BLOCKS * BLOCK + cell / BLOCK) as u32;
-                // As at the beginning, cells beyond the box have the height of the last one.
+                // As in `new`, cells beyond the box get the height of the last one.
                 let corners = grid.corners(x.min(columns - 1), y.min(rows - 1));
                 let known = before.outer[cell];
                 let height = round_up(lower(corners, top + f64::from(known)) - top);
@@ -380,7 +381,7 @@ impl StockTile {
         self.settle();
     }
 
-    /// What is left of it, mm³.
+    /// The volume that is left of it, mm³.
     pub fn left(&self, grid: &StockGrid, number: usize) -> VolumeInterval {
         let bottom = -grid.bounds().size().z;
         let volume = |block: usize| {
@@ -400,7 +401,7 @@ impl StockTile {
         (0..BLOCKS * BLOCKS).map(volume).fold(VolumeInterval::default(), VolumeInterval::plus)
     }
 
-    /// Keeps a block as it is before the first of the moves of a tag that follow each other.
+    /// Keeps the state of a block before the first of consecutive moves with a tag.
     #[inline]
     pub fn keep(&mut self, tag: u32, block: usize, grid: &StockGrid, number: usize) {
         if !self.ledger.is_new(tag, block) {
@@ -477,7 +478,7 @@ fn cells_of(groups: &[f32x4]) -> [f32; CELLS] {
     heights
 }
 
-/// A column of a block with its gaps, by its outer and its inner height.
+/// A column of a block with its gaps, up to its outer and up to its inner height.
 fn both<'a>(
     heights: &BlockHeights,
     cell: usize,

@@ -1,33 +1,33 @@
-//! Whether a body touches stock on its way.
+//! Contacts of a body with stock along a move.
 
-/// How deep a body may reach into stock on a move, along Z, mm. Nothing touches where it is zero.
+/// How deep a body reaches into stock on a move, along Z, mm; zero where nothing touches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactDepth {
-    /// The body reaches at least so deep into what is surely left.
+    /// Lower bound: its depth in what is certainly left.
     pub least: f64,
-    /// It reaches nowhere deeper into what may be left.
+    /// Upper bound: its depth in what may be left.
     pub most: f64,
-    /// Where that is: the middle of the cell, and the top of the stock there, mm.
+    /// Where the upper bound is reached: the middle of the cell, and the top of the stock there, mm.
     pub at: [f64; 3],
 }
 
-/// The answer to the question whether a body reaches deeper into stock than a tolerance.
+/// Whether a body reaches deeper into stock than a tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TouchAnswer {
-    /// It surely does not.
+    /// It certainly does not.
     Clean,
-    /// It surely does, by so much (along Z, mm).
+    /// It certainly does, with this depth along Z, mm.
     Hit {
-        /// At least.
+        /// Lower bound of the depth, mm.
         least: f64,
-        /// At most.
+        /// Upper bound of the depth, mm.
         most: f64,
         /// Where it may be deepest, mm.
         at: [f64; 3],
     },
-    /// The columns are too coarse to say.
+    /// The columns are too coarse to decide.
     Undecided {
-        /// At most so deep, along Z, mm.
+        /// Upper bound of the depth along Z, mm.
         most: f64,
         /// Where it may be deepest, mm.
         at: [f64; 3],
@@ -38,8 +38,8 @@ impl ContactDepth {
     /// No contact.
     pub const NONE: ContactDepth = ContactDepth { least: 0.0, most: 0.0, at: [0.0; 3] };
 
-    /// The answer for a tolerance, mm: heights themselves are known to a hundredth of a micrometre at best, so
-    /// a body that only slides over a face needs one.
+    /// The answer for a tolerance, mm. A body that slides over a face needs one above zero, since heights are known
+    /// only to a hundredth of a micrometre at best.
     pub fn touch(&self, tolerance: f64) -> TouchAnswer {
         let ContactDepth { least, most, at } = *self;
         if most <= tolerance {
@@ -51,7 +51,7 @@ impl ContactDepth {
         }
     }
 
-    /// The deeper of two, whichever comes first.
+    /// The deeper of two contacts, independent of their order.
     pub(crate) fn deeper(self, other: ContactDepth) -> ContactDepth {
         let first = self.most > other.most
             || (self.most == other.most && self.at.map(f64::to_bits) <= other.at.map(f64::to_bits));

@@ -1,7 +1,7 @@
-//! Undercuts: cutters that remove from a column what is between their lower and their upper side.
+//! Moves of undercuts: cutters that remove from a column what is between their lower and their upper side.
 //!
-//! A move is taken whole, in double precision: there are few of such moves, and the spans of its windows are
-//! known for every kind of path.
+//! A move is processed as a whole and in double precision: there are few such moves, and its spans are known for
+//! every kind of path.
 
 use chordal_geometry::{Curve, ParamCurve};
 
@@ -13,24 +13,24 @@ use super::tile::StockTile;
 use crate::floor::merge;
 use crate::{CutterSweep, RemovedSpan, Undercut};
 
-/// The gap of the bounds where there is no closed form, mm: far below any resolution, and cheap.
+/// The gap between the bounds where there is no closed form, mm: far below any resolution, yet cheap.
 const BOUNDS_GAP_MM: f64 = 1e-4;
 
 /// A whole move of an undercut.
 #[derive(Clone, Debug)]
 pub(crate) struct UndercutMove {
-    /// Number of the cutter in the plan.
+    /// Index of the cutter in the plan.
     pub cutter: u32,
-    /// The path of its lower end.
+    /// The path of the cutter's lower end.
     pub curve: Curve,
-    /// Number of the move in its list.
+    /// Index of the move in its list.
     pub number: u32,
     pub tag: u32,
 }
 
 impl UndercutMove {
-    /// The first and the last tile, or block, of a width that it meets, along X and Y from an origin; none where the
-    /// first is larger.
+    /// The first and the last tile (or block) of this width that it meets, along X and Y from an origin; none where
+    /// the first is larger.
     pub fn range(
         &self,
         radius: f64,
@@ -54,7 +54,7 @@ impl UndercutMove {
         let (start, end, bounds) = (curve.start(), curve.end(), curve.bounds());
         match curve {
             Curve::Line(_) => [end.z > start.z, end.z < start.z],
-            // Level but for rounding, or a helix that only rises or falls.
+            // Level up to rounding, or a helix that only rises or only falls.
             Curve::Arc(arc) if arc.w.x == 0.0 && arc.w.y == 0.0 => {
                 [end.z > start.z, end.z < start.z]
             }
@@ -71,26 +71,26 @@ pub(crate) struct OnTile<'a> {
     pub below: &'a UndercutMove,
     pub cutter: &'a Undercut,
     pub by_tag: bool,
-    /// Whether what is removed in the middles of cells is kept.
+    /// Whether the spans in the middles of cells are kept.
     pub keeps_middles: bool,
-    /// Bytes that the gaps of the tile may take.
+    /// Most bytes that the gaps of the tile may take.
     pub limit: usize,
 }
 
-/// The spans of a cell, from the stock's top.
+/// The spans of a cell, relative to the stock's top.
 #[derive(Default)]
 struct CellSpans {
     surely: Vec<RemovedSpan>,
     maybe: Vec<RemovedSpan>,
-    /// In the middle, after [`CellSpans::find_middle`].
+    /// Those in the middle of the cell, after [`CellSpans::find_middle`].
     middle: Vec<RemovedSpan>,
 }
 
-/// Where the bounds of a span differ by less, mm, its ends in the middle are midway between them.
+/// Where the bounds of a span differ by less than this, mm, its ends in the middle of the cell are taken midway.
 const MIDPOINT_SPAN_MM: f64 = 2e-3;
 
 impl CellSpans {
-    /// Of a square about its middle; false where the move does not meet it.
+    /// Finds the spans of a square; false where the move does not meet it.
     fn find(&mut self, sweep: &CutterSweep<'_>, middle: [f64; 2], side: f64, top: f64) -> bool {
         self.surely.clear();
         self.maybe.clear();
@@ -101,7 +101,7 @@ impl CellSpans {
         !self.maybe.is_empty()
     }
 
-    /// What is removed in the middle of a square.
+    /// Finds the spans in the middle of a square.
     fn find_middle(&mut self, sweep: &CutterSweep<'_>, middle: [f64; 2], top: f64) {
         self.middle.clear();
         let is_near = |(a, b): (&RemovedSpan, &RemovedSpan)| {
@@ -115,7 +115,7 @@ impl CellSpans {
             }));
             return;
         }
-        // What may be gone of a cell that small is gone.
+        // In so small a cell, what may be removed is removed.
         sweep.cell_spans(middle, POINT, &mut Vec::new(), &mut self.middle);
         from_top(&mut self.middle, top);
     }
@@ -125,7 +125,7 @@ impl CellSpans {
     }
 }
 
-/// Spans that touch as one, counted from a top, mm.
+/// Merges spans, and makes them relative to a top, mm.
 fn from_top(spans: &mut Vec<RemovedSpan>, top: f64) {
     merge(spans);
     for span in spans {
@@ -134,7 +134,7 @@ fn from_top(spans: &mut Vec<RemovedSpan>, top: f64) {
 }
 
 impl OnTile<'_> {
-    /// The cells that the move may meet, by block, each with its middle.
+    /// Calls `found` for each cell that the move may meet, and returns their number.
     fn each(
         &mut self,
         finds_middles: bool,
@@ -181,7 +181,7 @@ impl OnTile<'_> {
         count
     }
 
-    /// Removes what the cutter sweeps. The number of cells that were looked at.
+    /// Removes what the cutter sweeps, and returns the number of cells that were examined.
     pub fn cut(mut self) -> u64 {
         let bottom = super::heights::bottom(self.grid);
         self.each(self.keeps_middles, |on, place, spans| {
@@ -196,7 +196,7 @@ impl OnTile<'_> {
         })
     }
 
-    /// How deep the cutter goes into stock, at least and at most, and where. With the number of cells.
+    /// The contact of the cutter with the stock, and the number of cells that were examined.
     pub fn compare(mut self) -> (ContactDepth, u64) {
         let bounds = self.grid.bounds();
         let (top, bottom) = (bounds.max.z, -bounds.size().z);

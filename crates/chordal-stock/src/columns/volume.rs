@@ -1,15 +1,15 @@
-//! Volumes, as sums in a fixed order.
+//! Volumes, summed in a fixed order so that results are the same everywhere.
 
 use super::gaps::ColumnGaps;
 use super::grid::BLOCK;
 use super::heights::{BlockHeights, HeightRange};
 
-/// A volume that is known to lie between two, mm³.
+/// A volume between two bounds, mm³.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct VolumeInterval {
-    /// At least, mm³.
+    /// Lower bound, mm³.
     pub least: f64,
-    /// At most, mm³.
+    /// Upper bound, mm³.
     pub most: f64,
 }
 
@@ -19,19 +19,20 @@ impl VolumeInterval {
     }
 }
 
-/// The tag of what no move has removed: see [`ColumnStock::lower`](super::ColumnStock::lower).
+/// The tag of volume that was not removed by moves: see [`ColumnStock::lower`](super::ColumnStock::lower).
 pub const OTHERS: u32 = u32::MAX;
 
 /// The heights of a cell, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CellHeights {
-    /// Nothing of the stock on the cell is higher.
+    /// Upper bound of the height of the stock anywhere on the cell.
     pub outer: f64,
-    /// Below it, down to the bottom, all of the cell is stock, but for gaps: see [`ColumnStock::gaps_at`](super::ColumnStock::gaps_at).
+    /// Everything on the cell below this, down to the bottom, is stock, except for gaps: see
+    /// [`ColumnStock::gaps_at`](super::ColumnStock::gaps_at).
     pub inner: f64,
 }
 
-/// The sum of a value over the cells of a block, by their areas.
+/// The sum of a value over the cells of a block, weighted by their areas.
 pub(crate) fn integral(sides: &[[f64; BLOCK]; 2], value: impl Fn(usize) -> f64) -> f64 {
     let [widths, heights] = sides;
     let mut sum = 0.0;
@@ -45,41 +46,41 @@ pub(crate) fn integral(sides: &[[f64; BLOCK]; 2], value: impl Fn(usize) -> f64) 
     sum
 }
 
-/// What the moves of each tag have removed of a tile: the blocks that the moves of one tag meet are kept as
-/// they were, until those of another come.
+/// What the moves of each tag have removed from a tile: the blocks that the moves of one tag meet are kept as they
+/// were before, until moves of another tag come.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TagVolumes {
     tag: Option<u32>,
-    /// Which blocks are kept.
+    /// The blocks that are kept, as a bit set.
     met: u64,
     before: Vec<BlockSnapshot>,
     done: Vec<(u32, VolumeInterval)>,
 }
 
-/// A block as it was.
+/// The state of a block before a change.
 #[derive(Clone, Debug)]
 pub(crate) struct BlockSnapshot {
     pub block: usize,
     pub range: HeightRange,
-    /// None for one that was even.
+    /// `None` for a block of one height.
     pub heights: Option<Box<BlockHeights>>,
-    /// Its columns with gaps.
+    /// Its columns with gaps, by cell.
     pub gaps: Vec<(usize, ColumnGaps)>,
 }
 
 impl TagVolumes {
-    /// Whether a block has not been met by the moves of this tag, which follow all those before.
+    /// Whether the current moves of this tag have not met a block yet.
     pub fn is_new(&self, tag: u32, block: usize) -> bool {
         self.tag != Some(tag) || self.met & (1 << block) == 0
     }
 
-    /// Keeps a block as it is before moves of a tag.
+    /// Keeps the state of a block before the moves of a tag.
     pub fn keep(&mut self, kept: BlockSnapshot) {
         self.met |= 1 << kept.block;
         self.before.push(kept);
     }
 
-    /// Moves of another tag follow: what those before have removed is final.
+    /// Begins the moves of another tag: `amount` is what those of the last tag have removed.
     pub fn turn(&mut self, tag: u32, amount: VolumeInterval) {
         if let Some(last) = self.tag {
             add(&mut self.done, last, amount);
@@ -89,12 +90,12 @@ impl TagVolumes {
         self.before.clear();
     }
 
-    /// The tag of the moves that came last, and the blocks that they met, as they were before.
+    /// The tag of the last moves, and the blocks that they met, in their state before.
     pub fn open(&self) -> (Option<u32>, &[BlockSnapshot]) {
         (self.tag, &self.before)
     }
 
-    /// What the moves of each tag have removed; `open` by those that came last.
+    /// Adds what the moves of each tag have removed; `open` is that of the last tag.
     pub fn add_to(&self, open: VolumeInterval, to: &mut Vec<(u32, VolumeInterval)>) {
         for &(tag, amount) in &self.done {
             add(to, tag, amount);

@@ -1,4 +1,4 @@
-//! The heights and gaps of some cells, side by side: to look at many places of a small part of the stock.
+//! A copy of the heights and gaps of a rectangle of cells, for many look-ups in a small part of the stock.
 
 use std::collections::BTreeMap;
 
@@ -6,10 +6,10 @@ use super::gaps::{ColumnGap, ColumnGaps};
 use super::grid::{BLOCK, BLOCKS};
 use super::{ColumnStock, VolumeInterval};
 
-/// Below every stock: where there is none.
+/// The height where there is no stock.
 const NONE: f32 = f32::NEG_INFINITY;
 
-/// The heights of a rectangle of cells, counted from the top of the stock, mm.
+/// The heights of a rectangle of cells, relative to the top of the stock, mm.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct HeightWindow {
     /// The first cell of the rectangle, within the grid.
@@ -26,23 +26,24 @@ pub(crate) struct HeightWindow {
     inner: Vec<f32>,
     /// The gaps of cells that have some.
     gaps: BTreeMap<usize, ColumnGaps>,
-    /// No outer height is above this.
+    /// Upper bound of the outer heights.
     highest: f32,
 }
 
-/// What is known of the stock on some cells over a stretch of heights, mm: it is nowhere outside of `maybe` on that, and
-/// everywhere in `surely`, which is empty where it ends below its beginning. Both may reach further.
+/// What is known about the stock on some cells within an interval of heights, mm: there is none outside of `maybe`,
+/// and it is everywhere in `surely`, which is empty where its end is below its start. Both may extend beyond the
+/// interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct StockLimits {
     pub maybe: [f64; 2],
     pub surely: [f64; 2],
 }
 
-/// No stock.
+/// An interval without stock.
 const EMPTY_INTERVAL: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
 impl ColumnStock {
-    /// The heights of the cells that a rectangle meets, mm.
+    /// A window of the cells that a rectangle meets, mm.
     pub(crate) fn window(&self, low: [f64; 2], high: [f64; 2]) -> HeightWindow {
         let grid = self.grid();
         let (cell, bounds, cells) = (grid.resolution(), grid.bounds(), grid.cells());
@@ -109,19 +110,20 @@ impl ColumnStock {
 }
 
 impl HeightWindow {
-    /// Nothing of the stock on the window is above this, mm.
+    /// Upper bound of the height of the stock in the window, mm.
     pub fn highest(&self) -> f64 {
         self.top + f64::from(self.highest)
     }
 
-    /// The cells of a range of places along an axis, from the window's first one; those outside count, too.
+    /// The first and last cell of a range of coordinates along an axis, counted from the window's first cell; they
+    /// may be outside the window.
     fn cells(&self, axis: usize, from: f64, to: f64) -> [i64; 2] {
         let at = |place: f64| ((place - self.corner[axis]) / self.cell).floor() as i64;
         [at(from), at(to)]
     }
 
-    /// What is known of the stock on the cells that a rectangle about a place meets, by half its sides, over a stretch of
-    /// heights, mm. Outside the window there is no stock.
+    /// What is known about the stock on the cells that a rectangle (middle and half sides) meets, within an interval
+    /// of heights, mm. Outside the window there is no stock.
     pub fn ends(&self, place: [f64; 2], half: [f64; 2], section: [f64; 2]) -> StockLimits {
         let section = section.map(|height| height - self.top);
         let [x0, x1] = self.cells(0, place[0] - half[0], place[0] + half[0]);
@@ -142,8 +144,8 @@ impl HeightWindow {
         StockLimits { maybe: from_top(maybe), surely: from_top(surely) }
     }
 
-    /// The stock of a cell over a stretch of heights: where it may be, and the part of what it surely is that has most of
-    /// the stretch.
+    /// The stock of a cell within an interval of heights: where it may be, and the certain part that overlaps the
+    /// interval most.
     fn over(&self, at: usize, [from, to]: [f64; 2]) -> [[f64; 2]; 2] {
         let [outer, inner] = [self.outer[at], self.inner[at]].map(f64::from);
         let Some(column) = self.gaps.get(&at) else {
@@ -167,7 +169,7 @@ impl HeightWindow {
         [maybe, surely]
     }
 
-    /// The cell at a place.
+    /// The index of the cell at a point; `None` outside.
     fn cell(&self, place: [f64; 2]) -> Option<usize> {
         let [x, _] = self.cells(0, place[0], place[0]);
         let [y, _] = self.cells(1, place[1], place[1]);
@@ -176,14 +178,14 @@ impl HeightWindow {
         is_in.then_some((y * columns + x) as usize)
     }
 
-    /// The middle between the two heights of the cell at a place, mm.
+    /// The middle between the two heights of the cell at a point, mm.
     pub fn middle(&self, place: [f64; 2]) -> f64 {
         let Some(at) = self.cell(place) else { return f64::NEG_INFINITY };
         self.top + 0.5 * (f64::from(self.outer[at]) + f64::from(self.inner[at]))
     }
 
-    /// Which share of a stretch of heights gaps take of the cell at a place: the middle between what is surely gone and
-    /// what may be.
+    /// The share of an interval of heights that gaps take in the cell at a point: the middle between certain and
+    /// possible gaps.
     pub fn missing(&self, place: [f64; 2], section: [f64; 2]) -> f64 {
         let column = self.cell(place).and_then(|at| self.gaps.get(&at));
         let Some(column) = column else { return 0.0 };
@@ -200,7 +202,7 @@ impl HeightWindow {
         0.5 * (sum(&column.surely) + sum(&column.maybe))
     }
 
-    /// How high the stock of a cell would be without its gaps, from the top, mm: at most, and at least.
+    /// Upper and lower bound of the height of a cell if its gaps were closed by lowering it, relative to the top, mm.
     fn filled(&self, at: usize) -> [f64; 2] {
         let heights = [self.outer[at], self.inner[at]].map(f64::from);
         let Some(column) = self.gaps.get(&at) else { return heights };
@@ -210,8 +212,8 @@ impl HeightWindow {
         [heights[0] - taken(&column.surely), heights[1] - taken(&column.maybe)]
     }
 
-    /// What was removed between this window and a later one of the same cells, mm³: its bounds, and by the middles
-    /// of the two heights of each cell. `counts`: the cells that count, by their middles.
+    /// What was removed between this window and a later one of the same cells, mm³: the bounds, and the value by the
+    /// middles of the two heights of each cell. `counts` decides by the middle of a cell whether it counts.
     pub fn removed(
         &self,
         after: &HeightWindow,

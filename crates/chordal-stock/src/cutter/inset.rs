@@ -1,16 +1,16 @@
-//! What lies everywhere so much inside of a cutter by its outline: its surface is the largest of circles about the
-//! outline's points, which stands between circles of chords and of tangents.
+//! Insets of cutters given by an outline. The inset's surface is the envelope of circles about the outline's points,
+//! bounded from both sides by polygons of chords and of tangents.
 
 use libm::{cos, sin};
 
 use super::{CutterError, CutterProfile};
 use chordal_geometry::tolerance::COINCIDENT_MM;
 
-/// Chords of half a circle: they are nowhere further from it than 0.5 % of its radius.
+/// Chords of half a circle: they are within 0.5 % of the radius of it.
 const CHORDS: u32 = 16;
 /// Outlines with more points have no inset.
 const MAX_POINTS: usize = 100;
-/// A piece of a surface, from one radius to a larger one.
+/// A straight piece of a surface, from one radius to a larger one.
 #[derive(Clone, Copy, Debug)]
 struct SurfacePiece {
     from: [f64; 2],
@@ -27,7 +27,7 @@ impl SurfacePiece {
         self.from[0] <= radius && radius <= self.to[0]
     }
 
-    /// Where two pieces cross.
+    /// The radius at which two pieces cross; `None` where they do not.
     fn crossing(&self, other: &SurfacePiece) -> Option<f64> {
         let slope =
             |piece: &SurfacePiece| (piece.to[1] - piece.from[1]) / (piece.to[0] - piece.from[0]);
@@ -43,9 +43,9 @@ impl SurfacePiece {
 }
 
 impl CutterProfile {
-    /// Two cutters, with the same tip, by an outline as of [`CutterProfile::outline`]: the first holds everything that lies at
-    /// least `depth` inside of it, mm, the second lies in that. They differ by no more than a hundredth of the depth.
-    /// `None` where nothing is left, or the outline has more than 100 points.
+    /// The inset by `depth` (mm) of a cutter with an outline as in [`CutterProfile::outline`], as two cutters with
+    /// the same tip: the first contains the inset, the second is contained in it. They differ by at most a hundredth
+    /// of the depth. `None` where nothing is left, or the outline has more than 100 points.
     ///
     /// # Errors
     /// As [`CutterProfile::outline`].
@@ -69,9 +69,9 @@ impl CutterProfile {
     }
 }
 
-/// The pieces whose highest is the surface so much inside of an outline; circles by chords or by tangents.
+/// The pieces whose upper envelope is the surface of the inset, with circles as chords or as tangents.
 fn pieces(points: &[[f64; 2]], depth: f64, tangents: bool) -> Vec<SurfacePiece> {
-    // As radius and height, from the axis on.
+    // Points of radius and height, from the axis on.
     let first = [0.0, points[0][0]];
     let corners: Vec<[f64; 2]> = core::iter::once(first)
         .chain(points.iter().map(|&[height, radius]| [radius, height]))
@@ -92,7 +92,7 @@ fn pieces(points: &[[f64; 2]], depth: f64, tangents: bool) -> Vec<SurfacePiece> 
         let moved = |[radius, height]: [f64; 2]| [radius - slope * arm, height + arm];
         let [a, b] = [moved(a), moved(b)];
         add(a, b);
-        // What is on the other side of the axis.
+        // The mirror image on the other side of the axis.
         add([-b[0], b[1]], [-a[0], a[1]]);
     }
     let circle = circle(depth, tangents);
@@ -110,7 +110,7 @@ fn pieces(points: &[[f64; 2]], depth: f64, tangents: bool) -> Vec<SurfacePiece> 
     pieces
 }
 
-/// The upper half of a circle from its left to its right.
+/// The upper half of a circle, from left to right.
 fn circle(radius: f64, tangents: bool) -> Vec<[f64; 2]> {
     let step = core::f64::consts::PI / f64::from(CHORDS);
     let at = |angle: f64, radius: f64| [-radius * cos(angle), radius * sin(angle)];
@@ -121,7 +121,7 @@ fn circle(radius: f64, tangents: bool) -> Vec<[f64; 2]> {
     (0..=CHORDS).map(|k| at(step * f64::from(k), radius)).collect()
 }
 
-/// The outline of the highest of pieces from the axis to a radius, as points of height and radius; it never falls.
+/// The upper envelope of pieces from the axis to a radius, as points of height and radius, made to never fall.
 fn outline(pieces: &[SurfacePiece], reach: f64) -> Vec<[f64; 2]> {
     let mut ends: Vec<f64> = vec![0.0, reach];
     let mut add = |radius: f64| {
@@ -150,12 +150,12 @@ fn outline(pieces: &[SurfacePiece], reach: f64) -> Vec<[f64; 2]> {
             continue;
         };
         for radius in [pair[0], pair[1]] {
-            // Chords of circles fall a little where the surface itself does not.
+            // Chords may fall slightly where the true surface does not.
             high = high.max(top.height_at(radius));
             points.push([high, radius]);
         }
     }
-    // Points on a line with their neighbours say nothing.
+    // Points on a line with their neighbours are left out.
     let mut kept: Vec<[f64; 2]> = Vec::new();
     for point in points {
         if let [.., a, b] = kept[..] {

@@ -1,7 +1,7 @@
-//! A cutter: a body that turns about its axis, as the height of its lowest point at each distance from it.
+//! A cutter as a body of revolution, given by the height of its lowest point at each distance from the axis.
 //!
-//! Below the distance r from the axis nothing of the cutter is lower than `height_at(r)` above its tip.
-//! The function is put together from rings: a disc, a cone or a torus from one radius to the next.
+//! At the distance r from the axis the lowest point of the cutter is `height_at(r)` above its tip. The function is
+//! composed of rings: a disc, a cone or a torus from one radius to the next.
 
 mod inset;
 mod shapes;
@@ -11,28 +11,29 @@ use std::borrow::Cow;
 
 pub use undercut::Undercut;
 
-/// What a cutter is on a ring, by the distance r from the axis, mm.
+/// The shape of a cutter on a ring, as a function of the distance r from the axis, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RingElement {
     /// Flat, at this height above the tip.
     Disc {
-        /// Above the tip, mm.
+        /// Height above the tip, mm.
         height: f64,
     },
     /// height + slope·(r − from): `slope` is the cotangent of the half angle.
     Cone {
-        /// At the inner radius, above the tip, mm.
+        /// Height at the inner radius, above the tip, mm.
         height: f64,
-        /// Rise by radius.
+        /// Rise per radius.
         slope: f64,
     },
-    /// height + d²/(c + √(c² − d²)) with d = r − middle: a round of radius c about a circle of radius `middle`.
+    /// height + d²/(c + √(c² − d²)) with d = r − middle: a torus with the minor radius c and the major radius
+    /// `middle`.
     Torus {
-        /// The lowest point, above the tip, mm.
+        /// Height of the lowest point above the tip, mm.
         height: f64,
-        /// The radius of the round, mm.
+        /// The minor radius c, mm.
         round: f64,
-        /// The radius of the circle of its centres, mm: nothing for a ball.
+        /// The major radius, mm: zero for a ball.
         middle: f64,
     },
 }
@@ -44,7 +45,7 @@ pub struct Ring {
     pub from: f64,
     /// The outer radius, mm.
     pub to: f64,
-    /// What is there.
+    /// The shape on the ring.
     pub element: RingElement,
 }
 
@@ -80,10 +81,10 @@ impl Ring {
     }
 }
 
-/// Why there is no cutter of some dimensions.
+/// Why dimensions do not give a cutter.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum CutterError {
-    /// A dimension is zero, below it or not a number.
+    /// A dimension is not above zero, or not finite.
     #[error("the {what} must be above zero, it is {value} mm")]
     NotPositive {
         /// What it is.
@@ -101,16 +102,16 @@ pub enum CutterError {
         /// The largest possible, mm or rad.
         most: f64,
     },
-    /// An outline that goes back towards the axis on its way up: an undercut, which this form has not.
+    /// An outline comes nearer to the axis on its way up: an undercut, which a profile cannot have.
     #[error("the outline must not come nearer to the axis on its way up (at height {height} mm)")]
     Undercut {
-        /// Where, mm above the tip.
+        /// Height of that point above the tip, mm.
         height: f64,
     },
 }
 
-/// A cutter that is no wider lower down: what it removes from a column is everything above its
-/// lowest place, up to the end of its edges.
+/// A cutter that nowhere gets wider towards its tip. It removes from a column everything above its lowest point, up
+/// to the end of its edges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CutterProfile {
     rings: Vec<Ring>,
@@ -119,7 +120,7 @@ pub struct CutterProfile {
 }
 
 impl CutterProfile {
-    /// The rings from the axis outward: they follow each other without a gap.
+    /// The rings from the axis outwards, without gaps.
     pub fn rings(&self) -> &[Ring] {
         &self.rings
     }
@@ -129,20 +130,19 @@ impl CutterProfile {
         self.rings.last().map_or(0.0, |ring| ring.to)
     }
 
-    /// How far up the edges reach from the tip, mm; `None` where it is not known.
+    /// The length of the edges from the tip, mm; `None` where it is not known.
     pub const fn flutes(&self) -> Option<f64> {
         self.flutes
     }
 
-    /// The same cutter with edges that reach so far up, mm.
+    /// The same cutter with another length of the edges, mm.
     #[must_use]
     pub fn with_flutes(mut self, flutes: Option<f64>) -> CutterProfile {
         self.flutes = flutes;
         self
     }
 
-    /// The rings as far as edges are on them: where these end below the cutter's side, what is above and
-    /// around them does not cut.
+    /// The rings as far as they have edges. Where the edges end below the cutter's side, the rest does not cut.
     pub fn edges(&self) -> Cow<'_, [Ring]> {
         let flutes = self.flutes.unwrap_or(f64::INFINITY);
         if self.side() <= flutes {
@@ -155,20 +155,19 @@ impl CutterProfile {
         Cow::Owned(self.rings.iter().map_while(below).collect())
     }
 
-    /// The height of the lowest place at a distance from the axis, above the tip, mm; infinite outside
-    /// the cutter.
+    /// The height of the lowest point at a distance from the axis, above the tip, mm; infinite outside the cutter.
     pub fn height_at(&self, radius: f64) -> f64 {
         let on = |ring: &&Ring| radius <= ring.to;
         self.rings.iter().find(on).map_or(f64::INFINITY, |ring| ring.height_at(radius))
     }
 
-    /// The height of the cutter's side above its tip, mm: from there up it is a cylinder.
+    /// The height above the tip from which the cutter is a cylinder, mm.
     pub fn side(&self) -> f64 {
         self.rings.last().map_or(0.0, |ring| ring.height_at(ring.to))
     }
 
-    /// Whether the height is a convex function of the place around the axis: so a straight move sweeps a
-    /// convex body, and below it the floor is a convex function too.
+    /// Whether the height is a convex function of the position in plan. Then a straight move sweeps a convex body,
+    /// and its floor is a convex function, too.
     pub fn is_convex(&self) -> bool {
         const EQUAL_RADIUS_MM: f64 = 1e-12;
         let slopes = |ring: &Ring| match ring.element {
@@ -183,7 +182,7 @@ impl CutterProfile {
         let mut height = self.rings.first().map_or(0.0, |ring| ring.height_at(ring.from));
         self.rings.iter().all(|ring| {
             let [begin, end] = slopes(ring);
-            // A step up is no slope: the floor has a wall there.
+            // A step is not convex: the floor has a wall there.
             let follows = (ring.height_at(ring.from) - height).abs() <= EQUAL_RADIUS_MM;
             let rises = begin >= last - EQUAL_RADIUS_MM && end >= begin - EQUAL_RADIUS_MM;
             (last, height) = (end, ring.height_at(ring.to));

@@ -1,4 +1,4 @@
-//! Cutters of the usual shapes by their dimensions.
+//! Makes cutters of the usual shapes from their dimensions.
 
 use libm::tan;
 
@@ -17,7 +17,7 @@ pub(super) fn at_most(what: &'static str, value: f64, most: f64) -> Result<f64, 
 }
 
 impl CutterProfile {
-    /// A flat end, by its diameter, mm.
+    /// A flat end mill of a diameter, mm.
     ///
     /// # Errors
     /// When the diameter is not above zero.
@@ -30,7 +30,7 @@ impl CutterProfile {
         }]))
     }
 
-    /// Half a ball, by its diameter, mm.
+    /// A ball end mill of a diameter, mm.
     ///
     /// # Errors
     /// When the diameter is not above zero.
@@ -40,10 +40,9 @@ impl CutterProfile {
         Ok(CutterProfile::of(vec![Ring { from: 0.0, to, element }]))
     }
 
-    /// A flat end with a round corner, mm.
+    /// A bull nose end mill: a flat end with a corner radius, mm.
     ///
-    /// # Errors
-    /// When a dimension is not above zero, or the corner larger than the radius.
+    /// # Errors When a dimension is not above zero, or the corner radius is larger than the radius.
     pub fn bull(diameter: f64, corner_radius: f64) -> Result<CutterProfile, CutterError> {
         let to = positive("diameter", diameter)? / 2.0;
         let round = at_most("corner radius", positive("corner radius", corner_radius)?, to)?;
@@ -60,12 +59,11 @@ impl CutterProfile {
         Ok(CutterProfile::of(rings))
     }
 
-    /// A point of an included angle (rad) up to a diameter, with a flat of another diameter at its end, mm:
-    /// drills, countersinks and chamfer mills.
+    /// A point with an included angle (rad) up to a diameter, with a flat of `tip_diameter` at its end, mm: drills,
+    /// countersinks and chamfer mills.
     ///
-    /// # Errors
-    /// When the diameter or the angle is not above zero, the angle is no less than half a turn, or the flat
-    /// is wider than the cutter.
+    /// # Errors When the diameter or the angle is not above zero, the angle is more than half a turn, or the flat is
+    /// wider than the cutter.
     pub fn pointed(
         diameter: f64,
         tip_diameter: f64,
@@ -86,11 +84,10 @@ impl CutterProfile {
         Ok(CutterProfile::of(rings))
     }
 
-    /// A cutter by its outline: points of height above the tip and radius, mm, from the axis outward and up.
-    /// Where the first has a radius its end is flat.
+    /// A cutter by its outline: points of height above the tip and radius, mm, from the axis outwards and upwards.
+    /// Where the first point has a radius above zero, the end is flat.
     ///
-    /// # Errors
-    /// When a number is below zero or none, or the outline comes nearer to the axis on its way up.
+    /// # Errors When a number is negative or not finite, or the outline comes nearer to the axis on its way up.
     pub fn outline(points: &[[f64; 2]]) -> Result<CutterProfile, CutterError> {
         let mut rings: Vec<Ring> = Vec::new();
         let mut last = [points.first().map_or(0.0, |point| point[0]), 0.0];

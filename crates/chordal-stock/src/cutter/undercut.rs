@@ -1,27 +1,26 @@
-//! Cutters with edges above their widest place: T-slot cutters, lollipops, discs for threads.
+//! Cutters with edges above their widest point: T-slot cutters, lollipops, thread mill discs.
 
 use libm::tan;
 
 use super::shapes::{at_most, positive};
 use super::{CutterError, CutterProfile, Ring, RingElement};
 
-/// A cutter that is wider below than above: it removes from a column what is between its lower and its
-/// upper side.
+/// A cutter that is wider below than above. It removes from a column what is between its lower and its upper side.
 ///
-/// The neck above the edges never cuts. It is a part of the shank, and so is what it would run into.
+/// The neck above the edges never cuts: it is treated as a part of the shank.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undercut {
     lower: CutterProfile,
-    /// The upper side, upside down.
+    /// The upper side, mirrored.
     upper: CutterProfile,
-    /// From the tip to the highest place of the edges, mm.
+    /// The height of the upper end of the edges above the tip, mm.
     height: f64,
     neck: f64,
 }
 
 impl Undercut {
-    /// A cutter of both its sides: `lower` from the tip upwards, `upper` likewise from the highest place of
-    /// the edges downwards, which is at `height` above the tip; with a neck of a diameter, mm.
+    /// A cutter from both its sides: `lower` from the tip upwards, `upper` likewise from the upper end of the edges
+    /// downwards, which is at `height` above the tip; `neck` is a diameter; mm.
     ///
     /// # Errors
     /// When the sides differ in radius, cross each other, or the neck is wider than they are.
@@ -38,7 +37,7 @@ impl Undercut {
             let (what, value, most) = ("upper side's radius", upper.radius(), lower.radius());
             return Err(CutterError::TooLarge { what, value, most });
         }
-        // Neither side comes down on its way outwards: they are nearest at the rim.
+        // Both sides only rise outwards, so they are nearest to each other at the rim.
         at_most(
             "rise of both sides",
             lower.side() + upper.side(),
@@ -65,13 +64,12 @@ impl Undercut {
         Undercut::of(side.clone(), side, diameter, neck)
     }
 
-    /// One tooth of a thread cutter: the diameter over its crest, the width of the crest, the angle of a
-    /// flank to the plane across the axis (rad; half the angle of the thread, nothing for a plain disc) and
-    /// the diameter of the neck, mm. The tip is the lowest place of the tooth, where it meets the neck.
+    /// One tooth of a thread cutter: the diameter over its crest, the width of the crest, the angle between a flank
+    /// and the plane normal to the axis (rad; half the angle of the thread, zero for a plain disc) and the diameter
+    /// of the neck, mm. The tip is the lowest point of the tooth, where it meets the neck.
     ///
-    /// # Errors
-    /// When a length is not above zero, the angle is below zero or no less than a quarter turn, or the neck
-    /// is wider than the crest.
+    /// # Errors When a length is not above zero, the angle is negative or above 1.5 rad, or the neck is wider than
+    /// the crest.
     pub fn thread_disc(
         diameter: f64,
         crest: f64,
@@ -103,7 +101,7 @@ impl Undercut {
         &self.lower
     }
 
-    /// The upper side, upside down: `height() − upper().height_at(r)` above the tip at the distance r.
+    /// The upper side, mirrored: at the distance r it is at `height() − upper().height_at(r)` above the tip.
     pub const fn upper(&self) -> &CutterProfile {
         &self.upper
     }
@@ -124,7 +122,7 @@ impl Undercut {
     }
 }
 
-/// What the height may be less than its parts together: they were added up.
+/// Relative tolerance for the sum of the sides' heights, for rounding.
 const HEIGHT_ROUNDING_MM: f64 = 1e-12;
 
 #[cfg(test)]

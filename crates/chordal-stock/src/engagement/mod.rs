@@ -1,14 +1,14 @@
-//! How a cutter is engaged along a move: how wide and how deep it cuts, how thick its chips are, what it removes.
+//! The engagement of a cutter along a move: width and depth of cut, chip thickness, removed volume.
 //!
-//! A place of the cutter's surface with the outward normal n takes a chip of the thickness f·(u·n) where it is in
-//! material: u is the direction of the feed, f the feed of a tooth. All answers here are for f = 1, so that the
-//! caller has the feed: [`EngagementSlice::chip`] is u·n.
+//! A point of the cutter's surface with the outward normal n takes a chip of thickness f·(u·n) where it is in
+//! material, with u the direction of the feed and f the feed per tooth. All results here are for f = 1, and the
+//! caller multiplies by the feed: [`EngagementSlice::chip`] is u·n.
 //!
-//! The surface is cut into patches ([`patches`]), the move into slices. On a slice a patch passes over some cells:
-//! what may stand on any of them gives what is at most engaged, what surely stands on all of them what is at least.
-//! So no place between two samples is left out. Stock is looked at as it was before a piece of the move: a convex
-//! cutter does not come back there on a line, and on a curve only where the chip is thinner than the piece turns,
-//! which is not counted as sure.
+//! The surface is divided into patches ([`patches`]), the move into slices. On a slice a patch passes over some
+//! cells: the material that may be on any of them gives the upper bound of the engagement, the material that is
+//! certainly on all of them the lower bound. So no point between two samples is missed. The stock is that before a
+//! piece of the move: on a line a convex cutter does not come back to where it was, and on a curve only where the
+//! chip is thinner than the turn of the piece, which does not count for the lower bound.
 
 mod patches;
 mod slice;
@@ -24,37 +24,37 @@ pub use slice::{BoundedValue, EngagementSlice, engagement_angle};
 use patches::CutterPatches;
 use slice::CutterPose;
 
-/// The most that a piece of a curve turns, rad: on the rest of a curve stock is looked at anew.
+/// Largest turn of a piece of a curve, rad; for the next piece the stock is read again.
 const TURN: f64 = 0.2;
 
-/// A piece is not shorter than this, in cells: each costs a look at all cells around the cutter.
+/// Least length of a piece, in cells: each piece reads all cells around the cutter.
 const MIN_PIECE_CELLS: f64 = 4.0;
 
-/// A piece of a line is no longer than so many diameters of the cutter, to keep the cells near it few.
+/// Largest length of a piece of a line, in diameters of the cutter, so that few cells are near it.
 const DIAMETERS: f64 = 2.0;
 
-/// Contacts that are no deeper are none, mm, at least: heights of cells are rounded by a hundredth of it.
+/// Least depth below which contacts are ignored, mm: heights of cells are rounded to a hundredth of it.
 const MIN_GRAZE_MM: f64 = 1e-3;
 
-/// Directions that differ less in their rise are as steep: rounding.
+/// Directions whose Z components differ by less than this are equally steep: rounding.
 const LEVEL: f64 = 1e-9;
 
-/// How moves are measured.
+/// The options of a measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeasureOptions {
-    /// Length of a slice, mm: about the side of a cell is fine enough.
+    /// Length of a slice, mm; about the side of a cell is fine enough.
     pub spacing: f64,
-    /// Contacts that are no deeper are none, mm. On curves at least as much as chords may be off them, as the floors of
-    /// columns are not known better.
+    /// Contacts no deeper than this are ignored, mm. On curves it is at least the deviation of chords, since the
+    /// floors of columns are not known better.
     pub graze: f64,
 }
 
 /// What a move has removed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RemovedVolume {
-    /// Its bounds, mm³. What is uncertain on a cell counts for every move that changes it.
+    /// Its bounds, mm³. The uncertainty of a cell counts for every move that changes the cell.
     pub bounds: VolumeInterval,
-    /// By the middle between the bounds of each cell, mm³: over all moves the sum is what they remove together.
+    /// By the middle between the bounds of each cell, mm³; the sum over all moves is what they remove together.
     pub middle: f64,
 }
 
@@ -67,7 +67,7 @@ pub struct EngagementMeter {
 }
 
 impl EngagementMeter {
-    /// A cutter on stock of some resolution, mm.
+    /// A cutter for stock with this resolution, mm.
     pub fn new(
         cutter: CutterProfile,
         resolution: f64,
@@ -84,7 +84,8 @@ impl EngagementMeter {
 }
 
 impl ColumnStock {
-    /// Removes what a cutter sweeps on a move, and gives every slice of it on which the cutter may be in material.
+    /// Removes what a cutter sweeps on a move, and calls `see` for every slice on which the cutter may be in
+    /// material.
     pub fn cut_measuring(
         &mut self,
         meter: &EngagementMeter,
@@ -108,7 +109,7 @@ impl ColumnStock {
         };
         let margin = radius + self.grid().resolution();
         if let Curve::Line(line) = &path.curve {
-            // It does not come back to what it has cut, so all of it is looked at before it is.
+            // A line does not come back to what it has cut, so all of it is measured before the cut.
             let windows: Vec<HeightWindow> = (0..count)
                 .map(|k| {
                     let piece = piece(k);
@@ -125,7 +126,7 @@ impl ColumnStock {
             }
             return removed;
         }
-        // Floors of curves are known to the distance of their chords.
+        // Floors of curves are known only up to the deviation of chords.
         let off = self.options().chord_share * self.grid().resolution();
         let graze = meter.measuring.graze.max(off + MIN_GRAZE_MM);
         for k in 0..count {
@@ -155,10 +156,10 @@ impl RemovedVolume {
     }
 }
 
-/// Which piece of a line a place belongs to, so that no cell counts twice.
+/// Assigns positions to the pieces of a line, so that no cell counts twice.
 struct LineShares {
     start: Vec3,
-    /// Along the line in plan, in pieces by mm.
+    /// Direction of the line in plan, in pieces per mm.
     along: [f64; 2],
     count: u64,
 }
@@ -178,11 +179,11 @@ impl LineShares {
     }
 }
 
-/// The most pieces of one move, so that a curve far larger than any machine takes no time to speak of.
+/// Most pieces of one move, so that a curve far larger than any machine takes little time.
 const MAX_PIECES: f64 = 1e6;
 
-/// Looks at the slices of a piece that begins so far along its move: `bend` is its largest curvature, 1/mm; contacts
-/// no deeper than `graze` are none, mm.
+/// Measures the slices of a piece that begins at `begin` mm along its move. `bend` is its largest curvature, 1/mm;
+/// contacts no deeper than `graze` mm are ignored.
 fn measure(
     meter: &EngagementMeter,
     window: &HeightWindow,
@@ -209,7 +210,7 @@ fn measure(
             half,
             turn: bend * half,
             tilt: if tilts { bend * half } else { 0.0 },
-            // What the piece itself may have taken away before.
+            // The piece itself may have removed the material before.
             taken: if convex { bend * length } else { f64::INFINITY },
             sag: 0.5 * bend * half * half,
             graze,
@@ -224,7 +225,7 @@ fn measure(
     }
 }
 
-/// The direction of the feed; down where there is none.
+/// The direction of the feed; −Z where there is none.
 fn direction(piece: &Curve, at: f64) -> Vec3 {
     let along = piece.tangent_at(at);
     let length = along.length();

@@ -1,4 +1,4 @@
-//! The surface of a cutter in patches: rings cut along the radius, and all of them around the axis.
+//! Divides the surface of a cutter into patches: rings along the outline, each divided around the axis.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -6,12 +6,12 @@ use libm::{asin, atan2, sincos};
 
 use crate::cutter::{CutterProfile, Ring, RingElement};
 
-/// The side of a cutter is cut into so many patches around at least and at most. More than 720, half a degree each,
-/// say nothing that cells of the usual sizes know.
+/// Least and largest number of patches around the side of a cutter. More than 720, half a degree each, are finer than
+/// cells of the usual sizes.
 const AROUND_SIDE: [f64; 2] = [48.0, 720.0];
-/// The same of its end.
+/// The same for its end.
 const AROUND_END: [f64; 2] = [24.0, 128.0];
-/// Rings along the outline of its end, at most.
+/// Most rings along the outline of its end.
 const MAX_RINGS: f64 = 24.0;
 
 /// A ring of the surface.
@@ -21,13 +21,13 @@ pub(super) struct PatchBand {
     pub radii: [f64; 2],
     /// Heights above the tip, mm.
     pub heights: [f64; 2],
-    /// Along the outline, mm.
+    /// Its length along the outline, mm.
     pub length: f64,
-    /// Sine and cosine of the angle between the normal and down, at both radii.
+    /// Sine and cosine of the angle between the outward normal and −Z, at both radii.
     pub normals: [[f64; 2]; 2],
-    /// By how much u·n may be above that at its ends in between.
+    /// By how much u·n between the radii may exceed its values at them.
     pub bow: f64,
-    /// The side: a wall from its height up.
+    /// True for the side, a wall from its height upwards.
     pub is_side: bool,
 }
 
@@ -36,10 +36,10 @@ pub(super) struct PatchBand {
 pub(super) struct CutterPatches {
     pub end: Vec<PatchBand>,
     pub side: PatchBand,
-    /// The directions of the middles of patches around the axis: sine and cosine, from the feed on.
+    /// The directions of the middles of patches around the axis, as sine and cosine of the angle from the feed.
     pub around_end: Vec<[f64; 2]>,
     pub around_side: Vec<[f64; 2]>,
-    /// How far edges reach above the tip, mm.
+    /// The upper end of the edges above the tip, mm.
     pub flutes: f64,
 }
 
@@ -47,7 +47,7 @@ impl CutterPatches {
     pub fn new(cutter: &CutterProfile, resolution: f64) -> CutterPatches {
         let radius = cutter.radius();
         let count = |[least, most]: [f64; 2], width: f64| {
-            // By four: a patch begins at the feed and across it.
+            // A multiple of four, so that patch borders are along the feed and across it.
             4 * (PI * radius / (2.0 * width)).ceil().clamp(least / 4.0, most / 4.0) as usize
         };
         let edges = cutter.edges();
@@ -80,7 +80,7 @@ impl CutterPatches {
     }
 }
 
-/// Equal steps around the axis.
+/// The middles of equal steps around the axis.
 fn around(count: usize) -> Vec<[f64; 2]> {
     let step = 2.0 * PI / count as f64;
     (0..count)
@@ -91,7 +91,7 @@ fn around(count: usize) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The angle of the normal of a round from down at a radius, rad.
+/// The angle between the normal of a torus at a radius and −Z, rad.
 fn slant(round: f64, middle: f64, radius: f64) -> f64 {
     asin(((radius - middle) / round).clamp(0.0, 1.0))
 }
@@ -129,7 +129,7 @@ fn band(ring: &Ring, from: f64, to: f64) -> PatchBand {
             let (sine, cosine) = sincos(slant);
             [sine, cosine]
         }),
-        // A sine is nowhere more than this above its chord.
+        // A sine exceeds its chord by at most this.
         bow: angle * angle / 8.0,
         is_side: false,
     }

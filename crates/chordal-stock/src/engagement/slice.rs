@@ -1,4 +1,4 @@
-//! One slice of a move: which patches of the cutter are in material, from both sides.
+//! One slice of a move: which patches of the cutter are in material, between two bounds.
 
 use std::f64::consts::PI;
 
@@ -8,39 +8,39 @@ use libm::asin;
 use super::patches::{CutterPatches, PatchBand};
 use crate::columns::{HeightWindow, StockLimits};
 
-/// A number that is known to lie between two.
+/// A value between two bounds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BoundedValue {
-    /// At least.
+    /// Lower bound.
     pub least: f64,
-    /// At most.
+    /// Upper bound.
     pub most: f64,
 }
 
-/// How the cutter is engaged on a slice of a move. Everything is for the slice's worst place.
+/// The engagement of a cutter on a slice of a move; all values are the largest on the slice.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EngagementSlice {
-    /// The middle of the slice, from the start of the move, mm.
+    /// Distance of the middle of the slice from the start of the move, mm.
     pub at: f64,
-    /// How long it is, mm.
+    /// Its length, mm.
     pub length: f64,
-    /// The thickest chip, as a share of the feed of a tooth: the largest u·n.
+    /// The thickest chip as a share of the feed per tooth: the largest u·n.
     pub chip: BoundedValue,
-    /// The mean chip, as a share of the feed of a tooth, over the engaged surface by the middle heights of cells.
+    /// The mean chip as a share of the feed per tooth, over the engaged surface by the middle heights of cells.
     pub mean: f64,
-    /// From the first to the last engaged place across the feed, mm.
+    /// Extent of the engaged surface across the feed (radial depth of cut), mm.
     pub across: BoundedValue,
-    /// From the lowest to the highest engaged place along the axis, mm.
+    /// Extent of the engaged surface along the axis (axial depth of cut), mm.
     pub axial: BoundedValue,
-    /// From the first to the last engaged place around the axis, rad.
+    /// Extent of the engaged surface around the axis (angle of engagement), rad.
     pub angle: BoundedValue,
-    /// The engaged surface seen along the feed, mm²: what is removed by length of path.
+    /// Area of the engaged surface projected along the feed, mm²: the volume removed per length of path.
     pub section: BoundedValue,
     /// The same by the middle heights of cells, mm².
     pub section_middle: f64,
 }
 
-/// Where the cutter is.
+/// The position of the cutter on a slice, with error bounds.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CutterPose {
     /// Its tip at the middle of the slice, mm.
@@ -49,22 +49,22 @@ pub(super) struct CutterPose {
     pub direction: Vec3,
     /// Half the length of the slice, mm.
     pub half: f64,
-    /// How far the direction turns in plan to either side of the middle, rad.
+    /// The largest turn of the direction in plan from the middle, rad.
     pub turn: f64,
-    /// How far it tilts up or down.
+    /// The largest tilt of the direction from the middle, rad.
     pub tilt: f64,
-    /// Where u·n is no larger the piece itself may have taken the material away.
+    /// Where u·n is not above this, the piece itself may have removed the material before.
     pub taken: f64,
-    /// How far the slice is off a straight one, mm.
+    /// The deviation of the slice from a straight one, mm.
     pub sag: f64,
-    /// Contacts that are no deeper are none for the bounds, mm.
+    /// Contacts no deeper than this are ignored by the bounds, mm.
     pub graze: f64,
-    /// The same for the middle of the bounds, where the distance of chords cancels.
+    /// The same for the middle between the bounds, where the deviation of chords cancels.
     pub fine: f64,
 }
 
 impl CutterPose {
-    /// The tip is nowhere lower on the slice, mm.
+    /// Lower bound of the height of the tip on the slice, mm.
     pub fn lowest(&self) -> f64 {
         self.tip.z - self.direction.z.abs() * self.half - self.sag
     }
@@ -94,7 +94,7 @@ impl GrowingRange {
     }
 }
 
-/// What is engaged, from one side.
+/// One bound of the engagement.
 #[derive(Clone, Copy, Debug)]
 struct SideEngagement {
     chip: f64,
@@ -114,31 +114,31 @@ impl SideEngagement {
     };
 }
 
-/// What a look at all patches gathers.
+/// Collects the engagement of all patches.
 struct PatchScan<'a> {
     window: &'a HeightWindow,
     place: &'a CutterPose,
-    /// The feed seen from above, or X where it goes straight down, and across it to the left.
+    /// The direction of the feed in plan; X where it goes straight down.
     ahead: [f64; 2],
-    /// Lengths of the feed's direction in plan and along the axis.
+    /// Components of the feed's unit direction in plan and along the axis.
     plan: f64,
     rise: f64,
     flutes: f64,
     most: SideEngagement,
     least: SideEngagement,
-    /// The engaged surface, mm², and seen along the feed, by the middle heights.
+    /// The engaged surface by the middle heights, mm², and (`section`) its projection along the feed.
     surface: f64,
     section: f64,
 }
 
-/// A place with a smaller u·n slides along the material: rounding of directions stays far below, and a chip of a
+/// Below this u·n the surface slides along the material: rounding of directions is far smaller, and a chip of a
 /// millionth of the feed is none.
 const SLIDES: f64 = 1e-6;
 
-/// Below this length in plan the feed is straight up or down.
+/// Below this component in plan the feed is straight up or down.
 const UPRIGHT: f64 = 1e-9;
 
-/// Looks which patches of a cutter are in material; `None` where none may be.
+/// Finds which patches of a cutter are in material; `None` where none may be.
 pub(super) fn look(
     patches: &CutterPatches,
     window: &HeightWindow,
@@ -188,7 +188,7 @@ impl PatchScan<'_> {
         })
     }
 
-    /// Looks at the patches of a ring.
+    /// Examines the patches of a ring.
     fn band(&mut self, band: &PatchBand, around: &[[f64; 2]]) {
         let place = self.place;
         let low = place.lowest() + band.heights[0];
@@ -198,7 +198,7 @@ impl PatchScan<'_> {
         let step = 2.0 * PI / around.len() as f64;
         let (half_sine, half_cosine) = libm::sincos(0.5 * step);
         for (number, &[sine, cosine]) in around.iter().enumerate() {
-            // The directions of both ends of the patch, from the feed.
+            // The directions of both ends of the patch, relative to the feed.
             let turned =
                 |by: f64| [sine * half_cosine + by * cosine, cosine * half_cosine - by * sine];
             let ends = [turned(-half_sine), turned(half_sine)];
@@ -207,7 +207,8 @@ impl PatchScan<'_> {
         }
     }
 
-    /// u·n where the normal leans by this sine and cosine and lies at a cosine from the feed.
+    /// u·n of a normal with this sine and cosine of the angle from −Z, at an angle with the cosine `around` from the
+    /// feed in plan.
     fn facing(&self, [sine, cosine]: [f64; 2], around: f64) -> f64 {
         self.plan * sine * around - self.rise * cosine
     }
@@ -222,7 +223,7 @@ impl PatchScan<'_> {
     ) {
         let place = self.place;
         let cosines = ends.map(|end| end[1]);
-        // Patches begin at the feed and across it, so a cosine is largest and least at an end of one.
+        // Patch borders are along the feed and across it, so the cosine has its extremes at the ends of a patch.
         let nearest = cosines[0].max(cosines[1]);
         let farthest = cosines[0].min(cosines[1]);
         let over = |around: f64, pick: fn(f64, f64) -> f64| {
@@ -276,7 +277,7 @@ impl PatchScan<'_> {
         most.axial.add(bottom, highest);
         most.around.add(angles[0], angles[1]);
         most.section += width * length(highest, bottom) * high;
-        // All of a ring's band must be in stock, and what is above a hollow of the side.
+        // The whole band of a ring must be in stock; of the side, the part above a hollow.
         let floor = if band.is_side { heights[1].max(surely[0]) } else { heights[1] };
         let is_hollow = !band.is_side && surely[0] > heights[0];
         if low <= place.taken || low <= SLIDES || is_hollow || lowest <= floor + place.graze {
@@ -300,7 +301,7 @@ impl PatchScan<'_> {
         if facing <= 0.0 || top <= bottom + self.place.fine {
             return;
         }
-        // The top may cross the patch.
+        // The top of the stock may cross the patch.
         let share = if above > bottom { ((top - bottom) / (above - bottom)).min(1.0) } else { 1.0 };
         let radius = 0.5 * (band.radii[0] + band.radii[1]);
         let width = width * if band.radii[1] > 0.0 { radius / band.radii[1] } else { 0.0 };
@@ -312,10 +313,10 @@ impl PatchScan<'_> {
     }
 }
 
-/// The angle of engagement of a radial depth of cut, rad: from where the chip is nothing to where it ends.
-/// `across` and `diameter` in mm.
+/// The angle of engagement of a radial depth of cut, rad, from where the chip is zero to where it ends. `across` and
+/// `diameter` are in mm.
 pub fn engagement_angle(across: f64, diameter: f64) -> f64 {
     let share = (across / diameter).clamp(0.0, 1.0);
-    // acos(1 − 2x) without its loss near zero.
+    // Equal to acos(1 − 2x), without loss of accuracy near zero.
     2.0 * asin(share.sqrt())
 }

@@ -1,11 +1,11 @@
-//! Bounds over all of a cell: what a move surely removes from each column in a square, and what it removes
-//! from none.
+//! Bounds over a whole cell: what a move certainly removes from every column in a square, and what it may remove from
+//! any.
 //!
-//! Any column in the cell is within half a diagonal s of its middle. So the cutter pushed outwards by s is
-//! nowhere higher there, and pulled inwards by s nowhere lower (a circle of the radius R − s is reached from
-//! all of the cell). A convex cutter on a straight move sweeps a convex body: its floor is a convex
-//! function of the place, which is greatest at a corner and, reflected through the middle, not below twice
-//! the middle less that.
+//! Any column in the cell is within half a diagonal s of its middle. So the floor of the cutter pushed outwards by s
+//! is a lower bound, and that of the cutter pulled inwards by s an upper bound. A convex cutter on a straight move
+//! sweeps a convex body: its floor f is a convex function of the position. So its maximum is at a corner c and, since
+//! f(m) ≤ (f(p) + f(p′))/2 for points p, p′ opposite each other about the middle m, its minimum is at least 2·f(m) −
+//! f(c).
 
 use super::CutterSweep;
 use super::path::TipPath;
@@ -13,34 +13,34 @@ use super::pieces::WIDE;
 use super::profile::PushedProfile;
 use crate::floor::RemovedSpan;
 
-/// What rounding may move a column or a height by at most, mm, on slopes below a thousand and lengths of
-/// some metres. Windows are too wide by less.
+/// Bound of the rounding error of a column or a height, mm, for slopes below 1000 and lengths of some metres. Windows
+/// are too wide by less than this.
 const ROUNDING_MM: f64 = 2.0 * WIDE;
-/// The same for larger lengths, as a share of them.
+/// The same for larger lengths, as a share of the length.
 const ROUNDING_SHARE: f64 = 64.0 * f64::EPSILON;
 
 /// Two bounds of a height over all of a cell, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeightBounds {
-    /// No column of the cell has it lower.
+    /// Lower bound over all columns of the cell.
     pub lower: f64,
-    /// No column of the cell has it higher.
+    /// Upper bound over all columns of the cell.
     pub upper: f64,
 }
 
 impl HeightBounds {
-    /// Of the floor where no column is reached.
+    /// The floor where no column is reached.
     const NOWHERE: HeightBounds = HeightBounds { lower: f64::INFINITY, upper: f64::INFINITY };
 }
 
-/// A square about its middle, grown by what rounding and the ends of an arc may be off.
+/// A square about its middle, grown by the errors of rounding and of the ends of an arc.
 struct CellSquare {
     middle: [f64; 2],
     /// Half a side.
     half: f64,
     /// Half a diagonal.
     reach: f64,
-    /// What heights may be off.
+    /// Error bound of heights.
     off: f64,
     gap: f64,
 }
@@ -74,7 +74,7 @@ impl CellSquare {
         HeightBounds { lower, upper }
     }
 
-    /// The same within a range of the path.
+    /// One of the two bounds within a range of the path.
     fn floor_within(
         &self,
         path: &TipPath,
@@ -96,16 +96,16 @@ impl CutterSweep<'_> {
         CellSquare { middle, half, reach: half * std::f64::consts::SQRT_2, off, gap: self.gap }
     }
 
-    /// Bounds of the floor over a cell of a side (mm) about its middle. The upper one is infinite where the
-    /// cutter may miss a column of it, both where it misses all.
+    /// Bounds of the floor over a cell with this middle and side, mm. The upper bound is infinite where the cutter
+    /// may miss some column of the cell; both are where it misses all.
     #[must_use]
     pub fn cell_floor(&self, middle: [f64; 2], side: f64) -> HeightBounds {
         let cell = self.cell(middle, side);
         cell.floor(&self.path, self.profile(), self.is_convex)
     }
 
-    /// Adds what is surely removed from every column of a cell of a side (mm) about its middle, and what may
-    /// be removed from any: one span for each connected part of the move, in its order.
+    /// Adds what is certainly removed from every column of a cell with this middle and side (mm), and what may be
+    /// removed from any: one span for each connected part of the move, in order.
     pub fn cell_spans(
         &self,
         middle: [f64; 2],
@@ -117,7 +117,7 @@ impl CutterSweep<'_> {
         let profile = self.profile();
         if self.path.is_straight() {
             let floor = cell.floor(&self.path, profile, self.is_convex);
-            // Upside down.
+            // The upper side is evaluated as a mirror image.
             let top = self.top.as_ref().map(|top| {
                 let floor = cell.floor(&top.path, PushedProfile::new(&top.rings), top.is_convex);
                 HeightBounds { lower: top.height - floor.upper, upper: top.height - floor.lower }

@@ -1,11 +1,10 @@
-//! The lowest point of a cutter above a column along an arc or a helix about a vertical axis.
+//! The lowest point of a cutter over a column along an arc or a helix about a vertical axis.
 //!
-//! With the radius A of the path, the distance D of the column from the axis of the turn and the angle ψ
-//! from the place of the path that is nearest to the column, the plan distance of the tool axis is
-//! ρ² = (A − D)² + 4·A·D·y, y = sin²(ψ/2). On a helix of the rise p by radian the height is p·ψ + h(ρ).
-//! On the rising side of the nearest place both parts rise; on the other one the least value is at an
-//! end, at the edge of a ring or where p = h′(ρ)·dρ/dψ, which for cones and balls is a quadratic
-//! equation in y. All its roots are tried: the slope of h(ρ(ψ)) may fall again, so that there may be two.
+//! With the radius A of the path, the distance D of the column from the axis of the path and the angle ψ from the
+//! point of the path nearest to the column, the distance of the tool axis in plan is ρ² = (A − D)² + 4·A·D·y, y =
+//! sin²(ψ/2). On a helix with the rise p per radian the height is p·ψ + h(ρ). Uphill from the nearest point both
+//! terms rise. Downhill the least value is at an end, at the boundary of a ring or where p = h′(ρ)·dρ/dψ, which for
+//! cones and balls is a quadratic equation in y. Both its roots are tried, since the slope of h(ρ(ψ)) may fall again.
 
 use std::f64::consts::{PI, TAU};
 
@@ -15,35 +14,35 @@ use libm::{asin, atan2, sincos};
 use super::profile::{LowestOffer, PushedProfile};
 use crate::cutter::{Ring, RingElement};
 
-/// An arc or a helix about a vertical axis; its parameter is the angle travelled, from nothing to `sweep`.
+/// An arc or a helix about a vertical axis; its parameter is the angle travelled, from 0 to `sweep`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HorizontalArc {
     center: Vec3,
-    /// Towards the start, in plan.
+    /// Unit vector towards the start, in plan.
     u: [f64; 2],
-    /// Across it, in the sense of the turn.
+    /// Unit vector normal to it, in the direction of travel.
     v: [f64; 2],
     radius: f64,
     /// Radians, above zero.
     sweep: f64,
-    /// By radian travelled, mm.
+    /// Rise per radian travelled, mm.
     rise: f64,
 }
 
-/// A column as the turn sees it.
+/// A column in polar coordinates of the path.
 struct ColumnView {
-    /// From the axis of the turn, mm.
+    /// Distance from the axis of the path, mm.
     distance: f64,
-    /// The angle travelled to the nearest place, within half a turn of the start.
+    /// The angle travelled to the nearest point, within half a turn of the start.
     nearest: f64,
-    /// (A − D) without sign: the least distance of column and path in plan, mm.
+    /// |A − D|: the least distance of column and path in plan, mm.
     least: f64,
     /// 4·A·D, mm².
     four: f64,
 }
 
 impl ColumnView {
-    /// sin²(ψ/2) where the axis is a distance away; `None` where it never is so near.
+    /// sin²(ψ/2) where the tool axis is at a distance; `None` where it never is as near.
     fn half_sine2(&self, distance: f64) -> Option<f64> {
         let square = (distance - self.least) * (distance + self.least);
         if distance < self.least {
@@ -70,7 +69,7 @@ fn half_sine2(angle: f64) -> f64 {
 }
 
 impl HorizontalArc {
-    /// Of an arc about an axis along Z with a radius and a sweep.
+    /// The path of an arc about an axis along Z.
     pub(super) fn new(arc: &Arc) -> HorizontalArc {
         let up = if arc.w.z < 0.0 { -1.0 } else { 1.0 };
         let turn = up * arc.sweep.signum();
@@ -106,14 +105,14 @@ impl HorizontalArc {
         ColumnView { distance, nearest, least, four: 4.0 * self.radius * distance }
     }
 
-    /// The whole turns after which a range of angles about the nearest place meets a range of the path.
+    /// The first and last whole turn after which a range of angles about the nearest point meets a range of the path.
     fn turns(seen: &ColumnView, reach: f64, [from, to]: [f64; 2]) -> [i64; 2] {
         let first = ((from - seen.nearest - reach) / TAU).ceil();
         let last = ((to - seen.nearest + reach) / TAU).floor();
         [first as i64, last as i64]
     }
 
-    /// Hands on the ranges of the angle in which the axis is within a radius of the column, in order.
+    /// Emits the ranges of the angle in which the axis is within a radius of the column, in order.
     pub(super) fn windows(&self, place: [f64; 2], radius: f64, push: &mut dyn FnMut([f64; 2])) {
         let seen = self.seen_from(place);
         if radius >= self.radius + seen.distance {
@@ -132,14 +131,13 @@ impl HorizontalArc {
         }
     }
 
-    /// Whether [`HorizontalArc::lowest`] has a closed form for a cutter: not for a round about a circle that
-    /// rises while it turns.
+    /// Whether [`HorizontalArc::lowest`] has a closed form for a cutter: not for a torus on a helix.
     pub(super) fn is_closed_for(&self, profile: PushedProfile) -> bool {
         let bull = |ring: &Ring| matches!(ring.element, RingElement::Torus { middle, .. } if middle != 0.0);
         self.is_level() || !profile.rings().any(|ring| bull(&ring))
     }
 
-    /// The lowest point above a column within a range of the angle.
+    /// The lowest point over a column within a range of the angle.
     pub(super) fn lowest(
         &self,
         profile: PushedProfile,
@@ -148,14 +146,14 @@ impl HorizontalArc {
     ) -> Option<LowestOffer> {
         let seen = self.seen_from(place);
         let mut low = LowestOffer::NONE;
-        // On the axis of the turn all places are as near.
+        // A column on the axis is equally near to all points of the path.
         if self.is_level() || seen.four <= f64::MIN_POSITIVE {
             self.offer_level(&seen, profile, [from, to], &mut low);
             return low.found();
         }
         let [first, last] = HorizontalArc::turns(&seen, PI, [from, to]);
-        // On a higher turn everything is the same, but higher: the lowest one and, since that may be
-        // there in part only, the next one.
+        // Every further turn is the same, but higher. So only the lowest turn counts and, since the range may hold
+        // only a part of it, the next one.
         let turns =
             if self.rise > 0.0 { first..=last.min(first + 1) } else { first.max(last - 1)..=last };
         for turn in turns {
@@ -170,7 +168,7 @@ impl HorizontalArc {
         low.found()
     }
 
-    /// Where the height does not depend on ψ, or the distance not: the nearest place, or the lower end.
+    /// Where height or distance do not depend on ψ: the candidates are the nearest point and the ends.
     fn offer_level(
         &self,
         seen: &ColumnView,
@@ -190,7 +188,7 @@ impl HorizontalArc {
         }
     }
 
-    /// The lowest point of one ring in one turn; `range` is that of ψ, `middle` the angle of its zero.
+    /// The lowest point of one ring in one turn; `range` is that of ψ, `middle` the angle at ψ = 0.
     fn offer_ring(
         &self,
         seen: &ColumnView,
@@ -200,7 +198,7 @@ impl HorizontalArc {
         low: &mut LowestOffer,
     ) {
         let Some(outer) = seen.half_sine2(ring.to) else { return };
-        // Farther than the path ever is: its angle would be half a turn, but the ring is not there.
+        // The ring begins farther from the axis than the path ever is.
         if ring.from > seen.least && (ring.from * ring.from) > seen.least * seen.least + seen.four {
             return;
         }
@@ -216,7 +214,7 @@ impl HorizontalArc {
             let at = middle + downhill * x;
             low.offer(self.height_at(at) + ring.height_at(distance), at);
         };
-        // Uphill both the path and the cutter rise with the distance.
+        // Uphill, both the path and the cutter rise with the distance.
         let (from, to) = (begin.max(-outer), end.min(-inner));
         if from <= to {
             offer(to);
@@ -238,7 +236,7 @@ impl HorizontalArc {
     }
 }
 
-/// sin²(ψ/2) where the height of an element stands still on a helix of a rise by radian.
+/// The values of sin²(ψ/2) where the height of an element is stationary on a helix with this rise per radian.
 fn stationary(element: RingElement, seen: &ColumnView, rise: f64) -> [f64; 2] {
     let product = 0.25 * seen.four;
     match element {
@@ -259,8 +257,8 @@ fn stationary(element: RingElement, seen: &ColumnView, rise: f64) -> [f64; 2] {
     }
 }
 
-/// The roots of y² − sum·y + product, without cancellation; a double root where rounding has
-/// left none.
+/// The roots of y² − sum·y + product, without cancellation; a double root where the discriminant is negative by
+/// rounding.
 fn roots(sum: f64, product: f64) -> [f64; 2] {
     let large = 0.5 * (sum + (sum * sum - 4.0 * product).max(0.0).sqrt());
     [large, product / large]

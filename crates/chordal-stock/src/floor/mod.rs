@@ -1,13 +1,13 @@
-//! The floor that a move leaves: the exact lowest point of a cutter above a column.
+//! The floor that a move leaves: the exact lowest point of a cutter over a column.
 //!
-//! A column is a vertical line at a place in plan. While the axis of the tool is within the cutter's radius
-//! of it, the move removes what is between the lowest place of the cutter there and the end of its edges:
-//! a [`RemovedSpan`] for each connected part of the move that is over the column. The lowest point has a closed
-//! form on lines for all cutters, on arcs and helices about Z for all but rounds about a circle (bull nose)
-//! on helices, on arcs in vertical planes for flats and balls. Everything else is found between two bounds.
+//! A column is a vertical line at a point in plan. While the axis of the tool is within the cutter's radius of it,
+//! the move removes what is between the lowest point of the cutter there and the upper end of its edges: a
+//! [`RemovedSpan`] for each connected part of the move that is over the column. The lowest point has a closed form on
+//! lines for all cutters; on arcs and helices about Z for all cutters, except for bull noses (tori) on helices; on
+//! arcs in vertical planes for flats and balls. Everything else is found between two bounds.
 //!
-//! Nothing is sampled. Closed forms are exact to rounding, where that of the edge of a cutter is like a
-//! column that stands aside by as much.
+//! Nothing is sampled. Closed forms are exact up to rounding. At the vertical edge of a cutter, rounding acts like a
+//! horizontal shift of the column.
 
 mod bounds;
 mod horizontal_arc;
@@ -27,39 +27,39 @@ pub use bounds::HeightBounds;
 use path::TipPath;
 use profile::PushedProfile;
 
-/// What a move removes from a column in one connected part of it, mm.
+/// What one connected part of a move removes from a column, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RemovedSpan {
-    /// The lowest place.
+    /// Its lower end.
     pub floor: f64,
-    /// The highest place of the edges; infinite where it is not known how far they reach.
+    /// Its upper end, that of the edges; infinite where it is not known how far they reach.
     pub top: f64,
 }
 
-/// Where along a move the lowest point above a column is.
+/// Where along a move the lowest point over a column is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LowestLocation {
-    /// At the start: the move before, which ends there, is as low above this column or lower.
+    /// At the start: the previous move, which ends there, is as low over this column or lower.
     Start,
     /// Between the ends, and lower than at either.
     Between,
-    /// At the end: the next move, which begins there, is as low above this column or lower. Also where start
-    /// and end are as low.
+    /// At the end: the next move, which begins there, is as low over this column or lower. Also where start and end
+    /// are equally low.
     End,
 }
 
-/// The lowest point above a column along a move, mm.
+/// The lowest point over a column along a move, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LowestPoint {
-    /// The move is nowhere lower. The same as `upper` where there is a closed form.
+    /// Lower bound: the move is nowhere lower. Equal to `upper` where there is a closed form.
     pub lower: f64,
-    /// The lowest that was found: the move is as low somewhere.
+    /// Upper bound: the lowest point that was found.
     pub upper: f64,
-    /// Where that is.
+    /// Where that point is.
     pub at: LowestLocation,
 }
 
-/// The upper side of the edges: `height` less the lower side of these rings, upside down.
+/// The upper side of the edges, as a mirror image: its height is `height` minus that of these rings.
 #[derive(Clone, Debug)]
 struct EdgeTop {
     rings: Vec<Ring>,
@@ -68,12 +68,12 @@ struct EdgeTop {
     is_convex: bool,
 }
 
-/// A cutter on a move, to be asked about many columns.
+/// A cutter on a move, prepared to be evaluated at many columns.
 #[derive(Clone, Debug)]
 pub struct CutterSweep<'a> {
     rings: Cow<'a, [Ring]>,
     path: TipPath,
-    /// `None` where it is not known how far the edges reach up.
+    /// `None` where the length of the edges is not known.
     top: Option<EdgeTop>,
     gap: f64,
     is_convex: bool,
@@ -94,7 +94,7 @@ impl<'a> CutterSweep<'a> {
         CutterSweep { rings, path: TipPath::new(curve), top, gap, is_convex }
     }
 
-    /// The same for a cutter with edges above its widest place.
+    /// The same for a cutter with edges above its widest point.
     #[must_use]
     pub fn of_undercut(cutter: &'a Undercut, curve: &Curve, gap: f64) -> CutterSweep<'a> {
         let top = EdgeTop {
@@ -112,22 +112,22 @@ impl<'a> CutterSweep<'a> {
         PushedProfile::new(&self.rings)
     }
 
-    /// The lowest point above a column, `[x, y]` in mm; `None` where the cutter is never over it.
+    /// The lowest point over a column, `[x, y]` in mm; `None` where the cutter is never over it.
     #[must_use]
     pub fn lowest(&self, place: [f64; 2]) -> Option<LowestPoint> {
         let low = self.path.lowest(self.profile(), place, self.gap);
         low.filter(|low| low.upper < f64::INFINITY)
     }
 
-    /// Its height, mm: the upper bound where there are two.
+    /// The height of the lowest point, mm: the upper bound where there are two; `None` where the cutter is never over
+    /// the column.
     #[must_use]
     pub fn floor(&self, place: [f64; 2]) -> Option<f64> {
         self.lowest(place).map(|lowest| lowest.upper)
     }
 
-    /// The highest point of the edges above a column, mm: that of the lower bound where there are two, as
-    /// something as high is removed. `None` where the cutter is never over it, infinite where it is not
-    /// known how far its edges reach.
+    /// The highest point of the edges over a column, mm: the lower of the two bounds, which is certainly removed.
+    /// `None` where the cutter is never over the column, infinite where the length of its edges is not known.
     #[must_use]
     pub fn top(&self, place: [f64; 2]) -> Option<f64> {
         let Some(top) = &self.top else { return self.lowest(place).map(|_| f64::INFINITY) };
@@ -148,7 +148,7 @@ impl<'a> CutterSweep<'a> {
                 None => f64::INFINITY,
                 Some(top) => top.height - lowest(&top.path, &top.rings, range),
             };
-            // Else the column is only nearly reached.
+            // Otherwise the column is not quite reached.
             if floor < f64::INFINITY && top > f64::NEG_INFINITY {
                 out.push(RemovedSpan { floor, top });
             }
@@ -156,9 +156,9 @@ impl<'a> CutterSweep<'a> {
     }
 }
 
-/// The lowest point of a cutter above a column (`[x, y]`, mm) along a move, mm; `None` where the cutter is
-/// never over it. Where there is no closed form it is no more than `gap` mm above the truth, and never
-/// below it. For many columns make a [`CutterSweep`].
+/// The lowest point of a cutter over a column (`[x, y]`, mm) along a move, mm; `None` where the cutter is never over
+/// it. Without a closed form it is at most `gap` mm above the truth, and never below it. For many columns make a
+/// [`CutterSweep`].
 #[must_use]
 pub fn floor(cutter: &CutterProfile, curve: &Curve, place: [f64; 2], gap: f64) -> Option<f64> {
     CutterSweep::new(cutter, curve, gap).floor(place)
@@ -175,7 +175,7 @@ pub fn spans(
     CutterSweep::new(cutter, curve, gap).spans(place, out);
 }
 
-/// Sorts spans from below, and makes one of those that overlap or touch.
+/// Sorts spans from below, and merges those that overlap or touch.
 pub fn merge(spans: &mut Vec<RemovedSpan>) {
     spans.sort_by(|a, b| a.floor.total_cmp(&b.floor));
     spans.dedup_by(|next, last| {

@@ -1,4 +1,4 @@
-//! A curve sorted by which closed form it has, if any.
+//! Classifies a curve by the closed form that it has, if any.
 
 use chordal_geometry::{Arc, Curve, ParamCurve, Spiral, Transform, Vec3};
 
@@ -9,17 +9,17 @@ use super::straight::StraightPath;
 use super::upright::VerticalArc;
 use super::{LowestLocation, LowestPoint};
 
-/// Lengths (mm) and angles beyond this, and what is no number, are no path and no place: nothing is removed.
+/// Largest length (mm) and angle. Beyond it, and for NaN, nothing is removed.
 const MAX_LENGTH_MM: f64 = 1e12;
-/// What an axis may lean, as the distance that it moves the path by, mm: rounding.
+/// An axis counts as vertical where its tilt moves the path by no more than this, mm: rounding.
 const UPRIGHT: f64 = 1e-12;
-/// What two heights of the same place may differ by, mm: rounding.
+/// Heights within this are equal, mm: rounding.
 const EQUAL_HEIGHT_MM: f64 = 1e-12;
 
-/// A path of the tip, of one of the kinds that are dealt with by themselves.
+/// A path of the tip with the method for its kind.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TipPath {
-    /// As the curve gives them: those of an arc may be a little off its circle.
+    /// The ends as the curve gives them: those of an arc may be slightly off its circle.
     start: Vec3,
     end: Vec3,
     kind: TipPathKind,
@@ -28,7 +28,7 @@ pub(super) struct TipPath {
 #[derive(Clone, Copy, Debug)]
 #[allow(clippy::large_enum_variant, reason = "one for each move")]
 enum TipPathKind {
-    /// Not of finite numbers: nowhere.
+    /// A curve without finite coordinates, which removes nothing.
     Nowhere,
     Straight(StraightPath),
     Around(HorizontalArc, NumericCurve),
@@ -51,12 +51,12 @@ impl TipPath {
         TipPath { start, end, kind }
     }
 
-    /// The path of the same curve upside down; its parameter is the same.
+    /// The path of the mirror image of the curve in Z; its parameter is the same.
     pub(super) fn mirrored(curve: &Curve) -> TipPath {
         TipPath::new(&curve.transformed(&Transform::mirror(Vec3::Z, Vec3::ZERO)))
     }
 
-    /// All of the parameter.
+    /// The whole range of the parameter.
     pub(super) const fn whole(&self) -> [f64; 2] {
         match &self.kind {
             TipPathKind::Nowhere | TipPathKind::Straight(_) | TipPathKind::Pieces(_) => [0.0, 1.0],
@@ -65,8 +65,8 @@ impl TipPath {
         }
     }
 
-    /// Hands on the ranges of the parameter in which the axis is within a radius of the column, in order. What
-    /// cannot be decided counts as within where `is_outer`.
+    /// Emits the ranges of the parameter in which the axis is within a radius of the column, in order. What cannot be
+    /// decided counts as within only where `is_outer`.
     pub(super) fn windows(
         &self,
         place: [f64; 2],
@@ -90,8 +90,8 @@ impl TipPath {
         }
     }
 
-    /// The lowest point above a column along the whole path; nothing but a lower bound, and an infinite upper
-    /// one, where it cannot be decided whether the column is reached.
+    /// The lowest point over a column along the whole path. Where it cannot be decided whether the column is reached,
+    /// there is a lower bound, and the upper bound is infinite.
     pub(super) fn lowest(
         &self,
         profile: PushedProfile,
@@ -112,7 +112,7 @@ impl TipPath {
         self.with_ends(profile, place, whole, exact(low.found()))
     }
 
-    /// The lowest point above a column within a range that [`TipPath::windows`] has handed on.
+    /// The lowest point over a column within a range from [`TipPath::windows`].
     pub(super) fn lowest_within(
         &self,
         profile: PushedProfile,
@@ -143,7 +143,7 @@ impl TipPath {
         self.with_ends(profile, place, range, found)
     }
 
-    /// How far the ends as they were given are from the curve, mm.
+    /// The largest distance of the given ends from the curve, mm.
     pub(super) fn off(&self) -> f64 {
         match &self.kind {
             TipPathKind::Nowhere | TipPathKind::Straight(_) => 0.0,
@@ -156,7 +156,7 @@ impl TipPath {
         }
     }
 
-    /// The largest of its numbers, mm: what it is off by rounding is a share of them.
+    /// The largest coordinate or dimension of the path, mm: rounding errors are a share of it.
     pub(super) fn size(&self) -> f64 {
         let ends = [self.start, self.end].into_iter().flat_map(Vec3::to_array);
         let size = ends.fold(0.0_f64, |size, x| size.max(x.abs()));
@@ -172,7 +172,7 @@ impl TipPath {
         matches!(self.kind, TipPathKind::Straight(_))
     }
 
-    /// With the ends as they were given, and what they say about where the lowest point is.
+    /// Completes a result with the given ends, and finds where the lowest point is.
     fn with_ends(
         &self,
         profile: PushedProfile,
@@ -213,7 +213,7 @@ fn is_point(p: Vec3) -> bool {
     [p.x, p.y, p.z].into_iter().all(is_length)
 }
 
-/// Whether the numbers of a curve are finite, and so small that their squares are.
+/// Whether the numbers of a curve are finite, and so small that their squares are finite, too.
 fn is_possible(curve: &Curve) -> bool {
     let ends = is_point(curve.start()) && is_point(curve.end());
     ends && match curve {
@@ -229,7 +229,7 @@ fn is_possible(curve: &Curve) -> bool {
     }
 }
 
-/// A lower bound and what was found, from a closed form.
+/// The result of a closed form: lower bound and point are equal.
 fn exact(low: Option<LowestOffer>) -> Option<(f64, LowestOffer)> {
     low.map(|low| (low.height, low))
 }

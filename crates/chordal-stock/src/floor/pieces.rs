@@ -1,9 +1,10 @@
-//! The lowest point of any cutter above a column along any curve, between two proved bounds.
+//! The lowest point of any cutter over a column along any curve, between two proved bounds.
 //!
-//! A part of the curve stays within a known distance of its chord. So the cutter, pushed outwards by the
-//! plan part of that distance and lowered by its vertical part, sweeps along the chord no less than along
-//! the curve: the closed form of the line gives a lower bound. The curve itself at the place that the
-//! chord tells gives an upper one. The part with the lowest bound is divided, until both are near enough.
+//! A part of the curve stays within a known distance of its chord. So the cutter, pushed outwards by the horizontal
+//! part of that distance and lowered by its vertical part, sweeps along the chord at least what it sweeps along the
+//! curve: the closed form of the line gives a lower bound. The curve itself, evaluated at the parameter of the lowest
+//! point on the chord, gives an upper bound. The part with the lowest bound is divided until the bounds are close
+//! enough (branch and bound).
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -14,15 +15,15 @@ use libm::sincos;
 use super::profile::{LowestOffer, PushedProfile};
 use super::straight::StraightPath;
 
-/// Nearer to its chord than this, mm, a part of a curve is its chord: what is left is like a column that
-/// stands so much aside.
+/// A part of a curve within this distance of its chord is replaced by the chord, mm: the error is like a column
+/// shifted by as much.
 const STRAIGHT_MM: f64 = 1e-13;
-/// No part is shorter than this, as a share of the parameter: what is left of its bend is rounding.
+/// Least length of a part in the parameter: what is left of its curvature is rounding.
 const MIN_PARAMETER_SHARE: f64 = 1.0 / (1_u64 << 40) as f64;
-/// How much a window may be too wide, mm, as a column that stands so much nearer has it.
+/// How much nearer a column may be than the window says, mm.
 pub(super) const WIDE: f64 = 5e-10;
-/// After so many parts the bounds are what they are: along a curve that follows the rim of the cutter, or
-/// that leaves the column at one height all the way, all parts are as low.
+/// Most parts. The bounds may then still be apart: along a curve that follows the rim of the cutter, or stays at one
+/// height over the column, all parts are equally low.
 const MAX_PARTS: usize = 1 << 18;
 
 /// A curve that has no closed form; its parameter runs from 0 to 1.
@@ -33,7 +34,7 @@ pub(super) enum NumericCurve {
     Spline(SplinePiece),
 }
 
-/// A turn about any axis with an even change of radius and height.
+/// A turn about any axis with a linear change of radius and height.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NumericWinding {
     center: Vec3,
@@ -45,23 +46,23 @@ pub(super) struct NumericWinding {
     growth: f64,
     /// Radians.
     sweep: f64,
-    /// Along the axis, mm.
+    /// Change of height along the axis, mm.
     rise: f64,
 }
 
-/// The chord of a part, and how far the part is from it at most, mm.
+/// The chord of a part, and the largest distance of the part from it, mm.
 #[derive(Clone, Copy, Debug)]
 struct PartChord {
     start: Vec3,
     end: Vec3,
-    /// In plan.
+    /// Distance in plan.
     aside: f64,
-    /// Along Z.
+    /// Distance along Z.
     above: f64,
 }
 
 impl PartChord {
-    /// Whether a part from a parameter to another is its chord, to rounding.
+    /// Whether the part between two parameters equals its chord, up to rounding.
     fn is_all(&self, from: f64, to: f64) -> bool {
         self.aside.max(self.above) <= STRAIGHT_MM || to - from <= MIN_PARAMETER_SHARE
     }
@@ -74,7 +75,7 @@ impl NumericWinding {
         self.center + out * (self.radius + self.growth * t) + self.w * (self.rise * t)
     }
 
-    /// At equal parameter a chord is within |c″|·Δ²/8; c″ = −r·e + 2·r′·e′ by radian.
+    /// At equal parameters a chord is within |c″|·Δ²/8 of the curve, with c″ = −r·e + 2·r′·e′ per radian.
     fn chord(&self, from: f64, to: f64) -> PartChord {
         let turn = self.sweep * (to - from);
         let largest = (self.radius + self.growth * from).max(self.radius + self.growth * to);
@@ -98,13 +99,14 @@ fn spline_chord(spline: &SplinePiece, from: f64, to: f64) -> PartChord {
         *own = (((*point - origin) * *weight).to_array(), *weight);
     }
     let points = &mut points[..order];
-    // Before `to`, then after `from`.
+    // The part before `to`, and of that the part after `from`.
     halve(points, to, true);
     halve(points, from / to.max(f64::MIN_POSITIVE), false);
-    // Seen from the start of the curve, where a small curve keeps its digits.
+    // Relative to the start of the curve, so that a small curve far from zero loses no digits.
     let place = |&([x, y, z], weight): &([f64; 3], f64)| Vec3::new(x, y, z) / weight;
     let (start, end) = (place(&points[0]), place(&points[order - 1]));
-    // The curve is a mean of its control points: no farther from the chord than the farthest of them.
+    // The curve is a weighted mean of its control points, so it is no farther from the chord than the farthest of
+    // them.
     let along = end - start;
     let square = along.length_squared();
     let (mut aside, mut above) = (0.0_f64, 0.0_f64);
@@ -118,7 +120,7 @@ fn spline_chord(spline: &SplinePiece, from: f64, to: f64) -> PartChord {
     PartChord { start: start + origin, end: end + origin, aside, above }
 }
 
-/// The control points of the part before or after a parameter, by de Casteljau's steps.
+/// The control points of the part before or after a parameter, by de Casteljau's algorithm.
 fn halve(points: &mut [([f64; 3], f64)], t: f64, before: bool) {
     let mean = |a: f64, b: f64| a * (1.0 - t) + b * t;
     let count = points.len();
@@ -145,7 +147,8 @@ struct ParameterPart {
 }
 
 impl Ord for ParameterPart {
-    /// The lowest is the greatest, that a heap hands out first; of equal ones the first on the curve.
+    /// The part with the lowest bound is the greatest, so that the heap returns it first; among equal ones the first
+    /// on the curve.
     fn cmp(&self, other: &ParameterPart) -> Ordering {
         other.least.total_cmp(&self.least).then(other.from.total_cmp(&self.from))
     }
@@ -181,7 +184,7 @@ impl NumericCurve {
         NumericCurve::Winding(NumericWinding { center, u, v, w, radius, growth, sweep, rise })
     }
 
-    /// The largest of the numbers of the curve, mm.
+    /// The largest coordinate or dimension of the curve, mm.
     pub(super) fn size(&self) -> f64 {
         let largest =
             |p: &Vec3| p.to_array().into_iter().fold(0.0_f64, |size, x| size.max(x.abs()));
@@ -210,9 +213,9 @@ impl NumericCurve {
         }
     }
 
-    /// The lowest point above a column within a range of the parameter: a lower bound, and the lowest
-    /// that was found, no more than `gap` mm above it (more only after [`MAX_PARTS`]; infinite where
-    /// nothing was found until then). `None` where the cutter is nowhere over the column.
+    /// The lowest point over a column within a range of the parameter: a lower bound, and the lowest point found, at
+    /// most `gap` mm above it (more only after [`MAX_PARTS`]; infinite where nothing was found until then). `None`
+    /// where the cutter is nowhere over the column.
     pub(super) fn lowest(
         &self,
         profile: PushedProfile,
@@ -245,7 +248,7 @@ impl NumericCurve {
         (least < f64::INFINITY).then_some((least, low))
     }
 
-    /// Looks at a part: offers what it finds there, and returns a lower bound of what else may be there.
+    /// Examines a part: offers the points it finds, and returns a lower bound of what else may be there.
     fn part(
         &self,
         profile: PushedProfile,
@@ -274,9 +277,9 @@ impl NumericCurve {
         Some(found.height - chord.above)
     }
 
-    /// Hands on the ranges of the parameter in which the axis is within a radius of the column, in order; they
-    /// may reach [`WIDE`] farther. A part that cannot be decided (after [`MAX_PARTS`], along the rim) counts
-    /// as within where `is_outer`.
+    /// Emits the ranges of the parameter in which the axis is within a radius of the column, in order; they may be
+    /// too wide by [`WIDE`]. A part that cannot be decided (after [`MAX_PARTS`], along the rim) counts as within only
+    /// where `is_outer`.
     pub(super) fn windows(
         &self,
         place: [f64; 2],
@@ -308,7 +311,7 @@ impl NumericCurve {
             if !(is_inside || is_narrow || is_outer) {
                 continue;
             }
-            // Exact where the whole of the chord is near enough, so that parts touch.
+            // Exact at the end of a chord that is entirely within, so that adjoining parts meet.
             let at = |t: f64| if t >= 1.0 { to } else { from + (to - from) * t };
             let range = range.map(at);
             match &mut last {

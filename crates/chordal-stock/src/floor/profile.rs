@@ -1,9 +1,9 @@
-//! The lower side of a cutter, also grown outwards by a distance.
+//! The lower side of a cutter, offset outwards or inwards by a distance.
 
 use crate::cutter::{Ring, RingElement};
 
-/// The rings of a cutter, each pushed outwards: the lowest place of a cutter whose axis is anywhere
-/// within `push` of where it is taken to be. Pulled inwards, it is the highest that this place can be.
+/// The rings of a cutter, each pushed outwards: a lower bound of a cutter whose axis is anywhere within `push` of its
+/// nominal place. Pulled inwards, an upper bound.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PushedProfile<'a> {
     rings: &'a [Ring],
@@ -16,28 +16,28 @@ impl<'a> PushedProfile<'a> {
         PushedProfile { rings, push: 0.0 }
     }
 
-    /// The same rings pushed outwards by so much more, or pulled inwards, mm.
+    /// The same rings pushed outwards by a further distance (inwards where negative), mm.
     pub(super) fn pushed(self, by: f64) -> PushedProfile<'a> {
         PushedProfile { push: self.push + by, ..self }
     }
 
-    /// The largest radius, mm; below zero where all is pulled in.
+    /// The largest radius, mm; negative where the profile is pulled in completely.
     pub(super) fn radius(&self) -> f64 {
         self.rings.last().map_or(0.0, |ring| ring.to + self.push)
     }
 
-    /// Height above the tip at a distance from the axis, mm; infinite outside. At a step it is that of
-    /// the inner ring, the lower one: a cutter is closed.
+    /// Height above the tip at a distance from the axis, mm; infinite outside. At a step it is that of the inner,
+    /// lower ring, since a cutter is a closed set.
     pub(super) fn height_at(&self, radius: f64) -> f64 {
-        // Compared where the rings are now, as `radius` says it: less the push again, its own radius may be beyond
-        // the last ring by rounding. A number that is none is outside.
+        // Compared with the pushed rings, as in `radius()`: if the push were subtracted again, the result could lie
+        // beyond the last ring by rounding. NaN is outside.
         let on = |ring: &&Ring| radius <= ring.to + self.push;
         self.rings.iter().find(on).map_or(f64::INFINITY, |ring| {
             ring.height_at((radius - self.push).max(0.0).min(ring.to))
         })
     }
 
-    /// The rings where they are now, from the axis outwards.
+    /// The pushed rings, from the axis outwards.
     pub(super) fn rings(&self) -> impl Iterator<Item = Ring> {
         let push = self.push;
         let middle = self.rings.first().filter(|_| push > 0.0).map(|ring| Ring {
@@ -51,7 +51,7 @@ impl<'a> PushedProfile<'a> {
                 RingElement::Torus { height, round, middle } => {
                     RingElement::Torus { height, round, middle: middle + push }
                 }
-                // What is left of a cone that has come to the axis begins higher up.
+                // Where a cone is pulled in past the axis, the rest of it begins higher up.
                 RingElement::Cone { slope, .. } if ring.from + push < 0.0 => {
                     RingElement::Cone { height: ring.height_at(-push), slope }
                 }

@@ -1,17 +1,17 @@
-//! The lowest point of a cutter above a column along a straight move, in closed form.
+//! The lowest point of a cutter over a column along a straight move, in closed form.
 //!
-//! The tip is at `start + t·(end − start)`. Seen from the column the plan distance of the axis is
-//! ρ² = e² + w², where e is the distance of the column from the line of the move in plan and w that along
-//! it. Each ring of the cutter is there where w lies in one of two parts, one on either side of the
-//! column. On each of them the height m·w + h(ρ) is convex (m: rise by plan length), so its least value
-//! is at the free minimiser, clamped into the part.
+//! The tip is at `start + t·(end − start)`. The distance ρ in plan between column and axis is given by ρ² = e² + w²,
+//! where e is the distance of the column from the line of the move in plan and w that along it. Each ring of the
+//! cutter is over the column while w is in one of two intervals, one on either side of the column. On each of them
+//! the height m·w + h(ρ) is convex (m: rise per length in plan), so its least value is at the unconstrained minimum,
+//! clamped to the interval.
 
 use chordal_geometry::Vec3;
 
 use super::profile::{LowestOffer, PushedProfile};
 use crate::cutter::{Ring, RingElement};
 
-/// A straight move, or a plunge, where it has no length in plan.
+/// A straight move; a plunge where its length in plan is zero.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StraightPath {
     start: Vec3,
@@ -30,7 +30,7 @@ impl StraightPath {
         StraightPath { start, end, length, direction }
     }
 
-    /// The way along the move to the foot of a column, and the distance of the column from it, mm.
+    /// The distance along the move to the foot of a column, and that of the column from the move, mm.
     fn seen_from(&self, place: [f64; 2]) -> (f64, f64) {
         let [ux, uy] = self.direction;
         let [x, y] = [place[0] - self.start.x, place[1] - self.start.y];
@@ -42,7 +42,7 @@ impl StraightPath {
         self.start.z * (1.0 - t) + self.end.z * t
     }
 
-    /// The fractions of the way between which the axis is within a radius of the column.
+    /// The fractions of the move between which the axis is within a radius of the column; `None` where it never is.
     pub(super) fn window(&self, place: [f64; 2], radius: f64) -> Option<[f64; 2]> {
         let (foot, aside) = self.seen_from(place);
         if self.length <= 0.0 {
@@ -55,7 +55,7 @@ impl StraightPath {
         (from <= to).then_some([from, to])
     }
 
-    /// The lowest point above a column; its place is a fraction of the way.
+    /// The lowest point over a column, at a fraction of the move; `None` where the cutter is never over the column.
     pub(super) fn lowest(&self, profile: PushedProfile, place: [f64; 2]) -> Option<LowestOffer> {
         let (foot, aside) = self.seen_from(place);
         let mut low = LowestOffer::NONE;
@@ -97,12 +97,13 @@ impl StraightPath {
     }
 }
 
-/// Half the chord that a circle about the column cuts out of a line `aside` of it; `None` beside it.
+/// Half the chord that a circle about the column cuts from a line at the distance `aside`; `None` where they do not
+/// meet.
 pub(super) fn chord(radius: f64, aside: f64) -> Option<f64> {
     (aside <= radius).then(|| ((radius - aside) * (radius + aside)).sqrt())
 }
 
-/// Where slope·w + h(√(aside² + w²)) of an element is least, if the element went on without end.
+/// Where slope·w + h(√(aside² + w²)) of an element is least, if the element were unbounded.
 fn free_minimiser(ring: &Ring, aside: f64, slope: f64) -> f64 {
     if slope == 0.0 {
         return 0.0;
@@ -129,16 +130,14 @@ fn free_minimiser(ring: &Ring, aside: f64, slope: f64) -> f64 {
     }
 }
 
-/// The way |w| from the foot of the column to the axis where a round of radius c about a circle of
-/// radius f touches lowest on a slope m > 0. With y = |w|/ρ the contact is at the distance
-/// ρ = f + c·m/√(m² + y²), and ρ²(1 − y²) = e². The left side falls from (f + c)² to nothing for y from
-/// nothing to one: Newton's steps, kept in a bracket.
+/// The distance |w| from the foot of the column to the axis where a torus of minor radius c and major radius f is
+/// lowest on a slope m > 0. With y = |w|/ρ the contact is at the distance ρ = f + c·m/√(m² + y²), and ρ²(1 − y²) =
+/// e². The left side falls from (f + c)² to 0 for y from 0 to 1, so Newton's method with bracketing finds the root.
 fn offset_on_torus(round: f64, middle: f64, aside: f64, slope: f64) -> f64 {
-    // Newton's steps are three or four, eight at most of 20,000; halves alone reach neighbouring doubles in
-    // 60 or so.
+    // Newton's method takes three or four steps, at most eight in 20,000 cases; bisection alone reaches neighbouring
+    // doubles in about 60.
     const MAX_STEPS: u32 = 100;
-    // A step of Newton leaves the square of its error, and a place that is off by so much the square of it in
-    // the height.
+    // A Newton step squares the error, and an error in the place of a minimum is squared once more in the height.
     const NEWTON_TOLERANCE: f64 = 1e-10;
     let distance = |y: f64| middle + round * slope / (slope * slope + y * y).sqrt();
     let value = |y: f64| {
@@ -148,7 +147,7 @@ fn offset_on_torus(round: f64, middle: f64, aside: f64, slope: f64) -> f64 {
         let change = -round * slope * y / (square * square.sqrt());
         (far * far * left - aside * aside, 2.0 * far * (change * left - far * y))
     };
-    // A circle of centres beyond the axis, of a round that was pulled inwards: up to where ρ is nothing.
+    // Where a torus was pulled inwards past the axis, its major radius is negative: the search ends where ρ is 0.
     let reach = if middle < 0.0 {
         let share = round / middle;
         (slope * slope * (share * share - 1.0)).max(0.0).sqrt().min(1.0)
@@ -156,7 +155,7 @@ fn offset_on_torus(round: f64, middle: f64, aside: f64, slope: f64) -> f64 {
         1.0
     };
     let (mut low, mut high) = (0.0_f64, reach);
-    // The contact of a ball of the whole radius as a start.
+    // Start at the contact of a ball of the whole radius.
     let share = (aside / (middle + round)).min(1.0);
     let sine2 = ((slope * slope + share * share) / (1.0 + slope * slope)).min(1.0);
     let mut y = (slope * (1.0 - sine2).sqrt() / sine2.sqrt()).clamp(low, high);

@@ -1,9 +1,9 @@
-//! The lowest point of a flat or of a ball above a column along an arc in a vertical plane.
+//! The lowest point of a flat or a ball cutter over a column along an arc in a vertical plane.
 //!
-//! In the plane of the arc the tip is at X + A·cos θ, Z + A·sin θ; the column stands at b from X along the
-//! plane and e aside of it. A flat is lowest where the lowest place of the arc is that is near enough. The
-//! section of a ball at e is a circle of the radius q = √(R² − e²): it touches the column's floor where
-//! cos θ = b/(A + q) in a valley and b/(A − q) on a hill. Other rings have no closed form here.
+//! In the plane of the arc the tip is at X + A·cos θ, Z + A·sin θ; the column is at the distance b from X along the
+//! plane and e from the plane. A flat is lowest at the lowest point of the arc within its radius. The section of a
+//! ball at e is a circle of radius q = √(R² − e²): it is lowest over the column where cos θ = b/(A + q) in a valley
+//! and b/(A − q) on a hill. Other rings have no closed form here.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -14,7 +14,7 @@ use super::profile::{LowestOffer, PushedProfile};
 use super::straight::chord;
 use crate::cutter::RingElement;
 
-/// An arc in a vertical plane; its parameter is the angle travelled, from nothing to `sweep`.
+/// An arc in a vertical plane; its parameter is the angle travelled, from 0 to `sweep`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct VerticalArc {
     center: Vec3,
@@ -23,15 +23,14 @@ pub(super) struct VerticalArc {
     radius: f64,
     /// θ at the start.
     first: f64,
-    /// One where θ grows along the path, minus one where it falls.
+    /// 1 where θ grows along the path, −1 where it falls.
     turn: f64,
     /// Radians, above zero.
     sweep: f64,
 }
 
 impl VerticalArc {
-    /// Of an arc about a horizontal axis that does not rise, with a radius and a sweep. `None` where its
-    /// axis has no direction in plan.
+    /// The path of an arc about a horizontal axis, without a rise. `None` where its axis has no direction in plan.
     pub(super) fn new(arc: &Arc) -> Option<VerticalArc> {
         let across = Vec3::new(arc.w.x, arc.w.y, 0.0).normalized()?;
         // Turned about the axis by a quarter, this points up.
@@ -55,7 +54,7 @@ impl VerticalArc {
         })
     }
 
-    /// The place of a column along the plane from the centre, and aside of it, mm.
+    /// The distances of a column from the centre along the plane, and from the plane, mm.
     fn seen_from(&self, place: [f64; 2]) -> (f64, f64) {
         let [dx, dy] = self.direction;
         let [x, y] = [place[0] - self.center.x, place[1] - self.center.y];
@@ -66,7 +65,7 @@ impl VerticalArc {
         self.first + self.turn * angle
     }
 
-    /// Hands on the angles travelled within a range at which the path is at θ.
+    /// Emits the angles travelled within a range at which the path is at θ.
     fn each_at(&self, theta: f64, [from, to]: [f64; 2], push: &mut dyn FnMut(f64)) {
         let once = self.turn * (theta - self.first);
         let first = ((from - once) / TAU).ceil() as i64;
@@ -76,7 +75,7 @@ impl VerticalArc {
         }
     }
 
-    /// Hands on the ranges of the angle in which the axis is within a radius of the column, in order.
+    /// Emits the ranges of the angle in which the axis is within a radius of the column, in order.
     pub(super) fn windows(&self, place: [f64; 2], radius: f64, push: &mut dyn FnMut([f64; 2])) {
         let (along, aside) = self.seen_from(place);
         let Some(half) = chord(radius, aside) else { return };
@@ -109,8 +108,7 @@ impl VerticalArc {
         found.into_iter().for_each(push);
     }
 
-    /// The lowest point above a column within a range of the angle in which the cutter is over it all
-    /// the time.
+    /// The lowest point over a column within a range of the angle throughout which the cutter is over it.
     pub(super) fn lowest(
         &self,
         profile: PushedProfile,
@@ -124,7 +122,7 @@ impl VerticalArc {
             (w * w + aside * aside).sqrt()
         };
         let height = |theta: f64| self.center.z + self.radius * sincos(theta).0;
-        // Both ends are within the radius but for rounding.
+        // Both ends are within the radius, up to rounding.
         for end in range {
             let theta = self.theta(end);
             let reached = distance(theta).min(profile.radius());
@@ -133,12 +131,12 @@ impl VerticalArc {
         for ring in profile.rings() {
             let Some(outer) = chord(ring.to, aside) else { continue };
             let inner = chord(ring.from, aside).unwrap_or(0.0);
-            // Where the ring begins and ends, both ways, and where the height may stand still.
+            // The boundaries of the ring on both sides; further below, the stationary points of the height.
             let edges = [along + outer, along - outer, along + inner, along - inner];
             let offer = |theta: f64, low: &mut LowestOffer| {
                 self.each_at(theta, range, &mut |at| {
                     let far = distance(theta);
-                    // An edge is on the ring but for rounding.
+                    // A boundary is on the ring, up to rounding.
                     let rounding = ROUNDING_SHARE * (self.radius + along.abs() + ring.to);
                     if ring.from - rounding <= far && far <= ring.to + rounding {
                         let reached = far.clamp(ring.from, ring.to);
@@ -173,5 +171,5 @@ impl VerticalArc {
     }
 }
 
-/// What a distance may be off, as a share of the lengths that it was found from.
+/// Rounding error of a distance, as a share of the lengths from which it was computed.
 const ROUNDING_SHARE: f64 = 1e-14;

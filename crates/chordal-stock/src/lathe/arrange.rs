@@ -1,9 +1,8 @@
-//! Two sets of loops laid over each other: what is in both, in the first alone, in either.
+//! The arrangement of two sets of loops, for boolean operations.
 //!
-//! Edges are divided where they meet, points that lie together become one vertex, pieces that lie on
-//! each other become one. The winding numbers of both sets on the two sides of each piece say whether
-//! it bounds a result. Of the first set only the edges near the second are given: the others are told
-//! by what passes above.
+//! Edges are divided where they meet, points that lie together become one vertex, coincident pieces are merged. The
+//! winding numbers of both sets on the two sides of each piece decide whether it bounds a result. Of the first set
+//! only the edges near the second are given; the others count by their contribution to winding numbers.
 
 use chordal_geometry::Vec2;
 
@@ -12,7 +11,7 @@ use super::edge::RegionEdge;
 use super::hull::DirectionHull;
 use super::weld::PointWeld;
 
-/// Which points belong to a result.
+/// The boolean operation: which points belong to the result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum RegionRule {
     /// In the first and not in the second.
@@ -38,11 +37,11 @@ impl RegionRule {
 
 /// The edges of the first set that are not given.
 pub(crate) trait UnlistedEdges {
-    /// What they add to the winding number at a place.
+    /// Their contribution to the winding number at a point.
     fn passages(&self, side: &WindingSide) -> i32;
 }
 
-/// All edges are given.
+/// For a first set whose edges are all given.
 pub(crate) struct NoOthers;
 
 impl UnlistedEdges for NoOthers {
@@ -51,22 +50,22 @@ impl UnlistedEdges for NoOthers {
     }
 }
 
-/// What is laid over each other.
+/// The two sets of an arrangement.
 #[derive(Clone, Copy)]
 pub(crate) struct ArrangementInput<'a> {
-    /// Edges of the first set: all that may come near the second's.
+    /// Edges of the first set: all that may be near the second's.
     pub first: &'a [RegionEdge],
     /// Its other edges.
     pub others: &'a dyn UnlistedEdges,
     /// All edges of the second set.
     pub second: &'a [RegionEdge],
-    /// Whether the second set is one loop that does not meet itself.
+    /// Whether the second set is one loop that does not touch itself.
     pub simple: bool,
-    /// Vertices of the first set within it and `margin` (mm) may be moved by the tolerance: all their edges
-    /// are given.
+    /// The hull of the second set. Vertices of the first set within `margin` (mm) of it may be moved by the
+    /// tolerance, since all their edges are given.
     pub hull: &'a DirectionHull,
     pub margin: f64,
-    /// Points within it are the same, mm.
+    /// Points within this distance are merged, mm.
     pub tolerance: f64,
 }
 
@@ -78,59 +77,59 @@ struct EdgePiece {
     to: u32,
 }
 
-/// Pieces that lie on each other, directed from the lower to the higher vertex.
+/// Coincident pieces, directed from the lower to the higher vertex number.
 #[derive(Clone, Copy, Debug)]
 struct EdgeGroup {
     low: u32,
     high: u32,
-    /// Whose shape it has: the first of its edges.
+    /// The first of its edges, which gives its shape.
     edge: u32,
     /// Whether that edge goes from low to high.
     along: bool,
     middle: Vec2,
-    /// How often the sets' edges go from low to high, less how often back.
+    /// For each set, how many edges go from low to high minus how many go back.
     times: [i32; 2],
-    /// Winding numbers to the left of low → high.
+    /// Winding numbers of both sets to the left of low → high.
     left: [i32; 2],
 }
 
-/// Work space, kept between runs for its memory.
+/// The arrangement, and work space that is reused between runs.
 #[derive(Debug, Default)]
 pub(crate) struct EdgeArrangement {
     weld: PointWeld,
     splits: Vec<(u32, u32)>,
     order: Vec<u32>,
-    /// The vertices on one edge, by how far along it.
+    /// The vertices on one edge, with their distance along it.
     along: Vec<(f64, u32)>,
     pieces: Vec<EdgePiece>,
-    /// Pieces by their vertices: lower, higher, piece.
+    /// Pieces sorted by their vertices: lower, higher, piece.
     keyed: Vec<(u32, u32, u32)>,
     /// The group of each piece.
     of_piece: Vec<u32>,
     /// A count for each vertex.
     tally: Vec<i32>,
     groups: Vec<EdgeGroup>,
-    /// Where the pieces of each edge begin.
+    /// The index of the first piece of each edge.
     first_piece: Vec<u32>,
     count: usize,
-    /// How many pairs of edges of one set cross properly.
+    /// How many pairs of edges of one set properly cross.
     pub own_crossings: usize,
 }
 
-/// What became of the edges of the first set.
+/// How an operation changes the edges of the first set.
 #[derive(Debug, Default)]
 pub(crate) struct ArrangementResult {
-    /// Which of the given edges are no longer there.
+    /// The given edges that are removed, by their indices.
     pub gone: Vec<u32>,
-    /// The edges that came in. Ends with a number below `NEW` are vertices of the first set.
+    /// The edges that are added. Ends with a number below [`NEW`] are vertices of the first set.
     pub came: Vec<RegionEdge>,
 }
 
-/// Vertices with this bit are new; the rest of the number tells them apart.
+/// Marks the number of a new vertex.
 pub(crate) const NEW: u64 = 1 << 63;
 
 impl EdgeArrangement {
-    /// Divides, welds and classifies.
+    /// Computes the arrangement: divides, merges and classifies.
     pub fn lay(&mut self, input: &ArrangementInput<'_>) {
         self.count = input.first.len() + input.second.len();
         self.weld.clear();
@@ -141,7 +140,7 @@ impl EdgeArrangement {
             self.weld.push(edge.end);
         }
         self.cross(input);
-        // What of the first set may stay where it is, because not all its edges are given.
+        // A vertex of the first set may be merged only if all its edges are given; otherwise it must stay in place.
         let id = |at: u32| Some(input.first.get(at as usize / 2)?.ends[at as usize % 2]);
         let place = |at: u32| {
             let edge = input.first.get(at as usize / 2)?;
@@ -166,7 +165,7 @@ impl EdgeArrangement {
         }
     }
 
-    /// Finds crossings along the axis: of edges sorted by their least z, only those whose boxes meet.
+    /// Finds crossings by a sweep along z over edges whose boxes overlap.
     fn cross(&mut self, input: &ArrangementInput<'_>) {
         let Self { weld, splits, order, own_crossings, count, .. } = &mut *self;
         order.clear();
@@ -211,8 +210,8 @@ impl EdgeArrangement {
         self.splits.sort_unstable();
     }
 
-    /// A crossing that lies on a third edge divides that one too: edges that lie on each other are then
-    /// divided at the same places.
+    /// A crossing that lies on a third edge divides that one, too, so that coincident edges are divided at the same
+    /// points.
     fn divide_by_neighbours(&mut self, input: &ArrangementInput<'_>) {
         let Self { weld, splits, order, count, .. } = self;
         order.clear();
@@ -232,7 +231,7 @@ impl EdgeArrangement {
         }
     }
 
-    /// Cuts every edge at its vertices.
+    /// Divides every edge at its vertices.
     fn divide(&mut self, input: &ArrangementInput<'_>) {
         let Self { weld, splits, pieces, first_piece, along, .. } = self;
         pieces.clear();
@@ -249,7 +248,7 @@ impl EdgeArrangement {
             let mut from = start;
             if !along.is_empty() {
                 let edge = Self::edge(input, at);
-                // Along the chord: a piece of a quadrant never turns back against it.
+                // Sorted along the chord, which is monotone on an arc within a quadrant.
                 let chord = edge.end - edge.start;
                 for (reach, vertex) in along.iter_mut() {
                     *reach = (weld.points[*vertex as usize] - edge.start).dot(chord);
@@ -269,13 +268,13 @@ impl EdgeArrangement {
         first_piece.push(pieces.len() as u32);
     }
 
-    /// The middle of a piece between its welded ends.
+    /// The middle of a piece between its merged ends.
     fn middle(&self, input: &ArrangementInput<'_>, edge: u32, from: u32, to: u32) -> Vec2 {
         let (from, to) = (self.weld.points[from as usize], self.weld.points[to as usize]);
         Self::edge(input, edge).between(from, to).middle()
     }
 
-    /// Puts pieces that lie on each other together.
+    /// Groups coincident pieces.
     fn group(&mut self, input: &ArrangementInput<'_>) {
         let mut keyed = core::mem::take(&mut self.keyed);
         keyed.clear();
@@ -315,7 +314,7 @@ impl EdgeArrangement {
         self.keyed = keyed;
     }
 
-    /// Finds the winding numbers of both sets beside each group.
+    /// Finds the winding numbers of both sets to the left of each group.
     fn classify(&mut self, input: &ArrangementInput<'_>) {
         self.reach_first(input);
         for at in 0..self.groups.len() {
@@ -340,7 +339,7 @@ impl EdgeArrangement {
         side.to_left(counted, self.groups[at].times[0])
     }
 
-    /// The winding numbers of the first set. Along the second it changes only where the first is met.
+    /// Finds the winding numbers of the first set. Along the second set it changes only where the first is met.
     fn reach_first(&mut self, input: &ArrangementInput<'_>) {
         let mut met = core::mem::take(&mut self.tally);
         met.clear();
@@ -350,7 +349,7 @@ impl EdgeArrangement {
             met[group.high as usize] = 1;
             group.left[0] = i32::from(group.times[0] > 0);
         }
-        // Where the last piece ended without meeting the first set, and what is known there.
+        // The end of the last piece, if the first set was not met there, and the winding number known there.
         let mut last: Option<(u32, i32)> = None;
         for piece in self.first_piece[input.first.len()] as usize..self.pieces.len() {
             let (EdgePiece { from, to, .. }, at) =
@@ -366,7 +365,7 @@ impl EdgeArrangement {
             self.groups[at].left[0] = first;
             last = (met[to as usize] == 0).then_some((to, first));
         }
-        // Edges of the first set that lie on each other.
+        // Coincident edges of the first set.
         for at in 0..self.groups.len() {
             if self.groups[at].times[0].abs() > 1 {
                 self.groups[at].left[0] = self.count_first(at, input);
@@ -375,20 +374,20 @@ impl EdgeArrangement {
         self.tally = met;
     }
 
-    /// The place at which a group is asked for what lies above.
+    /// The point at which the winding number of a group is counted.
     fn side(&self, group: &EdgeGroup) -> WindingSide {
         let (low, high) = self.ends(group);
         let Vec2 { a: z, b: r } = group.middle;
         if (low.a < z && z < high.a) || (high.a < z && z < low.a) {
             return WindingSide { z, r, before: false, left: low.a < high.a };
         }
-        // Upright: beside it, towards −z if it goes up, which is to its left.
+        // A vertical group: the point is next to it, towards −z if it goes up, which is to its left.
         let up = high.b > low.b;
         let z = if up { low.a.min(high.a) } else { low.a.max(high.a) };
         WindingSide { z, r, before: up, left: true }
     }
 
-    /// The winding number of a set by what passes above a side, the group itself left out.
+    /// The winding number of a set from the groups above a point, except for the group itself.
     fn passages(
         &self,
         own: usize,
@@ -403,7 +402,7 @@ impl EdgeArrangement {
             }
             let (low, high) = self.ends(group);
             if side.is_under(low.a, high.a) {
-                // As its edge goes, whose sense says to which side an arc bulges.
+                // In the sense of its edge, which determines to which side an arc bulges.
                 let edge = self.shape(input, group);
                 let sign = if group.along { 1 } else { -1 };
                 sum += sign * group.times[set] * passage(&edge, side);
@@ -412,8 +411,8 @@ impl EdgeArrangement {
         sum
     }
 
-    /// Whether the pieces kept by a rule bound a closed region: at every vertex as much goes in as out.
-    /// With a difference or a union, what the first set's own edges leave open may be open.
+    /// Whether the pieces kept by a rule bound a closed region: at every vertex as many enter as leave. For a
+    /// difference or a union, vertices where the given edges of the first set are open may stay open.
     pub fn closes(&mut self, rule: RegionRule) -> bool {
         let Self { tally, groups, weld, .. } = self;
         tally.clear();
@@ -427,7 +426,7 @@ impl EdgeArrangement {
         tally.iter().all(|excess| *excess == 0)
     }
 
-    /// The bounds of a result, each piece of its own. Their vertices have numbers of this arrangement.
+    /// Emits the boundary of a result piece by piece, with vertex numbers of this arrangement.
     pub fn bounds(
         &self,
         input: &ArrangementInput<'_>,
@@ -459,7 +458,7 @@ impl EdgeArrangement {
         (self.weld.points[group.low as usize], self.weld.points[group.high as usize])
     }
 
-    /// The part of its first edge that a group is, as that edge goes.
+    /// The part of its first edge that a group represents, in the sense of that edge.
     fn shape(&self, input: &ArrangementInput<'_>, group: &EdgeGroup) -> RegionEdge {
         let (low, high) = self.ends(group);
         let edge = Self::edge(input, group.edge);
@@ -475,8 +474,8 @@ impl EdgeArrangement {
         }
     }
 
-    /// What a difference or a union makes of the first set: edges that go, and edges that come. Pieces of
-    /// one edge that stay neighbours stay one.
+    /// Finds the edges that a difference or a union removes from the first set and adds to it. Adjoining pieces of
+    /// one edge are joined.
     pub fn outcome(
         &mut self,
         input: &ArrangementInput<'_>,
@@ -523,7 +522,7 @@ impl EdgeArrangement {
             self.finish(input, at, run, outcome);
             if of_first {
                 let edge = &input.first[at as usize];
-                // As it was: one run over the whole of it.
+                // The edge is unchanged: one run covers all of it.
                 if outcome.came.len() == came + 1 && outcome.came[came] == *edge {
                     outcome.came.pop();
                 } else {
@@ -549,7 +548,7 @@ impl EdgeArrangement {
     }
 }
 
-/// Neighbouring pieces of an edge.
+/// Adjoining pieces of an edge.
 #[derive(Clone, Copy, Debug)]
 struct EdgeRun {
     from: u32,
@@ -558,7 +557,7 @@ struct EdgeRun {
 }
 
 impl EdgeGroup {
-    /// 1 if a rule keeps it from low to high, −1 if back, 0 if it bounds nothing.
+    /// 1 if a rule keeps it from low to high, −1 if from high to low, 0 if it bounds nothing.
     fn kept(&self, rule: RegionRule) -> i32 {
         let left = rule.holds(self.left[0], self.left[1]);
         let right = rule.holds(self.left[0] - self.times[0], self.left[1] - self.times[1]);
@@ -566,32 +565,32 @@ impl EdgeGroup {
     }
 }
 
-/// Where winding numbers are counted: beside the middle of a group.
+/// The point where winding numbers are counted: next to the middle of a group.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct WindingSide {
     pub z: f64,
     pub r: f64,
-    /// Edges that end at z count, and not those that begin there.
+    /// True if edges that end at z (coming from smaller z) count, instead of those that begin there.
     before: bool,
-    /// The place is to the group's left.
+    /// True if the point is to the left of the group.
     left: bool,
 }
 
 impl WindingSide {
-    /// The winding number left of the group from the one counted above it.
+    /// The winding number to the left of the group, from the one counted at the point.
     fn to_left(self, counted: i32, times: i32) -> i32 {
-        // Above a group that goes towards −z is to its right.
+        // Above a group that goes towards −z is its right side.
         if self.left { counted } else { counted + times }
     }
 
-    /// Whether an edge between these z reaches over it.
+    /// Whether an edge between these z covers the point's z.
     fn is_under(&self, z0: f64, z1: f64) -> bool {
         let (low, high) = (z0.min(z1), z0.max(z1));
         if self.before { low < self.z && self.z <= high } else { low <= self.z && self.z < high }
     }
 }
 
-/// What an edge adds to the winding number below it: 1 if it goes towards −z above the place.
+/// The contribution of an edge above a point to its winding number: 1 if it goes towards −z, −1 if towards +z.
 pub(crate) fn passage(edge: &RegionEdge, side: &WindingSide) -> i32 {
     if !side.is_under(edge.start.a, edge.end.a) || !edge.is_above(side.z, side.r) {
         return 0;

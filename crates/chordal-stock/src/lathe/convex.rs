@@ -1,7 +1,7 @@
 //! A convex outline of lines and arcs, walked by the direction of its tangent.
 //!
-//! Directions are compared as whole numbers, so that an edge that is parallel to a move is met exactly
-//! once, and half a turn on is exactly half a turn on.
+//! Directions are compared as integers, so that an edge parallel to a move is met exactly once, and adding half a
+//! turn is exact.
 
 use core::f64::consts::TAU;
 
@@ -10,18 +10,18 @@ use chordal_geometry::Vec2;
 use super::region::{RegionError, circle_of, in_range};
 use super::segment::OutlineSegment;
 
-/// Steps of a whole turn: 1.4e-12 rad, what an angle of numbers near each other is worth.
+/// Steps of a whole turn. One step is 1.4e-12 rad, about the accuracy of an angle between nearby points.
 pub(crate) const TURN: i64 = 1 << 42;
-/// Tangents that differ by this many steps go on straight: arcs and lines that join smoothly.
+/// Tangents that differ by at most this many steps join smoothly.
 const SMOOTH: i64 = 64;
 
-/// The steps of a direction, from 0 to [`TURN`].
+/// A direction in steps, from 0 up to [`TURN`].
 pub(crate) fn steps(direction: Vec2) -> i64 {
     let part = libm::atan2(direction.b, direction.a) / TAU;
     (libm::round(part * TURN as f64) as i64).rem_euclid(TURN)
 }
 
-/// The angle of so many steps, rad.
+/// The angle of a number of steps, rad.
 pub(crate) fn angle(steps: i64) -> f64 {
     steps as f64 / TURN as f64 * TAU
 }
@@ -35,11 +35,11 @@ struct OutlineSide {
     radius: f64,
     /// Unit tangents at both ends.
     tangents: [Vec2; 2],
-    /// Their steps, growing along the outline.
+    /// The tangents in steps, ascending along the outline.
     steps: [i64; 2],
 }
 
-/// A part of a walk round the outline.
+/// An element of the outline in a walk around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum WalkElement {
     /// A corner.
@@ -50,7 +50,7 @@ pub(crate) enum WalkElement {
     Arc(Vec2, f64),
 }
 
-/// An element with the tangents between which the walk passes it.
+/// An element of a walk, with the tangents at its start and end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct WalkStep {
     pub element: WalkElement,
@@ -58,14 +58,14 @@ pub(crate) struct WalkStep {
     pub steps: [i64; 2],
 }
 
-/// The outline, counter-clockwise.
+/// A convex outline, counter-clockwise.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ConvexOutline {
     sides: Vec<OutlineSide>,
 }
 
 impl ConvexOutline {
-    /// From a closed loop of segments, counter-clockwise; `None` if it is not convex.
+    /// The outline of a closed counter-clockwise loop of segments; `None` if it is not convex.
     pub fn of(segments: &[OutlineSegment]) -> Result<Option<ConvexOutline>, RegionError> {
         let mut sides = Vec::new();
         for segment in segments {
@@ -92,7 +92,7 @@ impl ConvexOutline {
         Ok(ConvexOutline { sides }.unwound())
     }
 
-    /// With steps that grow along the outline by one turn in all; `None` if they do not.
+    /// Makes the steps ascend along the outline by one turn in total; `None` if that is not possible.
     fn unwound(mut self) -> Option<ConvexOutline> {
         let first = self.sides.first()?.steps[0];
         let mut last = first;
@@ -100,14 +100,14 @@ impl ConvexOutline {
             let ahead = (side.steps[0] - last + SMOOTH).rem_euclid(TURN) - SMOOTH;
             let [from, to] = side.steps;
             let turned = to - from;
-            // A smooth joint has one tangent.
+            // At a smooth joint both tangents are made equal.
             let from = if ahead.abs() <= SMOOTH { last } else { last + ahead };
             side.steps = [from, from + turned];
             last = from + turned;
         }
         let over = last - first - TURN;
         if over.abs() <= SMOOTH && over > 0 {
-            // The last side joins the first smoothly, and passed it by rounding.
+            // The last side joins the first one smoothly, but exceeds it by rounding.
             let end = self.sides.len() - 1;
             let [from, to] = self.sides[end].steps;
             self.sides[end].steps = [from.min(first + TURN), to.min(first + TURN)];
@@ -115,7 +115,7 @@ impl ConvexOutline {
         (over <= SMOOTH).then_some(self)
     }
 
-    /// Mirrored at a z (`along_axis`) or at the axis.
+    /// Mirrored along the axis (`along_axis`) or at the axis.
     pub fn mirrored(&self, along_axis: bool) -> Option<ConvexOutline> {
         let flip = |p: Vec2| if along_axis { Vec2::new(-p.a, p.b) } else { Vec2::new(p.a, -p.b) };
         let sides = self.sides.iter().rev().map(|side| {
@@ -133,7 +133,7 @@ impl ConvexOutline {
         ConvexOutline { sides: sides.collect() }.unwound()
     }
 
-    /// Moved so that another point is the origin.
+    /// Moved by a vector, mm.
     pub fn moved(mut self, by: Vec2) -> ConvexOutline {
         for side in &mut self.sides {
             side.start = side.start + by;
@@ -143,7 +143,7 @@ impl ConvexOutline {
         self
     }
 
-    /// As segments.
+    /// The outline as segments.
     pub fn outline(&self) -> Vec<OutlineSegment> {
         let of = |side: &OutlineSide| match side.radius == 0.0 {
             true => OutlineSegment::line(side.start, side.end),
@@ -152,8 +152,8 @@ impl ConvexOutline {
         self.sides.iter().map(of).collect()
     }
 
-    /// What is passed while the tangent turns from `from` up to, and without, `to`, in order. The tangents
-    /// given are those of the two steps.
+    /// Emits the elements that are passed while the tangent turns from `from` to `to` (exclusive), in order. Each
+    /// argument is a direction in steps and the tangent itself.
     pub fn walk(&self, from: (i64, Vec2), to: (i64, Vec2), mut found: impl FnMut(WalkStep)) {
         let Some(first) = self.sides.first().map(|side| side.steps[0]) else { return };
         let mut clip = |element, tangents: [Vec2; 2], steps: [i64; 2]| {
@@ -176,7 +176,7 @@ impl ConvexOutline {
                     clip(WalkElement::Arc(side.center, side.radius), side.tangents, on);
                 } else if from.0 <= on[0] && on[0] < to.0 {
                     let element = WalkElement::Line(side.start, side.end);
-                    // A line has one step, so it is told without clipping.
+                    // A line has a single direction, so it is emitted whole.
                     clip(element, side.tangents, [on[0], on[0] + 1]);
                 }
                 let next = self.sides.get(at + 1);

@@ -1,10 +1,10 @@
-//! Where two edges have points in common.
+//! Finds the points that two edges have in common.
 
 use chordal_geometry::{Circle2, Line2, Meeting, Vec2, circle_circle, line_circle, line_line};
 
 use super::edge::RegionEdge;
 
-/// A place where edges are divided, and which of the two.
+/// A point at which one or both of two edges are divided.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct EdgeSplit {
     pub place: Vec2,
@@ -12,8 +12,8 @@ pub(crate) struct EdgeSplit {
     pub second: bool,
 }
 
-/// Every place where one of two edges has to be divided: ends of one that lie on the other, and proper
-/// crossings. What lies within `tolerance` (mm) of an end is that end, which welding sees to.
+/// Emits every point where one of two edges must be divided: ends of one that lie on the other, and proper crossings.
+/// A point within `tolerance` (mm) of an end will be merged with it.
 pub(crate) fn crossings(
     first: &RegionEdge,
     second: &RegionEdge,
@@ -35,7 +35,7 @@ pub(crate) fn crossings(
         (true, true) => {
             if let Some(crossing) = line_line(line_of(first), line_of(second), 0.0) {
                 let within = |along: f64| (0.0..=1.0).contains(&along);
-                // Of lines that are nearly the same, rounding says anything: what is not on both is none.
+                // For nearly coincident lines the crossing is dominated by rounding, so it must be on both edges.
                 let place = crossing.point;
                 let inner = within(crossing.along_first) && within(crossing.along_second);
                 if inner && first.passes(place, tolerance) && second.passes(place, tolerance) {
@@ -57,8 +57,8 @@ fn circle_of(edge: &RegionEdge) -> Circle2 {
     Circle2 { center: edge.circle.center, radius: edge.circle.radius }
 }
 
-/// Two crossings between which the shapes come no deeper than `tolerance` into each other are one touch:
-/// where exactly they lie is rounding, and between them is next to nothing.
+/// Turns two crossings into one touch where the shapes overlap between them by no more than `tolerance`: their exact
+/// places are rounding.
 fn shallow(meeting: Meeting, depth: impl Fn(f64) -> f64, tolerance: f64) -> Meeting {
     match meeting {
         Meeting::Cross(p, q) if depth(0.5 * p.distance(q)) <= tolerance => {
@@ -85,8 +85,8 @@ fn arcs(first: &RegionEdge, second: &RegionEdge, tolerance: f64, mut found: impl
     let between = a.center.distance(b.center);
     let depth = |_| (a.radius + b.radius - between).min(between - (a.radius - b.radius).abs());
     for place in shallow(circle_circle(a, b, 0.0), depth, tolerance).points() {
-        // Of circles that are nearly the same the place is uncertain along both, and then off them; where
-        // even its foot is off the second, they are apart by less than rounding shows.
+        // For nearly coincident circles the point is uncertain along both, and so may be off them. It is projected on
+        // the first circle, and dropped if it is then off the second.
         let Some(out) = (place - a.center).normalized() else { continue };
         let place = a.center + out * a.radius;
         let off = (place.distance(b.center) - b.radius).abs();

@@ -1,7 +1,7 @@
-//! Half sections from drawings: the lines, arcs and polylines of a DXF file, joined to closed loops.
+//! Reads half sections from drawings: the lines, arcs and polylines of a DXF file, joined to closed loops.
 //!
-//! X of the drawing is z, Y is r. What is drawn open from the axis to the axis is closed along it; lines on the
-//! axis itself are not needed.
+//! X of the drawing is z, Y is r. An outline that begins and ends on the axis is closed along it; lines on the axis
+//! itself are not needed.
 
 use core::f64::consts::TAU;
 
@@ -10,29 +10,29 @@ use chordal_geometry::Vec2;
 use super::region::RegionError;
 use super::segment::OutlineSegment;
 
-/// The most segments that a drawing may have.
+/// Most segments of a drawing.
 const MAX_SEGMENTS: usize = 10_000;
-/// Ends this near (mm) are one point.
+/// Ends within this distance are one point, mm.
 const JOIN_GAP_MM: f64 = 1e-4;
 
-/// What is wrong with a drawing.
+/// Why a drawing cannot be read.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum DxfError {
-    /// It is not text, or binary DXF.
+    /// It is not text; binary DXF is not supported.
     #[error("it is not a DXF file in text form")]
     NotText,
-    /// A group code without a number, or a number that is none.
+    /// A group code or a value is not a number.
     #[error("line {line} is not what a DXF file has there: `{found}`")]
     Broken {
         /// The line, from 1.
         line: usize,
-        /// What is there.
+        /// The text in that line.
         found: String,
     },
-    /// Nothing is drawn.
+    /// It has no lines, arcs or polylines.
     #[error("it has no lines, arcs or polylines")]
     Empty,
-    /// More is drawn than a half section has.
+    /// It has more segments than a half section can have.
     #[error("it has more than {MAX_SEGMENTS} lines and arcs")]
     TooMany,
     /// A curve that is neither a line nor an arc.
@@ -41,20 +41,20 @@ pub enum DxfError {
         /// Its kind.
         kind: String,
     },
-    /// A chain of lines ends away from the axis.
+    /// An open chain of segments ends away from the axis.
     #[error("its outline is open at z {z} mm, radius {r} mm")]
     Open {
-        /// Where, mm.
+        /// The z of that end, mm.
         z: f64,
-        /// Where, mm.
+        /// The radius of that end, mm.
         r: f64,
     },
-    /// The loops enclose nothing that can turn.
+    /// The loops do not give a region.
     #[error(transparent)]
     Region(#[from] RegionError),
 }
 
-/// The closed loops of a drawing; its unit is so many mm.
+/// The closed loops of a drawing whose unit is `unit_mm` mm.
 pub fn read_dxf(bytes: &[u8], unit_mm: f64) -> Result<Vec<Vec<OutlineSegment>>, DxfError> {
     let text = core::str::from_utf8(bytes).map_err(|_| DxfError::NotText)?;
     if text.starts_with("AutoCAD Binary") {
@@ -96,17 +96,17 @@ pub fn read_dxf(bytes: &[u8], unit_mm: f64) -> Result<Vec<Vec<OutlineSegment>>, 
     loops(segments)
 }
 
-/// What is being read.
+/// The entity that is being read.
 #[derive(Default)]
 struct DxfEntity {
     kind: String,
-    /// Corners of a polyline, with the bulge after each.
+    /// Corners of a polyline: x, y, and the bulge of the side after it.
     corners: Vec<[f64; 3]>,
     ends: [f64; 4],
     radius: f64,
     angles: [f64; 2],
     closed: bool,
-    /// An old polyline goes on through its vertices.
+    /// Inside a POLYLINE (the old form), whose vertices follow as entities.
     in_polyline: bool,
 }
 
@@ -186,13 +186,13 @@ impl DxfEntity {
     }
 }
 
-/// A side of a polyline: its bulge is the tangent of a quarter of its angle.
+/// A side of a polyline. Its bulge is the tangent of a quarter of the included angle.
 fn bulged(start: Vec2, end: Vec2, bulge: f64) -> OutlineSegment {
     if bulge == 0.0 || start == end {
         return OutlineSegment::line(start, end);
     }
     let chord = end - start;
-    // The centre is to the left of the chord by half of it times (1 − b²)/2b.
+    // The centre is to the left of the chord's middle by half the chord times (1 − b²)/2b.
     let off = (1.0 - bulge * bulge) / (4.0 * bulge);
     let center = (start + end) * 0.5 + chord.turned_left() * off;
     OutlineSegment::arc(start, end, center, bulge > 0.0)
@@ -229,7 +229,7 @@ fn loops(mut open: Vec<OutlineSegment>) -> Result<Vec<Vec<OutlineSegment>>, DxfE
         let ends = |chain: &[OutlineSegment]| (chain[0].start, chain[chain.len() - 1].end);
         let (start, end) = ends(&chain);
         if start.distance(end) > JOIN_GAP_MM {
-            // The other end.
+            // The chain is extended at its other end.
             chain = chain.iter().rev().map(reversed).collect();
             grow(&mut chain, &mut open);
             let (start, end) = ends(&chain);
@@ -246,7 +246,7 @@ fn loops(mut open: Vec<OutlineSegment>) -> Result<Vec<Vec<OutlineSegment>>, DxfE
     if loops.is_empty() { Err(DxfError::Empty) } else { Ok(loops) }
 }
 
-/// Appends what begins where the chain ends, until it is closed or nothing fits.
+/// Appends segments that join on to the end of the chain, until it is closed or none fits.
 fn grow(chain: &mut Vec<OutlineSegment>, open: &mut Vec<OutlineSegment>) {
     loop {
         let (start, end) = (chain[0].start, chain[chain.len() - 1].end);

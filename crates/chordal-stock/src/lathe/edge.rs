@@ -1,7 +1,7 @@
-//! One edge of a region: a straight piece, or a piece of a circle within one of its quadrants.
+//! An edge of a region: a straight line, or an arc within a quadrant of its circle.
 //!
-//! An arc that stays within a quadrant is monotone in z and in r, so its box is that of its ends, a line
-//! meets it at most twice, and a vertical through the half plane at most once. Longer arcs are divided.
+//! An arc within a quadrant is monotone in z and in r, so its bounding box is that of its ends, a line meets it at
+//! most twice, and a line of constant z at most once. Longer arcs are divided.
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -9,10 +9,10 @@ use chordal_geometry::Vec2;
 
 use super::segment::{OutlineSegment, SegmentArc};
 
-/// Half the angle of an arc (rad) below which a series says its segment's area and moment: the closed
-/// forms lose as many digits as this is small, the series has no more to add (1e-15) at this size.
+/// Half the angle of an arc (rad) below which a series gives the area and moment of its segment: the closed forms
+/// lose digits for small angles, and at this size the next term of the series is below 1e-15.
 const SMALL_HALF_ANGLE: f64 = 0.2;
-/// Parts of a quadrant (rad) that are not worth an edge of their own: rounding of an angle.
+/// Parts of a quadrant smaller than this get no edge of their own, rad: rounding of an angle.
 const NO_ANGLE: f64 = 1e-13;
 
 /// A box in the half plane.
@@ -23,7 +23,7 @@ pub(crate) struct Box2 {
 }
 
 impl Box2 {
-    /// The box that holds nothing.
+    /// The empty box.
     pub const EMPTY: Box2 = Box2 {
         min: Vec2::new(f64::INFINITY, f64::INFINITY),
         max: Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
@@ -63,14 +63,14 @@ impl Box2 {
         self.min.a <= p.a && p.a <= self.max.a && self.min.b <= p.b && p.b <= self.max.b
     }
 
-    /// The largest size of a coordinate, mm.
+    /// The largest absolute coordinate, mm.
     pub fn size(&self) -> f64 {
         let corners = [self.min.a, self.min.b, self.max.a, self.max.b];
         corners.into_iter().map(f64::abs).filter(|size| size.is_finite()).fold(0.0, f64::max)
     }
 }
 
-/// The circle of an arc, and its sense. A radius of zero says that the edge is straight.
+/// The circle of an arc, and its sense. A radius of zero means that the edge is straight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ArcCircle {
     pub center: Vec2,
@@ -80,15 +80,15 @@ pub(crate) struct ArcCircle {
 
 const STRAIGHT: ArcCircle = ArcCircle { center: Vec2::ZERO, radius: 0.0, counterclockwise: true };
 
-/// A directed edge; the region lies to its left.
+/// A directed edge, with the region to its left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct RegionEdge {
     pub start: Vec2,
     pub end: Vec2,
-    /// The vertices it joins. Equal numbers are the same vertex, whatever its coordinates.
+    /// The vertices that it joins. Equal numbers are the same vertex, whatever the coordinates.
     pub ends: [u64; 2],
     pub circle: ArcCircle,
-    /// The move that made it.
+    /// The tag of the move that made it.
     pub tag: u32,
 }
 
@@ -129,14 +129,14 @@ impl RegionEdge {
         RegionEdge { start: self.start + by, end: self.end + by, circle, ..*self }
     }
 
-    /// Mirrored at the axis, and turned round, so that a region stays to the left.
+    /// Mirrored at the axis and reversed, so that the region stays to the left.
     pub fn mirrored(&self) -> RegionEdge {
         let flip = |p: Vec2| Vec2::new(p.a, -p.b);
         let circle = ArcCircle { center: flip(self.circle.center), ..self.circle };
         RegionEdge { start: flip(self.end), end: flip(self.start), circle, ..*self }
     }
 
-    /// With z and r exchanged, and turned round, so that a region stays to the left.
+    /// With z and r exchanged and reversed, so that the region stays to the left.
     pub fn transposed(&self) -> RegionEdge {
         let swap = |p: Vec2| Vec2::new(p.b, p.a);
         let circle = ArcCircle { center: swap(self.circle.center), ..self.circle };
@@ -170,7 +170,7 @@ impl RegionEdge {
         libm::asin((half_chord / self.circle.radius).min(1.0))
     }
 
-    /// The unit vector of travel at the start or the end.
+    /// The unit tangent at the start or the end.
     pub fn direction(&self, at_end: bool) -> Vec2 {
         let along = if self.is_straight() {
             self.end - self.start
@@ -182,7 +182,7 @@ impl RegionEdge {
         along.normalized().unwrap_or(Vec2::ZERO)
     }
 
-    /// 1/mm, positive to the left.
+    /// Its curvature, 1/mm, positive to the left.
     pub fn curvature(&self) -> f64 {
         match (self.is_straight(), self.circle.counterclockwise) {
             (true, _) => 0.0,
@@ -191,7 +191,7 @@ impl RegionEdge {
         }
     }
 
-    /// Whether `p` lies beside the edge, between its ends, at most `tolerance` away.
+    /// Whether `p` is within `tolerance` (mm) of the edge, strictly between its ends.
     pub fn passes(&self, p: Vec2, tolerance: f64) -> bool {
         if self.is_straight() {
             let along = self.end - self.start;
@@ -205,7 +205,7 @@ impl RegionEdge {
         }
     }
 
-    /// Whether the direction from an arc's centre to `p` lies between those to its ends.
+    /// Whether the direction from an arc's centre to `p` is between those to its ends.
     pub fn faces(&self, p: Vec2) -> bool {
         let center = self.circle.center;
         let (from, to, p) = (self.start - center, self.end - center, p - center);
@@ -213,7 +213,7 @@ impl RegionEdge {
         from.cross(p) >= 0.0 && p.cross(to) >= 0.0 && p.dot(from + to) > 0.0
     }
 
-    /// Whether the edge passes above (z, r). It must reach over z.
+    /// Whether the edge passes above (z, r). It must cover z.
     pub fn is_above(&self, z: f64, r: f64) -> bool {
         let (low, high) = (self.start.b.min(self.end.b), self.start.b.max(self.end.b));
         if r < low {
@@ -225,7 +225,7 @@ impl RegionEdge {
         let p = Vec2::new(z, r);
         let forward = self.end.a > self.start.a;
         if self.is_straight() {
-            // The point lies to the right of an edge towards +z, to the left of one towards −z.
+            // The point is then to the right of an edge towards +z, and to the left of one towards −z.
             let left = (self.end - self.start).cross(p - self.start);
             return if forward { left < 0.0 } else { left > 0.0 };
         }
@@ -234,12 +234,12 @@ impl RegionEdge {
         inside != self.is_lower_half()
     }
 
-    /// Whether an arc lies below its centre.
+    /// Whether an arc is below its centre.
     fn is_lower_half(&self) -> bool {
         self.circle.counterclockwise == (self.end.a > self.start.a)
     }
 
-    /// The radius at which the edge passes `z`, mm. It must reach over z.
+    /// The radius at which the edge passes `z`, mm. It must cover z.
     pub fn radius_at(&self, z: f64) -> f64 {
         if z == self.start.a {
             return self.start.b;
@@ -259,7 +259,7 @@ impl RegionEdge {
         r.clamp(self.start.b.min(self.end.b), self.start.b.max(self.end.b))
     }
 
-    /// The edge's share of the area by Green's formula about `origin`, mm².
+    /// The edge's contribution to the area by Green's theorem, relative to `origin`, mm².
     pub fn area(&self, origin: Vec2) -> f64 {
         let chord = 0.5 * (self.start - origin).cross(self.end - origin);
         if self.is_straight() {
@@ -268,22 +268,21 @@ impl RegionEdge {
         chord + self.segment().0
     }
 
-    /// The edge's share of the volume of the region turned about the axis: −π∫r²dz, mm³.
+    /// The edge's contribution to the volume of the body of revolution, −π∫r²dz, mm³.
     pub fn volume(&self) -> f64 {
         let (r0, r1) = (self.start.b, self.end.b);
         let chord = -PI / 3.0 * (self.end.a - self.start.a) * (r0 * r0 + r0 * r1 + r1 * r1);
         if self.is_straight() {
             return chord;
         }
-        // The segment between chord and arc turns about the axis with its centroid (Pappus).
+        // The volume of the segment between chord and arc follows from its centroid (Pappus).
         let (area, moment) = self.segment();
         let half = (self.start + self.end) * 0.5;
         let out = (half - self.circle.center).normalized().unwrap_or(Vec2::ZERO);
         chord + TAU * (half.b * area + out.b * moment)
     }
 
-    /// Area between chord and arc (mm²) and its moment about the chord (mm³), positive when
-    /// counter-clockwise.
+    /// Area between chord and arc (mm²), and its moment about the chord (mm³); positive for counter-clockwise arcs.
     fn segment(&self) -> (f64, f64) {
         let (h, radius) = (self.half_angle(), self.circle.radius);
         let (area, moment) = if h < SMALL_HALF_ANGLE {
@@ -351,7 +350,7 @@ impl RegionEdge {
         (low, high)
     }
 
-    /// As it is drawn.
+    /// The edge in its public form.
     pub fn to_segment(self) -> OutlineSegment {
         let bend = (!self.is_straight()).then_some(SegmentArc {
             center: self.circle.center,
@@ -362,7 +361,8 @@ impl RegionEdge {
     }
 }
 
-/// Divides an arc at the quadrants of its circle. `sweep` is the size of its angle, rad, up to a turn.
+/// Adds an arc, divided at the quadrants of its circle. `sweep` is the absolute value of its angle, rad, up to a
+/// turn.
 pub(crate) fn push_arc(
     edges: &mut Vec<RegionEdge>,
     (start, end): (Vec2, Vec2),
@@ -373,7 +373,7 @@ pub(crate) fn push_arc(
     let ArcCircle { center, radius, counterclockwise } = circle;
     let sign = if counterclockwise { 1.0 } else { -1.0 };
     let to_start = start - center;
-    // Measured along the sense of travel.
+    // Measured in the sense of travel.
     let begin = sign * libm::atan2(to_start.b, to_start.a);
     let mut from = start;
     let mut quarter = libm::floor(begin / FRAC_PI_2) + 1.0;
@@ -383,7 +383,7 @@ pub(crate) fn push_arc(
             break;
         }
         if done > NO_ANGLE {
-            // Quarters from the first axis, in the sense of travel.
+            // The axis that is reached, counted in quarter turns from +z.
             let to = match (quarter * sign).rem_euclid(4.0) as u8 {
                 0 => Vec2::new(center.a + radius, center.b),
                 1 => Vec2::new(center.a, center.b + radius),

@@ -1,23 +1,23 @@
-//! What surely does not come near a swept area: what some direction parts from it.
+//! Quick rejection of edges that are not near a swept area, by separating directions.
 
 use chordal_geometry::Vec2;
 
 use super::edge::{Box2, RegionEdge};
 
-/// Directions that are tried: a sweep of a usual insert has no more edges, of others some suffice.
+/// Most directions: a sweep of a usual insert has no more edges, and for others some of them suffice.
 const MAX_DIRECTIONS: usize = 16;
-/// Directions of one arc of a convex loop: between them it bulges by less than 1 % of its radius.
+/// Directions for one arc of a convex loop: between them the arc bulges by less than 1 % of its radius.
 const OF_ARC: u32 = 6;
 
-/// Directions, and how far edges reach along them.
+/// An outer polygon: directions, and the largest extent of the edges along them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct DirectionHull {
     reach: Vec<(Vec2, f64)>,
 }
 
 impl DirectionHull {
-    /// Around edges: outward directions of their own. Those of one convex loop are its farthest points
-    /// themselves.
+    /// Computes the hull of edges, with their own outward directions. For a convex loop each edge is extreme in its
+    /// own direction.
     pub fn of(&mut self, edges: &[RegionEdge], convex: bool) {
         self.reach.clear();
         if convex {
@@ -54,8 +54,8 @@ impl DirectionHull {
         }
     }
 
-    /// Whether a box lies more than `margin` (mm) outside. `tried` is the direction that is tried first: the
-    /// one that parted the neighbour.
+    /// Whether a box is more than `margin` (mm) outside. `tried` is the direction that is tried first, which
+    /// separated the previous box.
     pub fn parts(&self, area: &Box2, margin: f64, tried: &mut usize) -> bool {
         let outside = |(out, reach): &(Vec2, f64)| {
             let nearest = Vec2::new(
@@ -76,7 +76,7 @@ impl DirectionHull {
         }
     }
 
-    /// Whether a point lies at most `margin` (mm) outside.
+    /// Whether a point is inside, or at most `margin` (mm) outside.
     pub fn holds(&self, p: Vec2, margin: f64) -> bool {
         self.reach.iter().all(|(out, reach)| out.dot(p) <= reach + margin)
     }

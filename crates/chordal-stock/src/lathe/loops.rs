@@ -1,14 +1,14 @@
-//! Edges put together to loops, by the numbers of their vertices.
+//! Joins edges to loops, by the numbers of their vertices.
 
 use chordal_geometry::Vec2;
 
 use super::edge::RegionEdge;
 use super::segment::OutlineSegment;
 
-/// Sines of angles below it are those of edges that go on straight.
+/// Edges are collinear where the sine of the angle between them is below this.
 const STRAIGHT_SINE: f64 = 1e-9;
 
-/// The edges, loop by loop. What does not close (it always does, after a checked operation) ends its loop.
+/// The edges, loop by loop. A chain that does not close ends its loop; after a checked operation every chain closes.
 pub(crate) fn loops(edges: &[RegionEdge]) -> Vec<Vec<RegionEdge>> {
     let mut by_start: Vec<u32> = (0..edges.len() as u32).collect();
     by_start.sort_unstable_by_key(|at| (edges[*at as usize].ends[0], *at));
@@ -33,7 +33,7 @@ pub(crate) fn loops(edges: &[RegionEdge]) -> Vec<Vec<RegionEdge>> {
     found
 }
 
-/// The edge that follows, which is the loop's first one at its end.
+/// The next edge of a loop; its first one where the loop closes, `None` where there is none.
 fn next(
     edges: &[RegionEdge],
     by_start: &[u32],
@@ -49,12 +49,12 @@ fn next(
     open.max_by(|x, y| turn(edge, &edges[*x]).total_cmp(&turn(edge, &edges[*y])).then(y.cmp(x)))
 }
 
-/// How far to the left one goes from an edge to the next, from −π to π: loops that touch in a vertex stay
-/// apart when each takes the sharpest turn to the side of its region.
+/// The angle of the turn to the left from an edge to the next, from −π to π. Loops that touch in a vertex stay
+/// separate if each takes the sharpest turn towards its region.
 fn turn(edge: &RegionEdge, next: &RegionEdge) -> f64 {
     let (from, to) = (edge.direction(true), next.direction(false));
     let angle = libm::atan2(from.cross(to), from.dot(to));
-    // Straight back is a turn to the left if the next edge bends away to the left.
+    // A reversal counts as a right turn (−π) if the next edge bends away to the left, otherwise as a left turn.
     if core::f64::consts::PI - angle.abs() < STRAIGHT_SINE {
         let bend = next.curvature() + edge.curvature();
         return if bend > 0.0 { -core::f64::consts::PI } else { core::f64::consts::PI };
@@ -62,20 +62,20 @@ fn turn(edge: &RegionEdge, next: &RegionEdge) -> f64 {
     angle
 }
 
-/// A loop as it is drawn: neighbours of one line or circle, made by one move, are one segment.
+/// A loop as segments: adjoining edges on one line or circle that were made by one move become one segment.
 pub(crate) fn outline(chain: &[RegionEdge], tolerance: f64) -> Vec<OutlineSegment> {
     let goes_on = |one: &RegionEdge, two: &RegionEdge| {
         one.tag == two.tag && is_continued(one, two, tolerance)
     };
     let count = chain.len();
-    // Begin at a corner, so that no segment is cut by the beginning.
+    // Begin at a corner, so that no segment is divided there.
     let begin = (0..count).find(|at| !goes_on(&chain[(at + count - 1) % count], &chain[*at]));
     let begin = begin.unwrap_or(0);
     let mut drawn: Vec<RegionEdge> = Vec::new();
     for at in 0..count {
         let edge = &chain[(begin + at) % count];
         match drawn.last_mut() {
-            // Against all that is drawn of it, not against its last piece, which may have no length.
+            // Compared with the whole segment so far, not with its last edge, which may have no length.
             Some(last) if goes_on(last, edge) => last.end = edge.end,
             _ => drawn.push(*edge),
         }
@@ -83,7 +83,7 @@ pub(crate) fn outline(chain: &[RegionEdge], tolerance: f64) -> Vec<OutlineSegmen
     drawn.into_iter().map(RegionEdge::to_segment).collect()
 }
 
-/// Whether the second edge lies on the line or circle of the first and goes on in its sense.
+/// Whether the second edge lies on the line or circle of the first and continues in its sense.
 fn is_continued(one: &RegionEdge, two: &RegionEdge, tolerance: f64) -> bool {
     if one.is_straight() != two.is_straight() {
         return false;

@@ -1,9 +1,9 @@
-//! Turned stock: exact regions of the half plane, and what tools of a lathe take from them.
+//! Turned stock: exact regions of the half plane, and what lathe tools remove from them.
 //!
-//! Half the section of a turned body is a region of points (z, r): z along the axis, r from it. A point is a
-//! [`Vec2`](chordal_geometry::Vec2) whose `a` is z and whose `b` is r. Everything is in millimetres, areas are
-//! those of the half section, volumes those of the body. Regions are bounded by lines and arcs and stay so: a
-//! tool's outline of lines and arcs sweeps along lines and arcs what lines and arcs bound.
+//! The half section of a turned body is a region of points (z, r): z along the axis, r the distance from it. A point
+//! is a [`Vec2`](chordal_geometry::Vec2) whose `a` is z and whose `b` is r. All lengths are in millimetres; areas are
+//! those of the half section, volumes those of the body. Regions are always bounded by lines and arcs: what an
+//! outline of lines and arcs sweeps along lines and arcs is bounded by lines and arcs, too.
 //!
 //! | to | see |
 //! |---|---|
@@ -13,11 +13,11 @@
 //! | ask whether a rapid, a holder or a shank touches | [`LatheStock::touch`] |
 //! | ask for radii, walls, grooves, a neck, loose parts | [`Region::radii_at`], [`Region::spans_at`], [`Region::neck`], [`Region::bodies`] |
 //!
-//! A pass is a boolean of exact curves. Crossings divide edges, points within 1e-11 of the size become one
-//! vertex, pieces that lie on each other become one, winding numbers on both sides say what bounds the result,
-//! loops are put together by the numbers of their vertices and never by coordinates. Each is checked:
-//! area(A−B) + area(A∩B) = area(A) within 1e-9 of it. Where that fails the sweep is shifted by 1e-7 of the
-//! size; [`TurnedPass::bound`] says so. Only edges near the sweep are looked at.
+//! A pass is a boolean operation on exact curves. Crossings divide edges, points within 1e-11 of the size become one
+//! vertex, coincident pieces are merged, winding numbers on both sides of a piece decide whether it bounds the
+//! result, and loops are joined by vertex numbers, never by coordinates. Each operation is checked: area(A−B) +
+//! area(A∩B) = area(A) within 1e-9 of it. Where the check fails, the sweep is shifted by 1e-7 of the size;
+//! [`TurnedPass::bound`] gives the error. Only edges near the sweep are examined.
 //!
 //! | question about a program | answer |
 //! |---|---|
@@ -25,11 +25,11 @@
 //! | is the holder in the shoulder? | the same with [`ToolOutline::polygon`] |
 //! | what is in the cut at a place, what is the chip of one revolution? | the same without a move, or moved on by the feed: [`TurnedPass::area`] |
 //! | is a wall left between grooves, is a groove wider than its blade? | [`Region::spans_at`] below the surface |
-//! | is the part off, or does a pip hold it? | [`Region::neck`] over the blade's stretch, [`Region::bodies`] |
+//! | is the part cut off, or does a pip hold it? | [`Region::neck`] over the range of the blade, [`Region::bodies`] |
 //! | is the half section in a drawing? | [`read_dxf`] |
 //! | what is left, what is gouged? | [`Region::difference`] with the target, both ways |
 //!
-//! Threads and driven tools do not turn the same all round: this is not for them.
+//! Threads and driven tools do not leave a body of revolution, so they are not covered here.
 //!
 //! ```
 //! use chordal_geometry::Vec2;

@@ -1,7 +1,7 @@
-//! A difference and an intersection that are checked: area(A−B) + area(A∩B) = area(A).
+//! Boolean operations with a check: area(A−B) + area(A∩B) = area(A).
 //!
-//! Where the check fails, the second set is shifted by a ten-millionth of the size and the work done
-//! again; the result says by how much.
+//! Where the check fails, the second set is shifted by a ten-millionth of the size and the operation repeated; the
+//! result gives the shift.
 
 use chordal_geometry::Vec2;
 
@@ -11,12 +11,12 @@ use super::arrange::{
 use super::edge::{Box2, RegionEdge};
 use super::hull::DirectionHull;
 
-/// Points this near, as a part of the size, are the same: far more than rounding (2e-16 of it), far less than
-/// what areas are checked to.
+/// Points within this share of the size are merged: far more than rounding (2e-16), far less than the tolerance of
+/// the area check.
 const COINCIDENT_SHARE: f64 = 1e-11;
-/// The first shift, as a part of the size; it doubles with each of [`SHIFTS`].
+/// The first shift as a share of the size; it doubles with each of [`SHIFTS`].
 const SHIFT: f64 = 1e-7;
-/// Directions of the shifts: none is that of an axis or of a usual angle.
+/// Directions of the shifts: none is parallel to an axis or at a common angle.
 const SHIFTS: [Vec2; 5] = [
     Vec2::new(0.7891, 0.6143),
     Vec2::new(-0.5477, 0.8367),
@@ -24,19 +24,19 @@ const SHIFTS: [Vec2; 5] = [
     Vec2::new(-0.8944, -0.4472),
     Vec2::new(0.9701, 0.2425),
 ];
-/// Around the second set, as a part of the size: more than the tolerance, and more than the largest shift.
+/// Margins around the second set as a share of the size: one above the tolerance, one above the largest shift.
 const MARGINS: [f64; 2] = [2e-8, 4e-6];
-/// How well areas must agree, as a part of the first's.
+/// Tolerance of the area check, as a share of the first area.
 const AREA: f64 = 1e-9;
-/// What sums of areas lose by rounding, as a part of the size squared.
+/// Rounding error of sums of areas, as a share of the size squared.
 const AREA_ROUNDING_SHARE: f64 = 1e-13;
 
-/// A boolean operation found no answer that passes its check. The operands are as they were.
+/// No result of a boolean operation passed its check. The operands are unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the outlines of stock and tool meet in a way that cannot be told apart")]
 pub struct OverlayError;
 
-/// The lengths by which two sets are compared.
+/// The tolerances for two sets.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OverlayScale {
     pub tolerance: f64,
@@ -46,42 +46,42 @@ pub(crate) struct OverlayScale {
 }
 
 impl OverlayScale {
-    /// From the largest coordinate (mm) and the area of the first set (mm²).
+    /// The tolerances for a largest coordinate (mm) and an area of the first set (mm²).
     pub fn new(size: f64, area: f64) -> OverlayScale {
         OverlayScale { tolerance: COINCIDENT_SHARE * size, margin: MARGINS[0] * size, size, area }
     }
 
-    /// With room for shifts.
+    /// With a margin for shifts.
     pub fn wide(self) -> OverlayScale {
         OverlayScale { margin: MARGINS[1] * self.size, ..self }
     }
 }
 
-/// Area and volume.
+/// Area (mm²) and volume (mm³).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct AreaAndVolume {
     pub area: f64,
     pub volume: f64,
 }
 
-/// Work space, kept between operations for its memory.
+/// Results and work space, reused between operations.
 #[derive(Debug, Default)]
 pub(crate) struct OverlayWorkspace {
     arrangement: EdgeArrangement,
     shifted: Vec<RegionEdge>,
     is_shifted: bool,
-    /// By how much the result may be off the outlines that were given, mm: 0, or a shift of the second set, or
-    /// what was too thin to be told.
+    /// Bound of the deviation of the result, mm: 0, or the shift of the second set, or the thickness of what was too
+    /// thin to be resolved.
     pub off: f64,
-    /// What both have in common.
+    /// The edges of the intersection.
     pub common: Vec<RegionEdge>,
     pub amounts: AreaAndVolume,
 }
 
-/// The operands, whose tolerances are those of a [`OverlayScale`].
+/// The operands of an operation, with their tolerances.
 #[derive(Clone, Copy)]
 pub(crate) struct OverlayOperands<'a> {
-    /// Edges of the first set that may come within the scale's margin of the second.
+    /// Edges of the first set that may be within the margin of the second.
     pub first: &'a [RegionEdge],
     pub others: &'a dyn UnlistedEdges,
     pub second: &'a [RegionEdge],
@@ -93,7 +93,8 @@ pub(crate) struct OverlayOperands<'a> {
 }
 
 impl<'a> OverlayOperands<'a> {
-    /// The middle of where both sets are: areas about it are those of small triangles.
+    /// The middle of the overlap of both boxes. Relative to it, areas are sums of small triangles, with little
+    /// cancellation.
     fn middle(&self) -> Vec2 {
         let (one, two) = (self.bounds, Box2::around(self.first));
         let low = Vec2::new(one.min.a.max(two.min.a), one.min.b.max(two.min.b));
@@ -110,14 +111,14 @@ impl<'a> OverlayOperands<'a> {
 }
 
 impl OverlayWorkspace {
-    /// Lays the second set over the first, finds what they have in common and checks it.
+    /// Computes the arrangement and the intersection, and checks them.
     pub fn lay(&mut self, operands: &OverlayOperands<'_>) -> Result<(), OverlayError> {
         self.is_shifted = false;
         self.off = self.try_lay(operands, operands.second).ok_or(OverlayError)?;
         Ok(())
     }
 
-    /// The same with the second set shifted, by more and more. The margin must be wide.
+    /// The same with the second set shifted, by increasing amounts. The scale must be [`wide`](OverlayScale::wide).
     pub fn lay_shifted(&mut self, operands: &OverlayOperands<'_>) -> Result<(), OverlayError> {
         let mut length = SHIFT * operands.scale.size;
         for direction in SHIFTS {
@@ -138,8 +139,8 @@ impl OverlayWorkspace {
         Err(OverlayError)
     }
 
-    /// By how much outlines may be off, mm; `None` if the check fails. It is the tolerance where the first
-    /// set has walls or gaps that are thinner, which become none.
+    /// The error bound, mm; `None` if the check fails. It is the tolerance where the first set has thinner walls or
+    /// gaps, which vanish.
     fn try_lay(&mut self, operands: &OverlayOperands<'_>, second: &[RegionEdge]) -> Option<f64> {
         let input = operands.input(second);
         let Self { arrangement, common, amounts, .. } = self;
@@ -169,7 +170,7 @@ impl OverlayWorkspace {
         }
     }
 
-    /// What a rule makes of the first set, after [`lay`](Self::lay).
+    /// How a rule changes the first set, after [`lay`](Self::lay).
     pub fn outcome(
         &mut self,
         operands: &OverlayOperands<'_>,
@@ -181,7 +182,7 @@ impl OverlayWorkspace {
     }
 }
 
-/// Area and volume within closed edges; areas are taken about `origin`.
+/// Area and volume within closed edges; areas are computed relative to `origin`.
 pub(crate) fn measure(edges: &[RegionEdge], origin: Vec2) -> AreaAndVolume {
     edges.iter().fold(AreaAndVolume::default(), |sum, edge| AreaAndVolume {
         area: sum.area + edge.area(origin),

@@ -1,12 +1,12 @@
-//! A simple polygon in triangles, by cutting ears.
+//! Divides a simple polygon into triangles, by ear clipping.
 
 use chordal_geometry::Vec2;
 
-/// More corners than a tool's outline has: ears are found by trying each.
+/// Most corners, more than a tool's outline has: the search for ears takes cubic time.
 const MAX_CORNERS: usize = 4096;
 
-/// Counter-clockwise triangles that make up a polygon given counter-clockwise; `None` where it crosses
-/// itself so that no ear is found.
+/// The counter-clockwise triangles of a counter-clockwise polygon; `None` where it crosses itself so that no ear is
+/// found, or has too many corners.
 pub(crate) fn triangles(corners: &[Vec2]) -> Option<Vec<[Vec2; 3]>> {
     let mut left: Vec<Vec2> = corners.to_vec();
     left.dedup();
@@ -39,7 +39,7 @@ pub(crate) fn triangles(corners: &[Vec2]) -> Option<Vec<[Vec2; 3]>> {
     (!found.is_empty()).then_some(found)
 }
 
-/// Twice the area.
+/// Twice the signed area.
 fn doubled([a, b, c]: [Vec2; 3]) -> f64 {
     (b - a).cross(c - b)
 }

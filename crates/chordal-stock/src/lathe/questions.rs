@@ -1,4 +1,4 @@
-//! What is asked of a region: radii at a place, walls between grooves, a neck, loose parts.
+//! Queries on a region: radii at a position, walls between grooves, a neck, separate bodies.
 
 use core::cmp::Ordering;
 
@@ -9,8 +9,8 @@ use super::loops::loops;
 use super::region::Region;
 
 impl Region {
-    /// The intervals of radius that are filled at `z`, from the axis outward, mm. At a wall it is what lies on
-    /// the side that is asked for: −z of it or +z.
+    /// The filled intervals of radius at `z`, from the axis outwards, mm. `towards` chooses the side of a wall at
+    /// `z`.
     #[must_use]
     pub fn radii_at(&self, z: f64, towards: PlaceSide) -> Vec<(f64, f64)> {
         filled(self.edges(), z, towards)
@@ -32,22 +32,22 @@ impl Region {
         bottoms.min_by(f64::total_cmp)
     }
 
-    /// The intervals of z that are filled at radius `r`, towards +z, mm: walls. What lies between two of them
-    /// is a groove. At the radius of a step it is what lies on the side that is asked for.
+    /// The filled intervals of z at the radius `r`, towards +z, mm: these are walls, with grooves between them.
+    /// `towards` chooses the side of a step at `r`.
     #[must_use]
     pub fn spans_at(&self, r: f64, towards: PlaceSide) -> Vec<(f64, f64)> {
         let turned: Vec<RegionEdge> = self.edges().iter().map(RegionEdge::transposed).collect();
         filled(&turned, r, towards)
     }
 
-    /// The least of the largest radii between two z, and where it is: (z, r), mm. After a part-off along this
-    /// stretch r is the radius of what still holds; 0 where nothing does. `None` of no stretch.
+    /// The minimum over a range of z of the largest radius, and its place, as (z, r), mm. After a part-off in this
+    /// range, r is the radius of the remaining link, or 0 where there is none. `None` for an empty range.
     #[must_use]
     pub fn neck(&self, from: f64, to: f64) -> Option<(f64, f64)> {
         let (low, high) = (from.min(to), from.max(to));
         let corners = self.edges().iter().map(|edge| edge.start.a);
         let inner = corners.filter(|z| low < *z && *z < high);
-        // Edges rise or fall all along, so the largest radius is least at a corner or an end.
+        // Edges are monotone, so the minimum is at a corner or an end.
         let mut places: Vec<(f64, PlaceSide)> = inner
             .flat_map(|z| [(z, PlaceSide::Lower), (z, PlaceSide::Higher)])
             .chain([(low, PlaceSide::Higher), (high, PlaceSide::Lower)])
@@ -64,8 +64,7 @@ impl Region {
         tops.min_by(|x, y| x.1.total_cmp(&y.1))
     }
 
-    /// The parts that hang together, each a region of its own, the largest first. Parts that touch in a point
-    /// are apart.
+    /// The connected parts as separate regions, the largest first. Parts that touch only in a point are separate.
     #[must_use]
     pub fn bodies(&self) -> Vec<Region> {
         let chains = loops(self.edges());
@@ -82,7 +81,7 @@ impl Region {
         let mut bodies: Vec<(Vec<RegionEdge>, Vec<RegionEdge>)> =
             outer.into_iter().map(|(_, chain)| (chain, Vec::new())).collect();
         for hole in holes {
-            // In the smallest part around it.
+            // The hole belongs to the smallest part around it.
             let inside = hole[0].middle();
             let around = bodies.iter().rposition(|(chain, _)| surrounds(chain, inside));
             if let Some(at) = around.or((!bodies.is_empty()).then_some(0)) {
@@ -96,19 +95,19 @@ impl Region {
         bodies.into_iter().map(whole).collect()
     }
 
-    /// Whether a point lies within it; of points on its edges either.
+    /// Whether a point is inside; undefined for points on the outline.
     #[must_use]
     pub fn holds(&self, point: Vec2) -> bool {
         surrounds(self.edges(), point)
     }
 }
 
-/// The side of a place that is asked for.
+/// On which side of a coordinate a query looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlaceSide {
-    /// Just before it: towards −z, or the axis.
+    /// Just below it: towards −z, or towards the axis.
     Lower,
-    /// Just after it: towards +z, or away from the axis.
+    /// Just above it: towards +z, or away from the axis.
     Higher,
 }
 
@@ -120,13 +119,13 @@ fn reaches(edge: &RegionEdge, z: f64, towards: PlaceSide) -> bool {
     }
 }
 
-/// What is filled along a vertical, between edges with the region above and edges with it below.
+/// The filled intervals on a line of constant z.
 fn filled(edges: &[RegionEdge], z: f64, towards: PlaceSide) -> Vec<(f64, f64)> {
     let crossed = edges.iter().filter(|edge| reaches(edge, z, towards));
     let mut passages: Vec<(f64, i32)> = crossed
         .map(|edge| (edge.radius_at(z), if edge.end.a > edge.start.a { 1 } else { -1 }))
         .collect();
-    // At one radius what opens comes first: intervals that touch are one.
+    // At equal radii openings come first, so that touching intervals are merged.
     passages.sort_by(|x, y| x.0.total_cmp(&y.0).then(y.1.cmp(&x.1)));
     let (mut found, mut depth, mut begin) = (Vec::new(), 0, 0.0);
     for (r, step) in passages {
@@ -141,7 +140,7 @@ fn filled(edges: &[RegionEdge], z: f64, towards: PlaceSide) -> Vec<(f64, f64)> {
     found
 }
 
-/// Whether a point lies within closed edges, by what passes above it.
+/// Whether a point is inside closed edges, by the winding number from the edges above it.
 fn surrounds(edges: &[RegionEdge], p: Vec2) -> bool {
     let over = edges.iter().filter(|edge| reaches(edge, p.a, PlaceSide::Higher));
     let above = over.filter(|edge| edge.is_above(p.a, p.b));

@@ -1,4 +1,4 @@
-//! Regions of the half plane, and what can be asked of them.
+//! Regions of the half plane.
 
 use chordal_geometry::Vec2;
 
@@ -13,31 +13,30 @@ use super::overlay::{
 };
 use super::segment::OutlineSegment;
 
-/// Coordinates up to this size (mm) are taken: what turns on a lathe is smaller, and squares of it keep
-/// their digits.
+/// Largest coordinate, mm: parts on a lathe are smaller, and squares of coordinates keep enough digits.
 const MAX_COORDINATE_MM: f64 = 1e6;
-/// Ends of segments this near (mm) are joined: the last digit of a written coordinate.
+/// Ends of segments within this distance are joined, mm: the last digit of a written coordinate.
 const JOIN_GAP_MM: f64 = 1e-4;
-/// The radii of an arc's two ends may differ by this (mm), as they do in drawings with three digits; the
-/// centre then moves to the middle between the ends.
+/// The radii of an arc's two ends may differ by this, mm, as they do in drawings with three decimals; the centre is
+/// then moved to be equally far from both ends.
 const RADII: f64 = 0.01;
-/// Radii that differ by no more (mm) are the same: outlines that came from here.
+/// Radii that differ by no more than this are equal, mm, as in outlines that were made here.
 const EQUAL_RADIUS_MM: f64 = 1e-8;
-/// Vertices that outlines leave out lie on their edges to this part of the size.
+/// Tolerance for vertices that outlines leave out, as a share of the size.
 const ON_EDGE: f64 = 1e-11;
-/// Areas below this part of the size squared are none.
+/// Areas below this share of the size squared count as zero.
 const NO_AREA: f64 = 1e-15;
 
-/// What is wrong with an outline.
+/// Why an outline does not give a region.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum RegionError {
-    /// A coordinate is not a number, or too large.
+    /// A coordinate is not finite, or too large.
     #[error("a coordinate of the outline is {value}; sizes up to 1,000,000 mm can be used")]
     OutOfRange {
         /// The coordinate, mm.
         value: f64,
     },
-    /// A dimension is zero, or below it, or less than another one.
+    /// A dimension is not larger than another one, or than zero.
     #[error("the {what} must be more than {more_than} mm, it is {value} mm")]
     TooSmall {
         /// What it is.
@@ -47,7 +46,7 @@ pub enum RegionError {
         /// What it must exceed, mm.
         more_than: f64,
     },
-    /// A loop has fewer segments than enclose an area, or encloses none.
+    /// A loop encloses no area.
     #[error("loop {number} of the outline encloses no area")]
     Empty {
         /// Which loop, from 1.
@@ -58,17 +57,17 @@ pub enum RegionError {
     Open {
         /// Which loop, from 1.
         number: usize,
-        /// Where, mm.
+        /// The z of the gap, mm.
         z: f64,
-        /// Where, mm.
+        /// The radius of the gap, mm.
         r: f64,
     },
     /// A point lies on the other side of the axis.
     #[error("the outline passes the axis at z {z} mm: its radius there is {r} mm")]
     BelowAxis {
-        /// Where, mm.
+        /// The z of that point, mm.
         z: f64,
-        /// Where, mm.
+        /// The radius of that point, mm.
         r: f64,
     },
     /// The ends of an arc have different distances from its centre.
@@ -76,13 +75,13 @@ pub enum RegionError {
         "the ends of the arc at z {z} mm, r {r} mm are {first} and {second} mm from its centre"
     )]
     Radii {
-        /// Its start, mm.
+        /// The z of its start, mm.
         z: f64,
-        /// Its start, mm.
+        /// The radius of its start, mm.
         r: f64,
-        /// Distance of the start, mm.
+        /// Distance of the start from the centre, mm.
         first: f64,
-        /// Distance of the end, mm.
+        /// Distance of the end from the centre, mm.
         second: f64,
     },
     /// Lines or arcs cross.
@@ -90,32 +89,32 @@ pub enum RegionError {
     CrossesItself,
 }
 
-/// A region of the half plane (z, r), bounded by lines and arcs: half the section of a turned body.
+/// A region of the half plane (z, r), bounded by lines and arcs: the half section of a turned body.
 ///
-/// A point is a [`Vec2`] whose `a` is z and whose `b` is r, both in mm, r from 0 up.
+/// A point is a [`Vec2`] whose `a` is z and whose `b` is r, both in mm, with r ≥ 0.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Region {
     edges: Vec<RegionEdge>,
 }
 
-/// What a boolean operation made, and how exact it is.
+/// The result of a boolean operation, and its error bound.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CombinedRegion {
     /// The result.
     pub region: Region,
-    /// How far its outline may be off the exact one, mm. As a rule 0; 1e-11 of the size where the first
-    /// operand has walls or gaps thinner than that, more where the second one had to be shifted to be told
-    /// apart from it.
+    /// Bound of the deviation of its outline from the exact one, mm. Usually 0; 1e-11 of the size where the first
+    /// operand has walls or gaps thinner than that; more where the second operand had to be shifted to resolve a near
+    /// coincidence.
     pub bound: f64,
 }
 
 impl Region {
-    /// A bar of this radius (mm) from one z to another.
+    /// A bar of this radius between two z, mm.
     pub fn bar(radius: f64, from: f64, to: f64) -> Result<Region, RegionError> {
         Region::tube(0.0, radius, from, to)
     }
 
-    /// A tube between two radii (mm) from one z to another; with an inner radius of zero it is a bar.
+    /// A tube between two radii and two z, mm; with an inner radius of zero it is a bar.
     pub fn tube(inner: f64, outer: f64, from: f64, to: f64) -> Result<Region, RegionError> {
         for value in [inner, outer, from, to] {
             in_range(value)?;
@@ -140,8 +139,8 @@ impl Region {
         Ok(Region { edges })
     }
 
-    /// Any outline: closed loops in either sense. What lies within an odd number of them belongs to the
-    /// region, so holes are loops within loops.
+    /// The region within closed loops in either sense. Points inside an odd number of loops belong to it, so holes
+    /// are loops within loops.
     pub fn contour(loops: &[Vec<OutlineSegment>]) -> Result<Region, RegionError> {
         let mut edges = Vec::new();
         for (at, segments) in loops.iter().enumerate() {
@@ -175,7 +174,7 @@ impl Region {
         Ok(Region::of(outcome.came))
     }
 
-    /// From edges with vertices of any numbers.
+    /// The region with these edges, whose vertices are renumbered.
     pub(crate) fn of(mut edges: Vec<RegionEdge>) -> Region {
         let mut vertices: Vec<u64> = edges.iter().flat_map(|edge| edge.ends).collect();
         vertices.sort_unstable();
@@ -190,7 +189,7 @@ impl Region {
         &self.edges
     }
 
-    /// Whether nothing is left of it.
+    /// Whether it is empty.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.edges.is_empty()
@@ -213,23 +212,22 @@ impl Region {
         measure(&self.edges, (low + high) * 0.5)
     }
 
-    /// The corners of the box around it: least z and r, largest z and r, mm. `None` of nothing.
+    /// The corners of its bounding box: least z and r, largest z and r, mm. `None` for an empty region.
     #[must_use]
     pub fn bounds(&self) -> Option<(Vec2, Vec2)> {
         let bounds = Box2::around(&self.edges);
         (!self.is_empty()).then_some((bounds.min, bounds.max))
     }
 
-    /// The outline, loop by loop, with the region to the left of travel: outer loops counter-clockwise,
-    /// holes clockwise (z to the right, r up). Neighbours on one line or circle that one move made are one
-    /// segment.
+    /// The outline, loop by loop, with the region to the left: outer loops counter-clockwise, holes clockwise (z to
+    /// the right, r up). Adjoining edges on one line or circle that one move made are one segment.
     #[must_use]
     pub fn outline(&self) -> Vec<Vec<OutlineSegment>> {
         let tolerance = ON_EDGE * Box2::around(&self.edges).size();
         loops(&self.edges).iter().map(|chain| outline(chain, tolerance)).collect()
     }
 
-    /// The outline without regard to who made it: neighbours on one line or circle are one segment.
+    /// The outline without regard to the moves that made it: adjoining edges on one line or circle are one segment.
     #[must_use]
     pub fn shape(&self) -> Vec<Vec<OutlineSegment>> {
         let tolerance = ON_EDGE * Box2::around(&self.edges).size();
@@ -242,23 +240,23 @@ impl Region {
             .collect()
     }
 
-    /// The same at another place.
+    /// The region moved by a vector, mm.
     #[must_use]
     pub fn moved(&self, by: Vec2) -> Region {
         Region { edges: self.edges.iter().map(|edge| edge.moved(by)).collect() }
     }
 
-    /// What is in this region and not in the other one.
+    /// The points in this region that are not in the other one.
     pub fn difference(&self, other: &Region) -> Result<CombinedRegion, OverlayError> {
         self.combined(other, RegionRule::Difference)
     }
 
-    /// What is in both.
+    /// The points in both regions.
     pub fn intersection(&self, other: &Region) -> Result<CombinedRegion, OverlayError> {
         self.combined(other, RegionRule::Intersection)
     }
 
-    /// What is in one of them or in both.
+    /// The points in one or both of the regions.
     pub fn union(&self, other: &Region) -> Result<CombinedRegion, OverlayError> {
         self.combined(other, RegionRule::Union)
     }
@@ -271,7 +269,7 @@ impl Region {
             second: &other.edges,
             simple: false,
             bounds,
-            // Without directions everything is near.
+            // A hull without directions rejects nothing.
             hull: &DirectionHull::default(),
             scale: OverlayScale::new(bounds.size(), self.area()),
         };
@@ -317,7 +315,7 @@ fn closed_loop(
         if from.distance(segment.start) > JOIN_GAP_MM {
             return Err(RegionError::Open { number, z: from.a, r: from.b });
         }
-        // The one before may have ended elsewhere within the gap.
+        // The previous segment may have ended elsewhere within the tolerance.
         let start = if at == 0 { from } else { edges.last().map_or(from, |edge| edge.end) };
         push_segment(edges, &OutlineSegment { start, ..*segment })?;
         from = segment.end;
@@ -331,7 +329,7 @@ fn closed_loop(
     Ok(())
 }
 
-/// One segment as edges. The centre of an arc is moved to the middle between its ends.
+/// Adds one segment as edges. The centre of an arc is moved to be equally far from both ends.
 fn push_segment(edges: &mut Vec<RegionEdge>, segment: &OutlineSegment) -> Result<(), RegionError> {
     let OutlineSegment { start, end, tag, .. } = *segment;
     match circle_of(segment)? {
@@ -345,28 +343,28 @@ fn push_segment(edges: &mut Vec<RegionEdge>, segment: &OutlineSegment) -> Result
     Ok(())
 }
 
-/// The circle through both ends whose centre is nearest to the one given; `None` where that is not near.
-fn centered(start: Vec2, end: Vec2, provided: Vec2, counterclockwise: bool) -> Option<ArcCircle> {
-    let (first, second) = (start.distance(provided), end.distance(provided));
+/// The circle through both ends whose centre is nearest to `nominal`; `None` where it is farther than [`RADII`].
+fn centered(start: Vec2, end: Vec2, nominal: Vec2, counterclockwise: bool) -> Option<ArcCircle> {
+    let (first, second) = (start.distance(nominal), end.distance(nominal));
     if (first - second).abs() <= EQUAL_RADIUS_MM && first + second > 0.0 {
-        // Of a short arc the middle between the ends may be far away.
+        // The given centre is kept: for a short arc, the equidistant point may be far away from it.
         return Some(ArcCircle {
-            center: provided,
+            center: nominal,
             radius: 0.5 * (first + second),
             counterclockwise,
         });
     }
     let half = (start + end) * 0.5;
     let center = match (end - start).normalized() {
-        Some(along) => provided + along * (half - provided).dot(along),
-        None => provided,
+        Some(along) => nominal + along * (half - nominal).dot(along),
+        None => nominal,
     };
     let radius = start.distance(center);
-    let near = center.distance(provided) <= RADII && radius > 0.0;
+    let near = center.distance(nominal) <= RADII && radius > 0.0;
     near.then_some(ArcCircle { center, radius, counterclockwise })
 }
 
-/// The circle of an arc between its two ends, as [`Region::contour`] takes it.
+/// The circle of an arc through its two ends, as in [`Region::contour`]; `None` for a line.
 pub(crate) fn circle_of(segment: &OutlineSegment) -> Result<Option<ArcCircle>, RegionError> {
     let OutlineSegment { start, end, bend, .. } = *segment;
     let Some(bend) = bend else { return Ok(None) };

@@ -1,31 +1,31 @@
-//! Lines and arcs of an outline, as they come in and go out.
+//! Lines and arcs of an outline: the public form of the edges of a region.
 
 use core::f64::consts::TAU;
 
 use chordal_geometry::Vec2;
 
-/// A line or an arc of an outline, with the move that made it. Points are (z, r) in mm: `a` is z, along
-/// the axis, `b` is r, from the axis.
+/// A line or an arc of an outline, with the move that made it. Points are (z, r) in mm: `a` is z along the axis, `b`
+/// is r, the distance from the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutlineSegment {
-    /// Where it begins.
+    /// Its start, mm.
     pub start: Vec2,
-    /// Where it ends. An arc that ends where it begins is a whole circle.
+    /// Its end, mm. An arc whose end is its start is a full circle.
     pub end: Vec2,
-    /// `None` for a line.
+    /// The circle of an arc; `None` for a line.
     pub bend: Option<SegmentArc>,
-    /// The number of the move that made it; what it was before the first move has the number it was given.
+    /// The number of the move that made it; segments of the initial stock keep the number they were given.
     pub tag: u32,
 }
 
-/// The circle of an arc and the sense in which it is travelled.
+/// The circle of an arc, and its sense.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SegmentArc {
     /// The centre, mm.
     pub center: Vec2,
     /// The radius, mm.
     pub radius: f64,
-    /// From z towards r. Seen with z to the right and r up.
+    /// True for the sense from +z to +r: counter-clockwise with z to the right and r up.
     pub counterclockwise: bool,
 }
 
@@ -36,7 +36,7 @@ impl OutlineSegment {
         OutlineSegment { start, end, bend: None, tag: 0 }
     }
 
-    /// An arc about `center`. Its radius is the distance of the start.
+    /// An arc about `center`. Its radius is the distance of `start` from it.
     #[must_use]
     pub fn arc(start: Vec2, end: Vec2, center: Vec2, counterclockwise: bool) -> OutlineSegment {
         let radius = start.distance(center);
@@ -48,13 +48,13 @@ impl OutlineSegment {
         }
     }
 
-    /// The same with the number of a move.
+    /// The same segment with the number of a move.
     #[must_use]
     pub fn tagged(self, tag: u32) -> OutlineSegment {
         OutlineSegment { tag, ..self }
     }
 
-    /// The angle it turns, rad, positive counter-clockwise; zero for a line.
+    /// The angle of an arc, rad, positive counter-clockwise; zero for a line.
     #[must_use]
     pub fn sweep(&self) -> f64 {
         let Some(bend) = self.bend else { return 0.0 };

@@ -14,50 +14,50 @@ use super::store::EdgeStore;
 use super::sweep::{SweptRegion, sweep};
 use super::tool::ToolOutline;
 
-/// Why a pass was not made. The stock is as it was.
+/// Why a pass failed. The stock is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum PassError {
     /// The path cannot be used.
     #[error(transparent)]
     Path(#[from] RegionError),
-    /// What the tool sweeps cannot be told apart from the outline of the stock.
+    /// A near coincidence between the sweep of the tool and the outline of the stock could not be resolved.
     #[error(transparent)]
     Unresolved(#[from] OverlayError),
 }
 
-/// What a tool takes from stock along one move, or would take.
+/// What a tool removes from stock along one move, or would remove.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TurnedPass {
-    /// Area of the half section that goes, mm².
+    /// Area removed from the half section, mm².
     pub area: f64,
-    /// Volume that goes, mm³.
+    /// Removed volume, mm³.
     pub volume: f64,
-    /// How far what goes extends across the feed, mm: the depth of cut of a pass. Of a straight move square
-    /// to it, of an arc along its radius, of no move along r.
+    /// Extent of the removed material across the feed, mm: the depth of cut. For a straight move it is measured
+    /// normal to the move, for an arc along the radius, for a move without length along r.
     pub across: f64,
-    /// How far it extends along the feed, mm: the depth of a plunge. Of an arc along its chord, of no move
-    /// along z.
+    /// Extent of the removed material along the feed, mm: the depth of a plunge. For an arc it is measured along the
+    /// chord, for a move without length along z.
     pub along: f64,
-    /// Whether anything goes that is thicker than rounding.
+    /// Whether anything thicker than rounding is removed.
     pub touched: bool,
-    /// The corners of the box around what goes: least z and r, largest z and r, mm.
+    /// The corners of the box around the removed material: least z and r, largest z and r, mm; `None` where nothing
+    /// is removed.
     pub place: Option<(Vec2, Vec2)>,
-    /// How far the new outline may be off the exact one, mm: the bound of the tool; 1e-11 of the size
-    /// where the stock has walls thinner than that; a shift of the sweep where it could not be told apart
-    /// from the stock otherwise. As a rule 0.
+    /// Bound of the deviation of the new outline from the exact one, mm, usually 0. It has the bound of the tool;
+    /// 1e-11 of the size where the stock has walls thinner than that; and the shift of the sweep where one was needed
+    /// to resolve a near coincidence.
     pub bound: f64,
 }
 
 impl TurnedPass {
-    /// The lesser of what goes along the feed and across it, mm: how deep a rapid that should not have
-    /// touched is in the stock.
+    /// The lesser of the extents along and across the feed, mm: how deep a rapid goes into the stock.
     #[must_use]
     pub fn depth(&self) -> f64 {
         self.along.min(self.across)
     }
 }
 
-/// Work space of one pass.
+/// Work space of a pass, reused to save allocations.
 #[derive(Debug, Default)]
 struct PassWorkspace {
     input: PassInput,
@@ -65,7 +65,7 @@ struct PassWorkspace {
     outcome: ArrangementResult,
 }
 
-/// What a pass is about: what is swept, and the stock near it.
+/// The operands of a pass: the swept edges, and those of the stock near them.
 #[derive(Debug, Default)]
 struct PassInput {
     swept: Vec<RegionEdge>,
@@ -74,7 +74,7 @@ struct PassInput {
     slots: Vec<u32>,
 }
 
-/// The stock without what is given.
+/// The edges of the stock that are not among the operands.
 struct RemainingRegion<'a> {
     store: &'a EdgeStore,
     without: &'a [u32],
@@ -86,7 +86,7 @@ impl UnlistedEdges for RemainingRegion<'_> {
     }
 }
 
-/// Stock that turns: the exact region of its half section, and the tools that cut it.
+/// Turned stock: the exact region of its half section.
 #[derive(Debug)]
 pub struct LatheStock {
     store: EdgeStore,
@@ -114,13 +114,13 @@ impl LatheStock {
             bounds,
             area: region.area(),
             size: bounds.size(),
-            // More than any number of its vertices.
+            // Above all numbers of its vertices.
             vertices: 1 + edges.iter().flat_map(|edge| edge.ends).max().unwrap_or(0),
             work: PassWorkspace::default(),
         }
     }
 
-    /// What is left.
+    /// The region that is left.
     #[must_use]
     pub fn region(&self) -> Region {
         Region::of(self.store.iter().copied().collect())
@@ -150,14 +150,14 @@ impl LatheStock {
         })
     }
 
-    /// How many lines and quadrants of circles bound it.
+    /// The number of edges that bound it: lines, and arcs within a quadrant.
     #[must_use]
     pub fn edges(&self) -> usize {
         self.store.len()
     }
 
-    /// Cuts what a tool sweeps along a move: the path of its programmed point, a line or an arc. The new
-    /// edges have the tag of the move.
+    /// Removes what a tool sweeps along a move, given as the path of its programmed point: a line or an arc. The new
+    /// edges get the tag of the path.
     pub fn cut(
         &mut self,
         tool: &ToolOutline,
@@ -173,7 +173,7 @@ impl LatheStock {
         found
     }
 
-    /// Cuts as [`cut`](Self::cut) does, and hands out what was removed.
+    /// Like [`cut`](Self::cut), and returns what was removed.
     pub fn cut_out(
         &mut self,
         tool: &ToolOutline,
@@ -183,7 +183,7 @@ impl LatheStock {
         Ok((pass, Region::of(self.work.overlay.common.clone())))
     }
 
-    /// What a tool, a holder or a rapid would take along a move; the stock stays as it is.
+    /// What a tool or holder would remove along a move; the stock stays as it is.
     pub fn touch(
         &self,
         tool: &ToolOutline,
@@ -201,20 +201,20 @@ impl LatheStock {
         path: &OutlineSegment,
     ) -> Result<TurnedPass, PassError> {
         let mut pass = TurnedPass { bound: tool.bound(), ..TurnedPass::default() };
-        let PassWorkspace { input: provided, overlay, outcome } = work;
+        let PassWorkspace { input, overlay, outcome } = work;
         overlay.common.clear();
-        let swept = sweep(tool.parts(), path, &mut provided.swept)?;
+        let swept = sweep(tool.parts(), path, &mut input.swept)?;
         let scale = OverlayScale::new(self.size, self.area.max(0.0));
         if self.store.len() == 0 || !self.bounds.meets(&swept.bounds.grown(scale.margin)) {
             return Ok(pass);
         }
-        provided.hull.of(&provided.swept, swept.simple);
-        self.gather(provided, &swept, scale);
+        input.hull.of(&input.swept, swept.simple);
+        self.gather(input, &swept, scale);
         let lay = OverlayWorkspace::lay;
-        if self.overlay(provided, &swept, scale, overlay, outcome, lay).is_err() {
+        if self.overlay(input, &swept, scale, overlay, outcome, lay).is_err() {
             let scale = scale.wide();
-            self.gather(provided, &swept, scale);
-            self.overlay(provided, &swept, scale, overlay, outcome, OverlayWorkspace::lay_shifted)?;
+            self.gather(input, &swept, scale);
+            self.overlay(input, &swept, scale, overlay, outcome, OverlayWorkspace::lay_shifted)?;
         }
         let OverlayWorkspace { common, amounts, off, .. } = overlay;
         pass.bound += *off;
@@ -222,7 +222,7 @@ impl LatheStock {
             return Ok(pass);
         }
         let bounds = Box2::around(common);
-        // Of next to nothing rounding may leave less.
+        // For a tiny area, rounding may give a negative value.
         (pass.area, pass.volume) = (amounts.area.max(0.0), amounts.volume.max(0.0));
         (pass.across, pass.along) = extents(common, path);
         let around: f64 = common.iter().map(RegionEdge::length).sum();
@@ -231,9 +231,9 @@ impl LatheStock {
         Ok(pass)
     }
 
-    /// Finds the edges near what is swept.
-    fn gather(&self, provided: &mut PassInput, swept: &SweptRegion, scale: OverlayScale) {
-        let PassInput { hull, near, slots, .. } = provided;
+    /// Finds the edges of the stock near the swept area.
+    fn gather(&self, input: &mut PassInput, swept: &SweptRegion, scale: OverlayScale) {
+        let PassInput { hull, near, slots, .. } = input;
         near.clear();
         slots.clear();
         let area = swept.bounds.grown(scale.margin);
@@ -269,7 +269,7 @@ impl LatheStock {
         Ok(())
     }
 
-    /// Puts the outcome of the last operation in the place of the edges it was made of.
+    /// Replaces edges by the outcome of the last operation.
     fn take(&mut self, work: &mut PassWorkspace) {
         for at in &work.outcome.gone {
             self.store.remove(work.input.slots[*at as usize]);
@@ -292,7 +292,7 @@ impl LatheStock {
     }
 }
 
-/// How far edges extend across and along a path, mm.
+/// The extents of edges across and along a path, mm.
 fn extents(edges: &[RegionEdge], path: &OutlineSegment) -> (f64, f64) {
     let spread = |reach: &dyn Fn(&RegionEdge) -> (f64, f64)| {
         let ends = edges.iter().map(reach);

@@ -1,13 +1,13 @@
-//! The edges of stock, found by place: in blocks of neighbours, each with its box.
+//! The edges of stock, indexed by position: in blocks of neighbours, each with its bounding box.
 
 use super::arrange::{WindingSide, passage};
 use super::edge::{Box2, RegionEdge};
 use super::hull::DirectionHull;
 
-/// Edges of a block: so many boxes are compared where a block is touched.
+/// Edges in a block: as many boxes are compared where a block is hit.
 const BLOCK: usize = 32;
 
-/// Edges in slots that keep their number.
+/// Edges in numbered slots.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct EdgeStore {
     slots: Vec<Option<RegionEdge>>,
@@ -33,7 +33,7 @@ impl EdgeStore {
         self.slots.iter().flatten()
     }
 
-    /// Slots that became free last are filled first: they belong to neighbours.
+    /// Inserts an edge. Slots that were freed last are filled first, since they belong to neighbours.
     pub fn insert(&mut self, edge: RegionEdge) {
         let bounds = edge.bounds();
         self.count += 1;
@@ -64,7 +64,7 @@ impl EdgeStore {
         }
     }
 
-    /// Makes boxes of blocks that lost edges as small as they can be.
+    /// Shrinks the boxes of blocks that lost edges.
     pub fn settle(&mut self) {
         self.changed.sort_unstable();
         self.changed.dedup();
@@ -76,7 +76,7 @@ impl EdgeStore {
         }
     }
 
-    /// The edges that may come within `margin` (mm) of a hull in `area`, with their slots in growing order.
+    /// Finds the edges that may be within `margin` (mm) of a hull in `area`, in the order of their slots.
     pub fn near(
         &self,
         area: &Box2,
@@ -103,7 +103,7 @@ impl EdgeStore {
         }
     }
 
-    /// What the edges add to the winding number at a place, without those in some slots.
+    /// The contribution of the edges to the winding number at a point, except for those in some slots.
     pub fn passages(&self, side: &WindingSide, without: &[u32]) -> i32 {
         let over = |bounds: &Box2| {
             bounds.min.a <= side.z && side.z <= bounds.max.a && bounds.max.b >= side.r

@@ -1,11 +1,10 @@
-//! What a convex outline sweeps along a line or an arc: exact loops of lines and arcs.
+//! The area that a convex outline sweeps along a line or an arc, as exact loops of lines and arcs.
 //!
-//! The way there and back again is a closed path. Where its tangent has a direction, the outline touches
-//! what it sweeps where its own tangent has that direction; on the way back the outline is walked
-//! backwards. That closed curve winds round a place as often as the outline's centre, on its way, comes
-//! and goes within reach of it: never less than once where something is swept (the convolution of two
-//! curves, Guibas, Ramshaw and Stolfi 1983). Nose arcs give arcs of radius A + r and A − r about the
-//! path's centre, corners arcs of radius A, flanks stay straight.
+//! The path followed forth and back is a closed curve. Where its tangent has a direction, the outline touches the
+//! boundary of the swept area at the point where its own tangent has that direction; on the way back the outline is
+//! walked backwards. The resulting closed curve is the convolution of the two (Guibas, Ramshaw and Stolfi 1983): its
+//! winding number is at least one at every point that is swept. Nose arcs give arcs of radius A + r and A − r about
+//! the path's centre, corners arcs of radius A, flanks stay straight.
 
 use chordal_geometry::Vec2;
 
@@ -14,19 +13,19 @@ use super::edge::{ArcCircle, Box2, RegionEdge, push_arc};
 use super::region::{RegionError, circle_of, in_range};
 use super::segment::OutlineSegment;
 
-/// Gaps and edges below it are rounding, mm.
+/// Gaps and edges shorter than this are rounding, mm.
 const NO_LENGTH: f64 = 1e-11;
 
-/// What was swept.
+/// The extent of a swept area.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct SweptRegion {
     pub bounds: Box2,
-    /// Whether it is one loop that does not meet itself.
+    /// Whether it is one loop that does not touch itself.
     pub simple: bool,
 }
 
-/// Sweeps every part along a path of the origin. What comes to lie on the other side of the axis turns with
-/// the work, so its mirror image is swept too.
+/// Sweeps every part along a path of the origin. The work turns, so a part beyond the axis also sweeps its mirror
+/// image.
 pub(crate) fn sweep(
     parts: &[ConvexOutline],
     path: &OutlineSegment,
@@ -70,7 +69,7 @@ fn along_arc(
     circle: ArcCircle,
     tracer: &mut SweepTracer<'_>,
 ) {
-    // Clockwise is the same counter-clockwise backwards.
+    // A clockwise arc sweeps the same as its reverse.
     let (start, end) = match circle.counterclockwise {
         true => (path.start, path.end),
         false => (path.end, path.start),
@@ -94,15 +93,15 @@ fn along_arc(
     part.walk(half(begin), again, |step| tracer.outline(start, &step));
 }
 
-/// To the right of a tangent: outward, of a counter-clockwise curve.
+/// The direction to the right of a tangent, which is outwards for a counter-clockwise curve.
 fn outward(tangent: Vec2) -> Vec2 {
     -tangent.turned_left()
 }
 
-/// Draws one closed curve.
+/// Traces one closed curve.
 struct SweepTracer<'a> {
     edges: &'a mut Vec<RegionEdge>,
-    /// Where the curve began and where it is.
+    /// The first and the current point of the curve.
     at: Option<(Vec2, Vec2)>,
     tag: u32,
 }
@@ -134,18 +133,18 @@ impl SweepTracer<'_> {
             return;
         }
         match self.edges.last_mut() {
-            // Its end, but for rounding.
+            // The curve is closed up to rounding.
             Some(last) if at.distance(first) <= NO_LENGTH => last.end = first,
             _ => self.edges.push(RegionEdge::line(at, first, self.tag)),
         }
     }
 
-    /// The outline itself, with its origin at `place`.
+    /// Traces the outline itself, with its origin at `place`.
     fn outline(&mut self, place: Vec2, step: &WalkStep) {
         self.forth(place, 0.0, step);
     }
 
-    /// The outline on a path about `center`, which turns as the outline does.
+    /// Traces the outline on a counter-clockwise path about `center`.
     fn forth(&mut self, center: Vec2, radius: f64, step: &WalkStep) {
         let [from, to] = step.tangents.map(outward);
         let sweep = angle(step.steps[1] - step.steps[0]);
@@ -163,7 +162,7 @@ impl SweepTracer<'_> {
         }
     }
 
-    /// The outline on the way back.
+    /// Traces the outline on the way back.
     fn back(&mut self, center: Vec2, radius: f64, step: &WalkStep) {
         let [from, to] = step.tangents.map(outward);
         let sweep = angle(step.steps[1] - step.steps[0]);
@@ -181,8 +180,7 @@ impl SweepTracer<'_> {
         }
     }
 
-    /// An arc about `center` whose points are `reach` along directions; a reach below zero is on the other
-    /// side.
+    /// Traces an arc about `center` between two directions; a negative `reach` is on the opposite side.
     fn turn(&mut self, center: Vec2, reach: f64, out: [Vec2; 2], sweep: f64, forth: bool) {
         let [from, to] = out.map(|out| center + out * reach);
         let circle = ArcCircle { center, radius: reach.abs(), counterclockwise: forth };

@@ -1,8 +1,7 @@
-//! Tools of a lathe as outlines in the half plane.
+//! Lathe tools as outlines in the half plane.
 //!
-//! An outline stands where its tool stands when the programmed point is at z 0, r 0: z to the right, r up,
-//! the work below an outside tool. It is a union of convex parts; what a convex part of lines and arcs
-//! sweeps along lines and arcs is exact.
+//! An outline is relative to the programmed point at z 0, r 0: z to the right, r up, the work below an outside tool.
+//! It is a union of convex parts of lines and arcs, whose sweeps along lines and arcs are exact.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -13,13 +12,13 @@ use super::polygon::triangles;
 use super::region::RegionError;
 use super::segment::OutlineSegment;
 
-/// The most pieces into which an arc that bends inward is divided.
+/// Most chords into which a concave arc is divided.
 const MAX_CHORDS: f64 = 1024.0;
 
-/// What is wrong with a tool's dimensions.
+/// Why a tool's dimensions do not give an outline.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ToolError {
-    /// A dimension is zero, below it or not a number.
+    /// A dimension is not above zero, or not finite.
     #[error("the {what} must be above zero, it is {value}")]
     NotPositive {
         /// What it is.
@@ -27,7 +26,7 @@ pub enum ToolError {
         /// Its value, mm or rad.
         value: f64,
     },
-    /// A dimension does not fit the others.
+    /// A dimension is too large for the others.
     #[error("the {what} is {value}; {most} is the most that fits")]
     TooLarge {
         /// What it is.
@@ -37,19 +36,19 @@ pub enum ToolError {
         /// The largest possible, mm or rad.
         most: f64,
     },
-    /// Tip directions are numbered 0 to 9.
+    /// A tip number is not between 0 and 9.
     #[error("tip directions are 0 to 9, not {0}")]
     Tip(u8),
     /// The outline crosses itself or encloses nothing.
     #[error("the outline of the tool crosses itself or encloses no area")]
     NotSimple,
-    /// A segment of the outline cannot be used.
+    /// A segment of the outline is not valid.
     #[error(transparent)]
     Outline(#[from] RegionError),
 }
 
-/// Where the programmed point lies as seen from the centre of the nose: the number of the tool's offset, 0 to
-/// 9, seen with z to the right and r up (Fanuc and Haas; LinuxCNC counts with r mirrored).
+/// The direction of the programmed point from the centre of the nose, as the tip number of the offset table, 0 to 9,
+/// seen with z to the right and r up (Fanuc and Haas; LinuxCNC numbers with r mirrored).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tip(u8);
 
@@ -65,7 +64,7 @@ impl Tip {
         self.0
     }
 
-    /// From the programmed point to the centre of the nose, (z, r) in nose radii.
+    /// The vector from the programmed point to the centre of the nose, (z, r) in nose radii.
     #[must_use]
     pub fn to_center(self) -> Vec2 {
         let (z, r) = match self.0 {
@@ -83,32 +82,32 @@ impl Tip {
     }
 }
 
-/// The corner of an insert that cuts: a nose between two straight flanks.
+/// The cutting corner of an insert: a nose between two straight flanks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Insert {
     /// Radius of the nose, mm; zero is an ideal point.
     pub nose: f64,
     /// Which point is programmed.
     pub tip: Tip,
-    /// Directions of the two flanks from the tip into the insert, rad from +z towards +r. The insert lies
-    /// counter-clockwise of the first, up to the second, less than half a turn on.
+    /// Directions of the two flanks from the tip into the insert, rad from +z towards +r. The insert is between the
+    /// first and the second, which is counter-clockwise from the first by less than half a turn.
     pub flanks: [f64; 2],
     /// Length of the flanks from the sharp tip, mm.
     pub length: f64,
-    /// What lies between the ends of the flanks.
+    /// The shape between the ends of the flanks.
     pub shape: InsertShape,
 }
 
 /// The far side of an insert.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InsertShape {
-    /// Both flanks again: rhombic and square inserts.
+    /// Parallels to both flanks: rhombic and square inserts.
     Parallelogram,
     /// A straight line: triangular inserts.
     Triangle,
 }
 
-/// Which way a blade's body extends from its front edge.
+/// The direction in which a blade's body extends from its front edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BladeFacing {
     /// Towards +r: it cuts from outside towards the axis.
@@ -121,36 +120,35 @@ pub enum BladeFacing {
     BackFace,
 }
 
-/// Which point of a blade's front edge is programmed: the end with the lesser z (or r, of a blade for
-/// faces), the middle, or the end with the greater one.
+/// Which point of a blade's front edge is programmed, along z (along r for a blade that cuts faces).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BladePoint {
     /// The corner at the lesser coordinate.
     Lower,
-    /// Halfway.
+    /// The middle of the edge.
     Middle,
     /// The corner at the greater coordinate.
     Upper,
 }
 
-/// A tool for grooves or for parting off: a front edge between two corners, and two parallel sides.
+/// A tool for grooving or parting off: a front edge between two corners, and two parallel sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blade {
     /// Width, mm.
     pub width: f64,
     /// Radii of the corners at the lesser and the greater coordinate along the width, mm.
     pub corners: [f64; 2],
-    /// Depth to which it reaches, mm.
+    /// Largest depth of cut, mm.
     pub length: f64,
-    /// Slope of the front edge, rad: the end at the greater coordinate stands back by width·tan of it.
+    /// Lead angle of the front edge, rad: the end at the greater coordinate is set back by width·tan(lead).
     pub lead: f64,
-    /// Which way the body extends.
+    /// The direction in which the body extends.
     pub facing: BladeFacing,
-    /// Which point is programmed. It is the foremost point of the front edge there.
+    /// Which point is programmed along the width. Across it, the foremost point of the front edge is programmed.
     pub point: BladePoint,
 }
 
-/// The outline of a tool, or of a holder.
+/// The outline of a tool or a holder.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToolOutline {
     parts: Vec<ConvexOutline>,
@@ -158,10 +156,9 @@ pub struct ToolOutline {
 }
 
 impl Insert {
-    /// An insert held as tool holders hold it. `approach` is the angle (rad) between the main cutting edge and
-    /// the direction of feed along z, which is κ of ISO 3002 (95° of a holder PCLNL: the edge leans back from
-    /// a shoulder by 5°), `included` the angle of the corner (rad, 80° of a CNMG). Tips 3 and 4 cut from
-    /// outside towards −z and +z, tips 2 and 1 in a bore.
+    /// An insert as mounted in a holder. `approach` is the angle (rad) between the main cutting edge and the feed
+    /// along z, κ of ISO 3002 (95° for a PCLNL holder: the edge leans back from a shoulder by 5°); `included` is the
+    /// corner angle (rad, 80° for a CNMG). Tips 3 and 4 cut from outside towards −z and +z, tips 2 and 1 in a bore.
     pub fn mounted(
         tip: Tip,
         nose: f64,
@@ -185,8 +182,8 @@ impl Insert {
         Ok(Insert { nose, tip, flanks, length, shape })
     }
 
-    /// The point of no width that worked examples and drawings of cycles mean: all that lies behind the
-    /// programmed point in the quadrant of its tip (1 to 4) is tool, up to `length` (mm).
+    /// The ideal point that worked examples and drawings of cycles use: the tool fills the quadrant behind the
+    /// programmed point that belongs to its tip (1 to 4), up to `length` (mm).
     pub fn ideal_point(tip: Tip, length: f64) -> Result<Insert, ToolError> {
         let quadrant = match tip.number() {
             3 => 0.0,
@@ -210,7 +207,7 @@ impl Insert {
             return Err(ToolError::TooLarge { what: "included angle", value: included, most: PI });
         }
         let [a, b] = self.flanks.map(unit);
-        // From the sharp tip to where the nose begins.
+        // Distance from the sharp tip to the start of the nose.
         let tangent = nose / libm::tan(0.5 * included);
         if tangent >= length {
             let most = length * libm::tan(0.5 * included);
@@ -227,7 +224,7 @@ impl Insert {
         if nose > 0.0 {
             outline.push(OutlineSegment::arc(b * tangent, a * tangent, center, true));
         }
-        // The programmed point lies off the centre as the tip says.
+        // The tip number gives the programmed point relative to the centre.
         let point = center - self.tip.to_center() * nose;
         ToolOutline::convex(&outline, -point)
     }
@@ -245,10 +242,10 @@ impl Blade {
             return Err(ToolError::TooLarge { what: "lead", value: lean, most: FRAC_PI_2 });
         }
         let rise = width * libm::tan(lean);
-        // Across the width from 0, back into the body from the front.
+        // Coordinates: along the width from 0, and from the front into the body.
         let (front_lower, front_upper) = (Vec2::new(0.0, 0.0), Vec2::new(width, rise));
         let along = unit(lean);
-        // How far the corners' arcs reach along the front edge and along the sides.
+        // Distance of the corner arcs' ends from the sharp corners, along the front edge and the sides.
         let reach = |radius: f64, angle: f64| radius / libm::tan(0.5 * angle);
         let tangents = [reach(lower, FRAC_PI_2 - lean), reach(upper, FRAC_PI_2 + lean)];
         let front = front_lower.distance(front_upper);
@@ -283,14 +280,14 @@ impl Blade {
             BladePoint::Middle => 0.5 * width,
             BladePoint::Upper => width,
         };
-        // What is programmed lies on the foremost height, as it is touched off.
+        // The programmed point is at the foremost height, as the tool is touched off.
         let foremost = if lean >= 0.0 { centers[0].b - lower } else { centers[1].b - upper };
         let point = Vec2::new(at, foremost);
         let placed: Vec<OutlineSegment> =
             outline.iter().map(|segment| faced(segment, point, self.facing)).collect();
         let placed = match self.facing {
             BladeFacing::Outside | BladeFacing::BackFace => placed,
-            // Mirrored: the other way round.
+            // Mirrored, so the sense is reversed.
             BladeFacing::Inside | BladeFacing::Face => turned_round(&placed),
         };
         ToolOutline::convex(&placed, Vec2::ZERO)
@@ -298,7 +295,7 @@ impl Blade {
 }
 
 impl ToolOutline {
-    /// A round insert of this radius (mm) about its centre; `tip` says which point is programmed.
+    /// A round insert of this radius, mm; `tip` says which point is programmed.
     pub fn round(radius: f64, tip: Tip) -> Result<ToolOutline, ToolError> {
         positive("radius", radius)?;
         let right = Vec2::new(radius, 0.0);
@@ -306,8 +303,8 @@ impl ToolOutline {
         ToolOutline::convex(&[circle], tip.to_center() * radius)
     }
 
-    /// A drill or a boring cutter on the axis that cuts towards −z, by its diameter (mm), the angle of its
-    /// point (rad, π is flat) and its length (mm). The tip is programmed, at r 0.
+    /// A drill on the axis that cuts towards −z, with its diameter (mm), point angle (rad, π is flat) and length
+    /// (mm). The tip at r 0 is programmed.
     pub fn drill(diameter: f64, point_angle: f64, length: f64) -> Result<ToolOutline, ToolError> {
         let (diameter, length) = (positive("diameter", diameter)?, positive("length", length)?);
         if positive("point angle", point_angle)? > PI {
@@ -327,7 +324,7 @@ impl ToolOutline {
         ToolOutline::polygon(&corners)
     }
 
-    /// The area within corners, in either sense: a holder, a bar, a simple form.
+    /// A polygon in either sense: a holder, a bar, a simple form.
     pub fn polygon(corners: &[Vec2]) -> Result<ToolOutline, ToolError> {
         let count = corners.len();
         let sides: Vec<OutlineSegment> = (0..count)
@@ -336,9 +333,9 @@ impl ToolOutline {
         ToolOutline::form(&sides, 1.0)
     }
 
-    /// Any closed outline in either sense: a form tool. Arcs that bend outward, of up to half a turn, are
-    /// exact; those that bend inward become chords on the side of the work, at most `chord_error` (mm) off, and
-    /// [`bound`](Self::bound) says how much that is.
+    /// Any closed outline in either sense: a form tool. Convex arcs of up to half a turn are exact; concave arcs
+    /// become chords on the side of the work within `chord_error` (mm), and [`bound`](Self::bound) gives their
+    /// deviation.
     pub fn form(outline: &[OutlineSegment], chord_error: f64) -> Result<ToolOutline, ToolError> {
         positive("chord error", chord_error)?;
         for side in [outline.to_vec(), turned_round(outline)] {
@@ -354,7 +351,7 @@ impl ToolOutline {
             let Some(bend) = segment.bend else { continue };
             let sweep = segment.sweep().abs();
             let (pieces, off) = match bend.counterclockwise {
-                // Parts of a quarter turn, so that the polygon of chords keeps clear of other sides.
+                // Quarter turns, so that the polygon of chords does not meet other sides.
                 true => ((sweep / FRAC_PI_2).ceil().max(1.0), 0.0),
                 false => chords(sweep, bend.radius, chord_error),
             };
@@ -396,18 +393,18 @@ impl ToolOutline {
         self
     }
 
-    /// The same with another point programmed: the outline moves by (z, r), mm.
+    /// The outline moved by (z, r), mm, as for another programmed point.
     #[must_use]
     pub fn moved(self, by: Vec2) -> ToolOutline {
         ToolOutline { parts: self.parts.into_iter().map(|part| part.moved(by)).collect(), ..self }
     }
 
-    /// Mirrored along the axis: for a second spindle.
+    /// Mirrored along the axis, for a second spindle.
     pub fn mirrored(&self) -> Result<ToolOutline, ToolError> {
         self.flipped(true)
     }
 
-    /// Mirrored at the axis: for a tool at negative diameters.
+    /// Mirrored at the axis, for a tool at negative diameters.
     pub fn across(&self) -> Result<ToolOutline, ToolError> {
         self.flipped(false)
     }
@@ -418,7 +415,7 @@ impl ToolOutline {
         Ok(ToolOutline { parts: parts.ok_or(ToolError::NotSimple)?, bound: self.bound })
     }
 
-    /// How far the outline may be off the one that was given, mm: 0 where it is exact.
+    /// Largest deviation of the outline from the given one, mm; 0 where it is exact.
     #[must_use]
     pub fn bound(&self) -> f64 {
         self.bound
@@ -436,7 +433,7 @@ impl ToolOutline {
 }
 
 fn unit(angle: f64) -> Vec2 {
-    // Exact along the axes, where most edges lie.
+    // Exact along the axes, where most edges are.
     let quarters = angle / FRAC_PI_2;
     let whole = libm::round(quarters);
     if (quarters - whole).abs() < 1e-14 {
@@ -459,7 +456,7 @@ fn not_negative(what: &'static str, value: f64) -> Result<f64, ToolError> {
     if value == 0.0 { Ok(value) } else { positive(what, value) }
 }
 
-/// A blade's outline drawn with its body up, about its programmed point, as it faces.
+/// Transforms a segment of a blade, drawn with its body up, to its facing and its programmed point.
 fn faced(segment: &OutlineSegment, point: Vec2, facing: BladeFacing) -> OutlineSegment {
     let place = |p: Vec2| {
         let p = p - point;
@@ -480,7 +477,7 @@ fn faced(segment: &OutlineSegment, point: Vec2, facing: BladeFacing) -> OutlineS
     }
 }
 
-/// The outline in the other sense.
+/// The outline in the opposite sense.
 fn turned_round(outline: &[OutlineSegment]) -> Vec<OutlineSegment> {
     let back = |segment: &OutlineSegment| match segment.bend {
         None => OutlineSegment::line(segment.end, segment.start),
@@ -491,7 +488,7 @@ fn turned_round(outline: &[OutlineSegment]) -> Vec<OutlineSegment> {
     outline.iter().rev().map(back).collect()
 }
 
-/// Twice the area within an outline.
+/// Twice the signed area within an outline.
 fn signed_area(outline: &[OutlineSegment]) -> f64 {
     let part = |segment: &OutlineSegment| {
         let bulge = segment.bend.map_or(0.0, |bend| {
@@ -503,10 +500,10 @@ fn signed_area(outline: &[OutlineSegment]) -> f64 {
     outline.iter().map(part).sum()
 }
 
-/// Into how many chords an arc is divided, and how far they are off it, mm.
+/// The number of chords of an arc, and their largest distance from it, mm.
 fn chords(sweep: f64, radius: f64, error: f64) -> (f64, f64) {
     let off = |pieces: f64| radius * (1.0 - libm::cos(0.5 * sweep / pieces));
-    // Sagitta r(1 − cos φ) is at most rφ²/2, φ half the angle of a chord.
+    // The sagitta r(1 − cos φ) is at most rφ²/2, with φ half the angle of a chord.
     let pieces = (0.5 * sweep * (0.5 * radius / error).sqrt()).ceil().max(sweep / FRAC_PI_2).ceil();
     let pieces = pieces.clamp(1.0, MAX_CHORDS);
     (pieces, off(pieces))

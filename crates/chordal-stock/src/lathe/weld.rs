@@ -1,12 +1,12 @@
-//! Points that lie together become one vertex.
+//! Merges points that lie together into one vertex.
 
 use chordal_geometry::Vec2;
 
-/// Points and which of them are the same. Kept between runs for its memory.
+/// Points, and which of them are merged. Reused between runs to save allocations.
 #[derive(Debug, Default)]
 pub(crate) struct PointWeld {
     pub points: Vec<Vec2>,
-    /// The first of the points that are the same.
+    /// The representative of each point.
     first: Vec<u32>,
     order: Vec<u32>,
 }
@@ -21,7 +21,7 @@ impl PointWeld {
         (self.points.len() - 1) as u32
     }
 
-    /// Joins points that are at most `tolerance` (mm) apart, where `may` allows it.
+    /// Merges points that are at most `tolerance` (mm) apart, where `may` allows it.
     pub fn join(&mut self, tolerance: f64, may: impl Fn(u32, u32) -> bool) {
         let Self { points, first, order } = self;
         first.clear();
@@ -46,7 +46,7 @@ impl PointWeld {
         }
     }
 
-    /// The first of the points that are the same as this one.
+    /// The representative of the points that are merged with this one.
     pub fn root(&self, at: u32) -> u32 {
         root(&self.first, at)
     }

@@ -1,4 +1,4 @@
-//! Whether a surface is closed: each edge between two triangles that run along it in opposite directions.
+//! Checks whether a surface is closed: each edge has two triangles that run along it in opposite directions.
 
 use chordal_geometry::Vec3;
 
@@ -9,15 +9,14 @@ use super::Mesh;
 pub struct Edges {
     /// How many edges there are.
     pub count: usize,
-    /// How many are not run along as often in one direction as in the other: there the surface ends, or a
-    /// triangle shows its inside.
+    /// How many have more triangles in one direction than in the other: there the surface ends, or a triangle is
+    /// turned inside out.
     pub open: usize,
-    /// How many of these have two triangles that run along it in the same direction.
+    /// How many of these have two triangles in the same direction.
     pub turned: usize,
-    /// How many have more than two triangles, as often in one direction as in the other: two bodies touch
-    /// there.
+    /// How many have more than two triangles, equally many in both directions: two bodies touch there.
     pub crowded: usize,
-    /// The ends of the open edge with the lowest vertex, mm.
+    /// The ends of the open edge with the lowest vertex number, mm; `None` where no edge is open.
     pub first_open: Option<[Vec3; 2]>,
 }
 
@@ -33,8 +32,8 @@ impl Edges {
     }
 
     pub(super) fn of(mesh: &Mesh) -> Edges {
-        // The edges by their lower and higher vertex, one list for each direction, sorted: no hashing, and
-        // the first open one is the same on every machine.
+        // The edges by their lower and higher vertex, one sorted list for each direction. Without hashing the first
+        // open edge is the same on every machine.
         let mut up = Vec::with_capacity(mesh.triangles.len() * 2);
         let mut down = Vec::with_capacity(mesh.triangles.len() * 2);
         for &[a, b, c] in &mesh.triangles {
@@ -76,7 +75,7 @@ fn key(low: u32, high: u32) -> u64 {
     u64::from(low) << 32 | u64::from(high)
 }
 
-/// Takes an edge off the beginning of a sorted list: how often it was there.
+/// Removes an edge from the beginning of a sorted list, and returns how often it was there.
 fn take(list: &mut &[u64], edge: u64) -> usize {
     let count = list.iter().take_while(|&&other| other == edge).count();
     *list = &list[count..];

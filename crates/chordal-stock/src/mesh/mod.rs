@@ -1,6 +1,6 @@
-//! Triangles: read from STL, checked, measured, made of heights, written.
+//! Triangle meshes: read from STL, checked, measured, made from heights, written.
 //!
-//! A mesh is plain data: vertices that triangles share, each triangle counter-clockwise seen from outside.
+//! A mesh is plain data: vertices that triangles share; each triangle is counter-clockwise seen from outside.
 
 mod edges;
 mod smooth;
@@ -16,11 +16,11 @@ pub use smooth::SmoothError;
 pub use steps::{HeightField, HeightFieldError, HeightMesh, LayerField, SolidIntervals};
 pub use stl::{LengthUnit, Stl, StlError, StlForm, StlOptions, TextProblem, read_stl};
 
-/// The largest coordinate of a vertex, mm: a hundred metres. Up to here the rounding of coordinates stays
-/// far below a nanometre, which the bounds of shapes rely on.
+/// The largest coordinate of a vertex, mm: a hundred metres. Up to this size the rounding of coordinates stays far
+/// below a nanometre, on which the bounds of shapes rely.
 pub const MAX_COORDINATE_MM: f64 = 1e5;
 
-/// Why numbers are no mesh.
+/// Why vertices and triangles do not form a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum MeshError {
     /// A triangle names a vertex that does not exist.
@@ -41,7 +41,7 @@ pub enum MeshError {
         /// The coordinate, mm.
         value: f64,
     },
-    /// More vertices or triangles than numbers of 32 bits can name.
+    /// More vertices or triangles than 32 bits can number.
     #[error("{count} vertices or triangles are more than 32 bits can number")]
     TooMany {
         /// How many.
@@ -49,7 +49,7 @@ pub enum MeshError {
     },
 }
 
-/// The first coordinate that no mesh can have.
+/// The first coordinate that is out of range or NaN; `None` where all are valid.
 fn beyond(point: Vec3) -> Option<f64> {
     let within = |value: f64| value.abs() <= MAX_COORDINATE_MM;
     point.to_array().into_iter().find(|&value| !within(value))
@@ -65,8 +65,7 @@ pub struct Mesh {
 impl Mesh {
     /// The mesh of vertices (mm) and triangles of three vertex numbers, counter-clockwise from outside.
     ///
-    /// # Errors
-    /// When a triangle names a vertex that does not exist, or a coordinate is no number or too large.
+    /// # Errors When a triangle names a vertex that does not exist, or a coordinate is not finite or too large.
     pub fn new(vertices: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Result<Mesh, MeshError> {
         let count = vertices.len().max(triangles.len());
         if u32::try_from(count).is_err() {
@@ -95,7 +94,7 @@ impl Mesh {
         &self.triangles
     }
 
-    /// The corners of a triangle by its number, mm.
+    /// The corners of the triangle with this number, mm.
     ///
     /// # Panics
     /// When there is no such triangle.
@@ -108,14 +107,14 @@ impl Mesh {
         self.vertices.iter().fold(Aabb::EMPTY, |around, point| around.include(*point))
     }
 
-    /// The volume inside, mm³: below zero when the triangles are clockwise from outside. It means nothing
-    /// where the mesh is open.
+    /// The enclosed volume, mm³; negative where the triangles are clockwise from outside. Meaningless where the mesh
+    /// is open.
     pub fn volume(&self) -> f64 {
         let bounds = self.bounds();
         if bounds.is_empty() {
             return 0.0;
         }
-        // From the middle of the box, so that a small body far from zero loses no digits.
+        // Relative to the middle of the box, so that a small body far from zero loses no digits.
         let middle = bounds.center();
         let six: f64 = (0..self.triangles.len())
             .map(|triangle| {
@@ -126,19 +125,19 @@ impl Mesh {
         six / 6.0
     }
 
-    /// How the triangles meet: where the surface is open.
+    /// How the triangles meet, and where the surface is open.
     pub fn edges(&self) -> Edges {
         Edges::of(self)
     }
 
-    /// The same surface elsewhere, mm.
+    /// The surface moved by a vector, mm.
     #[must_use]
     pub fn moved(mut self, by: Vec3) -> Mesh {
         self.vertices.iter_mut().for_each(|vertex| *vertex += by);
         self
     }
 
-    /// The same surface after half a turn about an axis, X, Y or Z by its number, through the origin.
+    /// The surface after half a turn about an axis through the origin: 0 is X, 1 is Y, 2 is Z.
     #[must_use]
     pub fn turned_over(mut self, axis: usize) -> Mesh {
         let sign = |own: usize| if own == axis { 1.0 } else { -1.0 };
@@ -148,7 +147,7 @@ impl Mesh {
         self
     }
 
-    /// The same surface seen from its other side.
+    /// The surface with inside and outside exchanged.
     #[must_use]
     pub fn turned(mut self) -> Mesh {
         for triangle in &mut self.triangles {

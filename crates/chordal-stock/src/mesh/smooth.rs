@@ -1,9 +1,9 @@
 //! A closed surface through the middles of columns, with large triangles where it is flat.
 //!
-//! Corners are the middles of cells, and a ring at the bottom around them, which makes the walls. A square of
-//! corners is halved along its diagonal, and each triangle into two again, down to single cells: so far as no cell
-//! is further from its triangle than the tolerance. Triangles that share a long edge are halved together, and that
-//! keeps the surface closed. Where a cell is cut through, the surface ends at the bottom.
+//! The corners are the middles of cells, with a ring of corners at the bottom around them, which makes the walls. A
+//! square of corners is halved along its diagonal, and each triangle is halved again, down to single cells, until no
+//! cell is further from its triangle than the tolerance (longest-edge bisection). Triangles that share a long edge
+//! are halved together, which keeps the surface closed. Where a cell is cut through, the surface ends at the bottom.
 
 use std::collections::BTreeMap;
 
@@ -16,35 +16,34 @@ use super::{Mesh, MeshError};
 /// Why there is no such surface.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum SmoothError {
-    /// The heights make no surface.
+    /// The height field is not valid.
     #[error(transparent)]
     Field(#[from] HeightFieldError),
     /// More vertices than a mesh can have.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// What is cut through touches in too many edges.
+    /// Holes touch in too many edges.
     #[error("the surface through the columns touches itself; the one with steps does not")]
     Touches,
-    /// A single row of columns has no surface between its middles.
+    /// There is only one row or column, and no surface between its middles.
     #[error("the surface needs two columns along X and along Y")]
     Narrow,
 }
 
-/// A corner by its column and row of the ring's grid.
+/// A corner, by column and row of the grid with the ring.
 type GridCorner = [u32; 2];
 
-/// Places cut through that touch in an edge are filled so far, mm: far below every tolerance, and more than a float of
-/// 32 bits rounds.
+/// Height to which corners where holes touch are filled, mm: far below any tolerance, and more than the rounding of
+/// 32-bit floats.
 const FILLED: f64 = 1e-3;
-/// How often places are filled before it is given up.
+/// How often corners are filled before the surface is given up.
 const MAX_FILL_ROUNDS: usize = 16;
 
 impl HeightField<'_> {
     /// The closed surface through the middles of the cells, from which no cell's height is further than `tolerance`,
     /// mm, along Z. Walls are as wide as a cell.
     ///
-    /// # Errors
-    /// When the grid is none, a height is no number, or the surface would touch itself.
+    /// # Errors When the grid or a height is not valid, or the surface would touch itself.
     pub fn smooth(&self, tolerance: f64) -> Result<Mesh, SmoothError> {
         self.check(tolerance)?;
         if self.columns < 2 || self.rows < 2 {
@@ -74,10 +73,10 @@ impl HeightField<'_> {
 struct SurfaceCorners {
     x: Vec<f64>,
     y: Vec<f64>,
-    /// Heights row by row, mm; `None`: nothing is there, or it is the ring.
+    /// Heights row by row, mm; `None` for a hole and for the ring.
     z: Vec<Option<f64>>,
     bottom: f64,
-    /// Cells along a side of the square that is halved: a power of two.
+    /// Cells along a side of the root square, a power of two.
     side: u32,
     tolerance: f64,
 }
@@ -119,7 +118,7 @@ impl SurfaceCorners {
         (x < self.x.len() && y < self.y.len()).then(|| y * self.x.len() + x)
     }
 
-    /// Nothing outside of the ring, too.
+    /// The height of a corner, mm; `None` for a hole, the ring and outside of it.
     fn height(&self, at: GridCorner) -> Option<f64> {
         self.index(at).and_then(|at| self.z[at])
     }
@@ -135,7 +134,7 @@ impl SurfaceCorners {
         [last(&self.x, x), last(&self.y, y)]
     }
 
-    /// The triangles where something is: of the top, or of the bottom, which is flat.
+    /// The triangles with material: of the top, or of the flat bottom.
     fn triangles(&self, is_top: bool) -> Vec<[GridCorner; 3]> {
         let n = self.side;
         let across = n as usize + 1;
@@ -144,7 +143,8 @@ impl SurfaceCorners {
         for root in roots {
             self.ask(root, is_top, &mut halved);
         }
-        // What one triangle asks for its neighbour on the long edge has, too; and so have all that hold it.
+        // Where one triangle is halved, its neighbour across the long edge is halved, too, and so are all triangles
+        // that contain either.
         loop {
             let before = halved.count;
             for root in roots {
@@ -161,7 +161,7 @@ impl SurfaceCorners {
         all
     }
 
-    /// Whether a triangle is to be halved, or one in it.
+    /// Marks the triangles that must be halved. Returns whether this one or one inside it must be.
     fn ask(&self, triangle: [GridCorner; 3], is_top: bool, halved: &mut HalvedEdges) -> bool {
         let [a, b, c] = triangle;
         if is_single(a, b) || self.is_outside(&triangle) {
@@ -176,7 +176,7 @@ impl SurfaceCorners {
         asks
     }
 
-    /// Halves what holds a halved one; whether that is so.
+    /// Marks triangles that contain a halved one. Returns whether this one is halved.
     fn spread(&self, triangle: [GridCorner; 3], halved: &mut HalvedEdges) -> bool {
         let [a, b, c] = triangle;
         if is_single(a, b) || self.is_outside(&triangle) {
@@ -195,7 +195,7 @@ impl SurfaceCorners {
         least(0) >= self.x.len() || least(1) >= self.y.len()
     }
 
-    /// Whether all corners in a triangle are near its plane, or none of them is there.
+    /// Whether all corners in a triangle are within the tolerance of its plane, or all of them are holes.
     fn fits(&self, corners: &[GridCorner; 3], is_top: bool) -> bool {
         let [a, b, c] = *corners;
         let heights = corners.map(|at| self.height(at));
@@ -209,7 +209,7 @@ impl SurfaceCorners {
             let all = [a[axis], b[axis], c[axis]];
             let [low, high] =
                 [all.iter().min(), all.iter().max()].map(|at| at.copied().unwrap_or(0));
-            // Beyond the ring there is nothing.
+            // There are no corners beyond the ring.
             low..=high.min(most as u32)
         };
         let side = |from: GridCorner, to: GridCorner, at: GridCorner| {
@@ -254,7 +254,7 @@ impl SurfaceCorners {
         }
     }
 
-    /// Corners that are cut through, and in which an edge of two triangles ends that are not: four would meet there.
+    /// Hole corners at which four triangles with material would share an edge at the bottom.
     fn touching(&self, top: &[[GridCorner; 3]]) -> Vec<GridCorner> {
         let mut edges: BTreeMap<[GridCorner; 2], usize> = BTreeMap::new();
         for [a, b, c] in top {
@@ -285,7 +285,7 @@ impl SurfaceCorners {
     }
 }
 
-/// The long edges that are halved, by their middles.
+/// The long edges that are halved, by their midpoints.
 struct HalvedEdges {
     bits: Vec<bool>,
     across: usize,
@@ -308,12 +308,12 @@ impl HalvedEdges {
     }
 }
 
-/// The middle of a long edge.
+/// The midpoint of a long edge.
 fn middle(a: GridCorner, b: GridCorner) -> GridCorner {
     [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]
 }
 
-/// A triangle of a single cell: its long edge has no corner in the middle.
+/// Whether a triangle is half a single cell: its long edge has no corner at its midpoint.
 fn is_single(a: GridCorner, b: GridCorner) -> bool {
     (a[0] + b[0]) % 2 == 1 || (a[1] + b[1]) % 2 == 1
 }
@@ -338,7 +338,7 @@ impl HeightPlane {
     }
 }
 
-/// One vertex for each place; triangles without a size are left out.
+/// The mesh with equal corners merged, and without degenerate triangles.
 fn welded(corners: &[[Vec3; 3]]) -> Result<Mesh, MeshError> {
     let mut welder = VertexWelder::new(0.0);
     let numbered = corners.iter().map(|triangle| triangle.map(|corner| welder.vertex(corner)));

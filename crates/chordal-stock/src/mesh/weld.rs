@@ -1,18 +1,19 @@
-//! One vertex for all corners at the same place.
+//! Merges corners at the same place into one vertex.
 
 use std::collections::HashMap;
 
 use chordal_geometry::Vec3;
 
-/// Gathers corners into vertices.
+/// Merges corners into vertices.
 ///
-/// Keys are only looked up, never walked through, so that nothing depends on the order of hashing.
+/// The maps are only looked up, never iterated, so that nothing depends on the order of hashing.
 pub(super) struct VertexWelder {
     vertices: Vec<Vec3>,
-    /// How far corners of one vertex may be apart, mm; zero for the same numbers.
+    /// How far corners of one vertex may be apart, mm; with zero only equal coordinates are merged.
     distance: f64,
     same: HashMap<[u64; 3], u32>,
-    /// The last vertex of each cell of twice the distance, and for each vertex the one before it there.
+    /// The last vertex in each cell with a side of twice the distance; `before` links each vertex to the previous one
+    /// in its cell.
     cells: HashMap<[i64; 3], u32>,
     before: Vec<Option<u32>>,
 }
@@ -29,7 +30,7 @@ impl VertexWelder {
 
     /// The vertex of a corner, mm: an earlier one within the distance, or a new one there.
     pub(super) fn vertex(&mut self, corner: Vec3) -> u32 {
-        // Zero is one place whatever its sign.
+        // Adding zero turns −0.0 into 0.0.
         let key = corner.to_array().map(|value| (value + 0.0).to_bits());
         if let Some(&vertex) = self.same.get(&key) {
             return vertex;
@@ -40,7 +41,7 @@ impl VertexWelder {
     }
 
     fn add(&mut self, corner: Vec3) -> u32 {
-        // A reader's budget keeps the count far below.
+        // The limit of the reader keeps the count far below 2³².
         let vertex = self.vertices.len() as u32;
         self.vertices.push(corner);
         if self.distance > 0.0 {
@@ -50,13 +51,13 @@ impl VertexWelder {
         vertex
     }
 
-    /// A coordinate in cells of twice the distance: a place within the distance lies in the same cell or in
-    /// the one beyond the nearer side.
+    /// A coordinate in units of twice the distance: a point within the distance is in the same cell or in the
+    /// neighbour beyond the nearer side.
     fn place(&self, value: f64) -> f64 {
         value / (2.0 * self.distance)
     }
 
-    /// The earliest vertex within the distance.
+    /// The earliest vertex within the distance; `None` where there is none.
     fn near(&self, corner: Vec3) -> Option<u32> {
         if self.distance <= 0.0 {
             return None;

@@ -1,4 +1,4 @@
-//! A body that turns about an upright axis: a stack of cylinders and cones above a tip.
+//! A body of revolution about a vertical axis: a stack of cylinders and cones above a tip.
 
 use chordal_geometry::{Aabb, Vec3};
 use libm::{acos, asin, cos, sincos};
@@ -6,35 +6,35 @@ use libm::{acos, asin, cos, sincos};
 use super::convex::ConvexBody;
 use crate::cutter::{CutterProfile, Ring, RingElement};
 
-/// A cylinder or a cut cone about the axis.
+/// A cylinder or a truncated cone about the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frustum {
-    /// Where it begins, above the tip, mm.
+    /// Its lower end above the tip, mm.
     pub from: f64,
-    /// Where it ends, above the tip, mm.
+    /// Its upper end above the tip, mm.
     pub to: f64,
-    /// Its radius where it begins, mm.
+    /// Its radius at the lower end, mm.
     pub lower: f64,
-    /// Its radius where it ends, mm.
+    /// Its radius at the upper end, mm.
     pub upper: f64,
 }
 
-/// Why there is no body.
+/// Why parts do not form a body.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum BodyError {
-    /// No part at all.
+    /// There is no part.
     #[error("a body needs a part")]
     Empty,
-    /// A number of a part that is none, or a part that ends where it begins or before.
+    /// A part has a number that is not finite or a negative radius, or its end is not above its start.
     #[error("part {part} of the body runs from {} to {} mm with radii {} and {} mm",
         .frustum.from, .frustum.to, .frustum.lower, .frustum.upper)]
     Part {
         /// The part, from zero.
         part: usize,
-        /// What it is.
+        /// Its dimensions.
         frustum: Frustum,
     },
-    /// A tolerance that is not above zero, or an end that is not above the cutter's edges.
+    /// A tolerance that is not above zero, or an upper end that is not above the cutter's profile.
     #[error("a cutter cannot become a body up to {top} mm within {tolerance} mm")]
     Cutter {
         /// The upper end, mm above the tip.
@@ -44,12 +44,12 @@ pub enum BodyError {
     },
 }
 
-/// On which side of the truth a body lies.
+/// On which side of the exact shape an approximation lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BodyBound {
-    /// It contains the truth.
+    /// It contains the exact shape.
     Outer,
-    /// The truth contains it.
+    /// The exact shape contains it.
     Inner,
 }
 
@@ -60,7 +60,7 @@ pub struct RoundBody {
 }
 
 impl RoundBody {
-    /// The body of these parts, which may overlap or leave gaps.
+    /// The body of these parts, which may overlap and leave gaps.
     ///
     /// # Errors
     /// When there is no part, or one has no height or a radius below zero.
@@ -78,11 +78,10 @@ impl RoundBody {
         Ok(RoundBody { frustums })
     }
 
-    /// A cutter from its tip up to a height above it. Rounds become cones that keep within `tolerance` of them,
-    /// outside or inside; everything else is exact. mm.
+    /// A cutter from its tip up to a height above it, mm. Rounded parts become cones within `tolerance` (mm) of them,
+    /// outside or inside; everything else is exact.
     ///
-    /// # Errors
-    /// When `top` is not above the cutter's end, or the tolerance is not above zero.
+    /// # Errors When `top` is not above the cutter's profile, or the tolerance is not above zero.
     pub fn of_cutter(
         cutter: &CutterProfile,
         top: f64,
@@ -108,7 +107,7 @@ impl RoundBody {
         RoundBody::new(outline.frustums)
     }
 
-    /// The parts.
+    /// Its parts.
     pub fn frustums(&self) -> &[Frustum] {
         &self.frustums
     }
@@ -126,7 +125,7 @@ impl RoundBody {
     }
 }
 
-/// A way outward and up, as frustums below it.
+/// An outline that is traced outwards and upwards, and the frustums that it makes.
 struct BodyOutline {
     frustums: Vec<Frustum>,
     /// Distance from the axis and height, mm.
@@ -142,7 +141,7 @@ impl BodyOutline {
         self.at = [radius, height.max(from)];
     }
 
-    /// The arc of a ring about a middle, as chords (inside) or tangents (outside).
+    /// Traces the arc of a ring as chords (inside) or tangents (outside).
     fn round(
         &mut self,
         ring: &Ring,
@@ -151,11 +150,11 @@ impl BodyOutline {
         tolerance: f64,
         bound: BodyBound,
     ) {
-        /// More sides than any tolerance needs that a tool is made to.
+        /// More sides than any tolerance of a tool needs.
         const MAX_SIDES: f64 = 1000.0;
         let [first, last] =
             [ring.from, ring.to].map(|radius| asin(((radius - x) / round).clamp(-1.0, 1.0)));
-        // A chord is nearest to the middle at r·cos, a corner of tangents furthest at r/cos, of half its angle.
+        // The middle of a chord is at r·cos, a corner of tangents at r/cos of half the angle.
         let cosine = match bound {
             BodyBound::Inner => 1.0 - tolerance / round,
             BodyBound::Outer => round / (round + tolerance),
@@ -174,7 +173,7 @@ impl BodyOutline {
     }
 }
 
-/// A part of a body on a straight way: convex too.
+/// The volume swept by a part of a body on a straight path, which is convex, too.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SweptFrustum {
     pub frustum: Frustum,

@@ -1,13 +1,13 @@
-//! What a shape fills over the cells of a grid: for each cell what it may fill somewhere in the cell, and
-//! what it fills everywhere in the cell.
+//! What a shape fills over the cells of a grid: for each cell what it may fill anywhere in it (outer bound), and what
+//! it fills everywhere in it (inner bound).
 
 use chordal_geometry::Aabb;
 
 use super::{ShapeError, ShapeKind, SolidShape};
 use crate::mesh::MAX_COORDINATE_MM;
 
-/// How far from its own edge a cell begins, mm, if it does not grow. A wall that lies in the edge of a cell, but for
-/// rounding, then belongs to one cell only.
+/// By how much a cell that does not grow is inset from its edges, mm. So a wall on the edge of a cell, up to
+/// rounding, belongs to one cell only.
 pub const EDGE: f64 = 2e-9;
 
 /// Square cells.
@@ -21,8 +21,8 @@ pub struct CellGrid {
     pub columns: usize,
     /// How many cells there are along Y.
     pub rows: usize,
-    /// Each cell is wider by this on every side, mm, for bounds that must hold around it too. From [`EDGE`] on no
-    /// place lies in no cell.
+    /// Each cell is enlarged by this on every side, mm, for bounds that must hold around it, too. From [`EDGE`] on
+    /// the cells leave no gaps.
     pub grow: f64,
 }
 
@@ -43,19 +43,19 @@ pub(super) struct CellRect {
 }
 
 impl CellGrid {
-    /// What is certified for a cell: half of [`EDGE`] is left for the rounding of everything that follows.
+    /// The rectangle for which a cell's bounds are computed: half of [`EDGE`] is left for rounding in what follows.
     pub(super) fn rect(&self, column: usize, row: usize) -> CellRect {
         CellRect { x: self.strip(0, column), y: self.strip(1, row) }
     }
 
-    /// The cells of one number along X (0) or Y (1).
+    /// The strip of the cells with one index along X (0) or Y (1).
     pub(super) fn strip(&self, axis: usize, number: usize) -> HeightSpan {
         let out = self.grow - EDGE / 2.0;
         let at = |number: usize| self.origin[axis] + number as f64 * self.cell;
         HeightSpan { from: at(number) - out, to: at(number + 1) + out }
     }
 
-    /// The middle of the cells of one number along X (0) or Y (1), mm.
+    /// The middle of the cells with one index along X (0) or Y (1), mm.
     pub(super) fn middle(&self, axis: usize, number: usize) -> f64 {
         self.origin[axis] + (number as f64 + 0.5) * self.cell
     }
@@ -63,7 +63,7 @@ impl CellGrid {
     /// The cells of a row whose strips may reach into a span along X: the first, and the one after the last.
     pub(super) fn reached(&self, span: HeightSpan) -> [usize; 2] {
         let cell = |value: f64| (value - self.origin[0]) / self.cell;
-        // EDGE is more than rounding; a float beyond the range becomes its end.
+        // EDGE is more than rounding; the casts saturate.
         let out = self.grow + EDGE;
         let first = cell(span.from - out).floor().max(0.0) as usize;
         let after = (cell(span.to + out).floor() + 1.0).max(0.0) as usize;
@@ -75,7 +75,7 @@ impl CellGrid {
         let counted = columns.checked_mul(rows).is_some_and(|count| count < u32::MAX as usize);
         let reach = columns.max(rows) as f64 * cell + self.grow;
         let near = self.origin.iter().all(|from| from.abs() + reach <= MAX_COORDINATE_MM);
-        // A cell must be more than what it is drawn in by.
+        // A cell must be wider than its inset.
         let good = cell > 4.0 * EDGE && self.grow >= 0.0 && near;
         if counted && good { Ok(()) } else { Err(ShapeError::Grid { columns, rows, cell }) }
     }
@@ -84,7 +84,7 @@ impl CellGrid {
 /// Lists of spans, one for each cell.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct SpanLists {
-    /// Where the list of each cell ends.
+    /// The end of each cell's list in `spans`.
     ends: Vec<usize>,
     spans: Vec<HeightSpan>,
 }
@@ -105,7 +105,7 @@ pub struct ShapeCells {
 }
 
 impl ShapeCells {
-    /// What the shape may fill: over no place of the cell it fills anything else. Spans from the lowest, apart.
+    /// What the shape may fill anywhere in the cell: disjoint spans, from the lowest.
     ///
     /// # Panics
     /// When the grid has no such cell.
@@ -113,7 +113,7 @@ impl ShapeCells {
         self.outer.at(row * self.columns + column)
     }
 
-    /// What the shape fills over every place of the cell. Spans from the lowest, apart.
+    /// What the shape fills everywhere in the cell: disjoint spans, from the lowest.
     ///
     /// # Panics
     /// When the grid has no such cell.
@@ -122,7 +122,7 @@ impl ShapeCells {
     }
 }
 
-/// Takes the lists of one cell after the other.
+/// Collects the lists of one cell after the other.
 pub(super) struct CellFiller {
     cells: ShapeCells,
 }
@@ -136,12 +136,12 @@ impl CellFiller {
         CellFiller { cells: ShapeCells { columns: grid.columns, outer: lists(), inner: lists() } }
     }
 
-    /// What the next cell may be filled with.
+    /// Adds what the current cell may be filled with.
     pub(super) fn outer(&mut self, span: HeightSpan) {
         self.cells.outer.spans.push(span);
     }
 
-    /// What the next cell is surely filled with.
+    /// Adds what the current cell is certainly filled with.
     pub(super) fn inner(&mut self, span: HeightSpan) {
         self.cells.inner.spans.push(span);
     }
@@ -159,14 +159,13 @@ impl CellFiller {
 }
 
 impl SolidShape {
-    /// What the shape fills over the cells of a grid, for each with an outer and an inner bound.
+    /// What the shape fills over the cells of a grid, with an outer and an inner bound for each cell.
     ///
-    /// For a box and an upright cylinder the heights are exact; round sides, slopes and walls within a cell make the
-    /// difference of the two. The bounds hold at every place of a cell that is at least [`EDGE`] less `grow` from its
+    /// For a box and a vertical cylinder the heights are exact; the bounds differ for lying cylinders, slopes and
+    /// walls within a cell. They hold at every point of a cell that is at least [`EDGE`] minus `grow` inside its
     /// edge.
     ///
-    /// # Errors
-    /// When the grid has too many cells or numbers that are none, or the shape is a mesh that is not closed or has
+    /// # Errors When the grid has too many cells or invalid numbers, or the shape is a mesh that is not closed or has
     /// too many triangles above each other.
     pub fn cells(&self, grid: &CellGrid) -> Result<ShapeCells, ShapeError> {
         grid.check()?;

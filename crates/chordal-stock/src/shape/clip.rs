@@ -1,10 +1,10 @@
-//! Triangles cut to strips.
+//! Clips triangles to strips.
 
 use chordal_geometry::Vec3;
 
 use super::cells::HeightSpan;
 
-/// A triangle cut by two strips has seven corners at most; the rest is for corners that rounding makes two of.
+/// A triangle clipped to two strips has at most seven corners; the rest is for corners that rounding doubles.
 const MAX_CORNERS: usize = 12;
 
 /// A flat polygon in space.
@@ -25,7 +25,7 @@ impl FlatPolygon {
         self.count == 0
     }
 
-    /// From the least to the largest coordinate: 0 is x, 1 is y, 2 is z.
+    /// The range of a coordinate: 0 is x, 1 is y, 2 is z.
     pub(super) fn range(&self, axis: usize) -> HeightSpan {
         let nothing = HeightSpan { from: f64::INFINITY, to: f64::NEG_INFINITY };
         self.corners[..self.count].iter().fold(nothing, |range, corner| {
@@ -64,7 +64,7 @@ impl FlatPolygon {
     }
 }
 
-/// The point at a fraction of the way; coordinates that are equal at both ends stay what they are.
+/// The point at a fraction between two points; coordinates that are equal at both are kept exactly.
 fn between(a: Vec3, b: Vec3, t: f64) -> Vec3 {
     let at = |a: f64, b: f64| (a + t * (b - a)).clamp(a.min(b), a.max(b));
     Vec3::new(at(a.x, b.x), at(a.y, b.y), at(a.z, b.z))

@@ -1,18 +1,18 @@
-//! The distance of two convex bodies, from below and from above.
+//! The distance of two convex bodies, between two bounds.
 //!
-//! The differences of their points are a convex body too; its point nearest to zero is found from a simplex of its
-//! corners (Gilbert, Johnson, Keerthi, IEEE Journal of Robotics and Automation 4 (1988) 193). Any direction gives a
-//! lower bound, by how far the body lies beyond zero in it, and any point an upper one: so the
-//! answer is sound whenever the search ends.
+//! The differences of their points (the Minkowski difference) form a convex body, too. Its point nearest to zero is
+//! found with a simplex of its corners (GJK: Gilbert, Johnson, Keerthi, IEEE Journal of Robotics and Automation 4
+//! (1988) 193). Any direction gives a lower bound, by how far the body is beyond zero in it, and any point an upper
+//! one: so the result is valid whenever the search ends.
 
 use chordal_geometry::Vec3;
 
-/// A distance between two bounds, mm. Nothing is less than zero: bodies that overlap have none.
+/// A distance between two bounds, mm; zero for bodies that overlap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistanceInterval {
-    /// It is not less.
+    /// Lower bound.
     pub lower: f64,
-    /// It is not more.
+    /// Upper bound.
     pub upper: f64,
 }
 
@@ -25,15 +25,15 @@ impl DistanceInterval {
         DistanceInterval { lower: distance, upper: distance }
     }
 
-    /// The distance of the nearer of two.
+    /// The smaller of two distances.
     pub(super) fn or(self, other: DistanceInterval) -> DistanceInterval {
         DistanceInterval { lower: self.lower.min(other.lower), upper: self.upper.min(other.upper) }
     }
 }
 
-/// A body that knows its furthest point in any direction.
+/// A convex body, given by its support function.
 pub(super) trait ConvexBody {
-    /// A point furthest in a direction of any length, mm.
+    /// A point that is furthest in a direction (a vector of any length), mm.
     fn furthest(&self, path: Vec3) -> Vec3;
 }
 
@@ -58,10 +58,10 @@ impl ConvexBody for chordal_geometry::Aabb {
     }
 }
 
-/// Ends the search where rounding leaves no progress; a certificate is there long before.
+/// Ends the search where rounding allows no progress; it usually converges long before.
 const MAX_STEPS: usize = 96;
 
-/// The distance of two convex bodies, mm: known to `resolution`, or no further than that it is above `enough`.
+/// The distance of two convex bodies, mm: within `resolution`, or only so far that it is known to be above `enough`.
 pub(super) fn distance<A: ConvexBody + ?Sized, B: ConvexBody + ?Sized>(
     a: &A,
     b: &B,
@@ -87,7 +87,7 @@ pub(super) fn distance<A: ConvexBody + ?Sized, B: ConvexBody + ?Sized>(
         simplex.corners[simplex.count] = corner;
         simplex.count += 1;
         let Some(point) = simplex.reduce() else {
-            // Zero lies within.
+            // Zero is inside: the bodies overlap.
             return DistanceInterval { lower: 0.0, upper: 0.0 };
         };
         let length = point.length();
@@ -100,7 +100,7 @@ pub(super) fn distance<A: ConvexBody + ?Sized, B: ConvexBody + ?Sized>(
     found
 }
 
-/// Up to four corners.
+/// A simplex of up to four corners.
 #[derive(Clone, Copy)]
 struct Simplex {
     corners: [Vec3; 4],
@@ -114,7 +114,7 @@ impl Simplex {
         simplex
     }
 
-    /// Keeps the corners of the part nearest to zero: its nearest point, or `None` where zero is inside.
+    /// Keeps only the corners of the face nearest to zero. Returns its nearest point, or `None` where zero is inside.
     fn reduce(&mut self) -> Option<Vec3> {
         let (point, kept) = match self.corners[..self.count] {
             [a, b] => on_edge(a, b),
@@ -163,7 +163,7 @@ fn on_triangle(a: Vec3, b: Vec3, c: Vec3) -> (Vec3, Simplex) {
         let point = a * (of_a / whole) + b * (of_b / whole) + c * (of_c / whole);
         return (point, Simplex::of(&[a, b, c]));
     }
-    // On a side, or so thin that rounding puts it there: the nearest of them.
+    // The nearest point is on a side, or the triangle is so thin that rounding puts it there.
     nearer(nearer(on_edge(a, b), on_edge(b, c)), on_edge(a, c))
 }
 
@@ -176,7 +176,7 @@ fn on_tetrahedron(corners: [Vec3; 4]) -> Option<(Vec3, Simplex)> {
     for [i, j, k, opposite] in [[0, 1, 2, 3], [0, 1, 3, 2], [0, 2, 3, 1], [1, 2, 3, 0]] {
         let [a, b, c, d] = [i, j, k, opposite].map(|corner: usize| corners[corner]);
         let normal = (b - a).cross(c - a);
-        // Zero on the other side of the face than the fourth corner, or a body without volume.
+        // Zero is on the other side of the face from the fourth corner, or the tetrahedron is degenerate.
         if -a.dot(normal) * (d - a).dot(normal) <= 0.0 {
             let face = on_triangle(a, b, c);
             best = Some(best.map_or(face, |other| nearer(other, face)));

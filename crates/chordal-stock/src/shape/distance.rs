@@ -1,4 +1,4 @@
-//! How far a body is from a shape: exact, or between two bounds.
+//! The distance between a body and a shape: exact, or between two bounds.
 
 use chordal_geometry::{Aabb, Vec3};
 
@@ -12,9 +12,9 @@ use super::tree::NodeContent;
 use super::{ShapeAxis, ShapeKind, SolidShape};
 
 impl SolidShape {
-    /// The distance of a body with its tip at a place, mm: exact for boxes and for cylinders and tubes that stand
-    /// upright, otherwise to `resolution`, but for rounding. Only a tube may leave more between the bounds, where
-    /// much of its wall is as near.
+    /// The distance of a body with its tip at a point, mm: exact for boxes and for vertical cylinders and tubes,
+    /// otherwise within `resolution` (mm), up to rounding. Only for a tube the bounds may be farther apart, where
+    /// much of its wall is equally near.
     pub fn distance(&self, body: &RoundBody, tip: Vec3, resolution: f64) -> DistanceInterval {
         let exact = |radii: HeightSpan, heights: HeightSpan| {
             let parts = body.frustums().iter();
@@ -30,7 +30,7 @@ impl SolidShape {
             ShapeKind::Round(round) if round.axis == ShapeAxis::Z => {
                 let (x, y) = (round.middle.x - tip.x, round.middle.y - tip.y);
                 let off = (x * x + y * y).sqrt();
-                // From the outside, or from within the bore.
+                // Outside of the tube, or inside its bore.
                 let from = (off - round.outer).max(round.inner - off).max(0.0);
                 let radii = HeightSpan { from, to: off + round.outer };
                 exact(radii, HeightSpan { from: round.from, to: round.to })
@@ -39,9 +39,9 @@ impl SolidShape {
         }
     }
 
-    /// The least distance of a body whose tip goes straight from one place to another, mm, to `resolution`, but for
-    /// rounding: the way of a cone is convex, so the whole of it is one question. Only a tube may leave more between
-    /// the bounds, where much of its wall is as near.
+    /// The least distance of a body whose tip moves straight from one point to another, mm, within `resolution` (mm),
+    /// up to rounding: the swept volume of a cone is convex, so it is evaluated as a whole. Only for a tube the
+    /// bounds may be farther apart, where much of its wall is equally near.
     pub fn distance_along(
         &self,
         body: &RoundBody,
@@ -70,14 +70,15 @@ impl CylinderShape {
         if self.inner <= 0.0 || whole.lower >= enough {
             return whole;
         }
-        // No nearer than the tube with its bore filled; in the bore no nearer than the place furthest from the axis.
+        // The distance is at least that from the filled tube, and in the bore at least that between the bore and the
+        // body's point furthest from the axis.
         let lower = whole.lower.max(self.inner - self.furthest_from_axis(swept));
         let wall = self.wall_distance(swept, resolution, enough);
         DistanceInterval { lower: wall.lower.max(lower).min(wall.upper), upper: wall.upper }
     }
 
-    /// How far from the axis of the cylinder a body reaches on its way, mm. The distance from a line is convex,
-    /// so its largest value is at an end of the way and of the frustum.
+    /// The largest distance of a moving body from the axis of the cylinder, mm. The distance from a line is convex,
+    /// so its largest value is at an end of the path and of the frustum.
     fn furthest_from_axis(&self, swept: &SweptFrustum) -> f64 {
         let part = swept.frustum;
         let mut most: f64 = 0.0;
@@ -97,16 +98,16 @@ impl CylinderShape {
     }
 
     /// The distance of a body from the wall of a tube: the wall is divided around its axis where it may be nearest,
-    /// until the staves around and inside of a part say the same.
+    /// until the staves that contain a part and that it contains give the same distance.
     fn wall_distance(
         &self,
         swept: &SweptFrustum,
         resolution: f64,
         enough: f64,
     ) -> DistanceInterval {
-        /// Parts at first: an eighth of a turn is not far from its chord.
+        /// Initial number of parts: an eighth of a turn is close to its chord.
         const PARTS: usize = 8;
-        /// Where all parts are as near the search ends; the staves are then alike to a millionth of the radius.
+        /// Ends the search where all parts are equally near; the two staves then agree to a millionth of the radius.
         const MAX_DIVISIONS: usize = 1500;
         let part = |from: f64, to: f64| {
             let half = libm::cos((to - from) / 2.0);
@@ -145,7 +146,7 @@ impl CylinderShape {
         DistanceInterval { lower: lower.min(upper), upper }
     }
 
-    /// The corners of a stave between two angles and two radii.
+    /// The corners of the stave between two angles and two radii.
     fn stave(&self, angles: [f64; 2], radii: [f64; 2]) -> [Vec3; 8] {
         let around = angles.map(libm::sincos);
         let Vec3 { x, y, z } = self.middle;
@@ -165,7 +166,7 @@ impl CylinderShape {
 
 impl MeshedShape {
     fn distance(&self, swept: &SweptFrustum, resolution: f64, enough: f64) -> DistanceInterval {
-        // A body that does not meet the surface is inside as a whole, or outside.
+        // A body that does not meet the surface is entirely inside or entirely outside.
         let middle = Vec3::Z * (0.5 * (swept.frustum.from + swept.frustum.to));
         if self.contains(swept.from + middle) {
             return DistanceInterval::TOUCHING;
@@ -182,7 +183,7 @@ impl MeshedShape {
                 NodeContent::Boxes(a, b) => {
                     let lower = |number| reach.lower(&self.tree.node(number).bounds, least.upper);
                     let [a, b] = [(a, lower(a)), (b, lower(b))];
-                    // The nearer one is looked into first.
+                    // The nearer box is examined first.
                     open.extend(if a.1 < b.1 { [b, a] } else { [a, b] });
                 }
                 NodeContent::Triangles(first, count) => {
@@ -202,14 +203,14 @@ impl MeshedShape {
     }
 }
 
-/// A quick lower bound of the distance of a box.
+/// Quick lower bounds of the distance from boxes.
 struct BoxDistance<'a> {
     bounds: Aabb,
     swept: &'a SweptFrustum,
 }
 
 impl BoxDistance<'_> {
-    /// Less exact where it is above `enough` anyhow.
+    /// A lower bound of the distance from a box, mm; cruder where it is above `enough` anyway.
     fn lower(&self, around: &Aabb, enough: f64) -> f64 {
         let gap = |axis: usize| {
             let below = around.min.component(axis) - self.bounds.max.component(axis);
@@ -221,7 +222,8 @@ impl BoxDistance<'_> {
         if quick >= enough { quick } else { quick.max(self.convex(around, enough)) }
     }
 
-    /// From the bodies themselves: exact where the body stands, otherwise a twentieth of what is enough less.
+    /// A lower bound from the bodies themselves: exact where the body does not move, otherwise within a twentieth of
+    /// `enough`.
     fn convex(&self, around: &Aabb, enough: f64) -> f64 {
         const PART: f64 = 0.05;
         let SweptFrustum { frustum, from, to } = *self.swept;
@@ -234,7 +236,7 @@ impl BoxDistance<'_> {
         }
     }
 
-    /// Seen from above: beside the way of the axis, less the radius.
+    /// A lower bound in plan: the distance from the line of the path, minus the radius.
     fn plan(&self, around: &Aabb) -> f64 {
         let SweptFrustum { frustum, from, to } = *self.swept;
         let (x, y) = (to.x - from.x, to.y - from.y);
@@ -242,7 +244,7 @@ impl BoxDistance<'_> {
         if length <= 0.0 {
             return 0.0;
         }
-        // The box lies on one side of the line of the way, by so much.
+        // Signed distance of a point from the line of the path.
         let side = |px: f64, py: f64| ((px - from.x) * y - (py - from.y) * x) / length;
         let corners = [
             side(around.min.x, around.min.y),

@@ -1,8 +1,8 @@
-//! A mesh as a shape: what its inside fills over cells, and whether a place is inside.
+//! A mesh as a shape: what its inside fills over cells, and whether a point is inside.
 //!
-//! Over a cell the heights of the triangles cut to it are bands; between two bands there is no surface, so
-//! all of the cell is inside there or nothing of it. Which of the two follows from how often the surface is
-//! crossed on the way up, in the middle of the cell.
+//! Over a cell the triangles clipped to it take bands of heights. Between two bands there is no surface, so all of
+//! the cell is inside there, or none of it. Which of the two is found by counting crossings of the surface on a
+//! vertical line at the middle of the cell (winding number).
 
 use chordal_geometry::{Aabb, Vec3};
 
@@ -19,15 +19,16 @@ pub(super) struct MeshedShape {
     pub tree: TriangleTree,
 }
 
-/// The most triangles over the cells of a row, each counted once for every cell: a gigabyte of memory.
+/// Most triangles over the cells of a row, each counted once for every cell: about a gigabyte of memory.
 const MAX_BANDS: usize = 1 << 24;
 
-/// The heights of a triangle over a cell of a row.
+/// The range of heights of a triangle over a cell of a row.
 #[derive(Clone, Copy, Debug)]
 struct TriangleBand {
     column: usize,
     heights: HeightSpan,
-    /// How often the middle of the cell crosses it from inside to outside on the way up.
+    /// The crossing of the vertical line at the middle of the cell, upwards: 1 from inside to outside, −1 from
+    /// outside to inside, 0 for none.
     outward: i32,
 }
 
@@ -37,7 +38,7 @@ impl MeshedShape {
         MeshedShape { mesh, edges, tree }
     }
 
-    /// Row by row, so that memory is that of one row.
+    /// Fills the cells row by row, so that only one row is in memory.
     pub(super) fn fill(&self, grid: &CellGrid, filler: &mut CellFiller) -> Result<(), ShapeError> {
         let mut bands = Vec::new();
         for row in 0..grid.rows {
@@ -89,7 +90,7 @@ impl MeshedShape {
     ) {
         let whole = FlatPolygon::of_triangle(self.mesh.corners(triangle));
         let heights = whole.range(2);
-        // What rounding may have done to a height between two corners.
+        // Bound of the rounding error of a height between two corners.
         let pad = 4.0 * f64::EPSILON * heights.from.abs().max(heights.to.abs());
         let padded = |part: HeightSpan| HeightSpan {
             from: (part.from - pad).max(heights.from),
@@ -112,7 +113,7 @@ impl MeshedShape {
             let heights = if !part.is_empty() {
                 padded(part.range(2))
             } else if outward != 0 {
-                // So thin that rounding decides whether it is there: all of it counts.
+                // The clipped part is so thin that rounding decides whether it exists: all of the triangle counts.
                 heights
             } else {
                 continue;
@@ -125,7 +126,7 @@ impl MeshedShape {
     fn crossings(&self, triangle: usize, y: f64) -> [Option<SideCrossing>; 3] {
         let [a, b, c] = self.mesh.triangles()[triangle];
         [(a, b), (b, c), (c, a)].map(|(from, to)| {
-            // Two triangles with a common side compute it from the same end: they agree to the bit.
+            // Two triangles with a common side compute it from the same end, so that they agree to the bit.
             let [low, high] =
                 [from.min(to), from.max(to)].map(|vertex| self.mesh.vertices()[vertex as usize]);
             let (below, above) = (low.y <= y, high.y <= y);
@@ -133,13 +134,13 @@ impl MeshedShape {
                 let t = (y - low.y) / (high.y - low.y);
                 let up = below == (from < to);
                 let x = low.x + t * (high.x - low.x);
-                // Within the box of the triangle, by which the tree leaves triangles out.
+                // Clamped to the box of the triangle, by which the tree excludes triangles.
                 SideCrossing { x: x.clamp(low.x.min(high.x), low.x.max(high.x)), up }
             })
         })
     }
 
-    /// Whether a place is inside a closed mesh; a place on the surface may be either.
+    /// Whether a point is inside a closed mesh; for a point on the surface the result is undefined.
     pub(super) fn contains(&self, place: Vec3) -> bool {
         if !self.edges.are_closed() {
             return false;
@@ -160,7 +161,7 @@ impl MeshedShape {
                 let heights = FlatPolygon::of_triangle(corners).range(2);
                 let [a, b, c] = corners;
                 let normal = (b - a).cross(c - a);
-                // Behind a face that looks up, or before one that looks down.
+                // The point is below the plane of the triangle.
                 let below = (place - a).dot(normal) * normal.z < 0.0;
                 if z < heights.from || (z <= heights.to && below) {
                     winding += outward;
@@ -179,19 +180,19 @@ struct SideCrossing {
     up: bool,
 }
 
-/// 1 where a triangle that looks up lies over or under a place, −1 for one that looks down, 0 beside it.
+/// 1 where a point is within an upward-facing triangle in plan, −1 for a downward-facing one, 0 outside.
 fn outward(crossings: &[Option<SideCrossing>; 3], x: f64) -> i32 {
     let beyond = crossings.iter().flatten().filter(|crossing| crossing.x > x);
     beyond.map(|crossing| if crossing.up { 1 } else { -1 }).sum()
 }
 
-/// The lists of a cell from its bands, which begin at rising heights.
+/// Makes the lists of a cell from its bands, sorted by their lower ends.
 fn fill_cell(bands: &[TriangleBand], filler: &mut CellFiller) {
     let mut filled: Option<HeightSpan> = None;
     let mut winding = 0;
     let mut at = 0;
     while let Some(first) = bands.get(at) {
-        // All bands that meet are one.
+        // Overlapping bands are merged.
         let mut band = first.heights;
         while let Some(next) = bands.get(at).filter(|next| next.heights.from <= band.to) {
             band.to = band.to.max(next.heights.to);

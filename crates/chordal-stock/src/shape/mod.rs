@@ -1,8 +1,8 @@
-//! What stock, fixtures and targets are: boxes, cylinders, tubes and meshes.
+//! Shapes of stock, fixtures and targets: boxes, cylinders, tubes and meshes.
 //!
-//! Two questions are answered, each with a bound on both sides: what a shape fills over each cell of a grid
-//! ([`SolidShape::cells`]), and how far it is from a body that turns about a vertical axis ([`SolidShape::distance`],
-//! [`SolidShape::distance_along`], [`SolidShape::passage`]).
+//! Two things are computed, each between two bounds: what a shape fills over each cell of a grid
+//! ([`SolidShape::cells`]), and its distance from a body of revolution about a vertical axis
+//! ([`SolidShape::distance`], [`SolidShape::distance_along`], [`SolidShape::passage`]).
 
 mod body;
 mod cells;
@@ -27,7 +27,7 @@ pub use cells::{CellGrid, EDGE, HeightSpan, ShapeCells};
 pub use convex::DistanceInterval;
 pub use passage::{PassageAnswer, TipMotion};
 
-/// A direction of the axes.
+/// The direction of one of the three axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShapeAxis {
     /// Along X.
@@ -38,10 +38,10 @@ pub enum ShapeAxis {
     Z,
 }
 
-/// Why there is no shape, or no answer about it.
+/// Why a shape cannot be made or evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ShapeError {
-    /// A dimension is not above zero, or no number that a shape can have.
+    /// A dimension is not above zero, not finite or too large.
     #[error("the {what} cannot be {value} mm")]
     Dimension {
         /// What it is.
@@ -52,7 +52,7 @@ pub enum ShapeError {
     /// The mesh has no triangle.
     #[error("the mesh has no triangle")]
     NoTriangle,
-    /// The mesh encloses nothing.
+    /// The mesh is open.
     #[error("the mesh is open at {} of {} edges, first from {} to {}",
         .edges.open, .edges.count, place(.edges, 0), place(.edges, 1))]
     Open {
@@ -65,7 +65,7 @@ pub enum ShapeError {
         /// The row, from zero.
         row: usize,
     },
-    /// A grid without cells, too many of them, or numbers that are none.
+    /// A grid with too many cells, or with invalid numbers.
     #[error("a grid of {columns} × {rows} cells of {cell} mm")]
     Grid {
         /// Cells along X.
@@ -77,7 +77,7 @@ pub enum ShapeError {
     },
 }
 
-/// An end of the first open edge.
+/// Words an end of the first open edge.
 fn place(edges: &Edges, end: usize) -> String {
     edges.first_open.map_or_else(String::new, |ends| {
         let Vec3 { x, y, z } = ends[end];
@@ -85,7 +85,7 @@ fn place(edges: &Edges, end: usize) -> String {
     })
 }
 
-/// A body or, for a mesh that is not closed, a surface.
+/// A solid body or, for a mesh that is not closed, a surface.
 #[derive(Clone, Debug)]
 pub struct SolidShape(ShapeKind);
 
@@ -124,8 +124,8 @@ impl SolidShape {
         Ok(SolidShape(ShapeKind::Cuboid(around)))
     }
 
-    /// The cylinder about an axis through `middle`, of a diameter, from one coordinate along the axis to another,
-    /// mm. The coordinate of `middle` along the axis means nothing.
+    /// The cylinder about an axis through `middle`, between two coordinates along the axis, mm. The coordinate of
+    /// `middle` along the axis is ignored.
     ///
     /// # Errors
     /// When the diameter or the length is not above zero.
@@ -139,7 +139,7 @@ impl SolidShape {
         SolidShape::round(axis, middle, [positive("diameter", diameter)?, 0.0], [from, to])
     }
 
-    /// The tube between two diameters, as [`SolidShape::cylinder`].
+    /// The tube with an outer diameter and a bore; the rest as in [`SolidShape::cylinder`].
     ///
     /// # Errors
     /// When a diameter or the length is not above zero, or the bore is no smaller than the diameter.
@@ -173,7 +173,7 @@ impl SolidShape {
         Ok(SolidShape(ShapeKind::Round(CylinderShape { axis, middle, outer, inner, from, to })))
     }
 
-    /// The body inside a closed mesh. Where its triangles are clockwise from outside they are turned.
+    /// The body inside a closed mesh. Triangles that are clockwise from outside are turned.
     ///
     /// # Errors
     /// When the mesh is open or has no triangle.
@@ -189,8 +189,7 @@ impl SolidShape {
         Ok(SolidShape(ShapeKind::Meshed(Box::new(MeshedShape::new(mesh, edges)))))
     }
 
-    /// The triangles of a mesh: of a body if it is closed, otherwise a surface without an inside, which can be
-    /// kept clear of but fills no cell.
+    /// A closed mesh as a body, an open one as a surface without an inside: it has distances, but fills no cells.
     ///
     /// # Errors
     /// When the mesh has no triangle.
@@ -214,7 +213,7 @@ impl SolidShape {
         }
     }
 
-    /// The volume, mm³; nothing for a surface that is not closed.
+    /// The volume, mm³; zero for a surface that is not closed.
     pub fn volume(&self) -> f64 {
         match &self.0 {
             ShapeKind::Cuboid(around) => {

@@ -1,5 +1,5 @@
-//! Whether a body that moves keeps clear of a shape, without samples: no place of it comes nearer faster than
-//! the tip goes, so the next look is after distance over speed.
+//! Finds whether a moving body keeps clear of a shape. Nothing is sampled: no point of the body approaches faster
+//! than the tip moves, so the next evaluation can wait for distance over speed (conservative advancement).
 
 use chordal_geometry::Vec3;
 
@@ -7,33 +7,32 @@ use super::SolidShape;
 use super::body::RoundBody;
 use super::convex::DistanceInterval;
 
-/// A way of a tip, from 0 to 1.
+/// The path of a tip, with a parameter from 0 to 1.
 pub struct TipMotion<'a> {
-    /// The place of the tip at a fraction, mm.
+    /// The position of the tip at a parameter, mm.
     pub tip: &'a dyn Fn(f64) -> Vec3,
-    /// The most that the tip moves for one unit of the fraction, mm: for a curve at even speed its length.
+    /// Largest speed of the tip per unit of the parameter, mm: for a curve at constant speed its length.
     pub speed: f64,
 }
 
 /// How a body passed a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PassageAnswer {
-    /// It is never nearer than the clearance, and never nearer than this.
+    /// It is never nearer than the clearance.
     Clean {
-        /// The distance is not less anywhere on the way, mm.
+        /// Lower bound of the distance along the whole path, mm.
         nearest: f64,
     },
-    /// At a fraction of the way it is nearer than the clearance and the tolerance; before it is not nearer than the
-    /// clearance.
+    /// At a parameter it is nearer than clearance plus tolerance; before that it is not nearer than the clearance.
     Hit {
-        /// Where, from 0 to 1.
+        /// The parameter, from 0 to 1.
         fraction: f64,
         /// The distance there.
         distance: DistanceInterval,
     },
-    /// Not decided in the steps allowed, or where the distance is not known well enough.
+    /// Not decided within the allowed steps, or because the distance is not known well enough.
     Undecided {
-        /// Up to here it is clean, from 0 to 1.
+        /// The parameter up to which it is clean, from 0 to 1.
         fraction: f64,
         /// The distance there.
         distance: DistanceInterval,
@@ -41,8 +40,8 @@ pub enum PassageAnswer {
 }
 
 impl SolidShape {
-    /// Whether a body keeps a clearance (mm, may be zero) on its way. A hit is where the distance is surely not above
-    /// clearance and tolerance; the tolerance (mm) must be above zero.
+    /// Whether a body keeps a clearance (mm, may be zero) along a path. A hit is where the distance is certainly not
+    /// above clearance plus tolerance (mm, must be above zero).
     pub fn passage(
         &self,
         body: &RoundBody,
@@ -51,7 +50,7 @@ impl SolidShape {
         tolerance: f64,
         steps: usize,
     ) -> PassageAnswer {
-        // So that a step which is no hit is at least three quarters of the tolerance long.
+        // With this resolution every step that is not a hit is at least three quarters of the tolerance long.
         let resolution = tolerance / 4.0;
         let mut fraction = 0.0;
         let mut distance = self.distance(body, (path.tip)(fraction), resolution);
@@ -70,7 +69,7 @@ impl SolidShape {
             }
             let next = next.min(1.0);
             let ahead = self.distance(body, (path.tip)(next), resolution);
-            // Nearer from one end, away to the other: half of what the way is longer than the difference.
+            // The least distance between two evaluations a and b at path length l apart is at least (a + b − l)/2.
             let between = (distance.lower + ahead.lower - (next - fraction) * path.speed) / 2.0;
             nearest = nearest.min(ahead.lower).min(between.max(clearance));
             (fraction, distance) = (next, ahead);

@@ -1,8 +1,8 @@
-//! Distances in the half plane of height and distance from an axis.
+//! Distances in the half plane (r, z) of a body of revolution.
 //!
-//! A body that turns about an upright axis is met by a place according to its height and its distance from the axis
-//! alone. The places of a box, and of a cylinder or tube that stands upright, take every height of one span
-//! together with every distance of another: a rectangle in that half plane, so the distance is exact.
+//! The distance of a point from a body of revolution about a vertical axis depends only on its height and its
+//! distance from the axis. The points of a box, and of a vertical cylinder or tube, take every combination of a range
+//! of heights and a range of distances: a rectangle in that half plane. So the distance is exact.
 
 use chordal_geometry::{Aabb, Vec3};
 
@@ -12,7 +12,7 @@ use super::round::distances;
 
 type OutlinePoint = [f64; 2];
 
-/// The distance of a part of a body with its tip at a place from a box, mm.
+/// The distance between a box and a part of a body with its tip at a point, mm.
 pub(super) fn from_box(frustum: &Frustum, tip: Vec3, around: &Aabb) -> f64 {
     let span = |axis: usize| HeightSpan {
         from: around.min.component(axis),
@@ -24,8 +24,8 @@ pub(super) fn from_box(frustum: &Frustum, tip: Vec3, around: &Aabb) -> f64 {
     distance(frustum, tip.z, HeightSpan { from, to }, span(2))
 }
 
-/// The distance of a part of a body, with the tip at a height, from the places between two distances from its
-/// axis and between two heights, mm.
+/// The distance of a part of a body, with its tip at a height, from the points in a range of distances from its axis
+/// and a range of heights, mm.
 pub(super) fn distance(frustum: &Frustum, tip: f64, radii: HeightSpan, heights: HeightSpan) -> f64 {
     let (low, high) = (tip + frustum.from, tip + frustum.to);
     let body = [[0.0, low], [frustum.lower, low], [frustum.upper, high], [0.0, high]];
@@ -38,7 +38,7 @@ pub(super) fn distance(frustum: &Frustum, tip: f64, radii: HeightSpan, heights: 
     nearest(&body, &rectangle).min(nearest(&rectangle, &body))
 }
 
-/// Whether a side of one of two convex figures, or a direction across an axis, lies between them.
+/// Whether a side of one of two convex quadrilaterals separates them.
 fn are_separated(a: &[OutlinePoint; 4], b: &[OutlinePoint; 4]) -> bool {
     let sides = |figure: &[OutlinePoint; 4]| {
         let figure = *figure;
@@ -59,7 +59,7 @@ fn are_separated(a: &[OutlinePoint; 4], b: &[OutlinePoint; 4]) -> bool {
     sides(a).into_iter().chain(sides(b)).any(separates)
 }
 
-/// The least distance of the corners of one figure from the sides of the other.
+/// The least distance of the corners of one quadrilateral from the sides of the other.
 fn nearest(corners: &[OutlinePoint; 4], figure: &[OutlinePoint; 4]) -> f64 {
     let mut least = f64::INFINITY;
     for &[x, y] in corners {

@@ -1,4 +1,4 @@
-//! Shapes that are turned in space, and shapes as triangles.
+//! Rotates shapes, and converts them to triangles.
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,16 +8,16 @@ use super::round::CylinderShape;
 use super::{BodyBound, ShapeAxis, ShapeKind, SolidShape};
 use crate::mesh::Mesh;
 
-/// A direction that differs from an axis by less is that axis: the end of the longest part is then off by far
-/// less than its heights are rounded.
+/// A direction counts as an axis where the cosine of the angle differs from 1 by less than this: over the longest
+/// part that is far less than the rounding of heights.
 const ALONG: f64 = 1e-12;
-/// Sides of a cylinder as triangles: at least, at most.
+/// Least and largest number of sides of a cylinder as triangles.
 const SIDES: [f64; 2] = [12.0, 2048.0];
 
 impl ShapeAxis {
     const ALL: [ShapeAxis; 3] = [ShapeAxis::X, ShapeAxis::Y, ShapeAxis::Z];
 
-    /// The direction, and the two across it, as a right hand has them.
+    /// The direction and two normal ones, as a right-handed frame.
     fn frame(self) -> [Vec3; 3] {
         match self {
             ShapeAxis::X => [Vec3::X, Vec3::Y, Vec3::Z],
@@ -28,11 +28,10 @@ impl ShapeAxis {
 }
 
 impl SolidShape {
-    /// The shape elsewhere, turned: one that holds it, and one that lies in it. The two differ by no more than
-    /// `sag` (mm), and only where a cylinder lies askew.
+    /// The shape after a transformation: one that contains it, and one that it contains. The two differ by at most
+    /// `sag` (mm), and only for a cylinder at an oblique angle.
     ///
-    /// # Errors
-    /// `None` where numbers become too large.
+    /// # Errors `None` where coordinates become too large.
     pub fn turned(&self, by: &Transform, sag: f64) -> Option<[SolidShape; 2]> {
         if let ShapeKind::Round(round) = &self.0
             && let Some(same) = turned_round(round, by)
@@ -48,7 +47,7 @@ impl SolidShape {
         Some([shape(BodyBound::Outer)?, shape(BodyBound::Inner)?])
     }
 
-    /// The shape as triangles, which hold it or lie in it, no more than `sag` (mm) from its surface.
+    /// The shape as triangles that contain it or that it contains, within `sag` (mm) of its surface.
     pub fn triangles(&self, sag: f64, bound: BodyBound) -> Mesh {
         match &self.0 {
             ShapeKind::Cuboid(around) => cuboid(around),
@@ -58,7 +57,7 @@ impl SolidShape {
     }
 }
 
-/// A cylinder whose axis is one of the three again.
+/// The transformed cylinder, where its axis is again along X, Y or Z.
 fn turned_round(round: &CylinderShape, by: &Transform) -> Option<CylinderShape> {
     let [along, ..] = round.axis.frame();
     let path = by.apply_direction(along);
@@ -79,7 +78,7 @@ fn cuboid(Aabb { min, max }: &Aabb) -> Mesh {
     const FACES: [[u32; 4]; 6] =
         [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let triangles = FACES.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
-    // The corners of a shape are numbers that a mesh can have.
+    // The corners of a shape are always valid in a mesh.
     Mesh::new((0..8).map(corner).collect(), triangles).unwrap_or_default()
 }
 
@@ -87,7 +86,7 @@ fn prism(round: &CylinderShape, sag: f64, bound: BodyBound) -> Mesh {
     let [along, u, v] = round.axis.frame();
     let own = round.middle - along * along.dot(round.middle);
     let part = (sag.max(0.0) / round.outer).min(1.0);
-    // How far chords are from their circle, whether inside or around it.
+    // The number of sides whose chords are within the sag.
     let sides = (PI / libm::acos(1.0 - part).max(1e-9)).ceil().clamp(SIDES[0], SIDES[1]);
     let wide = 1.0 / libm::cos(PI / sides);
     let [outer, inner] = match bound {

@@ -16,17 +16,17 @@ pub(super) struct CylinderShape {
     pub outer: f64,
     /// The radius of the bore, mm.
     pub inner: f64,
-    /// The ends along the axis, mm.
+    /// The coordinates of its ends along the axis, mm.
     pub from: f64,
     pub to: f64,
 }
 
-/// Half the height of a circle at a distance from its middle.
+/// Half the height of a circle at a horizontal distance from its centre; `None` outside.
 fn half_height(radius: f64, distance: f64) -> Option<f64> {
     (distance < radius).then(|| ((radius - distance) * (radius + distance)).sqrt())
 }
 
-/// The smallest and the largest distance of a place in a span from another place.
+/// The smallest and the largest distance of a coordinate from those in a span.
 pub(super) fn distances(span: HeightSpan, from: f64) -> HeightSpan {
     let (below, above) = (span.from - from, span.to - from);
     HeightSpan { from: below.max(-above).max(0.0), to: above.max(-below) }
@@ -68,7 +68,7 @@ impl CylinderShape {
         }
     }
 
-    /// For a strip along the axis and one across it.
+    /// Fills the cell that is given by a strip along the axis of a lying cylinder and one across it.
     fn fill_lying(
         &self,
         along: HeightSpan,
@@ -79,12 +79,12 @@ impl CylinderShape {
         let whole = HeightSpan { from: self.from, to: self.to };
         let distance = distances(across, middle);
         let z = self.middle.z;
-        // What rounding may have done to a root and to its sum with the height.
+        // Bound of the rounding error of the root and of its sum with the height.
         let pad = 4.0 * f64::EPSILON * (z.abs() + self.outer);
         if let Some(most) = half_height(self.outer, distance.from).filter(|_| whole.overlaps(along))
         {
             let (low, high) = (z - most - pad, z + most + pad);
-            // Empty wherever in the strip one looks.
+            // The bore is empty throughout the strip.
             match half_height(self.inner, distance.to) {
                 Some(bore) if bore > pad => {
                     filler.outer(HeightSpan { from: low, to: z - bore + pad });

@@ -1,25 +1,25 @@
-//! Boxes around boxes around triangles.
+//! A bounding volume hierarchy over the triangles of a mesh.
 
 use chordal_geometry::{Aabb, Vec3};
 
 use crate::mesh::Mesh;
 
-/// Triangles in a box that is not divided further.
+/// Most triangles in a box that is not divided further.
 const MAX_LEAF_TRIANGLES: usize = 4;
 
-/// A box, and what is in it.
+/// A box, and its content.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BoxNode {
     pub bounds: Aabb,
     pub inside: NodeContent,
 }
 
-/// What is in a box.
+/// The content of a box.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum NodeContent {
-    /// Two boxes, by their numbers.
+    /// Two child boxes, by their numbers.
     Boxes(usize, usize),
-    /// Triangles: where they begin in the order of the tree, and how many there are.
+    /// Triangles: the index of the first in the order of the tree, and their number.
     Triangles(usize, usize),
 }
 
@@ -27,18 +27,18 @@ pub(super) enum NodeContent {
 #[derive(Clone, Debug)]
 pub(super) struct TriangleTree {
     nodes: Vec<BoxNode>,
-    /// The triangles in the order of the boxes.
+    /// The numbers of the triangles, in the order of the boxes.
     order: Vec<u32>,
 }
 
 impl TriangleTree {
-    /// The tree of a mesh of at least one triangle.
+    /// The tree of a mesh with at least one triangle.
     pub(super) fn new(mesh: &Mesh) -> TriangleTree {
         let around = |triangle: u32| {
             let corners = mesh.corners(triangle as usize);
             corners.into_iter().fold(Aabb::EMPTY, |around, corner| around.include(corner))
         };
-        // A mesh has no more triangles than 32 bits number.
+        // The number of triangles of a mesh fits 32 bits.
         let mut order: Vec<u32> = (0..mesh.triangles().len() as u32).collect();
         let bounds: Vec<Aabb> = order.iter().map(|triangle| around(*triangle)).collect();
         let mut tree = TriangleTree { nodes: Vec::new(), order: Vec::new() };
@@ -47,8 +47,8 @@ impl TriangleTree {
         tree
     }
 
-    /// Makes the box of a part of the order; its number. The halves are the same in number, so that the depth is
-    /// the logarithm of the count.
+    /// Makes the box of a part of the order, and returns its number. Both halves have the same number of triangles,
+    /// so that the depth is logarithmic.
     fn divide(&mut self, bounds: &[Aabb], part: &mut [u32], first: usize) -> usize {
         let around = part
             .iter()
@@ -67,7 +67,7 @@ impl TriangleTree {
             };
             let middle = |triangle: u32| bounds[triangle as usize].center().component(axis);
             let half = part.len() / 2;
-            // Equal ones in the order of their numbers: the same tree everywhere.
+            // Ties are broken by number, so that the tree is the same everywhere.
             part.select_nth_unstable_by(half, |a, b| {
                 middle(*a).total_cmp(&middle(*b)).then(a.cmp(b))
             });
@@ -79,7 +79,7 @@ impl TriangleTree {
         node
     }
 
-    /// The box around everything has the number zero.
+    /// The node with this number; the root is 0.
     pub(super) fn node(&self, number: usize) -> BoxNode {
         self.nodes[number]
     }
@@ -89,7 +89,7 @@ impl TriangleTree {
         self.order[first..first + count].iter().map(|triangle| *triangle as usize)
     }
 
-    /// Calls for every triangle in a box that passes.
+    /// Calls `call` for every triangle in the boxes for which `passes` is true.
     pub(super) fn each(&self, passes: impl Fn(&Aabb) -> bool, mut call: impl FnMut(usize)) {
         let mut open = vec![0];
         while let Some(number) = open.pop() {

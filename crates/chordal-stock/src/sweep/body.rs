@@ -1,9 +1,9 @@
-//! What must not touch stock: a shank, a neck, a holder, the part of a cutter above its edges.
+//! Bodies that must not touch stock: a shank, a neck, a holder, the part of a cutter above its edges.
 
 use super::{BodyPart, PartShape, parts};
 use crate::{CutterProfile, Undercut};
 
-/// A body of revolution about the tool axis, as its lowest surface. Heights above the tool tip, mm.
+/// A body of revolution about the tool axis, represented by its lower surface. Heights are above the tool tip, mm.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RevolvedBody {
     pub(crate) parts: Vec<BodyPart>,
@@ -12,30 +12,30 @@ pub struct RevolvedBody {
 }
 
 impl RevolvedBody {
-    /// A cutter itself: for moves that should not cut.
+    /// A cutter itself, for moves that must not cut.
     pub fn of_cutter(cutter: &CutterProfile) -> RevolvedBody {
         RevolvedBody { parts: parts(cutter.rings()), ..RevolvedBody::default() }
     }
 
-    /// Undercuts themselves, each with the height of its lower end above the tip, mm: for moves that should not
-    /// cut. Unlike other bodies they end at their upper sides.
+    /// Undercuts themselves, for moves that must not cut; each with the height of its lower end above the tip, mm.
+    /// Unlike other bodies they end at their upper sides.
     pub fn of_undercuts(undercuts: &[(f64, Undercut)]) -> RevolvedBody {
         RevolvedBody { undercuts: undercuts.to_vec(), ..RevolvedBody::default() }
     }
 
-    /// What is above the edges of a cutter, as wide as the cutter; `None` if their length is not known. What it
-    /// touches is a cut deeper than the edges.
+    /// The part above the edges of a cutter, as wide as the cutter. Where it touches, the cut is deeper than the
+    /// edges. `None` if their length is not known.
     pub fn above_flutes(cutter: &CutterProfile) -> Option<RevolvedBody> {
         Some(RevolvedBody::cylinder(2.0 * cutter.radius(), cutter.flutes()?))
     }
 
-    /// A cylinder of a diameter from a height up, mm: a shank.
+    /// A cylinder from a height up, such as a shank, mm.
     pub fn cylinder(diameter: f64, height: f64) -> RevolvedBody {
         RevolvedBody::stack(height, &[[0.0, diameter, diameter]])
     }
 
-    /// Cylinders and cones upon each other from a height on: the length, the lower and the upper diameter of
-    /// each, mm. A narrower one above a wider one is hidden by it. Numbers that are no size add nothing.
+    /// Stacked cylinders and cones from a height on, each as length, lower and upper diameter, mm. A narrower one
+    /// above a wider one is hidden by it. Segments with invalid sizes add nothing.
     pub fn stack(height: f64, segments: &[[f64; 3]]) -> RevolvedBody {
         let mut parts: Vec<BodyPart> = Vec::new();
         let (mut height, mut widest) = (height, 0.0_f64);
@@ -48,7 +48,7 @@ impl RevolvedBody {
             if upper > widest && upper > lower && length > 0.0 {
                 let slope = length / (upper - lower);
                 let from = height + slope * (widest - lower);
-                // Of a disc that the cone goes on from, the cone has the disc as its core.
+                // A disc from which the cone continues becomes the core of the cone.
                 if parts.last().is_some_and(|last| last.reach == widest && last.height == from) {
                     parts.pop();
                 }
@@ -56,7 +56,7 @@ impl RevolvedBody {
                 parts.push(BodyPart { height: from, core: widest, reach: upper, kind });
                 widest = upper;
             } else if upper > widest {
-                // Wider at once.
+                // A step to a larger diameter.
                 let height = height + length.max(0.0);
                 parts.push(BodyPart { height, core: upper, reach: upper, kind: PartShape::Flat });
                 widest = upper;

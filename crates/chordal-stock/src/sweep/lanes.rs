@@ -1,10 +1,11 @@
-//! The floor of a part on a piece for four columns at once, in single precision.
+//! The floor of a part of a cutter on a piece of a path, for four columns at once, in single precision.
 //!
-//! Only + − × ÷ √ and the smaller or larger of two: the bits do not depend on the width of the lanes.
-//! Rounding is a shift of the column in plan: with `slack` it is counted, from above or from below.
+//! Only + − × ÷ √, minimum and maximum are used, so the bits do not depend on the width of the lanes. Rounding acts
+//! like a shift of the column in plan; the bounds from above and below allow for it by `slack`.
 //!
-//! From above any place s on the piece is right, so the floor is taken at a place that is nearly the best,
-//! with the profile pushed outward. From below the column is moved nearer to the piece, and the piece longer.
+//! Any position s on the piece gives an upper bound, so the floor is evaluated at one that is nearly optimal, with
+//! the profile pushed outwards. For the lower bound the column is moved nearer to the piece, and the piece is
+//! extended.
 
 use wide::{CmpGe, CmpLe, CmpLt, f32x4};
 
@@ -13,69 +14,70 @@ use super::{BodyPart, PartShape, SweepPiece};
 
 const ZERO: f32x4 = f32x4::ZERO;
 
-/// Where a column is not reached.
+/// The floor of a column that is not reached.
 pub(crate) const NOT_REACHED: f32 = f32::INFINITY;
 
-/// One step of rounding in single precision counts as 8 of them for a shift in plan: a sum of three products
-/// and two roots stay far below.
+/// Bound of the rounding as a shift in plan, relative to lengths: 8 times the rounding unit of single precision. A
+/// sum of three products and two roots stays far below.
 const SHIFT: f64 = 1.0 / (1 << 21) as f64;
 
-/// Heights are rounded by this, mm, and by `SHIFT` of their range.
+/// Bound of the rounding of heights, mm; plus `SHIFT` times their range.
 const HEIGHT_ROUNDING_MM: f64 = 1e-5;
 
-/// Rows of corners of a block.
+/// Rows of corners in a block.
 const ROWS: usize = 9;
 
-/// A floor as it is, apart from rounding.
+/// The floor itself, without allowance for rounding.
 pub(crate) const PLAIN: u8 = 0;
-/// A floor from above.
+/// An upper bound of the floor.
 pub(crate) const UPPER: u8 = 1;
-/// A floor from below.
+/// A lower bound of the floor.
 pub(crate) const LOWER: u8 = 2;
 
-/// What bounds a floor from one side.
+/// The parameters of one of the three floors.
 #[derive(Clone, Copy)]
 pub(crate) struct FloorSide {
     reach_square: f32x4,
     reach: f32x4,
-    /// From here to here along the piece, from the anchor, mm.
+    /// The ends of the piece, measured from the anchor, mm.
     from: f32x4,
     to: f32x4,
     /// The height of the part at the anchor, mm.
     height: f32x4,
 }
 
-/// A piece near a tile. Places along it are counted from its point nearest to the middle of the tile, the
-/// anchor; heights from the top of the stock.
+/// A piece near a tile. Positions along it are measured from the anchor, its point nearest to the middle of the tile;
+/// heights from the top of the stock.
 pub(crate) struct TileCourse {
-    /// Places along the piece and across it at the tile's corner, and their changes from cell to cell, mm.
+    /// Position along the piece at the tile's corner, and its change per cell along X and Y, mm; `across` likewise
+    /// across the piece.
     pub along: [f32; 3],
     pub across: [f32; 3],
     pub slope: f32,
-    /// −1 when the piece rises, 1 when it falls: where the lowest contact lies.
+    /// −1 when the piece rises, 1 when it falls: the side of the lowest contact.
     pub lowest_side: f32x4,
     pub upper: FloorSide,
     pub lower: FloorSide,
     pub plain: FloorSide,
-    /// From above the profile is pushed outward by this, mm.
+    /// How far the profile is pushed outwards for the upper bound, mm.
     grow: f32x4,
-    /// From below columns are this much nearer to the piece, mm.
+    /// How much nearer to the piece columns are for the lower bound, mm.
     nearer: f32x4,
-    /// Along the piece and across it, from a row of cells to those after it, mm.
+    /// The change along the piece and across it from the first row of cells to each row, mm.
     pub rows: [[f32x4; ROWS]; 2],
-    /// Half the diagonal of a cell, and what is uncertain, mm.
+    /// Half the diagonal of a cell plus `slack`, mm.
     pub half_diagonal: f32,
-    /// What is uncertain in plan, mm.
+    /// Error bound in plan, mm.
     pub slack: f32,
-    /// The height of the part at the anchor, from below, mm.
+    /// Lower bound of the height of the part at the anchor, mm.
     least_height: f32,
-    /// From above it is this much higher, mm.
+    /// The upper bound is higher by this, mm.
     pub gap: f32,
-    /// From the height of the part from below to the one apart from rounding, mm.
+    /// The difference between the height of the part itself and its lower bound, mm.
     pub raise: f32x4,
 }
 
-/// What a course depends on besides the piece.
+/// The tile and the stock on which a course depends.
 pub(crate) struct CourseFrame {
     /// The corner of the tile, mm.
     pub corner: [f64; 2],
@@ -85,7 +87,7 @@ pub(crate) struct CourseFrame {
     pub cells: u32,
     /// The top of the stock, mm.
     pub top: f64,
-    /// From the top to the bottom of the stock, mm.
+    /// The height of the stock, mm.
     pub depth: f64,
 }
 
@@ -98,7 +100,7 @@ impl TileCourse {
         let anchor = (middle[0] * ux + middle[1] * uy).clamp(0.0, piece.length);
         let along = corner[0] * ux + corner[1] * uy - anchor;
         let across = corner[1] * ux - corner[0] * uy;
-        // Beyond this from the anchor no column of the tile is reached.
+        // Beyond this distance from the anchor no column of the tile is reached.
         let far = part.reach + 2.0 * width;
         let (from, to) = ((-anchor).max(-far), (piece.length - anchor).min(far));
         let newton = match part.kind {
@@ -113,15 +115,15 @@ impl TileCourse {
         let lane = |value: f64| f32x4::splat(value as f32);
         let (over, under) = (round + piece.off, round + piece.off_in_run);
         let high = part.reach - over - round;
-        // The ends of the piece rounded inwards: from above a place must be on it.
+        // The ends of the piece, rounded inwards: for the upper bound a position must be on the piece.
         let (mut inner_from, mut inner_to) = ((from as f32).next_up(), (to as f32).next_down());
         if from == to || inner_from > inner_to {
-            // So short that rounding is its length: its lower end, which is then as good as any.
+            // The piece is as short as rounding: its lower end represents it.
             let low = if piece.slope > 0.0 { from } else { to };
             (inner_from, inner_to) = (low as f32, low as f32);
         }
         let side = |reach: f64, ends: [f32; 2], height: f64| FloorSide {
-            // Nothing is reached where what is uncertain is as large as the part.
+            // Nothing is reached where the error is as large as the part.
             reach_square: lane(if reach > 0.0 { reach * reach } else { -1.0 }),
             reach: lane(reach),
             from: f32x4::splat(ends[0]),
@@ -150,7 +152,7 @@ impl TileCourse {
         }
     }
 
-    /// The place along the piece and across it at a corner of cells, counted from the tile's.
+    /// The position along the piece and across it at a corner of cells, given in cells from the tile's corner.
     #[inline(always)]
     pub fn at(&self, x: f32, y: f32) -> (f32, f32) {
         (
@@ -159,8 +161,8 @@ impl TileCourse {
         )
     }
 
-    /// The floor of a column, from one side, by its place along the piece and across it; `NOTHING` where it is
-    /// not reached.
+    /// One of the three floors of a column, given its position along the piece and across it; [`NOT_REACHED`] where
+    /// it is not reached.
     #[inline(always)]
     pub fn floor<const LEVEL: bool, const SIDE: u8, S: PartKind>(
         &self,
@@ -202,8 +204,8 @@ impl TileCourse {
         }
     }
 
-    /// What the floor is surely not below within `radius` mm of a column: the lowest place of the piece in
-    /// reach, and the part's height at the least distance. `lowest` is from `lowest_in_reach`.
+    /// Lower bound of the floor within `radius` mm of a column: the lowest height of the piece within reach plus the
+    /// part's height at the least distance. `lowest` is from `lowest_in_reach`.
     #[inline(always)]
     pub fn least_within<S: PartKind>(
         &self,
@@ -221,7 +223,7 @@ impl TileCourse {
         distance.cmp_le(side.reach).blend(value, f32x4::splat(NOT_REACHED))
     }
 
-    /// The least height of the part where it reaches places within `radius` mm of one along the piece.
+    /// The least height of the part where it reaches points within `radius` mm of a position along the piece.
     #[inline(always)]
     pub fn lowest_in_reach(&self, along: f32, radius: f32) -> f32 {
         let side = &self.plain;
@@ -232,7 +234,7 @@ impl TileCourse {
         self.least_height + (self.slope * first).min(self.slope * last)
     }
 
-    /// The height of a level piece, from above and from below, mm.
+    /// Upper and lower bound of the height of a level piece, mm.
     pub fn level(&self) -> [f32; 2] {
         [self.upper.height.to_array()[0], self.least_height]
     }
@@ -242,9 +244,9 @@ impl TileCourse {
         self.plain.height.to_array()[0]
     }
 
-    /// Whether of four rectangles of columns (their middles along the piece and across it, and half their sizes)
-    /// any column may be this piece's own: reached, and not left to a neighbour. `next`: the shape on the slope of
-    /// the next piece.
+    /// For four rectangles of columns, given by their middles and half sizes along the piece and across it: whether
+    /// this piece may have to lower any column, which it reaches and does not leave to a neighbour. `next` is the
+    /// shape on the slope of the next piece.
     #[inline(always)]
     pub fn takes<S: PartKind>(
         &self,
@@ -281,7 +283,7 @@ impl TileCourse {
         takes
     }
 
-    /// Whether a part that does not rise covers all four columns, from above.
+    /// Whether the upper bound of a level part covers all four columns.
     #[inline(always)]
     pub fn covers(&self, along: f32x4, across: f32x4) -> bool {
         let side = &self.upper;
@@ -290,7 +292,8 @@ impl TileCourse {
     }
 }
 
-/// Between these the lowest contact lies, ahead of a column's place on a piece, for distances from near to far.
+/// The range in which the lowest contact is, ahead of a column's position on a piece, for distances from `near` to
+/// `far`.
 #[inline(always)]
 fn contact<S: PartKind>(
     shape: &S,

@@ -1,8 +1,8 @@
-//! The floor below a straight move of a cutter: what it depends on, and its value for four columns at once.
+//! The floor of a straight move of a cutter, computed for four columns at once.
 //!
-//! A path is cut into straight pieces ([`pieces`]), a cutter into parts whose floor is a convex function of
-//! the column ([`BodyPart`]). For a piece and a part, [`strip`] says which columns no neighbour takes, and
-//! [`lanes`] gives the floor in single precision, with the rounding counted as a horizontal shift.
+//! A path is divided into straight pieces ([`pieces`]), a cutter into parts whose floor is a convex function of the
+//! column's position ([`BodyPart`]). For a piece and a part, [`strip`] says which columns no neighbour takes, and
+//! [`lanes`] computes the floor in single precision, with the rounding error counted as a horizontal shift.
 
 mod body;
 pub(crate) mod lanes;
@@ -17,11 +17,11 @@ pub use body::RevolvedBody;
 pub(crate) use part::{BodyPart, PartShape, parts};
 pub(crate) use pieces::{MoveSplitter, SweepPiece};
 
-/// A move of the tool tip, and whose it is.
+/// A move of the tool tip with a tag.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TipMove {
     /// The path of the tip, mm.
     pub curve: Curve,
-    /// By this number volumes are told apart: the number of a tool, say.
+    /// Volumes are counted separately for each tag, such as the number of a tool.
     pub tag: u32,
 }

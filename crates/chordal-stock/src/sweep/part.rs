@@ -1,24 +1,24 @@
-//! A cutter as the union of parts that are convex by themselves.
+//! A cutter as the union of parts, each of which is convex.
 //!
-//! A ring, continued towards the axis by a disc at the height where it begins, has a convex height; the
-//! disc adds nothing to the cutter, because what is nearer to the axis is lower. So the floor of any
-//! cutter is the least of the floors of its parts, and each of these is a convex function of the column
-//! on a straight move. Hollow outlines need no rule of their own.
+//! A ring, continued towards the axis by a disc at the height where it begins, has a convex height. The disc does not
+//! change the cutter, because what is nearer to the axis is lower. So the floor of any cutter is the minimum of the
+//! floors of its parts, and each of these is a convex function of the column on a straight move. Concave outlines
+//! need no special case.
 
 use crate::{Ring, RingElement};
 
-/// What a part is outside its core.
+/// The shape of a part outside its core.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum PartShape {
     /// Nothing: the part ends with its core.
     Flat,
-    /// This rise by radius.
+    /// A cone with this rise per radius.
     Cone(f64),
-    /// A round of the radius `round` about a circle of the radius `middle`, mm.
+    /// A torus with the minor radius `round` and the major radius `middle`, mm.
     Round { round: f64, middle: f64 },
 }
 
-/// A disc of the radius `core` at `height` above the tip, and what follows up to the radius `reach`, mm.
+/// A disc of radius `core` at `height` above the tip, and its continuation up to the radius `reach`, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BodyPart {
     pub height: f64,
@@ -27,7 +27,7 @@ pub(crate) struct BodyPart {
     pub kind: PartShape,
 }
 
-/// The parts of a cutter, and where a disc is only the core of the next part, not the disc.
+/// The parts of a cutter. A disc that is only the core of the next part is left out.
 pub(crate) fn parts(rings: &[Ring]) -> Vec<BodyPart> {
     let part = |ring: &Ring| {
         let (kind, core) = match ring.element {
@@ -66,8 +66,8 @@ impl BodyPart {
             }
     }
 
-    /// Between these the lowest contact lies along a straight move that rises by `slope`, mm ahead of the
-    /// column's own place on it, for any column that the part reaches.
+    /// The range in which the lowest contact is on a straight move that rises by `slope`, in mm ahead of the column's
+    /// foot on it, for any column that the part reaches.
     pub fn contact(&self, slope: f64) -> [f64; 2] {
         let rise = slope.abs();
         let most = match self.kind {

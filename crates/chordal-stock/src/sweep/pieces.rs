@@ -1,25 +1,25 @@
-//! Moves as straight pieces, each with how far the path may lie from it, and how the next one goes on.
+//! Divides moves into straight pieces, each with its largest distance from the path and the joint with the next one.
 
 use chordal_geometry::{Curve, Line, ParamCurve, Vec3};
 
 use super::TipMove;
 
-/// Shorter in plan than this a piece is vertical, mm: its lower end is taken, its length counts as distance
-/// from the path. Far below any resolution, far above the rounding of coordinates.
+/// A piece that is shorter in plan than this counts as vertical, mm: it is represented by its lower end, and its
+/// length in plan counts as distance from the path. Far below any resolution, far above the rounding of coordinates.
 const VERTICAL: f64 = 1e-5;
 
-/// The largest curvature of a spline is found among places (see `SplinePiece::max_curvature`): this much more
-/// is taken for what may lie between them.
+/// The largest curvature of a spline is taken from samples (see `SplinePiece::max_curvature`) and multiplied by this,
+/// for what may be between them.
 const BETWEEN_PLACES: f64 = 1.25;
 
-/// Heights at the ends of pieces are as exact as this, mm.
+/// Bound of the rounding error of heights at the ends of pieces, mm.
 const END_ROUNDING_MM: f64 = 1e-9;
 
-/// The most pieces of one move, so that a curve far larger than any machine takes no memory to speak of. Fewer
-/// pieces than the tolerance asks for lie further off, and say so.
+/// Most pieces of one move, so that a curve far larger than any machine takes little memory. With fewer pieces than
+/// the tolerance needs, their distance from the path is larger and is accounted for.
 const MAX_PIECES: f64 = 1e5;
 
-/// How the piece after this one begins: the turn in plan from here to there, and its rise by length.
+/// How the next piece begins: the turn in plan between the two, and its rise per length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PieceJoint {
     pub cos: f64,
@@ -30,30 +30,30 @@ pub(crate) struct PieceJoint {
 /// A straight piece of a path of the tip.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SweepPiece {
-    /// Where it begins, mm; of a vertical one the lower end.
+    /// Its start, mm; the lower end of a vertical one.
     pub start: Vec3,
     /// Its direction in plan, of length 1.
     pub along: [f64; 2],
     /// Its length in plan, mm.
     pub length: f64,
-    /// Its rise by length in plan.
+    /// Its rise per length in plan.
     pub slope: f64,
-    /// The path lies within this of it, mm, and it of the path.
+    /// The largest distance between the piece and its path (Hausdorff), mm.
     pub off: f64,
-    /// The largest of these distances in its run, mm. What is left to a neighbour is bounded from below by
-    /// the neighbour, so the neighbour must allow for this piece's distance too.
+    /// The largest `off` in its run, mm. A column that is left to a neighbour gets its lower bound from the
+    /// neighbour, which must therefore allow for this piece's distance, too.
     pub off_in_run: f64,
-    /// Number of the move in its list.
+    /// Index of the move in its list.
     pub number: u32,
     pub tag: u32,
-    /// Whether another piece of the run ends where it begins.
+    /// Whether another piece of the run ends where this one begins.
     pub follows: bool,
-    /// The piece of the run that begins where it ends.
+    /// The joint with the next piece of the run; `None` for the last one.
     pub next: Option<PieceJoint>,
 }
 
 impl SweepPiece {
-    /// The tip is nowhere lower on the path of the piece, mm.
+    /// Lower bound of the height of the tip on the path of the piece, mm.
     pub fn lowest(&self) -> f64 {
         self.start.z + (self.slope * self.length).min(0.0) - self.off_in_run - END_ROUNDING_MM
     }
@@ -64,23 +64,23 @@ impl SweepPiece {
     }
 }
 
-/// Cuts moves into pieces, and finds runs: pieces each of which begins where the last one ended.
+/// Divides moves into pieces, and finds runs: pieces each of which begins where the last one ended.
 pub(crate) struct MoveSplitter {
     tolerance: f64,
-    /// The place and the tag where a run may go on.
+    /// The point and the tag with which a run may continue.
     open: Option<(Vec3, u32)>,
-    /// Where the run begins in `pieces`.
+    /// Index of the first piece of the run.
     run_from: usize,
     pub pieces: Vec<SweepPiece>,
 }
 
 impl MoveSplitter {
-    /// Pieces may lie so far from curves, mm.
+    /// Pieces stay within `tolerance` of curves, mm.
     pub fn new(tolerance: f64) -> MoveSplitter {
         MoveSplitter { tolerance, open: None, run_from: 0, pieces: Vec::new() }
     }
 
-    /// Ends the run: what comes next is no neighbour.
+    /// Ends the run: the next piece is not a neighbour.
     pub fn end_run(&mut self) {
         self.open = None;
         let run = &mut self.pieces[self.run_from..];
@@ -91,17 +91,17 @@ impl MoveSplitter {
         self.run_from = self.pieces.len();
     }
 
-    /// The pieces, all runs ended.
+    /// The pieces, after the last run was ended.
     pub fn finish(mut self) -> Vec<SweepPiece> {
         self.end_run();
         self.pieces
     }
 
-    /// Adds the pieces of a move, each of at most `drop` mm of height where the move only rises or falls; of any
-    /// height if that is not above zero.
+    /// Adds the pieces of a move. On a move that only rises or falls, each changes its height by at most `drop` mm;
+    /// by any amount if `drop` is not above zero.
     ///
-    /// `heights`: the least and the largest height of the tip between which a plunge may find another stock at each
-    /// piece. Above and below nothing changes, so that what is left of a plunge is one piece.
+    /// `heights`: the range of heights of the tip in which a plunge may change the stock. Above and below, a plunge
+    /// is one piece each.
     pub fn add(&mut self, number: u32, path: &TipMove, drop: f64, heights: [f64; 2]) {
         let curve = &path.curve;
         let length = curve.length();
@@ -135,7 +135,7 @@ impl MoveSplitter {
         }
     }
 
-    /// A move along Z.
+    /// Adds a move along Z.
     fn plunge(&mut self, line: &Line, number: u32, tag: u32, drop: f64, [low, high]: [f64; 2]) {
         let [from, to] = [line.start.z, line.end.z].map(|z| z.max(low).min(high));
         let falls = if drop > 0.0 { (to - from).abs() / drop } else { 0.0 };

@@ -1,35 +1,35 @@
-//! The kinds of parts in four lanes: how high they are, and where on a slope they touch lowest.
+//! The shapes of parts in four lanes: their heights, and where on a slope they touch lowest.
 
 use wide::{CmpGt, CmpLt, f32x4};
 
 use super::{BodyPart, PartShape};
 
 const ZERO: f32x4 = f32x4::ZERO;
-/// No divisor is smaller.
+/// Lower bound of divisors.
 const MIN_DIVISOR: f32x4 = f32x4::new([1e-12; 4]);
 
-/// A kind of part. Radii and heights in mm; heights above the core.
+/// The shape of a part. Radii and heights are in mm; heights are above the core.
 pub(crate) trait PartKind: Copy {
     /// Whether it has no height outside its core.
     const IS_FLAT: bool = false;
 
-    /// The height at distances from the axis, given by their squares; `base` less.
+    /// The height at distances from the axis, given as squares, without `base`.
     fn height(&self, square: f32x4) -> f32x4;
 
-    /// Not less than the height at these distances and `grow` more; `base` less.
+    /// Upper bound of the height at these distances increased by `grow`, without `base`.
     fn height_beyond(&self, square: f32x4, grow: f32x4) -> f32x4;
 
-    /// What of the height is the same everywhere.
+    /// The constant part of the height.
     #[inline(always)]
     fn base(&self) -> f32x4 {
         ZERO
     }
 
-    /// How far behind (or ahead of, when the slope falls) a column's place on the piece the lowest contact
-    /// lies, at the distance e from the piece: `square` is e², `room` is √(reach² − e²).
+    /// How far behind a column's foot on the piece the lowest contact is (ahead where the slope falls), at the
+    /// distance e from the piece: `square` is e², `room` is √(reach² − e²).
     fn contact(&self, e: f32x4, square: f32x4, room: f32x4) -> f32x4;
 
-    /// The least and the largest of these for distances between two: it falls with the distance.
+    /// The least and the largest contact for a range of distances; by default it falls with the distance.
     #[inline(always)]
     fn contacts(&self, near: f32x4, far: f32x4, reach_square: f32x4) -> [f32x4; 2] {
         [far, near].map(|e| {
@@ -62,8 +62,8 @@ impl PartKind for FlatPart {
     }
 }
 
-/// A cone about a core, on a slope: it touches at `lean`·e, or at `steep`, which is beyond the end of what it
-/// reaches where the slope is the steeper one, and nothing elsewhere.
+/// A cone about a core, on a slope. It touches at `lean`·e; where the slope is steeper than the cone it touches at
+/// its rim, and `steep` is then beyond any reach (otherwise zero).
 #[derive(Clone, Copy)]
 pub(crate) struct ConePart {
     slope: f32x4,
@@ -92,7 +92,7 @@ impl PartKind for ConePart {
 
     #[inline(always)]
     fn contacts(&self, near: f32x4, far: f32x4, reach_square: f32x4) -> [f32x4; 2] {
-        // The contact on the cone goes ahead with the distance, the edge of the core and the rim go back.
+        // The contact on the cone grows with the distance, those on the edge of the core and on the rim shrink.
         [(near, far), (far, near)].map(|(lean, ends)| {
             let square = ends * ends;
             let room = (reach_square - square).fast_max(ZERO).sqrt();
@@ -102,14 +102,14 @@ impl PartKind for ConePart {
     }
 }
 
-/// Half a ball: it reaches as far as its round.
+/// Half a ball.
 #[derive(Clone, Copy)]
 pub(crate) struct BallPart {
     round: f32x4,
     round_square: f32x4,
-    /// Slope by √(1 + slope²), without its sign.
+    /// |slope| / √(1 + slope²).
     sine: f32x4,
-    /// 2·round: (r + g)² − r² is not more than this times g, and g².
+    /// 2·round: (r + g)² − r² is at most this times g, plus g².
     twice_round: f32x4,
 }
 
@@ -135,7 +135,7 @@ impl PartKind for BallPart {
     }
 }
 
-/// A round about a circle.
+/// Part of a torus.
 #[derive(Clone, Copy)]
 pub(crate) struct RoundPart {
     round: f32x4,
@@ -143,28 +143,28 @@ pub(crate) struct RoundPart {
     middle: f32x4,
     core: f32x4,
     core_square: f32x4,
-    /// The height of the circle of the core on the round, mm: zero where it begins at its lowest place.
+    /// The height of the core's edge on the torus, mm: zero where the torus begins at its lowest point.
     rise: f32x4,
     /// Slope, its square, and 1/(1 + slope²).
     slope: f32x4,
     slope_square: f32x4,
     cosine_square: f32x4,
-    /// The smallest sine of a contact, and what it is of its arm.
+    /// The smallest sine of a contact, divided by its arm.
     least_share: f32x4,
     /// One over the whole radius.
     inverse: f32x4,
     middle_square: f32x4,
-    /// Where the contact begins at the distance of the middle.
+    /// Start value at the distance `middle`.
     at_middle: f32x4,
     reach_square: f32x4,
     reach: f32x4,
 }
 
-/// Newton's method for the contact of a round: from its start three steps reach single precision.
+/// Steps of Newton's method for the contact of a torus: three reach single precision.
 const STEPS: usize = 3;
 
-/// What the contact of a round is off after these, as a shift of the column by a share of the reach: twice the largest
-/// of four million cases with rounds from a hundredth of the radius and slopes up to a hundred.
+/// Bound of the error of a torus contact after these steps, as a shift of the column relative to the reach: twice the
+/// largest of four million cases with minor radii from a hundredth of the radius and slopes up to 100.
 pub(crate) const ROUND_SHIFT: f64 = 1.0 / (1 << 15) as f64;
 
 impl PartKind for RoundPart {
@@ -179,15 +179,16 @@ impl PartKind for RoundPart {
         self.round - (self.round_square - d * d).fast_max(ZERO).sqrt() - self.rise
     }
 
-    /// With s the sine of the contact and q² = s²(1 + m²) − m², (f + c·s)·q = e·s. Neither takes differences of nearly equal
-    /// numbers on steep slopes. The root lies between e·s/(f + c·s) for the least s and for one.
+    /// With s the sine of the contact and q² = s²(1 + m²) − m², (f + c·s)·q = e·s. This form avoids differences of
+    /// nearly equal numbers on steep slopes. The root is between e·s/(f + c·s) for the least s and for s = 1.
     #[inline(always)]
     fn contact(&self, e: f32x4, square: f32x4, room: f32x4) -> f32x4 {
         let one = f32x4::ONE;
         let square = square.fast_min(self.reach_square);
         let e = e.fast_min(self.reach);
         let (least, most) = (e * self.least_share, e * self.inverse);
-        // On the flat end the round hardly counts, outside of it the slope; between them both do.
+        // Start values: over the flat end the minor radius hardly counts, outside of it the slope hardly counts; in
+        // between both do.
         let flat = (self.middle_square - square).fast_max(ZERO).sqrt();
         let on_flat = (self.slope * e / flat.fast_max(MIN_DIVISOR)).fast_min(self.at_middle);
         let outside = ((e - self.middle) / self.round).fast_max(self.at_middle);
@@ -208,22 +209,22 @@ impl PartKind for RoundPart {
         let rest = ((one - q * q) * self.cosine_square).fast_max(ZERO).sqrt();
         let contact = self.slope * arm * rest / s;
         let edge = (self.core_square - square).fast_max(ZERO).sqrt();
-        // On the core itself the height does not change before its edge.
+        // Inside the core the height is constant up to its edge.
         let inside = contact.cmp_gt(edge);
         inside.blend(contact, edge).fast_min(room)
     }
 }
 
-/// Whether a round is half a ball, whose contact has a closed form.
+/// Whether a part is half a ball, whose contact has a closed form.
 pub(crate) fn is_ball(part: &BodyPart) -> bool {
     matches!(part.kind, PartShape::Round { round, middle }
         if middle == 0.0 && part.core == 0.0 && part.reach == round)
 }
 
-/// Farther than a cutter reaches, mm, or steeper than any lean that matters.
+/// Farther than any cutter reaches, mm; also the largest `lean`.
 const UNREACHABLE_MM: f64 = 1e9;
 
-/// A part on a slope, as one of the shapes.
+/// The shape of a part on a slope.
 pub(crate) enum AnyShape {
     Flat(FlatPart),
     Cone(ConePart),
@@ -241,7 +242,7 @@ impl AnyShape {
                 slope: lane(k),
                 core: lane(part.core),
                 core_square: lane(part.core * part.core),
-                // Far beyond any reach, and no overflow in products with it.
+                // Far beyond any reach, yet products with it do not overflow.
                 lean: lane(if rise < k {
                     (rise / (k * k - rise * rise).sqrt()).min(UNREACHABLE_MM)
                 } else {

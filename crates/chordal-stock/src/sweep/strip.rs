@@ -1,11 +1,11 @@
-//! Which columns a piece takes, and which it leaves to its neighbours.
+//! Decides which columns a piece of a path lowers, and which it leaves to its neighbours.
 //!
-//! Where the lowest contact of a column would lie before the piece begins, the piece that ends there is at
-//! least as low, and likewise at its end. A column that both might leave belongs to the earlier piece.
+//! Where the lowest contact over a column would be before the start of the piece, the previous piece is at least as
+//! low, and likewise at its end. A column that both might leave to the other belongs to the earlier piece.
 
 use super::{BodyPart, SweepPiece};
 
-/// A rectangle along a piece: `from` to `to` along it from its start, `reach` to both sides, mm.
+/// A rectangle along a piece: from `from` to `to` along it, measured from its start, and `reach` to both sides, mm.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub(crate) struct SweepStrip {
     pub from: f64,
@@ -13,15 +13,15 @@ pub(crate) struct SweepStrip {
     pub reach: f64,
 }
 
-/// The strip of a piece for a part of the cutter; it holds at least what no neighbour takes.
+/// The strip of a piece for a part of the cutter; it contains at least the columns that no neighbour takes.
 pub(crate) fn strip(piece: &SweepPiece, part: &BodyPart) -> SweepStrip {
     let reach = part.reach;
     let [back, ahead] = part.contact(piece.slope);
     let from = if piece.follows { -ahead } else { -reach };
     let to = piece.next.map_or(reach, |joint| {
-        // The next piece surely takes what lies beyond this along itself from the joint.
+        // The next piece certainly takes what is beyond this distance along itself from the joint.
         let takes = (-part.contact(joint.slope)[0]).min(reach);
-        // The furthest along this piece of what it may leave: in the circle about the joint, not beyond.
+        // The furthest point along this piece that the next one may leave, within the circle about the joint.
         let left = if joint.cos * reach <= takes {
             reach
         } else {
@@ -32,9 +32,9 @@ pub(crate) fn strip(piece: &SweepPiece, part: &BodyPart) -> SweepStrip {
     SweepStrip { from, to: piece.length + to, reach }
 }
 
-/// The values of u with low ≤ c·u + d·v ≤ high for some v between two; none when the first is larger.
+/// The range of u with low ≤ c·u + d·v ≤ high for some v in a range; empty where the first value is larger.
 pub(crate) fn span(c: f64, d: f64, [low, high]: [f64; 2], [v0, v1]: [f64; 2]) -> [f64; 2] {
-    /// A direction that leans less than this is taken as even: over any tile it moves by less than rounding.
+    /// A smaller slope counts as zero: over any tile it makes less than rounding.
     const HORIZONTAL_SLOPE: f64 = 1e-9;
     let (least, most) = ((d * v0).min(d * v1), (d * v0).max(d * v1));
     let (low, high) = (low - most, high - least);
@@ -46,8 +46,8 @@ pub(crate) fn span(c: f64, d: f64, [low, high]: [f64; 2], [v0, v1]: [f64; 2]) ->
     [a.min(b), a.max(b)]
 }
 
-/// The values of x of a strip between two values of y, both from the start of its piece; of y between two
-/// of x with `along` exchanged.
+/// The range of x of a strip between two values of y, both relative to the start of its piece; with `along`
+/// exchanged, that of y between two values of x.
 pub(crate) fn across(strip: &SweepStrip, along: [f64; 2], band: [f64; 2], margin: f64) -> [f64; 2] {
     let [ux, uy] = along;
     let lengthwise = [strip.from - margin, strip.to + margin];

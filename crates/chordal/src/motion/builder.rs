@@ -1,4 +1,4 @@
-//! From the commands of the tool centre to moves that join on to each other, and waits.
+//! Makes moves that join on to each other, and waits, from the commands of the tool centre.
 
 use chordal_command::{
     AxisMask, Command, CommandKind, Origin, Overrides, PathMode, RotarySurface, SpindleState,
@@ -23,21 +23,22 @@ use super::{
 };
 use crate::job::Job;
 
-/// How many refused moves are kept.
+/// How many refused moves are kept for the report.
 const MAX_REFUSED_MOVES: usize = 20;
 
-/// Ends that are nearer than this are one point, mm or rad: rounding of the arcs' ends. What is
-/// farther away is a jump of the coordinates.
+/// Ends nearer than this are one point, mm or rad: they differ by the rounding of arc ends. Ends farther apart are a
+/// jump of the coordinates.
 const COINCIDENT_END: f64 = 1e-7;
 
-/// A move that waits for the next one. It is large, and stays where it is made.
+/// A move that waits for the next one, which decides about the corner between them. It is large, and is therefore
+/// passed on by reference.
 struct PendingMove {
     step: MotionStep,
     ending: CornerRequest,
     source: StepSource,
 }
 
-/// Makes moves and waits of a run, and holds the last move until the next is known.
+/// Makes the moves and waits of a run, and keeps the last move until the next one is known.
 pub(crate) struct MotionBuilder<'a, S> {
     path: PathBuilder<'a>,
     segments: Vec<Segment>,
@@ -45,35 +46,35 @@ pub(crate) struct MotionBuilder<'a, S> {
     times: NonMotionTimes,
     feed: FeedLimits,
     rapid_speeds: AxisValues,
-    /// A G0 is given its speed by a feed.
+    /// True where the control gives rapids (G0) a feed instead of the axes' rapid speeds.
     rapids_at_feed: bool,
     optional_stop: bool,
-    in_force: ActiveMotionModes,
+    active: ActiveMotionModes,
     forced_mode: Option<PathMode>,
-    /// Those that the program lets act.
+    /// Which override switches the program lets act.
     overrides: Overrides,
     dog_leg_shape: bool,
     spline_tolerance_mm: f64,
     mode: PathMode,
     spindle_rpm: f64,
-    /// Whether a laser is on, and whether its power follows the speed.
+    /// The state of a laser, which the spindle codes switch.
     laser_state: SpindleState,
-    /// The block that changed the power of a laser, and may yet move.
+    /// The block that changed the power of a laser, while it may still have a motion of its own.
     laser_change: Option<Origin>,
-    /// The surface on which two coordinates lie.
+    /// The face or cylinder on which two coordinates are programmed, while there is one.
     surface: Option<RotarySurface>,
     tool: u32,
     /// The end of the last move.
     at: Option<AxisValues>,
     shift: AxisValues,
     number: u32,
-    /// Pieces of path before those of the present command.
+    /// Number of path segments before those of the current command.
     pieces: u64,
-    /// The piece of path of the last step.
+    /// Number of the path segment of the last step.
     piece: u64,
-    /// X, Y and Z, and the rotary axes that there are.
+    /// X, Y and Z, and the rotary axes that the control has.
     axes: AxisMask,
-    /// Those whose place is not known after the last move.
+    /// The axes whose position is not known after the last move.
     unknown_places: AxisMask,
     pending: Option<PendingMove>,
     report: MotionReport,
@@ -107,7 +108,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             rapid_speeds: report.limits.rapid.velocity(),
             rapids_at_feed: job.control().parameters.rules.rapid_feed != RapidFeed::OfMachine,
             optional_stop: machine.switches.optional_stop,
-            in_force: ActiveMotionModes::new(machine, options),
+            active: ActiveMotionModes::new(machine, options),
             forced_mode: options.path_mode,
             overrides: Overrides::ON,
             dog_leg_shape: options.dog_leg_shape,
@@ -131,7 +132,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         }
     }
 
-    /// The last move is emitted.
+    /// Emits the last move and returns the report and the sink.
     pub fn finish(mut self, outcomes: Vec<Outcome>) -> (MotionReport, S) {
         self.hand_on(|_, _| CornerMode::Stop);
         self.report.outcomes = outcomes;
@@ -177,7 +178,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         }
     }
 
-    /// The spindle takes time for the difference of its speeds; turning round goes through zero.
+    /// The spindle takes time in proportion to the change of its speed; a reversal goes through zero.
     fn spindle(&mut self, state: SpindleState, rpm: f64, origin: Origin) {
         let target = match state {
             SpindleState::Cw => rpm,
@@ -187,7 +188,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         let difference = (target - self.spindle_rpm).abs();
         self.spindle_rpm = target;
         if self.rules.laser_mode {
-            // A laser has no speed that takes time, but switching it waits until the axes rest.
+            // A laser needs no time to change its power, but is switched only when the axes are at rest.
             let is_switched = std::mem::replace(&mut self.laser_state, state) != state;
             if is_switched {
                 self.laser_change = None;
@@ -207,7 +208,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         }
     }
 
-    /// A new power of the laser stops the axes, unless it comes with a motion in its block.
+    /// A new power of the laser stops the axes, unless its block moves as well.
     #[inline]
     fn power_of_laser(&mut self, command: &Command, moves: bool) {
         let Some(changed) = self.laser_change else { return };
@@ -241,7 +242,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             operation: self.operations.step(&origin, kind == WaitKind::ToolChange, false),
         };
         self.report.waits += 1;
-        // A wait has no limits that it could break.
+        // A wait cannot be refused: it has no motion that could exceed a limit.
         let _ = self.sink.step(&MotionStep::Wait(MotionWait { seconds, kind, tag }), &source);
     }
 
@@ -251,7 +252,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         tag
     }
 
-    /// The spans of a spline, each in its even parts.
+    /// Makes steps of the spans of a spline, each divided where its speed is uneven.
     fn spline(&mut self, spans: &[Segment], cycle: bool) {
         let mut parts = Vec::new();
         for (piece, span) in (self.pieces..).zip(spans) {
@@ -278,7 +279,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         }
     }
 
-    /// A piece of path of a command; `bends`: the same command goes on after it.
+    /// Makes a move of one path segment. `bends`: the same command goes on with another segment.
     fn segment(&mut self, segment: &Segment, cycle: bool, bends: bool) {
         let kind = match segment.kind {
             SegmentKind::Rapid => MoveKind::Rapid,
@@ -307,9 +308,9 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             return;
         };
         motion.speed = speed;
-        // Only now is the end of the last move known: it may be refused.
-        let (rules, in_force) = (self.rules, self.in_force);
-        self.hand_on(|last, ending| corner_of(last, ending, &motion, &rules, &in_force));
+        // The last move must be emitted first: where it is refused, this one joins on to its start.
+        let (rules, active) = (self.rules, self.active);
+        self.hand_on(|last, ending| corner_of(last, ending, &motion, &rules, &active));
         self.join(&mut motion);
         motion.tag = self.next_tag(&segment.origin);
         let nominal_s = match kind {
@@ -350,17 +351,17 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     }
 
     fn feed_override(&self) -> f64 {
-        if self.overrides.feed { self.in_force.feed_override } else { 1.0 }
+        if self.overrides.feed { self.active.feed_override } else { 1.0 }
     }
 
     fn rapid_override(&self) -> f64 {
-        if self.overrides.rapid { self.in_force.rapid_override } else { 1.0 }
+        if self.overrides.rapid { self.active.rapid_override } else { 1.0 }
     }
 
-    /// Speed along a cut with the override; never more than the machine's largest feed. `None`
-    /// without a feed.
+    /// Speed along a cut with the override, mm/s or rad/s, at most the machine's largest feed. `None` without a feed.
     fn cut_speed(&self, segment: &Segment, length: f64) -> Option<f64> {
-        // Without a feed there is no time: the largest feed of the machine is none that the program has set.
+        // A cut without a feed has no duration. The largest feed of the machine must not replace one that the program
+        // has not set.
         if segment.duration_s.is_nan() || segment.duration_s <= 0.0 {
             return None;
         }
@@ -371,7 +372,8 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         (speed > 0.0 && speed.is_finite()).then_some(speed)
     }
 
-    /// As fast as the axes can, or the part of it that the override leaves.
+    /// Speed of a rapid, mm/s or rad/s: infinite where only the axes limit it, otherwise by the override or the
+    /// control's feed for rapids.
     fn rapid_speed(&self, motion: &MoveRequest, length: f64, duration_s: f64) -> Option<f64> {
         let part = self.rapid_override();
         if part >= 1.0 && !self.rapids_at_feed {
@@ -385,7 +387,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         Some(if seconds > 0.0 { length / seconds * part } else { f64::INFINITY })
     }
 
-    /// Moves a move to where the last one ended.
+    /// Shifts a move so that it begins where the last one ended.
     fn join(&mut self, motion: &mut MoveRequest) {
         let from = motion.from();
         if let Some(at) = self.at {
@@ -434,11 +436,12 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         self.pending = None;
     }
 
-    /// A cut whose spindle keeps a cutting speed, in pieces with a speed each; false for every other one.
+    /// Makes steps of a cut under constant surface speed, in pieces with a speed each. Returns false for every other
+    /// cut.
     fn keeps_surface_speed(&mut self, command: &Command, whole: &Segment) -> bool {
         let feed = command.kind.feed().filter(|feed| feed.surface.is_some());
         let (Some(feed), Some(motion)) = (feed, command.kind.motion()) else { return false };
-        // X of the program is the radius, wherever the segment has been moved.
+        // The X coordinate of the program is the radius; the segment itself may have been shifted.
         let curve = curve_of(motion, command.kind.shape());
         let Some(parts) = surface_parts(feed, &curve) else { return false };
         self.in_parts(command, whole, parts);
@@ -458,7 +461,8 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         }
     }
 
-    /// A cut on a surface whose rotary axis cannot keep up with the feed, in pieces as slow as it is; false for every other one.
+    /// Makes steps of a cut on a face or cylinder whose rotary axis cannot keep up with the feed, in pieces as slow
+    /// as that axis. Returns false for every other cut.
     fn waits_for_rotary(&mut self, command: &Command, whole: &Segment) -> bool {
         let (Some(surface), Some(motion)) = (self.surface, command.kind.motion()) else {
             return false;
@@ -478,7 +482,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         true
     }
 
-    /// Takes a command and its pieces of path.
+    /// Takes a command and its path segments.
     pub fn follow(&mut self, command: &Command, segments: &[Segment]) {
         self.power_of_laser(command, !segments.is_empty());
         self.sink.command(command);
@@ -489,7 +493,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         self.pieces += segments.len() as u64;
     }
 
-    /// The steps of a command that moves, with its pieces of path.
+    /// Makes the steps of a command that moves.
     fn moves(&mut self, command: &Command, segments: &[Segment]) {
         let Some((last, bends)) = segments.split_last() else { return };
         let last_piece = self.pieces + bends.len() as u64;
@@ -520,15 +524,15 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     }
 }
 
-/// The axes whose place is known at the start and at the end of a piece of path; of one that the program does not name it
-/// is zero.
+/// The axes whose position is known at the start and at the end of a path segment. An axis that the program does not
+/// name counts as known, at zero.
 fn known_at(segment: &Segment) -> [AxisMask; 2] {
     let linear = segment.places().map(|axes| axes.or(segment.not_named.all()));
     let rotary = [segment.from_known, segment.to_known].map(|axes| axes.and(AxisMask::ROTARY));
     [linear[0].or(rotary[0]), linear[1].or(rotary[1])]
 }
 
-/// The straight move from the start to the end of a dog-leg rapid.
+/// One straight segment from the start to the end of a dog-leg rapid.
 fn chord(first: &Segment, bends: &[Segment], last: &Segment) -> Segment {
     let line = Line { start: first.curve.start(), end: last.curve.end() };
     Segment {
@@ -554,7 +558,8 @@ impl<S: MotionSink> PathSink for MotionBuilder<'_, S> {
     }
 }
 
-/// The mode that the caller sets, if any. Whether short blocks are joined stays with the program.
+/// The path mode that the caller forces, or else the program's own. Whether short blocks are joined stays with the
+/// program.
 fn forced(requested: Option<PathMode>, own: PathMode) -> PathMode {
     match (requested, own) {
         (Some(PathMode::Continuous { tolerance_mm, joined: requested }), own) => {

@@ -1,4 +1,4 @@
-//! How the end of a move is passed.
+//! How the machine passes the corner at the end of a move.
 //!
 //! | from → to | how |
 //! |---|---|
@@ -22,12 +22,12 @@ pub(super) struct CornerRequest {
     /// The path mode of its block.
     pub mode: PathMode,
     pub cycle: bool,
-    /// The next piece belongs to the same command.
+    /// The next segment belongs to the same command.
     pub bends: bool,
 }
 
-/// Directions that differ by less than this go on smoothly, as cosine of 0.1 degrees: far above
-/// what words with three decimals leave between a line and its tangent arc.
+/// Directions that differ by less than 0.1 degrees (this is its cosine) count as tangent: far more than the angle
+/// that rounding to three decimals leaves between a line and its tangent arc.
 const SMOOTH_COSINE: f64 = 0.999_998_476_913;
 
 /// The corner between a move and the one that follows it.
@@ -36,21 +36,21 @@ pub(super) fn corner_of(
     ending: CornerRequest,
     next: &MoveRequest,
     rules: &PathRules,
-    in_force: &ActiveMotionModes,
+    active: &ActiveMotionModes,
 ) -> CornerMode {
     use MoveKind::{Cut, Rapid};
-    let rotary_rad = in_force.rotary_tolerance_rad;
+    let rotary_rad = active.rotary_tolerance_rad;
     let stops = match (last.kind, next.kind) {
-        (Rapid, Rapid) if ending.bends => return rapid_bend(in_force),
+        (Rapid, Rapid) if ending.bends => return rapid_bend(active),
         (Rapid, Rapid) if rules.stop_between_rapids => true,
-        (Rapid, Rapid) if ending.mode != PathMode::ExactStop => return rapid_bend(in_force),
+        (Rapid, Rapid) if ending.mode != PathMode::ExactStop => return rapid_bend(active),
         (Rapid, Rapid) => true,
         (Rapid, Cut) => rules.stop_before_cut,
         (Cut, Rapid) => rules.stop_after_cut,
         (Cut, Cut) => ending.cycle && turns_round(last, next),
     };
     let mode = match ending.mode {
-        // Within one cut there is no end of a block.
+        // A bend within one cut is not the end of a block, so exact stop does not apply.
         PathMode::ExactStop if ending.bends => PathMode::ExactPath,
         mode => mode,
     };
@@ -58,16 +58,16 @@ pub(super) fn corner_of(
         _ if stops => CornerMode::Stop,
         PathMode::ExactStop => CornerMode::Stop,
         PathMode::ExactPath => {
-            let eases = in_force.exact_path_tolerance_mm > 0.0;
+            let eases = active.exact_path_tolerance_mm > 0.0;
             match eases && cosine(last, next) > SMOOTH_COSINE {
                 true => {
-                    CornerMode::Blended { linear_mm: in_force.exact_path_tolerance_mm, rotary_rad }
+                    CornerMode::Blended { linear_mm: active.exact_path_tolerance_mm, rotary_rad }
                 }
                 false => CornerMode::Exact,
             }
         }
         PathMode::Continuous { tolerance_mm, joined } => {
-            let linear_mm = tolerance_mm.unwrap_or(in_force.corner_tolerance_mm);
+            let linear_mm = tolerance_mm.unwrap_or(active.corner_tolerance_mm);
             match joined {
                 true => CornerMode::Joined { linear_mm, rotary_rad },
                 false => CornerMode::Blended { linear_mm, rotary_rad },
@@ -76,10 +76,10 @@ pub(super) fn corner_of(
     }
 }
 
-/// Rotary axes have no path that could be missed while nothing is cut.
-fn rapid_bend(in_force: &ActiveMotionModes) -> CornerMode {
-    let linear_mm = in_force.rapid_corner_tolerance_mm;
-    // The same part of a turn as the tolerance is of a 100 mm radius.
+/// The corner between rapids. No path of the rotary axes need be kept while nothing is cut.
+fn rapid_bend(active: &ActiveMotionModes) -> CornerMode {
+    let linear_mm = active.rapid_corner_tolerance_mm;
+    // The angle that the tolerance subtends at a radius of 100 mm.
     CornerMode::Blended { linear_mm, rotary_rad: linear_mm / 100.0 }
 }
 

@@ -14,20 +14,20 @@ pub struct AssumedLimit {
     pub axis: Axis,
     /// Which of its limits.
     pub quantity: LimitedQuantity,
-    /// What was taken, in mm or rad and s.
+    /// The typical value that was taken, in mm or rad and s.
     pub value: f64,
 }
 
-/// The limits of a machine's axes, as a planner takes them.
+/// The limits of a machine's axes for the planner.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MachineLimits {
-    /// Of cuts.
+    /// Limits of cuts.
     pub cut: KinematicLimits,
-    /// Of rapids.
+    /// Limits of rapids.
     pub rapid: KinematicLimits,
-    /// What the machine file does not give.
+    /// Limits that the machine file does not give.
     pub assumed: Vec<AssumedLimit>,
-    /// Trapezoids with junction deviation, where the control moves like that.
+    /// The rule of a control that plans trapezoidal speed profiles with junction deviation; `None` for all others.
     pub junctions: Option<JunctionRule>,
 }
 
@@ -72,8 +72,8 @@ impl MachineLimits {
                 ..limit
             });
         }
-        // The length across on a face or a cylinder has no axis of its own on a lathe: it is planned as X is, and the rotary
-        // axis that makes it has no limit but its speed.
+        // On a lathe without a Y axis, the coordinate across a face or along the circumference of a cylinder is made
+        // by the C axis. It is planned with the limits of X; of C only the speed limit counts.
         let (x, y) = (Axis::X as usize, Axis::Y as usize);
         if machine.turns() && cut[y].is_none() && machine.axis(Axis::C).is_some() {
             (cut[y], rapid[y]) = (cut[x], rapid[x]);

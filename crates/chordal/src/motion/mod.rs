@@ -1,4 +1,4 @@
-//! From a run to what a planner takes: moves that join on to each other, and waits.
+//! Turns a run into the input of a motion planner: moves that join on to each other, and waits.
 //!
 //! ```text
 //! tool-centre path ── MotionBuilder ──▶ MotionStep ── Planner ──▶ Step
@@ -10,13 +10,11 @@
 //!
 //! # The frame of the moves
 //!
-//! A planner wants moves of the machine: each begins where the one before ends. Program
-//! coordinates jump where a work offset, a tool length or G92 changes. Every move is therefore
-//! shifted so that it joins on; the shift is zero until the first jump and is reported with each step
-//! ([`StepSource::shift`]): position − shift are the coordinates of
-//! [`Job::path`](crate::Job::path). Only the machine knows where an axis is whose offset the
-//! machine file does not give; such moves go as the numbers say and are counted
-//! ([`MotionReport::unknown_moves`]).
+//! A planner needs moves of the machine: each begins where the one before ends. Program coordinates jump where a work
+//! offset, a tool length or G92 changes. Every move is therefore shifted so that it joins on; the shift is zero until
+//! the first jump and is reported with each step ([`StepSource::shift`]): position − shift gives the coordinates of
+//! [`Job::path`](crate::Job::path). Where the machine file does not give an offset, the true position of the axis is
+//! not known; such moves are planned as if the offset were zero and are counted ([`MotionReport::unknown_moves`]).
 //!
 //! # Corners
 //!

@@ -1,4 +1,4 @@
-//! Where operations begin.
+//! Finds where the operations of a run begin.
 
 use chordal_command::{CallPath, Origin};
 use chordal_diagnostics::{FileId, Span};
@@ -12,18 +12,18 @@ pub enum OperationStart {
     /// Every tool change.
     #[default]
     ToolChange,
-    /// Every tool change, and every comment on a line of its own in the main program,
-    /// with an N number or without, after a move. Of lines of comments below each other the first
-    /// counts.
+    /// Every tool change, and every comment on a line of its own in the main program, with an N number or without,
+    /// after a move. Of consecutive comment lines only the first counts.
     Comment,
 }
 
-/// What a step is to its operation.
+/// The role of a step in its operation, where it has one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OperationMark {
-    /// Its first step; the comment before it, its marks included.
+    /// The operation begins with this step; the comment before it with its parentheses or semicolon, `None` without
+    /// one.
     Begins(Option<Span>),
-    /// Nothing has moved in it yet, and a comment comes before this step.
+    /// A comment comes before this step while the operation has not moved yet, and so names it.
     Names(Span),
 }
 
@@ -32,9 +32,9 @@ pub enum OperationMark {
 pub(super) struct OperationFinder {
     /// Comments on lines of their own, in order.
     comments: Vec<Span>,
-    /// How many of them come before the newest step.
+    /// How many comments come before the newest step.
     passed: usize,
-    /// The operation has a step, and a move.
+    /// Whether the operation has a step.
     begun: bool,
     moved: bool,
 }
@@ -48,8 +48,8 @@ impl OperationFinder {
         OperationFinder { comments, ..OperationFinder::default() }
     }
 
-    /// Whether an operation begins with this step. A jump back in the program, as for a loop,
-    /// comes to the comment there again.
+    /// Decides whether an operation begins with this step. After a jump back in the program, as in a loop, its
+    /// comments count again.
     pub fn step(
         &mut self,
         origin: &Origin,
@@ -78,7 +78,7 @@ impl OperationFinder {
     }
 }
 
-/// The comments of the first text on lines without words.
+/// The comments of the first text on lines without words other than N.
 fn comments(job: &Job<'_>) -> Vec<Span> {
     let Some(source) = job.sources().get(FileId(0)) else { return Vec::new() };
     let lexicon = job.control().table.lexicon;

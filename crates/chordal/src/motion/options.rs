@@ -1,4 +1,4 @@
-//! What the caller may set for motion, and the numbers in force.
+//! What the caller may set for motion, and the values that result.
 
 use chordal_command::PathMode;
 use chordal_machine::Machine;
@@ -6,25 +6,25 @@ use chordal_motion::PlannerLevel;
 
 use super::operations::OperationStart;
 
-/// What may be other than the machine file and the program say. `None`: as they say.
+/// Values that replace those of the machine file and the program. `None` keeps theirs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionOptions {
-    /// How hard the planner tries.
+    /// How much computing the planner spends on a faster motion.
     pub level: PlannerLevel,
-    /// The feed override; 1 is as programmed.
+    /// The feed override as a factor; 1 is as programmed.
     pub feed_override: Option<f64>,
-    /// The rapid override; 1 is full speed.
+    /// The rapid override as a factor; 1 is full speed.
     pub rapid_override: Option<f64>,
     /// The path mode of every cut, whatever the program says.
     pub path_mode: Option<PathMode>,
-    /// The tolerance of corners where the mode rounds them and names none, mm.
+    /// The corner tolerance where the path mode rounds corners without naming a tolerance, mm.
     pub corner_tolerance_mm: Option<f64>,
-    /// Dog-leg rapids keep their shape, as a chain of straight moves: for places, not for times,
-    /// since every bend costs a little. Otherwise such a rapid is planned along its chord, which
-    /// takes as long as its slowest axis does and is the time of the machine.
+    /// Dog-leg rapids keep their shape, as a chain of straight moves. This gives the right positions but slightly
+    /// long times, since every bend costs a little. Otherwise such a rapid is planned along its chord, which takes as
+    /// long as its slowest axis and so as long as on the machine.
     pub dog_leg_shape: bool,
-    /// Splines are planned in even parts, exactly. Where none is even (at a cusp, at a start without speed)
-    /// they are lines within this distance of the curve, mm.
+    /// Splines are planned exactly, in parts along which the parameter speed is even. Where it is not (at a cusp, at
+    /// a start without speed), lines within this distance of the curve take their place, mm.
     pub spline_tolerance_mm: f64,
     /// Where operations begin.
     pub operations: OperationStart,
@@ -45,7 +45,7 @@ impl Default for MotionOptions {
     }
 }
 
-/// The active numbers.
+/// The active overrides and tolerances: those of the options, or else of the machine.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ActiveMotionModes {
     pub feed_override: f64,
@@ -59,7 +59,7 @@ pub(super) struct ActiveMotionModes {
 impl ActiveMotionModes {
     pub fn new(machine: &Machine, options: &MotionOptions) -> ActiveMotionModes {
         let motion = &machine.motion;
-        // An override of zero or NaN is no speed at all; the panel's 100 % stands for it.
+        // With an override of zero or NaN nothing would move; 100 % is taken instead.
         let sane = |value: f64| if value > 0.0 && value.is_finite() { value } else { 1.0 };
         ActiveMotionModes {
             feed_override: sane(options.feed_override.unwrap_or_else(|| motion.feed_override())),

@@ -13,41 +13,41 @@ use super::{MachineLimits, MotionOptions, MotionSink, MotionStep, StepSource};
 
 /// Takes the planned motion of a run.
 pub trait PlanSink {
-    /// A command of the tool centre goes by, before its steps are planned.
+    /// A command of the tool centre, before its steps are planned.
     fn command(&mut self, _command: &Command) {}
 
-    /// A step goes into the planner; what comes out of it bears its tag.
+    /// A step goes into the planner; what is planned from it has its tag.
     fn source(&mut self, _source: &StepSource) {}
 
-    /// The same, with the move or the wait itself.
+    /// Like [`PlanSink::source`], with the move or the wait itself.
     fn request(&mut self, _step: &MotionStep, _source: &StepSource) {}
 
-    /// A planned step; `sources` knows every tag in it.
+    /// A planned step; `sources` has every tag in it.
     fn step(&mut self, step: PlannerStep<'_>, sources: &StepSources);
 
     /// A problem of the program.
     fn diagnostic(&mut self, _diagnostic: Diagnostic) {}
 }
 
-/// The sources of the steps that the planner holds: as many as it looks ahead.
+/// The sources of the steps that are in the planner: as many as its look-ahead.
 #[derive(Clone, Debug, Default)]
 pub struct StepSources {
     sources: VecDeque<StepSource>,
 }
 
 impl StepSources {
-    /// Where a tag comes from; `None` when its step is over.
+    /// The source of the step with a tag; `None` when the step has been emitted.
     pub fn get(&self, tag: u64) -> Option<&StepSource> {
         let first = StepSource::number_of(self.sources.front()?.tag);
         self.sources.get(StepSource::number_of(tag).wrapping_sub(first) as usize)
     }
 
-    /// How many there are.
+    /// Number of steps in the planner.
     pub fn len(&self) -> usize {
         self.sources.len()
     }
 
-    /// There is none.
+    /// True where no step is in the planner.
     pub fn is_empty(&self) -> bool {
         self.sources.is_empty()
     }
@@ -56,7 +56,7 @@ impl StepSources {
         self.sources.push_back(source);
     }
 
-    /// Forgets what lies before a tag.
+    /// Drops the sources before a tag.
     fn forget_before(&mut self, tag: u64) {
         let Some(first) = self.sources.front().map(|source| StepSource::number_of(source.tag))
         else {
@@ -69,9 +69,9 @@ impl StepSources {
     }
 }
 
-/// Takes what goes into a planner and what comes out of it. `P` is what the steps say about the path.
+/// Takes what goes into a planner and what comes out of it. `P` is the type of the path pieces in its steps.
 pub(crate) trait PlanObserver<P> {
-    /// A command of the tool centre goes by, before its steps are planned.
+    /// A command of the tool centre, before its steps are planned.
     fn command(&mut self, _command: &Command) {}
 
     /// A step goes into the planner.
@@ -84,7 +84,7 @@ pub(crate) trait PlanObserver<P> {
     fn diagnostic(&mut self, _diagnostic: Diagnostic) {}
 }
 
-/// A sink with the sources of what the planner holds.
+/// Passes planned steps to a sink with the sources of the steps in the planner.
 pub(crate) struct SourcedSink<'s, S> {
     sources: StepSources,
     sink: &'s mut S,
@@ -130,7 +130,7 @@ pub(crate) struct PlanningSink<T, P = PathPiece> {
     make: fn(KinematicLimits, PlannerOptions) -> MotionPlanner<P>,
     options: PlannerOptions,
     limits: MachineLimits,
-    /// Rapids have limits of their own: the planner of the kind of move that is under way.
+    /// The kind of move whose limits the planner has; `None` where cuts and rapids have the same limits.
     kind: Option<MoveKind>,
     taker: T,
 }
@@ -142,7 +142,7 @@ impl<'s, S: PlanSink> PlanningSink<SourcedSink<'s, S>> {
 }
 
 impl<T: PlanObserver<P>, P: PathPart> PlanningSink<T, P> {
-    /// With the planner that `make` makes.
+    /// Plans with the planner that `make` returns.
     pub fn with(
         limits: MachineLimits,
         options: &MotionOptions,
@@ -173,7 +173,7 @@ impl<T: PlanObserver<P>, P: PathPart> PlanningSink<T, P> {
         planner.finish(|step| taker.step(step));
     }
 
-    /// Where rapids have other limits the axes come to rest between the two.
+    /// Changes to the limits of a kind of move. Where they differ, the axes come to rest between rapid and cut.
     fn change_limits(&mut self, kind: MoveKind) {
         if self.kind.is_none_or(|before| before == kind) {
             return;

@@ -1,4 +1,4 @@
-//! The setpoints of the axes of a whole run.
+//! Samples the axis positions of a whole run at a fixed period.
 
 use std::collections::VecDeque;
 
@@ -15,13 +15,13 @@ use crate::job::Job;
 pub struct SamplingRequest {
     /// Time from one setpoint to the next, s.
     pub period_s: f64,
-    /// How hard the planner tries.
+    /// How much computing the planner spends on a faster motion.
     pub level: PlannerLevel,
-    /// Most setpoints.
+    /// Most setpoints; a longer run is an error.
     pub most: u64,
 }
 
-/// What setpoints came to.
+/// How the run was planned and sampled.
 #[derive(Clone, Debug)]
 pub struct SamplingReport {
     /// How the run was planned.
@@ -30,10 +30,10 @@ pub struct SamplingReport {
     pub time_s: f64,
     /// How many setpoints there are.
     pub count: u64,
-    /// Places of axes that are not known, of which the setpoints have no number.
+    /// Axes that have no known position at some setpoint, and are NaN there.
     pub unknown_axes: AxisMask,
-    /// The largest distance of the tool from the path when the axes go straight from one setpoint
-    /// to the next, mm, and its line.
+    /// The largest distance of the tool from the path when the axes go straight from one setpoint to the next, mm,
+    /// and the program line where it occurs.
     pub chord: (f64, u32),
 }
 
@@ -42,7 +42,7 @@ pub struct SamplingReport {
 pub enum SamplingError {
     /// A limit of an axis that is not a positive number.
     Limit(LimitError),
-    /// There are more than requested: the run takes at least so many seconds.
+    /// There are more than [`SamplingRequest::most`]; the run takes at least this time, s.
     TooMany(f64),
 }
 
@@ -53,9 +53,9 @@ impl From<LimitError> for SamplingError {
 }
 
 impl Job<'_> {
-    /// Plans the run and gives its setpoints one after the other, each with the line of its block.
-    /// Setpoints are positions: a rapid goes where its axes take it. The place of an axis that is not known is NaN, and so
-    /// are velocity and acceleration where it moves.
+    /// Plans the run and emits its setpoints in order of time, each with the line of its block. Dog-leg rapids keep
+    /// their shape. The position of an axis that is not known is NaN, and so are its velocity and acceleration where
+    /// it moves.
     ///
     /// # Errors
     /// A limit of an axis that is not a positive number, or more setpoints than requested.
@@ -82,7 +82,7 @@ impl Job<'_> {
     }
 }
 
-/// Setpoints on their way from the planner to who takes them.
+/// Passes the planner's steps through the sampler.
 struct SetpointSink<F> {
     sampler: SetpointSampler,
     taker: SetpointTaker<F>,
@@ -96,12 +96,12 @@ struct SetpointTaker<F> {
     unknown: UnknownAxesQueue,
 }
 
-/// Which axes are not known from which step on.
+/// Remembers from which step on which axes are not known.
 #[derive(Default)]
 struct UnknownAxesQueue {
-    /// The number of the step, where it differs from the one before.
+    /// The number of the step and its unknown axes, where these differ from the step before.
     changes: VecDeque<(u32, UnknownAxes)>,
-    /// Those that some setpoint was without.
+    /// All axes that were unknown at some setpoint.
     missing: AxisMask,
 }
 
@@ -123,7 +123,7 @@ impl UnknownAxesQueue {
         axes.map(|(_, axes)| *axes).unwrap_or_default()
     }
 
-    /// A setpoint without the numbers of what is not known.
+    /// The setpoint with NaN for what is not known.
     fn without(&mut self, sample: &MotionSample, unknown: UnknownAxes) -> MotionSample {
         let mut sample = *sample;
         for axis in unknown.places.iter().map(|axis| axis as usize) {
@@ -163,8 +163,8 @@ impl<F: FnMut(&MotionSample, u32)> PlanSink for SetpointSink<F> {
     }
 }
 
-/// The part of the acceleration across the path of the tool, v²·κ, mm/s²: over a period T the
-/// chord from one setpoint to the next leaves the path by (vT)²·κ/8.
+/// The acceleration normal to the path of the tool, v²·κ, mm/s². Over a period T the chord from one setpoint to the
+/// next leaves the path by (vT)²·κ/8, the sagitta of the arc.
 fn normal_acceleration(sample: &MotionSample) -> f64 {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).take(3).map(|(a, b)| a * b).sum::<f64>();
     let speed2 = dot(&sample.velocity, &sample.velocity);
@@ -173,7 +173,7 @@ fn normal_acceleration(sample: &MotionSample) -> f64 {
     }
     let along = dot(&sample.velocity, &sample.acceleration);
     let all = dot(&sample.acceleration, &sample.acceleration);
-    // On a straight path the two are equal but for rounding, which must not look like a curve.
+    // On a straight path `all` and `along`² / `speed2` differ only by rounding, which must not pass for a curvature.
     let across2 = all - along * along / speed2;
     if across2 > 1e-12 * all { across2.sqrt() } else { 0.0 }
 }

@@ -25,7 +25,7 @@ pub struct MotionWait {
     pub seconds: f64,
     /// What for.
     pub kind: WaitKind,
-    /// As in [`StepSource::tag`].
+    /// Identifies the step, as [`StepSource::tag`].
     pub tag: u64,
 }
 
@@ -38,7 +38,7 @@ pub enum WaitKind {
     ShopCode,
     /// A tool goes into the spindle.
     ToolChange,
-    /// The spindle starts, stops, turns round or changes its speed.
+    /// The spindle starts, stops, reverses or changes its speed.
     SpindleSpeed,
     /// The spindle comes to rest at its mark (M19).
     SpindleOrient,
@@ -46,14 +46,14 @@ pub enum WaitKind {
     Coolant,
     /// A probe has touched.
     Probe,
-    /// M00, or M01 with its switch on: the operator's time is not counted.
+    /// M00, or M01 with optional stop on: the operator's time is not counted.
     Stop,
     /// The program ends.
     End,
 }
 
 impl WaitKind {
-    /// For people: `tool change`.
+    /// The name for people: `tool change`.
     pub const fn name(self) -> &'static str {
         match self {
             WaitKind::Dwell => "dwell",
@@ -78,20 +78,20 @@ pub enum StepKind {
     Wait(WaitKind),
 }
 
-/// Axes whose place is not known: their numbers count from zero.
+/// Axes whose position is not known: their coordinates count from an unknown zero.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct UnknownAxes {
-    /// All of them.
+    /// All such axes.
     pub places: AxisMask,
-    /// Those that move: how far is not known, either.
+    /// Those of them that move in the step: how far they go is not known, either.
     pub moves: AxisMask,
 }
 
 /// Where a step comes from.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct StepSource {
-    /// Names the step: its number in the run above the line of its block, so that tags grow.
-    /// See [`StepSource::line_of`].
+    /// Identifies the step: its number in the run in the upper 32 bits, the line of its block in the lower 32, so
+    /// that tags grow. See [`StepSource::line_of`].
     pub tag: u64,
     /// The block.
     pub origin: Origin,
@@ -99,12 +99,12 @@ pub struct StepSource {
     pub tool: u32,
     /// What it is.
     pub kind: StepKind,
-    /// Which piece of [`Job::path`](crate::Job::path) it is on, from 0; of a wait the one before it. A piece may
-    /// have several steps.
+    /// Index of its segment of [`Job::path`](crate::Job::path), from 0; for a wait that of the segment before it. A
+    /// segment may have several steps.
     pub piece: u64,
-    /// Both ends are known relative to the part.
+    /// True where both ends are known relative to the part.
     pub known: bool,
-    /// The axes whose place is not known during the step, and which of them move.
+    /// The axes whose position is not known during the step, and which of them move.
     pub unknown_axes: UnknownAxes,
     /// Length: mm along X, Y and Z, or rad where rotary axes alone move; 0 for a wait.
     pub length: f64,
@@ -113,7 +113,7 @@ pub struct StepSource {
     /// Position − shift is where the step is in the coordinates of [`Job::path`](crate::Job::path)
     /// (mm, rad).
     pub shift: AxisValues,
-    /// Whether an operation begins with it, or is named by a comment before it.
+    /// Set where an operation begins with the step or is named before it.
     pub operation: Option<OperationMark>,
 }
 
@@ -164,7 +164,7 @@ pub struct RefusedMove {
     pub source: StepSource,
 }
 
-/// What a run leaves in addition to its steps.
+/// The counts of a run's steps, and how they were made.
 #[derive(Clone, Debug)]
 pub struct MotionReport {
     /// The limits that were used, and which of them the machine file does not give.
@@ -177,12 +177,12 @@ pub struct MotionReport {
     pub bent_rapids: u64,
     /// Cuts that are left out because they have no feed.
     pub cuts_without_feed: u64,
-    /// Moves of which an end is not known relative to the part: they go as the numbers say, as
-    /// if offsets that the machine file does not give were zero.
+    /// Moves with an end that is not known relative to the part: they are planned as if offsets that the machine file
+    /// does not give were zero.
     pub unknown_moves: u64,
     /// Moves that could not be planned; they are left out.
     pub refused_moves: u64,
-    /// The first of them.
+    /// The first refused moves, at most 20.
     pub refused: Vec<RefusedMove>,
     /// How each program ended.
     pub outcomes: Vec<Outcome>,

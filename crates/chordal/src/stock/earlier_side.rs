@@ -1,5 +1,5 @@
-//! What is surely removed from a part before it is cut from another side: its columns begin lower, or become lower
-//! before it is cut from there again.
+//! What is certainly removed from a part before it is cut in another orientation: the columns of that orientation
+//! begin lower, or become lower before it is cut so again.
 
 use std::rc::Rc;
 
@@ -10,12 +10,12 @@ use chordal_stock::shape::SolidShape;
 use super::heights::ShapeHeights;
 use super::turns::boxed;
 
-/// Places that differ by less are the same, mm.
+/// Positions that differ by less than this are equal, mm.
 const COINCIDENT_MM: f64 = 1e-6;
-/// So often a column is halved where a side has removed a part of it only.
+/// How often a column is halved in height to find how much of it another orientation has removed.
 const MAX_HALVINGS: u32 = 4;
 
-/// The heights above which nothing is left of a side.
+/// The heights above which nothing is left of the columns of one orientation.
 pub(super) struct SideTops {
     low: [f64; 2],
     cell: f64,
@@ -41,7 +41,7 @@ impl SideTops {
 
     /// Whether nothing is left in a box.
     fn is_empty(&self, body: &Aabb) -> bool {
-        // Beyond its columns there was nothing.
+        // There is no stock outside the columns.
         let range = |axis: usize, from: f64, to: f64| {
             let at = |place: f64| (place - self.low[axis]) / self.cell;
             let end = (at(to + COINCIDENT_MM).floor() + 1.0).clamp(0.0, self.cells[axis] as f64);
@@ -55,16 +55,17 @@ impl SideTops {
     }
 }
 
-/// What a side was at a moment before, as another one sees it.
+/// The state of one orientation at an earlier moment, as seen from another one.
 #[derive(Clone)]
 pub(super) struct EarlierSide {
     pub tops: Rc<SideTops>,
-    /// From where the part lies now to where it lay then.
+    /// Transforms the part from its current orientation to the earlier one.
     pub there: Transform,
 }
 
 impl EarlierSide {
-    /// Above which height nothing is left of a column between two corners, of which nothing was left above `top`.
+    /// The height above which nothing is left of a column between two corners, mm; nothing was left above `top`
+    /// before.
     fn below(&self, [low, high]: [[f64; 2]; 2], top: f64, bottom: f64) -> f64 {
         let is_empty = |from: f64, to: f64| {
             let min = Vec3::new(low[0], low[1], from);
@@ -87,7 +88,7 @@ impl EarlierSide {
     }
 }
 
-/// A stock as its columns begin: a shape less what sides before have surely removed.
+/// A stock before the first cut in an orientation: a shape without what earlier orientations have certainly removed.
 pub(super) struct InitialStock<'s> {
     pub shape: ShapeHeights<'s>,
     earlier: Vec<EarlierSide>,
@@ -114,7 +115,7 @@ impl<'s> InitialStock<'s> {
     }
 }
 
-/// Above which height nothing is left of a column between two corners for sides before, mm.
+/// The height above which earlier orientations have left nothing of a column between two corners, mm.
 pub(super) fn below(earlier: &[EarlierSide], corners: [[f64; 2]; 2], top: f64, bottom: f64) -> f64 {
     earlier.iter().fold(top, |top, side| side.below(corners, top, bottom))
 }

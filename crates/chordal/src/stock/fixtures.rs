@@ -1,4 +1,4 @@
-//! Fixtures: whether a tool with its shank and holder keeps clear of them, without columns.
+//! Fixtures: checks without columns whether a tool with its shank and holder keeps clear of them.
 
 use chordal_diagnostics::Code;
 use chordal_geometry::{Aabb, ParamCurve};
@@ -9,12 +9,12 @@ use super::pass::PassContext;
 use super::problems::{FixtureClearance, StockProblems};
 use super::tools::ToolBody;
 
-/// Rounds of a tool are cones within this, outside of the truth, mm.
+/// Rounded parts of a tool are approximated from outside by cones within this, mm.
 const ROUND: f64 = 1e-3;
-/// Steps along one move.
+/// Most steps along one move.
 const STEPS: usize = 100_000;
 
-/// Looks at every move of every tool.
+/// Checks every move of every tool against a fixture.
 pub(super) fn look_at_fixtures(
     run: &PassContext<'_>,
     fixture: &FixtureClearance<'_>,
@@ -52,7 +52,7 @@ pub(super) fn look_at_fixtures(
     }
 }
 
-/// A move that passes the box of a fixture at a distance.
+/// Whether a move is farther than `reach` from the box of a fixture.
 fn is_far(path: &TipMove, fixture: &Aabb, reach: f64, top: f64) -> bool {
     let bounds = path.curve.bounds();
     let separate =
@@ -62,7 +62,7 @@ fn is_far(path: &TipMove, fixture: &Aabb, reach: f64, top: f64) -> bool {
         || separate(bounds.min.z, bounds.max.z + top, fixture.min.z, fixture.max.z)
 }
 
-/// Cutter, shank and holder as one body.
+/// Cutter, shank and holder as one body; `None` where the cutter has no such body.
 fn whole(tool: &ToolBody) -> Option<RoundBody> {
     let edges = tool.cutter.flutes().unwrap_or_else(|| tool.top()).max(tool.cutter.side() + ROUND);
     let cutter = RoundBody::of_cutter(&tool.cutter, edges, ROUND, BodyBound::Outer).ok()?;

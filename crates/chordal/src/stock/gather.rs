@@ -1,4 +1,4 @@
-//! A run as tasks: the moves of one tool after the other, and what must not touch on them.
+//! Collects the moves of a run in batches of one tool and kind, and what must not touch on them.
 
 use std::collections::BTreeMap;
 
@@ -16,28 +16,28 @@ use super::turns::{self, PartOrientation};
 use crate::job::Job;
 use crate::report::RunWatch;
 
-/// The most angles of a run at which the part is cut: each has columns of its own.
+/// Most orientations of the part in a run: each has columns of its own.
 const MAX_TURNS: usize = 64;
-/// A rapid down from an unknown height begins so far above its end, mm.
+/// The height above its end at which a rapid down from an unknown height is taken to begin, mm.
 const ABOVE_MM: f64 = 1000.0;
-/// The most moves of a run on which the part turns and of which it is asked whether the tool is clear of it.
+/// Most moves of a run on which the part turns that are checked.
 const MAX_SWINGS: usize = 100_000;
 
 /// Why a move in another work offset is not cut.
 pub(super) const FRAME_NOT_KNOWN: &str =
     "how its work offset lies to that of the first cut is not known";
-/// Why a move of a tool of unknown length is not cut.
+/// Why a move with the length offset of another tool is not cut.
 pub(super) const TIP_NOT_KNOWN: &str =
     "where its tip is is not known: the length offset in force is not that of the tool";
 
-/// What moves are.
+/// The kind of the moves of a batch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum BatchKind {
     /// At rapid speed: nothing may be cut.
     Rapid,
-    /// The same with the spindle at its mark: a boring bar beside its hole.
+    /// The same with the spindle oriented: a boring bar that has moved aside in its hole.
     Aside,
-    /// At feed.
+    /// At feed with the spindle turning.
     Cut,
     /// At feed with the spindle stopped.
     Still,
@@ -49,56 +49,57 @@ impl BatchKind {
     }
 }
 
-/// Moves of one kind and tool, one after the other, on a part that lies the same way.
+/// Consecutive moves of one kind and tool in one orientation of the part.
 #[derive(Debug)]
 pub(super) struct MoveBatch {
     pub tool: u32,
     pub kind: BatchKind,
-    /// How the part lies, by its number in [`StockMoves::turns`].
+    /// The orientation of the part, as index in [`StockMoves::turns`].
     pub turn: usize,
     pub moves: Vec<TipMove>,
-    /// Of moves that must touch nothing the part of each that may touch what no cut of the tool has touched before.
+    /// For moves that must touch nothing, the part of each that no cut of the tool has passed before; `None` where
+    /// nothing of it remains. Empty for cuts.
     pub checked: Vec<Option<TipMove>>,
     pub origins: Vec<Origin>,
-    /// How fast each move goes.
+    /// Feed and spindle speed of each move.
     pub rates: Vec<ProgrammedRate>,
-    /// The number of each among all pieces of path of the run.
+    /// The index of each move among all path segments of the run.
     pub rows: Vec<u32>,
 }
 
-/// How fast a move is programmed.
+/// The programmed feed and speed of a move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ProgrammedRate {
-    /// Along the path, mm/s; zero where no feed is known.
+    /// Feed along the path, mm/s; zero where none is known.
     pub feed: f64,
-    /// Revolutions of the spindle by minute; zero where it stands.
+    /// Spindle speed, rev/min; zero where it is stopped.
     pub rpm: f64,
-    /// Its feed is an F by time of a block of its own: no thread, tap, cycle or time of a block.
+    /// True where its feed is an F per time of its own block: not of a thread, tapping, cycle or inverse time.
     pub by_time: bool,
 }
 
-/// What is known of a rapid whose start or end is not known.
+/// What is known about a rapid whose start or end is not known.
 enum PartlyKnown {
-    /// It is above the part.
+    /// It is taken to be above the part.
     Clear,
     /// It begins below the clearance plane and does not go straight up.
     AtDepth,
-    /// Its end, and what leads down to it.
+    /// Its end is known; this is the move down to it.
     End(Line),
 }
 
-/// Gathers what a run moves.
+/// Collects the moves of a run.
 pub(super) struct StockMoves<'a> {
     tools: &'a BTreeMap<u32, Result<ToolBody, NoBody>>,
     rotary: &'a [RotaryAxis; 3],
-    /// Parts that were turned are followed; otherwise only while they lie as they were given.
+    /// True where a part is simulated in any orientation, not only in the given one.
     follows_turns: bool,
     pub batches: Vec<MoveBatch>,
-    /// How the part lies on one move or another; first as it was given.
+    /// The orientations of the part in the run; the first is the given one.
     pub turns: Vec<PartOrientation>,
     /// Moves on which the part turns.
     pub swings: Vec<Segment>,
-    /// Moves are left out on which the part is turned, or turns.
+    /// True where moves were left out because the part is turned, or turns, on them.
     pub leaves_out_turned: bool,
     visited: VisitedPlaces,
     row: u32,
@@ -111,22 +112,22 @@ pub(super) struct StockMoves<'a> {
     spindle_turns: bool,
     is_oriented: bool,
     rpm: f64,
-    /// Two coordinates lie on a surface that turns with a rotary axis.
+    /// Polar or cylindrical interpolation is active.
     on_surface: bool,
-    /// The move under way has a feed by time.
+    /// The current move has a feed per time.
     by_time: bool,
-    /// Below this a rapid is at depth, mm.
+    /// The clearance plane: a rapid below it is at depth, mm.
     depth_mm: f64,
     /// The tool has moved in Z since it was changed.
     has_moved_in_z: bool,
-    /// The height of the tip in the frame of the run, where it is known.
+    /// The height of the tip in the frame of the run; `None` where it is not known.
     height_mm: Option<f64>,
-    /// Some cuts are in no batch.
+    /// True where some cuts are in no batch.
     pub misses_cuts: bool,
-    /// What was told of a tool, once.
+    /// The problems that were reported already, by tool.
     reported: Vec<(Code, u32)>,
     pub diagnostics: Vec<Diagnostic>,
-    /// Moves at feed and the lowest place of the tip, mm, by tool; and the order of the tools.
+    /// By tool: the number of moves at feed, and the lowest height of the tip on them, mm.
     pub counts: BTreeMap<u32, (u64, f64)>,
     pub order: Vec<u32>,
 }
@@ -175,18 +176,18 @@ impl<'a> StockMoves<'a> {
         Some(self.tools.get(&tool)?.as_ref().ok()?.radius())
     }
 
-    /// A holder is given of the tool, so that it was looked at.
+    /// Whether a holder is given for the tool, and so was checked.
     pub fn has_holder(&self, tool: u32) -> bool {
         let body = self.tools.get(&tool).and_then(|body| body.as_ref().ok());
         body.is_some_and(|body| !body.holder.is_empty())
     }
 
-    /// Pieces of path of the run so far.
+    /// Number of path segments of the run so far.
     pub fn rows(&self) -> u32 {
         self.row
     }
 
-    /// Says of a move on which the part turns that the tool may touch it.
+    /// Reports a move on which the part turns and may touch the tool.
     pub fn report_swing(&mut self, segment: &Segment) {
         let why = "the part turns on it, and the tool is not clear of all that it may pass";
         self.report_once(Code::StockNotFollowed, segment, why);
@@ -197,7 +198,7 @@ impl<'a> StockMoves<'a> {
         self.reported.is_empty()
     }
 
-    /// How the part lies at some angles.
+    /// The index of the orientation at some angles; an error where it is not simulated.
     fn turn(&mut self, angles: [f64; 3]) -> Result<usize, String> {
         if let Some(known) = self.turns.iter().position(|turn| turn.is_at(angles)) {
             return Ok(known);
@@ -254,9 +255,9 @@ impl<'a> StockMoves<'a> {
         self.segment_from(segment, kind);
     }
 
-    /// How the work offset lies to that of the first cut is not known. A rapid whose height is not known in its own
-    /// work offset either is one before the first approach, or a reference return: it is taken to be above the part,
-    /// unless the tool was left below the clearance plane.
+    /// Takes a move in a work offset whose distance from that of the first cut is not known. A rapid whose height is
+    /// not known in its own work offset either comes before the first approach, or is a reference return: it is taken
+    /// to be above the part, unless the tool was left below the clearance plane.
     fn frame_not_known(&mut self, segment: &Segment, kind: BatchKind) {
         let is_upright = is_upright(segment.curve.start(), segment.curve.end());
         let is_left_low = self.height_mm.is_some_and(|z| z < self.depth_mm);
@@ -274,29 +275,29 @@ impl<'a> StockMoves<'a> {
         }
     }
 
-    /// What is known of a rapid whose start or end is not.
+    /// Finds out what is known about a rapid whose start or end is not known.
     fn rapid_of(&self, segment: &Segment) -> PartlyKnown {
         let [start, end] = [segment.curve.start(), segment.curve.end()];
         let is_upright = is_upright(start, end);
         if segment.to_known.covers(AxisMask::LINEAR) {
-            // From above, where it comes down at a known place; otherwise its end alone.
+            // A rapid straight down begins above the part; of any other only the end is used.
             let is_down = segment.from_known.covers(AxisMask::XY) && is_upright;
             let above = Vec3::new(end.x, end.y, end.z + if is_down { ABOVE_MM } else { 0.0 });
             return PartlyKnown::End(Line { start: above, end });
         }
         let is_retract = segment.to_known.covers(AxisMask::XY) && is_upright;
-        // A shift may have taken the coordinate away, not the place.
+        // The height of the tip may be known even where a shift has made the coordinate unknown.
         let height_mm = if segment.from_known.has(2) { Some(start.z) } else { self.height_mm };
         let is_low = height_mm.is_some_and(|z| z < self.depth_mm);
         match is_low && !is_retract {
             true => PartlyKnown::AtDepth,
-            // Before the first place that the program names nothing is known, nor after a reference return: the
-            // tool is above the part.
+            // Nothing is known before the first position that the program names, nor after a reference return: the
+            // tool is taken to be above the part.
             false => PartlyKnown::Clear,
         }
     }
 
-    /// A move between known places.
+    /// Takes a move between known positions.
     fn segment_from(&mut self, segment: &Segment, kind: BatchKind) {
         if !segment.tip_known {
             return self.tip_not_known(segment, kind);
@@ -337,13 +338,13 @@ impl<'a> StockMoves<'a> {
         let follows =
             |batch: &MoveBatch| (batch.tool, batch.kind, batch.turn) == (segment.tool, kind, turn);
         if !self.batches.last().is_some_and(follows) {
-            let (moves, requested, origins, rates, rows) = Default::default();
+            let (moves, checked, origins, rates, rows) = Default::default();
             self.batches.push(MoveBatch {
                 tool: segment.tool,
                 kind,
                 turn,
                 moves,
-                checked: requested,
+                checked,
                 origins,
                 rates,
                 rows,
@@ -356,17 +357,18 @@ impl<'a> StockMoves<'a> {
             by_time: self.by_time && !origin.cycle,
         };
         let path = TipMove { curve: segment.curve, tag: segment.tool };
-        let requested = self.checked_part(&path, kind, turn);
+        let checked = self.checked_part(&path, kind, turn);
         if let Some(batch) = self.batches.last_mut() {
             batch.moves.push(path);
-            batch.checked.extend(requested);
+            batch.checked.extend(checked);
             batch.origins.push(segment.origin);
             batch.rates.push(rate);
             batch.rows.push(self.row);
         }
     }
 
-    /// What is asked of a move that must touch nothing; cuts are followed.
+    /// For a move that must touch nothing, the part that must be checked (an inner `None` where there is none); an
+    /// outer `None` for cuts, whose path is recorded.
     fn checked_part(
         &mut self,
         path: &TipMove,
@@ -379,18 +381,19 @@ impl<'a> StockMoves<'a> {
                 None
             }
             (_, Curve::Line(line), Some(Ok(body))) => {
-                let requested = self.visited.rapid(path.tag, turn, body, line);
-                // A bar that steps aside in its hole is narrow enough for that: its cycle asks for it.
+                let rest = self.visited.rapid(path.tag, turn, body, line);
+                // A boring bar that moves aside in its hole is taken to be narrow enough, since its cycle demands the
+                // move.
                 let steps_aside =
                     kind == BatchKind::Aside && self.visited.has(path.tag, turn, line.start);
-                Some(requested.of(path).filter(|_| !steps_aside))
+                Some(rest.of(path).filter(|_| !steps_aside))
             }
             _ => Some(Some(*path)),
         }
     }
 
-    /// The length offset in force is not that of the tool. A tool change leaves the tool clear of the part: until it
-    /// moves in Z nothing is asked.
+    /// Takes a move with the length offset of another tool. A tool change leaves the tool clear of the part, so
+    /// nothing is reported until it moves in Z.
     fn tip_not_known(&mut self, segment: &Segment, kind: BatchKind) {
         let is_level = segment.curve.start().z == segment.curve.end().z;
         if kind.is_rapid() && is_level && !self.has_moved_in_z {
@@ -400,7 +403,7 @@ impl<'a> StockMoves<'a> {
         self.report_once(Code::StockNotFollowed, segment, TIP_NOT_KNOWN);
     }
 
-    /// Says once of a tool why its moves remove nothing.
+    /// Reports once per tool why its moves remove nothing.
     fn report_once(&mut self, code: Code, segment: &Segment, why: &str) {
         self.misses_cuts |= segment.kind != SegmentKind::Rapid;
         if self.reported.contains(&(code, segment.tool)) {

@@ -1,14 +1,14 @@
-//! Shapes as heights over cells, as columns begin with them.
+//! Heights of shapes over cells: what columns begin with.
 
 use chordal_geometry::Aabb;
 use chordal_stock::RemovedSpan as Hollow;
 use chordal_stock::shape::{CellGrid, HeightSpan, ShapeCells, SolidShape};
 
-/// The heights of a shape over cells of any size: quick on those of one grid.
+/// The heights of a shape over cells of any size; those of one grid are computed once.
 pub(super) struct ShapeHeights<'s> {
-    /// What holds the shape.
+    /// A shape that contains the true one.
     outer: &'s SolidShape,
-    /// What lies in it, where that is another.
+    /// A shape that the true one contains, where it is another.
     inner: Option<&'s SolidShape>,
     grid: CellGrid,
     cells: Option<ShapeCells>,
@@ -23,7 +23,7 @@ impl<'s> ShapeHeights<'s> {
         ShapeHeights::between([shape, shape], resolution)
     }
 
-    /// Of a shape between two: one that holds it, and one that lies in it.
+    /// For a shape that is known only between two: one that contains it, and one that it contains.
     pub fn between([shape, inner]: [&'s SolidShape; 2], resolution: f64) -> ShapeHeights<'s> {
         let inner = (!std::ptr::eq(shape, inner)).then_some(inner);
         let bounds = shape.bounds();
@@ -39,7 +39,8 @@ impl<'s> ShapeHeights<'s> {
         let cells = shape.cells(&grid).ok();
         let inner_cells = inner.and_then(|inner| inner.cells(&grid).ok());
         let bottom = bounds.min.z;
-        // Cells of another size are asked as well then.
+        // Whether no cell has anything missing below its top. Cells of other sizes are then not examined for hollows
+        // either.
         let is_full = |cells: &ShapeCells| {
             let places = (0..grid.rows).flat_map(|row| (0..grid.columns).map(move |at| [at, row]));
             places.into_iter().all(|[column, row]| match cells.inner(column, row) {
@@ -58,8 +59,8 @@ impl<'s> ShapeHeights<'s> {
         self.outer.bounds()
     }
 
-    /// Of a cell between two corners: a height above which there is nothing of the shape, and one below which all
-    /// of the cell is shape, down to the bottom of its box unless it is hollow there, mm.
+    /// For a cell between two corners: a height above which there is nothing of the shape, and one below which the
+    /// shape fills the cell, down to the bottom of its box unless it is hollow there, mm.
     pub fn of(&self, low: [f64; 2], high: [f64; 2]) -> [f64; 2] {
         let (place, one) = self.place(low, high);
         let own = self.of_shape(self.outer, self.cells.as_ref(), place, &one);
@@ -72,7 +73,7 @@ impl<'s> ShapeHeights<'s> {
         }
     }
 
-    /// The cell of its own grid between two corners, where it is one, and a grid of that cell alone.
+    /// The cell of the grid between two corners, where it is one of the grid, and a grid of that cell alone.
     fn place(&self, low: [f64; 2], high: [f64; 2]) -> (Option<(usize, usize)>, CellGrid) {
         let side = (high[0] - low[0]).max(high[1] - low[1]);
         let is_own = (side - self.grid.cell).abs() <= 1e-9 * self.grid.cell;
@@ -87,7 +88,7 @@ impl<'s> ShapeHeights<'s> {
         (place, CellGrid { origin: low, cell: side, columns: 1, rows: 1, grow: GROW })
     }
 
-    /// Of what lies under the top nothing is said: a touch begins there.
+    /// The tops of outer and inner shape. Hollows below them are left out, since a tool first touches the top.
     fn of_shape(
         &self,
         shape: &SolidShape,
@@ -109,8 +110,8 @@ impl<'s> ShapeHeights<'s> {
         }
     }
 
-    /// What the shape fills of a cell between two corners, from below: at most somewhere on it, and at least
-    /// everywhere, mm.
+    /// The intervals that the shape fills in a cell between two corners, from below, mm: those it fills anywhere in
+    /// the cell, and those it fills everywhere in it.
     pub fn filled(&self, [low, high]: [[f64; 2]; 2]) -> [Vec<[f64; 2]>; 2] {
         let (place, one) = self.place(low, high);
         let of = |cells: &ShapeCells, (column, row): (usize, usize)| {
@@ -137,7 +138,8 @@ impl<'s> ShapeHeights<'s> {
         }
     }
 
-    /// What a cell between two corners lacks below its tops: surely on all of it, and perhaps somewhere on it.
+    /// The hollows of a cell between two corners below its tops: those certain in all of the cell, and those possible
+    /// anywhere in it.
     pub fn hollows(&self, corners: [[f64; 2]; 2]) -> [Vec<Hollow>; 2] {
         if !self.is_hollow {
             return [Vec::new(), Vec::new()];
@@ -155,13 +157,13 @@ impl<'s> ShapeHeights<'s> {
         })
     }
 
-    /// Whether it is hollow below its tops somewhere.
+    /// Whether some cell is hollow below its top.
     pub fn is_hollow(&self) -> bool {
         self.is_hollow
     }
 }
 
-/// Cells are not wider than they are: the columns count their own rounding.
+/// Cells are not widened: the columns allow for their own rounding.
 const GROW: f64 = 0.0;
-/// A shape that begins so near the bottom stands on it, mm.
+/// A shape that begins within this of the bottom stands on it, mm.
 const ON_BOTTOM_MM: f64 = 1e-6;

@@ -1,10 +1,10 @@
-//! What lies everywhere so much inside of a cutter: where it touches a part, the cutter is deeper in it than that.
+//! Insets of cutters: where the inset by a depth touches a part, the cutter is at least that deep in it.
 
 use chordal_stock::{CutterError, CutterProfile, RevolvedBody, Undercut};
 
 use super::teeth::{FLANK, ThreadMillTeeth, core};
 
-/// A cutter of which a smaller one inside is known, by its dimensions, mm and rad.
+/// The dimensions of a cutter whose inset is known, mm and rad.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum CutterDimensions {
     Flat {
@@ -31,40 +31,40 @@ pub(super) enum CutterDimensions {
     Lollipop {
         diameter: f64,
     },
-    /// By the points of its outline: height and radius.
+    /// The points of its outline: height and radius.
     Outline(Vec<[f64; 2]>),
-    /// Undercuts: teeth above each other on a core.
+    /// Undercuts: teeth one above the other on a core.
     Threads {
         diameter: f64,
         pitch: f64,
         teeth: u32,
     },
-    /// A core with a thread of which only the diameter counts.
+    /// A core with a thread, of which only the diameter counts.
     Tap {
         diameter: f64,
         pitch: f64,
     },
 }
 
-/// What lies inside of a cutter.
+/// The inset of a cutter.
 pub(super) struct InnerCutter {
-    /// Everything that does is in it.
+    /// A body that contains the inset.
     pub holds: RevolvedBody,
     pub sure: InnerCertainty,
-    /// How much higher than the tip of the cutter both have theirs, mm.
+    /// How much higher than the tip of the cutter the tips of both are, mm.
     pub lift: f64,
 }
 
-/// What surely lies inside.
+/// What is certainly in the inset.
 pub(super) enum InnerCertainty {
-    /// The body that holds everything.
+    /// All of [`InnerCutter::holds`].
     Same,
     Body(RevolvedBody),
     Nothing,
 }
 
 impl CutterDimensions {
-    /// Its lower side.
+    /// The profile of its lower side.
     pub fn cutter(&self) -> Result<CutterProfile, CutterError> {
         match *self {
             CutterDimensions::Disc { diameter, .. }
@@ -82,7 +82,8 @@ impl CutterDimensions {
         }
     }
 
-    /// What it surely removes, where that is less than it may: a thread of a pitch a turn stands in the hole of a tap.
+    /// What it certainly removes, where that is less than what it may remove: the ridges of the thread stay in the
+    /// hole of a tap. `None` for all other cutters.
     pub fn core(&self) -> Option<CutterProfile> {
         match *self {
             CutterDimensions::Tap { diameter, pitch } => {
@@ -99,14 +100,14 @@ impl CutterDimensions {
         }
     }
 
-    /// What lies at least `depth` inside of it everywhere, mm; `None` where nothing does.
+    /// The inset of the cutter by `depth`, mm; `None` where nothing is left of it.
     pub fn inside(&self, depth: f64) -> Option<InnerCutter> {
         let less = |diameter: f64| diameter - 2.0 * depth;
         let of_cutter = |cutter: Result<CutterProfile, CutterError>, lift: f64| {
             let holds = RevolvedBody::of_cutter(&cutter.ok()?);
             Some(InnerCutter { holds, sure: InnerCertainty::Same, lift })
         };
-        // Whatever bears it is a part of the shank.
+        // The neck above it is a part of the shank.
         let of_undercut = |undercut: Result<Undercut, CutterError>| {
             let holds = RevolvedBody::of_undercuts(&[(0.0, undercut.ok()?)]);
             Some(InnerCutter { holds, sure: InnerCertainty::Same, lift: depth })
@@ -161,9 +162,9 @@ fn disc(diameter: f64, thickness: f64) -> Result<Undercut, CutterError> {
     Undercut::t_slot(diameter, thickness, 0.5 * diameter)
 }
 
-/// Beyond the core only the flanks and the crest of a tooth are near, so its inset is exact there. In the core what
-/// is near the mouth of a groove lies a little deeper than in the core alone: `holds` has all of it, `sure` the core's
-/// own inset.
+/// The inset of a thread mill. Outside the core only the flanks and the crest of a tooth bound it, so the inset is
+/// exact there. Inside the core, points near a tooth are deeper in the tool than in the core alone: `holds` contains
+/// all of the core, `sure` only the core's own inset.
 fn inside_threads(diameter: f64, pitch: f64, teeth: u32, depth: f64) -> Option<InnerCutter> {
     let core = core(diameter, pitch);
     let ThreadMillTeeth { tooth, top, .. } = ThreadMillTeeth::new(diameter, pitch, teeth).ok()?;
@@ -171,17 +172,17 @@ fn inside_threads(diameter: f64, pitch: f64, teeth: u32, depth: f64) -> Option<I
     // Half the width of a tooth at a radius, and that of its inset.
     let half = 0.5 * tooth.height();
     let width = |radius: f64| half - (radius - 0.5 * core).max(0.0) * rise;
-    /// Where flanks meet before the crest, the inset ends in a crest so narrow, mm.
+    /// Where the flanks of the inset meet below its crest, it ends in a crest of this half width, mm.
     const SHARP: f64 = 1e-6;
     let rim = 0.5 * diameter - depth;
     let crest = width(rim) - depth / cosine;
-    // Out to where the inset of both flanks is no wider than that.
+    // The inset reaches to the radius where its flanks are no closer than that.
     let (rim, crest) = match crest > SHARP {
         true => (rim, crest),
         false => (rim - (SHARP - crest) / rise, SHARP),
     };
     let height = top - 2.0 * depth;
-    // Nearer to the axis than this the tooth alone would be as high as the inset of the core's ends.
+    // The radius below which the inset of the tooth would be higher than the tooth is at the core.
     let root = 0.5 * core - depth * (1.0 / cosine - 1.0) / rise;
     let mut holds = vec![(depth, disc(core, height).ok()?)];
     let mut sure = Vec::new();

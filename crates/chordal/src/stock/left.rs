@@ -1,4 +1,4 @@
-//! What a program leaves, of a mill or of a lathe.
+//! What a program leaves of its stock, on a mill or on a lathe.
 
 use chordal_stock::VolumeInterval;
 use chordal_stock::columns::JobRunner;
@@ -12,12 +12,12 @@ use crate::job::Job;
 use crate::report::Report;
 use crate::time::ToolTime;
 
-/// The answers of a run on stock.
+/// The result of a run on stock.
 #[derive(Debug)]
 pub enum StockLeft {
-    /// Of a mill, between bounds.
+    /// On a mill: between bounds.
     Columns(Box<StockReport>),
-    /// Of a lathe, exact.
+    /// On a lathe: exact.
     Section(Box<TurnedReport>),
 }
 
@@ -26,9 +26,9 @@ pub enum StockLeft {
 pub struct ToolRemoves {
     /// Its number.
     pub number: u32,
-    /// mm³.
+    /// Removed volume, mm³.
     pub removed_mm3: VolumeInterval,
-    /// The lowest place of its tip at feed, mm, where there is one.
+    /// The lowest height of its tip at feed, mm (on a lathe its least Z); `None` where it never cuts.
     pub lowest_mm: Option<f64>,
 }
 
@@ -36,8 +36,7 @@ impl Job<'_> {
     /// Runs the program on the stock of its machine's setup: as [`Job::stock_by`], or on a lathe as
     /// [`Job::turned_stock`].
     ///
-    /// # Errors
-    /// As these.
+    /// # Errors As those of the two.
     pub fn stock_left(
         &self,
         options: &StockOptions,
@@ -53,7 +52,7 @@ impl Job<'_> {
 }
 
 impl StockLeft {
-    /// The run, with the problems of the stock among the others.
+    /// The report of the run, with the problems of the stock among the others.
     pub fn report(&self) -> &Report {
         match self {
             StockLeft::Columns(found) => &found.report,
@@ -61,7 +60,7 @@ impl StockLeft {
         }
     }
 
-    /// What can be said.
+    /// The verdict.
     pub fn verdict(&self) -> StockVerdict {
         match self {
             StockLeft::Columns(found) => found.verdict,
@@ -69,7 +68,7 @@ impl StockLeft {
         }
     }
 
-    /// Whether it is proved that nothing is touched.
+    /// Whether it is proved that nothing is touched that must not be.
     pub fn is_clean(&self) -> bool {
         self.verdict() == StockVerdict::Clean
     }
@@ -82,7 +81,7 @@ impl StockLeft {
         }
     }
 
-    /// What is removed, and what is left, mm³.
+    /// The volumes that are removed and that are left, mm³.
     pub fn volumes_mm3(&self) -> [VolumeInterval; 2] {
         match self {
             StockLeft::Columns(found) => [found.removed_mm3, found.left_mm3],
@@ -98,7 +97,7 @@ impl StockLeft {
         }
     }
 
-    /// By tool, in the order of their first cut.
+    /// The results by tool, in the order of first cuts.
     pub fn tools(&self) -> Vec<ToolRemoves> {
         match self {
             StockLeft::Columns(found) => {
@@ -120,7 +119,7 @@ impl StockLeft {
         }
     }
 
-    /// Takes the times of the tools, as the planner has them.
+    /// Adds the times of the tools from the planner.
     pub fn take_times(&mut self, times: &[ToolTime]) {
         match self {
             StockLeft::Columns(found) => found.take_times(times),

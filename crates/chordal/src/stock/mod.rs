@@ -1,7 +1,7 @@
-//! Programs on stock: what is left, what is touched, and how sure that is.
+//! Programs on stock: what is left, what the tool touches, and how certain that is.
 //!
-//! [`Job::stock`](crate::Job::stock) runs a program on the stock of its machine's setup. Everything it answers
-//! lies between two bounds, and "clean" is said only where they prove it.
+//! [`Job::stock`](crate::Job::stock) runs a program on the stock of its machine's setup. Every result is an interval
+//! between two bounds, and the verdict is "clean" only where the bounds prove it.
 
 mod earlier_side;
 mod engagement;
@@ -50,7 +50,7 @@ pub use report::{StockReport, StockVerdict, ToolRemoved};
 pub use run::StockRunError;
 pub use setup::{SetupError, SetupFileReader};
 pub use target::TargetReport;
-/// Half sections: what lathes turn.
+/// Half sections: the outlines of turned parts.
 pub mod section {
     pub use chordal_stock::lathe::{OutlineSegment, PlaceSide, Region, SegmentArc};
 }

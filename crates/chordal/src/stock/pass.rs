@@ -11,15 +11,15 @@ use super::problems::ContactReport;
 use super::tools::{NoBody, ToolBody};
 use crate::job::Job;
 
-/// How a run on stock is made.
+/// The options of a run on stock.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StockOptions {
-    /// The side of a column, mm; `None`: from the size of the stock.
+    /// The side of a column, mm; `None` derives it from the size of the stock.
     pub resolution_mm: Option<f64>,
-    /// Where columns are too coarse for a question they are halved, no finer than this, mm; `None`: an eighth of
-    /// the resolution.
+    /// Columns that are too coarse to decide whether a tool touches are halved, but not below this side, mm; `None`
+    /// is an eighth of the resolution.
     pub finest_mm: Option<f64>,
-    /// Touches that are no deeper are none, mm.
+    /// Touches that are no deeper than this are ignored, mm.
     pub tolerance_mm: f64,
     /// The most memory of the columns, bytes.
     pub budget: u64,
@@ -32,13 +32,13 @@ impl Default for StockOptions {
     }
 }
 
-/// What the passes of a run share.
+/// The context that the passes of a run share.
 pub(super) struct PassContext<'a> {
     pub job: &'a Job<'a>,
     pub options: StockOptions,
     pub resolution: f64,
     pub tools: &'a BTreeMap<u32, Result<ToolBody, NoBody>>,
-    /// Those of one way that the part lies.
+    /// The batches of one orientation of the part.
     pub batches: Vec<&'a MoveBatch>,
     pub units: Units,
     /// Cuts tiles of columns.
@@ -61,7 +61,7 @@ impl<'a> PassContext<'a> {
         self.tools.get(&number)?.as_ref().ok()
     }
 
-    /// Runs what is to be done on tiles; nothing of it once the run is to end early, and then nothing counts.
+    /// Runs the jobs on tiles; none of them once the run is interrupted, whose result is then discarded.
     pub fn tiles(&self, tiles: Vec<Tile<'_>>) -> Vec<JobResult> {
         if self.job.is_interrupted() {
             return Vec::new();

@@ -1,8 +1,8 @@
-//! Where a tool has cut: a rapid that takes it there again touches nothing that the cut did not touch.
+//! Remembers where a tool has cut: a rapid to the same place touches nothing that the cut did not touch.
 //!
-//! Material only becomes less. What the edges have passed at feed is gone, and what shank and holder touched there
-//! is said of the cut. So nothing is asked of a rapid whose places are all among those of cuts of the same tool; this
-//! needs no columns, and no resolution.
+//! Material only becomes less. What the edges have passed at feed is gone, and what shank and holder touched there is
+//! reported for the cut. So a rapid along positions that are all among those of cuts of the same tool need not be
+//! checked; this needs no columns and no resolution.
 
 use std::collections::{HashMap, VecDeque};
 
@@ -11,16 +11,16 @@ use chordal_stock::TipMove;
 
 use super::tools::ToolBody;
 
-/// Places that differ by less are the same, mm: far below what a touch must be deep.
+/// Positions that differ by less than this are equal, mm: far less than the tolerance of a touch.
 const COINCIDENT_MM: f64 = 1e-6;
 
-/// Straight cuts that are kept to be found along a rapid.
+/// Straight cuts that are kept for comparison with rapids.
 const MAX_LINES: usize = 256;
 
-/// The side of the cells in which places are looked up, mm.
+/// The side of the hash cells in which positions are looked up, mm.
 const CELL_MM: f64 = 1e-3;
 
-/// What of a rapid may touch something new.
+/// The part of a rapid that may touch something new.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum RapidRest {
     /// Nothing: all of it is where the tool has cut, or goes straight up from there.
@@ -29,32 +29,33 @@ pub(super) enum RapidRest {
     Part(Line),
 }
 
-/// A tool, and how the part lies.
+/// A tool number, and the index of an orientation of the part.
 type ToolAndTurn = (u32, usize);
 
-/// Heights of the tip over one place of X and Y that cuts have passed, mm.
+/// Ranges of heights of the tip that cuts have passed at one position in X and Y, mm.
 type PassedHeights = Vec<[f64; 2]>;
 
-/// A place of X and Y, mm.
+/// A position in X and Y, mm.
 #[derive(Debug)]
 struct VisitedSpot {
     at: [f64; 2],
     heights: PassedHeights,
 }
 
-/// The places of cuts, as far as rapids come back to them.
+/// The positions of cuts to which rapids may come back.
 #[derive(Debug, Default)]
 pub(super) struct VisitedPlaces {
-    /// By tool and cell: places of X and Y where the tool went straight down or up at feed, or where it left the path.
+    /// By tool and cell: positions in X and Y where the tool went straight down or up at feed, or where a rapid left
+    /// the cut.
     spots: HashMap<(ToolAndTurn, [i64; 2]), Vec<VisitedSpot>>,
     /// The last straight cuts.
     lines: VecDeque<(ToolAndTurn, Line)>,
-    /// The last cut, where no rapid has followed it yet.
+    /// The end of the last cut, while no rapid has followed it.
     last: Option<(ToolAndTurn, Vec3)>,
 }
 
 impl VisitedPlaces {
-    /// Follows a cut.
+    /// Records a cut.
     pub fn cut(&mut self, tool: u32, turn: usize, curve: &Curve) {
         let key = (tool, turn);
         if let Curve::Line(line) = curve {
@@ -70,26 +71,26 @@ impl VisitedPlaces {
         self.last = Some((key, curve.end()));
     }
 
-    /// What is asked of a rapid.
+    /// The part of a rapid that must be checked.
     pub fn rapid(&mut self, tool: u32, turn: usize, body: &ToolBody, line: &Line) -> RapidRest {
         if let Some((key, end)) = self.last.take() {
             self.keep(key, [end.x, end.y], [end.z, end.z]);
         }
         if body.core.is_some() {
-            // A tap cuts a thread: straight through it nothing is clear.
+            // A tap leaves the ridges of its thread, so a straight move through the hole is not free.
             return RapidRest::Part(*line);
         }
         let key = (tool, turn);
-        // Of a body that is nowhere narrower than below, all that lies higher was in the way before.
+        // A body that is nowhere narrower than further down has swept everything above itself.
         let widens = body.widens();
-        let requested = match is_upright(line.start, line.end) {
+        let rest = match is_upright(line.start, line.end) {
             true => self.upright(key, widens, line),
             false => self.along(key, widens, line),
         };
-        requested.unwrap_or(RapidRest::Part(*line))
+        rest.unwrap_or(RapidRest::Part(*line))
     }
 
-    /// The tool has cut at a place.
+    /// Whether the tool has cut at a position.
     pub fn has(&self, tool: u32, turn: usize, at: Vec3) -> bool {
         let heights = self.heights((tool, turn), [at.x, at.y]);
         heights.is_some_and(|heights| {
@@ -102,7 +103,7 @@ impl VisitedPlaces {
 
     fn upright(&self, key: ToolAndTurn, widens: bool, line: &Line) -> Option<RapidRest> {
         if widens && line.end.z >= line.start.z {
-            // Straight up nothing is touched that was not touched where the move begins.
+            // A move straight up touches nothing that was not touched where it begins.
             return Some(RapidRest::Nothing);
         }
         let heights = self.heights(key, [line.start.x, line.start.y])?;
@@ -126,7 +127,7 @@ impl VisitedPlaces {
         Some(RapidRest::Part(Line { start, end }))
     }
 
-    /// A rapid along straight cuts, one after the other.
+    /// The rest of a rapid along straight cuts, joined end to end.
     fn along(&self, key: ToolAndTurn, widens: bool, line: &Line) -> Option<RapidRest> {
         let mut at = 0.0;
         for _ in 0..self.lines.len() {
@@ -173,8 +174,8 @@ impl VisitedPlaces {
     }
 }
 
-/// How far along a rapid, from a share of it on, a straight cut has been where the rapid goes; or below it, where
-/// `widens`.
+/// The share of a rapid up to which a straight cut covers it from the share `from` on, or passes below it where
+/// `widens`. `None` where it does not cover the rapid at `from`.
 fn reaches(cut: &Line, line: &Line, from: f64, widens: bool) -> Option<f64> {
     let flat = |v: Vec3| Vec3::new(v.x, v.y, 0.0);
     let course = flat(line.end - line.start);
@@ -209,7 +210,7 @@ fn reaches(cut: &Line, line: &Line, from: f64, widens: bool) -> Option<f64> {
     (fits(start) && fits(stop)).then_some(if is_done { 1.0 } else { stop / length })
 }
 
-/// A move along Z alone.
+/// Whether a move goes along Z alone.
 pub(super) fn is_upright(start: Vec3, end: Vec3) -> bool {
     (start.x, start.y) == (end.x, end.y)
 }
@@ -223,7 +224,7 @@ fn are_same(a: [f64; 2], b: [f64; 2]) -> bool {
 }
 
 impl RapidRest {
-    /// The part of a move that is asked.
+    /// The part of a move that must be checked; `None` where there is none.
     pub fn of(self, path: &TipMove) -> Option<TipMove> {
         match self {
             RapidRest::Nothing => None,
@@ -257,7 +258,7 @@ mod tests {
         }
     }
 
-    /// Whether a place lies on a line, or above a place of it.
+    /// Whether a position lies on a line, or above it.
     fn is_on(line: &Line, at: Vec3, widens: bool) -> bool {
         const STEPS: usize = 360;
         let near = |a: f64, b: f64| (a - b).abs() < 1e-9;

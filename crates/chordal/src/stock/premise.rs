@@ -1,4 +1,4 @@
-//! The stock of a run: that of the setup, else the one that a comment of the program describes.
+//! The stock of a run: that of the setup, or else the one that a comment of the program describes.
 
 use std::borrow::Cow;
 
@@ -12,19 +12,20 @@ use crate::tool_comments::{StockPlace, commented_stock};
 /// The stock of a run, and where it was taken from.
 pub(super) struct StockPremise<'a> {
     pub body: Cow<'a, Body>,
-    /// The comment that says it; `None`: a setup or machine file.
+    /// The comment that describes it; `None` where a setup or machine file does.
     pub comment: Option<Span>,
 }
 
 impl StockPremise<'_> {
-    /// What says that the stock is that of a comment.
+    /// The note that the stock is that of a comment; `None` where it is not.
     pub fn note(&self) -> Option<Diagnostic> {
         let message = format!("the stock is taken from this comment: {}", sides(&self.body));
         let help = "give `[stock]` in a setup file, named with --setup, to use another one";
         Some(Diagnostic::new(Code::StockFromComment, self.comment?, message).help(help))
     }
 
-    /// What says that the comment's stock is not the one that the program cuts: nothing of it is removed.
+    /// The warning that a comment's stock is not the one that the program cuts, since no cut removes any of it;
+    /// `None` otherwise.
     pub fn doubt(&self, removed_mm3: f64, cuts: bool) -> Option<Diagnostic> {
         let comment = self.comment.filter(|_| cuts && removed_mm3 <= 0.0)?;
         let message = "no cut meets the stock of this comment".to_string();
@@ -34,7 +35,7 @@ impl StockPremise<'_> {
 }
 
 impl Job<'_> {
-    /// Whether a run on stock has one: of the setup, or of a comment.
+    /// Whether there is a stock: of the setup, or of a comment.
     pub fn has_stock(&self) -> bool {
         self.stock_premise().is_ok()
     }
@@ -43,17 +44,17 @@ impl Job<'_> {
         if let Some(body) = &self.machine().setup.stock {
             return Ok(StockPremise { body: Cow::Borrowed(body), comment: None });
         }
-        let stated = commented_stock(self).ok_or(StockRunError::NoStock)?;
-        match stated.place {
+        let commented = commented_stock(self).ok_or(StockRunError::NoStock)?;
+        match commented.place {
             StockPlace::Body(body) => {
-                Ok(StockPremise { body: Cow::Owned(*body), comment: Some(stated.comment) })
+                Ok(StockPremise { body: Cow::Owned(*body), comment: Some(commented.comment) })
             }
             StockPlace::Size(size) => Err(StockRunError::StockNotPlaced(size)),
         }
     }
 }
 
-/// The sides of a body of a comment: `X 0 to 100, Y 0 to 60, Z -20 to 0 mm`.
+/// The extent of a body for a message: `X 0 to 100, Y 0 to 60, Z -20 to 0 mm`.
 fn sides(body: &Body) -> String {
     let rounded = |value: f64| (value * 1000.0).round() / 1000.0 + 0.0;
     let along = |axis: usize| {

@@ -1,4 +1,4 @@
-//! Touches gathered block by block, and what is said of them.
+//! Collects touches block by block, and words their diagnostics.
 
 use chordal_command::{Origin, Units};
 use chordal_diagnostics::{Code, Diagnostic, SourceMap};
@@ -8,21 +8,21 @@ use chordal_stock::{ContactDepth, TouchAnswer, VolumeInterval};
 /// A touch, or one that cannot be excluded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StockProblem {
-    /// What it is.
+    /// What kind of touch it is.
     pub code: Code,
-    /// The file and line of the block.
+    /// The file of the block.
     pub file: String,
     /// Its line, from 1.
     pub line: u32,
-    /// The tool.
+    /// Number of the tool.
     pub tool: u32,
-    /// How deep, mm: at least and at most.
+    /// Its depth, mm: at least and at most.
     pub depth_mm: VolumeInterval,
-    /// The deepest place, in the frame of the run, mm.
+    /// Its deepest point, in the frame of the run, mm.
     pub at: Vec3,
 }
 
-/// Why moves of a tool remove nothing: its shape is not known, or what they do is not followed.
+/// The diagnostic that moves of a tool remove nothing: its shape is not known, or the moves are not simulated.
 pub(super) fn not_cut(code: Code, origin: &Origin, tool: u32, why: &str) -> Diagnostic {
     let (message, help) = if code == Code::ToolWithoutShape {
         (
@@ -38,17 +38,17 @@ pub(super) fn not_cut(code: Code, origin: &Origin, tool: u32, why: &str) -> Diag
     Diagnostic::new(code, origin.span, message).help(help)
 }
 
-/// A drill whose point angle nobody gives.
+/// The diagnostic for a drill whose point angle nobody gives.
 pub(super) fn assumed_point_angle(origin: &Origin, tool: u32) -> Diagnostic {
     let message = format!("tool {tool} is a drill without a point angle: 118° are taken");
     Diagnostic::new(Code::AssumedShape, origin.span, message)
         .help(format!("give `[tools.{tool}] point_angle` in the setup or machine file"))
 }
 
-/// Problems that are kept of a run.
+/// Most problems that are kept of a run.
 const MAX_PROBLEMS: usize = 1000;
 
-/// Gathers problems.
+/// Collects the problems of a run.
 #[derive(Debug, Default)]
 pub(super) struct StockProblems {
     pub list: Vec<StockProblem>,
@@ -56,24 +56,25 @@ pub(super) struct StockProblems {
     pub more: u64,
     pub hits: u64,
     pub undecided: u64,
-    /// The block, kind and fixture of the last problem: the next of the same is one with it.
+    /// The block, kind and fixture of the last problem: the next problem with the same is merged into it.
     last: Option<(Origin, Code, String)>,
 }
 
-/// What touches, where it is told.
+/// The circumstances of a touch.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ContactReport<'a> {
     pub origin: Origin,
     pub tool: u32,
     pub units: Units,
     pub sources: &'a SourceMap<'a>,
-    /// The spindle stands at its mark: the tool is no wider than its shape, and nobody knows how much narrower.
+    /// The spindle is oriented: the tool is at most as wide as its shape of revolution, and nobody knows how much
+    /// narrower.
     pub is_aside: bool,
-    /// What is touched, where it is no stock.
+    /// The fixture that is touched; `None` for the stock.
     pub fixture: Option<FixtureClearance<'a>>,
 }
 
-/// A fixture, and how far the tool must stay away, mm.
+/// A fixture, and the distance that the tool must keep from it, mm.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FixtureClearance<'a> {
     pub name: &'a str,
@@ -81,7 +82,7 @@ pub(super) struct FixtureClearance<'a> {
 }
 
 impl FixtureClearance<'_> {
-    /// What a tool does that comes too near.
+    /// What the tool does to the fixture, for a message.
     fn tool_phrase(&self, units: Units) -> String {
         let FixtureClearance { name, clearance } = *self;
         if clearance > 0.0 {
@@ -94,8 +95,8 @@ impl FixtureClearance<'_> {
 }
 
 impl StockProblems {
-    /// Takes what the bodies of a tool may touch on a move: of sure touches the first, as the others follow from
-    /// it; only without one what cannot be excluded.
+    /// Takes the contacts of the bodies of a tool on a move. The first certain touch is reported, since the others
+    /// follow from it; without one, the deepest that cannot be excluded.
     pub fn touches(
         &mut self,
         contacts: impl Iterator<Item = (Code, ContactDepth)>,
@@ -129,7 +130,8 @@ impl StockProblems {
         }
     }
 
-    /// Takes a move that comes too near to a fixture, or may do so: how much of the clearance is missing.
+    /// Takes a move that comes too near to a fixture, or may do so. `missing` is the part of the clearance that is
+    /// missing, mm.
     pub fn fixture(
         &mut self,
         code: Code,
@@ -153,14 +155,15 @@ impl StockProblems {
             (*origin, *known, of.as_str()) == (place.origin, code, name)
         });
         if is_same
-            && let (Some(last), Some(stated)) = (self.list.last_mut(), self.diagnostics.last_mut())
+            && let (Some(last), Some(reported)) =
+                (self.list.last_mut(), self.diagnostics.last_mut())
         {
             if depth_mm.most > last.depth_mm.most {
                 last.depth_mm.most = depth_mm.most;
                 last.at = at;
             }
             last.depth_mm.least = last.depth_mm.least.max(depth_mm.least);
-            *stated = diagnostic(code, last, place);
+            *reported = diagnostic(code, last, place);
             return;
         }
         self.last = Some((place.origin, code, name.to_string()));
@@ -186,7 +189,7 @@ fn vector([x, y, z]: [f64; 3]) -> Vec3 {
     Vec3::new(x, y, z)
 }
 
-/// A depth that is known to lie between two.
+/// A depth between two bounds, for a message.
 fn between(depth: VolumeInterval, units: Units) -> String {
     let [least, most] = [depth.least, depth.most].map(|mm| units.length_text(mm));
     if least == most { most } else { format!("{least} to {most}") }

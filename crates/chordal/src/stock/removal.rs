@@ -1,4 +1,4 @@
-//! What a side has removed: where that is, for other sides and for the part as a whole.
+//! Where cuts from one side have removed material, for the other sides and for the part as a whole.
 
 use std::collections::BTreeMap;
 
@@ -8,31 +8,32 @@ use chordal_stock::{ColumnStock, RemovedSpan};
 use super::earlier_side::InitialStock;
 use super::solid_intervals::{ColumnKnowledge, intervals_of};
 
-/// Columns along a side of a block of which one height is kept.
+/// Columns along the side of a block. One height is kept for each block.
 const BLOCK: u32 = 16;
-/// Heights that differ by less are the same, mm.
+/// Heights that differ by less than this are equal, mm.
 const EQUAL_HEIGHT_MM: f64 = 1e-6;
 
-/// The columns of another way that the part lies.
+/// The columns of another orientation of the part.
 #[derive(Debug)]
 pub(super) struct OtherSide {
     pub stock: ColumnStock,
     pub removed: SideRemoval,
-    /// From where the part lies as it was given to where it lies then.
+    /// Transforms the part from its given orientation to this one.
     pub there: Transform,
 }
 
-/// How deep the columns of a side are cut.
+/// How deep the columns of one side are cut.
 #[derive(Debug)]
 pub(super) struct SideRemoval {
     low: [f64; 2],
     side: f64,
     blocks: [usize; 2],
-    /// By blocks of columns, below which nothing is removed; infinite where nothing is removed at all, mm.
+    /// For each block of columns, the height below which nothing is removed; infinite where nothing is removed at
+    /// all, mm.
     floors: Vec<f64>,
-    /// The columns that are cut from above.
+    /// For each column, whether it is cut from above.
     is_cut: Vec<bool>,
-    /// What undercuts have surely removed from columns, by their numbers.
+    /// What undercuts have certainly removed, by column number.
     gaps: BTreeMap<usize, Vec<RemovedSpan>>,
 }
 
@@ -69,7 +70,7 @@ impl SideRemoval {
         SideRemoval { low: [min.x, min.y], side, blocks, floors, is_cut, gaps }
     }
 
-    /// Whether all of a box is under what is removed.
+    /// Whether everything that is removed is above a box.
     pub fn is_above(&self, body: &Aabb) -> bool {
         let range = |axis: usize, from: f64, to: f64| {
             let at = |place: f64| ((place - self.low[axis]) / self.side).floor();
@@ -89,19 +90,19 @@ impl SideRemoval {
         self.floors.iter().any(|floor| floor.is_finite())
     }
 
-    /// Whether a height of a column, by its number, is in what undercuts have surely removed.
+    /// Whether a height is in what undercuts have certainly removed from the column with this number.
     pub fn is_in_gap(&self, column: usize, height: f64) -> bool {
         let gaps = self.gaps.get(&column);
         gaps.is_some_and(|gaps| gaps.iter().any(|gap| gap.floor < height && height < gap.top))
     }
 
-    /// Whether a column is cut from above, by its number.
+    /// Whether the column with this number is cut from above.
     pub fn is_cut(&self, column: usize) -> bool {
         self.is_cut[column]
     }
 }
 
-/// The sure gaps of a column that it did not have from the beginning.
+/// The certain gaps of a column that were not there before the first cut.
 fn cut_gaps(
     stock: &ColumnStock,
     [column, row]: [u32; 2],
@@ -117,10 +118,10 @@ fn cut_gaps(
     surely
 }
 
-/// The lowest place of what was filled and is not left; infinite where there is none, mm.
+/// The lowest height that was filled and is not left; infinite where there is none, mm.
 fn lowest_removed(filled: &[[f64; 2]], left: &[[f64; 2]]) -> f64 {
     for &[from, to] in filled {
-        // Below that nothing of the stretch is removed.
+        // Nothing of the interval is removed below this height.
         let mut at = from;
         for &[floor, top] in left {
             if floor <= at + EQUAL_HEIGHT_MM {

@@ -1,4 +1,4 @@
-//! A program on stock as a list of what is lowered when: for a picture that goes forward and backward.
+//! A program on stock as a list of column changes in order of time, for an animation that goes forward and backward.
 
 mod hollows;
 
@@ -14,15 +14,16 @@ use super::tools::{ToolBody, tools_of};
 use crate::job::Job;
 use hollows::ReplayHollows;
 
-/// Moves that are cut at once: what they lower is told after each lot. More where drops are left out, as none is
-/// that is the last of a lot.
+/// Moves that are cut in one lot, whose changes are then reported together. Lots are larger where drops are thinned
+/// out, since the last drop of each column in a lot is always reported.
 const MOVES_PER_LOT: usize = 4096;
 const MOVES_PER_THINNED_LOT: usize = 1 << 15;
-/// Moves of undercuts that are shown as they cut: each is a few milliseconds. The tops of columns are shown all the same.
+/// Most moves of tools with undercuts whose cuts are shown: each takes a few milliseconds. With more of them, none
+/// is.
 const MAX_UNDERCUTS: usize = 5000;
 /// The most memory of the columns, bytes.
 const BUDGET: u64 = 1 << 30;
-/// Round fixtures are triangles within this, mm.
+/// Round fixtures are approximated by triangles within this, mm.
 const FIXTURE_SAG: f64 = 0.05;
 
 /// The stock before the first cut.
@@ -36,13 +37,13 @@ pub struct StockBefore {
     pub resolution_mm: f64,
     /// Columns along X and Y; the last ones may reach over the box.
     pub columns: [u32; 2],
-    /// The heights of the columns from the top of the box, mm: row by row from the least Y on, in each by X.
+    /// The heights of the columns relative to the top of the box, mm: row by row from the least Y, each by X.
     pub heights: Vec<f32>,
-    /// Those of the part as it should be, where a target is given, and how near to it cuts must be, mm.
+    /// The same heights of the target part, and its tolerance, mm; `None` where no target is given.
     pub target: Option<(Vec<f32>, f64)>,
-    /// What holds the part.
+    /// The fixtures.
     pub fixtures: Vec<FixtureMesh>,
-    /// What the picture does not show.
+    /// What the replay leaves out.
     pub missing: ReplayOmissions,
 }
 
@@ -58,9 +59,9 @@ pub struct FixtureMesh {
 /// What a replay leaves out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ReplayOmissions {
-    /// Cuts of undercuts: more moves of them than are looked at one by one.
+    /// True where cuts of undercuts are left out, because there are too many moves of them.
     pub undercuts: bool,
-    /// Cuts while the part is turned.
+    /// True where cuts in other orientations of the part are left out.
     pub turned: bool,
 }
 
@@ -69,54 +70,55 @@ pub struct ReplayOmissions {
 pub struct ColumnDrop {
     /// The column: `y · columns + x`.
     pub column: u32,
-    /// The piece of path, by its number among all of the run.
+    /// The index of the path segment among all of the run.
     pub row: u32,
-    /// How much of it is done when the axis of the tool passes the column: from 0 to 1.
+    /// The share of the segment that is done when the axis of the tool passes the column: from 0 to 1.
     pub share: f32,
-    /// The new height, from the top of the box, mm.
+    /// The new height relative to the top of the box, mm.
     pub height: f32,
 }
 
-/// The gaps of a column from a moment on.
+/// The new gaps of a column from a moment on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GapChange {
     /// The column: `y · columns + x`.
     pub column: u32,
-    /// The piece of path, by its number among all of the run, and how much of it is done.
+    /// The index of the path segment among all of the run.
     pub row: u32,
-    /// From 0 to 1.
+    /// The share of the segment that is done: from 0 to 1.
     pub share: f32,
-    /// Its gaps from below: floor and top, from the top of the box, mm. One that reaches the height of its column is none.
+    /// Its gaps from below, as floor and top relative to the top of the box, mm. A gap that reaches the height of the
+    /// column is left out.
     pub gaps: Vec<[f32; 2]>,
 }
 
-/// How a stock is replayed.
+/// The options of a replay.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReplayOptions {
-    /// About so many columns, no more.
+    /// Most columns; there are nearly as many.
     pub columns: u32,
-    /// Drops are left out where a column seems no more than this too high without them, as a share of its side.
-    /// Zero: none is. After each tool, and after some thousand moves, all heights are right.
+    /// Drops are left out where a column appears too high without them by no more than this share of its side; zero
+    /// leaves none out. After each tool, and after some thousand moves, all heights are right.
     pub lag: f64,
 }
 
-/// Takes what a run on stock lowers.
+/// Receives the changes of a run on stock.
 pub trait ReplaySink {
     /// The stock before the first cut.
     fn before(&mut self, stock: &StockBefore);
-    /// Columns that were lowered, in the order of the run, and how much of it is done, from 0 to 1. Gives
-    /// whether to go on.
+    /// Columns that were lowered, in the order of the run, and the share of the run that is done, from 0 to 1.
+    /// Returns whether to go on.
     fn lowered(&mut self, drops: &[ColumnDrop], progress: f64) -> bool;
-    /// Columns whose gaps are other ones, in the order of the run. Gives whether to go on.
+    /// Columns whose gaps have changed, in the order of the run. Returns whether to go on.
     fn gaps(&mut self, _changes: &[GapChange]) -> bool {
         true
     }
 }
 
 impl Job<'_> {
-    /// Cuts the stock of the machine's setup, and tells what is lowered when. Heights are those in the middle of each
-    /// column: a picture without a bound, see [`Job::stock`] for that. What is cut while the part is turned is not
-    /// in it. Gives what is left, or `None` where the replay was not to go on.
+    /// Cuts the stock of the machine's setup, and reports what is lowered when. Heights are sampled in the middle of
+    /// each column and have no bounds; see [`Job::stock`] for those. Cuts in other orientations of the part are left
+    /// out. Returns what is left, or `None` where the sink did not want to go on.
     ///
     /// # Errors
     /// Without stock, with a setup that is incomplete, or with too many columns.
@@ -227,13 +229,13 @@ impl Job<'_> {
     }
 }
 
-/// Leaves drops out.
+/// Thins out drops that would hardly be visible.
 struct ReplayThinning {
-    /// A column may seem so much too high, mm.
+    /// A column may appear too high by this, mm.
     most: f32,
-    /// Of each column the heights that were told last.
+    /// The last reported height of each column.
     shown: Vec<f32>,
-    /// Of each column the place of its last drop of the lot.
+    /// The index of the last drop of each column in the lot.
     last: Vec<usize>,
 }
 
@@ -271,7 +273,7 @@ fn before(stock: &ColumnStock, target: Option<(Vec<f32>, f64)>) -> StockBefore {
     }
 }
 
-/// The heights of the part over the columns of the stock, from its top, mm: the middle of what encloses them.
+/// The heights of the part over the columns of the stock relative to its top, mm: midway between their bounds.
 fn target_heights(shape: &SolidShape, stock: &ColumnStock) -> Vec<f32> {
     let grid = stock.grid();
     let heights = ShapeHeights::new(shape, grid.resolution());
@@ -286,7 +288,7 @@ fn target_heights(shape: &SolidShape, stock: &ColumnStock) -> Vec<f32> {
     cells.map(height).collect()
 }
 
-/// A resolution of two digits with no more than so many columns, mm.
+/// A resolution of two digits with at most this many columns, mm.
 fn resolution_for(stock: &SolidShape, columns: u32) -> f64 {
     let size = stock.bounds().size();
     let most = f64::from(columns.max(1));
@@ -297,7 +299,7 @@ fn resolution_for(stock: &SolidShape, columns: u32) -> f64 {
         along(size.x) * along(size.y)
     };
     let mut steps = (least / digit).ceil();
-    // Columns that reach over the edge count, too. One column is left at the largest side.
+    // Columns that reach over the edge count, too. The loop ends at one column for the whole stock.
     while count(steps) > most && steps * digit < size.x.max(size.y) {
         steps += 1.0;
     }

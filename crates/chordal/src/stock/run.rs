@@ -1,4 +1,4 @@
-//! A run on stock: what each tool removes, and what is touched on the way.
+//! A run on stock: what each tool removes, and what it touches.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -27,13 +27,13 @@ use crate::job::Job;
 use crate::other_sides::MAX_STOCK_SIDE_RUNS;
 use crate::report::Report;
 
-/// Why there is no run on stock.
+/// Why a run on stock is not possible.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StockRunError {
     /// No stock is given.
     #[error("there is no stock: give `[stock]` in a setup or machine file")]
     NoStock,
-    /// A comment says how large the stock is, mm, and nothing says where its zero is.
+    /// A comment gives the size of the stock, mm, but not where its zero is.
     #[error(
         "there is no stock: a comment of the program says {} × {} × {} mm, and nothing says where its zero is",
         .0[0], .0[1], .0[2]
@@ -42,19 +42,19 @@ pub enum StockRunError {
     /// The setup cannot be used.
     #[error(transparent)]
     Setup(#[from] SetupError),
-    /// There are no columns for the stock.
+    /// The columns of the stock cannot be made.
     #[error(transparent)]
     Stock(#[from] StockError),
     /// The machine is a lathe: its stock is a half section.
     #[error("this machine turns its parts: its stock is a half section, not columns")]
     Turns,
-    /// It was to end early.
+    /// It was interrupted.
     #[error("the run on stock was ended early")]
     Interrupted,
 }
 
 impl Job<'_> {
-    /// Runs the program on the stock of its machine's setup; `files` gives the meshes that it names.
+    /// Runs the program on the stock of its machine's setup; `files` reads the meshes that the setup names.
     ///
     /// # Errors
     /// Without stock, with a setup that is incomplete, or a resolution that needs too much memory.
@@ -66,8 +66,8 @@ impl Job<'_> {
         self.stock_by(options, files, &|tiles| tiles.into_iter().map(TileJob::run).collect())
     }
 
-    /// The same with a function that cuts tiles of columns, in any order and on any threads: the answer has the same
-    /// bits.
+    /// Like [`Job::stock`], with a function that runs the jobs of tiles of columns, in any order and on any threads:
+    /// the result is the same to the bit.
     ///
     /// # Errors
     /// As [`Job::stock`].
@@ -85,7 +85,7 @@ impl Job<'_> {
         Ok(found)
     }
 
-    /// Cuts with one run.
+    /// Cuts the stock with one run.
     fn stock_of_run(
         &self,
         options: &StockOptions,
@@ -102,7 +102,7 @@ impl Job<'_> {
         let bodies = SetupBodies::of(self, &premise.body, &gathered, files)?;
         let resolution = options.resolution_mm.unwrap_or_else(|| usual_resolution(&bodies.stock));
         bodies.look_at_swings(self, &mut gathered);
-        // Each way that the part lies has columns of its own.
+        // Each orientation of the part has columns of its own.
         let budget = options.budget / gathered.turns.len() as u64;
         let run = |turn: usize| PassContext {
             job: self,
@@ -135,8 +135,8 @@ impl Job<'_> {
     }
 }
 
-/// Cuts the stock with the runs that take other sides, and adds what only they touch. `cut` gives nothing where such a
-/// run does not even reach the part.
+/// Cuts the stock with the runs that take other sides of conditions, and adds what only they touch. `cut` returns
+/// `None` where such a run cannot be cut.
 pub(super) fn cut_other_sides(
     job: &Job<'_>,
     report: &mut Report,
@@ -152,11 +152,11 @@ pub(super) fn cut_other_sides(
     });
 }
 
-/// The bodies of a setup, where the part is not turned.
+/// The bodies of a setup, in the given orientation of the part.
 pub(super) struct SetupBodies<'a> {
     pub stock: SolidShape,
     pub fixtures: Vec<(FixtureClearance<'a>, SolidShape)>,
-    /// The part as it should be, and how near to it cuts must be, mm.
+    /// The target part and its tolerance, mm; `None` where none is given.
     pub target: Option<(SolidShape, f64)>,
 }
 
@@ -190,17 +190,17 @@ impl<'a> SetupBodies<'a> {
         Ok(SetupBodies { stock, fixtures, target })
     }
 
-    /// Cuts a part that is not turned, and looks at all that is touched.
+    /// Cuts a part that is not turned, and checks everything that the tool touches.
     fn look(
         &self,
         run: &PassContext<'_>,
         problems: &mut StockProblems,
     ) -> Result<(CutStock, Option<TargetReport>), StockError> {
-        let requested = run.all_questions();
+        let questions = run.all_questions();
         let begun = InitialStock::new([&self.stock, &self.stock], run.resolution, Vec::new());
-        let cut = run.cut(&begun, &requested, &[])?;
-        for (requested, contacts) in requested.iter().zip(&cut.checked.contacts) {
-            run.report(requested, contacts, &|_, contact| contact, problems);
+        let cut = run.cut(&begun, &questions, &[])?;
+        for (question, contacts) in questions.iter().zip(&cut.checked.contacts) {
+            run.report(question, contacts, &|_, contact| contact, problems);
         }
         for (fixture, shape) in &self.fixtures {
             look_at_fixtures(run, fixture, shape, problems);
@@ -217,7 +217,7 @@ impl<'a> SetupBodies<'a> {
     }
 }
 
-/// A round resolution with about a quarter of a million columns, mm.
+/// The usual side of a column, mm: a round value that gives at most about a quarter of a million columns.
 pub(super) fn usual_resolution(stock: &SolidShape) -> f64 {
     const COLUMNS: f64 = 250_000.0;
     const STEPS: [f64; 7] = [0.05, 0.1, 0.2, 0.25, 0.5, 1.0, 2.0];
@@ -226,36 +226,36 @@ pub(super) fn usual_resolution(stock: &SolidShape) -> f64 {
     STEPS.into_iter().find(|step| *step >= least).unwrap_or(least)
 }
 
-/// Stock that is cut.
+/// Stock after its cuts.
 pub(super) struct CutStock {
     pub checked: CheckedStock,
-    /// What is removed and left, mm³, where the columns of one side alone do not know it.
+    /// The volumes removed and left, mm³; `None` where the columns of the one orientation give them.
     pub volumes: Option<[VolumeInterval; 2]>,
-    /// By tool.
+    /// The volume that each tool has removed, mm³.
     pub removed_by_tag: Vec<(u32, VolumeInterval)>,
-    /// Ways that the part lies on the cuts; the columns are those of the first.
+    /// Number of orientations in which the part is cut; the columns are those of the first.
     pub sides: usize,
-    /// The other ones.
+    /// The other orientations.
     pub others: Vec<OtherSide>,
 }
 
-/// A task with what its contacts mean.
+/// A task of the column engine with the meaning of its contacts.
 pub(super) struct TaskQuestion<'a> {
     cutter: Option<&'a CutterProfile>,
     may: Option<&'a CutterProfile>,
     undercuts: &'a [(f64, Undercut)],
-    /// What each body means that touches.
+    /// The problem that each body makes when it touches.
     codes: Vec<Code>,
     bodies: Vec<RevolvedBody>,
     pub moves: Cow<'a, [TipMove]>,
     origins: Cow<'a, [Origin]>,
     pub tool: u32,
-    /// The batch, by its place in the run.
+    /// Index of the batch in its pass.
     pub batch: usize,
 }
 
 impl TaskQuestion<'_> {
-    /// The same cuts without any question.
+    /// The same cuts without checks.
     pub fn only_cuts(&self) -> TaskQuestion<'_> {
         TaskQuestion {
             codes: Vec::new(),
@@ -268,13 +268,14 @@ impl TaskQuestion<'_> {
 }
 
 impl<'a> PassContext<'a> {
-    /// What is asked on all batches.
+    /// The tasks of all batches.
     pub fn all_questions(&self) -> Vec<TaskQuestion<'a>> {
         let batches = self.batches.iter().enumerate();
         batches.flat_map(|(number, batch)| self.batch_questions(number, batch)).collect()
     }
 
-    /// Cuts a stock, and looks at what touches it; some of it is lowered before tasks by their numbers.
+    /// Cuts a stock, and finds what touches it; `lowered` lists what other orientations remove before tasks, by their
+    /// numbers.
     pub fn cut(
         &self,
         begun: &InitialStock<'_>,
@@ -283,12 +284,12 @@ impl<'a> PassContext<'a> {
     ) -> Result<CutStock, StockError> {
         let tasks: Vec<StockTask<'_>> = questions
             .iter()
-            .map(|requested| StockTask {
-                cutter: requested.cutter,
-                may: requested.may,
-                undercuts: requested.undercuts,
-                bodies: &requested.bodies,
-                moves: &requested.moves,
+            .map(|question| StockTask {
+                cutter: question.cutter,
+                may: question.may,
+                undercuts: question.undercuts,
+                bodies: &question.bodies,
+                moves: &question.moves,
                 drop: self.options.tolerance_mm,
                 ..StockTask::default()
             })
@@ -322,7 +323,7 @@ impl<'a> PassContext<'a> {
         Ok(CutStock { checked, volumes: None, removed_by_tag, sides: 1, others })
     }
 
-    /// Takes the contacts of a task; `sure` says again what of a contact is sure, by the number of its move.
+    /// Reports the contacts of a task; `sure` corrects the certain depth of a contact, by the index of its move.
     pub fn report(
         &self,
         question: &TaskQuestion<'_>,
@@ -339,7 +340,7 @@ impl<'a> PassContext<'a> {
         }
     }
 
-    /// What is asked on the moves of a batch, in order.
+    /// The tasks of a batch, in order.
     fn batch_questions(&self, number: usize, batch: &'a MoveBatch) -> Vec<TaskQuestion<'a>> {
         let Some(tool) = self.tool(batch.tool) else { return Vec::new() };
         let own = |code| match &tool.undercuts[..] {
@@ -375,15 +376,15 @@ impl<'a> PassContext<'a> {
     }
 }
 
-/// What is asked of the moves of a batch that must touch nothing.
+/// The task of a batch whose moves must touch nothing.
 fn watched<'r>(
     number: usize,
     batch: &MoveBatch,
     bodies: impl Iterator<Item = (Code, RevolvedBody)>,
 ) -> TaskQuestion<'r> {
-    let requested = batch.checked.iter().zip(&batch.origins);
+    let checked = batch.checked.iter().zip(&batch.origins);
     let (moves, origins): (Vec<TipMove>, Vec<Origin>) =
-        requested.filter_map(|(path, from)| Some(((*path)?, *from))).unzip();
+        checked.filter_map(|(path, from)| Some(((*path)?, *from))).unzip();
     let (codes, bodies) = bodies.unzip();
     let (moves, origins) = (Cow::Owned(moves), Cow::Owned(origins));
     let tool = batch.tool;
@@ -400,7 +401,7 @@ fn watched<'r>(
     }
 }
 
-/// What is above the edges of a tool and must not touch.
+/// The bodies above the edges of a tool, which must not touch.
 fn bodies_above(tool: &ToolBody) -> Vec<(Code, RevolvedBody)> {
     let stack = |pieces: &[ShankPiece]| {
         let from = pieces.first()?.from;
@@ -409,10 +410,10 @@ fn bodies_above(tool: &ToolBody) -> Vec<(Code, RevolvedBody)> {
         Some(RevolvedBody::stack(from, &segments))
     };
     let is_below = !tool.undercuts.is_empty();
-    // The neck above an undercut is its shank, and never as wide.
+    // The neck above an undercut is its shank, and always narrower.
     let flutes = RevolvedBody::above_flutes(&tool.cutter).filter(|_| !is_below);
     let flutes = flutes.map(|body| (Code::DeeperThanFlutes, body));
-    // A shank no wider than the cutter touches only what is deeper than the edges.
+    // A shank no wider than the cutter touches only where the cut is deeper than the edges are long.
     let wide = |piece: &ShankPiece| piece.lower.max(piece.upper) > 2.0 * tool.cutter.radius();
     let shank = stack(&tool.shank).filter(|_| is_below || tool.shank.iter().any(wide));
     let shank = shank.map(|body| (Code::ShankInStock, body));
@@ -427,7 +428,7 @@ fn finish(
     is_proved: bool,
     gathered: &StockMoves<'_>,
 ) -> StockReport {
-    // A spindle that was started without a speed does not turn either; the run itself knows which one does.
+    // A spindle that was started without a speed does not turn either; the checks of the run report it.
     let is_still = report.diagnostics.iter().any(|found| found.code == Code::SpindleStopped);
     let has_problems = problems.hits > 0 || report.counts.errors > 0 || is_still;
     let is_proved = is_proved && report.is_path_verified() && knows_tips(&report);
@@ -436,7 +437,7 @@ fn finish(
     let [mut removed_mm3, mut left_mm3] =
         volumes.unwrap_or_else(|| [stock.removed(), stock.left()]);
     if gathered.misses_cuts {
-        // Nobody knows what the cuts remove that are not followed.
+        // Nobody knows what the cuts remove that are not simulated.
         (removed_mm3.most, left_mm3.least) = (removed_mm3.least + left_mm3.most, 0.0);
     }
     let by_tag: BTreeMap<u32, VolumeInterval> = cut.removed_by_tag.into_iter().collect();

@@ -5,9 +5,9 @@ use chordal_machine::{Axis as MachineAxis, Body, BodyShape, Machine, MeshUnit, V
 use chordal_stock::mesh::{LengthUnit, StlOptions, read_stl};
 use chordal_stock::shape::{ShapeAxis, ShapeError, SolidShape};
 
-/// Corners of a mesh that are nearer to each other are one, mm: half a unit of six digits.
+/// Corners of a mesh that are nearer to each other than this are merged, mm: about the last of six decimals.
 const WELD: f64 = 1e-6;
-/// The most triangles that a mesh may have.
+/// Most triangles of a mesh.
 const TRIANGLES: usize = 5_000_000;
 
 /// Why a setup cannot be used.
@@ -18,14 +18,14 @@ pub struct SetupError {
     pub message: String,
     /// What to do.
     pub help: String,
-    /// Where it was written.
+    /// Where the faulty value was written; `None` where that is not known.
     pub location: Option<ValueLocation>,
 }
 
-/// Gives the bytes of a file that a setup names, or why it cannot.
+/// Reads the bytes of a file that a setup names; the error says why that failed.
 pub type SetupFileReader<'f> = &'f dyn Fn(&str) -> Result<Vec<u8>, String>;
 
-/// The name of a body in messages, and what was written of it.
+/// A body as it was written, with its name for messages.
 #[derive(Clone, Copy)]
 pub(super) struct NamedBody<'a> {
     pub name: &'a str,
@@ -42,8 +42,8 @@ impl NamedBody<'_> {
         self.error(format!("`{}` has no shape: {error}", self.name), help)
     }
 
-    /// The shape, moved by `shift` from its own coordinates to those of the run. An open mesh is a surface,
-    /// where that is allowed.
+    /// The shape, shifted from its own coordinates to those of the run. An open mesh is taken as a surface where
+    /// `may_be_open`.
     pub fn shape(
         &self,
         shift: Vec3,
@@ -66,7 +66,7 @@ impl NamedBody<'_> {
         }
     }
 
-    /// What the body is: by its file where nothing else is said.
+    /// The kind of shape, by the extension of its file where it has no `shape`; `None` where neither says it.
     pub fn shape_word(&self) -> Option<BodyShape> {
         let by_file = || {
             let (_, extension) = self.body.file.as_deref()?.rsplit_once('.')?;
@@ -155,7 +155,8 @@ impl NamedBody<'_> {
     }
 }
 
-/// What is added to coordinates of a body's work offset to have those of the run, whose first cut is under `run`.
+/// The shift from coordinates in the body's work offset to those of the run, whose first cut is in the work offset
+/// `run`.
 pub(super) fn shift_between(
     machine: &Machine,
     named: &NamedBody<'_>,

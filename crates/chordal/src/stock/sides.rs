@@ -1,8 +1,9 @@
-//! Parts that are cut from several sides: columns for each way that the part lies.
+//! Parts that are cut from several sides, with columns for each orientation of the part.
 //!
-//! What is cut from one side is removed from the columns of that side, and from those of the others as far as it reaches
-//! down from their tops, before they are cut the next time. So each of these stocks holds the part that is truly left: a
-//! tool that is clear of one is clear of it. What touches is sure where no other side has removed anything near.
+//! What is cut from one side is removed from the columns of that side, and from those of the others as far as it
+//! reaches down from their tops, before these are cut the next time. So each of these stocks contains the part that
+//! is truly left: a tool that is clear of one of them is clear of the part. A touch is certain where no other side
+//! has removed anything near it.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -24,11 +25,11 @@ use super::target::{TargetPart, TargetReport, look_at_target};
 use super::turns::{PartOrientation, boxed, swept};
 use crate::job::Job;
 
-/// So often the part is cut from one side again with what other sides have removed since. Each time all that came before
-/// on that side is cut once more.
+/// How often the columns of one side are brought up to date with what other sides have removed since. Each time, all
+/// earlier cuts from that side are computed again.
 const MAX_VISITS: usize = 8;
 
-/// The stock of one way that the part lies.
+/// The stock of one orientation after all its cuts.
 struct StockSide<'a> {
     turn: PartOrientation,
     questions: Vec<TaskQuestion<'a>>,
@@ -36,26 +37,26 @@ struct StockSide<'a> {
     removed: SideRemoval,
 }
 
-/// A side while the program goes from one to the other.
+/// The state of one orientation while the program changes between them.
 struct VisitedSide<'a> {
     turn: PartOrientation,
     shapes: [SolidShape; 2],
     questions: Vec<TaskQuestion<'a>>,
-    /// What other sides had removed before it was cut first.
+    /// What other sides had removed before its first cut.
     begun: Vec<EarlierSide>,
-    /// What they had removed before later tasks, by their numbers.
+    /// What they had removed before later tasks, by the numbers of the tasks.
     lowered: Vec<(usize, Vec<EarlierSide>)>,
-    /// As far as it is cut until now.
+    /// Its heights after the cuts so far; `None` before its first cut.
     tops: Option<Rc<SideTops>>,
 }
 
-/// Batches of one side that follow each other.
+/// Consecutive batches of one side.
 struct SideVisit {
     side: usize,
-    /// Its batches, by their numbers among those of the side.
+    /// Its batches, by their indices among those of the side.
     batches: std::ops::Range<usize>,
     is_last: bool,
-    /// Later batches are among them, so that others must not know what they remove.
+    /// True where batches of later visits were merged into it, so that other sides must not use what it removes.
     has_later: bool,
 }
 
@@ -85,7 +86,7 @@ fn visits(batches: &[MoveBatch]) -> Vec<SideVisit> {
 }
 
 impl SetupBodies<'_> {
-    /// Says of moves on which the part turns whether the tool is clear of it, whatever the angle.
+    /// Reports moves on which the part turns, unless the tool is clear of it at any angle.
     pub(super) fn look_at_swings(&self, job: &Job<'_>, gathered: &mut StockMoves<'_>) {
         let swings: Vec<Segment> = std::mem::take(&mut gathered.swings);
         for segment in &swings {
@@ -98,7 +99,7 @@ impl SetupBodies<'_> {
     fn is_clear(&self, job: &Job<'_>, gathered: &StockMoves<'_>, segment: &Segment) -> bool {
         let Some(radius) = gathered.radius(segment.tool) else { return false };
         let rotary = &job.machine().rotary;
-        // As it lies before the axis turns: whatever it turns by, the swept place is the same.
+        // The orientation before the axis turns: the swept volume is the same for any angle.
         let (from, to) = (segment.rotary_from, segment.rotary_to);
         let before = [0, 1, 2].map(|axis| if from[axis] == to[axis] { from[axis] } else { 0.0 });
         let Ok(turn) = PartOrientation::of(rotary, before) else { return false };
@@ -117,7 +118,7 @@ impl SetupBodies<'_> {
         })
     }
 
-    /// Cuts a part that is turned, and looks at all that is touched.
+    /// Cuts a part that is turned, and checks everything that the tool touches.
     pub(super) fn look_turned<'a>(
         &self,
         turns: &[PartOrientation],
@@ -127,7 +128,7 @@ impl SetupBodies<'_> {
     ) -> Result<(CutStock, Option<TargetReport>), StockError> {
         let mut sides: Vec<(usize, StockSide<'a>)> = Vec::new();
         let mut visited: BTreeMap<usize, VisitedSide<'a>> = BTreeMap::new();
-        // The first is the part as it was given, even where it is never cut so.
+        // The first orientation is the part as it was given, even if it is never cut so.
         let mut order = visits(batches);
         if order.iter().all(|visit| visit.side != 0) {
             order.push(SideVisit { side: 0, batches: 0..0, is_last: true, has_later: false });
@@ -149,7 +150,7 @@ impl SetupBodies<'_> {
                 tops: None,
             });
             let task =
-                side.questions.iter().position(|requested| requested.batch >= visit.batches.start);
+                side.questions.iter().position(|question| question.batch >= visit.batches.start);
             if side.tops.is_some() {
                 side.lowered.extend(task.map(|task| (task, earlier)));
             }
@@ -161,11 +162,11 @@ impl SetupBodies<'_> {
                 if !visit.has_later {
                     side.tops = Some(Rc::new(SideTops::of(&cut.checked.stock)));
                 }
-                let requested = std::mem::take(&mut side.questions);
-                sides.push((number, StockSide { turn, questions: requested, cut, removed }));
+                let questions = std::mem::take(&mut side.questions);
+                sides.push((number, StockSide { turn, questions, cut, removed }));
             } else {
                 let until =
-                    side.questions.iter().filter(|requested| requested.batch < visit.batches.end);
+                    side.questions.iter().filter(|question| question.batch < visit.batches.end);
                 let cuts: Vec<TaskQuestion<'_>> = until.map(TaskQuestion::only_cuts).collect();
                 let cut = run.cut(&begun, &cuts, &side.lowered)?;
                 side.tops = Some(Rc::new(SideTops::of(&cut.checked.stock)));
@@ -194,7 +195,7 @@ impl SetupBodies<'_> {
         Ok((together(&self.stock, sides)?, None))
     }
 
-    /// The touches of all sides in the order of the run.
+    /// Reports the touches of all sides in the order of the run.
     fn report_turned<'a>(
         &self,
         sides: &[(usize, StockSide<'a>)],
@@ -203,7 +204,7 @@ impl SetupBodies<'_> {
         problems: &mut StockProblems,
     ) {
         let runs: Vec<PassContext<'a>> = sides.iter().map(|(number, _)| run(*number)).collect();
-        // Where each batch of a side is in the run.
+        // The index in the run of each batch of a side.
         let places: Vec<Vec<usize>> = sides
             .iter()
             .map(|(number, _)| {
@@ -213,31 +214,30 @@ impl SetupBodies<'_> {
         let mut order: Vec<(usize, usize, usize)> = Vec::new();
         for (at, (_, side)) in sides.iter().enumerate() {
             let of_side = side.questions.iter().enumerate();
-            order
-                .extend(of_side.map(|(index, requested)| (places[at][requested.batch], at, index)));
+            order.extend(of_side.map(|(index, question)| (places[at][question.batch], at, index)));
         }
         order.sort_unstable();
         for (_, at, index) in order {
             let side = &sides[at].1;
-            let requested = &side.questions[index];
-            let reach = runs[at].tool(requested.tool).map_or(0.0, |tool| tool.radius());
+            let question = &side.questions[index];
+            let reach = runs[at].tool(question.tool).map_or(0.0, |tool| tool.radius());
             let sure = |of_move: usize, contact: ContactDepth| {
                 if contact.least <= 0.0 {
                     return contact;
                 }
-                let body = above(&requested.moves[of_move].curve.bounds(), reach, side);
+                let body = above(&question.moves[of_move].curve.bounds(), reach, side);
                 let others = sides.iter().enumerate().filter(|(other, _)| *other != at);
                 let mut others = others.map(|(_, (_, other))| other);
                 let is_untouched = others.all(|other| other.is_untouched(&body, &side.turn));
                 ContactDepth { least: if is_untouched { contact.least } else { 0.0 }, ..contact }
             };
             let contacts = &side.cut.checked.contacts[index];
-            runs[at].report(requested, contacts, &sure, problems);
+            runs[at].report(question, contacts, &sure, problems);
         }
     }
 }
 
-/// What other sides have removed until now, as a side sees it.
+/// What other sides have removed so far, as seen from one side.
 fn earlier_of(
     visited: &BTreeMap<usize, VisitedSide<'_>>,
     number: usize,
@@ -251,7 +251,7 @@ fn earlier_of(
     earlier.collect()
 }
 
-/// All that a tool passes on a move and that may be stock.
+/// The box of all stock that a tool may pass on a move.
 fn above(path: &Aabb, reach: f64, side: &StockSide<'_>) -> Aabb {
     let stock = side.cut.checked.stock.grid().bounds();
     let wide = Vec3::new(reach, reach, 0.0);
@@ -263,7 +263,7 @@ fn above(path: &Aabb, reach: f64, side: &StockSide<'_>) -> Aabb {
 }
 
 impl StockSide<'_> {
-    /// Whether nothing of a box, which lies as another side has it, may be removed from this side.
+    /// Whether this side has certainly removed nothing from a box, given in the orientation `of`.
     fn is_untouched(&self, body: &Aabb, of: &PartOrientation) -> bool {
         let there = of.to_program.inverse().then(&self.turn.to_program);
         let own = boxed(body, &there);
@@ -271,7 +271,7 @@ impl StockSide<'_> {
     }
 }
 
-/// What all sides have removed: at least what one of them has, at most the sum.
+/// Combines what all sides have removed: at least what one of them has, at most the sum.
 fn together(stock: &SolidShape, sides: Vec<StockSide<'_>>) -> Result<CutStock, StockError> {
     let count = sides.len();
     let mut removed = VolumeInterval::default();
@@ -285,7 +285,7 @@ fn together(stock: &SolidShape, sides: Vec<StockSide<'_>>) -> Result<CutStock, S
         let [mut gone, left] = [own.removed(), own.left()];
         let by_tag_of_side = own.removed_by_tag();
         if by_tag_of_side.iter().any(|(tag, _)| *tag == OTHERS) {
-            // What others have removed counts for them.
+            // What other sides have removed counts for those.
             let own = by_tag_of_side.iter().filter(|(tag, _)| *tag != OTHERS);
             gone.most = gone.most.min(own.map(|(_, amount)| amount.most).sum());
         }
@@ -307,7 +307,7 @@ fn together(stock: &SolidShape, sides: Vec<StockSide<'_>>) -> Result<CutStock, S
             }),
         }
     }
-    // The part as it was given is the first side, always.
+    // The first side is always the part as it was given.
     let (mut cut, _) = first.ok_or(StockError::Empty)?;
     removed.most = removed.most.min(stock.volume());
     removed.least = removed.least.max(stock.volume() - left_most);

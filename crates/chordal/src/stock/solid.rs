@@ -1,8 +1,9 @@
-//! What is left as a surface: the heights in the middles of columns, or stretches where heights alone do not say it: gaps
-//! of undercuts, stock that is hollow from below, and cuts from other sides.
+//! The surface of what is left: the heights in the middles of columns, or intervals where heights alone do not
+//! suffice: gaps of undercuts, stock that is hollow from below, and cuts from other sides.
 //!
-//! Between the bounds of a column that a wall passes lies the whole wall. Any height between them would be a ledge that no
-//! tool has made, so the column has what is there in its middle: one of the levels on both sides of the wall.
+//! Where a wall passes through a column, its upper and lower bound are the top and the foot of the wall. Any height
+//! between them would be a ledge that no tool has made, so the column gets the height at its middle, which is the
+//! level on one side of the wall.
 
 use chordal_geometry::{Aabb, Vec3};
 use chordal_stock::mesh::{HeightField, HeightFieldError, HeightMesh, LayerField, SolidIntervals};
@@ -12,19 +13,19 @@ use super::report::StockReport;
 use super::solid_intervals::{ColumnKnowledge, intervals_of};
 use super::turns::boxed;
 
-/// Where a column is cut from another side is found to this share of a column.
+/// The boundary of a cut from another side is bisected this often, to 1/64 of a column.
 const MAX_HALVINGS: u32 = 6;
 
 impl StockReport {
-    /// What is left as stretches of material in each column of the stock, from its bottom, mm: what is in the middle of
-    /// the column. `None` where the heights of the columns say it all.
+    /// The intervals of material that are left in the middle of each column of the stock, measured from its bottom,
+    /// mm. `None` where the heights of the columns suffice.
     pub fn intervals(&self) -> Option<&SolidIntervals> {
         self.has_undersides().then(|| self.intervals.get_or_init(|| self.find_intervals()))
     }
 
-    /// What is left as a closed surface of flat tops and undersides, which are no further from their columns than a
-    /// tolerance, mm. A column has the heights that the tools and the stock have in its middle, so there is no step but
-    /// theirs, and a wall is no further than half a column's diagonal from where it is.
+    /// What is left, as a closed surface of flat tops and undersides within a tolerance of their columns, mm. A
+    /// column has the height at its middle, so the surface has no steps that tools and stock do not have, and a wall
+    /// is at most half a column's diagonal from its true place.
     ///
     /// # Errors
     /// When there are too many columns for one mesh.
@@ -81,14 +82,14 @@ impl StockReport {
         all
     }
 
-    /// Whether columns may have material above where they have none: gaps of undercuts, stock that is hollow from
-    /// below, cuts while the part is turned.
+    /// Whether columns may have material above a gap: by undercuts, stock that is hollow from below, or cuts in
+    /// another orientation.
     pub fn has_undersides(&self) -> bool {
         let has_others = self.others.iter().any(|other| other.removed.is_any());
         self.stock.has_gaps() || has_others
     }
 
-    /// The top of each column in its middle, mm, row by row: the bottom where nothing is left.
+    /// The height at the middle of each column, mm, row by row; that of the bottom where nothing is left.
     pub fn tops(&self) -> Vec<f64> {
         let bottom = self.stock.grid().bounds().min.z;
         match self.intervals() {
@@ -102,8 +103,8 @@ impl StockReport {
     }
 }
 
-/// What is in the middle of a column, within what may be left of it and with all that surely is: rounding may move an end
-/// of the middle beyond one of a bound.
+/// What is left in the middle of a column, clamped to what may be left of it and extended to what certainly is:
+/// rounding may move an end of the middle beyond that of a bound.
 fn between(middle: &[[f64; 2]], outer: &[[f64; 2]], inner: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let within = outer.iter().flat_map(|[from, to]| {
         middle.iter().map(move |[floor, top]| [from.max(*floor), to.min(*top)])
@@ -121,10 +122,10 @@ fn between(middle: &[[f64; 2]], outer: &[[f64; 2]], inner: &[[f64; 2]]) -> Vec<[
     joined
 }
 
-/// Another side with the heights of its columns.
+/// Another orientation with the heights of its columns.
 struct SideHeights<'a> {
     side: &'a OtherSide,
-    /// The height in the middle of each column that is cut; infinite where none is, mm.
+    /// The height at the middle of each column that is cut; infinite for a column that is not, mm.
     heights: Vec<f64>,
 }
 
@@ -139,7 +140,7 @@ impl<'a> SideHeights<'a> {
         SideHeights { side, heights: heights.collect() }
     }
 
-    /// Stretches of a column less what is cut from this side.
+    /// The intervals of a column without what is cut in this orientation.
     fn cut(
         &self,
         intervals: Vec<[f64; 2]>,
@@ -179,13 +180,12 @@ impl<'a> SideHeights<'a> {
             return false;
         };
         let column = row as usize * columns as usize + column as usize;
-        // What may be a gap only is left.
+        // A gap that is only possible counts as left.
         at.z > self.heights[column] || self.side.removed.is_in_gap(column, at.z)
     }
 }
 
-/// The parts of a stretch where a question has the answer yes, asked so often along it and more closely where the
-/// answer changes.
+/// The parts of an interval where `is_left` is true. It is sampled at this step, and its changes are bisected.
 fn kept([from, to]: [f64; 2], step: f64, is_left: &dyn Fn(f64) -> bool) -> Vec<[f64; 2]> {
     let count = ((to - from) / step).ceil().max(1.0);
     let width = (to - from) / count;

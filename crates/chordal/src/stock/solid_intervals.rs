@@ -1,19 +1,19 @@
-//! What is left of columns as stretches of material.
+//! What is left of columns, as intervals of material.
 
 use chordal_stock::{ColumnStock, RemovedSpan};
 
-/// What of a column is known.
+/// Which material of a column is meant.
 #[derive(Clone, Copy)]
 pub(super) enum ColumnKnowledge {
-    /// What may be left anywhere on it.
+    /// What may be left anywhere in it.
     Maybe,
-    /// What is left everywhere on it.
+    /// What is certainly left everywhere in it.
     Surely,
     /// What is left in its middle.
     InTheMiddle,
 }
 
-/// What is left of a column, as stretches below its height, mm.
+/// What is left of a column below a height, as intervals, mm.
 pub(super) fn intervals_of(
     stock: &ColumnStock,
     [column, row]: [u32; 2],
@@ -34,7 +34,7 @@ pub(super) fn intervals_of(
     left
 }
 
-/// Stretches less another one.
+/// Intervals without another one.
 pub(super) fn without(intervals: &[[f64; 2]], [floor, top]: [f64; 2]) -> Vec<[f64; 2]> {
     let parts =
         intervals.iter().flat_map(|[from, to]| [[*from, to.min(floor)], [from.max(top), *to]]);

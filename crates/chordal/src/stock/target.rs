@@ -1,4 +1,4 @@
-//! The part as it should be: where the cuts go into it, and what is left on it.
+//! The target part: where cuts go into it, and what is left on it.
 
 use chordal_diagnostics::Code;
 use chordal_geometry::{ParamCurve, Transform, Vec3};
@@ -15,33 +15,34 @@ use super::pass::PassContext;
 use super::problems::StockProblems;
 use super::solid_intervals::{ColumnKnowledge, intervals_of, without};
 
-/// Contacts that are less deep are rounding, mm.
+/// Contacts that are less deep than this are rounding, mm.
 const CONTACT_ROUNDING_MM: f64 = 1e-3;
-/// A wall is known to a tolerance with cells of this share of it.
+/// The side of the finest cells as a share of the tolerance.
 const OF_TOLERANCE: f64 = 0.5;
 
-/// How near a part must be to its target where nothing is said, mm.
+/// The default tolerance of a target part, mm.
 pub(super) const TARGET_TOLERANCE: f64 = 0.05;
 
-/// A part with how near to it the cuts must be, mm.
+/// A target part with its tolerance, mm.
 pub(super) struct TargetPart {
-    /// One that holds it, and one that lies in it.
+    /// A shape that contains it, and one that it contains.
     pub shapes: [SolidShape; 2],
     pub tolerance: f64,
 }
 
-/// What is left on a part.
+/// What is left on the target part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TargetReport {
-    /// Material outside of the part, mm³.
+    /// Volume of material outside the part, mm³.
     pub left_over_mm3: VolumeInterval,
-    /// The highest of it above the part, mm: at least and at most.
+    /// Largest height of that material, mm: at least and at most.
     pub highest_mm: VolumeInterval,
-    /// Where that is, mm.
+    /// Where it is highest, in the frame of the run, mm.
     pub at: Vec3,
 }
 
-/// Looks for cuts into the part, and at what is left on it of a stock that was cut from this side alone.
+/// Finds cuts into the part, and what is left on it of a stock that was cut in this orientation alone (`None` without
+/// that stock).
 pub(super) fn look_at_target(
     run: &PassContext<'_>,
     target: &TargetPart,
@@ -54,8 +55,8 @@ pub(super) fn look_at_target(
     Ok(stock.map(|stock| left_over(&heights, stock)))
 }
 
-/// A cutter that lies the tolerance inside of the true one touches the part exactly where the true one is deeper
-/// in it than the tolerance.
+/// Finds gouges: the cutter inset by the tolerance touches the part exactly where the true one is deeper in it than
+/// the tolerance.
 fn look_for_gouges(
     run: &PassContext<'_>,
     target: &TargetPart,
@@ -63,7 +64,7 @@ fn look_for_gouges(
     problems: &mut StockProblems,
 ) -> Result<(), StockError> {
     let bounds = heights.bounds();
-    let mut requested: Vec<TargetQuestion<'_>> = Vec::new();
+    let mut questions: Vec<TargetQuestion<'_>> = Vec::new();
     for batch in run.batches.iter().filter(|batch| !batch.kind.is_rapid()) {
         let Some(tool) = run.tool(batch.tool) else { continue };
         let Some(InnerCutter { holds, sure, lift }) = tool.inside(target.tolerance) else {
@@ -78,13 +79,13 @@ fn look_for_gouges(
         let up = Transform::translation(Vec3::new(0.0, 0.0, lift));
         let moves =
             batch.moves.iter().map(|path| TipMove { curve: path.curve.transformed(&up), ..*path });
-        requested.push(TargetQuestion { batch, bodies, is_sure, moves: moves.collect() });
+        questions.push(TargetQuestion { batch, bodies, is_sure, moves: moves.collect() });
     }
-    let tasks: Vec<StockTask<'_>> = requested
+    let tasks: Vec<StockTask<'_>> = questions
         .iter()
-        .map(|requested| StockTask {
-            bodies: &requested.bodies,
-            moves: &requested.moves,
+        .map(|question| StockTask {
+            bodies: &question.bodies,
+            moves: &question.moves,
             drop: f64::INFINITY,
             ..StockTask::default()
         })
@@ -103,18 +104,18 @@ fn look_for_gouges(
         finest: run.finest().min(OF_TOLERANCE * target.tolerance),
     };
     let checked = check.run_by(&|tiles| run.tiles(tiles))?;
-    for (requested, contacts) in requested.iter().zip(&checked.contacts) {
-        let batch = requested.batch;
+    for (question, contacts) in questions.iter().zip(&checked.contacts) {
+        let batch = question.batch;
         for (index, origin) in batch.origins.iter().enumerate() {
             let place = run.place(*origin, batch.tool);
             let mut contact = contacts[0][index];
-            // What is sure is that of the last body.
+            // The last body is the one that is certainly inside.
             contact.least = match contacts.last() {
-                Some(sure) if requested.is_sure => sure[index].least.min(contact.most),
+                Some(sure) if question.is_sure => sure[index].least.min(contact.most),
                 _ => 0.0,
             };
             if contact.most > CONTACT_ROUNDING_MM {
-                // The inner cutter's depth, and the tolerance around it.
+                // The depth of the true cutter is that of its inset plus the tolerance.
                 contact.most += target.tolerance;
                 if contact.least > CONTACT_ROUNDING_MM {
                     contact.least += target.tolerance;
@@ -126,12 +127,12 @@ fn look_for_gouges(
     Ok(())
 }
 
-/// The moves of a batch with what lies inside of its tool.
+/// The moves of a batch with the inset of its tool.
 struct TargetQuestion<'a> {
     batch: &'a MoveBatch,
-    /// What holds all of that, and, where it is another, what surely lies inside.
+    /// A body that contains the inset and, where it is another, one that is certainly inside.
     bodies: Vec<RevolvedBody>,
-    /// The last of them surely lies inside.
+    /// True where the last body is certainly inside the tool.
     is_sure: bool,
     moves: Vec<TipMove>,
 }
@@ -158,7 +159,8 @@ fn left_over(heights: &ShapeHeights<'_>, stock: &ColumnStock) -> TargetReport {
                 let left = intervals_of(stock, [column, row], known, height);
                 part.iter().fold(left, |left, own| without(&left, *own))
             };
-            // What is surely left and in no place of the part, and what may be left and not all part.
+            // What is certainly left and outside of all that may be part, and what may be left and is not certainly
+            // part.
             let surely = over(ColumnKnowledge::Surely, pair.inner, &may_be);
             let maybe = over(ColumnKnowledge::Maybe, pair.outer, &is);
             let [least, most] = [&surely, &maybe].map(|over| length(over));

@@ -1,27 +1,27 @@
-//! Thread tools: their teeth by ISO 68-1.
+//! The teeth of thread tools by ISO 68-1.
 
 use chordal_stock::{CutterError, Undercut};
 
 /// A thread's depth as a share of its pitch: 5/8 of the height of the sharp triangle, which is √3/2 of the
 /// pitch (ISO 68-1).
 const THREAD_DEPTH: f64 = 0.541_265_877_365_274_2;
-/// The flat of a thread's tooth as a share of its pitch.
+/// The flat at the crest of a thread's tooth as a share of its pitch (ISO 68-1: P/8).
 const CREST: f64 = 0.125;
-/// The angle of its flanks to the plane across the axis: 60° between them.
+/// The angle between a flank and the plane normal to the axis, rad: the flanks enclose 60°.
 pub(super) const FLANK: f64 = std::f64::consts::FRAC_PI_6;
 
-/// The diameter of a thread tool below its teeth, mm.
+/// The diameter of a thread tool at the root of its teeth, mm.
 pub(super) fn core(diameter: f64, pitch: f64) -> f64 {
     diameter - 2.0 * THREAD_DEPTH * pitch
 }
 
-/// Teeth above each other on the core that bears them.
+/// Teeth one above the other on a core.
 pub(super) struct ThreadMillTeeth {
     /// The core, then each tooth, with the height of its lower end above the tip, mm.
     pub undercuts: Vec<(f64, Undercut)>,
     /// One of the teeth.
     pub tooth: Undercut,
-    /// How far up the teeth reach, mm.
+    /// The height to which the teeth reach, mm.
     pub top: f64,
 }
 

@@ -1,4 +1,4 @@
-//! The tools of a machine as bodies that turn: what cuts, and what must not touch.
+//! The tools of a machine as bodies of revolution: the parts that cut, and the parts that must not touch.
 
 use std::collections::BTreeMap;
 
@@ -10,17 +10,18 @@ use super::teeth::{ThreadMillTeeth, core};
 use crate::job::Job;
 use crate::tool_comments::known_tools;
 
-/// A shank of which only the diameter is known has no end below this height, mm.
+/// The length that is taken for a shank of unknown length, mm: longer than any.
 const UNKNOWN_SHANK_MM: f64 = 1000.0;
 
 /// A tool as a body.
 #[derive(Clone, Debug)]
 pub(super) struct ToolBody {
     pub cutter: CutterProfile,
-    /// What it surely removes, where that is less than it may: the core of a tap, whose groove winds nobody knows how.
+    /// What it certainly removes, where that is less than what it may remove: the core of a tap, since nobody knows
+    /// at which angle its thread starts.
     pub core: Option<CutterProfile>,
-    /// What cuts instead of it where it is only the hull of edges above its widest place: each with the height of
-    /// its lower end above the tip, mm.
+    /// The undercuts that cut in place of `cutter`, where that is only the hull of edges above its widest point: each
+    /// with the height of its lower end above the tip, mm.
     pub undercuts: Vec<(f64, Undercut)>,
     dimensions: CutterDimensions,
     /// A drill whose point angle nobody gives.
@@ -31,24 +32,24 @@ pub(super) struct ToolBody {
 }
 
 impl ToolBody {
-    /// What lies everywhere at least `depth` inside of the cutter, mm; `None` where nothing does, or it is not known.
+    /// The cutter inset by `depth`, mm; `None` where nothing is left of it, or the inset is not known.
     pub fn inside(&self, depth: f64) -> Option<InnerCutter> {
         self.dimensions.inside(depth)
     }
 
-    /// What it surely removes.
+    /// What it certainly removes.
     pub fn removes(&self) -> &CutterProfile {
         self.core.as_ref().unwrap_or(&self.cutter)
     }
 
-    /// The highest known place of cutter, shank and holder above the tip, mm.
+    /// The highest known point of cutter, shank and holder above the tip, mm.
     pub fn top(&self) -> f64 {
         let ends = self.shank.iter().chain(&self.holder).map(|piece| piece.from + piece.height);
         ends.fold(self.cutter.flutes().unwrap_or(UNKNOWN_SHANK_MM), f64::max)
     }
 
-    /// Nowhere it is narrower than below. Above the edges it counts as wide as they are: what is there is asked as a
-    /// cut that is deeper than the edges are long.
+    /// Whether the tool is nowhere narrower than further down. Above the edges it counts as wide as they are: what
+    /// touches there is reported as a cut deeper than the edges are long.
     pub fn widens(&self) -> bool {
         let edges = 2.0 * self.cutter.radius();
         let mut widest = edges;
@@ -70,7 +71,7 @@ impl ToolBody {
     }
 }
 
-/// A cylinder or cone above the edges.
+/// A cylinder or cone of shank or holder, above the edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ShankPiece {
     /// Its lower end above the tip, mm.
@@ -105,7 +106,7 @@ impl NoBody {
     }
 }
 
-/// Which dimensions a tool lacks, by their keys.
+/// Says which dimensions a tool lacks, by their keys.
 pub(super) fn lacking(shape: ToolShape, missing: &[&str]) -> String {
     let keys: Vec<String> = missing.iter().map(|key| format!("`{key}`")).collect();
     format!("a tool of the shape `{}` needs {}", shape.as_str(), keys.join(" and "))
@@ -120,7 +121,7 @@ fn body_of(tool: &Tool) -> Result<ToolBody, NoBody> {
     let shape = tool.shape.ok_or(NoBody::Unknown)?;
     let lacks = || NoBody::Incomplete(shape, tool.missing_dimensions());
     let edges = edges_of(tool.cutter().ok_or_else(lacks)?)?;
-    // Where the edges end is not known: neither is where the shank begins.
+    // Without the end of the edges, the start of the shank is not known either.
     let flutes = match edges.top {
         Some(top) => Some(tool.flute_length_mm.map_or(top, |flutes| flutes.max(top))),
         None => tool.flute_length_mm,
@@ -154,14 +155,14 @@ fn body_of(tool: &Tool) -> Result<ToolBody, NoBody> {
     Ok(body)
 }
 
-/// What cuts.
+/// The part of a tool that cuts.
 struct CuttingEdges {
     cutter: CutterProfile,
     undercuts: Vec<(f64, Undercut)>,
     dimensions: CutterDimensions,
-    /// How far up they reach, where the shape says it, mm.
+    /// The height to which they reach, mm; `None` where the shape does not give it.
     top: Option<f64>,
-    /// The diameter of what bears undercuts, mm.
+    /// The diameter of the neck above undercuts, mm.
     neck: f64,
 }
 
@@ -202,14 +203,14 @@ fn edges_of(shape: Shape<'_>) -> Result<CuttingEdges, NoBody> {
     found.map_err(NoBody::Wrong)
 }
 
-/// One undercut with its dimensions.
+/// The edges of a tool with one undercut.
 fn below(dimensions: CutterDimensions, undercut: Undercut) -> Result<CuttingEdges, CutterError> {
     let (top, neck) = (Some(undercut.height()), undercut.neck());
     let cutter = dimensions.cutter()?;
     Ok(CuttingEdges { cutter, undercuts: vec![(0.0, undercut)], dimensions, top, neck })
 }
 
-/// Teeth above each other, with the core that bears them.
+/// The edges of a thread mill: teeth one above the other, and their core.
 fn threads(diameter: f64, pitch: f64, teeth: u32) -> Result<CuttingEdges, CutterError> {
     let ThreadMillTeeth { undercuts, top, .. } = ThreadMillTeeth::new(diameter, pitch, teeth)?;
     let dimensions = CutterDimensions::Threads { diameter, pitch, teeth };
@@ -227,7 +228,7 @@ fn stacked(solids: &[HolderSegment], at: &mut f64) -> Vec<ShankPiece> {
     solids.iter().map(piece).collect()
 }
 
-/// A body of a cutter with a holder: its height, and its diameters below and above.
+/// A tool of a cutter and a holder, given as height, lower and upper diameter.
 #[cfg(test)]
 pub(super) fn body_for_tests(cutter: CutterProfile, holder: Option<[f64; 3]>) -> ToolBody {
     let dimensions = CutterDimensions::Flat { diameter: 2.0 * cutter.radius() };

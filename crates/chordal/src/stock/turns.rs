@@ -7,29 +7,29 @@ use chordal_geometry::{Aabb, Transform, Vec3};
 use chordal_machine::{RotaryAxis, RotaryTarget, part_transform};
 use chordal_stock::shape::SolidShape;
 
-/// Angles that differ by less are the same, rad.
+/// Angles that differ by less than this are equal, rad.
 const EQUAL_ANGLE_RAD: f64 = 1e-9;
-/// A cylinder that lies askew is triangles within this, mm.
+/// A cylinder at an oblique angle is approximated by triangles within this, mm.
 const SAG: f64 = 1e-3;
 const LETTERS: [char; 3] = ['A', 'B', 'C'];
 const AXES: [Vec3; 3] = [Vec3::X, Vec3::Y, Vec3::Z];
 
-/// The rotary axes of a machine at an angle, and the part with them.
+/// The orientation of the part at some angles of the rotary axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PartOrientation {
-    /// A, B and C, rad, each within half a turn of zero.
+    /// Angles of A, B and C, rad, each within half a turn of zero.
     pub angles: [f64; 3],
-    /// From coordinates of the part, which are those of the program while all of them are at zero, to those of the
+    /// Transforms coordinates of the part, which are those of the program while all angles are zero, to those of the
     /// program.
     pub to_program: Transform,
 }
 
 impl PartOrientation {
-    /// The part as its coordinates say.
+    /// The part as it was given.
     pub const NONE: PartOrientation =
         PartOrientation { angles: [0.0; 3], to_program: Transform::identity() };
 
-    /// At some angles; why it is not known how the part lies then.
+    /// The orientation at some angles; an error says why it is not known.
     pub fn of(rotary: &[RotaryAxis; 3], angles: [f64; 3]) -> Result<PartOrientation, String> {
         let angles = angles.map(within_half_a_turn);
         for (axis, angle) in angles.into_iter().enumerate().filter(|(_, angle)| *angle != 0.0) {
@@ -61,7 +61,8 @@ impl PartOrientation {
         self.angles.iter().zip(angles).all(same)
     }
 
-    /// A shape of the part as it lies: one that holds it and one in it. `None` where it cannot be turned.
+    /// A shape of the part in this orientation: one that contains it and one that it contains. `None` where it cannot
+    /// be turned.
     pub fn shapes(&self, shape: &SolidShape) -> Option<[SolidShape; 2]> {
         if self.is_none() {
             return Some([shape.clone(), shape.clone()]);
@@ -69,7 +70,7 @@ impl PartOrientation {
         shape.turned(&self.to_program, SAG)
     }
 
-    /// `A90`.
+    /// Its name in messages: `A90`.
     pub fn name(&self) -> String {
         let named = LETTERS.iter().zip(self.angles).filter(|(_, angle)| *angle != 0.0);
         let parts: Vec<String> = named
@@ -82,7 +83,7 @@ impl PartOrientation {
     }
 }
 
-/// Whether rotary axes stand, rad: a whole turn is a turn.
+/// Whether rotary axes are at the same angles, rad; a full turn counts as a difference.
 pub(super) fn are_same(a: [f64; 3], b: [f64; 3]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() < EQUAL_ANGLE_RAD)
 }
@@ -92,8 +93,8 @@ fn within_half_a_turn(angle: f64) -> f64 {
     if rest.abs() < EQUAL_ANGLE_RAD { 0.0 } else { rest }
 }
 
-/// The box of everything that a body with this box passes while one axis of the table turns it, whatever the angle;
-/// `None` where more than that turns, or it is not known what.
+/// The box of everything that a body with this box passes while one axis of the table turns it by any angle; `None`
+/// where several axes turn, or something other than a table.
 pub(super) fn swept(
     rotary: &[RotaryAxis; 3],
     from: [f64; 3],
@@ -114,7 +115,7 @@ pub(super) fn swept(
         Vec3::new(pick(1, min.x, max.x), pick(2, min.y, max.y), pick(4, min.z, max.z)) - middle
     });
     let along = AXES[axis];
-    // About an axis that is turned itself, only the distance from its point is known.
+    // Where another axis turns the axis itself, only the distance from its centre is known.
     let distance = |arm: Vec3| {
         if others_stand_at_zero { (arm - along * along.dot(arm)).length() } else { arm.length() }
     };
@@ -128,7 +129,7 @@ pub(super) fn swept(
     Some(swept)
 }
 
-/// The box around a box that is turned.
+/// The box around a transformed box.
 pub(super) fn boxed(body: &Aabb, by: &Transform) -> Aabb {
     let corners = (0..8u32).map(|bits| {
         let pick = |bit: u32, low: f64, high: f64| if bits & bit == 0 { low } else { high };

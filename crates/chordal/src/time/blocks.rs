@@ -1,4 +1,4 @@
-//! The blocks that take the most time, found without keeping every block of a long program.
+//! Ranks the blocks that take the most time without keeping every block of a long program.
 
 use chordal_command::Origin;
 use std::collections::HashMap;
@@ -6,12 +6,12 @@ use std::hash::{BuildHasherDefault, Hasher};
 
 use super::report::{BlockTime, TimeReason};
 
-/// How many blocks are kept while a program goes by. When there are more, those in the lower
-/// three quarters of both rankings are forgotten: a block is lost to the lists only when it costs so
-/// little in each of its runs that thousands cost more in between.
+/// How many blocks are kept during a run. When there are more, those in the lower three quarters of both rankings are
+/// dropped: a block is missing from the lists only if it costs so little in each of its runs that thousands of others
+/// cost more in between.
 const MAX_TRACKED_BLOCKS: usize = 1 << 15;
 
-/// What one run of a block comes to.
+/// Time and reason of one run of a block.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BlockRun {
     pub origin: Origin,
@@ -20,26 +20,26 @@ pub(super) struct BlockRun {
     pub reason: TimeReason,
 }
 
-/// A run of which more may come.
+/// A run of a block that further moves may continue.
 #[derive(Clone, Copy, Debug)]
 struct OpenRun {
     run: BlockRun,
     /// Its longest move, s.
     longest_s: f64,
-    /// What its costliest move loses, s, and why.
+    /// The loss of its costliest move, s, and the reason.
     worst: (f64, TimeReason),
 }
 
 /// Adds up runs of blocks and ranks them.
 #[derive(Debug, Default)]
 pub(super) struct BlockRanking {
-    /// Blocks that came after all before them, as most of a program do: in the order of their keys.
+    /// Blocks that came after all earlier ones in the text, as most do: sorted by key.
     in_order: Vec<BlockTime>,
-    /// The others: of a subprogram further up, or in another file.
+    /// The others, such as those of a subprogram further up.
     out_of_order: HashMap<BlockKey, BlockTime, BuildHasherDefault<KeyHasher>>,
     /// The largest key so far.
     highest: Option<BlockKey>,
-    /// The run that goes on: several moves of one block, one after the other.
+    /// The current run: consecutive moves of one block.
     open: Option<OpenRun>,
 }
 
@@ -50,7 +50,7 @@ fn key(origin: &Origin) -> BlockKey {
     u64::from(origin.span.file.0) << 32 | u64::from(origin.span.range.start)
 }
 
-/// Spreads the places of blocks; the order of the table goes into no output.
+/// Hashes the keys of blocks. The order of the table has no influence on the output.
 #[derive(Default)]
 pub(super) struct KeyHasher(u64);
 
@@ -70,8 +70,8 @@ impl Hasher for KeyHasher {
 }
 
 impl BlockRanking {
-    /// Takes a move or a wait of a block. Moves that follow each other in one block are one
-    /// run: a drilling cycle, or the legs of a rapid.
+    /// Takes a move or a wait of a block. Consecutive moves of one block are one run: a drilling cycle, or the legs
+    /// of a rapid.
     pub fn push(&mut self, run: BlockRun) {
         match &mut self.open {
             Some(open) if key(&open.run.origin) == key(&run.origin) => {
@@ -141,7 +141,7 @@ impl BlockRanking {
         self.out_of_order.retain(|_, block| keeps(block));
     }
 
-    /// The blocks with the most of a value above zero, most first, at most so many.
+    /// The blocks with the largest values above zero, largest first, at most `most` of them.
     fn top(&self, most: usize, value: fn(&BlockTime) -> f64) -> Vec<BlockTime> {
         let mut blocks: Vec<BlockTime> =
             self.all().filter(|block| value(block) > 0.0).copied().collect();
@@ -156,7 +156,7 @@ impl BlockRanking {
         blocks
     }
 
-    /// The blocks that take the longest, and those that lose the most.
+    /// The blocks that take the most time, and those that lose the most.
     pub fn finish(&mut self, most: usize) -> (Vec<BlockTime>, Vec<BlockTime>) {
         if let Some(done) = self.open.take() {
             self.add(&done);

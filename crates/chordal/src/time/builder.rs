@@ -1,4 +1,4 @@
-//! Adds planned times up by block, tool and operation.
+//! Adds up planned times by block, tool and operation.
 
 use chordal_command::Origin;
 use std::collections::{BTreeMap, VecDeque};
@@ -19,10 +19,10 @@ pub(super) const MAX_OPERATIONS: usize = 1000;
 /// Blocks in each ranking.
 const RANKED_BLOCKS: usize = 10;
 
-/// A speed this close to the programmed one is the programmed one.
+/// A speed within this share of the programmed one counts as the programmed one.
 const EQUAL_SPEED_SHARE: f64 = 1e-6;
 
-/// Directions whose sine is below this go on in each other.
+/// Directions are tangent where the sine of the angle between them is below this.
 const TANGENT_SINE: f64 = 1e-4;
 
 /// A move or a wait, until its time is known.
@@ -36,7 +36,7 @@ enum PendingKind {
 struct PendingStep {
     tag: u64,
     tool: u32,
-    /// Its place in the list of operations, where that one is kept.
+    /// Index of its operation, which may be beyond those that are kept.
     operation: usize,
     origin: Origin,
     what: PendingKind,
@@ -44,13 +44,12 @@ struct PendingStep {
 
 /// Adds up the time of a program from the steps of a planner, as they come.
 ///
-/// Moves and waits are announced with rising tags before they are pushed into the planner; the
-/// steps come when the planner is sure of them. What is announced waits here until the steps
-/// have passed it: as much as the planner looks ahead.
+/// Moves and waits are announced with rising tags before they are pushed into the planner; the planned steps come
+/// later. Announced moves and waits are kept until the steps have passed them: as many as the planner's look-ahead.
 #[derive(Debug, Default)]
 pub struct TimeBuilder {
     pending: VecDeque<PendingStep>,
-    /// How the first of them goes, and whether it ends at rest.
+    /// The progress of the first pending move or wait.
     progress: MoveProgress,
     ends_at_rest: bool,
     /// How many operations have begun.
@@ -59,12 +58,12 @@ pub struct TimeBuilder {
     waits: BTreeMap<WaitKind, f64>,
     tools: Vec<ToolTime>,
     blocks: BlockRanking,
-    /// Direction in which the newest move ends.
+    /// Direction of the end of the newest exact cut.
     direction: Vec3,
 }
 
 impl TimeBuilder {
-    /// Announces a move or a wait that goes into the planner now.
+    /// Announces a move or a wait before it goes into the planner.
     pub fn announce(&mut self, step: &MotionStep, source: &StepSource) {
         let StepSource { tag, tool, origin, .. } = *source;
         let what = match step {
@@ -123,7 +122,7 @@ impl TimeBuilder {
         }
     }
 
-    /// The first comment names the operation.
+    /// Gives the newest operation its comment; only the first counts.
     fn name_operation(&mut self, comment: Span) {
         let newest = self.operations.checked_sub(1);
         if let Some(operation) = newest.and_then(|at| self.report.operations.get_mut(at)) {
@@ -144,7 +143,7 @@ impl TimeBuilder {
         }
     }
 
-    /// While a trajectory overlaps the one before it, time counts for the earlier move.
+    /// Takes a trajectory. While it overlaps the one before it, the time counts for the earlier move.
     fn trajectory<P: PathPart>(&mut self, trajectory: &PlannedTrajectory<P>) {
         let overlap_s = trajectory.overlap_s;
         let starts_at_rest = trajectory.phases.first().is_some_and(|phase| phase.speed == 0.0);
@@ -176,7 +175,7 @@ impl TimeBuilder {
         }
     }
 
-    /// Everything before this tag is done.
+    /// Completes everything before this tag.
     fn pass(&mut self, tag: u64) {
         while self.pending.front().is_some_and(|item| item.tag < tag) {
             if let Some(item) = self.pending.pop_front() {
@@ -218,7 +217,7 @@ impl TimeBuilder {
         self.blocks.push(BlockRun { origin: item.origin, time_s, lost_s: times.lost_s, reason });
     }
 
-    /// The planner has finished.
+    /// Completes the last steps after the planner has finished, and returns the report.
     pub fn finish(mut self) -> TimeReport {
         self.pass(u64::MAX);
         let (longest, costliest) = self.blocks.finish(RANKED_BLOCKS);

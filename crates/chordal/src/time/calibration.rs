@@ -1,8 +1,8 @@
 //! Fits a machine's limits to measured cycle times.
 //!
-//! Three numbers are looked for: a factor on every acceleration, a factor on every jerk, and
-//! the time of a tool change. The sum of squares of the relative errors is made least by
-//! damped Gauss-Newton steps on the logarithms of the factors and on the seconds of the change.
+//! Three numbers are fitted: a factor on every acceleration, a factor on every jerk, and the time of a tool change.
+//! Damped Gauss-Newton steps (Levenberg-Marquardt) on the logarithms of the factors and the seconds of the tool
+//! change minimize the sum of squares of the relative errors. Logarithms keep the factors positive.
 
 use chordal_machine::Machine;
 
@@ -34,20 +34,19 @@ impl FitParameter {
     }
 }
 
-/// What is fitted.
+/// The values of the fitted parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LimitFactors {
-    /// On the acceleration of every axis.
+    /// Factor on the acceleration of every axis.
     pub acceleration: f64,
-    /// On the jerk of every axis.
+    /// Factor on the jerk of every axis.
     pub jerk: f64,
-    /// Of a tool change, s.
+    /// Time of a tool change, s.
     pub tool_change_s: f64,
 }
 
 impl LimitFactors {
-    /// The machine with these factors on its limits; those that its file does not give count
-    /// as they are assumed.
+    /// The machine with these factors on its limits; limits that its file does not give have their typical values.
     ///
     /// # Errors
     /// A limit of an axis that is not a positive number.
@@ -69,27 +68,27 @@ impl LimitFactors {
 /// The cycle time of a program with some factors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimePrediction {
-    /// All but the tool changes, s.
+    /// Time without the tool changes, s.
     pub without_changes_s: f64,
-    /// How many there are.
+    /// Number of tool changes.
     pub tool_changes: u64,
 }
 
-/// Why a parameter stays as it is.
+/// Why a parameter was not fitted and keeps its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnfitReason {
     /// The times of these programs hardly depend on it.
     NoEffect,
-    /// In these programs it does the same as others together.
+    /// In these programs its effect is the same as that of other parameters, most of all of this one.
     SameAs(FitParameter),
     /// There are no more programs than parameters that are fitted already.
     TooFew,
 }
 
-/// What the fit comes to.
+/// The result of a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LimitFit {
-    /// The fitted numbers; those that cannot be reported keep their value.
+    /// The fitted numbers; those that the programs do not determine keep their value.
     pub factors: LimitFactors,
     /// Parameters that these programs do not determine.
     pub undetermined: Vec<(FitParameter, UnfitReason)>,
@@ -100,16 +99,17 @@ pub struct LimitFit {
 /// One program of a fit, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FittedProgram {
-    /// On the machine.
+    /// Measured on the machine.
     pub measured_s: f64,
-    /// With the machine file as it is.
+    /// Predicted with the machine file as it is.
     pub before_s: f64,
-    /// With the fitted numbers.
+    /// Predicted with the fitted numbers.
     pub after_s: f64,
 }
 
 impl LimitFit {
-    /// Whether nothing is left to judge the fit by: as many numbers as programs.
+    /// True where as many numbers were fitted as there are programs, so that the remaining error says nothing about
+    /// the fit.
     pub fn is_exact_by_count(&self) -> bool {
         FitParameter::ALL.len() - self.undetermined.len() >= self.programs.len()
     }
@@ -122,28 +122,27 @@ impl LimitFit {
     }
 }
 
-/// Most steps of the fit.
+/// Most Gauss-Newton steps of the fit.
 const MAX_FIT_STEPS: u32 = 40;
 
-/// Half the distance over which slopes are taken, in logarithms and in seconds: wide enough
-/// to look over small steps of the planner's choices.
+/// Half the step of the central differences, in logarithms and in seconds: wide enough to average over small jumps of
+/// the planned time.
 const SLOPE_HALF_STEP: f64 = 0.02;
 
-/// Factors stay within this of the machine file's, each way.
+/// Factors stay between 1 / this and this.
 const MAX_FACTOR: f64 = 100.0;
 
-/// A parameter of which a change by a factor e (or by a second) changes no time by more than
-/// this part of it has no effect.
+/// A parameter has no effect where a change by a factor e (or by a second) changes the times by less than this share,
+/// as root sum of squares over the programs.
 const MIN_EFFECT_SHARE: f64 = 2e-3;
 
-/// A parameter of which all but this part of the effect can be made with others is the same.
+/// A parameter whose effect others reproduce up to less than this share of it counts as the same as those.
 const MIN_OWN_EFFECT_SHARE: f64 = 0.05;
 
-/// The fit has settled when a step is smaller than this.
+/// The fit has converged when a step is smaller than this.
 const SETTLED_STEP: f64 = 1e-9;
 
-/// Fits the factors to measured times, s. `predict` gives the time of a program, by its index,
-/// with an acceleration factor and a jerk factor.
+/// Fits the factors to measured times, s. `predict` returns the time of a program, by its index, with given factors.
 pub fn fit(
     measured_s: &[f64],
     start: LimitFactors,
@@ -167,7 +166,7 @@ pub fn fit(
     LimitFit { factors: point.factors(), undetermined, programs }
 }
 
-/// Logarithms of the factors, and seconds.
+/// Logarithms of the two factors, and the seconds of a tool change.
 #[derive(Clone, Copy, Debug)]
 struct FitPoint([f64; 3]);
 
@@ -202,7 +201,7 @@ impl FitPoint {
     }
 }
 
-/// Of each program: how its relative error goes with each parameter.
+/// For each program, the derivative of its relative error by each parameter.
 type ErrorSlopes = Vec<[f64; 3]>;
 
 struct FitProblem<'a, P> {
@@ -239,7 +238,7 @@ impl<P: FnMut(usize, &LimitFactors) -> TimePrediction> FitProblem<'_, P> {
         slopes
     }
 
-    /// Steps of Gauss and Newton, damped until they make the errors less.
+    /// Gauss-Newton steps, damped until they reduce the errors.
     fn descend(&mut self, start: FitPoint, chosen: &[usize]) -> FitPoint {
         let mut point = start;
         let mut errors = self.errors(&point);
@@ -274,7 +273,7 @@ fn squares(errors: &[f64]) -> f64 {
     errors.iter().map(|error| error * error).sum()
 }
 
-/// The step to the least squares of the linear model, for the chosen parameters.
+/// The damped least-squares step of the linear model in the chosen parameters.
 fn newton_step(slopes: &ErrorSlopes, errors: &[f64], chosen: &[usize], damping: f64) -> [f64; 3] {
     let mut matrix = [[0.0; 4]; 3];
     for (row, error) in slopes.iter().zip(errors) {
@@ -288,7 +287,7 @@ fn newton_step(slopes: &ErrorSlopes, errors: &[f64], chosen: &[usize], damping: 
     for (at, row) in matrix.iter_mut().enumerate() {
         row[at] = if chosen.contains(&at) { row[at] * (1.0 + damping) } else { 1.0 };
     }
-    // Gauss and Jordan: the matrix is symmetric and positive, so that no row is swapped.
+    // Gauss-Jordan elimination: the matrix is symmetric and positive definite, so no pivoting is needed.
     for at in 0..3 {
         let pivot = matrix[at];
         for (other, row) in matrix.iter_mut().enumerate() {
@@ -304,8 +303,9 @@ fn newton_step(slopes: &ErrorSlopes, errors: &[f64], chosen: &[usize], damping: 
     })
 }
 
-/// The parameters that the slopes separate, and why not the others: the one with the most
-/// effect of its own is taken, then the one with the most that the first cannot make, and so on.
+/// The parameters that the slopes separate, and why not the others. The parameter with the largest effect is taken
+/// first, then the one with the largest effect that is orthogonal to the first, and so on (Gram-Schmidt with
+/// pivoting).
 fn determined(slopes: &ErrorSlopes) -> (Vec<usize>, Vec<(FitParameter, UnfitReason)>) {
     let column = |at: usize| -> Vec<f64> { slopes.iter().map(|row| row[at]).collect() };
     let whole: [Vec<f64>; 3] = std::array::from_fn(column);

@@ -1,9 +1,9 @@
-//! What short lines cost: the same lines planned again as the control, the CAM system or the tolerance
-//! could have them.
+//! What short lines cost: the same lines are planned again as they would be with another setting of the control,
+//! output of the CAM system, or tolerance.
 //!
-//! Each row of short lines is planned by itself, from rest to rest: as it is, and with one thing changed.
-//! The differences are what that change is worth. Nothing is estimated but the points that more decimals
-//! would give: they are taken from arcs through the points, within the rounding.
+//! Each row of short lines is planned by itself, from rest to rest: as it is, and with one thing changed. The
+//! difference is what that change saves. Only the points with more decimals are an estimate: they are taken from arcs
+//! fitted to the points within their rounding.
 
 use chordal_geometry::{
     Curve, FitMeasure, FitOptions, FitPiece, Line, ParamCurve, Placement, Vec3, fit_path,
@@ -15,60 +15,60 @@ use chordal_motion::{
 use crate::job::Job;
 use crate::motion::{LimitError, MachineLimits, MotionOptions, MotionStep, StepSource};
 
-/// A line that takes no longer at its feed is short, s.
+/// A line that takes less than this at its feed is short, s.
 const SHORT_LINE_S: f64 = 0.04;
-/// Fewer short lines one after the other are no row.
+/// Least number of consecutive short lines that make a row.
 const MIN_ROW_LINES: usize = 16;
-/// Lines that are looked at; what comes after them is left out.
+/// Most lines that are studied; those after them are left out.
 const MAX_STUDIED_LINES: u64 = 300_000;
-/// A change that saves a smaller share of a tool's rows is not worth a word, nor one that saves less, s.
+/// Changes are reported only if they save at least this share of the time of a tool's rows, and this time, s.
 const MIN_SAVED_SHARE: f64 = 0.01;
 const MIN_SAVED_S: f64 = 0.05;
-/// Tolerances that are usual in practice, mm.
+/// Corner tolerances that are usual in practice, mm.
 const COMMON_TOLERANCES_MM: [f64; 9] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5];
-/// Coordinates have at most so many decimals.
+/// Most decimals of a coordinate.
 const MAX_DECIMALS: u32 = 6;
 
-/// What is changed.
+/// A change that may make short lines faster.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ChordRemedy {
     /// The control joins short blocks (look-ahead, high accuracy).
     Joined,
-    /// Corners within this distance, mm.
+    /// Corners are passed within this distance, mm.
     Tolerance(f64),
-    /// Coordinates with so many decimals.
+    /// Coordinates with this number of decimals.
     Decimals(u32),
     /// Chords so short that the curve through their ends is no farther from them than this, mm.
     Finer(f64),
-    /// Arcs and lines within this distance of the chords, mm, and how many there are.
+    /// Arcs and lines that replace the chords.
     Arcs {
-        /// The distance.
+        /// Largest distance from the chords, mm.
         within_mm: f64,
-        /// How many.
+        /// Number of arcs and lines.
         pieces: u64,
     },
 }
 
-/// The short lines of a tool.
+/// The cost of the short lines of a tool.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ChordCost {
-    /// The tool.
+    /// Number of the tool.
     pub tool: u32,
-    /// How many lines.
+    /// Number of short lines.
     pub lines: u64,
-    /// Their length together, mm.
+    /// Their total length, mm.
     pub length_mm: f64,
-    /// Their time, s: each row from rest to rest.
+    /// Their time, s, with each row planned from rest to rest.
     pub time_s: f64,
     /// Their time at the feed, s.
     pub feed_s: f64,
-    /// The least of their tolerances, mm.
+    /// The smallest of their corner tolerances, mm.
     pub tolerance_mm: f64,
-    /// What would be quicker, and by how much, s; the largest first.
+    /// Changes that would be faster, and the time each saves, s; the largest first.
     pub savings: Vec<(ChordRemedy, f64)>,
 }
 
-/// Short lines one after the other.
+/// Consecutive short lines of one tool.
 #[derive(Debug, Default)]
 struct ChordRow {
     tool: u32,
@@ -76,8 +76,8 @@ struct ChordRow {
 }
 
 impl Job<'_> {
-    /// What the short lines of each tool cost, and what would change that. `inch` says in which
-    /// unit its coordinates are rounded.
+    /// What the short lines of each tool cost, and which changes would make them faster. `inch`: the coordinates are
+    /// rounded in inches, not mm.
     ///
     /// # Errors
     /// A limit of an axis that is not a positive number.
@@ -87,7 +87,7 @@ impl Job<'_> {
         inch: bool,
     ) -> Result<Vec<ChordCost>, LimitError> {
         let limits = MachineLimits::of(self.machine())?;
-        // What follows is measured with limited jerk.
+        // The comparison holds for planners with limited jerk only.
         if limits.junctions.is_some() {
             return Ok(Vec::new());
         }
@@ -108,7 +108,7 @@ impl Job<'_> {
     }
 }
 
-/// Gathers rows and adds up what they cost.
+/// Collects rows and adds up their cost.
 struct ChordCostSink {
     limits: KinematicLimits,
     unit_mm: f64,
@@ -243,7 +243,7 @@ fn remedies(
     let within_mm = 0.5 * tolerance;
     if let Ok(pieces) = fit_path(&points, &FitOptions::within(within_mm)) {
         let count = pieces.len() as u64;
-        // Otherwise they are the lines that they were.
+        // With more pieces than that, the fit has mostly kept the lines themselves.
         if 2 * count < moves.len() as u64 {
             let arcs = along(moves, pieces.iter().map(|piece| (piece.curve, piece.span[0])));
             tried(ChordRemedy::Arcs { within_mm, pieces: count }, &arcs);
@@ -252,7 +252,7 @@ fn remedies(
     out
 }
 
-/// The same moves with short blocks joined, and within another tolerance.
+/// The same moves: with short blocks joined where `tolerance_mm` is `None`, otherwise with this corner tolerance.
 fn with_corners(moves: &[MoveRequest], tolerance_mm: Option<f64>) -> Vec<MoveRequest> {
     let corner = |corner: CornerMode| match corner {
         CornerMode::Joined { linear_mm, rotary_rad } => {
@@ -272,8 +272,8 @@ fn points_of(moves: &[MoveRequest]) -> Vec<Vec3> {
     first.into_iter().chain(moves.iter().map(|motion| motion.curve.end())).collect()
 }
 
-/// How many decimals the differences of coordinates have, in units of the program; `None` where they are
-/// not rounded, as after a rotation.
+/// How many decimals the differences of coordinates have in the unit of the program; `None` where they are not
+/// rounded, as after a rotation.
 fn decimals_of(points: &[Vec3], unit_mm: f64) -> Option<u32> {
     (1..MAX_DECIMALS).find(|decimals| {
         let factor = 10f64.powi(*decimals as i32) / unit_mm;
@@ -286,7 +286,7 @@ fn decimals_of(points: &[Vec3], unit_mm: f64) -> Option<u32> {
     })
 }
 
-/// Lines along the fitted pieces, with an end for each that they had.
+/// The lines with their ends moved onto the fitted pieces.
 fn at_the_same_places(
     moves: &[MoveRequest],
     points: &[Vec3],
@@ -307,7 +307,7 @@ fn at_the_same_places(
     lines.collect()
 }
 
-/// Lines along the fitted pieces, no farther from them than this.
+/// Chords of the fitted pieces, at most this far from them.
 fn chords_of(moves: &[MoveRequest], pieces: &[FitPiece], within_mm: f64) -> Vec<MoveRequest> {
     let lines = pieces.iter().flat_map(|piece| {
         let chords = piece.curve.chords(within_mm, Placement::Inscribed);
@@ -318,7 +318,7 @@ fn chords_of(moves: &[MoveRequest], pieces: &[FitPiece], within_mm: f64) -> Vec<
     along(moves, lines)
 }
 
-/// Moves along curves that begin at points with these numbers, with the feed and corner of the move there.
+/// Moves along curves, each with the feed and corner of the move at the point index where the curve begins.
 fn along(moves: &[MoveRequest], curves: impl Iterator<Item = (Curve, f64)>) -> Vec<MoveRequest> {
     let mut out: Vec<MoveRequest> = curves
         .map(|(curve, from)| {
@@ -342,7 +342,7 @@ fn time_of(moves: &[MoveRequest], limits: &KinematicLimits) -> f64 {
         }
     };
     for motion in moves {
-        // A fitted piece too short to plan is no loss of time.
+        // A refused piece was too short to plan, and takes no time.
         let _ = planner.push(motion, &mut take);
     }
     planner.finish(&mut take);

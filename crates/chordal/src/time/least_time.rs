@@ -1,4 +1,4 @@
-//! How far a program is from the least time that its machine could take.
+//! Compares the planned time of a program with the least time that its machine could take.
 
 use std::collections::VecDeque;
 
@@ -14,17 +14,17 @@ use crate::motion::{
 /// The least times of a program, waits included.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LeastReport {
-    /// Of all of it.
+    /// Of the whole program.
     pub whole: LeastTimes,
     /// Of each operation, as in [`TimeReport::operations`](super::TimeReport::operations).
     pub operations: Vec<LeastTimes>,
 }
 
 impl Job<'_> {
-    /// Plans once more and compares every run from rest to rest with its bound without jerk and
-    /// its reference with jerk. The reference is convex programming: about half a millisecond
-    /// per 2 ms of movement that is not a straight line, up to the limits of `effort`. A whole
-    /// run is held in memory.
+    /// Plans once more and compares every motion from rest to rest with its lower bound without jerk limits and its
+    /// reference with them. The reference is found by convex programming, which takes about half a millisecond per 2
+    /// ms of motion that is not a straight line, up to the limits of `effort`. A whole motion from rest to rest is
+    /// held in memory.
     ///
     /// # Errors
     /// A limit of an axis that is not a positive number.
@@ -45,7 +45,7 @@ impl Job<'_> {
     }
 }
 
-/// The programmed speeds of the moves that are still in the planner.
+/// The programmed speed of a move that is still in the planner.
 #[derive(Clone, Copy, Debug)]
 struct RequestedSpeed {
     tag: u64,
@@ -53,10 +53,10 @@ struct RequestedSpeed {
     rapid: bool,
 }
 
-/// Where operations begin, and their sums.
+/// Where operations begin, and the sums of their times.
 #[derive(Debug, Default)]
 struct OperationLeastTimes {
-    /// The first tag of each.
+    /// The first tag of each operation.
     starts: Vec<u64>,
     report: LeastReport,
 }
@@ -69,15 +69,15 @@ impl OperationLeastTimes {
         }
     }
 
-    /// The sums into which a step with this tag goes.
+    /// The sums to which a step with this tag is added.
     fn sums(&mut self, tag: u64) -> impl Iterator<Item = &mut LeastTimes> {
         let index = self.starts.partition_point(|start| *start <= tag).saturating_sub(1);
         let LeastReport { whole, operations } = &mut self.report;
         std::iter::once(whole).chain(operations.get_mut(index))
     }
 
-    /// A run lies in one operation, since the axes rest at a tool change; where operations begin
-    /// at comments it counts for the one in which it begins.
+    /// Adds a motion from rest to rest. It lies within one operation, since the axes rest at a tool change; where
+    /// operations begin at comments it counts for the one in which it begins.
     fn add(&mut self, run: &RunTimes) {
         self.sums(run.tags.0).for_each(|sum| sum.add(run));
     }
@@ -85,7 +85,7 @@ impl OperationLeastTimes {
 
 struct LeastTimeSink {
     cuts: LeastTimeGauge,
-    /// Where rapids have limits of their own.
+    /// `None` where rapids have the same limits as cuts.
     rapids: Option<LeastTimeGauge>,
     requested: VecDeque<RequestedSpeed>,
     operations: OperationLeastTimes,
@@ -102,7 +102,7 @@ impl LeastTimeSink {
     }
 }
 
-/// The move or wait with a tag: they are numbered one by one.
+/// The move or wait with a tag, found by its number.
 fn find(requested: &VecDeque<RequestedSpeed>, tag: u64) -> Option<&RequestedSpeed> {
     let first = StepSource::number_of(requested.front()?.tag);
     requested.get(StepSource::number_of(tag).wrapping_sub(first) as usize)

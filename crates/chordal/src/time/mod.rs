@@ -1,8 +1,8 @@
-//! Time for people: how long a program takes, where the time goes and why.
+//! The time of a program: how long it takes, where the time goes and why.
 //!
 //! | what | file |
 //! |---|---|
-//! | which move is under way when | `trajectory_parts.rs` |
+//! | which move a trajectory is in at which time | `trajectory_parts.rs` |
 //! | moves and steps to a report | `builder.rs`, `report.rs` |
 //! | why a move is not faster | `reason.rs` |
 //! | the blocks that cost the most | `blocks.rs` |

@@ -1,45 +1,44 @@
-//! Why a move takes its time, from how it went.
+//! Finds the reason why a move takes its time.
 
 use super::report::TimeReason;
 
-/// How one move went.
+/// How long one move spent in which state.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct MoveProgress {
-    /// All of it, s.
+    /// The whole time, s.
     pub time_s: f64,
-    /// At an even speed that is the programmed one, s.
+    /// At a constant speed equal to the programmed one, s.
     pub at_feed_s: f64,
-    /// At an even speed below it, s.
+    /// At a constant speed below it, s.
     pub even_s: f64,
-    /// At an even acceleration, s.
+    /// At a constant acceleration, s.
     pub even_acceleration_s: f64,
     /// At a changing acceleration, s.
     pub jerk_s: f64,
-    /// It begins or ends at rest.
+    /// True where it begins or ends at rest.
     pub rests: bool,
-    /// It ends, or begins, while another movement goes on: a corner passed by overlapping.
+    /// True where it overlaps the move before or after it: a corner passed by overlapping both.
     pub overlaps: bool,
 }
 
-/// What the reason depends on in addition to how the move went.
+/// The properties of the move on which the reason depends, too.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ReasonQuery {
-    /// A rapid.
     pub rapid: bool,
-    /// The path of X, Y and Z is no line.
+    /// The path of X, Y and Z is not a line.
     pub curved: bool,
     /// Its length over its speed, s.
     pub ideal_s: f64,
 }
 
-/// Lost time below this part of the whole is none: the block runs at its feed.
+/// Lost time below this share of the whole is negligible: the block counts as running at its feed.
 const AT_FEED_LOSS_SHARE: f64 = 0.02;
 
 /// A straight move that would take less than this at its feed, s, is short: controls have
 /// servo periods of 1 to 8 ms and plan blocks ahead by tens of them.
 const SHORT_MOVE_S: f64 = 0.02;
 
-/// The one place that decides why a move is not faster.
+/// Decides why a move is not faster.
 pub(super) fn reason_of(progress: &MoveProgress, query: &ReasonQuery) -> TimeReason {
     if query.rapid {
         return TimeReason::Rapid;

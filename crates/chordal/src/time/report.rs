@@ -1,4 +1,4 @@
-//! The answer of the time question: times, costliest blocks, reasons.
+//! The report on the time of a program: times, costliest blocks, reasons.
 
 use chordal_command::Origin;
 use std::fmt;
@@ -16,7 +16,7 @@ pub enum TimeReason {
     Curvature,
     /// Speeding up and slowing down at the axes' acceleration.
     Acceleration,
-    /// Speeding up and slowing down, most of the time at the axes' jerk.
+    /// Speeding up and slowing down, limited most of the time by the axes' jerk.
     Jerk,
     /// It begins or ends at rest: exact stop, or a corner that may not be rounded.
     Stop,
@@ -24,7 +24,7 @@ pub enum TimeReason {
     Corner,
     /// It is too short to reach its feed.
     ShortSegments,
-    /// An axis turns or moves as fast as it can.
+    /// An axis moves at its largest speed.
     AxisSpeed,
     /// A rapid.
     Rapid,
@@ -65,7 +65,7 @@ pub struct TimeShares {
     pub rapid_s: f64,
     /// Everything else: dwells, tool changes, spindle.
     pub other_s: f64,
-    /// What the moves take beyond their length at feed or rapid speed.
+    /// What the moves take beyond their length over feed or rapid speed.
     pub lost_s: f64,
 }
 
@@ -87,10 +87,9 @@ pub struct ToolTime {
     pub times: TimeShares,
 }
 
-/// The time of one operation: what a tool does from one tool change to the next, or to the
-/// end of the program; also from comment to comment, where that was requested
-/// ([`OperationStart`](crate::motion::OperationStart)). A tool that comes again is another
-/// operation.
+/// The time of one operation: what a tool does from one tool change to the next, or to the end of the program; also
+/// from comment to comment, where that was requested ([`OperationStart`](crate::motion::OperationStart)). A tool that
+/// is used again begins another operation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OperationTime {
     /// Number of the tool.
@@ -99,7 +98,7 @@ pub struct OperationTime {
     pub first: Origin,
     /// The last block.
     pub last: Origin,
-    /// The comment that it begins with, where operations begin at comments.
+    /// The comment with which it begins; `None` without one, or where operations begin at tool changes only.
     pub comment: Option<Span>,
     /// Its times.
     pub times: TimeShares,
@@ -112,17 +111,17 @@ pub struct BlockTime {
     pub origin: Origin,
     /// How often it ran.
     pub runs: u64,
-    /// All runs, s.
+    /// Time of all runs, s.
     pub time_s: f64,
-    /// What the moves take beyond their length at feed or rapid speed, s.
+    /// What the moves take beyond their length over feed or rapid speed, s.
     pub lost_s: f64,
-    /// Why; of the longest run.
+    /// Why the longest run takes its time.
     pub reason: TimeReason,
-    /// The longest run, s.
+    /// Time of the longest run, s.
     pub longest_s: f64,
-    /// Why it loses time; of the move that loses the most in one run.
+    /// Why the move that loses the most in one run loses time.
     pub loses: TimeReason,
-    /// What a run's costliest move loses at most, s.
+    /// What that move loses, s.
     pub largest_loss_s: f64,
 }
 
@@ -131,30 +130,29 @@ pub struct BlockTime {
 pub struct CutEnds {
     /// At rest: exact stop, next to a rapid, before a wait.
     pub at_rest: u64,
-    /// Exactly: at rest where its direction has a step.
+    /// Exactly on the path: at rest where the direction changes abruptly.
     pub exact: u64,
     /// Within a tolerance.
     pub within: u64,
-    /// Of those, the ones after which short blocks are joined; after the others each corner is passed by
-    /// itself.
+    /// Those of `within` where the control joins short blocks; at the others each corner is rounded by itself.
     pub joined: u64,
-    /// The least and the largest tolerance of them, mm.
+    /// The smallest and the largest tolerance of `within`, mm; `None` where there are none.
     pub tolerance_mm: Option<(f64, f64)>,
 }
 
 /// The time that a program takes on a machine, within the limits of acceleration and jerk.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TimeReport {
-    /// All of it.
+    /// Times of the whole program.
     pub times: TimeShares,
-    /// The times of waiting by their reason, s, where there are any.
+    /// The times of waits by their reason, s; only reasons with a time are listed.
     pub waits: Vec<(WaitKind, f64)>,
-    /// Length of the cuts over their feed, and of the rapids over rapid speed, s.
+    /// Length of the cuts over their feed plus length of the rapids over rapid speed, s.
     pub at_feed_s: f64,
     /// Moves that were planned.
     pub moves: u64,
-    /// Moves that end at rest, though the next goes on in the same direction: a line and a
-    /// tangent arc, where the path mode lets nothing be eased.
+    /// Moves that end at rest though the next one goes on in the same direction, as a line and a tangent arc whose
+    /// change of curvature the path mode does not let the control smooth.
     pub tangent_stops: u64,
     /// How the ends of cuts are passed.
     pub cut_ends: CutEnds,

@@ -1,4 +1,4 @@
-//! The time of a program with everything that is computed along with it.
+//! The time of a program with the analyses that go with it.
 
 use chordal_diagnostics::Code;
 
@@ -8,23 +8,23 @@ use crate::job::Job;
 use crate::motion::{LimitError, MotionOptions, PlannerLevel};
 use crate::report::Report;
 
-/// Most moves of a program that is planned again unasked: all changes together then take less
-/// than a second.
+/// Most moves of a program for which alternatives are planned without being requested: all of them together then take
+/// less than a second.
 const MAX_UNREQUESTED_MOVES: u64 = 20_000;
 
-/// Most moves of a program whose cycle time is planned for a summary: longer ones are for a
-/// question about the time, so that the summary of a million lines is there at once.
+/// Most moves of a program whose cycle time is planned for a summary. Longer programs are planned only on request, so
+/// that the summary of a million lines takes no longer than its run.
 const MAX_SUMMARIZED_MOVES: u64 = 300_000;
 
-/// Bytes of a line of a program of many short moves.
+/// Typical length of a line in a program of many short moves, bytes.
 const MOVE_LINE_BYTES: u64 = 20;
 
 /// Whether a program is planned again with something changed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum RepeatPlanning {
-    /// Not at all.
+    /// Never.
     Never,
-    /// Where it is short and planned in one pass.
+    /// Where it is short, and planned at the fast level.
     IfShort,
     /// However long it takes.
     Always,
@@ -33,11 +33,11 @@ pub enum RepeatPlanning {
 /// What to compute about the time of a program.
 #[derive(Clone, Debug)]
 pub struct TimeQuestion {
-    /// How it is planned.
+    /// How the program is planned.
     pub options: MotionOptions,
     /// Other overrides and path modes, and what short lines cost.
     pub again: RepeatPlanning,
-    /// The least times within the physical limits.
+    /// Whether to compute the least times within the physical limits.
     pub bound: bool,
 }
 
@@ -46,33 +46,33 @@ pub struct TimeQuestion {
 pub struct TimeStudy {
     /// The time.
     pub timed: TimedRun,
-    /// The least and the most time where it depends on conditions that nobody knows, s.
+    /// The least and the most time, s, where it depends on conditions that nobody knows; `None` without such
+    /// conditions.
     pub range_s: Option<[f64; 2]>,
-    /// How hard the planner tried.
+    /// How much computing the planner spent.
     pub level: PlannerLevel,
-    /// The same program with changes, where that was requested.
+    /// The times of the same program with changes; empty where none were planned.
     pub what_if: Vec<TimeAlternative>,
-    /// The least times, where they were requested.
+    /// The least times; `None` where they were not requested.
     pub least: Option<LeastReport>,
-    /// What the short lines of each tool cost, where that was requested.
+    /// What the short lines of each tool cost; empty where that was not computed.
     pub chords: Vec<ChordCost>,
 }
 
-/// Most moves that are planned for the summary of a program of so many bytes. A long text is not
-/// planned in vain.
+/// Most moves that are planned for the summary of a program of so many bytes; 0 for a text so long that it would
+/// exceed the limit and be planned in vain.
 pub fn max_summarized_moves(bytes: usize) -> u64 {
     if bytes as u64 > MAX_SUMMARIZED_MOVES * MOVE_LINE_BYTES { 0 } else { MAX_SUMMARIZED_MOVES }
 }
 
-/// How much work the reference may be: some ten seconds, whatever the program.
+/// How much work the reference may take: some ten seconds, whatever the program.
 fn effort() -> ReferenceQuality {
     ReferenceQuality { most_nodes: 4_000, total_nodes: 12_000, ..ReferenceQuality::default() }
 }
 
 impl Job<'_> {
-    /// Runs with all checks, plans, and answers the question. There is a report whether or not
-    /// the limits let anything be planned. There is no time of a program with more moves than can
-    /// be counted.
+    /// Runs with all checks, plans, and computes what the question demands. The report is complete even where the
+    /// limits of the machine prevent planning.
     pub fn time_study(
         &self,
         question: &TimeQuestion,
@@ -97,7 +97,7 @@ impl Job<'_> {
             }
             RepeatPlanning::Always => true,
         };
-        // What is stopped by its budget has no time of its own, and none that could be another.
+        // A run that was stopped by its budget has no whole time to compare with.
         let is_stopped =
             report.diagnostics.iter().any(|diagnostic| diagnostic.code == Code::BudgetReached);
         let again = again && !is_stopped;

@@ -1,4 +1,4 @@
-//! Runs that are timed.
+//! Runs, plans and times a job.
 
 use chordal_command::{Command, Origin};
 use chordal_diagnostics::Diagnostic;
@@ -21,7 +21,7 @@ use crate::report::{KEPT_PER_CODE, Report, ReportSink, RunWatch};
 pub struct TimedRun {
     /// Where the time goes.
     pub time: TimeReport,
-    /// Limits, what was assumed, and what could not be planned.
+    /// The limits, those that were assumed, and what could not be planned.
     pub motion: MotionReport,
 }
 
@@ -44,7 +44,7 @@ impl Job<'_> {
         }
     }
 
-    /// Runs and plans once, adds up the time, and passes every step on.
+    /// Runs and plans once, adds up the time, and passes every step on to `sink`.
     ///
     /// # Errors
     /// A limit of an axis that is not a positive number.
@@ -60,9 +60,9 @@ impl Job<'_> {
         Ok(TimedRun { time: planning.finish().time.finish(), motion })
     }
 
-    /// The least and the most time of the runs that take other sides of conditions which nobody knows, the first
-    /// run among them, s. `None` where no condition was assumed. Combinations of sides that were not run may take
-    /// less or more.
+    /// The least and the most time, s, of the first run (`total_s`) and of those that take other sides of assumed
+    /// conditions. `None` where no condition was assumed. Combinations of sides that were not run may take less or
+    /// more.
     ///
     /// # Errors
     /// A limit of an axis that is not a positive number.
@@ -103,9 +103,9 @@ impl Job<'_> {
         Ok(TimedRun { time: planning.finish().finish(), motion })
     }
 
-    /// Runs once with all checks, sums up and adds up the time. There is a report whether or
-    /// not the limits let anything be planned. There is no time where the program has more
-    /// than `most_moves` moves: planning takes several times as long as all the rest.
+    /// Runs once with all checks, and adds up the summary and the time. The report is complete even where the limits
+    /// of the machine prevent planning. The time is `None` where the program has more than `most_moves` moves:
+    /// planning takes several times as long as all the rest.
     pub fn report_timed(
         &self,
         options: &MotionOptions,
@@ -151,7 +151,7 @@ impl Job<'_> {
     }
 }
 
-/// Makes a planner that gives as much of the path as the caller needs.
+/// Makes a planner whose steps describe the path as the type `P` does.
 type MakePlanner<P> = fn(KinematicLimits, PlannerOptions) -> MotionPlanner<P>;
 
 impl<P: PathPart> PlanObserver<P> for TimeBuilder {
@@ -164,7 +164,7 @@ impl<P: PathPart> PlanObserver<P> for TimeBuilder {
     }
 }
 
-/// Steps that are timed and emitted.
+/// Times steps and passes them on.
 struct TimedSteps<'s, S> {
     time: TimeBuilder,
     steps: SourcedSink<'s, S>,
@@ -190,12 +190,12 @@ impl<S: PlanSink> PlanObserver<PathPiece> for TimedSteps<'_, S> {
     }
 }
 
-/// A run that is checked and planned at once.
+/// Checks and plans in one run.
 struct ReportAndTime<'m, 'w, P> {
     report: ReportSink<'m, 'w>,
-    /// Gone when there are too many moves.
+    /// `None` once there are too many moves.
     motion: Option<MotionBuilder<'m, PlanningSink<TimeBuilder, P>>>,
-    /// Moves that may come yet.
+    /// Moves that may still come before there are too many.
     left: u64,
 }
 

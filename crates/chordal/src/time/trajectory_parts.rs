@@ -1,8 +1,8 @@
-//! Which move of a trajectory is under way at which time.
+//! Finds which move a trajectory is in at which time.
 
 use chordal_motion::{PathPart, PlannedTrajectory};
 
-/// The part of one phase that lies in one piece of path.
+/// The part of one jerk phase that lies in one piece of path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct TrajectoryPart {
     /// The tag of the piece's move.
@@ -11,16 +11,16 @@ pub(super) struct TrajectoryPart {
     pub from_s: f64,
     /// When it ends, s from the start of the trajectory.
     pub to_s: f64,
-    /// Speeds along the path at both.
+    /// Speeds along the path at its begin and end, mm/s or rad/s.
     pub speeds: (f64, f64),
-    /// The speed changes.
+    /// True where the speed changes.
     pub changes: bool,
-    /// The acceleration changes.
+    /// True where the acceleration changes.
     pub jerks: bool,
 }
 
-/// Emits the parts of a trajectory in order. Together they last as long as the trajectory: what
-/// rounding leaves beyond the last piece counts for the last piece.
+/// Emits the parts of a trajectory in order. Together they last as long as the trajectory: what rounding leaves after
+/// the last piece counts as part of it.
 pub(super) fn trajectory_parts<P: PathPart>(
     trajectory: &PlannedTrajectory<P>,
     mut take: impl FnMut(TrajectoryPart),

@@ -1,20 +1,19 @@
-//! The same program with other overrides and path modes.
+//! Plans the same program with other overrides and path modes.
 
 use crate::job::Job;
 use crate::motion::{LimitError, MotionOptions};
 use chordal_command::PathMode;
 
-/// What is other than in the program and on the machine.
+/// A change of what the program or the machine sets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlanningChange {
-    /// The feed override; 1 is as programmed.
+    /// The feed override as a factor; 1 is as programmed.
     Feed(f64),
-    /// The rapid override; 1 is full speed.
+    /// The rapid override as a factor; 1 is full speed.
     Rapid(f64),
     /// The path mode of every cut.
     Corners(PathMode),
-    /// A level of smoothness of the control, which rounds corners within a distance, for every
-    /// cut.
+    /// A smoothness level of the control for every cut: corners are rounded within a distance.
     Smoothness {
         /// 1 rough, 2 medium, 3 finish.
         level: u8,
@@ -23,17 +22,17 @@ pub enum PlanningChange {
     },
 }
 
-/// The time that a change would make.
+/// The time of the program with a change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeAlternative {
     /// The change.
     pub change: PlanningChange,
-    /// All of the program, s.
+    /// Time of the whole program, s.
     pub total_s: f64,
 }
 
-/// Changes that are tried: the marks of an override switch, and the tolerances that are
-/// usual for finishing, general work and roughing.
+/// Changes that are tried: positions of an override switch, and tolerances that are usual for finishing, general work
+/// and roughing.
 const CHANGES: [PlanningChange; 11] = [
     PlanningChange::Feed(0.5),
     PlanningChange::Feed(0.8),
@@ -49,8 +48,7 @@ const CHANGES: [PlanningChange; 11] = [
 ];
 
 impl Job<'_> {
-    /// The changes that make sense on the control: the usual ones, and its levels of
-    /// smoothness where it has any.
+    /// The changes that have an effect on the control: the usual ones, and its smoothness levels where it has any.
     pub fn changes(&self) -> Vec<PlanningChange> {
         let rules = &self.control().parameters.rules.path;
         let has_levels = rules.level_parts.iter().any(|part| *part != rules.level_parts[0]);
@@ -58,7 +56,7 @@ impl Job<'_> {
             let tolerance_mm = rules.of_level(level)?;
             Some(PlanningChange::Smoothness { level, tolerance_mm })
         });
-        // Where corners are passed by junction deviation, no distance from them changes anything.
+        // Where the control uses junction deviation, a corner tolerance has no effect.
         let acts = |change: &PlanningChange| {
             let by_distance =
                 matches!(change, PlanningChange::Corners(PathMode::Continuous { .. }));

@@ -1,4 +1,4 @@
-//! Sizes that have a name: number and letter drills, number screws.
+//! Named sizes: number and letter drills (ASME B94.11M), number screws (ASME B1.1).
 
 /// Number drills 1 to 80, ten-thousandths of an inch.
 const NUMBERS: [u16; 80] = [
@@ -15,19 +15,19 @@ const LETTERS: [u16; 26] = [
     358, 368, 377, 386, 397, 404, 413,
 ];
 
-/// A number drill, mm.
+/// The diameter of a number drill, mm; `None` where there is no such number.
 pub(super) fn number_drill(number: u32) -> Option<f64> {
     let size = NUMBERS.get(usize::try_from(number.checked_sub(1)?).ok()?)?;
     Some(f64::from(*size) * 254.0 / 100_000.0)
 }
 
-/// A letter drill, mm.
+/// The diameter of a letter drill, mm; `None` for anything but one letter.
 pub(super) fn letter_drill(letter: &str) -> Option<f64> {
     let [letter @ b'A'..=b'Z'] = letter.as_bytes() else { return None };
     Some(f64::from(LETTERS[usize::from(letter - b'A')]) * 254.0 / 10_000.0)
 }
 
-/// The major diameter of a number screw (#0 to #12), mm.
+/// The major diameter of a number screw, #0 to #12, mm: 0.060 in + 0.013 in times the number.
 pub(super) fn number_screw(number: u32) -> Option<f64> {
     (number <= 12).then(|| f64::from(60 + 13 * number) * 254.0 / 10_000.0)
 }

@@ -1,4 +1,4 @@
-//! Forms of CAM systems whose comments are no sentences: records, lists of numbers, lines with keys.
+//! Fixed formats of CAM systems: records, lists of numbers, lines with keys.
 
 use std::ops::RangeInclusive;
 
@@ -6,10 +6,11 @@ use chordal_machine::ToolShape;
 
 use super::CommentedTool;
 
-/// The diameter of a ball is twice its corner radius within this share: posts write two decimals.
+/// A mill is a ball mill where its diameter is twice its corner radius within this share: post processors write two
+/// decimals.
 const BALL_SHARE: f64 = 0.01;
 
-/// A tool of which a comment says the number, or which it leaves to the next call.
+/// The tool in a comment of a fixed format; its number is 0 where the comment does not give it.
 pub(super) fn read_form(text: &str, inch: bool) -> Option<CommentedTool> {
     let upper = text.to_ascii_uppercase();
     let upper = upper.trim();
@@ -21,7 +22,7 @@ pub(super) fn read_form(text: &str, inch: bool) -> Option<CommentedTool> {
         .or_else(|| cam_bam(upper, inch))
 }
 
-/// The fields of `@FC|TOOL|number=1|…`; `None` for another text.
+/// The fields of `@FC|TOOL|number=1|…`; `None` for any other text.
 pub(super) fn fields<'t>(text: &'t str, kind: &str) -> Option<Vec<(&'t str, &'t str)>> {
     let rest = text.trim_start_matches([';', ' ']).strip_prefix('@')?;
     let mut parts = rest.split('|');
@@ -31,16 +32,16 @@ pub(super) fn fields<'t>(text: &'t str, kind: &str) -> Option<Vec<(&'t str, &'t 
     Some(parts.filter_map(|part| part.split_once('=')).collect())
 }
 
-/// The value of a field.
+/// The value of a field; `None` without it.
 pub(super) fn field<'t>(fields: &[(&'t str, &'t str)], key: &str) -> Option<&'t str> {
     fields.iter().find(|(own, _)| own.trim() == key).map(|(_, value)| value.trim())
 }
 
-/// A number as a program writes it, and nothing else.
+/// The number in a text that holds nothing else.
 pub(super) fn number(text: &str) -> Option<f64> {
     let text = text.trim();
     let plain = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | '+');
-    // No size has more digits; `inf`, `nan` and powers of ten are none.
+    // No size has more digits; `inf`, `nan` and exponents are not allowed.
     if text.is_empty() || text.len() > 16 || !text.chars().all(plain) {
         return None;
     }
@@ -56,7 +57,7 @@ fn tool_number(text: &str) -> Option<u32> {
     text.trim().parse().ok().filter(|number| NUMBERS.contains(number))
 }
 
-/// Of Fusion, FreeCAD and Makera Studio for machines of Makera.
+/// `@F360|TOOL|…`, `@FC|TOOL|…`, `@MKR|TOOL|…`: Fusion, FreeCAD and Makera Studio for machines of Makera.
 fn record(text: &str, inch: bool) -> Option<CommentedTool> {
     let fields = fields(text, "TOOL")?;
     let length = |key: &str| Some(number(field(&fields, key)?)? * scale(inch));
@@ -68,7 +69,7 @@ fn record(text: &str, inch: bool) -> Option<CommentedTool> {
         Some(ToolShape::Chamfer) => degrees("CUTTINGEDGEANGLE"),
         _ => None,
     };
-    // Makera Studio writes half of it.
+    // Makera Studio writes half the angle.
     let half = || degrees("HALFANGLE").map(|half| 2.0 * half);
     let pointed = matches!(shape, Some(ToolShape::Drill | ToolShape::Chamfer));
     Some(CommentedTool {
@@ -95,7 +96,7 @@ fn record_shape(kind: &str) -> Option<ToolShape> {
     })
 }
 
-/// The numbers after a key, with commas between them.
+/// Numbers separated by commas; `None` where one is not a number.
 pub(super) fn numbers(text: &str) -> Option<Vec<f64>> {
     text.split(',').map(number).collect()
 }
@@ -112,7 +113,7 @@ fn cut_viewer(text: &str, inch: bool) -> Option<CommentedTool> {
     let loose = CommentedTool::of(0);
     let diameter_mm = mm(0).filter(|mm| *mm > 0.0)?;
     Some(match kind.trim() {
-        // Of a tapered mill the diameter is that of the end, and the shape has no name.
+        // For a tapered mill the diameter is that of its end, and there is no such shape.
         "MILL" if values.get(3).is_some_and(|taper| *taper != 0.0) => return None,
         "MILL" => {
             let corner = mm(1)?;
@@ -135,7 +136,7 @@ fn cut_viewer(text: &str, inch: bool) -> Option<CommentedTool> {
             shape: Some(if kind.trim() == "DRILL" { ToolShape::Drill } else { ToolShape::Chamfer }),
             ..loose
         },
-        // Pilot, its angle and length, then the body.
+        // The values are the pilot, its angle and length, then the diameter of the body.
         "CDRILL" => CommentedTool {
             diameter_mm: Some(mm(3).filter(|mm| *mm > 0.0)?),
             shape: Some(ToolShape::Drill),
@@ -174,7 +175,7 @@ fn predator(text: &str, inch: bool) -> Option<CommentedTool> {
     })
 }
 
-/// `tool_radius = 1.5`, a line each: PyCAM.
+/// `tool_radius = 1.5`, one line for each value: PyCAM.
 fn pycam(text: &str, inch: bool) -> Option<CommentedTool> {
     let (key, value) = text.split_once('=')?;
     let loose = CommentedTool::of(0);

@@ -1,8 +1,8 @@
-//! Tools from the comments of a program, as posts and people write them:
-//! `(T1 D=12. CR=0. - FLAT END MILL)`, `(TOOL 3 - .500 ENDMILL)`, `T5 M6 (#7 DRILL)`.
+//! Reads tools from the comments of a program, as post processors and people write them: `(T1 D=12. CR=0. - FLAT END
+//! MILL)`, `(TOOL 3 - .500 ENDMILL)`, `T5 M6 (#7 DRILL)`.
 //!
-//! What they say is for pictures, reports and the shape of a tool. It never becomes a value of the
-//! control's offset tables: those hold what was measured.
+//! The result is for pictures, reports and the shape of a tool. It never becomes a value of the control's offset
+//! tables: those hold measured values.
 
 mod drills;
 mod forms;
@@ -26,27 +26,27 @@ use self::scan::scan;
 pub use self::stock::{CommentedStock, StockPlace, commented_stock};
 use crate::Job;
 
-/// Blocks among which the units of a program stand.
+/// Number of blocks at the head of a program in which its units are looked for.
 const MAX_UNIT_BLOCKS: usize = 500;
 
-/// What a comment says of a tool. Millimetres and radians.
+/// What a comment says about a tool; each field is `None` where it does not say it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CommentedTool {
     /// Its number.
     pub number: u32,
-    /// The diameter.
+    /// Diameter, mm.
     pub diameter_mm: Option<f64>,
-    /// The radius of its corners.
+    /// Radius of its corners, mm.
     pub corner_radius_mm: Option<f64>,
-    /// The whole angle of its point.
+    /// Included angle of its point, rad.
     pub point_angle_rad: Option<f64>,
-    /// The flat at the end of a cone.
+    /// Diameter of the flat at the end of a cone, mm.
     pub tip_diameter_mm: Option<f64>,
-    /// The pitch of its thread.
+    /// Pitch of its thread, mm.
     pub pitch_mm: Option<f64>,
-    /// What it is.
+    /// Its shape.
     pub shape: Option<ToolShape>,
-    /// The nose radius of a turning tool.
+    /// Nose radius of a turning tool, mm.
     pub nose_radius_mm: Option<f64>,
     /// Its tip number.
     pub tip: Option<u32>,
@@ -54,14 +54,14 @@ pub struct CommentedTool {
     pub letter: Option<InsertLetter>,
     /// The designation of its insert.
     pub insert: Option<InsertDesignation>,
-    /// That of its holder.
+    /// The designation of its holder.
     pub holder: Option<HolderDesignation>,
-    /// The nose radius of the words next to a designation that gives another one: neither is taken.
+    /// The nose radius in words, mm, where it contradicts that of the insert's designation: then neither is taken.
     pub other_nose_mm: Option<f64>,
 }
 
 impl CommentedTool {
-    /// Nothing but the number of a tool; 0 for one that is called later.
+    /// Only the number of a tool; 0 for a tool that is called later.
     const fn of(number: u32) -> CommentedTool {
         CommentedTool {
             number,
@@ -80,7 +80,7 @@ impl CommentedTool {
         }
     }
 
-    /// Both together; nothing where they say different things.
+    /// Both together; `None` where they contradict each other.
     fn joined(&self, other: &CommentedTool) -> Option<CommentedTool> {
         let joined = CommentedTool {
             diameter_mm: self.diameter_mm.or(other.diameter_mm),
@@ -106,24 +106,24 @@ impl CommentedTool {
 /// A tool as the machine file and the program's comments have it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KnownTool {
-    /// The machine file's tool, what it leaves open filled in from the comment.
+    /// The tool of the machine file, completed from the comment.
     pub tool: Tool,
-    /// The comment that gave something.
+    /// The comment from which something was taken; `None` without one.
     pub comment: Option<Span>,
 }
 
-/// Every tool that the machine file or a comment of the program speaks of. The machine file comes first:
-/// a comment gives only what it leaves open, and the diameter and the shape of one tool from one of them.
+/// Every tool of the machine file and of the comments of the program. The machine file has precedence: a comment
+/// gives only what it leaves open. Diameter and shape of a tool come from one source.
 pub fn known_tools(job: &Job) -> BTreeMap<u32, KnownTool> {
     let known = |tool: &Tool| KnownTool { tool: tool.clone(), comment: None };
     let mut tools: BTreeMap<u32, KnownTool> =
         job.machine().tools.iter().map(|(number, tool)| (*number, known(tool))).collect();
-    for (stated, span) in commented_tools(job) {
-        let tool = tools.entry(stated.number).or_insert_with(|| known(&Tool::default()));
-        // Of a tool that the machine file measures, a comment may be out of date.
+    for (commented, span) in commented_tools(job) {
+        let tool = tools.entry(commented.number).or_insert_with(|| known(&Tool::default()));
+        // Where the machine file has a diameter, a comment may be out of date.
         if tool.comment.is_none()
             && tool.tool.diameter_mm.is_none()
-            && fill(&mut tool.tool, &stated)
+            && fill(&mut tool.tool, &commented)
         {
             tool.comment = Some(span);
         }
@@ -131,13 +131,13 @@ pub fn known_tools(job: &Job) -> BTreeMap<u32, KnownTool> {
     tools
 }
 
-/// Comments of a lathe's program that say something else of a tool than the machine file, or than themselves.
+/// Comments of a lathe program that contradict the machine file, or themselves.
 pub(crate) fn contradicted_tools(job: &Job) -> Vec<Diagnostic> {
     if !job.turns() {
         return Vec::new();
     }
-    let stated = scan(job).into_iter();
-    stated
+    let commented = scan(job).into_iter();
+    commented
         .filter_map(|(tool, span)| {
             let known = job.machine().tools.get(&tool.number);
             let message = turning::contradiction(&tool, known)?;
@@ -147,30 +147,30 @@ pub(crate) fn contradicted_tools(job: &Job) -> Vec<Diagnostic> {
         .collect()
 }
 
-/// True when the comment gave something.
-fn fill(tool: &mut Tool, stated: &CommentedTool) -> bool {
-    if stated.shape.is_some() && tool.shape.is_some() && stated.shape != tool.shape {
+/// Completes a tool from a comment. Returns true where something was taken.
+fn fill(tool: &mut Tool, commented: &CommentedTool) -> bool {
+    if commented.shape.is_some() && tool.shape.is_some() && commented.shape != tool.shape {
         return false;
     }
     let before = tool.clone();
-    tool.diameter_mm = tool.diameter_mm.or(stated.diameter_mm);
-    tool.shape = tool.shape.or(stated.shape);
-    tool.corner_radius_mm = tool.corner_radius_mm.or(stated.corner_radius_mm);
-    tool.point_angle_rad = tool.point_angle_rad.or(stated.point_angle_rad);
-    tool.tip_diameter_mm = tool.tip_diameter_mm.or(stated.tip_diameter_mm);
-    tool.pitch_mm = tool.pitch_mm.or(stated.pitch_mm);
-    turning::fill(tool, stated);
+    tool.diameter_mm = tool.diameter_mm.or(commented.diameter_mm);
+    tool.shape = tool.shape.or(commented.shape);
+    tool.corner_radius_mm = tool.corner_radius_mm.or(commented.corner_radius_mm);
+    tool.point_angle_rad = tool.point_angle_rad.or(commented.point_angle_rad);
+    tool.tip_diameter_mm = tool.tip_diameter_mm.or(commented.tip_diameter_mm);
+    tool.pitch_mm = tool.pitch_mm.or(commented.pitch_mm);
+    turning::fill(tool, commented);
     *tool != before
 }
 
-/// What the comments of the first text say, those with a diameter first.
+/// The tools of the comments of the first text, those with a diameter first.
 fn commented_tools(job: &Job) -> Vec<(CommentedTool, Span)> {
-    let mut stated = scan(job);
-    stated.sort_by_key(|(tool, _)| tool.diameter_mm.is_none());
-    stated
+    let mut commented = scan(job);
+    commented.sort_by_key(|(tool, _)| tool.diameter_mm.is_none());
+    commented
 }
 
-/// The units that the program begins in: its first G20 or G21, else the control's.
+/// Whether the program begins in inch: by its first G20 or G21, or else by the control's setting.
 fn program_is_inch(job: &Job, text: &[u8]) -> bool {
     let mut reader = BlockReader::new(text, FileId(0), job.control().table.lexicon);
     let mut block = Block::new();

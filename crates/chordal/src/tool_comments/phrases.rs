@@ -1,13 +1,13 @@
-//! Comments that describe a tool after a key and leave its number to the call: `TC: 5mm Endmill`.
+//! Comments that describe a tool after a key, without its number: `TC: 5mm Endmill`.
 
 use super::CommentedTool;
 use super::forms::number;
 use super::read::read_description;
 
-/// Keys after which a tool is described.
+/// Keys that announce the description of a tool.
 const KEYS: [&str; 6] = ["TC:", "TOOL NAME:", "TOOL NAME :", "CHANGE TOOL:", "TOOL=", "TOOL:"];
 
-/// Keys of a diameter and nothing else.
+/// Keys that announce a diameter only.
 const DIAMETER_KEYS: [&str; 3] =
     ["COMPENSATED TOOL PATH. DIAMETER:", "TOOL DIA.", "TOOL DIAMETER:"];
 
@@ -22,15 +22,15 @@ pub(super) fn named_tool(text: &str) -> Option<u32> {
     digits.trim().parse().ok().filter(|number| (1..=999).contains(number))
 }
 
-/// A tool that the text describes; its number is 0 where nothing says it. `named`: the number that the comment
-/// before it has said.
+/// The tool that the text describes; its number is 0 where it is not known. `named` is the number from the comment
+/// before it.
 pub(super) fn read_phrase(text: &str, inch: bool, named: Option<u32>) -> Option<CommentedTool> {
     let upper = text.to_ascii_uppercase();
     let upper = upper.trim();
     if let Some(number) = named {
         let described = upper.strip_prefix("DESCRIPTION:").or(Some(upper));
-        let stated = described.and_then(|text| read_description(text, inch));
-        return stated.map(|tool| CommentedTool { number, ..tool });
+        let commented = described.and_then(|text| read_description(text, inch));
+        return commented.map(|tool| CommentedTool { number, ..tool });
     }
     if let Some(rest) = DIAMETER_KEYS.iter().find_map(|key| upper.strip_prefix(key)) {
         let diameter = number(rest.trim_start_matches([' ', ':', '-', '=']))?;

@@ -1,4 +1,4 @@
-//! What one comment says of a tool.
+//! Reads what one comment says about a tool.
 
 use chordal_machine::ToolShape;
 
@@ -7,7 +7,7 @@ use super::drills::{letter_drill, number_drill, number_screw};
 use super::tokens::{CommentToken, CommentTokenKind, join_mixed, tokens};
 use super::turning::read_turning;
 
-/// Words that name a tool, or a piece of its name.
+/// Words that name a tool.
 const TOOL_WORDS: &[&str] = &[
     "MILL",
     "ENDMILL",
@@ -43,24 +43,24 @@ const TOOL_WORDS: &[&str] = &[
     "VBIT",
 ];
 
-/// Words that stand within the name of a tool.
+/// Words within the name of a tool.
 const INNER_WORDS: &[&str] = &[
     "END", "FACE", "SHELL", "FLAT", "SQUARE", "BALL", "BULL", "NOSE", "SPOT", "CENTER", "STUB",
     "THREAD",
 ];
 
-/// Words of a sentence about a tool: its numbers may be about anything.
+/// Words of a sentence about a tool, whose numbers may mean anything.
 const SENTENCE: &[&str] = &[
     "BROKEN", "WORN", "CHANGE", "CHANGED", "REPLACE", "REPLACED", "NEXT", "CHECK", "AFTER",
     "BEFORE", "REMOVE", "INSPECT", "TOUCH", "INSTALL", "INSTEAD", "NOT", "IF", "PARTS", "PCS",
 ];
 
-/// Sizes beyond are no tool's, mm.
+/// Sizes above this are not those of a tool, mm.
 const MAX_TOOL_MM: f64 = 500.0;
 
-/// Reads a comment, without its marks. `inch`: what numbers without a unit are counted in. `called`: the
-/// tool that the block of the comment calls, where the comment names none. `None`: it says nothing of
-/// a tool. `turns`: it is of a lathe, where it may name inserts and holders.
+/// Reads a comment without its delimiters. `inch`: numbers without a unit are in inches, not mm. `called`: the tool
+/// that the block of the comment calls, for a comment that names none. `turns`: the machine is a lathe, so inserts
+/// and holders may be named. Returns `None` where the comment says nothing about a tool.
 pub fn read_tool_comment(
     text: &str,
     inch: bool,
@@ -70,32 +70,31 @@ pub fn read_tool_comment(
     let text = plain(text);
     let all = tokens(&text);
     let (number, rest) = tool_number(&all, called)?;
-    let (stated, is_keyed) = described(&text, rest, inch, turns);
-    let stated = CommentedTool { number, ..stated };
+    let (commented, is_keyed) = described(&text, rest, inch, turns);
+    let commented = CommentedTool { number, ..commented };
     let sentence = is_sentence(&all);
-    let says = stated.diameter_mm.is_some()
-        || stated.shape.is_some()
-        || stated.tip.is_some()
-        || stated.nose_radius_mm.is_some();
-    (says && (is_keyed || !sentence)).then_some(stated)
+    let says = commented.diameter_mm.is_some()
+        || commented.shape.is_some()
+        || commented.tip.is_some()
+        || commented.nose_radius_mm.is_some();
+    (says && (is_keyed || !sentence)).then_some(commented)
 }
 
-/// Reads the description of a tool, which a key has announced; its number is 0.
+/// Reads the description of a tool after a key; its number is 0. `None` without a diameter.
 pub(super) fn read_description(text: &str, inch: bool) -> Option<CommentedTool> {
     let text = plain(text);
     let all = tokens(&text);
     let sentence = is_sentence(&all);
-    let (stated, is_keyed) = described(&text, all, inch, false);
-    (stated.diameter_mm.is_some() && (is_keyed || !sentence)).then_some(stated)
+    let (commented, is_keyed) = described(&text, all, inch, false);
+    (commented.diameter_mm.is_some() && (is_keyed || !sentence)).then_some(commented)
 }
 
-/// Words of a sentence are among them.
+/// Whether words of a sentence are among the tokens.
 fn is_sentence(tokens: &[CommentToken<'_>]) -> bool {
     tokens.iter().filter_map(CommentToken::word).any(|word| SENTENCE.contains(&word))
 }
 
-/// Upper case, without what stands for people or for other programs: the name of a holder, the suffixes of
-/// FeatureCAM.
+/// The text in upper case without parts that would be misread: the name of a holder, the suffixes of FeatureCAM.
 fn plain(text: &str) -> String {
     let mut text = text.to_ascii_uppercase();
     if let Some(holder) = text.find("HOLDER=") {
@@ -104,11 +103,11 @@ fn plain(text: &str) -> String {
     if let Some(at) = text.find("ENDMILLM").filter(|_| text.ends_with(":REG")) {
         text.truncate(at + "ENDMILL".len());
     }
-    // BlenderCAM calls a flat end mill so.
+    // BlenderCAM writes `type: end` for a flat end mill.
     text.replace("TYPE END ", "TYPE ENDMILL ")
 }
 
-/// What a description says, and whether a key announces its diameter.
+/// The tool of a description, and whether a key announces its diameter.
 fn described(
     text: &str,
     mut rest: Vec<CommentToken<'_>>,
@@ -123,21 +122,21 @@ fn described(
     rest.drain(..signs);
     join_mixed(&mut rest);
     let reader = CommentReader { tokens: rest, inch, shape: shape_of(text) };
-    let mut stated = reader.read();
+    let mut commented = reader.read();
     if turns {
-        read_turning(text, &reader.tokens, inch, &mut stated);
+        read_turning(text, &reader.tokens, inch, &mut commented);
     }
     let is_keyed = reader.keyed_diameter().is_some();
-    (stated, is_keyed)
+    (commented, is_keyed)
 }
 
-/// The shape that the text names, at best before a colon: behind it stands what the tool is for.
+/// The shape that the text names, preferably before a colon: after it comes the purpose of the tool.
 fn shape_of(text: &str) -> Option<ToolShape> {
     let before = text.split(": ").next().unwrap_or(text);
     ToolShape::from_words(before).or_else(|| ToolShape::from_words(text))
 }
 
-/// The number of the tool and what else is said.
+/// The number of the tool, and the other tokens; `None` where the comment is about no tool.
 fn tool_number<'t>(
     all: &[CommentToken<'t>],
     called: Option<u32>,
@@ -145,7 +144,7 @@ fn tool_number<'t>(
     let start = all.iter().position(|token| !matches!(token.kind, CommentTokenKind::Sign(_)))?;
     let number_at = |at: usize| {
         let whole = all.get(at)?.number()?.whole().filter(|number| (1..=999).contains(number))?;
-        // `TOOL 3-FLUTE` and `T1A` are no numbers.
+        // `TOOL 3-FLUTE` and `T1A` do not give a number.
         let hugged = all.get(at + 1).is_some_and(|next| next.glued && next.word().is_some());
         (!hugged).then_some(whole)
     };
@@ -159,7 +158,7 @@ fn tool_number<'t>(
     if with_letter {
         return number_at(start + 1).map(|number| (number, all[start + 2..].to_vec()));
     }
-    // `TOOL 3`, `TOOL #3`, `TOOL NO. 3`; within the text only as `TOOL - 3`.
+    // `TOOL 3`, `TOOL #3`, `TOOL NO. 3` at the start; within the text only with a sign, as `TOOL - 3`.
     for at in start..all.len() {
         if all[at].word() != Some("TOOL") {
             continue;
@@ -216,7 +215,7 @@ impl CommentReader<'_> {
         self.tokens.get(at)?.word()
     }
 
-    /// The place of the first piece at or behind `at` that is no sign of a list.
+    /// The index of the first token from `at` on that is not a separator.
     fn past_signs(&self, at: usize) -> usize {
         let is_sign = |token: &&CommentToken<'_>| {
             matches!(token.kind, CommentTokenKind::Sign('.' | '-' | '=' | ':'))
@@ -224,7 +223,7 @@ impl CommentReader<'_> {
         at + self.tokens.get(at..).unwrap_or(&[]).iter().take_while(is_sign).count()
     }
 
-    /// The number behind a key, over signs: its place.
+    /// The index of the number after a key, separators skipped.
     fn number_after(&self, at: usize) -> Option<usize> {
         let at = self.past_signs(at + 1);
         self.tokens.get(at)?.number().map(|_| at)
@@ -246,7 +245,7 @@ impl CommentReader<'_> {
                 // `LEN. - 3 DIA. - .375`, and `.25 DIA. 2 FLUTE`.
                 self.mm(following.filter(is_size).or(before).or(following)?)
             }
-            // `D3` is the number of an offset.
+            // `D3` without a sign or point is an offset number.
             CommentTokenKind::Word("D") => {
                 let keyed = self.tokens.get(at + 1)?.is_sign('=');
                 let value = self.number_after(at)?;
@@ -269,7 +268,7 @@ impl CommentReader<'_> {
         (0..self.tokens.len()).find_map(|at| {
             let word = self.word(at)?;
             let rad = matches!(word, "CR" | "RAD" | "RADIUS" | "R" | "CRAD");
-            // The nose is that of an insert.
+            // A nose radius is that of an insert.
             let of_nose = at.checked_sub(1).is_some_and(|at| self.word(at) == Some("NOSE"));
             if !rad || of_nose {
                 return None;
@@ -289,7 +288,8 @@ impl CommentReader<'_> {
         })
     }
 
-    /// The whole angle of the point: `118 DEG`; of a post `TAPER=`, which of a chamfer mill is a side's.
+    /// The included angle of the point, rad: `118 DEG`, or `TAPER=` of a post processor, which for a chamfer mill is
+    /// the angle of one side.
     fn point_angle(&self) -> Option<f64> {
         let number = |at: usize| self.tokens.get(at)?.number().map(|number| number.value());
         let pointed = matches!(self.shape, Some(ToolShape::Drill | ToolShape::Chamfer));
@@ -320,7 +320,7 @@ impl CommentReader<'_> {
         })
     }
 
-    /// The diameter and the pitch of `M6X1`, `1/4-20`, `#10-32`.
+    /// The diameter and the pitch of `M6X1`, `1/4-20`, `#10-32`, mm.
     fn thread(&self) -> (Option<f64>, Option<f64>) {
         let threads = matches!(self.shape, Some(ToolShape::Tap | ToolShape::ThreadMill));
         if !threads {
@@ -362,7 +362,7 @@ impl CommentReader<'_> {
             }
             let word = self.word(at)?;
             match self.word(at + 1) {
-                // `IS A DRILL` speaks of no size.
+                // `IS A DRILL` does not mean an A drill.
                 Some("DRILL") if word != "A" => letter_drill(word),
                 Some(letter) if word == "LETTER" => letter_drill(letter),
                 _ => None,
@@ -370,7 +370,7 @@ impl CommentReader<'_> {
         })
     }
 
-    /// A number that stands before the name of the tool, or else behind it.
+    /// A size before the name of the tool, or else after it, mm.
     fn size(&self) -> Option<f64> {
         let is = |list: &[&str], at: usize| self.word(at).is_some_and(|word| list.contains(&word));
         let named = (0..self.tokens.len()).find(|at| is(TOOL_WORDS, *at));
@@ -385,8 +385,8 @@ impl CommentReader<'_> {
         self.mm(before.or_else(following)?)
     }
 
-    /// A number that may be a size: not that of an offset, a level, a count of flutes or an angle. A
-    /// whole number without a unit is one only beside the name, and in millimetres.
+    /// Whether a number may be a size: not an offset number, a height, a number of flutes or an angle. A whole number
+    /// without a unit is a size only next to the name, and only in millimetres.
     fn is_size(&self, at: usize, adjacent_name: bool) -> bool {
         let Some(number) = self.tokens[at].number() else { return false };
         let before = at.checked_sub(1).map(|before| &self.tokens[before]);

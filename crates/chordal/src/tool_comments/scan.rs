@@ -1,4 +1,4 @@
-//! Which comments of a program speak of which tool.
+//! Finds out which comments of a program are about which tool.
 
 use chordal_diagnostics::{FileId, Span};
 use chordal_dialect::{Action, BeforeCode, DataTarget};
@@ -10,7 +10,7 @@ use super::turning::read_insert;
 use super::{CommentedTool, program_is_inch, read_tool_comment};
 use crate::Job;
 
-/// What the comments of the first text say of tools, in their order.
+/// The tools of the comments of the first text: comments with a number first, each group in the order of the text.
 pub(super) fn scan(job: &Job) -> Vec<(CommentedTool, Span)> {
     let Some(source) = job.sources().get(FileId(0)) else { return Vec::new() };
     let text = source.text();
@@ -29,7 +29,7 @@ pub(super) fn scan(job: &Job) -> Vec<(CommentedTool, Span)> {
     let mut reader = BlockReader::new(text, FileId(0), job.control().table.lexicon);
     let mut block = Block::new();
     for (offset, line) in lines(text) {
-        // Reading blocks costs more than looking at bytes, and few lines hold a comment or call a tool.
+        // Parsing a block costs more than scanning its bytes, and few lines have a comment or call a tool.
         if scan.loose.is_none() && !may_say(line) && !(writes_tools && has_g10(line)) {
             continue;
         }
@@ -46,14 +46,14 @@ struct ToolCommentScan<'j, 'a> {
     job: &'j Job<'a>,
     text: &'j [u8],
     inch: Option<bool>,
-    /// The tool whose number a comment of its own has said, for the comment after it.
+    /// The tool number from a separate comment, for the comment after it.
     named: Option<u32>,
-    /// What was said of a tool without its number.
+    /// A description without a number.
     loose: Option<(CommentedTool, Span)>,
-    /// The tool that was called last; 0: none yet.
+    /// The tool that was called last; 0 where none was.
     last: u32,
     found: Vec<(CommentedTool, Span)>,
-    /// What was said without a number, of the tool that it was found to be about.
+    /// Descriptions without a number, with the number of the tool that they were assigned to.
     without_number: Vec<(CommentedTool, Span)>,
 }
 
@@ -65,7 +65,7 @@ impl ToolCommentScan<'_, '_> {
             self.give_loose();
             self.named = None;
         } else if b"XYZ".iter().any(|axis| block.word(*axis).is_some()) {
-            // It moves before a tool is called: what was said is of the tool that is in the spindle.
+            // The program moves before it calls a tool: the description is of the tool that is in the spindle.
             self.give_loose();
         }
         let written = self.written(block);
@@ -88,7 +88,7 @@ impl ToolCommentScan<'_, '_> {
             self.named = Some(number);
             return;
         }
-        // It is about the next comment and no other.
+        // The number counts for the next comment only.
         let named = self.named.take();
         let loose = read_form(words, inch).or_else(|| read_phrase(words, inch, named));
         match loose {
@@ -102,10 +102,10 @@ impl ToolCommentScan<'_, '_> {
                 let turns = self.job.turns();
                 match read_tool_comment(words, inch, called, turns) {
                     Some(tool) => self.found.push((tool, span)),
-                    // `(OD ROUGH RIGHT - 80 DEG. INSERT - CNMG-432)` is of the tool that is called next.
+                    // `(OD ROUGH RIGHT - 80 DEG. INSERT - CNMG-432)` describes the tool that is called next.
                     None if turns => {
-                        if let Some(stated) = read_insert(words) {
-                            self.keep(stated, span);
+                        if let Some(commented) = read_insert(words) {
+                            self.keep(commented, span);
                         }
                     }
                     None => {}
@@ -114,23 +114,23 @@ impl ToolCommentScan<'_, '_> {
         }
     }
 
-    /// Adds what was said to what is known of the tool that is called next; what contradicts it takes its place.
-    fn keep(&mut self, stated: CommentedTool, span: Span) {
-        let joined = self.loose.and_then(|(before, at)| Some((before.joined(&stated)?, at)));
-        self.loose = Some(joined.unwrap_or((stated, span)));
+    /// Adds a description to that of the tool that is called next; one that contradicts it replaces it.
+    fn keep(&mut self, commented: CommentedTool, span: Span) {
+        let joined = self.loose.and_then(|(before, at)| Some((before.joined(&commented)?, at)));
+        self.loose = Some(joined.unwrap_or((commented, span)));
     }
 
     fn give_loose(&mut self) {
-        let Some((stated, span)) = self.loose.take() else { return };
-        self.without_number.push((CommentedTool { number: self.last, ..stated }, span));
+        let Some((commented, span)) = self.loose.take() else { return };
+        self.without_number.push((CommentedTool { number: self.last, ..commented }, span));
     }
 
-    /// Comments that name their tool come first. Where others say two sizes of one tool, another was put into the
-    /// spindle without a call, and neither is taken.
+    /// Comments that name their tool come first. Where others give two sizes for one tool, another tool was put into
+    /// the spindle without a call, and neither is taken.
     fn finish(mut self) -> Vec<(CommentedTool, Span)> {
-        let is_only = |(stated, _): &&(CommentedTool, Span)| {
+        let is_only = |(commented, _): &&(CommentedTool, Span)| {
             let same =
-                self.without_number.iter().filter(|(other, _)| other.number == stated.number);
+                self.without_number.iter().filter(|(other, _)| other.number == commented.number);
             let mut sizes = same.filter_map(|(other, _)| other.diameter_mm);
             let first = sizes.next();
             sizes.all(|size| Some(size) == first)
@@ -139,7 +139,8 @@ impl ToolCommentScan<'_, '_> {
         self.found
     }
 
-    /// `G10 L1 P1 R[10/2]` writes the radius of a tool into the control's table: with a quotient, as people write it.
+    /// `G10 L1 P1 R[10/2]` writes the radius of a tool into the control's table. People write half the diameter as a
+    /// quotient.
     fn written(&mut self, block: &Block) -> Option<(CommentedTool, Span)> {
         let l = block.word(b'L')?.number()?.to_integer()?;
         let is_tool = |(number, target): &(u16, DataTarget)| {
@@ -164,12 +165,13 @@ impl ToolCommentScan<'_, '_> {
         let inch = *self.inch.get_or_insert_with(|| program_is_inch(self.job, self.text));
         let diameter = 2.0 * radius * if inch { 25.4 } else { 1.0 };
         (diameter > 0.0).then(|| {
-            let stated = CommentedTool { diameter_mm: Some(diameter), ..CommentedTool::of(number) };
-            (stated, block.range.in_file(FileId(0)))
+            let commented =
+                CommentedTool { diameter_mm: Some(diameter), ..CommentedTool::of(number) };
+            (commented, block.range.in_file(FileId(0)))
         })
     }
 
-    /// The number of the tool that a block calls; of a lathe that of its station.
+    /// The number of the tool that a block calls; on a lathe that of its station.
     fn called(&self, block: &Block) -> Option<u32> {
         let number = block.word(b'T')?.number()?.to_integer()?;
         let number = u32::try_from(number).ok()?;
@@ -191,12 +193,12 @@ fn lines(text: &[u8]) -> impl Iterator<Item = (u32, &[u8])> {
     })
 }
 
-/// A comment begins in the line, or it may call a tool.
+/// Whether a line may have a comment or call a tool.
 fn may_say(line: &[u8]) -> bool {
     line.iter().any(|byte| matches!(byte, b'(' | b';' | b'*' | b'\'' | b't' | b'T'))
 }
 
-/// It may write a tool into the control's table.
+/// Whether a line may write a tool into the control's table.
 fn has_g10(line: &[u8]) -> bool {
     line.windows(3).any(|three| matches!(three, [b'G' | b'g', b'1', b'0']))
 }

@@ -1,7 +1,7 @@
-//! The stock that comments at the head of a program describe, and where its zero is.
+//! Reads the stock from comments at the head of a program, and where its zero is.
 //!
-//! Sizes alone are no stock: nobody knows where the part lies. Where two comments say different things, or a
-//! comment contradicts itself, nothing is taken.
+//! A size alone is not enough, since nobody knows where the stock is. Where comments contradict each other or
+//! themselves, nothing is taken.
 
 use chordal_diagnostics::{FileId, Span};
 use chordal_machine::{Axis, Body, BodyShape};
@@ -11,19 +11,19 @@ use super::forms::{field, fields, number, numbers};
 use super::program_is_inch;
 use crate::Job;
 
-/// Blocks among which comments on the stock stand.
+/// Number of blocks at the head of a program in which comments on the stock are looked for.
 const MAX_HEAD_BLOCKS: usize = 500;
-/// Stock that is larger is none, mm.
+/// Sizes above this are not those of a stock, mm.
 const MAX_STOCK_MM: f64 = 20_000.0;
-/// Places that are nearer to each other are the same, mm: posts write two decimals.
+/// Positions that differ by less than this are equal, mm: post processors write two decimals.
 const TOLERANCE_MM: f64 = 0.02;
 
-/// What a comment says of the stock.
+/// The stock that comments describe.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CommentedStock {
-    /// Its size, and where it is.
+    /// Its size, and its place where that is known.
     pub place: StockPlace,
-    /// The comment that says its size.
+    /// The comment that gives its size.
     pub comment: Span,
 }
 
@@ -32,7 +32,7 @@ pub struct CommentedStock {
 pub enum StockPlace {
     /// A body in the coordinates of the program.
     Body(Box<Body>),
-    /// Its size along X, Y and Z, mm: where its zero is, nothing says.
+    /// Its size along X, Y and Z, mm; no comment says where its zero is.
     Size([f64; 3]),
 }
 
@@ -48,7 +48,7 @@ pub fn commented_stock(job: &Job) -> Option<CommentedStock> {
     head.stock()
 }
 
-/// The comments before the first block that moves, upper case, without their marks.
+/// The comments up to the first block with X, Y or Z, in upper case, without their delimiters.
 fn head_comments(job: &Job, text: &[u8]) -> Vec<(String, Span)> {
     let mut reader = BlockReader::new(text, FileId(0), job.control().table.lexicon);
     let mut block = Block::new();
@@ -69,12 +69,12 @@ fn head_comments(job: &Job, text: &[u8]) -> Vec<(String, Span)> {
     comments
 }
 
-/// A stock with a size; its zero may be said in another comment.
+/// A stock with a size; its zero may be given in another comment.
 struct SizedStock {
     size: [f64; 3],
-    /// The low corner, where the comment itself says it.
+    /// The corner with the least coordinates, mm; `None` where the comment itself does not give it.
     low: Option<[f64; 3]>,
-    /// Of a bar, its diameter.
+    /// The diameter of a bar, mm; `None` for a box.
     diameter: Option<f64>,
 }
 
@@ -94,7 +94,7 @@ impl HeadComments {
                 return None;
             }
             match &found {
-                // The same again says nothing new; another one, that one of the two is old.
+                // The same size again changes nothing; of two different sizes one is out of date.
                 Some((known, _)) if !same(&known.size, &sized.size) => return None,
                 Some((known, _)) if known.low.is_some() => {}
                 _ => found = Some((sized, *span)),
@@ -126,7 +126,7 @@ impl HeadComments {
             })
     }
 
-    /// `@F360|STOCK|id=box|…` and `@F360|ORIGIN|…`: of Fusion, FreeCAD and Makera Studio for machines of Makera.
+    /// `@F360|STOCK|id=box|…` and `@F360|ORIGIN|…`: Fusion, FreeCAD and Makera Studio for machines of Makera.
     fn record(&self, text: &str) -> Option<SizedStock> {
         let own = fields(text, "STOCK")?;
         let unit = self.comments.iter().find_map(|(text, _)| {
@@ -149,13 +149,13 @@ impl HeadComments {
                 let diameter = length("DIAMETER")?;
                 ([diameter, diameter, z], Some(diameter))
             }
-            // Of a tube the bore is not said.
+            // The bore of a tube is not given.
             _ => return None,
         };
         Some(SizedStock { size, low: self.record_low(size, mm), diameter })
     }
 
-    /// The low corner by the origin, which is said from the centre of the stock.
+    /// The low corner from the origin, which is given relative to the centre of the stock.
     fn record_low(&self, size: [f64; 3], mm: f64) -> Option<[f64; 3]> {
         let origin = self.comments.iter().find_map(|(text, _)| fields(text, "ORIGIN"))?;
         let mut low = [0.0; 3];
@@ -163,7 +163,7 @@ impl HeadComments {
         for (axis, key) in ["X", "Y", "Z"].into_iter().enumerate() {
             let from_centre = number(field(&origin, key)?)? * mm;
             low[axis] = -0.5 * size[axis] - from_centre;
-            // The name of the point says the same again, if it names one.
+            // Where the origin names a point of the stock, its coordinates must agree.
             if let Some(sides) = sides
                 && (from_centre - 0.5 * sides[axis] * size[axis]).abs() > TOLERANCE_MM
             {
@@ -206,12 +206,12 @@ impl HeadComments {
         }
     }
 
-    /// `STOCK/BLOCK,l,w,h,ox,oy,oz`: CutViewer; the last three are the zero as seen from the low corner.
+    /// `STOCK/BLOCK,l,w,h,ox,oy,oz`: CutViewer; the last three are the zero relative to the low corner.
     fn cut_viewer(&self, text: &str) -> Option<SizedStock> {
         let values = numbers(text.strip_prefix("STOCK/BLOCK")?.trim_start().strip_prefix(',')?)?;
         let mm = |at: usize| values.get(at).map(|value| value * self.mm());
         let size = [mm(0)?, mm(1)?, mm(2)?];
-        // A zero far from the stock is one that its post has counted the other way round.
+        // A zero outside the stock comes from a post processor that counts it with the opposite sign.
         let zero = |axis: usize| {
             let at = mm(3 + axis)?;
             (at >= -TOLERANCE_MM && at <= size[axis] + TOLERANCE_MM).then_some(-at)
@@ -231,7 +231,7 @@ impl HeadComments {
         Some(SizedStock { size: [of('L')?, of('W')?, of('H')?], low, diameter: None })
     }
 
-    /// `Zmin:-60 Zmax:0 Diametro:40`, of a lathe.
+    /// `Zmin:-60 Zmax:0 Diametro:40` for a lathe.
     fn bar(&self, text: &str) -> Option<SizedStock> {
         if !self.turns {
             return None;
@@ -246,24 +246,24 @@ impl HeadComments {
         Some(SizedStock { size, low: Some(low), diameter: Some(diameter) })
     }
 
-    /// Forms that say a size along each axis and leave the zero to others.
+    /// Formats that give a size along each axis, without the zero, mm.
     fn size_only(&self, at: usize, text: &str) -> Option<[f64; 3]> {
         let scale = self.mm();
         let in_mm = |size: [f64; 3], mm: f64| size.map(|side| side * mm);
         if let Some(rest) = text.strip_prefix("MATERIAL SIZE") {
-            // Vectric writes the lengths into the next comment or after a colon, proLIGHT after a colon.
+            // Vectric writes the lengths in the next comment or after a colon, proLIGHT after a colon.
             let rest = match rest.trim_start_matches([' ', ':']) {
                 "" => self.comments.get(at + 1)?.0.as_str(),
                 rest => rest,
             };
-            let stated_unit = self.comments.iter().find_map(|(text, _)| {
+            let own_unit = self.comments.iter().find_map(|(text, _)| {
                 match text.strip_prefix("UNITS:")?.trim() {
                     "INCH" | "INCHES" => Some(25.4),
                     "METRIC" | "MM" | "MILLIMETERS" => Some(1.0),
                     _ => None,
                 }
             });
-            return Some(in_mm(by_letters(rest)?, stated_unit.unwrap_or(scale)));
+            return Some(in_mm(by_letters(rest)?, own_unit.unwrap_or(scale)));
         }
         if let Some(rest) = text.strip_prefix("BLANK SIZE:") {
             return Some(in_mm(by_letters(rest)?, scale));
@@ -279,7 +279,7 @@ impl HeadComments {
         self.router(text).map(|size| in_mm(size, scale))
     }
 
-    /// `X SIZE:600`, a comment each; the thickness is that of the material.
+    /// `X SIZE:600`, one comment for each length; the thickness of the material is its size along Z.
     fn router(&self, text: &str) -> Option<[f64; 3]> {
         text.strip_prefix("X SIZE:")?;
         let of = |keys: &[&str]| {
@@ -291,20 +291,20 @@ impl HeadComments {
         Some([x, of(&["Y SIZE:"])?, of(&["Z SIZE:", "THICKNESS:"])?])
     }
 
-    /// The low corner where a comment of its own says the zero.
+    /// The low corner from a separate comment on the zero, mm; `None` without one.
     fn low_corner(&self, size: &[f64; 3]) -> Option<[f64; 3]> {
         self.vectric_corner(size).or_else(|| self.corner_by_hand(size))
     }
 
     /// `Z Origin for Material = …`, `XY Origin for Material = …`: Vectric.
     fn vectric_corner(&self, size: &[f64; 3]) -> Option<[f64; 3]> {
-        let stated = |key: &str| {
+        let value_of = |key: &str| {
             self.comments.iter().find_map(|(text, _)| {
                 Some(text.strip_prefix(key)?.trim_start_matches([' ', '=']).trim())
             })
         };
-        // What a position of the origin that is not zero moves is not known.
-        if let Some(position) = stated("XY ORIGIN POSITION") {
+        // The meaning of an origin position other than zero is not known.
+        if let Some(position) = value_of("XY ORIGIN POSITION") {
             let values: Option<Vec<f64>> = position
                 .split(',')
                 .map(|part| number(part.trim().trim_start_matches(['X', 'Y', ':'])))
@@ -313,13 +313,13 @@ impl HeadComments {
                 return None;
             }
         }
-        let z = match stated("Z ORIGIN FOR MATERIAL")? {
+        let z = match value_of("Z ORIGIN FOR MATERIAL")? {
             "MATERIAL SURFACE" => -size[2],
             "TABLE SURFACE" => 0.0,
             "CENTER" | "CENTER OF MATERIAL" => -0.5 * size[2],
             _ => return None,
         };
-        let [x, y] = match stated("XY ORIGIN FOR MATERIAL")?.trim_end_matches("CORNER").trim() {
+        let [x, y] = match value_of("XY ORIGIN FOR MATERIAL")?.trim_end_matches("CORNER").trim() {
             "BOTTOM LEFT" => [0.0, 0.0],
             "BOTTOM RIGHT" => [-size[0], 0.0],
             "TOP LEFT" => [0.0, -size[1]],
@@ -350,7 +350,8 @@ impl HeadComments {
     }
 }
 
-/// Which side of the stock a named point is on, by axis: −1, 0 or 1; `None` for one that is on none.
+/// The side of the stock on which a named point is, for each axis: −1, 0 (the middle) or 1; `None` where the name is
+/// no such point.
 fn named_point(name: &str) -> Option<[f64; 3]> {
     if name.is_empty() || name == "CUSTOM" {
         return None;
@@ -363,7 +364,7 @@ fn named_point(name: &str) -> Option<[f64; 3]> {
     Some([side("LEFT", "RIGHT"), side("FRONT", "BACK"), side("BOTTOM", "TOP")])
 }
 
-/// `X= 300, Y= 200, Z= 12`, `X3 Y2 Z.5`: nothing where one is missing.
+/// `X= 300, Y= 200, Z= 12`, `X3 Y2 Z.5`; `None` where one is missing.
 fn by_letters(text: &str) -> Option<[f64; 3]> {
     let mut size = [None; 3];
     let mut rest = text.trim();
@@ -378,7 +379,7 @@ fn by_letters(text: &str) -> Option<[f64; 3]> {
     Some([x, y, z])
 }
 
-/// `STOCK 6061 DX 6.0IN DY 4.0IN DZ 1.5IN`, mm: nothing where a length is not what it may be.
+/// `STOCK 6061 DX 6.0IN DY 4.0IN DZ 1.5IN`, in mm; `None` where a length cannot be read.
 fn by_hand(text: &str, scale: f64) -> Option<[f64; 3]> {
     let words: Vec<&str> = text.split_ascii_whitespace().collect();
     let mut size = [0.0; 3];

@@ -1,6 +1,6 @@
-//! A comment in pieces: numbers with their unit, words, signs.
+//! Divides a comment into tokens: numbers with their unit, words, signs.
 
-/// What a number is counted in, where it says so.
+/// The unit written after a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum CommentUnit {
     Inch,
@@ -13,13 +13,14 @@ pub(super) struct CommentNumber {
     mantissa: u64,
     scale: u32,
     over: u32,
-    /// A point was written.
+    /// A decimal point was written.
     pub point: bool,
     pub unit: Option<CommentUnit>,
 }
 
 impl CommentNumber {
-    /// The length in mm, rounded once. Nobody writes a fraction of a millimetre: it is of an inch.
+    /// The length in mm, rounded only once. A fraction without a unit is in inches: nobody writes fractions of a
+    /// millimetre.
     pub fn mm(&self, inch: bool) -> f64 {
         let inch = match self.unit {
             Some(unit) => unit == CommentUnit::Inch,
@@ -44,13 +45,13 @@ impl CommentNumber {
         self.over != 1
     }
 
-    /// It looks like a size: a count has neither a point nor a unit.
+    /// Whether it looks like a size: a count has no decimal point, fraction or unit.
     pub fn is_size(&self) -> bool {
         self.point || self.is_fraction() || self.unit.is_some()
     }
 }
 
-/// A piece.
+/// The kind of a token.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum CommentTokenKind<'t> {
     Number(CommentNumber),
@@ -59,7 +60,7 @@ pub(super) enum CommentTokenKind<'t> {
     Sign(char),
 }
 
-/// A piece and whether it hugs the one before.
+/// A token, and whether no space separates it from the one before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct CommentToken<'t> {
     pub kind: CommentTokenKind<'t>,
@@ -80,7 +81,7 @@ impl<'t> CommentToken<'t> {
     }
 }
 
-/// The pieces of an upper-case text.
+/// The tokens of an upper-case text.
 pub(super) fn tokens(text: &str) -> Vec<CommentToken<'_>> {
     let mut tokens: Vec<CommentToken<'_>> = Vec::new();
     let mut rest = text;
@@ -107,7 +108,7 @@ pub(super) fn tokens(text: &str) -> Vec<CommentToken<'_>> {
     tokens
 }
 
-/// `12`, `.5`, `3.` or `1/2`, and how long it is.
+/// The number at the start of a text (`12`, `.5`, `3.` or `1/2`) and its length in bytes.
 fn number_at(text: &str) -> Option<(CommentNumber, usize)> {
     let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
     let whole = digits(text);
@@ -117,7 +118,7 @@ fn number_at(text: &str) -> Option<(CommentNumber, usize)> {
         return None;
     }
     let scale = decimals.unwrap_or(0);
-    // More digits than these are no size of a tool.
+    // A number with more digits is not the size of a tool.
     if whole + scale > 12 {
         return None;
     }
@@ -140,7 +141,7 @@ fn number_at(text: &str) -> Option<(CommentNumber, usize)> {
     Some((number, length))
 }
 
-/// Gives numbers the unit behind them, and takes its word out.
+/// Gives each number the unit after it, and removes the token of the unit.
 fn give_units(tokens: &mut Vec<CommentToken<'_>>) {
     let mut at = 1;
     while at < tokens.len() {
@@ -167,7 +168,7 @@ fn give_units(tokens: &mut Vec<CommentToken<'_>>) {
     }
 }
 
-/// Makes one number of `1-1/2` and `1 1/2`.
+/// Joins `1-1/2` and `1 1/2` into one number.
 pub(super) fn join_mixed(tokens: &mut Vec<CommentToken<'_>>) {
     let mut at = 0;
     while at + 1 < tokens.len() {

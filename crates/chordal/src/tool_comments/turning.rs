@@ -1,4 +1,4 @@
-//! What comments of lathe programs say of inserts and holders.
+//! Reads inserts and holders from comments of lathe programs.
 
 use chordal_machine::{
     HolderDesignation, InsertDesignation, InsertLetter, Tool, ToolShape, WrittenDesignation,
@@ -7,12 +7,12 @@ use chordal_machine::{
 use super::CommentedTool;
 use super::tokens::{CommentToken, CommentTokenKind};
 
-/// Nose radii that are nearer to each other are the same, mm: 1/32 in is 0.8 mm in a catalogue.
+/// Nose radii that differ by less than this are equal, mm: 1/32 in (0.794 mm) is 0.8 mm in a catalogue.
 const NOSE_TOLERANCE_MM: f64 = 0.02;
-/// A nose is not larger, mm.
+/// Largest nose radius, mm.
 const MAX_NOSE_MM: f64 = 20.0;
 
-/// Adds what a comment of a lathe says of the insert and its holder.
+/// Adds what a comment of a lathe program says about the insert and its holder.
 pub(super) fn read_turning(
     text: &str,
     tokens: &[CommentToken<'_>],
@@ -35,13 +35,13 @@ pub(super) fn read_turning(
         tool.shape = tool.shape.or(Some(ToolShape::Insert));
     }
     if tool.shape == Some(ToolShape::Insert) {
-        // What the words call a radius is that of the nose.
+        // A radius in words is that of the nose.
         tool.corner_radius_mm = None;
         tool.diameter_mm = None;
     }
 }
 
-/// What a comment says of an insert where it names no tool.
+/// The insert of a comment that names no tool.
 pub(super) fn read_insert(text: &str) -> Option<CommentedTool> {
     let insert = insert_in(&text.to_ascii_uppercase())?;
     Some(CommentedTool {
@@ -53,7 +53,7 @@ pub(super) fn read_insert(text: &str) -> Option<CommentedTool> {
     })
 }
 
-/// Pieces of the text that may be a designation: a word, or it and the next one.
+/// Parts of the text that may be a designation: each word, and each pair of words.
 fn candidates(text: &str) -> impl Iterator<Item = String> {
     let words: Vec<&str> =
         text.split([' ', ',', ';', ':', '=', '(', ')']).filter(|w| !w.is_empty()).collect();
@@ -69,7 +69,7 @@ fn insert_in(text: &str) -> Option<InsertDesignation> {
 }
 
 fn holder_in(text: &str) -> Option<HolderDesignation> {
-    // Five letters alone may be any word.
+    // At least four digits are required: five letters alone may be any word.
     candidates(text)
         .filter(|word| word.bytes().filter(u8::is_ascii_digit).count() >= 4)
         .find_map(|word| HolderDesignation::parse(&word).ok())
@@ -79,13 +79,13 @@ fn holder_in(text: &str) -> Option<HolderDesignation> {
 fn letter_after_key(text: &str) -> Option<InsertLetter> {
     let after = text.split_once("INSERT")?.1.trim_start_matches([' ', ':', '=', '-']);
     let word = after.split([' ', ',']).next()?;
-    // With a size it is read as a whole; the size stands in for a missing one here.
+    // A designation with a size is read as a whole; here a dummy size completes it.
     let is_letters = word.len() == 4 && word.bytes().all(|byte| byte.is_ascii_uppercase());
     let whole = || InsertDesignation::parse(&format!("{word}120404")).ok();
     is_letters.then(whole).flatten().map(|read| read.letter)
 }
 
-/// The number after the words that fit, over signs.
+/// The index of the number after one of these keys, signs skipped.
 fn value_after(tokens: &[CommentToken<'_>], keys: &[&[&str]]) -> Option<usize> {
     (0..tokens.len()).find_map(|at| {
         let fits = |key: &&&[&str]| {
@@ -103,7 +103,7 @@ fn value_after(tokens: &[CommentToken<'_>], keys: &[&[&str]]) -> Option<usize> {
     })
 }
 
-/// `NOSE RADIUS: 0.8`, `TNR .031`.
+/// The nose radius, mm: `NOSE RADIUS: 0.8`, `TNR .031`.
 fn nose(tokens: &[CommentToken<'_>], inch: bool) -> Option<f64> {
     let keys: [&[&str]; 5] =
         [&["NOSE", "RADIUS"], &["NOSE", "RAD"], &["NOSE", "R"], &["TNR"], &["NR"]];
@@ -113,7 +113,7 @@ fn nose(tokens: &[CommentToken<'_>], inch: bool) -> Option<f64> {
     (number.is_size() && nose <= MAX_NOSE_MM).then_some(nose)
 }
 
-/// `TOOL TIP: 3`, `TIP 3`, `ORIENTATION 3`.
+/// The tip number: `TOOL TIP: 3`, `TIP 3`, `ORIENTATION 3`.
 fn tip(tokens: &[CommentToken<'_>]) -> Option<u32> {
     let keys: [&[&str]; 4] =
         [&["TIP"], &["ORIENTATION"], &["TIP", "NUMBER"], &["TIP", "DIRECTION"]];
@@ -121,43 +121,43 @@ fn tip(tokens: &[CommentToken<'_>]) -> Option<u32> {
     tokens[at].number()?.whole().filter(|tip| *tip <= 9)
 }
 
-/// Gives a tool what a comment says of its insert and its holder.
-pub(super) fn fill(tool: &mut Tool, stated: &CommentedTool) {
-    let is_turning = stated.shape == Some(ToolShape::Insert) && tool.shape == stated.shape;
+/// Completes a turning tool with the insert and the holder of a comment.
+pub(super) fn fill(tool: &mut Tool, commented: &CommentedTool) {
+    let is_turning = commented.shape == Some(ToolShape::Insert) && tool.shape == commented.shape;
     if !is_turning {
         return;
     }
-    tool.nose_radius_mm = tool.nose_radius_mm.or(stated.nose_radius_mm);
-    tool.tip = tool.tip.or(stated.tip);
-    tool.turning.insert = tool.turning.insert.or(stated.letter);
-    let edge = stated.insert.and_then(|insert| insert.edge_mm);
+    tool.nose_radius_mm = tool.nose_radius_mm.or(commented.nose_radius_mm);
+    tool.tip = tool.tip.or(commented.tip);
+    tool.turning.insert = tool.turning.insert.or(commented.letter);
+    let edge = commented.insert.and_then(|insert| insert.edge_mm);
     tool.flute_length_mm = tool.flute_length_mm.or(edge);
-    let approach = stated.holder.and_then(|holder| holder.approach_degrees());
-    let fits = stated.holder.is_some_and(|holder| tool.turning.insert == Some(holder.letter));
+    let approach = commented.holder.and_then(|holder| holder.approach_degrees());
+    let fits = commented.holder.is_some_and(|holder| tool.turning.insert == Some(holder.letter));
     let approach = approach.filter(|_| fits).map(f64::to_radians);
     tool.turning.approach_angle_rad = tool.turning.approach_angle_rad.or(approach);
 }
 
-/// What a comment contradicts: the designation in it, or the machine file.
-pub(super) fn contradiction(stated: &CommentedTool, known: Option<&Tool>) -> Option<String> {
-    let number = stated.number;
+/// The message that a comment contradicts its own designation or the machine file; `None` where it does not.
+pub(super) fn contradiction(commented: &CommentedTool, known: Option<&Tool>) -> Option<String> {
+    let number = commented.number;
     let differs = |one: f64, other: f64| (one - other).abs() > NOSE_TOLERANCE_MM;
-    if let (Some(words), Some(insert)) = (stated.other_nose_mm, stated.insert) {
+    if let (Some(words), Some(insert)) = (commented.other_nose_mm, commented.insert) {
         return Some(format!(
             "tool {number}: the comment says a nose radius of {words} mm, and its insert has {} mm",
             insert.nose_mm
         ));
     }
     let known = known?;
-    let (stated_nose, own) = (stated.nose_radius_mm?, known.nose_radius_mm?);
+    let (commented_nose, own) = (commented.nose_radius_mm?, known.nose_radius_mm?);
     let from = known
         .turning
         .insert_designation
         .as_ref()
         .map(|written: &WrittenDesignation<_>| format!(" (its insert is {})", written.text));
-    differs(stated_nose, own).then(|| {
+    differs(commented_nose, own).then(|| {
         format!(
-            "tool {number}: the comment says a nose radius of {stated_nose} mm, and the machine file {own} mm{}",
+            "tool {number}: the comment says a nose radius of {commented_nose} mm, and the machine file {own} mm{}",
             from.unwrap_or_default()
         )
     })

@@ -1,4 +1,4 @@
-//! Rectangles and the walls between them as triangles.
+//! Makes triangles of rectangles and the walls between them.
 
 use chordal_geometry::Vec3;
 
@@ -10,17 +10,17 @@ use crate::mesh::Mesh;
 /// No vertex at this corner.
 const NO_VERTEX: u32 = u32::MAX;
 
-/// A side of a rectangle as it is run through counter-clockwise.
+/// A side of a rectangle, run through counter-clockwise.
 pub(super) struct RectangleSide {
     /// Its first corner.
     from: [usize; 2],
-    /// One cell on.
+    /// The step to the next cell.
     step: [isize; 2],
     /// How many cells it has.
     pub(super) cells: usize,
-    /// The number of the rectangle's cell at a corner of the side that is not the last.
+    /// The number of the rectangle's cell around a corner of the side (not its last one), as in [`CornerNode`].
     pub(super) cell: usize,
-    /// The number of the wall that runs on from a corner.
+    /// The number of the wall that runs along the side from a corner.
     ahead: usize,
 }
 
@@ -36,7 +36,7 @@ pub(super) fn sides(rectangle: &CellRectangle) -> [RectangleSide; 4] {
 }
 
 impl RectangleSide {
-    /// The corner after so many cells.
+    /// The corner after this many cells.
     pub(super) fn corner(&self, cells: usize) -> [usize; 2] {
         [0, 1].map(|axis| self.from[axis].wrapping_add_signed(self.step[axis] * cells as isize))
     }
@@ -54,15 +54,15 @@ pub(super) struct StepBuilder<'a> {
     plan: PlanGrid,
     tops: &'a RectangleCover,
     bottoms: &'a RectangleCover,
-    /// The height of each cell and of a border around them: that of its rectangle, or the bottom.
+    /// The height of each cell and of a border of one cell: that of its rectangle, or the bottom.
     heights: Vec<f64>,
-    /// For each corner of cells its first vertex, and which faces have one there.
+    /// For each corner of cells its first vertex; `used` says which faces have one there.
     first: Vec<u32>,
     used: Vec<UsedFaces>,
     vertices: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
     touching: Vec<TouchingVertex>,
-    /// The vertices around a face, kept for the next one.
+    /// The vertices around a face; a buffer that is reused.
     around: Vec<u32>,
 }
 
@@ -106,7 +106,7 @@ impl<'a> StepBuilder<'a> {
         (Mesh { vertices: self.vertices, triangles: self.triangles }, self.touching)
     }
 
-    /// Gives the vertices of every corner their numbers.
+    /// Numbers the vertices of all corners.
     fn number(&mut self) {
         for row in 0..=self.field.rows {
             for column in 0..=self.field.columns {
@@ -117,7 +117,7 @@ impl<'a> StepBuilder<'a> {
                     self.first.push(NO_VERTEX);
                     continue;
                 }
-                // The count was checked against 32 bits before.
+                // [`HeightField::check`] has limited the count to 32 bits.
                 self.first.push(self.vertices.len() as u32);
                 let node = self.node(at, used);
                 for (height, &path) in node.vertices().zip(node.directions()) {
@@ -146,8 +146,8 @@ impl<'a> StepBuilder<'a> {
         })
     }
 
-    /// Whether a corner ends an edge of some rectangle. Beside a hole tops and bottoms share the wall, and so
-    /// its ends.
+    /// Whether a corner is an end of an edge of some rectangle. Next to a hole, tops and bottoms share the wall, and
+    /// so its ends.
     fn used(&self, at: [usize; 2]) -> UsedFaces {
         let cells = self.cells(at);
         let ends = |cover: &RectangleCover| {
@@ -182,7 +182,7 @@ impl<'a> StepBuilder<'a> {
         [self.heights[high + 1], self.heights[high], self.heights[low], self.heights[low + 1]]
     }
 
-    /// The number of the first vertex of a corner, and what meets there; `None` where no edge ends.
+    /// The first vertex of a corner, and its node; `None` where no edge ends.
     fn corner(&self, at: [usize; 2], tops: bool) -> Option<(u32, CornerNode)> {
         let corner = at[1] * (self.field.columns + 1) + at[0];
         let used = self.used[corner];
@@ -190,7 +190,7 @@ impl<'a> StepBuilder<'a> {
         here.then(|| (self.first[corner], self.node(at, used)))
     }
 
-    /// The top or the bottom of a rectangle.
+    /// Adds the top or the bottom of a rectangle.
     fn face(&mut self, rectangle: &CellRectangle, tops: bool) {
         let height = if tops { rectangle.height } else { self.floor() };
         let mut around = std::mem::take(&mut self.around);
@@ -211,14 +211,14 @@ impl<'a> StepBuilder<'a> {
         self.around = around;
     }
 
-    /// The walls below a side of a rectangle, where its neighbours are lower.
+    /// Adds the walls below a side of a rectangle, where its neighbours are lower.
     fn walls(&mut self, rectangle: &CellRectangle, side: &RectangleSide) {
         let mut begin: Option<(u32, CornerNode)> = None;
         for cells in 0..=side.cells {
             let at = side.corner(cells);
             let Some((first, node)) = self.corner(at, true) else { continue };
             if let Some((from, before)) = &begin {
-                // The neighbour is the same since the last corner: look beside the last cell.
+                // The neighbour has been the same since the last corner, so the one of the last cell is used.
                 let low = self.across(side, cells - 1);
                 if low < rectangle.height {
                     let span = [low, rectangle.height];
@@ -232,14 +232,13 @@ impl<'a> StepBuilder<'a> {
         }
     }
 
-    /// The height on the other side of a side of a rectangle, after so many cells.
+    /// The height of the neighbour across a side of a rectangle, after this many cells.
     fn across(&self, side: &RectangleSide, cells: usize) -> f64 {
         // Seen from the corner, the wall ahead has the rectangle on its left and the neighbour on its right.
         self.heights_at(side.corner(cells))[side.ahead]
     }
 
-    /// Triangles between two upright lines of vertices: the one on the left, then the one on the right, seen from
-    /// outside.
+    /// Adds triangles between two vertical lines of vertices; left and right are as seen from outside.
     fn strip<'b>(&mut self, mut left: WallLine<'b>, mut right: WallLine<'b>) {
         while left.level < left.top || right.level < right.top {
             let on_the_left = left.level < left.top
@@ -253,7 +252,7 @@ impl<'a> StepBuilder<'a> {
     }
 }
 
-/// The triangles of a rectangle, with what lies around it and two corners that face each other.
+/// Adds the triangles of a rectangle, given the vertices around it and two opposite corners.
 pub(super) fn fill(
     around: &[u32],
     [a, b]: [Vec3; 2],
@@ -264,14 +263,14 @@ pub(super) fn fill(
         triangles.extend([[a, b, c], [a, c, d]]);
         return;
     }
-    // Corners of neighbours lie on its sides: from the middle no triangle is without area.
+    // Corners of neighbours lie on its sides. A fan from the middle has no degenerate triangles.
     let middle = vertices.len() as u32;
     vertices.push(a.lerp(b, 0.5));
     let next = around.iter().cycle().skip(1);
     triangles.extend(around.iter().zip(next).map(|(&a, &b)| [middle, a, b]));
 }
 
-/// The vertices of a wall over a corner, from the lowest.
+/// The vertices of a wall at a corner, from the lowest.
 struct WallLine<'a> {
     first: u32,
     node: &'a CornerNode,
@@ -281,7 +280,7 @@ struct WallLine<'a> {
 }
 
 impl WallLine<'_> {
-    /// From one height to another, mm.
+    /// The line between two heights, mm.
     fn new(first: u32, node: &CornerNode, wall: usize, [low, high]: [f64; 2]) -> WallLine<'_> {
         WallLine { first, node, wall, level: node.level(low), top: node.level(high) }
     }
@@ -297,8 +296,7 @@ impl WallLine<'_> {
     }
 }
 
-/// The heights of rectangles for each cell, the bottom for a cell that is cut through and for a border of
-/// one cell.
+/// The height of each cell by its rectangle; that of the bottom for a hole and for a border of one cell.
 fn bordered(field: &HeightField, tops: &RectangleCover) -> Vec<f64> {
     let width = field.columns + 2;
     let mut heights = vec![f64::from(field.floor); width * (field.rows + 2)];

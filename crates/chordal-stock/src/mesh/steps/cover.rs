@@ -1,8 +1,8 @@
-//! The cells of a height field as rectangles, each of one height.
+//! Joins the cells of a height field to rectangles, each of one height.
 
 use super::HeightField;
 
-/// Cells that become one face.
+/// A rectangle of cells that becomes one face.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CellRectangle {
     /// The first cell along X and the one after the last.
@@ -14,25 +14,25 @@ pub(super) struct CellRectangle {
 }
 
 impl CellRectangle {
-    /// Its first corner and the one across.
+    /// Its first corner and the opposite one.
     pub fn ends(&self) -> [[usize; 2]; 2] {
         [0, 1].map(|end| [self.columns[end], self.rows[end]])
     }
 }
 
-/// Every cell that is not cut through in one rectangle.
+/// Rectangles that cover every cell with material once.
 pub(super) struct RectangleCover {
     pub rectangles: Vec<CellRectangle>,
-    /// For each cell the number of its rectangle, or [`NONE`].
+    /// The number of the rectangle of each cell, or [`NONE`].
     pub of: Vec<u32>,
-    /// How far a cell is from the height of its rectangle at most, mm.
+    /// The largest difference between the height of a cell and that of its rectangle, mm.
     pub deviation: f64,
 }
 
-/// A cell that is cut through.
+/// Marks a hole: a cell that is cut through.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// What the cells of a rectangle have in common.
+/// Range and mean of the heights of the cells of a rectangle.
 #[derive(Clone, Copy)]
 pub(super) struct HeightSummary {
     low: f64,
@@ -54,7 +54,7 @@ impl HeightSummary {
         }
     }
 
-    /// The mean, which keeps the volume; rounding does not move it out of the range.
+    /// The mean, which keeps the volume. Clamping keeps rounding from moving it out of the range.
     pub(super) fn mean(&self) -> f64 {
         (self.sum / self.count as f64).clamp(self.low, self.high)
     }
@@ -68,14 +68,14 @@ impl HeightSummary {
     }
 }
 
-/// Heights of joined cells are multiples of this, mm: a float of 32 bits tells them apart up to 256 mm. Means
-/// that differ by rounding alone would be walls of no height in files of such floats.
+/// Heights of joined cells are multiples of this, mm: 32-bit floats can represent them up to 256 mm. Otherwise means
+/// that differ only by rounding would become walls of zero height in files of 32-bit floats.
 const STEP: f64 = 1.0 / 65536.0;
 
-/// Rounds means to multiples of [`STEP`], and gives what that takes from the volume to the next ones.
+/// Rounds means to multiples of [`STEP`], and carries the error of the volume over to the next ones.
 #[derive(Default)]
 struct HeightRounder {
-    /// What is missing so far, mm times cells.
+    /// The missing volume so far, mm times cells.
     missing: f64,
 }
 
@@ -83,8 +83,8 @@ impl HeightRounder {
     fn height(&mut self, heights: &HeightSummary, tolerance: f64) -> f64 {
         let mean = heights.mean();
         let cells = heights.count as f64;
-        let target = mean + (self.missing / cells).clamp(-STEP, STEP);
-        let rounded = (target / STEP).round() * STEP;
+        let corrected = mean + (self.missing / cells).clamp(-STEP, STEP);
+        let rounded = (corrected / STEP).round() * STEP;
         let height = if heights.low < heights.high && heights.deviation_from(rounded) <= tolerance {
             rounded
         } else {
@@ -96,18 +96,18 @@ impl HeightRounder {
 }
 
 impl RectangleCover {
-    /// Rectangles in which no height is further from the mean than the tolerance, mm.
+    /// Rectangles of tops in which no height differs from the mean by more than the tolerance, mm.
     pub(super) fn of_tops(field: &HeightField, tolerance: f64) -> RectangleCover {
         RectangleCover::new(field, |column, row| field.height(column, row), tolerance)
     }
 
-    /// Rectangles at the bottom.
+    /// Rectangles of the bottom.
     pub(super) fn of_bottoms(field: &HeightField) -> RectangleCover {
         let floor = f64::from(field.floor);
         RectangleCover::new(field, |_, _| floor, 0.0)
     }
 
-    /// From each first free cell as far along X as the tolerance allows, then along Y.
+    /// Grows a rectangle from each free cell, first along X as far as the tolerance allows, then along Y.
     fn new(
         field: &HeightField,
         height: impl Fn(usize, usize) -> f64,

@@ -1,11 +1,11 @@
-//! A closed surface around columns of given heights: flat tops, upright walls, a flat bottom.
+//! A closed surface around columns of given heights: flat tops, vertical walls, a flat bottom.
 //!
-//! Each column is a prism of its cell, so the volume is the sum of the columns and a wall stays a wall.
-//! Columns of nearly one height are joined to rectangles first ([`cover`]); a rectangle takes the mean of
-//! its columns, which keeps the volume. What meets at a corner of cells is found there ([`node`]): every edge
-//! of the result has two triangles, also where two columns touch in an upright edge only.
+//! Each column is a prism over its cell, so the volume is the sum of the columns, and a wall stays a wall. Columns of
+//! nearly one height are first joined to rectangles ([`cover`]); a rectangle has the mean height of its columns,
+//! which keeps the volume. The vertices at a corner of cells are chosen ([`node`]) so that every edge of the result
+//! has two triangles, even where two columns touch only in a vertical edge.
 //!
-//! A body with several stretches in a column is a [`LayerField`]: the same, with the undersides of gaps.
+//! A body with several intervals in a column is a [`LayerField`]: the same, with the undersides of gaps.
 
 mod build;
 mod cover;
@@ -29,38 +29,38 @@ pub struct HeightField<'a> {
     pub columns: usize,
     /// How many cells there are along Y.
     pub rows: usize,
-    /// How far the grid reaches along X and along Y, mm: there the last cells end, at their sides at the latest.
+    /// Size of the grid along X and along Y, mm. The last cells end there, and may be narrower than the others.
     pub size: [f64; 2],
-    /// The heights, mm above the origin: `columns` of the lowest row first.
+    /// The heights, mm above the origin: row by row, that with the lowest y first.
     pub heights: &'a [f32],
-    /// The bottom, mm above the origin. A cell that is not higher is cut through.
+    /// The bottom, mm above the origin. A cell that is not higher is a hole.
     pub floor: f32,
 }
 
 /// The surface of a height field.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeightMesh {
-    /// Closed, each edge with two triangles; empty when every cell is cut through.
+    /// The closed mesh, in which each edge has two triangles; empty when every cell is a hole.
     pub mesh: Mesh,
-    /// How far the height of a cell differs from that of the surface there at most, mm.
+    /// The largest difference between the height of a cell and that of the surface, mm.
     pub deviation: f64,
     touching: Vec<TouchingVertex>,
 }
 
-/// A vertex of a column that touches another one in an upright edge.
+/// A vertex of a column that touches another one in a vertical edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct TouchingVertex {
     vertex: u32,
-    /// The way to its own column, along X and Y.
+    /// The direction to its own column, along X and Y.
     toward: [i8; 2],
 }
 
 impl HeightMesh {
-    /// The mesh with columns that touch in an upright edge moved apart there, each by so much along X and Y, mm.
+    /// The mesh with columns that touch in a vertical edge moved apart there, each by `gap` along X and Y, mm.
     ///
-    /// For forms that do not share vertices (STL): their readers take two vertices at one place for one, and find
-    /// edges with four triangles. The volume is smaller by about that distance along these edges; `gap` must be
-    /// small beside a cell, and more than the rounding of the form.
+    /// For formats that do not share vertices (STL): their readers merge two vertices at one place, and would find
+    /// edges with four triangles. It takes a little volume along these edges; `gap` must be small compared with a
+    /// cell, and larger than the rounding of the format.
     #[must_use]
     pub fn parted(mut self, gap: f64) -> Mesh {
         for TouchingVertex { vertex, toward: [x, y] } in self.touching {
@@ -74,7 +74,7 @@ impl HeightMesh {
 /// Why there is no surface.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum HeightFieldError {
-    /// The heights are not those of the grid.
+    /// The number of heights is not that of the cells.
     #[error("{found} heights for {columns} × {rows} cells")]
     Count {
         /// How many heights there are.
@@ -92,7 +92,7 @@ pub enum HeightFieldError {
         /// Cells along Y.
         rows: usize,
     },
-    /// A height or the bottom is NaN, or above every coordinate.
+    /// A height is NaN, or above the largest coordinate.
     #[error("the cell of column {column} and row {row} has the height {value} mm")]
     Height {
         /// The cell along X, from zero.
@@ -102,7 +102,7 @@ pub enum HeightFieldError {
         /// Its height, mm.
         value: f32,
     },
-    /// A dimension that is none.
+    /// A dimension of the field is not valid.
     #[error("the {what} cannot be {value} mm")]
     Dimension {
         /// What it is.
@@ -112,10 +112,10 @@ pub enum HeightFieldError {
     },
 }
 
-/// The cells of a field may be longer or shorter together than its size by this share for rounding.
+/// The cells of a field may be shorter in total than its size by this share, for rounding.
 const SIZE_ROUNDING_SHARE: f64 = 1e-9;
-/// A last cell is not narrower than this share of a cell: the one before ends earlier for it. So columns that touch can
-/// be parted, and floats of 32 bits tell its corners apart.
+/// Least width of a last cell as a share of a cell; the one before is shortened for it. So columns that touch can be
+/// moved apart, and 32-bit floats keep its corners distinct.
 const NARROWEST: f64 = 0.01;
 
 /// A grid of cells in plan.
@@ -128,7 +128,7 @@ struct PlanGrid {
 }
 
 impl PlanGrid {
-    /// How far a corner is from the first one along an axis, mm.
+    /// The distance of a corner from the first one along an axis, mm.
     fn along(&self, axis: usize, corner: usize) -> f64 {
         if corner >= self.cells[axis] {
             return self.size[axis];
@@ -138,12 +138,12 @@ impl PlanGrid {
         (corner as f64 * self.cell).min(most).max(0.0)
     }
 
-    /// The place over a corner at a height, mm.
+    /// The point at a corner and a height, mm.
     fn point(&self, [column, row]: [usize; 2], height: f64) -> Vec3 {
         self.origin + Vec3::new(self.along(0, column), self.along(1, row), height)
     }
 
-    /// The sum of a value of each cell, by the areas of the cells.
+    /// The sum of a value over all cells, weighted by their areas.
     fn integral(&self, value: impl Fn(usize) -> f64) -> f64 {
         let [columns, rows] = self.cells;
         let width = |axis: usize, at: usize| self.along(axis, at + 1) - self.along(axis, at);
@@ -156,12 +156,11 @@ impl PlanGrid {
 }
 
 impl HeightField<'_> {
-    /// The closed surface, in which no cell is further from its height than `tolerance`, mm. With zero only
-    /// cells of the same height are joined. The volume is that of the columns, to half of 2⁻¹⁶ mm over the last of
+    /// The closed surface, which differs from the height of no cell by more than `tolerance`, mm. With zero only
+    /// cells of equal height are joined. The volume is that of the columns, up to half of 2⁻¹⁶ mm over the last of
     /// the joined faces.
     ///
-    /// # Errors
-    /// When the grid is none, or a height is no number.
+    /// # Errors When the grid or a height is not valid.
     pub fn mesh(&self, tolerance: f64) -> Result<HeightMesh, HeightFieldError> {
         self.check(tolerance)?;
         let tops = cover::RectangleCover::of_tops(self, tolerance);
@@ -182,7 +181,7 @@ impl HeightField<'_> {
         PlanGrid { origin, cell, cells: [columns, rows], size }
     }
 
-    /// The height of a cell, mm above the origin; the bottom where it is cut through.
+    /// The height of a cell, mm above the origin; that of the bottom for a hole.
     fn height(&self, column: usize, row: usize) -> f64 {
         f64::from(self.heights[row * self.columns + column].max(self.floor))
     }
@@ -193,7 +192,7 @@ impl HeightField<'_> {
         if columns.checked_mul(rows) != Some(found) {
             return Err(HeightFieldError::Count { found, columns, rows });
         }
-        // Each corner has at most as many vertices as columns meet there, and one for the bottom, twice.
+        // Each corner has at most five levels (four tops and the bottom) with two vertices each.
         const MAX_CELLS: usize = u32::MAX as usize / 10;
         if (columns + 1).saturating_mul(rows + 1) > MAX_CELLS {
             return Err(HeightFieldError::TooMany { columns, rows });
@@ -204,7 +203,7 @@ impl HeightField<'_> {
         let floor = f64::from(self.floor);
         let near = |from: f64| from.abs() + reach <= MAX_COORDINATE_MM;
         let HeightField { origin: Vec3 { x, y, .. }, .. } = *self;
-        // The last cells may be narrower, and are none without a width.
+        // The last cells may be narrower, but must have a width.
         let ends = |cells: usize, size: f64| {
             let whole = cells as f64 * self.cell;
             size <= whole * (1.0 + SIZE_ROUNDING_SHARE) && (cells == 0 || size > whole - self.cell)
@@ -222,7 +221,7 @@ impl HeightField<'_> {
                 return Err(HeightFieldError::Dimension { what, value });
             }
         }
-        // Minus infinity is a column that is not there.
+        // Minus infinity is a missing column.
         let good = |value: f32| self.origin.z + f64::from(value) <= MAX_COORDINATE_MM;
         match self.heights.iter().position(|&value| !good(value)) {
             Some(at) => {

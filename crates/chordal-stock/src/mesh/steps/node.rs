@@ -1,16 +1,16 @@
-//! What meets in the upright line over a corner of four cells.
+//! The vertices on the vertical line at a corner of four cells.
 //!
-//! The cells around the corner are numbered counter-clockwise from the one with higher x and y. Wall `k`
-//! stands between cells `k` and `k + 1`: in the direction +Y, −X, −Y, +X from the corner.
+//! The cells around the corner are numbered counter-clockwise from the one with higher x and y. Wall `k` is between
+//! cells `k` and `k + 1`: in the direction +Y, −X, −Y, +X from the corner.
 
 /// A face at a corner and a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum FaceKind {
-    /// The wall of this number, from the level up.
+    /// The wall with this number, from the level up.
     Up(usize),
-    /// The wall of this number, from the level down.
+    /// The wall with this number, from the level down.
     Down(usize),
-    /// The top or the bottom of the cell of this number.
+    /// The top or the bottom of the cell with this number.
     Flat(usize),
 }
 
@@ -26,10 +26,10 @@ impl FaceKind {
     }
 }
 
-/// From the corner to each cell.
+/// The directions from the corner to each cell.
 const CELL_DIRECTIONS: [[i8; 2]; 4] = [[1, 1], [-1, 1], [-1, -1], [1, -1]];
 
-/// The solid cell behind a face by its index.
+/// The solid cell behind the face with this index.
 fn solid_cell(face: usize, above: [bool; 4], below: [bool; 4]) -> usize {
     let cell = face % 4;
     let solid = match face / 4 {
@@ -40,28 +40,29 @@ fn solid_cell(face: usize, above: [bool; 4], below: [bool; 4]) -> usize {
     if solid { cell } else { (cell + 1) % 4 }
 }
 
-/// Four tops, the bottom.
+/// Most levels: four tops and the bottom.
 const MAX_LEVELS: usize = 5;
-/// No more than two bodies touch at a level.
+/// Most vertices: at most two bodies touch at a level.
 const MAX_VERTICES: usize = 2 * MAX_LEVELS;
 
 /// The vertices over one corner.
 pub(super) struct CornerNode {
     levels: [f64; MAX_LEVELS],
     count: usize,
-    /// The vertex of each face at each level, where two bodies touch in the upright line; otherwise there is one
-    /// vertex for each level.
+    /// The vertex of each face at each level, where two bodies touch along the line; `None` where there is one vertex
+    /// for each level.
     touching: Option<[[u8; FaceKind::COUNT]; MAX_LEVELS]>,
     /// The level of each vertex.
     vertex_levels: [u8; MAX_VERTICES],
     vertices: usize,
-    /// For each vertex the way to its body, along X and Y, where another body has one at the same place.
+    /// For each vertex the direction to its body, along X and Y, where another body has a vertex at the same place;
+    /// zero elsewhere.
     directions: [[i8; 2]; MAX_VERTICES],
 }
 
 impl CornerNode {
-    /// `heights` of the four cells, the bottom for one that is cut through; whether the tops and whether
-    /// the bottom have a vertex here.
+    /// `heights` of the four cells, with that of the bottom for a hole. `tops` and `bottom` say which have a vertex
+    /// here.
     pub(super) fn new(heights: [f64; 4], floor: f64, tops: bool, bottom: bool) -> CornerNode {
         let mut node = CornerNode {
             levels: [0.0; MAX_LEVELS],
@@ -90,7 +91,7 @@ impl CornerNode {
         &self.levels[..self.count]
     }
 
-    /// For each vertex where to move it along X and Y to part it from another one at the same place; nothing where
+    /// For each vertex the direction along X and Y that separates it from another one at the same place; zero where
     /// it is alone.
     pub(super) fn directions(&self) -> &[[i8; 2]] {
         &self.directions[..self.vertices]
@@ -101,12 +102,12 @@ impl CornerNode {
         self.vertex_levels[..self.vertices].iter().map(|level| self.levels[usize::from(*level)])
     }
 
-    /// The vertex of a face at a level, from zero.
+    /// The vertex of a face at a level, counted from the first of the corner.
     pub(super) fn vertex(&self, level: usize, face: FaceKind) -> usize {
         self.touching.map_or(level, |of| usize::from(of[level][face.index()]))
     }
 
-    /// The number of a level by its height.
+    /// The number of the level at a height, mm.
     pub(super) fn level(&self, height: f64) -> usize {
         self.levels().iter().position(|level| *level >= height).unwrap_or(0)
     }
@@ -120,7 +121,7 @@ impl CornerNode {
         }
     }
 
-    /// Two bodies may touch in the line: each level has the vertices of each of them.
+    /// Gives each level a vertex for each body, where two bodies may touch along the line.
     fn part(&mut self, heights: [f64; 4], floor: f64) {
         let mut of = [[0; FaceKind::COUNT]; MAX_LEVELS];
         let (mut first, mut vertex_levels) = (0, [0; MAX_VERTICES]);
@@ -140,23 +141,23 @@ impl CornerNode {
     }
 }
 
-/// What meets at a corner and a level.
+/// The vertices at one level of a corner.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LevelMeeting {
     /// The vertex of each face that is there, from zero.
     vertex: [u8; FaceKind::COUNT],
-    /// How many vertices there are: two where two bodies touch.
+    /// Number of vertices: two where two bodies touch.
     pub count: usize,
-    /// For each the way to its body, along X and Y, where there are two.
+    /// The direction to the body of each vertex, along X and Y, where there are two.
     pub directions: [[i8; 2]; 2],
 }
 
 impl LevelMeeting {
-    /// Of four cells, by whether each is solid right above and right below the level. No cell's top may be where the
-    /// stretch of another one begins.
+    /// The vertices of a level, given whether each of the four cells is solid just above and just below it. No cell
+    /// may have its top at the level where an interval of another one begins.
     ///
-    /// Faces that share an edge share a vertex. In an upright edge between two solid cells that face each
-    /// other across it, the two faces of the same cell share it.
+    /// Faces that share an edge share a vertex. At a vertical edge where two solid cells touch only diagonally, the
+    /// two faces of the same cell share a vertex.
     pub fn of(above: [bool; 4], below: [bool; 4]) -> LevelMeeting {
         let mut class: [usize; FaceKind::COUNT] = std::array::from_fn(|face| face);
         let mut present = [false; FaceKind::COUNT];
@@ -183,7 +184,7 @@ impl LevelMeeting {
                 FaceKind::Flat(cell),
                 FaceKind::Flat(next),
             ]);
-            // A run of solid cells begins after one wall and ends at the next.
+            // Consecutive solid cells lie between two walls, which share a vertex.
             for (solid, face) in
                 [(above, FaceKind::Up as fn(usize) -> FaceKind), (below, FaceKind::Down)]
             {

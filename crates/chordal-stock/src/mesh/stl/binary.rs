@@ -1,18 +1,18 @@
-//! Binary STL: 80 bytes of anything, the count, then for each triangle a normal, three corners (12 floats)
-//! and two bytes.
+//! Binary STL: 80 arbitrary bytes, the count, then for each triangle a normal and three corners (12 floats) and two
+//! bytes.
 
 use super::{StlError, TriangleSoup};
 
-/// The head and the count behind it.
+/// Bytes of the head with the count.
 const HEAD: usize = 84;
-/// A triangle.
+/// Bytes of a triangle.
 const RECORD: usize = 50;
-/// The normal before the corners.
+/// Bytes of the normal before the corners.
 const NORMAL: usize = 12;
-/// Three floats.
+/// Bytes of a corner: three floats.
 const CORNER: usize = 12;
 
-/// How many triangles the head declares; `None` for less than a head.
+/// How many triangles the head declares; `None` where there are too few bytes for a head.
 fn declared(bytes: &[u8]) -> Option<u32> {
     let count = bytes.get(HEAD - 4..HEAD)?;
     Some(u32::from_le_bytes(count.try_into().ok()?))
@@ -22,7 +22,7 @@ fn needed(count: u32) -> u64 {
     HEAD as u64 + RECORD as u64 * u64::from(count)
 }
 
-/// Whether the size is that of the triangles which the head declares.
+/// Whether the size agrees with the number of triangles that the head declares.
 pub(super) fn has_size(bytes: &[u8]) -> bool {
     declared(bytes).is_some_and(|count| needed(count) == bytes.len() as u64)
 }

@@ -1,4 +1,4 @@
-//! STL: triangles without shared vertices, as binary or as text, in no unit.
+//! STL: triangles without shared vertices, as binary or as text, without a unit.
 //!
 //! A file is binary when its size is that of the triangles it declares, whatever its first word: many
 //! binary files begin with "solid". Normals are left unread: they follow from the corners, and files have
@@ -14,7 +14,7 @@ use super::{Mesh, beyond};
 
 pub use text::TextProblem;
 
-/// What one unit of a file is.
+/// The length of one unit of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LengthUnit {
     /// 1 mm.
@@ -28,7 +28,7 @@ pub enum LengthUnit {
 }
 
 impl LengthUnit {
-    /// How many millimetres it is.
+    /// The length in mm.
     pub const fn millimetres(self) -> f64 {
         match self {
             LengthUnit::Millimetre => 1.0,
@@ -42,41 +42,41 @@ impl LengthUnit {
 /// How to read STL.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StlOptions {
-    /// What one unit is: the file does not say.
+    /// The unit, which the file does not give.
     pub unit: LengthUnit,
-    /// Corners up to this far apart become one vertex, mm. With zero only those of the same numbers.
+    /// Corners up to this far apart become one vertex, mm; with zero only equal coordinates.
     pub weld: f64,
     /// The most triangles that are read.
     pub limit: usize,
 }
 
-/// Which of the two forms a file has.
+/// The format of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StlForm {
-    /// 50 bytes a triangle.
+    /// 50 bytes per triangle.
     Binary,
     /// Words and numbers.
     Text,
 }
 
-/// What was read.
+/// The result of reading STL.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stl {
     /// The triangles, mm.
     pub mesh: Mesh,
-    /// The form of the file.
+    /// The format of the file.
     pub form: StlForm,
-    /// How many triangles were left out because two of their corners are one vertex.
+    /// How many triangles were left out because two of their corners became one vertex.
     pub left_out: usize,
 }
 
-/// Why bytes are no STL that can be used.
+/// Why bytes are not a usable STL file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StlError {
-    /// Nothing was given.
+    /// There are no bytes.
     #[error("the STL is empty")]
     Empty,
-    /// Fewer bytes than the head of a binary file, and no text that begins with `solid`.
+    /// Fewer bytes than the head of a binary file, and not a text that begins with `solid`.
     #[error(
         "{size} bytes are no STL: text begins with 'solid', the head of a binary one has 84 bytes"
     )]
@@ -91,18 +91,18 @@ pub enum StlError {
     Size {
         /// How many triangles its head declares.
         declared: u32,
-        /// How many bytes a file of these has.
+        /// Size of a file with that many triangles, bytes.
         needed: u64,
-        /// How many bytes there are.
+        /// Size of the file, bytes.
         size: usize,
     },
     /// More triangles than the caller allows.
     #[error("the STL has {} triangles; {limit} are the most that are read",
         .declared.map_or_else(|| format!("more than {limit}"), |count| count.to_string()))]
     TooMany {
-        /// How many a binary file declares; `None` in text, which does not say it.
+        /// How many a binary file declares; `None` for text.
         declared: Option<u32>,
-        /// The most.
+        /// The most that are allowed.
         limit: usize,
     },
     /// No triangle at all.
@@ -118,7 +118,7 @@ pub enum StlError {
         /// Where its corner begins in the file.
         offset: usize,
     },
-    /// Text that does not follow the form.
+    /// Text that does not follow the format.
     #[error("line {line} of the STL (byte {offset}): {problem}")]
     Text {
         /// The line, from one.
@@ -128,7 +128,7 @@ pub enum StlError {
         /// What is wrong.
         problem: TextProblem,
     },
-    /// A distance for welding that is below zero or no number.
+    /// A welding distance that is negative or not finite.
     #[error("corners cannot be welded at a distance of {value} mm")]
     Weld {
         /// The distance, mm.
@@ -136,10 +136,9 @@ pub enum StlError {
     },
 }
 
-/// Reads STL of either form.
+/// Reads STL in either format.
 ///
-/// # Errors
-/// When the bytes are none, too many triangles, or hold what is no number: see [`StlError`].
+/// # Errors When the bytes are not a valid STL file or have too many triangles: see [`StlError`].
 pub fn read_stl(bytes: &[u8], options: &StlOptions) -> Result<Stl, StlError> {
     let weld = options.weld;
     if !(weld >= 0.0 && weld.is_finite()) {
@@ -159,7 +158,7 @@ pub fn read_stl(bytes: &[u8], options: &StlOptions) -> Result<Stl, StlError> {
     soup.finish(form)
 }
 
-/// Triangles as they come from a file.
+/// Collects triangles from a file.
 struct TriangleSoup {
     options: StlOptions,
     welder: VertexWelder,
@@ -173,7 +172,7 @@ impl TriangleSoup {
         TriangleSoup { options: *options, welder, triangles: Vec::new(), read: 0 }
     }
 
-    /// Takes three corners in the unit of the file, each with its place there.
+    /// Takes three corners in the unit of the file, each with its offset in the file.
     fn push(&mut self, corners: [([f64; 3], usize); 3]) -> Result<(), StlError> {
         let limit = self.options.limit.min(u32::MAX as usize / 3);
         if self.read >= limit {
@@ -190,7 +189,7 @@ impl TriangleSoup {
             *vertex = self.welder.vertex(point);
         }
         let [a, b, c] = vertices;
-        // Its edges go there and back between two vertices, so that leaving it out opens nothing.
+        // The edges of such a triangle run to and fro between two vertices, so the surface stays closed without it.
         if a != b && b != c && c != a {
             self.triangles.push(vertices);
         }
@@ -210,7 +209,7 @@ impl TriangleSoup {
     }
 }
 
-/// The mesh without vertices that no triangle has: those of triangles left out may lie anywhere.
+/// Removes vertices that no triangle uses: those of triangles that were left out may be anywhere.
 fn without_unused(mesh: &Mesh) -> Mesh {
     let mut used = vec![false; mesh.vertices.len()];
     for vertex in mesh.triangles.iter().flatten() {
@@ -225,7 +224,7 @@ fn without_unused(mesh: &Mesh) -> Mesh {
             if used {
                 vertices.push(point);
             }
-            // The number of an unused one is asked for by nobody.
+            // The number of an unused vertex is never read.
             (vertices.len() as u32).saturating_sub(1)
         })
         .collect();

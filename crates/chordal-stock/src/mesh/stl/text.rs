@@ -6,18 +6,18 @@ use super::{StlError, TriangleSoup};
 /// What is wrong with a word of the text.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum TextProblem {
-    /// Another word belongs there.
+    /// A word is not the one that was expected.
     #[error("'{expected}' was expected, '{found}' is there")]
     Word {
         /// What belongs there.
         expected: &'static str,
-        /// What stands there, cut at [`MAX_SHOWN_CHARS`] characters.
+        /// The word, cut at [`MAX_SHOWN_CHARS`] characters.
         found: String,
     },
-    /// No number.
+    /// A word is not a number.
     #[error("'{found}' is no number")]
     Number {
-        /// What stands there.
+        /// The word.
         found: String,
     },
     /// The text ends within a solid.
@@ -28,12 +28,12 @@ pub enum TextProblem {
     },
 }
 
-/// How much of a word a message shows, in characters.
+/// Characters of a word that a message shows.
 const MAX_SHOWN_CHARS: usize = 24;
-/// A binary file has zeros in its head or in its count (of less than 2²⁴ triangles); text has none.
+/// Bytes of a binary head. It has zero bytes in its text or in its count (below 2²⁴ triangles); a text file has none.
 const HEAD: usize = 84;
 
-/// Whether bytes that are no binary STL by their size are text.
+/// Whether bytes are STL text, if their size is not that of a binary STL.
 pub(super) fn looks_like(bytes: &[u8]) -> bool {
     let mut words = StlWords::new(bytes);
     words.next().is_some_and(|word| word.is("solid"))
@@ -66,7 +66,7 @@ pub(super) fn read(bytes: &[u8], soup: &mut TriangleSoup) -> Result<(), StlError
 fn facet(words: &mut StlWords, soup: &mut TriangleSoup) -> Result<(), StlError> {
     words.expect("normal")?;
     for _ in 0..3 {
-        // Not read: it follows from the corners, and writers put "nan" there for thin triangles.
+        // The normal is not read: it follows from the corners, and some writers put "nan" there for thin triangles.
         words.take("a number")?;
     }
     words.expect("outer")?;
@@ -106,7 +106,7 @@ impl StlWord<'_> {
     }
 }
 
-/// Words between blanks, with their lines.
+/// Splits a text into words, and counts lines.
 struct StlWords<'a> {
     bytes: &'a [u8],
     at: usize,
@@ -137,7 +137,7 @@ impl<'a> StlWords<'a> {
         word.ok_or(StlError::Text { line, offset, problem: TextProblem::End { expected } })
     }
 
-    /// Takes a word that must be there: where it begins.
+    /// Takes a word that must be there, and returns its offset.
     fn expect(&mut self, expected: &'static str) -> Result<usize, StlError> {
         let word = self.take(expected)?;
         if word.is(expected) { Ok(word.offset) } else { Err(word.wrong(expected)) }
@@ -149,7 +149,7 @@ impl<'a> StlWords<'a> {
         value.ok_or_else(|| word.problem(TextProblem::Number { found: word.shown() }))
     }
 
-    /// Goes to the end of the line: what is left of it is a name.
+    /// Skips the rest of the line, which is a name.
     fn skip_line(&mut self) {
         let rest = &self.bytes[self.at..];
         self.at += rest.iter().take_while(|byte| **byte != b'\n').count();

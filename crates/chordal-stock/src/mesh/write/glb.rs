@@ -1,4 +1,4 @@
-//! glTF 2.0 in one binary file (GLB): a head, a chunk of JSON, a chunk of numbers. Metres, Y up.
+//! glTF 2.0 as one binary file (GLB): a head, a JSON chunk, a binary chunk. Metres, Y up.
 
 use std::fmt::Write as _;
 
@@ -11,20 +11,20 @@ const MAGIC: u32 = 0x4654_6C67;
 const VERSION: u32 = 2;
 const JSON: u32 = 0x4E4F_534A;
 const BINARY: u32 = 0x004E_4942;
-/// Codes of the kinds of numbers and of the use of a part.
+/// Component types and buffer targets of glTF.
 const UNSIGNED_BYTE: u32 = 5121;
 const UNSIGNED_INT: u32 = 5125;
 const FLOAT: u32 = 5126;
 const VERTICES: u32 = 34962;
 const INDICES: u32 = 34963;
-/// Millimetres in the unit of the form.
+/// Millimetres in the unit of the format.
 const METRE: f64 = 1000.0;
-/// Parts begin at multiples of this many bytes.
+/// Chunks are padded to multiples of this many bytes.
 const STEP: usize = 4;
 
 /// A mesh as GLB, with its name and, if given, a colour (red, green, blue, opacity) for each vertex.
 ///
-/// Z of the mesh becomes Y, and Y becomes −Z. There are no normals, so viewers show triangles flat, as they are.
+/// Z of the mesh becomes Y, and Y becomes −Z. There are no normals, so viewers use flat shading.
 ///
 /// # Errors
 /// When colours are given for another number of vertices, or 32 bits cannot count the bytes.
@@ -47,7 +47,7 @@ pub fn write_glb(
         }
     }
     if mesh.triangles().is_empty() {
-        // Parts of no length are not allowed: a file without a mesh.
+        // Empty buffer views are not allowed, so the file has no mesh.
         return assemble(&format!("{{\"asset\":{}}}", asset()), &[]);
     }
     let box_of = format!(",\"min\":{},\"max\":{}", list(low), list(high));
@@ -84,26 +84,26 @@ fn asset() -> &'static str {
     "{\"version\":\"2.0\",\"generator\":\"Chordal\"}"
 }
 
-/// In metres with Y up, as the form wants it.
+/// A point in metres with Y up, as glTF requires.
 fn upright(point: Vec3) -> [f32; 3] {
-    // Zero is written without a sign.
+    // Adding zero turns −0.0 into 0.0.
     [point.x, point.z, -point.y].map(|value| (value / METRE) as f32 + 0.0)
 }
 
-/// Bounds must be the very numbers of the vertices, so they are written with all their digits.
+/// A vector of JSON. Bounds must equal the vertices exactly, so they are written with all their digits.
 fn list(values: [f32; 3]) -> String {
     let [x, y, z] = values.map(f64::from);
     format!("[{x},{y},{z}]")
 }
 
-/// A text of JSON.
+/// A JSON string.
 fn quoted(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {
         match c {
             '"' | '\\' => out.extend(['\\', c]),
             c if c < ' ' => {
-                // Writing to a text never fails.
+                // Writing to a string never fails.
                 let _ = write!(out, "\\u{:04x}", u32::from(c));
             }
             c => out.push(c),
@@ -113,7 +113,7 @@ fn quoted(text: &str) -> String {
     out
 }
 
-/// The parts of the numbers that were added one after the other.
+/// The buffer views and accessors of the binary chunk.
 #[derive(Default)]
 struct BufferParts {
     accessors: String,
@@ -123,7 +123,7 @@ struct BufferParts {
 }
 
 impl BufferParts {
-    /// The numbers from the end of the last part on.
+    /// Adds a part: the bytes from the end of the last part on.
     fn add(
         &mut self,
         numbers: &[u8],
@@ -135,7 +135,7 @@ impl BufferParts {
     ) {
         let comma = if self.count > 0 { "," } else { "" };
         let (view, from, length) = (self.count, self.end, numbers.len() - self.end);
-        // Writing to a text never fails.
+        // Writing to a string never fails.
         let _ = write!(
             self.views,
             "{comma}{{\"buffer\":0,\"byteOffset\":{from},\"byteLength\":{length},\"target\":{target}}}"
@@ -161,7 +161,7 @@ fn assemble(json: &str, numbers: &[u8]) -> Result<Vec<u8>, WriteError> {
         [(JSON, json.as_bytes(), json_size, b' '), (BINARY, numbers, numbers_size, 0)]
     {
         if size > 0 {
-            // Within the whole, which 32 bits count.
+            // The size fits 32 bits, since that of the whole file does.
             bytes.extend_from_slice(&(size as u32).to_le_bytes());
             bytes.extend_from_slice(&kind.to_le_bytes());
             bytes.extend_from_slice(content);

@@ -1,4 +1,4 @@
-//! Meshes as the bytes of files: binary STL, glTF (GLB) and 3MF.
+//! Writes meshes as binary STL, glTF (GLB) and 3MF.
 
 mod glb;
 mod stl;
@@ -9,20 +9,20 @@ pub use glb::write_glb;
 pub use stl::write_stl;
 pub use threemf::write_threemf;
 
-/// Why a mesh does not fit a file.
+/// Why a mesh cannot be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum WriteError {
-    /// The form counts in 32 bits.
+    /// A size does not fit the format.
     #[error("{what} would be {size}; the form holds {most} at most")]
     TooLarge {
         /// What is counted.
         what: &'static str,
-        /// How many, or bytes.
+        /// The count, or the size in bytes.
         size: u64,
-        /// The most.
+        /// The most that the format allows.
         most: u64,
     },
-    /// Colours that are not one for each vertex.
+    /// The number of colours is not that of the vertices.
     #[error("{colours} colours for {vertices} vertices")]
     Colours {
         /// How many colours were given.
@@ -32,7 +32,7 @@ pub enum WriteError {
     },
 }
 
-/// A count of a form of 32 bits.
+/// A count as 32 bits.
 fn count(what: &'static str, size: usize) -> Result<u32, WriteError> {
     u32::try_from(size).map_err(|_| WriteError::TooLarge {
         what,

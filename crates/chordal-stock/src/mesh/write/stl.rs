@@ -5,13 +5,12 @@ use chordal_geometry::Vec3;
 use super::{WriteError, count};
 use crate::mesh::{LengthUnit, Mesh};
 
-/// The head says the unit, for people: no program reads it. It must not begin with "solid".
+/// Bytes of the text in the head. It names the unit for people; no program reads it. It must not begin with "solid".
 const HEAD: usize = 80;
 
-/// A mesh as binary STL in a unit. Coordinates are rounded to 32 bits; corners of one vertex stay the same.
+/// A mesh as binary STL in a unit. Coordinates are rounded to 32-bit floats; corners of one vertex stay equal.
 ///
-/// # Errors
-/// When there are more triangles than 32 bits count.
+/// # Errors When the number of triangles does not fit 32 bits.
 pub fn write_stl(mesh: &Mesh, unit: LengthUnit) -> Result<Vec<u8>, WriteError> {
     let triangles = count("triangles", mesh.triangles().len())?;
     let mut bytes = Vec::with_capacity(HEAD + 4 + 50 * mesh.triangles().len());
@@ -25,7 +24,7 @@ pub fn write_stl(mesh: &Mesh, unit: LengthUnit) -> Result<Vec<u8>, WriteError> {
     bytes.extend_from_slice(&triangles.to_le_bytes());
     for triangle in 0..mesh.triangles().len() {
         let [a, b, c] = mesh.corners(triangle);
-        // Nothing for a triangle without area: readers then take it from the corners.
+        // The normal of a triangle without area is zero: readers then compute it from the corners.
         let normal = (b - a).cross(c - a).normalized().unwrap_or(Vec3::ZERO);
         put(&mut bytes, normal);
         for corner in [a, b, c] {

@@ -17,10 +17,9 @@ Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relatio
 
 /// A mesh as 3MF with its name. Coordinates keep all their digits.
 ///
-/// # Errors
-/// When the archive would be larger than 32 bits count.
+/// # Errors When the size of the archive does not fit 32 bits.
 pub fn write_threemf(mesh: &Mesh, name: &str) -> Result<Vec<u8>, WriteError> {
-    // Writing to a text never fails.
+    // Writing to a string never fails.
     let mut model = String::from(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" xml:lang=\"en-US\" \
          xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n<resources>\n",
@@ -28,7 +27,7 @@ pub fn write_threemf(mesh: &Mesh, name: &str) -> Result<Vec<u8>, WriteError> {
     let _ = writeln!(model, "<object id=\"1\" type=\"model\" name=\"{}\"><mesh>", escaped(name));
     model.push_str("<vertices>\n");
     for vertex in mesh.vertices() {
-        // Zero is written without a sign.
+        // Adding zero turns −0.0 into 0.0.
         let [x, y, z] = vertex.to_array().map(|value| value + 0.0);
         let _ = writeln!(model, "<vertex x=\"{x}\" y=\"{y}\" z=\"{z}\"/>");
     }
@@ -46,7 +45,7 @@ pub fn write_threemf(mesh: &Mesh, name: &str) -> Result<Vec<u8>, WriteError> {
     ])
 }
 
-/// A text of XML between quotation marks; characters that XML does not have are left out.
+/// Text for an XML attribute; characters that XML does not allow are left out.
 fn escaped(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars() {

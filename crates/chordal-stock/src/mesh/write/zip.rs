@@ -1,15 +1,15 @@
-//! Files in a zip archive, stored as they are: no compression, no date, the same bytes for the same input.
+//! Writes files to a zip archive without compression and dates, so that the same input gives the same bytes.
 
 use super::{WriteError, count};
 
 const LOCAL: u32 = 0x0403_4B50;
 const CENTRAL: u32 = 0x0201_4B50;
 const END: u32 = 0x0605_4B50;
-/// What a reader must know: version 2.0 of the form.
+/// Version of the format that a reader needs: 2.0.
 const VERSION: u16 = 20;
-/// Names are UTF-8.
+/// Flag: names are UTF-8.
 const FLAGS: u16 = 0x0800;
-/// 1 January 1980, the first day of the form: nothing here knows the time.
+/// 1 January 1980, the first date of the format, in place of the true one.
 const DATE: u16 = 0x0021;
 
 /// An archive of files by name.
@@ -27,7 +27,7 @@ pub(super) fn stored(files: &[(&str, &[u8])]) -> Result<Vec<u8>, WriteError> {
         word(&mut directory, CENTRAL);
         half(&mut directory, VERSION);
         directory.extend_from_slice(&about);
-        // No comment, the first disc, nothing said about text or rights.
+        // No extra field, no comment, first disc, no attributes.
         directory.extend_from_slice(&[0; 10]);
         word(&mut directory, offset);
         directory.extend_from_slice(name.as_bytes());
@@ -37,7 +37,7 @@ pub(super) fn stored(files: &[(&str, &[u8])]) -> Result<Vec<u8>, WriteError> {
     bytes.append(&mut directory);
     word(&mut bytes, END);
     bytes.extend_from_slice(&[0; 4]);
-    // The writers here put three files in.
+    // The only writer that uses this adds three files.
     half(&mut bytes, files.len() as u16);
     half(&mut bytes, files.len() as u16);
     word(&mut bytes, size);
@@ -46,18 +46,18 @@ pub(super) fn stored(files: &[(&str, &[u8])]) -> Result<Vec<u8>, WriteError> {
     Ok(bytes)
 }
 
-/// What the head of a file and its entry in the directory have in common.
+/// The fields that the header of a file and its entry in the directory have in common.
 fn about(name: &str, content: &[u8]) -> Result<Vec<u8>, WriteError> {
     let size = count("bytes", content.len())?;
     let mut bytes = Vec::new();
-    // Stored (0), at midnight (0).
+    // Method 0 is "stored", time 0 is midnight.
     for value in [VERSION, FLAGS, 0, 0, DATE] {
         half(&mut bytes, value);
     }
     for value in [crc32fast::hash(content), size, size] {
         word(&mut bytes, value);
     }
-    // Names here are a few letters.
+    // Names are a few letters long.
     half(&mut bytes, name.len() as u16);
     half(&mut bytes, 0);
     Ok(bytes)

@@ -1,4 +1,4 @@
-//! Moves that are too much for a tool or the spindle, or too little to cut.
+//! Moves that overload a tool or the spindle, or whose chip is too thin to cut.
 
 use std::collections::BTreeMap;
 
@@ -11,20 +11,20 @@ use chordal_stock::engagement::BoundedValue;
 use super::materials::POWER_SHARE;
 use super::report::{EngagementProblem, MoveEngagement};
 
-/// Problems that are kept of a run.
+/// Most problems that are kept of a run.
 const MAX_PROBLEMS: usize = 1000;
 
-/// What tools and spindle may do.
+/// The limits of tools and spindle.
 pub(super) struct EngagementLimits<'a> {
     pub tools: &'a BTreeMap<u32, Tool>,
-    /// For every tool, mm; before that of the tool.
+    /// Thickest chip of every tool, mm; it replaces that of the tool.
     pub max_chip: Option<f64>,
     pub spindle_kw: Option<f64>,
     pub units: Units,
     pub sources: &'a SourceMap<'a>,
 }
 
-/// What was found.
+/// The problems found.
 #[derive(Default)]
 pub(super) struct LimitFindings {
     pub list: Vec<EngagementProblem>,
@@ -33,7 +33,7 @@ pub(super) struct LimitFindings {
 }
 
 impl EngagementLimits<'_> {
-    /// The problems of all moves; of moves of one block that follow each other only the worst.
+    /// The problems of all moves; of consecutive moves of one block only the worst.
     pub fn problems(&self, moves: &[MoveEngagement]) -> LimitFindings {
         let mut found = LimitFindings::default();
         let mut last: Option<(MoveEngagement, Code)> = None;
@@ -51,7 +51,7 @@ impl EngagementLimits<'_> {
                     value,
                     limit,
                 };
-                let stated = self.limit_diagnostic(&problem, each);
+                let message = self.limit_diagnostic(&problem, each);
                 if let (true, Some(kept), Some(diagnostic)) =
                     (again, found.list.last_mut(), found.diagnostics.last_mut())
                 {
@@ -60,11 +60,11 @@ impl EngagementLimits<'_> {
                         _ => value.most > kept.value.most,
                     };
                     if worse {
-                        (*kept, *diagnostic) = (problem, stated);
+                        (*kept, *diagnostic) = (problem, message);
                     }
                 } else if found.list.len() < MAX_PROBLEMS {
                     found.list.push(problem);
-                    found.diagnostics.push(stated);
+                    found.diagnostics.push(message);
                 } else {
                     found.more += 1;
                 }
@@ -89,7 +89,7 @@ impl EngagementLimits<'_> {
             {
                 broken.push((Code::ChipTooThick, chip.peak_mm, limit));
             }
-            // Only where something is cut: beside a wall that is cut already there is nothing to rub on.
+            // Only where something is cut: along a wall that was cut before there is nothing to rub on.
             let least = tool.and_then(|tool| tool.min_chip_mm);
             if let Some(limit) =
                 least.filter(|limit| chip.peak_mm.most < *limit && each.rate_mm3_per_s > 0.0)

@@ -1,42 +1,41 @@
-//! Materials: the cutting force by the thickness of the chip.
+//! Materials: the specific cutting force by the thickness of the chip (Kienzle: k_c = k_c1.1 · h^−m_c).
 //!
 //! The groups are those of VDI 3323. The values are ISCAR's: turning catalogue 2017, page 558, and boring guide 2022,
-//! page 111. Where the two differ, for titanium by 70 %, both are here, and the larger one is taken. A setup file may
-//! have values of its own, `[materials.<name>]`.
+//! page 111. Where the two differ, as for titanium by 70 %, the larger value is taken and `source` quotes the other.
+//! A setup file may have values of its own, `[materials.<name>]`.
 
 use std::collections::BTreeMap;
 
 use chordal_machine::CuttingForce;
 
-/// A material with its values.
+/// A material with its Kienzle values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MaterialData {
     /// Its name for people.
     pub name: String,
-    /// Its number in VDI 3323, where it is of the table.
+    /// Its number in VDI 3323; `None` where a setup file gives it.
     pub group: Option<u8>,
-    /// The force on a chip of 1 mm × 1 mm, N/mm².
+    /// The specific cutting force k_c1.1 at a chip of 1 mm × 1 mm, N/mm².
     pub k_c1: f64,
-    /// By which power of the thickness it falls.
+    /// The exponent with which it falls with the thickness of the chip.
     pub m_c: f64,
     /// Where the two values are from.
     pub source: String,
 }
 
-/// Why a word of `[stock] material` has no values.
+/// Why a material of `[stock]` has no values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoMaterial {
     /// There is no such material.
     Unknown,
-    /// `[materials]` has it, and lacks this key, which the table has for no material of the name.
+    /// `[materials]` has it without this key, and the table has no material of the name.
     Lacks(&'static str),
 }
 
 impl MaterialData {
-    /// The material that a word means: one of `[materials]`, else one of the table.
+    /// The material with a name: one of `[materials]`, or else one of the table.
     ///
-    /// # Errors
-    /// Where there is none, or a value of it is missing.
+    /// # Errors Where there is none, or one of its values is missing.
     pub fn of(
         word: &str,
         own: &BTreeMap<String, CuttingForce>,
@@ -58,30 +57,31 @@ impl MaterialData {
         })
     }
 
-    /// The force by the section of the chip at a mean thickness, mm: N/mm². Thinner than [`MIN_CHIP_MM`] it is that there.
+    /// The specific cutting force at a mean chip thickness in mm, N/mm²: force over chip section. Below
+    /// [`MIN_CHIP_MM`] it is the value at that thickness.
     pub fn force(&self, mean_mm: f64) -> f64 {
         self.k_c1 * libm::pow(mean_mm.max(MIN_CHIP_MM), -self.m_c)
     }
 
-    /// The power of a cut, kW: the removal rate in mm³/s, the mean thickness of the chip in mm. An estimate:
-    /// see [`POWER_SHARE`].
+    /// The power of a cut, kW, from the removal rate in mm³/s and the mean chip thickness in mm. An estimate: see
+    /// [`POWER_SHARE`].
     pub fn power(&self, removal: f64, mean_mm: f64) -> f64 {
         self.force(mean_mm) * removal / WATT_MM / 1000.0
     }
 }
 
-/// A group of materials.
+/// A group of materials of VDI 3323.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaterialGroup {
     /// Its number in VDI 3323.
     pub group: u8,
     /// Its name for people.
     pub name: &'static str,
-    /// Words of `[stock] material` that mean it, in small letters.
+    /// Names in `[stock] material` that mean it, in lower case.
     pub words: &'static [&'static str],
-    /// The force on a chip of 1 mm × 1 mm, N/mm².
+    /// The specific cutting force k_c1.1 at a chip of 1 mm × 1 mm, N/mm².
     pub k_c1: f64,
-    /// By which power of the thickness it falls.
+    /// The exponent with which it falls with the thickness of the chip.
     pub m_c: f64,
     /// Where the two values are from.
     pub source: &'static str,
@@ -91,7 +91,7 @@ const BOTH: &str = "ISCAR turning catalogue 2017 p. 558, boring guide 2022 p. 11
 const TURNING: &str =
     "ISCAR turning catalogue 2017 p. 558; its boring guide 2022 p. 111 has 1245 N/mm² and 0.24";
 
-/// The table.
+/// The materials with built-in values.
 pub const MATERIALS: &[MaterialGroup] = &[
     MaterialGroup {
         group: 1,
@@ -176,7 +176,7 @@ pub const MATERIALS: &[MaterialGroup] = &[
 ];
 
 impl MaterialGroup {
-    /// The group that a word means: one of its own, or its number (`VDI 22`, `22`).
+    /// The group with a name or a number (`VDI 22`, `22`); `None` where there is none.
     pub fn named(word: &str) -> Option<&'static MaterialGroup> {
         let word = word.trim().to_ascii_lowercase();
         let number = word.strip_prefix("vdi").unwrap_or(&word).trim();
@@ -186,7 +186,7 @@ impl MaterialGroup {
         })
     }
 
-    /// A material of it.
+    /// A material with the values of the group.
     pub fn material(&self) -> MaterialData {
         MaterialData {
             name: self.name.to_string(),
@@ -198,13 +198,14 @@ impl MaterialGroup {
     }
 }
 
-/// The rule of Kienzle is measured on chips down to about this, mm; extended to nothing its force has no end.
+/// Kienzle's formula is measured on chips down to about this thickness, mm; extended to zero, its force would be
+/// infinite.
 pub const MIN_CHIP_MM: f64 = 0.005;
 
-/// Power by this rule is an estimate: edges, rake, wear and coolant change it by so much to either side.
+/// Power by this formula is an estimate: edge, rake, wear and coolant change it by up to this share either way.
 pub const POWER_SHARE: f64 = 0.3;
 
-/// N·mm/s in a watt.
+/// Watts in N·mm/s.
 const WATT_MM: f64 = 1000.0;
 
 /// The torque of a power in kW at a speed in revolutions per minute, N·m.

@@ -1,11 +1,11 @@
-//! How hard tools work: width and depth of cut, chip, removal rate, power and torque of every move.
+//! The load on tools: width and depth of cut, chip thickness, removal rate, power and torque of every move.
 //!
 //! | what | file |
 //! |---|---|
-//! | materials and the force on a chip | `materials.rs` |
-//! | one move after the other on the stock | `run.rs` |
-//! | a move, a tool, a problem | `report.rs` |
-//! | what a tool does for most of its time | `typical.rs` |
+//! | materials and their specific cutting force | `materials.rs` |
+//! | the measurement of each move on the stock | `run.rs` |
+//! | the results by move and by tool, and the problems | `report.rs` |
+//! | medians by time | `typical.rs` |
 //! | chips too thick, too thin, too much power | `limits.rs` |
 
 mod limits;

@@ -1,4 +1,4 @@
-//! What a run with engagement answers, as plain data.
+//! The result of a run with engagement, as plain data.
 
 use std::collections::BTreeMap;
 
@@ -14,168 +14,169 @@ use crate::report::Report;
 /// The thickness of chips, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ChipThickness {
-    /// The thickest one.
+    /// The thickest chip.
     pub peak_mm: BoundedValue,
-    /// The mean at that place of the move where the cut is hardest, by the middle heights of columns.
+    /// The mean thickness where the removal rate of the move is highest, by the heights at the middles of columns.
     pub mean_mm: f64,
 }
 
-/// Power and torque, estimated: see [`POWER_SHARE`](super::POWER_SHARE).
+/// Estimated power and torque; the estimate may be off by [`POWER_SHARE`](super::POWER_SHARE).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CuttingLoad {
-    /// kW.
+    /// Power at the spindle, kW.
     pub power_kw: f64,
-    /// N·m.
+    /// Torque at the spindle, N·m.
     pub torque_nm: f64,
 }
 
-/// How hard a move is, at its worst place.
+/// The largest values of a move at feed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MoveEngagement {
     /// Its block.
     pub origin: Origin,
     /// The tool.
     pub tool: u32,
-    /// Its number among all pieces of path of the run.
+    /// Its index among all path segments of the run.
     pub row: u32,
-    /// Programmed, mm/s; zero where none is known.
+    /// Programmed feed, mm/s; zero where none is known.
     pub feed_mm_per_s: f64,
-    /// Of the spindle, revolutions per minute; zero where it stands.
+    /// Spindle speed, rev/min; zero where it is stopped.
     pub rpm: f64,
-    /// Its F is by time and its own: no thread, tap, cycle or time of a block.
+    /// True where its feed is an F per time of its own block: not of a thread, tapping, cycle or inverse time.
     pub by_time: bool,
-    /// The tip goes down somewhere on it: a plunge, a ramp, a helix.
+    /// True where the tip goes down somewhere on it: a plunge, a ramp, a helix.
     pub falls: bool,
     /// Its length, mm.
     pub length_mm: f64,
-    /// How long the tool may be in material on it, mm.
+    /// Length of path on which the tool may be in material, mm.
     pub engaged_mm: f64,
-    /// Radial depth of cut, mm: from the first to the last engaged place across the feed.
+    /// Radial depth of cut, mm: between the outermost engaged points across the feed.
     pub across_mm: BoundedValue,
     /// Axial depth of cut, mm.
     pub axial_mm: BoundedValue,
     /// Angle of engagement, rad.
     pub angle_rad: BoundedValue,
-    /// The thickest chip as a share of the feed of a tooth.
+    /// The thickest chip as a share of the feed per tooth.
     pub facing: BoundedValue,
-    /// The chip; `None` without teeth, feed or spindle speed.
+    /// Chip thickness; `None` without number of teeth, feed or spindle speed.
     pub chip: Option<ChipThickness>,
-    /// What it removes, mm³, by the middle heights of columns.
+    /// What it removes, mm³, by the heights at the middles of columns.
     pub removed_mm3: f64,
-    /// At its worst place, mm³/s, by the middle heights of columns.
+    /// Largest removal rate, mm³/s, by the heights at the middles of columns.
     pub rate_mm3_per_s: f64,
-    /// The same at most.
+    /// Upper bound of the removal rate, mm³/s.
     pub most_rate_mm3_per_s: f64,
-    /// `None` without a material or a chip.
+    /// Power and torque; `None` without a material or a chip.
     pub effort: Option<CuttingLoad>,
-    /// What is too much or too little on it.
+    /// The first limit that it breaks; `None` where it keeps all.
     pub problem: Option<Code>,
 }
 
 impl MoveEngagement {
-    /// Feed of a tooth, mm; `None` where feed or speed are not known.
+    /// Feed per tooth, mm; `None` where feed or spindle speed are not known.
     pub fn feed_per_tooth(&self, teeth: u32) -> Option<f64> {
         let by_tooth = self.feed_mm_per_s * 60.0 / (self.rpm * f64::from(teeth));
         (by_tooth > 0.0 && by_tooth.is_finite()).then_some(by_tooth)
     }
 
-    /// How long it takes at its feed, s.
+    /// Its time at the programmed feed, s; zero without one.
     pub fn seconds(&self) -> f64 {
         if self.feed_mm_per_s > 0.0 { self.length_mm / self.feed_mm_per_s } else { 0.0 }
     }
 }
 
-/// The most of a number, where it is, and what it is for half of the time in material.
+/// The largest value of a quantity, where it occurs, and its median by time in material.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LoadPeak {
-    /// The most.
+    /// The largest value.
     pub peak: f64,
-    /// The line of that.
+    /// The line where it occurs.
     pub line: u32,
     /// The median by time.
     pub typical: f64,
 }
 
-/// How hard a tool works.
+/// The load on a tool.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ToolEngagement {
     /// Its number.
     pub number: u32,
-    /// Teeth, where they are known.
+    /// Number of teeth; `None` where it is not known.
     pub teeth: Option<u32>,
     /// Moves at feed.
     pub moves: u64,
     /// Time in material at the programmed feeds, s.
     pub engaged_s: f64,
-    /// What it removes, mm³, by the middle heights of columns.
+    /// What it removes, mm³, by the heights at the middles of columns.
     pub removed_mm3: f64,
-    /// At most, mm.
+    /// Upper bound of the radial depth of cut, mm.
     pub across_mm: LoadPeak,
-    /// At most, mm.
+    /// Upper bound of the axial depth of cut, mm.
     pub axial_mm: LoadPeak,
-    /// The thickest chip, at most, mm.
+    /// Upper bound of the chip thickness, mm; `None` where no chip is known.
     pub chip_mm: Option<LoadPeak>,
-    /// The thickest chip that it has for half a second or longer in all, at most, mm.
+    /// Upper bound of the chip thickness that it reaches for half a second or longer in total, mm; `None` where no
+    /// chip is known.
     pub lasting_chip_mm: Option<f64>,
-    /// mm³/s.
+    /// Removal rate, mm³/s.
     pub rate_mm3_per_s: LoadPeak,
-    /// kW.
+    /// Estimated power, kW; `None` without a material.
     pub power_kw: Option<LoadPeak>,
-    /// N·m.
+    /// Estimated torque, N·m; `None` without a material.
     pub torque_nm: Option<LoadPeak>,
 }
 
-/// A block that is too much for a tool or the spindle, or too little to cut.
+/// A block that overloads a tool or the spindle, or whose chip is too thin to cut.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EngagementProblem {
-    /// What it is.
+    /// What kind of problem it is.
     pub code: Code,
     /// The file of the block.
     pub file: String,
     /// Its line, from 1.
     pub line: u32,
-    /// The tool.
+    /// Number of the tool.
     pub tool: u32,
-    /// The chip in mm, at least and at most; or the power in kW, with the share that its estimate may be off.
+    /// The chip thickness in mm, or the power in kW with the uncertainty of its estimate: at least and at most.
     pub value: BoundedValue,
-    /// What is allowed: mm, or kW.
+    /// The limit, mm or kW.
     pub limit: f64,
 }
 
-/// The answers of a run with engagement.
+/// The result of a run with engagement.
 #[derive(Debug)]
 pub struct EngagementReport {
     /// The side of a column, mm.
     pub resolution_mm: f64,
-    /// What the setup says of the stock's material.
+    /// The material of the stock as the setup writes it; `None` where it gives none.
     pub material_word: Option<String>,
-    /// The material of that word.
+    /// The values of that material.
     pub material: Option<MaterialData>,
-    /// Why there is none.
+    /// Why there are no values for a material that is given.
     pub no_material: Option<NoMaterial>,
-    /// The power of the spindle, kW, where it is given.
+    /// The power of the spindle, kW; `None` where it is not given.
     pub spindle_kw: Option<f64>,
     /// Units of the program.
     pub units: Units,
     /// Every move at feed, in the order of the run.
     pub moves: Vec<MoveEngagement>,
-    /// By tool, in the order of their first cut.
+    /// The loads by tool, in the order of first cuts.
     pub tools: Vec<ToolEngagement>,
-    /// What is too much or too little, in the order of the run.
+    /// The limits that are broken, in the order of the run.
     pub problems: Vec<EngagementProblem>,
-    /// Problems that are not in the list.
+    /// Number of problems that are not in the list.
     pub more_problems: u64,
-    /// Every cut was made: each tool has a shape, each place is known.
+    /// True where every cut was simulated: each tool has a shape, each position is known.
     pub is_whole: bool,
-    /// Tools with undercuts: they cut, and what they engage is not measured.
+    /// Numbers of tools with undercuts: their cuts are simulated, but their engagement is not measured.
     pub not_measured: Vec<u32>,
     /// The stock as it is left.
     pub stock: ColumnStock,
-    /// The run, with the problems as diagnostics among the others.
+    /// The report of the run, with the problems as diagnostics among the others.
     pub report: Report,
 }
 
-/// A number of a tool, gathered.
+/// Records one quantity of a tool.
 #[derive(Debug, Default)]
 struct PeakRecorder {
     peak: f64,
@@ -201,7 +202,8 @@ impl PeakRecorder {
     }
 }
 
-/// A chip that holds for so long in all is none of the exceptions, s: shorter than anybody reacts.
+/// A chip thickness that lasts this long in total is more than a momentary peak, s: shorter than an operator's
+/// reaction.
 const LASTING: f64 = 0.5;
 
 /// Adds up moves by tool.

@@ -19,17 +19,17 @@ use super::report::{ChipThickness, CuttingLoad, EngagementReport, MoveEngagement
 use crate::job::Job;
 use crate::tool_comments::known_tools;
 
-/// How engagement is measured.
+/// The options of a run with engagement.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EngagementOptions {
-    /// Of the columns.
+    /// The options of the columns.
     pub stock: StockOptions,
-    /// The thickest chip that any tool may take, mm; `None`: that of each tool.
+    /// The thickest chip that any tool may take, mm; `None` takes the limit of each tool.
     pub max_chip_mm: Option<f64>,
 }
 
 impl Job<'_> {
-    /// Runs the program on the stock of its machine's setup, and says how hard every cut is.
+    /// Runs the program on the stock of its machine's setup, and measures the load of every cut.
     ///
     /// # Errors
     /// As [`Job::stock`].
@@ -41,7 +41,7 @@ impl Job<'_> {
         self.engagement_with(options, files, &mut |_, _| {})
     }
 
-    /// The same, and gives every slice of every move: the number of the move, and the slice.
+    /// Like [`Job::engagement`]; `see` also gets every slice with the index of its move.
     ///
     /// # Errors
     /// As [`Job::stock`].
@@ -89,7 +89,7 @@ impl Job<'_> {
         let mut not_measured: Vec<u32> = Vec::new();
         for batch in gathered.batches.iter().filter(|batch| batch.kind != BatchKind::Rapid) {
             let Some(Ok(tool)) = bodies.get(&batch.tool) else { continue };
-            // What undercuts engage is not measured.
+            // The engagement of undercuts is not measured.
             if !tool.undercuts.is_empty() {
                 stock.cut_below(&tool.undercuts, &batch.moves);
                 if !not_measured.contains(&batch.tool) {
@@ -149,7 +149,8 @@ impl Job<'_> {
     }
 }
 
-/// Teeth around a tool. Those of a thread mill are along its axis, and a tap has its own feed.
+/// The number of teeth around a tool; `None` where it has no feed per tooth: the teeth of a thread mill are along its
+/// axis, and a tap advances by its pitch.
 fn teeth_of(tool: &Tool) -> Option<u32> {
     match tool.shape? {
         ToolShape::Tap | ToolShape::ThreadMill | ToolShape::Insert | ToolShape::Groove => None,
@@ -157,7 +158,7 @@ fn teeth_of(tool: &Tool) -> Option<u32> {
     }
 }
 
-/// Moves of a tool, to be measured.
+/// A batch of moves with what is needed to measure them.
 struct EngagementBatch<'a> {
     batch: &'a MoveBatch,
     meter: &'a EngagementMeter,
@@ -184,10 +185,10 @@ impl EngagementBatch<'_> {
     }
 }
 
-/// Heights that differ by less are the same, mm: rounding.
+/// Heights that differ by less than this are equal, mm: rounding.
 const LEVEL: f64 = 1e-9;
 
-/// The worst of each number on a move.
+/// The largest value of each quantity on a move.
 struct WorstSlice {
     total: MoveEngagement,
     mean: f64,

@@ -1,19 +1,19 @@
-//! What a number is for most of the time: the median by time, in little memory.
+//! The median of a quantity, weighted by time, in bounded memory.
 
 use std::collections::BTreeMap;
 
-/// Numbers that differ by less than this share are one.
+/// Width of a histogram step: values within this share of each other count as one.
 const EQUAL_SHARE: f64 = 0.01;
 
-/// Numbers with the time for which they held.
+/// A histogram of values, weighted by the time for which they lasted.
 #[derive(Clone, Debug, Default)]
 pub(super) struct TimeWeightedValues {
-    /// By steps of `SHARE`: the time, and the sum of number times time.
+    /// For each step of [`EQUAL_SHARE`] in the logarithm: the time, and the sum of value times time.
     steps: BTreeMap<i32, (f64, f64)>,
 }
 
 impl TimeWeightedValues {
-    /// Takes a number above zero.
+    /// Adds a value above zero; others are ignored.
     pub fn add(&mut self, value: f64, seconds: f64) {
         if value > 0.0 && value.is_finite() && seconds > 0.0 {
             let step = (libm::log(value) / EQUAL_SHARE).round() as i32;
@@ -22,7 +22,7 @@ impl TimeWeightedValues {
         }
     }
 
-    /// The median by time.
+    /// The median by time; `None` without values.
     pub fn median(&self) -> Option<f64> {
         let all: f64 = self.steps.values().map(|entry| entry.0).sum();
         let mut sum = 0.0;
@@ -32,7 +32,8 @@ impl TimeWeightedValues {
         })
     }
 
-    /// The largest number that is reached or passed for at least this time; of a shorter whole, the median.
+    /// The largest value that is reached or exceeded for at least this time; the median where the whole time is
+    /// shorter.
     pub fn lasting(&self, least_seconds: f64) -> Option<f64> {
         let mut sum = 0.0;
         let found = self.steps.values().rev().find_map(|&(seconds, product)| {

@@ -1,4 +1,4 @@
-//! The way of a tool to where a program begins again, looked at with what stands there.
+//! Checks the approach of a tool to the place where a program is restarted against the stock that is left there.
 
 use std::ops::Range;
 
@@ -16,33 +16,33 @@ use super::run::TurnedOptions;
 use super::tools::tools_of;
 use crate::job::Job;
 
-/// What the way in meets.
+/// A collision of the approach.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ApproachHit {
-    /// The line of the new program that goes there.
+    /// The line of the new program that causes it.
     pub line: u32,
     /// How deep, mm.
     pub depth_mm: f64,
-    /// Where: Z and the radius, mm.
+    /// Its place: Z and radius, mm.
     pub at: [f64; 2],
-    /// What happens, for people.
+    /// What happens, as a sentence.
     pub what: String,
 }
 
-/// The way in to a line, on what the moves before it have left.
+/// The approach to a line, on the stock that the moves before it have left.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ApproachCheck {
-    /// Its moves that were looked at.
+    /// Number of moves that were checked.
     pub moves: u64,
-    /// What it meets, in the order of its moves.
+    /// The collisions, in the order of the moves.
     pub hits: Vec<ApproachHit>,
-    /// Why it is not known whether it meets something.
+    /// Why the check is incomplete; `None` where it is complete.
     pub unknown: Option<String>,
 }
 
 impl Job<'_> {
-    /// Looks whether the first moves of `new`, those of the blocks in `head` (bytes of its first text), meet what this program has
-    /// left where `new` begins. Both must do the same after these moves.
+    /// Checks whether the first moves of `new`, those of the blocks in `head` (bytes of its first text), meet what
+    /// this program has left at that point. After these moves, both programs must do the same.
     ///
     /// # Errors
     /// Without stock, or with a setup that is incomplete.
@@ -99,7 +99,7 @@ impl Job<'_> {
         } else if cutting.found.undecided > 0 {
             found.unknown = Some("a move before the line could not be cut exactly".into());
         }
-        // What holds the part was there before, too; only now it is asked for.
+        // Fixtures are checked only from here on: the moves before have been run already.
         for (name, body) in &setup.fixtures {
             let section = section_of(&format!("fixtures.{name}"), body)?;
             let clearance = body.clearance_mm.unwrap_or(0.0);
@@ -114,19 +114,19 @@ impl Job<'_> {
     }
 }
 
-/// Carries out a move of the way in, and keeps what it meets.
+/// Carries out a move of the approach, and records its collisions.
 fn meet(cutting: &mut TurnedRun<'_>, number: usize, moves: &[TurnMove], found: &mut ApproachCheck) {
     let (known, cuts) = (cutting.found.list.len(), cutting.moves.len());
     cutting.step(number, moves);
     let move_ = &moves[number];
     let line = move_.origin.line;
     let problems = cutting.found.list.iter().zip(&cutting.found.diagnostics).skip(known);
-    for (problem, stated) in problems {
+    for (problem, diagnostic) in problems {
         found.hits.push(ApproachHit {
             line,
             depth_mm: problem.depth_mm.most,
             at: [problem.at.z, problem.at.x],
-            what: stated.message.clone(),
+            what: diagnostic.message.clone(),
         });
     }
     let deepest = cutting.moves[cuts..].iter().max_by(|a, b| a.depth_mm.total_cmp(&b.depth_mm));

@@ -9,7 +9,7 @@ use chordal_stock::lathe::{
 use super::super::setup::{NamedBody, SetupError, SetupFileReader};
 
 impl NamedBody<'_> {
-    /// The half section, moved by `shift` along Z.
+    /// The half section, shifted along Z by the Z component of `shift`.
     pub(super) fn section(
         &self,
         shift: Vec3,
@@ -98,11 +98,11 @@ impl NamedBody<'_> {
         Ok(segments)
     }
 
-    /// An arc of less than half a turn.
+    /// An arc of at most half a turn; a positive radius is counterclockwise.
     fn arc(&self, start: Vec2, end: Vec2, radius: f64) -> Result<OutlineSegment, SetupError> {
         let (chord, half) = (end - start, 0.5 * start.distance(end));
         let square = radius * radius - half * half;
-        // A half circle whose ends were rounded is one.
+        // The tolerance admits half circles whose ends were rounded.
         if half == 0.0 || square < -1e-3 * half {
             let message = format!(
                 "the radius {} mm in `{}.contour` is too small for an arc over {:.3} mm",
@@ -150,7 +150,7 @@ fn along_z(segment: &OutlineSegment, by: f64) -> OutlineSegment {
     }
 }
 
-/// What is left of stock after a circle of this radius (mm) went along an outline.
+/// What is left of the stock after a circle of this radius (mm) has moved along an outline.
 pub(super) fn without_skin(stock: &Region, outline: &Region, radius: f64) -> LatheStock {
     let mut left = LatheStock::new(stock);
     let Ok(circle) = Tip::new(0).and_then(|tip| ToolOutline::round(radius, tip)) else {
@@ -159,7 +159,7 @@ pub(super) fn without_skin(stock: &Region, outline: &Region, radius: f64) -> Lat
     for segment in outline.shape().iter().flatten() {
         // The axis is not a surface.
         if !is_on_axis(segment) {
-            // What cannot be cut stays, which is the thinner skin.
+            // Where a cut fails, material stays, and the skin is thinner there.
             let _ = left.cut(&circle, segment);
         }
     }
@@ -170,7 +170,7 @@ pub(super) fn is_on_axis(segment: &OutlineSegment) -> bool {
     segment.bend.is_none() && segment.start.b == 0.0 && segment.end.b == 0.0
 }
 
-/// A half section with everything nearer to it than a clearance, mm.
+/// A half section grown by a clearance, mm.
 pub(super) fn grown(region: &Region, clearance: f64) -> Region {
     let Some((low, high)) = region.bounds().filter(|_| clearance > 0.0) else {
         return region.clone();

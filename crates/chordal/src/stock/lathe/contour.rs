@@ -1,7 +1,7 @@
-//! The contour that moves at feed draw, one after the other, and flanks that cut into it.
+//! Follows the contour of consecutive moves at feed, and finds where a flank of the insert cuts into it.
 //!
-//! A move that goes down more steeply than the insert is free behind its nose cuts with the flank behind it,
-//! into the surface before.
+//! A move that goes down more steeply than the clearance angle of the insert behind its nose cuts with the trailing
+//! flank, into the surface of the moves before.
 
 use chordal_geometry::Vec2;
 use chordal_stock::lathe::{OutlineSegment, Region};
@@ -9,32 +9,32 @@ use chordal_stock::lathe::{OutlineSegment, Region};
 use super::gather::{TurnMove, TurnedMoveKind};
 use super::tools::LatheTool;
 
-/// Walls that are remembered: a flank is not longer than some moves.
+/// Most walls that are kept: a flank is not longer than a few moves.
 const WALLS: usize = 24;
-/// Ends this near are one point, mm.
+/// Ends within this distance are one point, mm.
 const COINCIDENT_MM: f64 = 1e-6;
-/// Directions nearer to parallel than this have no side.
+/// Where the cosine between the normal of travel and the tool body is below this, the part is on neither side.
 const PARALLEL: f64 = 0.05;
-/// A flank that leads by less than this does not cut.
+/// A flank cuts only where the cosine between its normal and the travel is above this.
 const LEADS: f64 = 1e-3;
 
-/// Moves at feed of one tool without a break, with the part on one side of travel.
+/// Consecutive moves at feed of one tool, with the part on one side of travel.
 #[derive(Debug, Default)]
 pub(super) struct FeedChain {
     walls: Vec<OutlineSegment>,
-    /// The part is to the left of travel.
+    /// True where the part is to the left of travel.
     left: bool,
     end: Vec2,
     tool: u32,
 }
 
 impl FeedChain {
-    /// A break: a rapid, another tool.
+    /// Ends the chain, at a rapid or another tool.
     pub fn clear(&mut self) {
         self.walls.clear();
     }
 
-    /// Whether the flank behind the nose cuts on this move, which is to be added afterwards.
+    /// Whether the trailing flank cuts on this move, which is to be added afterwards.
     pub fn flank_leads(&mut self, tool: &LatheTool, move_: &TurnMove) -> bool {
         let Some(along) = self.side(tool, move_) else { return false };
         let Some(before) = self.walls.last().map(end_tangent) else { return false };
@@ -44,7 +44,8 @@ impl FeedChain {
         following.is_some_and(|normal| normal.dot(along) > LEADS)
     }
 
-    /// Finds out on which side the part is; a chain that does not go on begins again.
+    /// Finds out on which side the part is, and begins a new chain where the move does not join on. Returns the
+    /// direction of travel, or `None` where it has no side.
     fn side(&mut self, tool: &LatheTool, move_: &TurnMove) -> Option<Vec2> {
         let path = &move_.path;
         let goes_on = self.tool == move_.tool && self.end.distance(path.start) <= COINCIDENT_MM;
@@ -60,7 +61,7 @@ impl FeedChain {
         }
         let left = to_body < 0.0;
         if left != self.left {
-            // Down into a pocket the part stays on its side; a way down before a pass is no wall.
+            // On the way down into a pocket the part stays on its side; an infeed before a pass is not a wall.
             let is_down = along.b * tool.body.b < 0.0;
             if !is_down || self.walls.is_empty() {
                 self.walls.clear();
@@ -70,7 +71,7 @@ impl FeedChain {
         Some(along)
     }
 
-    /// Adds the contour of a move.
+    /// Adds the programmed contour of a move.
     pub fn add(&mut self, move_: &TurnMove) {
         if move_.kind != TurnedMoveKind::Cut {
             return;
@@ -81,7 +82,8 @@ impl FeedChain {
         self.walls.push(move_.contour.unwrap_or(move_.path));
     }
 
-    /// How deep what was removed goes into the walls before, and where.
+    /// How deep removed material reaches into the walls of earlier moves, mm, and where; `None` where it does not
+    /// meet them.
     pub fn gouge(&self, removed: &Region, reach: f64) -> Option<(f64, Vec2)> {
         let mut deepest: Option<(f64, Vec2)> = None;
         for wall in &self.walls {
@@ -119,7 +121,7 @@ fn end_tangent(segment: &OutlineSegment) -> Vec2 {
     along.normalized().unwrap_or(Vec2::new(1.0, 0.0))
 }
 
-/// How far a point is on the part's side of a wall, mm.
+/// The distance of a point from a wall, mm, positive on the side of the part.
 fn depth_in(wall: &OutlineSegment, left: bool, point: Vec2) -> f64 {
     let to_left = match wall.bend {
         None => {
@@ -134,13 +136,13 @@ fn depth_in(wall: &OutlineSegment, left: bool, point: Vec2) -> f64 {
     if left { to_left } else { -to_left }
 }
 
-/// What is within `reach` (mm) on the part's side of a wall, square to it.
+/// The region within `reach` (mm) of a wall on the side of the part, normal to it.
 fn part_side_of(wall: &OutlineSegment, left: bool, reach: f64) -> Option<Region> {
     let side = if left { 1.0 } else { -1.0 };
     let outline = match wall.bend {
         None => {
             let normal = (wall.end - wall.start).normalized()?.turned_left() * side;
-            // Not past the axis.
+            // The region must not cross the axis.
             let room = wall.start.b.min(wall.end.b);
             let reach = if normal.b < 0.0 { reach.min(room / -normal.b) } else { reach };
             let (far_end, far_start) = (wall.end + normal * reach, wall.start + normal * reach);

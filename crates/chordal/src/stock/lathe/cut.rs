@@ -1,4 +1,4 @@
-//! The moves of a run, cut from the stock one after the other.
+//! Cuts the moves of a run from the stock, one after the other.
 
 use std::collections::BTreeMap;
 
@@ -24,7 +24,7 @@ pub(super) struct TurnedFixture<'a> {
     pub body: LatheStock,
 }
 
-/// A run on stock under way.
+/// The state of a run on stock.
 pub(super) struct TurnedRun<'a> {
     pub tools: &'a BTreeMap<u32, Result<LatheTool, NoOutline>>,
     pub tolerance: f64,
@@ -35,18 +35,18 @@ pub(super) struct TurnedRun<'a> {
     pub grooves: GrooveRecord,
     pub loose: Vec<CutOffPart>,
     pub threads: Vec<TurnedThread>,
-    /// The grooves of each of them, for what it removes at most, and the tool that began it.
+    /// The grooves of each thread, for the upper bound of what it removes, and the tool that began it.
     pub helices: Vec<(ThreadGrooves, u32)>,
     /// The box around the stock before the first cut.
     extent: (Vec2, Vec2),
     pub moves: Vec<TurnedMove>,
     pub bound: f64,
-    /// Keeps what is left after every pass, where it is wanted.
+    /// Records the section after every pass; `None` where no replay is requested.
     pub recorder: Option<SectionRecorder>,
     sums: BTreeMap<u32, TurnedToolRemoved>,
     order: Vec<u32>,
     chain: FeedChain,
-    /// The move before was a thread: its tool stands in the groove.
+    /// The previous move cut a thread: the tool is in the groove.
     in_thread: bool,
     revolutions: SpindleRevolutions,
 }
@@ -81,7 +81,7 @@ impl<'a> TurnedRun<'a> {
         }
     }
 
-    /// The tools in the order of their first cut.
+    /// The results by tool, in the order of first cuts.
     pub fn tools_in_order(&mut self) -> Vec<TurnedToolRemoved> {
         for (thread, (helix, tool)) in self.threads.iter().zip(&self.helices) {
             if let Some(sum) = self.sums.get_mut(tool) {
@@ -91,7 +91,7 @@ impl<'a> TurnedRun<'a> {
         self.order.iter().filter_map(|number| self.sums.remove(number)).collect()
     }
 
-    /// Carries out a move: its number among all, and the move.
+    /// Carries out the move with this index.
     pub fn step(&mut self, number: usize, moves: &[TurnMove]) {
         let move_ = &moves[number];
         let Some(Ok(tool)) = self.tools.get(&move_.tool) else { return };
@@ -113,15 +113,15 @@ impl<'a> TurnedRun<'a> {
                 self.cut(number, move_, tool);
                 self.in_thread = false;
                 if self.grooves.cut(number, move_, tool) {
-                    let retained = self.grooves.part_off(
+                    let in_chuck = self.grooves.part_off(
                         &self.stock,
                         moves,
                         self.tolerance,
                         &mut self.loose,
                         &mut self.found,
                     );
-                    if let Some(retained) = retained {
-                        self.stock = retained;
+                    if let Some(in_chuck) = in_chuck {
+                        self.stock = in_chuck;
                     }
                 }
             }
@@ -182,7 +182,8 @@ impl<'a> TurnedRun<'a> {
         self.bodies(move_, tool);
     }
 
-    /// A thread takes a groove and leaves the rest: the stock stays, and where grooves are is kept.
+    /// A thread removes a groove and leaves the rest: the stock stays as it is, and the places of the grooves are
+    /// recorded.
     fn thread(&mut self, move_: &TurnMove, tool: &LatheTool) {
         let (pass, taken) = match self.stock.touch(&tool.edges, &move_.path) {
             Ok(found) => found,
@@ -219,7 +220,7 @@ impl<'a> TurnedRun<'a> {
         self.bodies(move_, tool);
     }
 
-    /// What the threads remove at most of sections that are left, mm³.
+    /// Upper bound of what the threads remove from the sections that are left, mm³.
     pub fn most_of_threads(&self, sections: &[&Region]) -> f64 {
         let threads = self.threads.iter().zip(&self.helices);
         threads
@@ -235,7 +236,7 @@ impl<'a> TurnedRun<'a> {
         self.found.push(Code::NotProved, 0.0, &at, MessageDetail::Why(&error.to_string()));
     }
 
-    /// What carries the edges must not touch on any move; of several the first is said.
+    /// Checks that what carries the edges touches nothing; only the first touch is reported.
     fn bodies(&mut self, move_: &TurnMove, tool: &LatheTool) {
         let bodies = [
             (Code::HolderInStock, &tool.holder),
@@ -251,12 +252,12 @@ impl<'a> TurnedRun<'a> {
         }
     }
 
-    /// Whether a body touches the stock along a move; it is said.
+    /// Reports whether a body touches the stock along a move, and returns true if it does.
     fn touches(&mut self, code: Code, move_: &TurnMove, body: &Outline, tool_body: Vec2) -> bool {
         match self.stock.touch(body, &move_.path) {
             Ok((pass, _)) if pass.touched && pass.depth() > self.tolerance => {
                 let depth = match code {
-                    // Of a blade it is how far its block is below the surface.
+                    // For a blade, the depth of its block below the surface.
                     Code::DeeperThanFlutes => into(tool_body, move_, &pass),
                     _ => pass.depth(),
                 };
@@ -306,7 +307,7 @@ impl<'a> TurnedRun<'a> {
         self.found.push(code, depth, &at, MessageDetail::Nothing);
     }
 
-    /// Counts what a move takes.
+    /// Adds up what a move removes.
     fn count(&mut self, move_: &TurnMove, tool: &LatheTool, pass: &TurnedPass) {
         let is_thread = move_.kind == TurnedMoveKind::Thread;
         let path = &move_.path;
@@ -356,7 +357,7 @@ impl<'a> TurnedRun<'a> {
             time_s: None,
         });
         sum.moves += 1;
-        // Passes of a thread take the same groove deeper: it counts once, at the end.
+        // The passes of a thread deepen the same groove, which counts once, at the end.
         if !is_thread {
             sum.removed_mm3.most += pass.volume;
             sum.removed_mm3.least += pass.volume;
@@ -375,18 +376,18 @@ impl<'a> TurnedRun<'a> {
     }
 }
 
-/// How far what was touched extends into the tool.
+/// How far the touched material extends into the tool, mm.
 fn into(body: Vec2, move_: &TurnMove, pass: &TurnedPass) -> f64 {
     let along = (move_.path.end - move_.path.start).normalized().unwrap_or(Vec2::new(1.0, 0.0));
     if along.dot(body).abs() > 0.7 { pass.along } else { pass.across }
 }
 
-/// The middle of what was touched.
+/// The centre of the touched material.
 fn middle(pass: &TurnedPass) -> Vec2 {
     pass.place.map_or(Vec2::ZERO, |(low, high)| (low + high) * 0.5)
 }
 
-/// Whether the boxes of two regions meet.
+/// Whether the bounding boxes of two regions meet.
 fn meets(a: &Region, b: &Region) -> bool {
     let (Some((low, high)), Some((from, to))) = (a.bounds(), b.bounds()) else { return false };
     low.a <= to.a && from.a <= high.a && low.b <= to.b && from.b <= high.b

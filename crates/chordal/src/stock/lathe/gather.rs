@@ -1,4 +1,4 @@
-//! A run of a lathe as moves in the half plane.
+//! Collects the moves of a lathe run in the half plane.
 
 use std::collections::BTreeMap;
 
@@ -16,21 +16,21 @@ use super::report::SegmentOrigin;
 use super::tools::{LatheTool, NoOutline, TurningToolKind};
 use crate::report::RunWatch;
 
-/// Angles of rotary axes that differ by less are the same, rad; places, mm.
+/// Angles (rad) and positions (mm) that differ by less than this are equal.
 const EQUAL_POSITION: f64 = 1e-9;
 /// A drill farther from the axis than this is not on it, mm.
 const ON_AXIS: f64 = 1e-4;
 
-/// What a move is.
+/// The kind of a move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum TurnedMoveKind {
     /// At rapid speed: nothing may be cut.
     Rapid,
-    /// At feed.
+    /// At feed with the spindle turning.
     Cut,
     /// At feed with the spindle stopped.
     Still,
-    /// A thread: what it takes is not the same all round.
+    /// A thread: what it removes is not the same all round.
     Thread,
 }
 
@@ -41,18 +41,18 @@ pub(super) struct TurnMove {
     pub path: OutlineSegment,
     pub kind: TurnedMoveKind,
     pub tool: u32,
-    /// Its piece of path, by its number among all of the run.
+    /// The index of its path segment among all of the run.
     pub row: u32,
     pub origin: Origin,
-    /// Along the path, mm/s; zero where none is known.
+    /// Feed along the path, mm/s; zero where none is known.
     pub feed: f64,
-    /// Revolutions by second: of a feed per revolution the mean, else in the middle of the move.
+    /// Spindle speed, rev/s: the mean for a feed per revolution, otherwise that in the middle of the move.
     pub rev_per_s: f64,
-    /// By how much a thread's advance along the path changes in a revolution, mm.
+    /// The change of a thread's lead along the path per revolution, mm.
     pub lead_change: f64,
     /// Nose radius compensation is on.
     pub is_compensated: bool,
-    /// Then the contour as programmed, where it is known.
+    /// The programmed contour of a compensated move; `None` where it is not known.
     pub contour: Option<OutlineSegment>,
 }
 
@@ -62,11 +62,11 @@ impl TurnMove {
     }
 }
 
-/// Gathers what a run moves.
+/// Collects the moves of a run.
 pub(super) struct TurnedMoves<'a> {
     tools: &'a BTreeMap<u32, Result<LatheTool, NoOutline>>,
     pub moves: Vec<TurnMove>,
-    /// Pieces of path so far.
+    /// Number of path segments so far.
     row: u32,
     /// The work offset of the first cut, which is the frame of the run.
     pub work: Option<String>,
@@ -78,11 +78,11 @@ pub(super) struct TurnedMoves<'a> {
     rpm: f64,
     threading: bool,
     rotary: Option<[f64; 3]>,
-    /// Two coordinates lie on a surface that turns with the part.
+    /// Polar or cylindrical interpolation is active.
     on_surface: bool,
-    /// Programmed moves that compensation holds back.
+    /// Programmed moves that are still in the look-ahead of compensation.
     programmed: Vec<(Origin, OutlineSegment)>,
-    /// Drills of which a point angle was assumed, and said.
+    /// Drills whose assumed point angle has been reported.
     assumed: Vec<u32>,
     reported: Vec<(Code, u32)>,
     pub diagnostics: Vec<Diagnostic>,
@@ -115,7 +115,7 @@ impl<'a> TurnedMoves<'a> {
         }
     }
 
-    /// Whether every move that may cut is here.
+    /// Whether every move that may cut is among the moves.
     pub fn is_whole(&self) -> bool {
         self.reported.is_empty()
     }
@@ -216,11 +216,11 @@ impl<'a> TurnedMoves<'a> {
         }
     }
 
-    /// The programmed move behind a move of the tool.
+    /// The programmed move of a compensated move; `None` where it is not known.
     fn contour_of(&mut self, command: &Command) -> Option<OutlineSegment> {
         let at = self.programmed.iter().position(|(origin, _)| *origin == command.origin)?;
         let found = self.programmed[at].1;
-        // It and those before it have had their turn.
+        // Compensation has passed it and those before it.
         self.programmed.drain(..=at);
         Some(found)
     }
@@ -231,7 +231,7 @@ impl<'a> TurnedMoves<'a> {
         }
     }
 
-    /// Says once of a tool why its moves remove nothing.
+    /// Reports once per tool why its moves remove nothing.
     fn report_once(&mut self, code: Code, segment: &PathSegment, why: &str) {
         if self.reported.contains(&(code, segment.tool)) {
             return;
@@ -244,7 +244,7 @@ impl<'a> TurnedMoves<'a> {
 impl RunWatch for TurnedMoves<'_> {
     fn programmed(&mut self, command: &Command) {
         match &command.kind {
-            // What is held back of a compensation that ends is still asked for.
+            // Where compensation ends, moves in its look-ahead are still to come.
             CommandKind::Compensation { side, .. } if *side != CompensationSide::Off => {
                 self.programmed.clear()
             }
@@ -253,7 +253,7 @@ impl RunWatch for TurnedMoves<'_> {
                 chordal_path::curves_of(kind, |curve| found = flat(&curve));
                 if let Some(path) = found {
                     self.programmed.push((command.origin, path));
-                    // Compensation looks a few moves ahead; without it nothing takes them.
+                    // Compensation looks only a few moves ahead; without it these moves are never taken out.
                     if self.programmed.len() > 4096 {
                         self.programmed.drain(..2048);
                     }
@@ -270,7 +270,7 @@ impl RunWatch for TurnedMoves<'_> {
                 self.spindle_turns = matches!(state, SpindleState::Cw | SpindleState::Ccw);
                 self.rpm = *rpm;
             }
-            // A thread fixes the feed and leaves the rapids alone.
+            // A thread disables the feed override, but not that of rapids.
             CommandKind::Overrides(overrides) => {
                 self.threading = !overrides.feed && overrides.rapid;
             }
@@ -296,7 +296,7 @@ impl RunWatch for TurnedMoves<'_> {
     }
 }
 
-/// A curve in the plane of Z and X: z and the radius; `None` of another one.
+/// A curve in the plane of Z and X, as z and radius; `None` for any other.
 fn flat(curve: &Curve) -> Option<OutlineSegment> {
     let in_plane = |p: chordal_geometry::Vec3| p.y.abs() <= EQUAL_POSITION;
     let place = |p: chordal_geometry::Vec3| Vec2::new(p.z, p.x);
@@ -310,7 +310,7 @@ fn flat(curve: &Curve) -> Option<OutlineSegment> {
             if !in_plane(arc.start) {
                 return None;
             }
-            // About +Y it turns from Z to X.
+            // A positive turn about +Y goes from Z to X, which is counterclockwise in (z, r).
             let counterclockwise = arc.sweep * arc.w.y > 0.0;
             Some(OutlineSegment::arc(
                 place(arc.start),

@@ -1,4 +1,4 @@
-//! Grooves and part-offs: ridges between plunges, pips, and parts that come off.
+//! Grooving and parting off: ridges between plunges, pips, and parts that are cut off.
 
 use std::f64::consts::PI;
 
@@ -11,24 +11,24 @@ use super::problems::{MessageDetail, ProblemLocation, TurnedProblems};
 use super::report::CutOffPart;
 use super::tools::{LatheTool, TurningToolKind};
 
-/// What holds a part after a part-off is thinner than this, mm.
+/// Largest thickness of a link that still counts as the rest of a part-off, mm.
 const PIP: f64 = 1.5;
-/// A groove deeper than this share of the bar may be a part-off.
+/// A plunge below this share of the bar's radius may be a part-off.
 const DEEP: f64 = 0.5;
-/// Areas below it are rounding, mm².
+/// Areas below this are rounding, mm².
 const NO_AREA: f64 = 1e-6;
-/// Plunges whose gap is less have none, mm.
+/// Smaller gaps between plunges are rounding, mm.
 const NO_GAP: f64 = 1e-6;
 
-/// A blade that went down.
+/// One plunge of a blade.
 #[derive(Clone, Copy, Debug)]
 struct BladePlunge {
     /// The number of its move.
     number: usize,
-    /// What it covers along the axis, mm.
+    /// The range that it covers along the axis, mm.
     from: f64,
     to: f64,
-    /// Where its edge ends, as a radius, mm.
+    /// The radius at which its edge ends, mm.
     end: f64,
     inside: bool,
     width: f64,
@@ -37,10 +37,10 @@ struct BladePlunge {
 /// The plunges of a program.
 #[derive(Debug, Default)]
 pub(super) struct GrooveRecord {
-    /// Those of each run of one tool.
+    /// The plunges of each uninterrupted use of one tool.
     runs: Vec<Vec<BladePlunge>>,
     tool: u32,
-    /// The radius of the bar.
+    /// The radius of the bar, mm.
     outer: f64,
 }
 
@@ -50,7 +50,7 @@ impl GrooveRecord {
         GrooveRecord { runs: Vec::new(), tool: 0, outer }
     }
 
-    /// Takes a cut; gives what comes off, if this may be a part-off.
+    /// Records a cut. Returns whether it may be a part-off.
     pub fn cut(&mut self, number: usize, move_: &TurnMove, tool: &LatheTool) -> bool {
         let TurningToolKind::Blade { facing, from, to } = tool.kind else { return false };
         let is_across = matches!(facing, BladeFacing::Outside | BladeFacing::Inside);
@@ -75,7 +75,8 @@ impl GrooveRecord {
         facing == BladeFacing::Outside && end < DEEP * self.outer
     }
 
-    /// Looks whether a part is off. Gives what is still held.
+    /// Checks whether a part has been cut off. Returns what is still in the chuck, or `None` where nothing was cut
+    /// off.
     pub fn part_off(
         &self,
         stock: &LatheStock,
@@ -92,10 +93,10 @@ impl GrooveRecord {
             return None;
         }
         let lowest = |body: &Region| body.bounds().map_or(f64::INFINITY, |(low, _)| low.a);
-        // The chuck holds what reaches farthest towards −Z.
-        let retained =
+        // The chuck holds the body that reaches farthest towards −Z.
+        let in_chuck =
             (0..bodies.len()).min_by(|a, b| lowest(&bodies[*a]).total_cmp(&lowest(&bodies[*b])))?;
-        let retained = bodies.swap_remove(retained);
+        let in_chuck = bodies.swap_remove(in_chuck);
         for section in bodies {
             if let Some(radius) = pip(&section, plunge).filter(|radius| *radius > tolerance) {
                 let place = Vec2::new(0.5 * (plunge.from + plunge.to), radius);
@@ -104,10 +105,10 @@ impl GrooveRecord {
             }
             loose.push(CutOffPart { section, line: move_.origin.line, tool: move_.tool });
         }
-        Some(LatheStock::new(&retained))
+        Some(LatheStock::new(&in_chuck))
     }
 
-    /// Looks at what is left between plunges, and below the deepest ones.
+    /// Checks for ridges between plunges, and for links below the deepest ones.
     pub fn look(
         &self,
         sections: &[&Region],
@@ -125,7 +126,7 @@ impl GrooveRecord {
         }
     }
 
-    /// What still holds a part that was nearly cut off.
+    /// Reports the link that still holds a part that was nearly cut off.
     fn remaining_link(
         &self,
         plunge: &BladePlunge,
@@ -141,7 +142,7 @@ impl GrooveRecord {
             let Some(&(inner, top)) = section.radii_at(middle, PlaceSide::Higher).last() else {
                 continue;
             };
-            // Something stands on both sides: it is the ground of a groove, not a face.
+            // There is material on both sides: it is the bottom of a groove, not a face.
             let is_wall = |z: f64, towards| {
                 section.radii_at(z, towards).last().is_some_and(|(_, high)| *high > top + PIP)
             };
@@ -162,7 +163,7 @@ impl GrooveRecord {
     }
 }
 
-/// Ridges between neighbours that are nearer to each other than the blade is wide.
+/// Reports ridges between neighbouring plunges whose gap is less than the width of the blade.
 fn ridges(
     run: &[BladePlunge],
     sections: &[&Region],
@@ -170,7 +171,7 @@ fn ridges(
     tolerance: f64,
     found: &mut TurnedProblems<'_>,
 ) {
-    // The deepest plunge of each place.
+    // The deepest plunge at each position.
     let mut places: Vec<BladePlunge> = Vec::new();
     let mut sorted = run.to_vec();
     let deeper = |plunge: &BladePlunge| if plunge.inside { -plunge.end } else { plunge.end };
@@ -209,7 +210,7 @@ fn ridges(
     }
 }
 
-/// The radius of what stands on a part within the cut that parted it.
+/// The radius of the pip on a part within the width of the cut that parted it off; `None` without one.
 fn pip(section: &Region, plunge: &BladePlunge) -> Option<f64> {
     let inset = 1e-3 * (plunge.to - plunge.from);
     let (low, high) = (plunge.from + inset, plunge.to - inset);

@@ -1,8 +1,8 @@
-//! What a thread removes at most.
+//! The upper bound of what a thread removes.
 //!
-//! While the part turns by θ of a revolution, every place at which the tool comes by moves on by θ of its advance. So
-//! the volume of a thread is what one groove has in common with the section that the passes touch all round, while it
-//! moves along the thread, and its mean over each revolution.
+//! While the part turns by a fraction θ of a revolution, the groove in the half section moves on by θ of the lead. So
+//! the volume of a thread is that of the intersection of one moving groove with the section that the passes touch all
+//! round, averaged over each revolution.
 
 use chordal_geometry::Vec2;
 use chordal_stock::lathe::{LatheStock, OutlineSegment, Region, ToolOutline as Outline};
@@ -10,38 +10,39 @@ use chordal_stock::lathe::{LatheStock, OutlineSegment, Region, ToolOutline as Ou
 use super::gather::TurnMove;
 use super::threads::{SpindleRevolutions, ThreadAdvance};
 
-/// Advances that differ by less are the same, mm.
+/// Leads that differ by less than this are equal, mm.
 const EQUAL_ADVANCE_MM: f64 = 1e-9;
-/// Starts that are a whole number of revolutions apart, but for this part of one, cut the same groove.
+/// Starts that are a whole number of revolutions apart, within this share of one, cut the same groove.
 const EQUAL_TURN_SHARE: f64 = 1e-6;
-/// Steps in which a groove moves along a thread, about: what it has in common is taken as largest within each.
+/// Number of steps along a thread, about. Within each step the largest intersection is taken, so that the result is
+/// an upper bound.
 const STEPS: i64 = 64;
-/// Steps of one revolution at most.
+/// Most steps of one revolution.
 const MAX_STEPS: i64 = 16;
 
-/// Moves of one thread that advance alike.
+/// Moves of one thread with the same lead.
 #[derive(Clone, Debug)]
 struct ThreadCourse {
-    /// In one revolution: along z and r, mm.
+    /// The lead: the advance in one revolution along z and r, mm.
     advance: Vec2,
-    /// Where the tool of the first move is at first.
+    /// Where the first move begins.
     start: Vec2,
-    /// What all of them take there of a solid body.
+    /// What all of them would remove from a solid body there.
     groove: Region,
-    /// Revolutions from there: the first and the last one, not counted.
+    /// The range of revolutions from there; the end is exclusive.
     turns: (i64, i64),
 }
 
-/// The grooves of a thread as the part sees them.
+/// The grooves of a thread.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ThreadGrooves {
     courses: Vec<ThreadCourse>,
-    /// The revolutions of a move are not known: only what it touches all round is a bound.
+    /// The revolutions of some move are not known: then the only bound is what it touches all round.
     is_unknown: bool,
 }
 
 impl ThreadGrooves {
-    /// With a further move; `stock` is the box around it.
+    /// Adds a move; `stock` is the bounding box of the stock.
     pub fn add(
         &mut self,
         revolutions: &SpindleRevolutions,
@@ -68,7 +69,7 @@ impl ThreadGrooves {
         Some(())
     }
 
-    /// With the moves of another one.
+    /// Adds the grooves of another pass.
     pub fn join(&mut self, other: ThreadGrooves) {
         self.is_unknown |= other.is_unknown;
         for course in other.courses {
@@ -76,7 +77,7 @@ impl ThreadGrooves {
         }
     }
 
-    /// What is removed at most of a section that the moves touch all round, mm³.
+    /// Upper bound of what is removed from a section that the moves touch all round, mm³.
     pub fn volume(&self, section: &Region) -> f64 {
         let all_round = section.volume();
         if self.is_unknown {
@@ -87,7 +88,8 @@ impl ThreadGrooves {
     }
 }
 
-/// What a tool takes of a solid body at the start of a move, so far from the axis as the stock is anywhere along it.
+/// What a tool would remove at the start of a move from a solid body that is as thick as the stock anywhere along the
+/// move.
 fn groove_of(tool: &Outline, turning: &ThreadAdvance, (low, high): (Vec2, Vec2)) -> Option<Region> {
     let ThreadAdvance { advance, start, turns } = *turning;
     let rise = (turns as f64 * advance.b).abs();
@@ -100,10 +102,10 @@ fn groove_of(tool: &Outline, turning: &ThreadAdvance, (low, high): (Vec2, Vec2))
 }
 
 impl ThreadCourse {
-    /// With the moves of another one, whose grooves lie whole revolutions and less than one away.
+    /// Adds the moves of another course, whose grooves are moved by whole revolutions to lie within one of these.
     fn join(&mut self, other: &ThreadCourse) -> Option<()> {
         let square = self.advance.dot(self.advance);
-        // Rounding must not put a groove that is cut again next to itself.
+        // Rounding must not shift a groove that is cut again by a whole revolution.
         let away =
             ((other.start - self.start).dot(self.advance) / square + EQUAL_TURN_SHARE).floor();
         let moved = other.groove.moved(self.advance * -away);
@@ -114,18 +116,18 @@ impl ThreadCourse {
         Some(())
     }
 
-    /// `None` where the regions cannot be told apart.
+    /// The volume, mm³; `None` where an operation on the regions fails.
     fn volume(&self, section: &Region) -> Option<f64> {
         let (first, last) = self.turns;
         let steps = (STEPS / (last - first).max(1)).clamp(1, MAX_STEPS);
         let step = self.advance * (1.0 / steps as f64);
-        // What the groove meets while it moves on by a step. The section is longer along the thread than that.
+        // What the groove meets while it moves on by a step: the section is longer than a step along the thread.
         let reach = section.union(&section.moved(step * -1.0)).ok()?.region;
         let mut sum = 0.0;
         for number in first * steps..last * steps {
             let taken = self.groove.moved(step * number as f64).intersection(&reach).ok()?.region;
             let Some((low, _)) = taken.bounds() else { continue };
-            // A thread that rises is farther from the axis at the end of the step.
+            // On a taper thread the radius is larger at the end of the step.
             let grows = if step.b > 0.0 { 1.0 + step.b / low.b } else { 1.0 };
             sum += taken.volume() * grows;
         }

@@ -1,4 +1,4 @@
-//! How hard the cuts of a lathe are, and which are too hard.
+//! The load of the cuts on a lathe, and which cuts exceed a limit.
 
 use chordal_command::{Units, number_text, telling_number};
 use chordal_diagnostics::{Code, Diagnostic};
@@ -8,7 +8,7 @@ use super::super::engagement::MaterialData;
 use super::report::{TurnedMove, TurnedToolRemoved};
 use crate::job::Job;
 
-/// Estimates the power of each move.
+/// Estimates the power of each move from its removal rate and chip thickness.
 pub(super) fn give_power(
     moves: &mut [TurnedMove],
     tools: &mut [TurnedToolRemoved],
@@ -29,7 +29,7 @@ pub(super) fn give_power(
     }
 }
 
-/// Cuts with too thick a chip, or with more power than the spindle has, which are marked; of one block the worst.
+/// Marks cuts with too thick a chip, or with more power than the spindle has, and returns the worst of each block.
 pub(super) fn overloads(job: &Job<'_>, moves: &mut [TurnedMove], units: Units) -> Vec<Diagnostic> {
     let machine = job.machine();
     let mut worst: Vec<(Code, TurnedMove, f64, f64)> = Vec::new();

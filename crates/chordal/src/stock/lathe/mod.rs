@@ -1,7 +1,8 @@
-//! Programs of lathes on stock: the exact half section after every pass.
+//! Lathe programs on stock: the exact half section after every pass.
 //!
-//! [`Job::turned_stock`](crate::Job::turned_stock) answers what [`Job::stock`](crate::Job::stock) answers for
-//! mills. What a tool leaves is a region of lines and arcs, so volumes have no bounds but where threads are cut.
+//! [`Job::turned_stock`](crate::Job::turned_stock) is for lathes what [`Job::stock`](crate::Job::stock) is for mills.
+//! What a tool leaves is a region of lines and arcs, so volumes are exact, except where threads are cut: there they
+//! have bounds.
 
 mod approach_check;
 mod bodies;

@@ -1,7 +1,7 @@
-//! What the nose leaves on the programmed contour, or cuts below it, where no compensation is on.
+//! Finds what the nose leaves on the programmed contour, or cuts below it, without nose radius compensation.
 //!
-//! The outline of what is left knows the move that made each part of it. Such a part is parallel to its move, at
-//! the distance by which the nose misses it.
+//! Each segment of the outline is tagged with the move that made it. The segment is parallel to its move, and the
+//! distance between them is the error.
 
 use chordal_diagnostics::Code;
 use chordal_geometry::Vec2;
@@ -13,10 +13,10 @@ use super::tools::{LatheTool, TurningToolKind};
 
 /// Parts of the outline shorter than this are rounding, mm.
 const MIN_OUTLINE_MM: f64 = 0.01;
-/// Lines are parallel, and radii differ by the nose, within this.
+/// Tolerance for the sine between parallel lines, and for the difference between radii and the nose radius (mm).
 const PARALLEL_TOLERANCE: f64 = 1e-6;
 
-/// Compares an outline with the moves that made it.
+/// Compares an outline with the moves that made it, and reports deviations.
 pub(super) fn look_at_surface<'t>(
     region: &Region,
     moves: &[TurnMove],
@@ -45,7 +45,7 @@ pub(super) fn look_at_surface<'t>(
             misses.push((number, off, place));
         }
     }
-    // In the order of the run, the worst place of each move.
+    // In the order of the run, the largest error of each move first.
     misses.sort_by(|x, y| {
         (x.0, -x.1.abs()).partial_cmp(&(y.0, -y.1.abs())).unwrap_or(core::cmp::Ordering::Equal)
     });
@@ -57,8 +57,8 @@ pub(super) fn look_at_surface<'t>(
     }
 }
 
-/// How far a part of the outline is outside of the move that made it (below zero: inside), and where; `None`
-/// where it is not parallel to it.
+/// How far a segment of the outline is outside of the move that made it, mm (negative: inside), and where; `None`
+/// where the two are not parallel.
 fn miss(segment: &OutlineSegment, path: &OutlineSegment, nose: f64) -> Option<(f64, Vec2)> {
     match (segment.bend, path.bend) {
         (None, None) => {
@@ -67,7 +67,7 @@ fn miss(segment: &OutlineSegment, path: &OutlineSegment, nose: f64) -> Option<(f
             if along.cross(course).abs() > PARALLEL_TOLERANCE {
                 return None;
             }
-            // The region is to the left of its outline.
+            // The material is to the left of its outline.
             let off = (segment.start - path.start).dot(-along.turned_left());
             (off.abs() <= 2.0 * nose).then_some((off, (segment.start + segment.end) * 0.5))
         }

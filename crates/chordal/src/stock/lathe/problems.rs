@@ -1,4 +1,4 @@
-//! Problems of turned stock, and what is said of them. X is said as a diameter.
+//! Collects the problems of turned stock and words their diagnostics. X is given as a diameter.
 
 use chordal_command::{Origin, Units};
 use chordal_diagnostics::{Code, Diagnostic, SourceMap};
@@ -7,7 +7,7 @@ use chordal_stock::VolumeInterval;
 
 use super::super::problems::StockProblem;
 
-/// Problems that are kept of a run.
+/// Most problems that are kept of a run.
 const MAX_PROBLEMS: usize = 1000;
 
 /// What a message needs in addition to the depth.
@@ -16,11 +16,11 @@ pub(super) enum MessageDetail<'a> {
     Nothing,
     /// The name of a fixture and its clearance, mm.
     Fixture(&'a str, f64),
-    /// How wide a ridge is, mm.
+    /// The width of a ridge, mm.
     Ridge(f64),
-    /// A pip is on the part that is off.
+    /// The pip is on the part that was cut off.
     Off,
-    /// What holds the part is a ring around a bore.
+    /// The part is still held by a ring around a bore.
     Ring,
     /// Why the move was not cut.
     Why(&'a str),
@@ -31,11 +31,11 @@ pub(super) enum MessageDetail<'a> {
 pub(super) struct ProblemLocation {
     pub origin: Origin,
     pub tool: u32,
-    /// z and radius, mm.
+    /// Z and radius, mm.
     pub place: Vec2,
 }
 
-/// Gathers problems.
+/// Collects the problems of a run.
 pub(super) struct TurnedProblems<'a> {
     pub list: Vec<StockProblem>,
     pub diagnostics: Vec<Diagnostic>,
@@ -44,7 +44,7 @@ pub(super) struct TurnedProblems<'a> {
     pub undecided: u64,
     pub units: Units,
     pub sources: &'a SourceMap<'a>,
-    /// The block, kind and fixture of the last problem: the next of the same is one with it.
+    /// The block, kind and fixture of the last problem: the next problem with the same is merged into it.
     last: Option<(Origin, Code, String)>,
 }
 
@@ -66,7 +66,7 @@ impl<'a> TurnedProblems<'a> {
     pub fn push(&mut self, code: Code, depth: f64, at: &ProblemLocation, more: MessageDetail<'_>) {
         match code {
             Code::NotProved => self.undecided += 1,
-            // Material that a nose leaves may be an allowance.
+            // These are warnings: material that is left may be an allowance.
             Code::NoseLeaves | Code::MaterialLeft => {}
             _ => self.hits += 1,
         }
@@ -75,12 +75,13 @@ impl<'a> TurnedProblems<'a> {
             (*origin, *known, of.as_str()) == (at.origin, code, name)
         });
         if is_same
-            && let (Some(last), Some(stated)) = (self.list.last_mut(), self.diagnostics.last_mut())
+            && let (Some(last), Some(reported)) =
+                (self.list.last_mut(), self.diagnostics.last_mut())
         {
             if depth > last.depth_mm.most {
                 last.depth_mm = VolumeInterval { least: depth, most: depth };
                 last.at = Vec3::new(at.place.b, 0.0, at.place.a);
-                *stated = diagnostic(code, depth, at, more, self.units);
+                *reported = diagnostic(code, depth, at, more, self.units);
             }
             return;
         }

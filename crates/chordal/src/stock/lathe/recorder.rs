@@ -1,4 +1,4 @@
-//! Keeps the sections of a run while it is cut.
+//! Records the sections of a run while it is cut.
 
 use std::collections::BTreeMap;
 
@@ -10,10 +10,11 @@ use super::replay::{TurnedPiece, TurnedReplay, TurnedShape};
 use super::report::CutOffPart;
 use super::tools::{LatheTool, NoOutline};
 
-/// Segments that are compared with those before, of a run; then only the section after each tool is kept.
+/// Most segments of a run that are compared with those of the section before; after that only the section after each
+/// tool is kept.
 const MAX_SEGMENTS: usize = 20_000_000;
 
-/// What two segments have in common that are the same: their numbers, bit by bit, and their tag.
+/// The identity of a segment: its coordinates, bit by bit, and its tag.
 type SegmentKey = ([u64; 7], u32);
 
 fn key(segment: &OutlineSegment) -> SegmentKey {
@@ -25,16 +26,16 @@ fn key(segment: &OutlineSegment) -> SegmentKey {
     ([a[0], a[1], b[0], b[1], c[0], c[1], sense], segment.tag)
 }
 
-/// Keeps sections while a run is cut.
+/// Records the sections of a run.
 #[derive(Debug)]
 pub(super) struct SectionRecorder {
     replay: TurnedReplay,
-    /// The pieces of the last section by what they are.
+    /// The indices of the pieces of the last section.
     now: BTreeMap<SegmentKey, usize>,
     loose: usize,
     compared: usize,
     has_cut: bool,
-    /// The last pass that has no section yet, and its tool.
+    /// Path segment and tool of the last pass whose section is not recorded yet.
     due: Option<(u32, u32)>,
 }
 
@@ -56,19 +57,19 @@ impl SectionRecorder {
         self.replay.fixtures.push((name.to_string(), section.clone()));
     }
 
-    /// A move begins.
+    /// Called before a move.
     pub fn begin(&mut self, move_: &TurnMove, stock: &LatheStock) {
         if self.due.is_some_and(|(_, tool)| tool != move_.tool) {
             self.settle(&stock.region());
         }
     }
 
-    /// The move takes something.
+    /// Called where the move removes something.
     pub fn cuts(&mut self) {
         self.has_cut = true;
     }
 
-    /// A move has ended.
+    /// Called after a move.
     pub fn end(&mut self, move_: &TurnMove, stock: &LatheStock, loose: &[CutOffPart]) {
         let comes_off = loose.len() > self.loose;
         if !std::mem::take(&mut self.has_cut) && !comes_off {
@@ -94,7 +95,7 @@ impl SectionRecorder {
         self.loose = loose.len();
     }
 
-    /// Keeps the section after the pass that is due.
+    /// Records the section after the pass that is due.
     fn settle(&mut self, section: &Region) {
         let Some((row, _)) = self.due.take() else { return };
         self.replay.rows.push(row);
@@ -118,7 +119,7 @@ impl SectionRecorder {
         }
     }
 
-    /// All of it, once the run is over: `section` is what is left in the chuck.
+    /// Completes the replay after the run; `section` is what is left in the chuck.
     pub fn finish(
         mut self,
         section: &Region,

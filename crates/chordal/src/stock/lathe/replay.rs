@@ -1,10 +1,10 @@
-//! What is left after every pass, for a picture that goes forward and backward.
+//! The section after every pass, for an animation that goes forward and backward.
 
 use std::collections::BTreeMap;
 
 use chordal_stock::lathe::{OutlineSegment, Region};
 
-/// A line or an arc that bounds what is left for a while.
+/// A line or an arc of the outline, with the sections that have it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurnedPiece {
     /// The material lies to its left, seen with z to the right and r up. Its tag is the tool that made it; 0 is
@@ -12,31 +12,31 @@ pub struct TurnedPiece {
     pub segment: OutlineSegment,
     /// The first section that has it: 0 is the stock before the first cut.
     pub from: u32,
-    /// The first section that has it no more; `u32::MAX` where it stays.
+    /// The first section that does not have it any more; `u32::MAX` where it stays.
     pub until: u32,
-    /// It belongs to a part that was cut off.
+    /// True where it belongs to a part that was cut off.
     pub is_loose: bool,
 }
 
-/// A tool as it is drawn, about its programmed point: convex loops.
+/// The drawing of a tool relative to its programmed point: convex loops.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TurnedShape {
-    /// What cuts.
+    /// The cutting edges.
     pub edges: Vec<Vec<OutlineSegment>>,
-    /// Shank and holder, where they are given.
+    /// Shank and holder; empty where they are not given.
     pub body: Vec<Vec<OutlineSegment>>,
 }
 
-/// The sections of a run, and what is drawn with them.
+/// The sections of a run, with the fixtures and tools to draw.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TurnedReplay {
     /// The lines and arcs of all sections.
     pub pieces: Vec<TurnedPiece>,
-    /// Of each section after the first the piece of path that made it, by its number among all of the run.
+    /// For each section after the first, the index of the path segment that made it, among all of the run.
     pub rows: Vec<u32>,
-    /// Whether there is a section for every pass; if not, there is one for every tool at least.
+    /// True where there is a section for every pass; otherwise there is at least one for every tool.
     pub is_whole: bool,
-    /// The fixtures as they are, by name.
+    /// The fixtures by name, without their clearances.
     pub fixtures: Vec<(String, Region)>,
     /// The tools that have a shape, by number.
     pub tools: BTreeMap<u32, TurnedShape>,

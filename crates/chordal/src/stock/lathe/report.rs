@@ -1,4 +1,4 @@
-//! What a run on turned stock answers, as plain data.
+//! The result of a run on turned stock, as plain data.
 
 use chordal_command::Origin;
 use chordal_diagnostics::Code;
@@ -19,7 +19,7 @@ pub struct TurnedToolRemoved {
     pub number: u32,
     /// Moves at feed that were cut from the stock.
     pub moves: u64,
-    /// mm³; one number but for threads.
+    /// Removed volume, mm³: exact except for threads.
     pub removed_mm3: VolumeInterval,
     /// The least radius and Z of its programmed point at feed, mm.
     pub lowest: Vec2,
@@ -29,44 +29,46 @@ pub struct TurnedToolRemoved {
     pub largest_chip: (f64, u32),
     /// The highest power, kW, and its line; `None` without a material. An estimate.
     pub power: Option<(f64, u32)>,
-    /// Its time with changes, s, where the run was planned.
+    /// Its time with its tool changes, s; `None` until [`TurnedReport::take_times`].
     pub time_s: Option<f64>,
 }
 
-/// A move at feed, and what it takes.
+/// A move at feed, and what it removes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurnedMove {
     /// Its block.
     pub origin: Origin,
-    /// Its piece of path, by its number among all of the run.
+    /// The index of its path segment among all of the run.
     pub row: u32,
-    /// The tool.
+    /// Number of the tool.
     pub tool: u32,
-    /// A thread: what it takes is at most this.
+    /// True for a thread, whose volume is an upper bound.
     pub is_thread: bool,
-    /// Programmed, mm/s; zero where none is known.
+    /// Programmed feed, mm/s; zero where none is known.
     pub feed_mm_per_s: f64,
-    /// Revolutions by minute: of a feed per revolution the mean, else in the middle of the move.
+    /// Spindle speed, rev/min: the mean for a feed per revolution, otherwise that in the middle of the move.
     pub rpm: f64,
     /// Its length, mm.
     pub length_mm: f64,
-    /// How far what goes extends along the feed, mm.
+    /// Extent of the removed material along the feed, mm.
     pub engaged_mm: f64,
-    /// The depth of cut: how far it extends across the feed, mm.
+    /// Depth of cut: extent of the removed material across the feed, mm.
     pub depth_mm: f64,
-    /// What goes of the half section, mm².
+    /// Area removed from the half section, mm².
     pub area_mm2: f64,
-    /// What goes of the body, mm³.
+    /// Removed volume, mm³.
     pub removed_mm3: f64,
-    /// The mean area of the chip, mm²: mean depth by feed of a revolution. `None` without a feed.
+    /// Mean chip area, mm²: mean depth times feed per revolution. `None` without a feed or spindle speed, and for
+    /// threads.
     pub chip_mm2: Option<f64>,
-    /// The thickness of the chip, mm: feed of a revolution by the sine of the approach angle.
+    /// Chip thickness, mm: feed per revolution times the sine of the approach angle. `None` as for `chip_mm2`.
     pub chip_mm: Option<f64>,
-    /// mm³/s.
+    /// Removal rate, mm³/s; zero for threads.
     pub rate_mm3_per_s: f64,
-    /// kW, an estimate; `None` without a material.
+    /// Estimated power, kW; `None` without a material.
     pub power_kw: Option<f64>,
-    /// A chip above the limit of the tool, or more power than the spindle has; the worse of the two.
+    /// The limit that it exceeds: the chip thickness of the tool or the power of the spindle (the latter where both
+    /// are); `None` where it keeps both.
     pub overload: Option<Code>,
 }
 
@@ -77,65 +79,65 @@ pub struct CutOffPart {
     pub section: Region,
     /// The line that cut it off.
     pub line: u32,
-    /// The tool that did so.
+    /// The number of the tool that cut it off.
     pub tool: u32,
 }
 
-/// A thread: it lies within the stock that is left, and takes at most what its grooves are all along.
+/// A thread. It is not cut from the stock that is left; its grooves give an upper bound of what it removes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TurnedThread {
-    /// Where its grooves are, all round.
+    /// The section that its passes touch anywhere around the part.
     pub section: Region,
-    /// The grooves themselves, in the plane where the spindle's index is; `None` where the revolutions of a pass are not known.
+    /// The grooves in the plane of the spindle's index; `None` where the revolutions of a pass are not known.
     pub grooves: Option<Region>,
-    /// What it advances in one revolution, mm.
+    /// Its lead along the path, mm; `None` where it is not known or changes.
     pub lead_mm: Option<f64>,
     /// The line of its last pass.
     pub line: u32,
-    /// The piece of path of its first pass.
+    /// The index of the path segment of its first pass.
     pub row: u32,
 }
 
-/// What is left on a part, and what is missing.
+/// What is left on the target part, and what is missing from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurnedTarget {
-    /// Material outside of the part, mm³.
+    /// Volume of material outside the part, mm³.
     pub left_over_mm3: f64,
-    /// The largest distance of it from the part, mm.
+    /// Largest distance of that material from the part, mm.
     pub highest_mm: f64,
-    /// Where that is: z and radius, mm.
+    /// The place of that distance: z and radius, mm.
     pub at: Vec2,
-    /// What of the part is gone, mm³.
+    /// Volume that is missing from the part, mm³.
     pub gouged_mm3: f64,
 }
 
 /// The move that made a line or an arc of a section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SegmentOrigin {
-    /// Its tool.
+    /// Number of its tool.
     pub tool: u32,
     /// Its line.
     pub line: u32,
 }
 
-/// The answers of a run on turned stock.
+/// The result of a run on turned stock.
 #[derive(Debug)]
 pub struct TurnedReport {
-    /// Before the first cut, mm³.
+    /// Volume before the first cut, mm³.
     pub before_mm3: f64,
-    /// What is removed, mm³: one number but for threads.
+    /// Removed volume, mm³: exact except for threads.
     pub removed_mm3: VolumeInterval,
-    /// What is left, parted parts with it, mm³.
+    /// Volume that is left, mm³, with parts that were cut off.
     pub left_mm3: VolumeInterval,
-    /// How far the outline may be off the exact one, mm: 0 as a rule.
+    /// Bound of the outline's deviation from the exact one, mm: usually 0.
     pub bound_mm: f64,
-    /// What can be said.
+    /// The verdict.
     pub verdict: StockVerdict,
     /// Every problem, in the order of the run.
     pub problems: Vec<StockProblem>,
-    /// Problems that are not in the list, for there are too many.
+    /// Problems that are not in the list because there are too many.
     pub more_problems: u64,
-    /// By tool, in the order of their first cut.
+    /// The results by tool, in the order of first cuts.
     pub tools: Vec<TurnedToolRemoved>,
     /// Every move at feed.
     pub moves: Vec<TurnedMove>,
@@ -143,24 +145,24 @@ pub struct TurnedReport {
     pub before: Region,
     /// What is left in the chuck.
     pub section: Region,
-    /// What was cut off, in that order.
+    /// The parts that were cut off, in order.
     pub loose: Vec<CutOffPart>,
     /// Threads, which the section does not show.
     pub threads: Vec<TurnedThread>,
-    /// The part as it should be, where one is given.
+    /// The target part; `None` where none is given.
     pub target_section: Option<Region>,
-    /// What is left on the part, where one is given.
+    /// What is left on the target part; `None` where none is given.
     pub target: Option<TurnedTarget>,
-    /// Every move that was followed, rapids too, by the tag of what it made, less one.
+    /// Every move that was simulated, rapids included; its index is the tag of the segments it made, less one.
     pub makers: Vec<SegmentOrigin>,
-    /// What a picture that goes forward and backward needs, where it was asked for.
+    /// The sections after every pass; `None` where they were not requested.
     pub replay: Option<TurnedReplay>,
-    /// The run, with the problems as diagnostics among the others.
+    /// The report of the run, with the problems as diagnostics among the others.
     pub report: Report,
 }
 
 impl TurnedReport {
-    /// Takes the times of the tools, as the planner has them.
+    /// Adds the times of the tools from the planner.
     pub fn take_times(&mut self, times: &[ToolTime]) {
         for tool in &mut self.tools {
             let own = times.iter().find(|time| time.number == tool.number);
@@ -168,17 +170,17 @@ impl TurnedReport {
         }
     }
 
-    /// The move that made a line or an arc of a section; `None` of the stock's own.
+    /// The move that made a line or an arc of a section; `None` for those of the stock before the first cut.
     pub fn made_by(&self, segment: &OutlineSegment) -> Option<SegmentOrigin> {
         self.makers.get((segment.tag as usize).checked_sub(1)?).copied()
     }
 
-    /// Everything that is left: what is in the chuck, and what was cut off.
+    /// All sections that are left: what is in the chuck, and the parts that were cut off.
     pub fn sections(&self) -> impl Iterator<Item = &Region> {
         std::iter::once(&self.section).chain(self.loose.iter().map(|part| &part.section))
     }
 
-    /// The same with the grooves of threads, in the plane where the spindle's index is: for pictures.
+    /// The same with the grooves of threads in the plane of the spindle's index, for pictures.
     pub fn threaded_sections(&self) -> Vec<Region> {
         let grooves = || self.threads.iter().filter_map(|thread| thread.grooves.as_ref());
         let cut = |section: &Region| {

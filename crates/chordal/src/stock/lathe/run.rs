@@ -23,15 +23,15 @@ use super::tools::{LatheTool, tools_of};
 use crate::job::Job;
 use crate::report::Report;
 
-/// Moves between two looks at whether to end early.
+/// Moves between two checks for an interruption.
 const MOVES_PER_CHECK: usize = 256;
 
-/// How a run on turned stock is made.
+/// The options of a run on turned stock.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurnedOptions {
-    /// Touches that are no deeper are none, mm.
+    /// Touches that are no deeper than this are ignored, mm.
     pub tolerance_mm: f64,
-    /// Keeps the section after every pass, see [`TurnedReport::replay`].
+    /// Whether to record the section after every pass, see [`TurnedReport::replay`].
     pub replay: bool,
 }
 
@@ -43,12 +43,12 @@ impl Default for TurnedOptions {
 }
 
 impl Job<'_> {
-    /// Whether the machine turns its parts: then [`Job::turned_stock`] answers for them.
+    /// Whether the machine is a lathe, whose stock is simulated by [`Job::turned_stock`].
     pub fn turns(&self) -> bool {
         self.machine().turns()
     }
 
-    /// Runs a lathe program on the stock of its machine's setup; `files` gives the drawings that it names.
+    /// Runs a lathe program on the stock of its machine's setup; `files` reads the drawings that the setup names.
     ///
     /// # Errors
     /// Without stock, or with a setup that is incomplete.
@@ -65,7 +65,7 @@ impl Job<'_> {
         Ok(found)
     }
 
-    /// Turns with one run.
+    /// Cuts the stock with one run.
     fn turned_stock_of_run(
         &self,
         options: &TurnedOptions,
@@ -148,11 +148,11 @@ impl Job<'_> {
             let at = ProblemLocation { origin: last.origin, tool: last.tool, place: found.at };
             cutting.found.push(Code::MaterialLeft, found.highest_mm, &at, MessageDetail::Nothing);
         }
-        // What a thread takes lies within what is left.
+        // Threads are not cut from the sections: what they remove is part of what is left.
         let of_threads = cutting.most_of_threads(&sections);
         let left: f64 = sections.iter().map(|section| section.volume()).sum();
         let before_mm3 = before.volume();
-        // Nobody knows what cuts remove that are not followed.
+        // Nobody knows what the cuts remove that are not simulated.
         let surely_left = if gathered.is_whole() { left - of_threads } else { 0.0 };
         let mut moves = std::mem::take(&mut cutting.moves);
         let mut tools = cutting.tools_in_order();
@@ -162,7 +162,7 @@ impl Job<'_> {
             give_power(&mut moves, &mut tools, &material);
         }
         let mut too_hard = overloads(self, &mut moves, gathered.units);
-        let TurnedRun { found, threads, target: desired, bound, .. } = cutting;
+        let TurnedRun { found, threads, target: target_part, bound, .. } = cutting;
         let has_problems = found.hits > 0 || !too_hard.is_empty() || report.counts.errors > 0;
         let is_proved = gathered.is_whole()
             && found.undecided == 0
@@ -193,7 +193,7 @@ impl Job<'_> {
             section,
             loose,
             threads,
-            target_section: desired.map(|target| target.section),
+            target_section: target_part.map(|target| target.section),
             target,
             makers: gathered.moves.iter().map(TurnMove::maker).collect(),
             replay,

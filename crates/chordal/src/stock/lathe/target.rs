@@ -1,4 +1,4 @@
-//! The part as it should be: cuts into it, and what is left on it.
+//! The target part: where cuts go into it, and what is left on it.
 
 use chordal_geometry::Vec2;
 use chordal_stock::lathe::{LatheStock, OutlineSegment, Region};
@@ -6,11 +6,12 @@ use chordal_stock::lathe::{LatheStock, OutlineSegment, Region};
 use super::bodies::{is_on_axis, without_skin};
 use super::report::TurnedTarget;
 
-/// A part, how near to it the cuts must be, and what of it no cut may reach.
+/// A target part with its tolerance, mm, and the core that no cut may reach.
 pub(super) struct TurnedTargetPart {
     pub section: Region,
     pub tolerance: f64,
-    /// The part without its skin; cuts into it are taken away, so that each is said once.
+    /// The part without a skin as thick as the tolerance. Cuts into it are removed from it, so that each is reported
+    /// once.
     pub core: LatheStock,
 }
 
@@ -20,12 +21,12 @@ impl TurnedTargetPart {
         TurnedTargetPart { core, section, tolerance }
     }
 
-    /// The deepest place of what was taken from the part.
+    /// Depth (mm) and place of the deepest point of what was removed from the part; `None` where nothing was.
     pub fn depth(&self, removed: &Region) -> Option<(f64, Vec2)> {
         farthest(removed, &self.section)
     }
 
-    /// Compares what is left with the part. What is in the chuck counts from the end of the part on.
+    /// Compares what is left with the part. The bar in the chuck behind the part does not count.
     pub fn compare(&self, sections: &[&Region]) -> TurnedTarget {
         let mut answer =
             TurnedTarget { left_over_mm3: 0.0, highest_mm: 0.0, at: Vec2::ZERO, gouged_mm3: 0.0 };
@@ -36,7 +37,7 @@ impl TurnedTargetPart {
             if let Ok(rest) = missing.difference(section) {
                 missing = rest.region;
             }
-            // Behind the part is the bar it is made of; a part that does not meet it is another one.
+            // A section that does not overlap the part along Z is another part.
             if to.a <= low.a || from.a >= high.a {
                 continue;
             }
@@ -60,10 +61,10 @@ impl TurnedTargetPart {
     }
 }
 
-/// Points along a segment at which distances are measured.
+/// Sample points on a segment at which distances are measured.
 const POINTS: u32 = 64;
 
-/// The point of a region's outline that is farthest from the outline of another one, among many of each segment.
+/// The sample point of a region's outline that is farthest from the outline `from`, and its distance, mm.
 fn farthest(region: &Region, from: &Region) -> Option<(f64, Vec2)> {
     let outline: Vec<OutlineSegment> =
         from.shape().into_iter().flatten().filter(|segment| !is_on_axis(segment)).collect();

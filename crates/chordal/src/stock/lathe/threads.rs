@@ -1,4 +1,4 @@
-//! Where a thread cuts the half section: the tool comes by once in each revolution of the spindle.
+//! Where a thread cuts the half section: the tool passes it once in each revolution of the spindle.
 
 use chordal_geometry::Vec2;
 use chordal_stock::lathe::{LatheStock, OutlineSegment, Region, ToolOutline as Outline};
@@ -6,35 +6,35 @@ use chordal_stock::lathe::{LatheStock, OutlineSegment, Region, ToolOutline as Ou
 use super::gather::TurnMove;
 use super::report::TurnedThread;
 
-/// Grooves of one move that are drawn; a finer thread is shown by where it lies.
+/// Most grooves of one move that are drawn; of a finer thread only the extent is shown.
 const MAX_TURNS: f64 = 5000.0;
 
-/// How a move of a thread goes round.
+/// The helix of a threading move.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ThreadAdvance {
-    /// In one revolution: along z and r, mm.
+    /// The lead: the advance in one revolution along z and r, mm.
     pub advance: Vec2,
-    /// Where the tool is, or would be, when the spindle's index comes by first.
+    /// Where the tool is, or would be, at the last index of the spindle before the move.
     pub start: Vec2,
-    /// Whole revolutions from there on until the move has ended.
+    /// Whole revolutions from there to the end of the move, rounded up.
     pub turns: i64,
 }
 
-/// What the spindle has turned since its index, over the moves of one pass.
+/// The angle of the spindle since its index, over the moves of one pass.
 #[derive(Debug, Default)]
 pub(super) struct SpindleRevolutions {
-    /// Part of a revolution at the end of the last move.
+    /// Share of a revolution at the end of the last move.
     since: f64,
 }
 
 impl SpindleRevolutions {
-    /// A pass begins: it waits for the spindle's index.
+    /// Begins a pass, which waits for the spindle's index.
     pub fn begin(&mut self) {
         self.since = 0.0;
     }
 
-    /// The places of a move at which the spindle's index passes the section, and the advance of one revolution along the path, mm,
-    /// where that is the same all along. `None` where the revolutions of the move are not known.
+    /// The positions of a move at which the spindle's index passes the section, and the lead along the path, mm
+    /// (`None` where it changes). `None` where the revolutions of the move are not known.
     fn places(&mut self, move_: &TurnMove) -> Option<(Vec<Vec2>, Option<f64>)> {
         let path = &move_.path;
         let length = path.start.distance(path.end);
@@ -47,9 +47,9 @@ impl SpindleRevolutions {
         let last = self.since + turns;
         let mut places = Vec::new();
         let mut index = self.since.ceil();
-        // Rounding must not lose the groove at the end of a pass.
+        // The margin keeps rounding from losing the groove at the end of a pass.
         while index <= last + 1e-9 {
-            // After n revolutions the tool has come by first n + change n² / 2.
+            // After n revolutions the tool has advanced by first · n + lead_change · n² / 2.
             let n = index - self.since;
             let first = advance - move_.lead_change * turns / 2.0;
             let course = first * n + move_.lead_change * n * n / 2.0;
@@ -61,7 +61,7 @@ impl SpindleRevolutions {
         Some((places, (move_.lead_change == 0.0).then_some(advance)))
     }
 
-    /// How a move goes round: nothing where its advance is not known or changes.
+    /// The helix of a move; `None` where its lead is not known or changes.
     pub fn turn_of(&self, move_: &TurnMove) -> Option<ThreadAdvance> {
         let path = &move_.path;
         let length = path.start.distance(path.end);
@@ -80,7 +80,7 @@ impl SpindleRevolutions {
         })
     }
 
-    /// What a move takes from the section; the stock stays as it is.
+    /// What a move would remove from the section, with its lead (mm); the stock stays as it is.
     pub fn grooves(
         &mut self,
         stock: &LatheStock,
@@ -100,7 +100,7 @@ impl SpindleRevolutions {
 }
 
 impl TurnedThread {
-    /// With a further pass.
+    /// Adds a pass.
     pub(super) fn add(
         &mut self,
         taken: &Region,

@@ -15,43 +15,43 @@ use crate::job::Job;
 use crate::stock::tools::lacking;
 use crate::tool_comments::known_tools;
 
-/// A shank or body of which no length is known has none below this, mm.
+/// The length that is taken for a shank or body of unknown length, mm: longer than any.
 const UNKNOWN_BODY_MM: f64 = 1000.0;
-/// The block above a blade is at least so much wider on each side, mm.
+/// The block above a blade is at least this much wider on each side, mm.
 const BLOCK: f64 = 0.5;
 /// A thread's depth as a share of its pitch (ISO 68-1).
 const THREAD_DEPTH: f64 = 0.541_265_877_365_274_2;
 
-/// What cuts, and what must not touch.
+/// The outlines of a tool: the edges that cut, and the bodies that must not touch.
 #[derive(Clone, Debug)]
 pub(super) struct LatheTool {
-    /// A drill whose point angle nobody gives.
+    /// True for a drill whose point angle nobody gives.
     pub has_assumed_point_angle: bool,
     pub edges: Outline,
     pub kind: TurningToolKind,
-    /// How long the cutting edges are, or how deep a blade reaches, mm.
+    /// The length of the cutting edges, or the cutting depth of a blade, mm.
     pub reach: f64,
-    /// From the programmed point into the tool; zero where it has no direction.
+    /// Direction from the programmed point into the tool; zero where there is none.
     pub body: Vec2,
-    /// What is above the reach of a blade.
+    /// The block above a blade; `None` for other tools, and for blades in a bore.
     pub above: Option<Outline>,
     pub shank: Option<Outline>,
     pub holder: Option<Outline>,
-    /// Each revolution leaves a groove instead of a round surface.
+    /// True where each revolution leaves a groove instead of a round surface.
     pub threads: bool,
 }
 
-/// What a tool is, as far as questions depend on it.
+/// The kind of a turning tool, with the dimensions that checks depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum TurningToolKind {
-    /// A nose between two flanks: its radius, mm, and the directions of the flanks, rad. A point in the middle of
-    /// the nose is programmed where the tip is 0 or 9.
+    /// A nose between two flanks: its radius, mm, the directions of the flanks and the approach angle, rad.
+    /// `centered` where the centre of the nose is the programmed point (tip 0 or 9).
     Insert { nose: f64, flanks: [f64; 2], centered: bool, approach: Option<f64> },
     /// A round insert.
     Round,
-    /// A front edge; where it begins and ends along the axis that it is wide on, as seen from the point.
+    /// A front edge, with its ends relative to the programmed point along the axis of its width, mm.
     Blade { facing: BladeFacing, from: f64, to: f64 },
-    /// On the axis.
+    /// A tool on the axis.
     Drill,
 }
 
@@ -67,7 +67,7 @@ impl From<ToolError> for NoOutline {
 
 /// The tools that a program may use, by number.
 pub(super) fn tools_of(job: &Job) -> BTreeMap<u32, Result<LatheTool, NoOutline>> {
-    // Some controls count tip numbers with X turned round.
+    // Some controls number tips with X mirrored.
     let mirrored = job.control().parameters.rules.turning.tips_mirrored;
     let outline = |mut tool: Tool| {
         tool.tip = tool.tip.map(|tip| if mirrored { mirrored_tip(tip) } else { tip });
@@ -119,7 +119,7 @@ fn insert(tool: &Tool) -> Result<LatheTool, NoOutline> {
         .ok_or_else(|| missing("flute_length", "the length of the cutting edges of the insert"))?;
     let triangle = tool.turning.insert.is_some_and(InsertLetter::is_triangle);
     let far = if triangle { InsertShape::Triangle } else { InsertShape::Parallelogram };
-    let retained = match tip.number() {
+    let mounted = match tip.number() {
         1..=4 => {
             let approach = tool.turning.approach_angle_rad.ok_or_else(|| {
                 missing("approach_angle", "between its main edge and the feed along Z")
@@ -137,14 +137,14 @@ fn insert(tool: &Tool) -> Result<LatheTool, NoOutline> {
             return Err(NoOutline(why.to_string()));
         }
     };
-    let middle = 0.5 * (retained.flanks[0] + retained.flanks[1]);
+    let middle = 0.5 * (mounted.flanks[0] + mounted.flanks[1]);
     let (sine, cosine) = libm::sincos(middle);
     Ok(LatheTool {
         has_assumed_point_angle: tool.has_assumed_point_angle(),
-        edges: retained.outline()?,
+        edges: mounted.outline()?,
         kind: TurningToolKind::Insert {
             nose,
-            flanks: retained.flanks,
+            flanks: mounted.flanks,
             centered: false,
             approach: tool.turning.approach_angle_rad,
         },
@@ -169,7 +169,7 @@ fn facing_of(tool: &Tool, tip: Tip) -> Result<BladeFacing, NoOutline> {
     })
 }
 
-/// Which corner is programmed: the tip lies there as seen from the middle of the edge.
+/// Which corner of the edge is the programmed point: the one towards the tip.
 fn point_of(facing: BladeFacing, tip: Tip) -> BladePoint {
     let to = tip.to_center();
     let along = match facing {
@@ -200,14 +200,14 @@ fn blade(tool: &Tool) -> Result<LatheTool, NoOutline> {
         BladePoint::Upper => -width,
     };
     let to = from + width;
-    // Across the width and into the body.
+    // A point by its coordinates along the width and into the body.
     let place = |across: f64, depth: f64| match facing {
         BladeFacing::Outside => Vec2::new(across, depth),
         BladeFacing::Inside => Vec2::new(across, -depth),
         BladeFacing::Face => Vec2::new(depth, across),
         BladeFacing::BackFace => Vec2::new(-depth, across),
     };
-    // What holds the blade is wider than it.
+    // The block that holds the blade is wider than the blade.
     let (left, right) = (from - BLOCK, to + BLOCK);
     let above = [
         place(left, length),
@@ -290,7 +290,7 @@ fn stack(solids: &[HolderSegment], at: &mut f64) -> Result<Option<Outline>, NoOu
     Ok(all)
 }
 
-/// The round shank of a boring bar, which lies along +z from where the edges end.
+/// The round shank of a boring bar, which extends along Z from the end of the edges; `None` for other tools.
 fn bar(tool: &Tool, tip: Tip, from: f64) -> Result<Option<Outline>, NoOutline> {
     let is_inside = matches!(tip.number(), 1 | 2 | 6);
     let Some(diameter) = tool.shank_diameter_mm.filter(|_| is_inside) else { return Ok(None) };
@@ -321,7 +321,7 @@ fn holder(tool: &Tool) -> Result<Option<Outline>, NoOutline> {
 }
 
 impl LatheTool {
-    /// Directions square to a flank, out of the insert; none of another tool.
+    /// The outward normals of the two flanks; `None` for tools without an insert.
     pub fn flank_normals(&self) -> Option<[Vec2; 2]> {
         let TurningToolKind::Insert { flanks: [first, second], .. } = self.kind else {
             return None;

@@ -1,4 +1,4 @@
-//! What undercuts make of columns, moment by moment: for the picture of a replay.
+//! The changes that undercuts make to columns, for a replay.
 
 use std::collections::BTreeMap;
 
@@ -8,14 +8,14 @@ use chordal_stock::{ColumnStock, TipMove};
 use super::super::tools::ToolBody;
 use super::{ColumnDrop, GapChange, StockBefore};
 
-/// Columns that are lower by less are as they were, mm: rounding.
+/// Columns that are lower by less than this are unchanged, mm: rounding.
 const EQUAL_HEIGHT_MM: f32 = 1e-3;
-/// A move is cut in pieces of so many columns, and in no more than so many pieces: what it removes comes to be with
-/// each of them.
+/// A move is cut in pieces of this many columns, and in at most `MAX_PIECES`: what each piece removes is reported at
+/// its end.
 const COLUMNS: f64 = 4.0;
 const MAX_PIECES: f64 = 64.0;
 
-/// The gaps and heights that were told last.
+/// The gaps and heights that were reported last.
 pub(super) struct ReplayHollows {
     columns: [u32; 2],
     low: [f64; 2],
@@ -37,20 +37,20 @@ impl ReplayHollows {
         }
     }
 
-    /// All gaps, before anything is cut.
+    /// All gaps before the first cut.
     pub fn all(&mut self, stock: &ColumnStock) -> Vec<GapChange> {
         let everywhere = [[0, self.columns[0]], [0, self.columns[1]]];
         self.changed(stock, everywhere, 0, 0.0).1
     }
 
-    /// Other cutters have lowered columns.
+    /// Records columns that cutters without undercuts have lowered.
     pub fn lowered(&mut self, drops: &[ColumnDrop]) {
         for drop in drops {
             self.heights[drop.column as usize] = drop.height;
         }
     }
 
-    /// Cuts a move of a tool with undercuts: the columns that are lower, and those with other gaps.
+    /// Cuts a move of a tool with undercuts. Returns the columns that are lower, and those whose gaps have changed.
     pub fn cut(
         &mut self,
         stock: &mut ColumnStock,
@@ -84,7 +84,7 @@ impl ReplayHollows {
         (drops, gaps)
     }
 
-    /// What is other than it was told, on columns and rows from and up to some.
+    /// What has changed since the last report in a range of columns and rows.
     fn changed(
         &mut self,
         stock: &ColumnStock,

@@ -1,4 +1,4 @@
-//! Tops, undersides and the walls between them as triangles.
+//! Makes triangles of tops, undersides and the walls between them.
 
 use chordal_geometry::Vec3;
 
@@ -18,7 +18,7 @@ pub(super) struct LayerBuilder<'a> {
     field: &'a LayerField<'a>,
     plan: PlanGrid,
     cover: &'a LayerCover,
-    /// For each corner of cells its number among those with vertices.
+    /// For each corner of cells its index in `corners`, or [`NO_CORNER`].
     numbers: Vec<u32>,
     corners: Vec<LayerCorner>,
     vertices: Vec<Vec3>,
@@ -60,14 +60,14 @@ impl<'a> LayerBuilder<'a> {
         (Mesh { vertices: self.vertices, triangles: self.triangles }, self.touching)
     }
 
-    /// Gives the vertices of a corner their numbers.
+    /// Numbers the vertices of a corner.
     fn number(&mut self, at: [usize; 2]) {
         let cells = self.cells(at);
         if is_passed(&cells) {
             self.numbers.push(NO_CORNER);
             return;
         }
-        // The count was checked against 32 bits before.
+        // [`LayerField::check`] has limited the count to 32 bits.
         let corner = LayerCorner::new(&cells, self.vertices.len() as u32);
         for level in &corner.levels {
             for &path in &level.meeting.directions[..level.meeting.count] {
@@ -108,7 +108,7 @@ impl<'a> LayerBuilder<'a> {
         (number != NO_CORNER).then(|| &self.corners[number as usize])
     }
 
-    /// A top or an underside.
+    /// Adds a top or an underside.
     fn face(&mut self, rectangle: &CellRectangle, is_top: bool) {
         let mut around: Vec<u32> = Vec::new();
         for side in sides(rectangle) {
@@ -125,7 +125,7 @@ impl<'a> LayerBuilder<'a> {
         fill(&around, ends, &mut self.vertices, &mut self.triangles);
     }
 
-    /// The walls over a line of corners.
+    /// Adds the walls along a line of corners.
     fn walls(&mut self, line: impl Iterator<Item = [usize; 2]>, along: CornerLine) {
         let mut begin: Option<[usize; 2]> = None;
         for at in line {
@@ -133,7 +133,7 @@ impl<'a> LayerBuilder<'a> {
                 continue;
             }
             if let Some(from) = begin {
-                // From one corner with vertices to the next the cells on both sides are the same.
+                // Between two consecutive corners with vertices the cells on both sides do not change.
                 let cells = self.cells(from);
                 let [left, right] = along.cells().map(|cell| cells[cell].intervals);
                 for (span, is_left) in differences(left, right) {
@@ -144,7 +144,7 @@ impl<'a> LayerBuilder<'a> {
         }
     }
 
-    /// A wall between two corners, of the cell on the left of the line or of that on its right.
+    /// Adds a wall between two corners, of the cell on the left of the line or of that on its right.
     fn wall(
         &mut self,
         [from, to]: [[usize; 2]; 2],
@@ -160,13 +160,12 @@ impl<'a> LayerBuilder<'a> {
         if let Some(corner) = self.corner(to) {
             corner.line(back, span, &mut end);
         }
-        // Seen from outside, over the line towards material on its left, the line goes to the right.
+        // With the material on the left of the line, the line goes to the right as seen from outside.
         let (left, right) = if is_left { (begin, end) } else { (end, begin) };
         self.strip(&left, &right);
     }
 
-    /// Triangles between two upright lines of vertices: the one on the left, then the one on the right, seen from
-    /// outside.
+    /// Adds triangles between two vertical lines of vertices; left and right are as seen from outside.
     fn strip(&mut self, left: &[(f64, u32)], right: &[(f64, u32)]) {
         let (mut l, mut r) = (0, 0);
         while l + 1 < left.len() || r + 1 < right.len() {
@@ -195,7 +194,7 @@ enum CornerLine {
 }
 
 impl CornerLine {
-    /// The cells on the left and on the right of the line, by their numbers around its first corner.
+    /// The numbers around its first corner of the cells on the left and on the right of the line.
     fn cells(self) -> [usize; 2] {
         match self {
             CornerLine::X => [0, 3],
@@ -212,7 +211,7 @@ impl CornerLine {
     }
 }
 
-/// Where one of two cells is solid and the other is not, from the lowest; whether that is the first.
+/// The intervals in which only one of two cells is solid, from the lowest, and whether that is the left one.
 fn differences(left: &[[f64; 2]], right: &[[f64; 2]]) -> Vec<([f64; 2], bool)> {
     let ends = |cell: &[[f64; 2]], is_left: bool| {
         let ends = cell.iter().flat_map(move |[from, to]| [(*from, is_left), (*to, is_left)]);

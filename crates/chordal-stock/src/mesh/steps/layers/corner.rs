@@ -1,9 +1,9 @@
-//! The vertices over a corner of four cells with gaps.
+//! The vertices at a corner of four cells with gaps.
 
 use super::super::cover::NONE;
 use super::super::node::{FaceKind, LevelMeeting};
 
-/// The stretches of a cell, and the rectangles of their ends.
+/// The intervals of a cell, and the rectangles of their ends.
 #[derive(Clone, Copy, Default)]
 pub(super) struct LayerCell<'a> {
     pub intervals: &'a [[f64; 2]],
@@ -19,7 +19,7 @@ impl LayerCell<'_> {
         self.intervals.iter().any(|[from, to]| *from < height && height <= *to)
     }
 
-    /// The rectangle of the end at a height: its kind and number.
+    /// The kind of the end at a height, and the number of its rectangle.
     fn rectangle(&self, height: f64) -> (usize, u32) {
         let ends = self.intervals.iter().zip(self.rectangles);
         let mut ends =
@@ -28,10 +28,10 @@ impl LayerCell<'_> {
     }
 }
 
-/// A level of a corner.
+/// A level of a corner, with its vertices.
 pub(super) struct LayerLevel {
     pub height: f64,
-    /// Its first vertex.
+    /// The number of its first vertex.
     pub first: u32,
     pub meeting: LevelMeeting,
 }
@@ -41,14 +41,14 @@ pub(super) struct LayerCorner {
     pub levels: Vec<LayerLevel>,
 }
 
-/// Whether nothing but straight edges of the same rectangles passes a corner: then it has no vertex.
+/// Whether only straight edges of the same rectangles pass through a corner, so that it has no vertex.
 pub(super) fn is_passed(cells: &[LayerCell<'_>; 4]) -> bool {
     let same = |a: usize, b: usize| cells[a].rectangles == cells[b].rectangles;
     (same(0, 1) && same(2, 3)) || (same(1, 2) && same(3, 0))
 }
 
 impl LayerCorner {
-    /// Of the four cells around it, with vertices from a number on.
+    /// The corner of four cells, with vertices numbered from `first` on.
     pub fn new(cells: &[LayerCell<'_>; 4], first: u32) -> LayerCorner {
         let heights = heights(cells);
         let mut corner = LayerCorner { levels: Vec::with_capacity(heights.len()) };
@@ -68,13 +68,13 @@ impl LayerCorner {
         corner
     }
 
-    /// The vertex of a face at the level of a height.
+    /// The vertex of a face at a height; `None` where there is none.
     pub fn vertex(&self, height: f64, face: FaceKind) -> Option<u32> {
         let level = self.levels.iter().find(|level| level.height == height)?;
         Some(level.first + level.meeting.vertex(face))
     }
 
-    /// The vertices of a wall from one height to another, with their heights.
+    /// The vertices of a wall between two heights, with their heights.
     pub fn line(&self, wall: usize, [low, high]: [f64; 2], into: &mut Vec<(f64, u32)>) {
         into.clear();
         for LayerLevel { height, first, meeting } in &self.levels {
@@ -86,8 +86,8 @@ impl LayerCorner {
     }
 }
 
-/// The ends of all stretches, and heights between the ends of an edge in which two cells touch: there its two sides
-/// have vertices of their own, whatever is at its ends.
+/// The ends of all intervals, and a height between the ends of each edge in which two cells touch diagonally: there
+/// the two bodies have separate vertices, even if they share those at the ends.
 fn heights(cells: &[LayerCell<'_>; 4]) -> Vec<f64> {
     let mut heights: Vec<f64> =
         cells.iter().flat_map(|cell| cell.intervals.iter().flatten().copied()).collect();

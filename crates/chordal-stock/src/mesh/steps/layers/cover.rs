@@ -1,26 +1,26 @@
-//! The tops and undersides of columns as rectangles, each of one height.
+//! Joins the tops and undersides of columns to rectangles, each of one height.
 
 use super::super::cover::{CellRectangle, HeightSummary, NONE};
 use super::{LayerField, STEP, SolidIntervals};
 
-/// An end of a stretch.
+/// The index of an end of an interval.
 const UNDERSIDE: usize = 0;
 const TOP: usize = 1;
 
-/// Every top and every underside in one rectangle.
+/// Rectangles that cover every top and every underside once.
 pub(super) struct LayerCover {
     pub undersides: Vec<CellRectangle>,
     pub tops: Vec<CellRectangle>,
-    /// The stretches of each cell, with the heights of their rectangles, mm.
+    /// The intervals of each cell, with the heights of their rectangles, mm.
     pub intervals: SolidIntervals,
-    /// For each stretch the numbers of the rectangles of its underside and of its top.
+    /// The numbers of the rectangles of the underside and of the top of each interval.
     pub of: Vec<[u32; 2]>,
-    /// How far an end is from its rectangle at most, mm.
+    /// The largest difference between an end and its rectangle, mm.
     pub deviation: f64,
 }
 
 impl LayerCover {
-    /// Rectangles in which no end of a stretch is further from the mean than the tolerance, mm.
+    /// Rectangles in which no end of an interval differs from the mean by more than the tolerance, mm.
     pub fn new(field: &LayerField<'_>, intervals: &SolidIntervals, tolerance: f64) -> LayerCover {
         let mut cover = LayerCover {
             undersides: Vec::new(),
@@ -42,13 +42,14 @@ impl LayerCover {
         cover
     }
 
-    /// The stretches of a cell with the rectangles of their ends.
+    /// The rectangles of the ends of each interval of a cell.
     pub fn rectangles(&self, cell: usize) -> &[[u32; 2]] {
         &self.of[self.intervals.range(cell)]
     }
 }
 
-/// The height of a rectangle by the mean of its ends: undersides between the steps of the tops, but on the floor.
+/// The height of a rectangle from the mean of its ends, mm. Tops are at multiples of [`STEP`] and undersides halfway
+/// between them, so that they never coincide; those on the floor stay there.
 fn height(mean: f64, end: usize) -> f64 {
     match end {
         TOP => (mean / STEP).round() * STEP,
@@ -57,18 +58,18 @@ fn height(mean: f64, end: usize) -> f64 {
     }
 }
 
-/// Rectangles of one kind of end.
+/// Grows rectangles of one kind of end.
 struct RectangleGrowth<'a> {
     field: &'a LayerField<'a>,
     intervals: &'a SolidIntervals,
     tolerance: f64,
     end: usize,
-    /// The stretches of the row that is tried, kept for the next one.
+    /// The intervals of the row that is tried; a buffer that is reused.
     row: Vec<usize>,
 }
 
 impl RectangleGrowth<'_> {
-    /// From an end as far along X as the tolerance allows, then along Y.
+    /// Grows a rectangle from an end, first along X as far as the tolerance allows, then along Y.
     fn rectangle(&mut self, cell: usize, section: usize, cover: &mut LayerCover) {
         let LayerField { columns, rows, .. } = *self.field;
         let (column, row) = (cell % columns, cell / columns);
@@ -109,7 +110,8 @@ impl RectangleGrowth<'_> {
         }
     }
 
-    /// The free end of a cell that is nearest to others, where it is near enough, and what they have in common then.
+    /// The free end of a cell that is nearest to the mean of a rectangle, with the extended summary; `None` where
+    /// none is within the tolerance.
     fn next(
         &self,
         cell: usize,
@@ -121,7 +123,7 @@ impl RectangleGrowth<'_> {
         let free = self.intervals.range(cell).filter(|at| cover.of[*at][self.end] == NONE);
         let nearest = free.min_by(|a, b| off(a).total_cmp(&off(b)))?;
         let height = self.intervals.all[nearest][self.end];
-        // What stands on the floor stays there.
+        // Undersides on the floor are not joined with others.
         let is_on_floor = |height: f64| height <= 0.0;
         if self.end == UNDERSIDE && is_on_floor(height) != is_on_floor(mean) {
             return None;

@@ -1,9 +1,9 @@
-//! A closed surface around columns with gaps: flat tops and undersides, upright walls.
+//! A closed surface around columns with gaps: flat tops and undersides, vertical walls.
 //!
-//! As a [`HeightField`](super::HeightField), but a column may have several stretches. Tops have heights in steps of
-//! [`STEP`], undersides lie half a step between them: so no top touches an underside in an edge, and every edge has
-//! two triangles. Where two columns touch in an upright edge, its ends are two vertices each, and one more pair
-//! between them.
+//! Like a [`HeightField`](super::HeightField), but a column may have several intervals. Tops are at multiples of
+//! [`STEP`], and undersides halfway between them: so no top touches an underside in an edge, and every edge has two
+//! triangles. Where two columns touch in a vertical edge, there are two vertices at each of its ends, and another
+//! pair between them.
 
 mod build;
 mod corner;
@@ -14,25 +14,25 @@ use chordal_geometry::Vec3;
 use super::{HeightField, HeightFieldError, HeightMesh, PlanGrid};
 use crate::mesh::MAX_COORDINATE_MM;
 
-/// Tops have heights in such steps, mm: files of floats of 32 bits tell half of one apart up to four metres.
+/// Tops are at multiples of this, mm: 32-bit floats can represent half of it up to four metres.
 pub(super) const STEP: f64 = 1.0 / 1024.0;
 
-/// The stretches of columns, one column after the other.
+/// The intervals of material of all columns.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SolidIntervals {
-    /// Where the stretches of each column end.
+    /// The end of each column in `all`.
     ends: Vec<usize>,
     all: Vec<[f64; 2]>,
 }
 
 impl SolidIntervals {
-    /// Adds a column: its stretches of material, each from a height to another, mm, from the lowest.
+    /// Adds a column: its intervals of material as pairs of heights, mm, from the lowest.
     pub fn push(&mut self, column: impl IntoIterator<Item = [f64; 2]>) {
         self.all.extend(column);
         self.ends.push(self.all.len());
     }
 
-    /// How many columns there are.
+    /// Number of columns.
     pub fn len(&self) -> usize {
         self.ends.len()
     }
@@ -42,7 +42,7 @@ impl SolidIntervals {
         self.ends.is_empty()
     }
 
-    /// The stretches of a column by its number, from the lowest, mm.
+    /// The intervals of the column with this number, from the lowest, mm.
     ///
     /// # Panics
     /// When there is no such column.
@@ -50,22 +50,22 @@ impl SolidIntervals {
         &self.all[self.range(column)]
     }
 
-    /// The places of a column's stretches among all.
+    /// The indices of a column's intervals.
     fn range(&self, column: usize) -> std::ops::Range<usize> {
         let from = column.checked_sub(1).map_or(0, |before| self.ends[before]);
         from..self.ends[column]
     }
 
-    /// How long all stretches are together, mm.
+    /// The total length of all intervals, mm.
     pub fn length(&self) -> f64 {
         self.all.iter().map(|[from, to]| to - from).sum()
     }
 }
 
-/// Columns of several stretches over a grid of square cells, row by row.
+/// Columns with several intervals over a grid of square cells, row by row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LayerField<'a> {
-    /// The corner of the grid with the lowest x and y, and the zero of the heights, mm. Nothing is below.
+    /// The corner of the grid with the lowest x and y, and the zero of the heights, mm. There is no material below.
     pub origin: Vec3,
     /// The side of a cell, mm.
     pub cell: f64,
@@ -73,18 +73,17 @@ pub struct LayerField<'a> {
     pub columns: usize,
     /// How many cells there are along Y.
     pub rows: usize,
-    /// How far the grid reaches along X and along Y, mm: there the last cells end, at their sides at the latest.
+    /// Size of the grid along X and along Y, mm. The last cells end there, and may be narrower than the others.
     pub size: [f64; 2],
-    /// The stretches above the origin: `columns` of the lowest row first.
+    /// The intervals, with heights above the origin: row by row, that with the lowest y first.
     pub intervals: &'a SolidIntervals,
 }
 
 impl LayerField<'_> {
-    /// The closed surface, in which no top and no underside is further from that of its cell than `tolerance` and a
-    /// thousandth, mm. Stretches and gaps that are thinner than twice that are left out.
+    /// The closed surface, in which no top and no underside differs from that of its cell by more than `tolerance`
+    /// plus 0.001, mm. Intervals and gaps that are thinner than twice that are left out.
     ///
-    /// # Errors
-    /// When the grid is none, or a height is no number.
+    /// # Errors When the grid or a height is not valid.
     pub fn mesh(&self, tolerance: f64) -> Result<HeightMesh, HeightFieldError> {
         self.check(tolerance)?;
         let thick = self.without_thin(2.0 * (tolerance + STEP));
@@ -106,7 +105,7 @@ impl LayerField<'_> {
 
     fn check(&self, tolerance: f64) -> Result<(), HeightFieldError> {
         let LayerField { columns, rows, intervals, .. } = *self;
-        // The grid, without the heights that it would have.
+        // The check of a height field serves for the grid.
         let flat = HeightField {
             origin: self.origin,
             cell: self.cell,
@@ -128,7 +127,7 @@ impl LayerField<'_> {
         Ok(())
     }
 
-    /// The stretches of each column, of which neither they nor the gaps between them are thinner than so much, mm.
+    /// The intervals without gaps and intervals thinner than `least`, mm.
     fn without_thin(&self, least: f64) -> SolidIntervals {
         let mut kept = SolidIntervals::default();
         let mut column: Vec<[f64; 2]> = Vec::new();
