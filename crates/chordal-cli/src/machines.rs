@@ -212,7 +212,7 @@ fn certainty(certainty: Certainty) -> &'static str {
     match certainty {
         Certainty::Documented => "documented",
         Certainty::Inferred => "inferred",
-        Certainty::Trade => "trade",
+        Certainty::Practice => "trade",
         Certainty::Unknown => "unknown",
     }
 }

@@ -32,7 +32,7 @@ impl AxisMask {
         axes
     }
 
-    /// True when the axis is in the set.
+    /// Whether the axis is in the set.
     #[inline]
     pub const fn has(self, axis: usize) -> bool {
         self.0 & (1 << axis) != 0
@@ -44,19 +44,19 @@ impl AxisMask {
         self.0 |= 1 << axis;
     }
 
-    /// Takes an axis out.
+    /// Removes an axis.
     #[inline]
     pub const fn remove(&mut self, axis: usize) {
         self.0 &= !(1 << axis);
     }
 
-    /// The axes of both.
+    /// The axes that are in both sets.
     #[inline]
     pub const fn and(self, other: AxisMask) -> AxisMask {
         AxisMask(self.0 & other.0)
     }
 
-    /// The axes of either.
+    /// The axes that are in at least one of the sets.
     #[inline]
     pub const fn or(self, other: AxisMask) -> AxisMask {
         AxisMask(self.0 | other.0)
@@ -68,13 +68,13 @@ impl AxisMask {
         AxisMask(self.0 & !other.0)
     }
 
-    /// True when every axis of `other` is in this set.
+    /// Whether every axis of `other` is in this set.
     #[inline]
     pub const fn covers(self, other: AxisMask) -> bool {
         other.0 & !self.0 == 0
     }
 
-    /// The axes in order.
+    /// The axes of the set, X first.
     pub fn iter(self) -> impl Iterator<Item = Axis> {
         Axis::ALL.into_iter().filter(move |axis| self.has(*axis as usize))
     }

@@ -1,4 +1,4 @@
-//! Canonical commands: what a block means, with the control's own peculiarities resolved.
+//! Canonical commands: what a block makes the machine do, in one form for all controls.
 
 use std::sync::Arc;
 
@@ -20,68 +20,68 @@ use crate::work_zero::WorkZero;
 pub enum CommandKind {
     /// A move at rapid speed.
     Rapid {
-        /// From where to where.
+        /// Start and end.
         motion: Move,
         /// Straight, or each axis at its own speed.
         path: RapidPath,
     },
     /// A straight cut.
     Line {
-        /// From where to where.
+        /// Start and end.
         motion: Move,
-        /// At what feed.
+        /// The feed.
         feed: Feed,
     },
     /// An arc or a helix.
     Arc {
-        /// From where to where.
+        /// Start and end.
         motion: Move,
         /// Centre, direction and radii.
         shape: ArcShape,
-        /// At what feed.
+        /// The feed.
         feed: Feed,
     },
     /// A spiral or a cone that the program asked for.
     Spiral {
-        /// From where to where.
+        /// Start and end.
         motion: Move,
         /// Centre, direction and radii.
         shape: ArcShape,
-        /// At what feed.
+        /// The feed.
         feed: Feed,
     },
     /// A spline.
     Spline {
-        /// From where to where: the ends of the curve.
+        /// Start and end of the curve.
         motion: Move,
         /// The curve of X, Y and Z in program coordinates, mm.
         curve: Arc<Spline>,
-        /// At what feed.
+        /// The feed.
         feed: Feed,
     },
-    /// Waiting.
+    /// The machine waits.
     Dwell {
-        /// For how long.
+        /// How long, s.
         seconds: f64,
-        /// For what, where it is a code of the shop's own.
+        /// What it waits for, if that is a custom code of the machine file; otherwise `None`.
         label: Option<Arc<str>>,
     },
-    /// A tool goes into the spindle.
+    /// A tool is put into the spindle.
     Tool {
-        /// Its number.
+        /// The number of the tool.
         number: u32,
     },
-    /// The tool in the spindle has this number from here on; nothing is changed at the machine.
+    /// The tool in the spindle gets another number; the machine does nothing.
     ToolNumber {
-        /// Its number.
+        /// The number of the tool.
         number: u32,
     },
-    /// A tool is made ready.
+    /// A tool is brought into position for the next tool change.
     ToolSelect {
-        /// Its number.
+        /// The number of the tool.
         number: u32,
     },
-    /// A tool length offset comes into force.
+    /// A tool length offset becomes active, or is cancelled.
     ToolLength {
         /// Number of the offset; `None` when lengths are cancelled.
         number: Option<u32>,
@@ -91,43 +91,44 @@ pub enum CommandKind {
         is_subtracted: bool,
         /// What is added on every axis, the length with it, mm and rad; zero where the table has no value.
         offset: Position,
-        /// The axes whose way from program to machine coordinates is known now.
+        /// The axes for which the offset from program to machine coordinates is known now.
         known: AxisMask,
     },
-    /// Compensation goes on or off.
+    /// Cutter compensation is switched on or off.
     Compensation {
         /// The side.
         side: CompensationSide,
-        /// Number of the offset.
+        /// Number of the offset; `None` where the block has none.
         number: Option<u32>,
-        /// Radius of the offset, mm, where the table has one; negative for the other side.
+        /// Radius of the offset, mm; negative for the other side, `None` where the table has no value.
         radius_mm: Option<f64>,
-        /// Direction on the axes of the plane that I J K give beside G40, G41 or G42, mm.
+        /// The vector on the axes of the plane that I, J and K give in the block of G40, G41 or G42, mm; `None` where
+        /// they are not written.
         toward: Option<[f64; 2]>,
-        /// The programmed point as seen from the centre of the tool, on the axes of the plane and in radii: the
-        /// imaginary tip of a turning tool. Zero for a mill.
+        /// The vector from the centre of the tool to the programmed point on the axes of the plane, in tool radii: for a
+        /// turning tool the imaginary tip, for a mill zero.
         tip: [f64; 2],
     },
-    /// The outside corner at the end of this block's move, or without one of the block
-    /// before, is rounded (G39).
+    /// The outside corner at the end of this block's move is rounded, or that of the move before if this block has none
+    /// (G39).
     CornerArc {
-        /// Direction of the next block on the axes of the plane, where the block gives it.
+        /// Direction of the next block on the axes of the plane; `None` where the block does not give it.
         toward: Option<[f64; 2]>,
     },
-    /// A block that moves nothing, told while compensation is on: controls count them.
+    /// A block without motion, emitted while compensation is on: controls limit how many may follow each other.
     Idle,
-    /// The spindle.
+    /// The spindle starts, stops or changes its speed.
     Spindle {
         /// What it does.
         state: SpindleState,
-        /// Its speed.
+        /// Its speed, rev/min.
         rpm: f64,
     },
     /// Coolant valves change.
     Coolant(Coolant),
     /// The program waits for the operator.
     Stop {
-        /// Only when the optional stop switch is on.
+        /// Whether the program waits only when the optional stop switch is on.
         optional: bool,
     },
     /// The program ends.
@@ -136,69 +137,71 @@ pub enum CommandKind {
     Units(Units),
     /// The plane changes.
     Plane(Plane),
-    /// What F counts changes.
+    /// The feed mode changes.
     FeedMode(FeedMode),
-    /// F changes: value in the unit of the mode.
+    /// F changes.
     FeedRate {
-        /// mm/s, 1/s or mm per revolution.
+        /// The feed in the unit of the mode: mm/s, 1/s or mm per revolution.
         value: f64,
-        /// What it counts.
+        /// The feed mode.
         mode: FeedMode,
     },
-    /// How corners are passed.
+    /// The path mode changes.
     PathMode(PathMode),
-    /// The overrides that act change (M48, M49, tapping).
+    /// Overrides are enabled or disabled (M48, M49, tapping).
     Overrides(Overrides),
-    /// The program coordinates move against the machine.
+    /// The offset from program to machine coordinates changes.
     WorkOffset {
         /// Name of the active work coordinate system (`G54`, `E1`).
         name: WorkName,
         /// What is added to program coordinates to get machine coordinates, without tool
         /// length, mm and rad.
         offset: Position,
-        /// What of it the work coordinate system gives, and what shifts and presets.
+        /// Which part of it comes from the work coordinate system, and which from shifts and presets.
         zero: WorkZero,
-        /// How far the work coordinate system is turned about its zero (G10 L2 R), degrees: moves are those after it.
+        /// The rotation of the work coordinate system about its zero (G10 L2 R), degrees. Positions of moves have it
+        /// applied already.
         turned: f64,
-        /// The axes whose way to machine coordinates, tool length included, is known.
+        /// The axes for which the offset to machine coordinates, tool length included, is known.
         known: AxisMask,
         /// The tool tip in the new program coordinates.
         position: Position,
     },
-    /// Two coordinates lie on a surface that turns with a rotary axis from here on (G12.1, G7.1), or no longer.
+    /// From here on two coordinates are those of a surface that turns with a rotary axis (G12.1, G7.1), or those of the
+    /// axes again.
     Surface {
         /// The surface; `None` where it ends.
         surface: Option<RotarySurface>,
-        /// The tool tip in the coordinates that moves have now.
+        /// The tool tip in the new coordinates.
         position: Position,
     },
-    /// The move before was a probe or skip move, and has ended.
+    /// The probe or skip move before this command has ended.
     Probed {
-        /// Something was touched.
+        /// Whether the probe touched something.
         hit: bool,
     },
     /// Text for the operator.
     Message(TextRange),
-    /// A line that the program prints (DPRNT), its values put in.
+    /// A line that the program prints (DPRNT), with its values.
     Output {
-        /// The line without its end.
+        /// The text of the line without a line end.
         text: String,
     },
-    /// Something else that moves nothing.
+    /// Another effect without motion.
     Effect(Arc<Effect>),
 }
 
-/// A command and the block it comes from.
+/// A command and the block that it comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Command {
     /// What is done.
     pub kind: CommandKind,
-    /// Which block says so.
+    /// The block that it comes from.
     pub origin: Origin,
 }
 
 impl CommandKind {
-    /// The move, where the command is one.
+    /// The move; `None` if the command is none.
     #[inline]
     pub fn motion(&self) -> Option<&Move> {
         match self {
@@ -211,13 +214,13 @@ impl CommandKind {
         }
     }
 
-    /// It moves nothing, and no rule of the path knows it: it is for who compares two programs.
+    /// Whether the path ignores it: it only matters when two programs are compared.
     #[inline]
     pub fn is_effect(&self) -> bool {
         matches!(self, CommandKind::Effect(_))
     }
 
-    /// The feed, where the command cuts.
+    /// The feed; `None` if the command is no cut.
     #[inline]
     pub fn feed(&self) -> Option<&Feed> {
         match self {
@@ -229,13 +232,13 @@ impl CommandKind {
         }
     }
 
-    /// See [`Move::only_turns`].
+    /// Whether rotary axes alone move: see [`Move::only_turns`].
     #[inline]
     pub fn only_turns(&self) -> bool {
         self.motion().is_some_and(|motion| motion.only_turns(self.shape()))
     }
 
-    /// The spline, where the command is one.
+    /// The spline; `None` if the command is none.
     #[inline]
     pub fn spline(&self) -> Option<&Spline> {
         match self {
@@ -244,7 +247,7 @@ impl CommandKind {
         }
     }
 
-    /// The arc, where the command is one.
+    /// The arc; `None` if the command is none.
     #[inline]
     pub fn shape(&self) -> Option<&ArcShape> {
         match self {

@@ -1,24 +1,25 @@
-//! What a block does beside moves and the modes that they are made in.
+//! Effects of a block other than moves and modes.
 
-/// Something that a program does to its control or to the machine, and that moves nothing: who compares two programs
-/// must see it, and a path does not show it.
+/// Something without motion that a program does to its control or to the machine. It is no part of the path, but counts
+/// when two programs are compared.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Effect {
     /// A code that acts on something which is not simulated (a clamp, an output, a pallet, limits), with its words
-    /// in a form of their own: `M62 P1`.
+    /// in a normalized form: `M62 P1`.
     Code(String),
-    /// A variable of the control is written that is an output, a setting, or outlives the program.
+    /// The program writes a variable of the control that is an output or a setting, or that keeps its value after the
+    /// program.
     Variable {
         /// Its number.
         number: u32,
-        /// Its value; nothing where that is empty or not known.
+        /// Its value; `None` if it is empty or not known.
         value: Option<f64>,
     },
-    /// A value that the control keeps is written: of a work offset, a tool, a reference point.
+    /// The program writes values that the control stores: of a work offset, a tool, a reference point.
     Written {
         /// What is written: `work offset 2 Z`, `tool 3`.
         name: String,
-        /// What it holds now, mm, rad or the number itself; nothing where that is not known.
+        /// Its values, in mm or rad where they are lengths or angles; `None` where a value is not known.
         values: Vec<Option<f64>>,
     },
     /// The program stops itself with an alarm.
@@ -28,11 +29,11 @@ pub enum Effect {
         /// What the control shows.
         text: String,
     },
-    /// The block may be left out by a switch of the panel.
+    /// A switch of the panel may delete the block.
     Deletable {
         /// The number of the switch.
         switch: u8,
-        /// Only the words behind the mark are.
+        /// Whether only the words after the slash are deleted.
         partly: bool,
     },
 }

@@ -1,9 +1,8 @@
 //! What a program makes a machine do, as plain data, whatever language the program is written in.
 //!
 //! A [`Command`] is one thing the machine does: a move, a dwell, a tool change, a change of mode.
-//! A run pushes commands and problems into a [`Sink`]. Lengths are millimetres, angles radians,
-//! time seconds. Positions are program coordinates: of the active work coordinate system, at the
-//! tool tip.
+//! A run pushes commands and diagnostics into a [`Sink`]. Lengths are in mm, angles in rad, times in
+//! s. Positions are those of the tool tip in program coordinates, of the active work coordinate system.
 //!
 //! ```
 //! use chordal_command::{AxisMask, Move};

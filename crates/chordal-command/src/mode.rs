@@ -1,48 +1,48 @@
-//! What is switched on: spindle, coolant, compensation, path mode, overrides.
+//! The states of spindle, coolant, compensation, path mode and overrides.
 
-/// What the spindle does.
+/// The state of the spindle.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum SpindleState {
-    /// Stands.
+    /// Stopped.
     Off,
-    /// M3.
+    /// Clockwise (M3).
     Cw,
-    /// M4.
+    /// Counter-clockwise (M4).
     Ccw,
-    /// Stands at its mark (M19).
+    /// Stopped at its reference angle (M19).
     Oriented,
 }
 
-/// Coolant valves.
+/// Which coolant valves are open.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash)]
 pub struct Coolant {
     /// Mist.
     pub mist: bool,
     /// Flood.
     pub flood: bool,
-    /// Through the tool.
+    /// Coolant through the tool.
     pub through_tool: bool,
 }
 
 /// Cutter radius compensation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum CompensationSide {
-    /// G40.
+    /// None (G40).
     Off,
-    /// G41.
+    /// Left of the path (G41).
     Left,
-    /// G42.
+    /// Right of the path (G42).
     Right,
 }
 
 /// How corners are passed.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum PathMode {
-    /// Every corner exactly, without a stop where the path is smooth (LinuxCNC G61).
+    /// Exactly along the path, without a stop where it is smooth (LinuxCNC G61).
     ExactPath,
     /// A stop at every corner (G61, LinuxCNC G61.1, Fadal G9).
     ExactStop,
-    /// Corners may be rounded (G64, Fadal G8) within a distance in mm, where one is given.
+    /// Corners may be rounded (G64, Fadal G8).
     Continuous {
         /// Largest distance from the programmed path; `None` when the control decides.
         tolerance_mm: Option<f64>,
@@ -52,16 +52,16 @@ pub enum PathMode {
     },
 }
 
-/// Which overrides of the operator's panel act.
+/// Which overrides of the operator's panel are enabled.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Overrides {
-    /// On the feed of cuts.
+    /// The feed override.
     pub feed: bool,
-    /// On rapids.
+    /// The rapid override.
     pub rapid: bool,
 }
 
 impl Overrides {
-    /// Both act, as at power-on and after the program's end.
+    /// Both are enabled, as at power-on and after the program's end.
     pub const ON: Overrides = Overrides { feed: true, rapid: true };
 }

@@ -1,4 +1,4 @@
-//! Moves: where they begin and end, their arc, their feed.
+//! Moves: their ends, their arc, their feed.
 
 use chordal_geometry::Plane;
 
@@ -12,15 +12,15 @@ pub struct Move {
     pub from: Position,
     /// Where it ends.
     pub to: Position,
-    /// The axes whose `from` is known relative to the part: not before the program has
-    /// placed them, nor after a move in machine coordinates with an unknown work offset.
+    /// The axes whose `from` is known relative to the part. It is not known before the program has
+    /// moved them, nor after a move in machine coordinates with an unknown work offset.
     pub from_known: AxisMask,
     /// The axes whose `to` is known relative to the part.
     pub to_known: AxisMask,
 }
 
 impl Move {
-    /// The smallest distance of X from zero, where the move is straight, mm.
+    /// The smallest distance of X from zero on a straight move, mm.
     #[inline]
     pub fn least_radius(&self) -> f64 {
         match self.from[0] * self.to[0] <= 0.0 {
@@ -29,13 +29,13 @@ impl Move {
         }
     }
 
-    /// The angle that the rotary axes turn together, rad.
+    /// The length of the vector of the rotary axes' angles, rad.
     pub fn turn_rad(&self) -> f64 {
         let [_, _, _, a, b, c] = std::array::from_fn(|axis| self.to[axis] - self.from[axis]);
         (a * a + b * b + c * c).sqrt()
     }
 
-    /// Rotary axes turn and the tool tip stays where it is, so that F per time is an angle per time.
+    /// Whether only rotary axes move and the tool tip does not, so that F per time is an angle per time.
     /// An arc moves the tip even where it ends at its start.
     #[inline]
     pub fn only_turns(&self, shape: Option<&ArcShape>) -> bool {
@@ -43,23 +43,23 @@ impl Move {
     }
 }
 
-/// What F counts.
+/// The feed mode: what F means.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum FeedMode {
     /// Length per time (G94), mm/s; where rotary axes move alone ([`Move::only_turns`]) rad/s.
     PerTime,
-    /// One over the time of the block (G93), 1/s.
+    /// The inverse of the time of the block (G93), 1/s.
     InverseTime,
     /// Length per revolution of the spindle (G95), mm.
     PerRevolution,
 }
 
-/// Along what F is measured.
+/// Along which axes F is measured.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum FeedAlong {
     /// Along the whole path of X, Y and Z.
     Path,
-    /// Along the arc in its plane; a helix is faster by its slope.
+    /// Along the arc in its plane; along its whole path a helix is faster.
     Plane,
     /// Along the vector of all axes that move, the rotary ones counted as lengths.
     AllAxes(RotaryLength),
@@ -70,7 +70,7 @@ pub enum FeedAlong {
 pub enum RotaryLength {
     /// A degree is one unit of length: 1 mm or 1 in.
     DegreeAsUnit(Units),
-    /// The arc on a cylinder about the axis; its diameter for A, B and C, nm.
+    /// The arc length on a cylinder about the axis.
     ArcOnCylinder {
         /// Diameters of the cylinders about A, B and C, nm.
         diameters_nm: [u32; 3],
@@ -88,7 +88,7 @@ impl RotaryLength {
         }
     }
 
-    /// The length of the vector of all axes, mm, of which X, Y and Z make `linear_mm`.
+    /// The length of the vector of all axes, mm; `linear_mm` is the length of X, Y and Z alone.
     pub fn vector_mm(self, linear_mm: f64, motion: &Move) -> f64 {
         let rotary = (0..3).map(|axis| {
             let angle_rad = motion.to[axis + 3] - motion.from[axis + 3];
@@ -101,22 +101,22 @@ impl RotaryLength {
 /// The feed of a cutting move.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Feed {
-    /// In the unit of its mode; NaN before any F.
+    /// F in the unit of its mode; NaN before the first F.
     pub value: f64,
-    /// What it counts.
+    /// The feed mode.
     pub mode: FeedMode,
-    /// Along what it is measured.
+    /// Along which axes it is measured.
     pub along: FeedAlong,
-    /// Revolutions of the spindle per second, for [`FeedMode::PerRevolution`].
+    /// The speed of the spindle, rev/s, for [`FeedMode::PerRevolution`].
     pub spindle_rev_per_s: f64,
-    /// The cutting speed that the spindle keeps instead (G96).
+    /// The constant cutting speed (G96), which replaces that speed; `None` in G97.
     pub surface: Option<SurfaceSpeed>,
-    /// By how much a thread's lead along its path changes from one revolution to the next (G34), mm; `value` is the mean of the lead.
+    /// The change of a thread's lead in each revolution (G34), mm; `value` is the mean lead.
     pub lead_change: f64,
 }
 
 impl Feed {
-    /// The largest feed of a move with the spindle at this radius (of either sign, mm), mm/s; in inverse time there is none.
+    /// The feed at this radius (of either sign, mm), mm/s; `None` in inverse time mode.
     pub fn mm_per_s_at(&self, radius_mm: f64) -> Option<f64> {
         match (self.mode, self.surface) {
             (FeedMode::PerTime, _) => Some(self.value),
@@ -129,35 +129,35 @@ impl Feed {
     }
 }
 
-/// A cutting speed that the spindle keeps: it turns the faster, the nearer the tool is to the axis.
+/// A constant cutting speed: the spindle turns faster the nearer the tool is to the axis.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SurfaceSpeed {
     /// The speed at the tool, mm/s.
     pub mm_per_s: f64,
-    /// The spindle turns no faster than this, rev/s; infinite where nothing limits it.
+    /// The largest spindle speed, rev/s; infinite where nothing limits it.
     pub most_rev_per_s: f64,
-    /// The program limits the speed; otherwise only the machine does.
+    /// Whether the program limits the speed, not the machine alone.
     pub is_limited: bool,
 }
 
 impl SurfaceSpeed {
-    /// The spindle's speed with the tool at this radius (of either sign, mm), rev/s.
+    /// The spindle speed with the tool at this radius (of either sign, mm), rev/s.
     pub fn rev_per_s(&self, radius_mm: f64) -> f64 {
         let free = self.mm_per_s / (2.0 * std::f64::consts::PI * radius_mm.abs());
         free.min(self.most_rev_per_s)
     }
 }
 
-/// An arc, a helix, a spiral or a cone: the radius goes linearly with the angle from
-/// `radius_from` to `radius_to`, the third axis and rotary axes likewise.
+/// An arc, a helix, a spiral or a cone: the radius changes linearly with the angle from
+/// `radius_from` to `radius_to`, and so do the third axis and rotary axes.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ArcShape {
     /// Plane of the arc.
     pub plane: Plane,
     /// Centre on the two axes of the plane (a, b), mm.
     pub center: [f64; 2],
-    /// Directed angle in rad: positive counter-clockwise (a towards b). More than a turn
-    /// where the command says so.
+    /// The angle from start to end, rad: positive counter-clockwise (a towards b). It may be more than
+    /// a full turn.
     pub sweep: f64,
     /// Distance of the start from the centre, mm.
     pub radius_from: f64,
@@ -165,13 +165,13 @@ pub struct ArcShape {
     pub radius_to: f64,
 }
 
-/// How a rapid goes.
+/// The path of a rapid.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum RapidPath {
-    /// All axes arrive together.
+    /// Straight: all axes arrive together.
     Straight,
-    /// The same, and no faster than so many mm/s along the path: a G0 that obeys a feed (Marlin).
+    /// Straight, and no faster than this along the path, mm/s: a G0 with a feed (Marlin).
     AtFeed(f64),
-    /// Each axis at its own speed.
+    /// Each axis at its own speed, so that the path bends.
     DogLeg,
 }

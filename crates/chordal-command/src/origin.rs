@@ -1,27 +1,26 @@
-//! Which block a command comes from, and the calls it was reached through.
+//! The block that a command comes from, and the chain of calls that led to it.
 
 use chordal_diagnostics::{Span, TextShift};
 
-/// Which chain of calls a block was reached through; 0 is the main program.
-/// [`CallPaths`] resolves it.
+/// The index of a chain of calls in [`CallPaths`]; 0 is the main program, without calls.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash, PartialOrd, Ord)]
 pub struct CallPath(pub u32);
 
 /// The block that a command comes from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Origin {
-    /// The whole block.
+    /// The bytes of the whole block.
     pub span: Span,
     /// Its line in the file, from 1.
     pub line: u32,
-    /// The calls it was reached through.
+    /// The chain of calls that led to it.
     pub call: CallPath,
-    /// Made by a canned cycle that the block set off.
+    /// Whether a canned cycle of the block made the command.
     pub cycle: bool,
 }
 
 impl Origin {
-    /// The same in a text that has changed elsewhere; `None` where the block went.
+    /// The same block in an edited text; `None` if the edit has removed it.
     pub fn shifted(&self, shift: &TextShift) -> Option<Origin> {
         let mut moved = Origin { span: shift.span(self.span)?, ..*self };
         if moved.span != self.span {
@@ -38,9 +37,9 @@ pub struct CallPaths {
 }
 
 impl CallPaths {
-    /// The path that `block`, itself reached through `parent`, leads to by its call.
+    /// The chain of `parent` and a call in `block`, stored if it is new.
     pub fn enter(&mut self, parent: CallPath, block: Span) -> CallPath {
-        // The newest entries are the likely ones: a loop of calls finds its own at once.
+        // From the end, since a call in a loop finds its own entry there at once.
         let known = self.paths.iter().rposition(|entry| *entry == (parent, block));
         let index = known.unwrap_or_else(|| {
             self.paths.push((parent, block));
@@ -49,12 +48,12 @@ impl CallPaths {
         CallPath(index as u32 + 1)
     }
 
-    /// How many chains there are.
+    /// The number of chains, that of the main program included.
     pub fn count(&self) -> usize {
         self.paths.len()
     }
 
-    /// Makes them the chains of a text that has changed elsewhere; `None` where a call went.
+    /// Makes them the chains of an edited text; `None` if the edit has removed a call.
     pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         for (_, block) in &mut self.paths {
             *block = shift.span(*block)?;
@@ -62,7 +61,7 @@ impl CallPaths {
         Some(())
     }
 
-    /// The calling blocks, innermost first.
+    /// The calling blocks of a chain, innermost first.
     pub fn resolve(&self, mut path: CallPath) -> Vec<Span> {
         let mut blocks = Vec::new();
         while let Some((parent, block)) =

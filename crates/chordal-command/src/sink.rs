@@ -1,13 +1,13 @@
-//! Takes what a run produces, as it is produced.
+//! The receiver of a run's commands and diagnostics.
 
 use chordal_diagnostics::Diagnostic;
 
 use crate::command::Command;
 
-/// Takes what a run produces, as it is produced.
+/// Receives the commands and diagnostics of a run in their order.
 pub trait Sink {
-    /// A command.
+    /// Receives a command.
     fn command(&mut self, command: &Command);
-    /// A problem.
+    /// Receives a diagnostic.
     fn diagnostic(&mut self, diagnostic: Diagnostic);
 }

@@ -1,5 +1,5 @@
-//! A rotary axis in place of a linear one: the face of a part, or the shell of a cylinder, whose two coordinates the
-//! program gives as lengths (G12.1, G7.1).
+//! Polar and cylindrical interpolation: a rotary axis replaces a linear one, and the program gives two coordinates on a
+//! face or around a cylinder as lengths (G12.1, G7.1).
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,23 +8,23 @@ use chordal_machine::AXES;
 use crate::axes::Position;
 use crate::motion::{ArcShape, Move};
 
-/// Nearer to the pole than this the direction of a point is not known, mm.
-const POLE_MM: f64 = 1e-9;
+/// Nearer to the pole than this, mm, the direction of a point is rounding and is not used.
+const POLE_RADIUS_MM: f64 = 1e-9;
 
-/// Parts of an arc between which a spiral, or an arc through the pole, is followed.
-const PARTS: u32 = 256;
+/// Into how many parts of its angle a spiral, or an arc near the pole, is divided to follow its direction from the pole.
+const DIRECTION_PARTS: u32 = 256;
 
 /// A surface that turns with a rotary axis. While it is active, positions of moves have on the axis `across` a
 /// length on the surface, and that axis itself and the rotary one keep the values they had.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RotarySurface {
-    /// What it is.
+    /// Its shape.
     pub shape: SurfaceShape,
     /// Index of the rotary axis.
     pub rotary: usize,
     /// Index of the axis whose coordinate is the length.
     pub across: usize,
-    /// Where the axis `across` stands itself, mm.
+    /// The position of the axis `across` itself, which does not move, mm.
     pub across_position: f64,
 }
 
@@ -33,14 +33,14 @@ pub struct RotarySurface {
 pub enum SurfaceShape {
     /// The face: Cartesian coordinates about the rotary axis.
     Face {
-        /// Index of the linear axis that moves, and whose coordinate is the first on the face.
+        /// Index of the linear axis that moves; its coordinate is the first one on the face.
         along: usize,
-        /// Angle of the rotary axis when the face came into force, rad: the tool lies on the first axis then.
+        /// Angle of the rotary axis when the face became active, rad: the tool is on the first coordinate axis then.
         zero: f64,
-        /// The linear axis is on its negative side.
+        /// Whether the linear axis is on its negative side.
         negative: bool,
     },
-    /// The shell of a cylinder: the rotary axis times the radius.
+    /// A cylinder: a length around it is the angle of the rotary axis times the radius.
     Cylinder {
         /// Its radius, mm.
         radius_mm: f64,
@@ -71,7 +71,7 @@ impl RotarySurface {
         }
     }
 
-    /// The same from an angle that the rotary axis has on the surface: at the pole it stands as it did before.
+    /// How far the rotary axis has turned after a move, rad, if it had turned `angle` before; at the pole it does not turn.
     fn turned(&self, angle: f64, to: &Position, from: &Position, shape: Option<&ArcShape>) -> f64 {
         let SurfaceShape::Face { along, negative, .. } = self.shape else {
             return self.turn(from, to, shape);
@@ -86,7 +86,8 @@ impl RotarySurface {
         }
     }
 
-    /// A position with the axes themselves; `angle` is how far the rotary axis has turned since a face came into force.
+    /// A position on the surface as positions of the axes; `angle` is how far the rotary axis has turned since a face
+    /// became active, rad.
     pub fn on_axes(&self, place: &Position, angle: f64) -> Position {
         let mut axes = *place;
         axes[self.across] = self.across_position;
@@ -104,7 +105,7 @@ impl RotarySurface {
         axes
     }
 
-    /// The position on the surface of one of the axes themselves, when it comes into force.
+    /// Positions of the axes as a position on the surface at the moment it becomes active.
     pub fn on_surface(&self, axes: &Position) -> Position {
         let mut place = *axes;
         place[self.across] = match self.shape {
@@ -114,7 +115,7 @@ impl RotarySurface {
         place
     }
 
-    /// Distance from the rotary axis, mm: of a place on the face, or the radius of the cylinder.
+    /// Distance from the rotary axis, mm: of a point on the face, or the radius of the cylinder.
     pub fn radius_at(&self, place: [f64; 3]) -> f64 {
         match self.shape {
             SurfaceShape::Face { along, .. } => libm::hypot(place[along], place[self.across]),
@@ -123,44 +124,44 @@ impl RotarySurface {
     }
 }
 
-/// A surface in force, and how far its rotary axis has turned.
+/// An active surface, and how far its rotary axis has turned.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SurfaceRun {
     /// The surface.
     pub surface: RotarySurface,
-    /// How far the rotary axis has turned since a face came into force, rad.
+    /// How far the rotary axis has turned since a face became active, rad.
     pub angle: f64,
 }
 
 impl SurfaceRun {
-    /// It comes into force.
+    /// A surface that has just become active.
     pub fn new(surface: RotarySurface) -> SurfaceRun {
         SurfaceRun { surface, angle: 0.0 }
     }
 
-    /// Follows a move.
+    /// Turns the rotary axis by a move.
     pub fn follow(&mut self, motion: &Move, shape: Option<&ArcShape>) {
         self.angle += self.surface.turned(self.angle, &motion.to, &motion.from, shape);
     }
 
-    /// A position with the axes themselves.
+    /// A position on the surface as positions of the axes.
     pub fn on_axes(&self, place: &Position) -> Position {
         self.surface.on_axes(place, self.angle)
     }
 }
 
-/// The direction of a place from the pole, rad.
+/// The direction of a point from the pole, rad; `None` at the pole.
 fn direction([x, y]: [f64; 2]) -> Option<f64> {
-    (libm::hypot(x, y) > POLE_MM).then(|| libm::atan2(y, x))
+    (libm::hypot(x, y) > POLE_RADIUS_MM).then(|| libm::atan2(y, x))
 }
 
-/// An angle between -180 degrees and 180.
+/// An angle brought into the range from -π to π.
 fn wrapped(angle: f64) -> f64 {
     let turned = angle.rem_euclid(TAU);
     if turned > PI { turned - TAU } else { turned }
 }
 
-/// How far the direction from the pole turns along an arc or a spiral.
+/// How far the direction from the pole turns along an arc or a spiral, rad.
 fn turn_of_arc(from: [f64; 2], to: [f64; 2], shape: &ArcShape) -> f64 {
     let center = shape.center;
     let away = libm::hypot(center[0], center[1]);
@@ -187,8 +188,8 @@ fn turn_in_parts(from: [f64; 2], shape: &ArcShape) -> f64 {
     let begin = libm::atan2(from[1] - center[1], from[0] - center[0]);
     let mut before = direction(from);
     let mut total = 0.0;
-    for part in 1..=PARTS {
-        let share = f64::from(part) / f64::from(PARTS);
+    for part in 1..=DIRECTION_PARTS {
+        let share = f64::from(part) / f64::from(DIRECTION_PARTS);
         let (sin, cos) = libm::sincos(begin + shape.sweep * share);
         let radius = shape.radius_from + (shape.radius_to - shape.radius_from) * share;
         let now = direction([center[0] + radius * cos, center[1] + radius * sin]);

@@ -1,4 +1,4 @@
-//! Units of a program, and numbers for people.
+//! Units of a program, and numbers as text for users.
 
 /// Units of the program text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -10,7 +10,7 @@ pub enum Units {
 }
 
 impl Units {
-    /// One of these units, mm.
+    /// The length of one unit, mm.
     pub fn mm(self) -> f64 {
         match self {
             Units::Inch => 25.4,
@@ -18,7 +18,7 @@ impl Units {
         }
     }
 
-    /// A length in mm for people, in these units: to 0.0001 in or 0.001 mm.
+    /// A length given in mm as text in these units, rounded to 0.0001 in or 0.001 mm.
     pub fn length_text(self, mm: f64) -> String {
         match self {
             Units::Inch => format!("{} in", number_text(mm / 25.4, 4)),
@@ -27,7 +27,7 @@ impl Units {
     }
 }
 
-/// A number of at most so many decimals, without useless zeros.
+/// A number rounded to `decimals`, without trailing zeros.
 pub fn number_text(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     if !text.contains('.') {
@@ -37,7 +37,7 @@ pub fn number_text(value: f64, decimals: usize) -> String {
     if text == "-0" { "0".into() } else { text.into() }
 }
 
-/// A number of some decimals, and of more where it is small, so that two digits of it are seen.
+/// A number rounded to `decimals`, or to as many more as it takes to show two significant digits.
 pub fn telling_number(value: f64, decimals: usize) -> String {
     let mut decimals = decimals;
     while decimals < 9 && value != 0.0 && value.abs() < 10f64.powi(1 - decimals as i32) {

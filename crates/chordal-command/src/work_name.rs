@@ -5,14 +5,14 @@
 pub struct WorkNaming {
     /// The code of the extended systems: `G54.1`, `G154`.
     pub extended: &'static str,
-    /// The number of the first of them: 1, or 7 where the same code counts G54 to G59 as 1 to 6 (Mach3).
+    /// The number of the first extended system: 1, or 7 where the code also selects G54 to G59, as 1 to 6 (Mach3).
     pub first: u16,
-    /// A word E chooses the system, and G54 to G59 are other names of E1 to E6: one table.
+    /// Whether a word E selects the system; G54 to G59 are other names of E1 to E6 then.
     pub by_e: bool,
 }
 
 impl WorkNaming {
-    /// The name of the extended system with a number, counted from 1.
+    /// The name of an extended system in machine files; `number` counts extended systems from 1.
     pub fn extended_key(self, number: u16) -> String {
         format!("{} P{}", self.extended, u32::from(number) + u32::from(self.first) - 1)
     }
@@ -34,8 +34,8 @@ pub enum WorkName {
 }
 
 impl WorkName {
-    /// Its number, counted alike on every control: 1 is G54 and E1, 7 is G54.1 P1, G154 P1 and G59.1; 0 are
-    /// machine coordinates.
+    /// Its number, which is the same on every control: 1 is G54 and E1, 7 is G54.1 P1, G154 P1 and G59.1; machine
+    /// coordinates are 0.
     pub fn ordinal(self) -> u32 {
         match self {
             WorkName::Machine => 0,
@@ -45,7 +45,7 @@ impl WorkName {
         }
     }
 
-    /// The system with a number that is counted so; 0 has none.
+    /// The system with this ordinal; `None` for 0.
     pub fn counted(number: u16) -> Option<WorkName> {
         match number {
             0 => None,
@@ -54,7 +54,7 @@ impl WorkName {
         }
     }
 
-    /// The name in a machine file; extended systems by the control's own code.
+    /// The name in a machine file; extended systems have the control's own code.
     pub fn key(self, naming: WorkNaming) -> String {
         match self {
             WorkName::G(number) => format!("G{number}"),
@@ -65,7 +65,7 @@ impl WorkName {
         }
     }
 
-    /// The name under which the control's table of work offsets has it.
+    /// The name in the control's table of work offsets.
     pub fn table_key(self, naming: WorkNaming) -> String {
         match self {
             WorkName::G(number) if naming.by_e => format!("E{}", number.saturating_sub(53)),

@@ -1,25 +1,25 @@
-//! Where the zero of program coordinates comes from.
+//! The parts that the zero of program coordinates is made of.
 
 use crate::{AxisMask, Position};
 
 /// Where the zero of program coordinates comes from: the work coordinate system, shifts (G52) and presets (G92).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct WorkZero {
-    /// What the work coordinate system adds with what is added to all of them, without shifts and presets, mm and
-    /// rad. Zero where it is not known.
+    /// The offsets of the work coordinate system and of all systems together (the external one), without shifts and
+    /// presets, mm and rad; zero where they are not known.
     pub system: Position,
-    /// The axes for which that is known.
+    /// The axes for which `system` is known.
     pub system_known: AxisMask,
-    /// After the same ones two zeros lie to each other as their offsets say.
+    /// The presets that are not known: between two zeros with the same ones the distance is that of their offsets.
     pub unknown_presets: UnknownPresets,
 }
 
-/// Presets (G92) at a place that nobody knows in the work coordinate system.
+/// Presets (G92) at positions that are not known in the work coordinate system.
 #[derive(Clone, Copy, Default, PartialEq, Debug)]
 pub struct UnknownPresets {
-    /// The axes on which one acts.
+    /// The axes on which such a preset is active.
     pub axes: AxisMask,
-    /// How many there have been, the last one included.
+    /// How many there have been so far, the active one included.
     pub count: u32,
 }
 
@@ -33,8 +33,8 @@ impl WorkZero {
         }
     }
 
-    /// Along this axis the way from another zero to this one is the difference of the offsets; `same_system`: both
-    /// are zeros of the same work coordinate system.
+    /// Whether the distance from another zero to this one along an axis is known, as the difference of their offsets.
+    /// `same_system`: both are zeros of the same work coordinate system.
     pub fn relation_is_known(&self, other: &WorkZero, same_system: bool, axis: usize) -> bool {
         let presets = (self.unknown_presets.axes.has(axis), other.unknown_presets.axes.has(axis));
         let presets_match = match presets {
@@ -43,7 +43,7 @@ impl WorkZero {
             _ => false,
         };
         let known = (self.system_known.has(axis), other.system_known.has(axis));
-        // Of one system neither has a value, or its values are written meanwhile.
+        // In one system both may be unknown, unless its values were written in between.
         presets_match && (known == (true, true) || same_system && known == (false, false))
     }
 }

@@ -1,11 +1,11 @@
-//! In which order a control carries out what a block says, whatever the order of its words.
+//! The order in which a control carries out what a block says, whatever the order of its words.
 
 use BlockStep as S;
 
 use crate::action::{Action, AfterCode, BeforeCode};
 use crate::settings::Certainty;
 
-/// What a block may ask for.
+/// One thing that a block may do.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum BlockStep {
     /// A message to the operator.
@@ -59,7 +59,7 @@ pub enum BlockStep {
 }
 
 impl BlockStep {
-    /// For people: `spindle off (M5)`.
+    /// For users: `spindle off (M5)`.
     pub const fn name(self) -> &'static str {
         match self {
             BlockStep::Message => "message",
@@ -89,7 +89,7 @@ impl BlockStep {
         }
     }
 
-    /// The step of a code that switches something beside the motion.
+    /// The step of a code that switches the machine rather than moving it; `None` for other codes.
     pub const fn of_switch(action: Action) -> Option<BlockStep> {
         match action {
             Action::Before(code) => match code {
@@ -132,31 +132,31 @@ impl BlockStep {
     }
 }
 
-/// The order of a control.
+/// The order in which a control carries out the steps of a block.
 #[derive(Clone, Copy, Debug)]
 pub struct BlockOrder {
-    /// One after the other; those of one group in the order in which the block has them.
+    /// Groups of steps, one after the other; the steps of one group act in the order of the words in the block.
     pub steps: &'static [&'static [BlockStep]],
-    /// Who says so.
+    /// Manual and section.
     pub source: &'static str,
-    /// How sure it is.
+    /// How certain it is.
     pub certainty: Certainty,
 }
 
 impl BlockOrder {
-    /// The place of a step, from 0; those that are not listed are last.
+    /// The index of the group of a step; steps that are in no group come last.
     pub fn rank(&self, step: BlockStep) -> usize {
-        let place = self.steps.iter().position(|group| group.contains(&step));
-        place.unwrap_or(self.steps.len())
+        let index = self.steps.iter().position(|group| group.contains(&step));
+        index.unwrap_or(self.steps.len())
     }
 
-    /// One step is carried out before another.
+    /// Whether one step is carried out before another, because it is in an earlier group.
     pub fn is_before(&self, one: BlockStep, other: BlockStep) -> bool {
         self.rank(one) < self.rank(other)
     }
 }
 
-/// RS274/NGC: one step after the other, F before the units, and every switch before the motion.
+/// RS274/NGC: one step after the other. F comes before the units, and every switch before the motion.
 pub(crate) const RS274_STEPS: &[&[BlockStep]] = &[
     &[S::Message],
     &[S::FeedMode],
@@ -181,7 +181,7 @@ pub(crate) const RS274_STEPS: &[&[BlockStep]] = &[
     &[S::Stop],
 ];
 
-/// GRBL: the same, but the units are those of the whole block, F included.
+/// GRBL: as RS274/NGC, except that the units apply to the whole block, F included.
 pub(crate) const GRBL_STEPS: &[&[BlockStep]] = &[
     &[S::Units],
     &[S::FeedMode],
@@ -204,8 +204,8 @@ pub(crate) const GRBL_STEPS: &[&[BlockStep]] = &[
     &[S::Stop],
 ];
 
-/// Production controls: the modes of a block are those of its words and its motion; the builder of the machine chooses which
-/// M codes act before and which after the motion.
+/// Production controls: the modes of a block apply to its words and its motion. The machine builder decides which M
+/// codes act before the motion and which after it.
 pub(crate) const BUILDER_STEPS: &[&[BlockStep]] = &[
     &[S::Units, S::FeedMode, S::Distance],
     &[S::Feed, S::SpindleSpeed, S::ToolSelect],
@@ -217,9 +217,9 @@ pub(crate) const BUILDER_STEPS: &[&[BlockStep]] = &[
     &[S::Call],
 ];
 
-/// Of a Fanuc, and of those whose manuals say the same.
+/// The order of a Fanuc, and of the controls whose manuals say the same.
 pub(crate) const BUILDER_ORDER: BlockOrder = BlockOrder {
     steps: BUILDER_STEPS,
     source: "Fanuc B-63844EN, 12.1: M codes beside a motion as the builder of the machine chooses; which, as is usual",
-    certainty: Certainty::Trade,
+    certainty: Certainty::Practice,
 };

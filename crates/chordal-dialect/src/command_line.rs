@@ -1,30 +1,30 @@
-//! How a firmware takes a line: as one command with its words (Marlin).
+//! How a firmware reads a line as one command with its words (Marlin).
 //!
-//! The first letter of a line is that of its command. Whatever else has the form of a code in the line is a word of that
-//! command, and does nothing.
+//! The first letter of a line is that of its command. Anything else in the line that looks like a code is a word of
+//! that command, and does nothing.
 
 use crate::firmware::OptionalCodes;
 use chordal_syntax::Letters;
 
-/// A line as one command.
+/// How a firmware reads a line as one command.
 #[derive(Clone, Copy, Debug)]
 pub struct CommandLine {
     /// Letters that begin a command.
     pub commands: Letters,
-    /// M codes that take the rest of their line as a text.
+    /// M codes that take the rest of their line as a text, in tenths.
     pub texts: &'static [u16],
-    /// M codes that take words, and after them a text.
+    /// M codes that take words and then a text, in tenths.
     pub remarks: &'static [u16],
-    /// G codes that act on the command after them in the same line.
+    /// G codes that act on the next command in the same line, in tenths.
     pub prefixes: &'static [u16],
-    /// Codes whose axis words need no number, ten times the G number.
+    /// G codes whose axis words need no number, in tenths.
     pub bare_axes: &'static [u16],
-    /// Letters that begin a line which goes on with the motion before it, where the build remembers that.
+    /// Letters that begin a line which continues the previous motion, in builds that keep the motion code.
     pub motion_words: Letters,
-    /// Codes that not every build has.
+    /// Codes that depend on options of the build.
     pub optional: &'static [OptionalCodes],
-    /// Codes of other controls that are not there, and are not missed: the letter, and ten times the number.
-    pub not_missed: &'static [(u8, u16)],
-    /// What it answers to a line whose command it does not have, before the text of the line and after it.
+    /// Codes of other controls that are ignored without a warning: the letter, and the code in tenths.
+    pub ignored_codes: &'static [(u8, u16)],
+    /// The answer to a line with an unknown command: what is before the text of the line, and what is after it.
     pub unknown: [&'static str; 2],
 }

@@ -14,33 +14,32 @@ use crate::table::{CodeRow, ControlTable, DwellWord, code_number};
 
 /// The table of a control.
 pub fn table(name: ControlName) -> &'static ControlTable {
-    // The list of names and that of tables are made from one.
+    // Names and tables are generated from one list: their order is the same.
     controls::ALL[name as usize]
 }
 
-/// A control as one machine has it: its table, and the parameters after the machine file's
-/// settings.
+/// A control as one machine has it: its table, and the parameters after the machine file's settings.
 #[derive(Clone, Debug)]
 pub struct Control {
     /// The table.
     pub table: &'static ControlTable,
-    /// The parameters.
+    /// The parameters after the machine file's settings.
     pub parameters: Parameters,
     /// The macro rules after the machine file's settings.
     pub macros: MacroRules,
-    /// Row of each G code by ten times its number.
+    /// The row of each G code, indexed by the code in tenths.
     g_rows: Vec<Option<&'static CodeRow>>,
     m_rows: Vec<Option<&'static CodeRow>>,
     axes: AxisMask,
 }
 
 impl Control {
-    /// The control of a machine, with the settings that could not be taken.
+    /// The control of a machine, and an error for each setting that was refused.
     pub fn of(machine: &Machine) -> (Control, Vec<SettingError>) {
         let table = table(machine.control);
         let (parameters, mut errors) =
             settings::resolve(table.settings, &table.parameters, machine);
-        errors.extend(codes_of_both(table, machine));
+        errors.extend(redefined_codes(table, machine));
         errors.extend(codes_with_two_times(machine));
         let mut axes = AxisMask::NONE;
         for (index, limits) in machine.axes.iter().enumerate() {
@@ -64,12 +63,12 @@ impl Control {
         (control, errors)
     }
 
-    /// The time words of a dwell.
+    /// The words that may hold the time of a dwell, in the units that the parameters set.
     pub fn dwell_words(&self) -> impl Iterator<Item = DwellWord> {
         self.table.dwell_words(&self.parameters)
     }
 
-    /// Codes of options that the build of its firmware does not have are not there.
+    /// Removes the codes of options that this build of the firmware does not have.
     fn drop_options(&mut self) {
         let of_firmware = self.table.firmware.map_or(&[][..], |firmware| firmware.optional);
         let of_line = self.table.command_line.map_or(&[][..], |line| line.optional);
@@ -86,24 +85,24 @@ impl Control {
         }
     }
 
-    /// The row of a G code (ten times its number).
+    /// The row of a G code in tenths (20 is G2); `None` if the control does not have it.
     #[inline]
     pub fn g_code(&self, code: u16) -> Option<&'static CodeRow> {
         self.g_rows.get(code as usize).copied().flatten()
     }
 
-    /// Its G codes in order, in the system that it has.
+    /// Its G codes in ascending order, those of its G code system.
     pub fn g_codes(&self) -> impl DoubleEndedIterator<Item = &'static CodeRow> {
         self.g_rows.iter().copied().flatten()
     }
 
-    /// The row of an M code (ten times its number).
+    /// The row of an M code in tenths (30 is M3); `None` if the control does not have it.
     #[inline]
     pub fn m_code(&self, code: u16) -> Option<&'static CodeRow> {
         self.m_rows.get(code as usize).copied().flatten()
     }
 
-    /// The row of a G or M word.
+    /// The row of a G or M word; `None` for other words, and for codes that the control does not have.
     pub fn row_of(&self, word: &Word) -> Option<&'static CodeRow> {
         let code = code_number(word.number()?)?;
         match word.letter {
@@ -113,7 +112,7 @@ impl Control {
         }
     }
 
-    /// Programs that codes call by settings of the machine: nothing in the text names them.
+    /// Numbers of the programs that the machine's settings make macro calls of codes; no text names them.
     pub fn alias_programs(&self) -> Vec<u32> {
         let aliases = &self.parameters.aliases;
         let rules = &self.macros;
@@ -126,13 +125,13 @@ impl Control {
         programs
     }
 
-    /// What the number 1 is in a word of length, mm: written with a point (`1.`) or without.
+    /// The length in mm that a word `1.` has in these units, or `1` if `has_point` is false.
     pub fn length_unit_mm(&self, units: Units, has_point: bool) -> f64 {
         let one = Decimal { mantissa: 1, scale: 0, has_point, negative: false };
         LiteralScale::new(units, &self.parameters).length(one)
     }
 
-    /// What the control shows for problems.
+    /// The alarms that the control shows.
     pub fn alarms(&self) -> Alarms {
         Alarms { title: self.table.title, texts: self.table.alarms }
     }
@@ -143,23 +142,23 @@ impl Control {
     }
 }
 
-/// Codes that the machine file calls the shop's own, and the control carries out itself.
-fn codes_of_both(
+/// An error for each M code that the machine file defines although the control has it itself.
+fn redefined_codes(
     table: &'static ControlTable,
     machine: &Machine,
 ) -> impl Iterator<Item = SettingError> {
     machine.shop_codes.keys().filter_map(move |number| {
         let row = table.m_code(number * 10).filter(|row| !row.action.is_left_out())?;
-        let (title, what) = (table.title, row.title);
+        let (title, meaning) = (table.title, row.title);
         Some(SettingError {
             name: format!("shop_codes.M{number}"),
-            message: format!("M{number} is not a custom M code: {title} has it ({what})"),
+            message: format!("M{number} is not a custom M code: {title} has it ({meaning})"),
             help: Some("remove it from the machine's `shop_codes`".to_string()),
         })
     })
 }
 
-/// Custom codes that are given blocks, which take their own time, and a time.
+/// An error for each custom code with both a time and blocks: its blocks already take their own time.
 fn codes_with_two_times(machine: &Machine) -> impl Iterator<Item = SettingError> {
     let codes = machine.shop_codes.iter().map(|(number, code)| (format!("M{number}"), code));
     let programs = machine.shop_programs.iter().map(|(number, code)| (format!("O{number}"), code));
@@ -175,20 +174,20 @@ fn codes_with_two_times(machine: &Machine) -> impl Iterator<Item = SettingError>
 /// The program of the first M code that calls a subprogram (Fanuc No. 6071).
 pub const FIRST_ALIAS_SUBPROGRAM: u32 = 9001;
 
-/// The rows of the G codes in one of the systems of a table.
+/// The rows of one G code system of a table, indexed by the code in tenths; system 0 is the table itself.
 fn rows_of_system(table: &'static ControlTable, system: u8) -> Vec<Option<&'static CodeRow>> {
     let mut rows = by_number(table.g_codes);
-    let others = usize::from(system).checked_sub(1);
-    let Some(system) = others.and_then(|index| table.systems.get(index)) else { return rows };
+    let index = usize::from(system).checked_sub(1);
+    let Some(system) = index.and_then(|index| table.systems.get(index)) else { return rows };
     for code in system.without {
         rows[*code as usize] = None;
     }
     for row in system.codes {
-        let at = row.code as usize;
-        if rows.len() <= at {
-            rows.resize(at + 1, None);
+        let code = row.code as usize;
+        if rows.len() <= code {
+            rows.resize(code + 1, None);
         }
-        rows[at] = Some(row);
+        rows[code] = Some(row);
     }
     rows
 }

@@ -1,4 +1,4 @@
-//! What a firmware prints for `$$`, as keys of a machine file, and back.
+//! The settings that a firmware lists for `$$`, read into keys of a machine file, and written back.
 //!
 //! ```
 //! use chordal_dialect::{dump, table};
@@ -19,43 +19,44 @@ use chordal_machine::{Machine, MachineError};
 use crate::control::Control;
 use crate::firmware::{DumpMeaning, DumpRow};
 
-/// A setting of a dump, as a key of a machine file.
+/// A setting of such a list, as a key of a machine file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DumpSetting {
     /// `axes.X.max_velocity=5000.000 mm/min`.
     pub assignment: String,
-    /// Where its value stands.
+    /// The bytes of its value in the list.
     pub span: Range<usize>,
 }
 
-/// What stands between settings in what a sender has kept: answers, reports and remarks.
-const ANSWERS: [&str; 9] = ["ok", "[", "<", "grbl", "(", ";", "#", ">", "$$"];
+/// How the lines between settings begin in a log of a sender: answers, reports and remarks.
+const OTHER_LINE_STARTS: [&str; 9] = ["ok", "[", "<", "grbl", "(", ";", "#", ">", "$$"];
 
-/// Reads a dump: a setting on each line, as `$110=5000.000` or `$110=5000.000 (x max rate, mm/min)`. Settings that say
-/// nothing of the machine are left out.
+/// Reads a list: one setting on each line, as `$110=5000.000` or `$110=5000.000 (x max rate, mm/min)`. Settings
+/// that describe nothing of the machine are left out.
 ///
 /// # Errors
-/// Every line that is no setting and no answer, and values that are no numbers; a text without any setting.
+/// One error for each line that is neither a setting nor an answer and for each value that is no number from zero
+/// on, or one for a text without any setting.
 pub fn read(
     name: &str,
     text: &str,
     rows: &[DumpRow],
 ) -> Result<Vec<DumpSetting>, Vec<MachineError>> {
-    let (mut found, mut errors, mut has_any) = (Vec::new(), Vec::new(), false);
+    let (mut settings, mut errors, mut has_any) = (Vec::new(), Vec::new(), false);
     let whole: Arc<str> = text.into();
     let fail = |errors: &mut Vec<MachineError>, span: Range<usize>, message: String, help: &str| {
         let (file, text) = (name.to_string(), whole.clone());
         let (span, help) = (Some(span), Some(help.to_string()));
         errors.push(MachineError { message, help, file, span, text });
     };
-    let mut at = 0;
+    let mut line_start = 0;
     for line in text.split_inclusive('\n') {
-        let begin = at + (line.len() - line.trim_start().len());
-        at += line.len();
+        let begin = line_start + (line.len() - line.trim_start().len());
+        line_start += line.len();
         let line = line.trim();
         let is_answer = || {
             let lower = line.to_ascii_lowercase();
-            ANSWERS.iter().any(|answer| lower.starts_with(answer))
+            OTHER_LINE_STARTS.iter().any(|answer| lower.starts_with(answer))
         };
         let Some((number, value)) = setting_of(line) else {
             if !line.is_empty() && !is_answer() {
@@ -74,7 +75,7 @@ pub fn read(
         let span = from..from + value.len();
         match value.parse::<f64>() {
             Ok(number) if number.is_finite() && number >= 0.0 => {
-                found.push(DumpSetting { assignment: row.assignment(value), span });
+                settings.push(DumpSetting { assignment: row.assignment(value), span });
             }
             _ => {
                 let message = format!("`${number}` needs a number from zero on, not `{value}`");
@@ -83,7 +84,7 @@ pub fn read(
         }
     }
     if !has_any {
-        // One answer, and not one for each line of another file.
+        // One error instead of one for each line of some other file.
         errors.clear();
         let message = "there is no setting in this file".to_string();
         let help =
@@ -91,10 +92,10 @@ pub fn read(
         let (file, text) = (name.to_string(), whole);
         errors.push(MachineError { message, help: Some(help), file, span: None, text });
     }
-    if errors.is_empty() { Ok(found) } else { Err(errors) }
+    if errors.is_empty() { Ok(settings) } else { Err(errors) }
 }
 
-/// The number and the value of `$110=5000.000 (x max rate, mm/min)`, and of `$N0=G54`, which has no number.
+/// The number and the value of `$110=5000.000 (x max rate, mm/min)`, or the name and the value of `$N0=G54`.
 fn setting_of(line: &str) -> Option<(&str, &str)> {
     let (number, value) = line.strip_prefix('$')?.split_once('=')?;
     let is_name = !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_alphanumeric());
@@ -118,7 +119,7 @@ impl DumpRow {
         }
     }
 
-    /// Its value on a machine, if that says one.
+    /// Its value on a machine; `None` if the machine file does not give it.
     fn value(&self, machine: &Machine, control: &Control) -> Option<f64> {
         let junctions = control.parameters.rules.path.junctions;
         match self.meaning {
@@ -138,7 +139,7 @@ impl DumpRow {
     }
 }
 
-/// The settings of a machine as its firmware would print them; nothing where its control has none.
+/// The settings of a machine as its firmware would list them; `None` if its firmware has no such list.
 pub fn write(machine: &Machine) -> Option<String> {
     let (control, _) = Control::of(machine);
     let rows = control.table.firmware?.dump;
@@ -160,11 +161,12 @@ pub fn write(machine: &Machine) -> Option<String> {
     Some(text)
 }
 
-/// With three decimals, as the firmware prints, or with as many more as are needed to read it back.
+/// A value with three decimals, as the firmware writes it, or with as many more as it takes to read the same value
+/// back.
 fn number(value: f64) -> String {
-    let near = |text: &str| {
+    let reads_back = |text: &str| {
         text.parse::<f64>().is_ok_and(|read| (read - value).abs() <= 1e-12 * value.abs())
     };
     let texts = (3..=9).map(|places| format!("{value:.places$}"));
-    texts.into_iter().find(|text| near(text)).unwrap_or_else(|| value.to_string())
+    texts.into_iter().find(|text| reads_back(text)).unwrap_or_else(|| value.to_string())
 }

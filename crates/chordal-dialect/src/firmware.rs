@@ -1,122 +1,123 @@
-//! How the firmware of a small control judges a block: as a whole, before anything of it acts (GRBL).
+//! How the firmware of a small control checks a block: as a whole, before anything of it acts (GRBL).
 //!
-//! A block with a mistake changes nothing, not even a mode, and answers with the number of its first mistake.
+//! A block with an error changes nothing, not even a mode; the answer is the number of its first error.
 
 use chordal_machine::Axis;
 use chordal_syntax::Letters;
 
-/// A mistake in a block, in the order in which the firmware looks for them.
+/// An error in a block, in the order in which the firmware checks for them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum FirmwareError {
-    /// Something that is no letter where a word begins.
+    /// A word does not begin with a letter.
     NoLetter,
-    /// A letter without a number.
+    /// A letter has no number.
     NoNumber,
-    /// A system command that it does not have.
+    /// The firmware does not have this system command.
     UnknownCommand,
-    /// F, N, P, S or T below zero.
+    /// F, N, P, S or T is negative.
     Negative,
-    /// More characters than its line holds.
+    /// The line has more characters than the firmware reads.
     TooLong,
-    /// A jog with other words than axes, F, G20, G21, G53, G90, G91.
+    /// A jog has other words than axes, F, G20, G21, G53, G90 and G91.
     JogWords,
-    /// A letter or a code that it does not have.
+    /// The firmware does not have this letter or code.
     Unknown,
-    /// Two codes of one group.
+    /// Two codes are of one modal group.
     SameGroup,
-    /// A cut without a feed.
+    /// A cutting move has no feed.
     NoFeed,
-    /// A code with a fraction that has none.
+    /// A code with a decimal whose whole number has no such code.
     Fraction,
-    /// Two codes that need the axis words.
+    /// Two codes use the axis words.
     AxisConflict,
-    /// A letter twice.
+    /// A letter is written twice.
     Repeated,
-    /// No axis words where they are needed.
+    /// A code has no axis words and needs some.
     NoAxes,
-    /// A line number above the largest.
+    /// The line number is too large.
     LineNumber,
     /// A word that a code needs is missing.
     NoValue,
-    /// A work offset above the last.
+    /// G10 names a work offset beyond the last.
     WorkOffset,
-    /// G53 with another motion than G0 and G1.
+    /// G53 comes with another motion than G0 or G1.
     MachineMotion,
-    /// Axis words while G80 is in force.
+    /// Axis words while G80 is active.
     AxesWithoutMotion,
-    /// An arc without an axis of its plane.
+    /// An arc has no axis word of its plane.
     NoPlaneAxes,
-    /// An arc that does not end on its circle.
+    /// An arc does not end on its circle.
     OffCircle,
-    /// An arc by its radius, or a probe move, that ends where it begins.
+    /// An arc by its radius, or a probe move, ends where it begins.
     SamePlace,
-    /// A radius too short for the distance.
+    /// The radius is too short for the distance from start to end.
     Radius,
-    /// An arc without a centre word of its plane.
+    /// An arc has no centre word of its plane.
     NoCenter,
-    /// Words that nothing uses.
+    /// No code uses a word of the block.
     Unused,
-    /// A tool length for another axis.
+    /// A tool length is given for an axis that has none.
     LengthAxis,
-    /// A tool number above the largest.
+    /// The tool number is too large.
     ToolNumber,
-    /// A value that must be above zero.
+    /// A value must be positive and is not.
     NotPositive,
-    /// A hole whose bottom is above its R level.
+    /// The bottom of a hole is above its R level.
     LevelOrder,
-    /// A spline in another plane than XY.
+    /// A spline is not in the plane XY.
     SplinePlane,
 }
 
 /// What a slash in a line does.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SlashMeaning {
-    /// It is dropped, wherever it stands.
+    /// The firmware drops it, wherever it is.
     Dropped,
-    /// The same, but at the begin of a line it takes the line away where block delete is on.
+    /// The firmware drops it; at the begin of a line it deletes the line if block delete is on.
     Deletes,
-    /// It is a character that begins no word.
+    /// It is an error, as any character that begins no word.
     Kept,
 }
 
-/// How a line of text becomes words.
+/// How a line of text is divided into words.
 #[derive(Clone, Copy, Debug)]
 pub struct LineRules {
-    /// Most characters.
+    /// The largest number of characters of a line.
     pub longest: usize,
-    /// Blanks and comments count among them.
+    /// Whether blanks and comments count as characters of the line.
     pub counts_blanks: bool,
-    /// The firmware itself reads `%` on a line of its own as a mark; for others the sender drops it.
+    /// Whether the firmware itself reads a line with only `%` as a mark; otherwise the sender drops such lines.
     pub percent_marks: bool,
-    /// A slash.
+    /// What a slash does.
     pub slash: SlashMeaning,
-    /// So many digits of a number count.
+    /// Digits of a number that count; further ones are read as zeros or dropped.
     pub digits: u32,
-    /// Zeros in front are among them.
+    /// Whether leading zeros count as digits.
     pub zeros_count: bool,
-    /// A `$` may begin a command or a setting of any name.
+    /// Whether `$` may begin a command or a setting of any name.
     pub named_commands: bool,
     /// Letters of its words.
     pub letters: Letters,
-    /// A build may have rotary axes; the machine file says which.
+    /// Whether a build may have rotary axes; the machine file says which there are.
     pub further_axes: bool,
 }
 
-/// What a firmware lets pass that its kin refuses.
+/// What a firmware of the family accepts and GRBL refuses.
 #[derive(Clone, Copy, Debug)]
 pub struct BlockRules {
-    /// G2 and G3 with a centre and no axis word of the plane: a full circle, or with the third axis a ring of a helix.
+    /// G2 and G3 with a centre and no axis word of the plane are a full circle, or with the third axis one turn of
+    /// a helix.
     pub bare_circles: bool,
     /// The axes that G43.1 takes.
     pub length_axes: Letters,
-    /// G80 may stand next to a code that takes the axis words.
+    /// G80 may be in one block with a one-shot code that uses the axis words.
     pub cancel_with_one_shot: bool,
-    /// G28 and G30 take the axis words also next to a motion.
+    /// G28 and G30 may be in one block with a motion code, and use the axis words.
     pub reference_with_motion: bool,
 }
 
 impl BlockRules {
-    /// GRBL 1.1.
+    /// GRBL 1.1, which accepts none of this.
     pub const STRICT: BlockRules = BlockRules {
         bare_circles: false,
         length_axes: Letters::of("Z"),
@@ -125,20 +126,20 @@ impl BlockRules {
     };
 }
 
-/// What a build of a firmware has or not.
+/// An option that a build of a firmware has or not.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum BuildOption {
-    /// An output for mist: M7.
+    /// An output for mist coolant: M7.
     Mist,
     /// A tool table: G43, G43.2, G10 L1.
     ToolTable,
     /// Parameters, expressions, flow control and calls.
     Expressions,
-    /// Comments in parentheses.
+    /// Comments in parentheses are allowed.
     Parentheses,
-    /// Lower-case letters.
+    /// Lower-case letters are allowed.
     LowerCase,
-    /// A line of words alone goes on with the motion before it.
+    /// A line without a code continues the previous motion.
     MotionModes,
     /// G53 to G59.3.
     WorkSystems,
@@ -146,7 +147,7 @@ pub enum BuildOption {
     Planes,
     /// G20 and G21.
     Inch,
-    /// P of an arc counts full circles before it.
+    /// P of an arc counts full turns before it.
     Turns,
     /// G5.
     Splines,
@@ -157,7 +158,7 @@ pub enum BuildOption {
 }
 
 impl BuildOption {
-    /// All of them, in the order of their numbers.
+    /// All of them, in the order of their discriminants.
     pub const ALL: [BuildOption; 13] = [
         BuildOption::Mist,
         BuildOption::ToolTable,
@@ -175,80 +176,81 @@ impl BuildOption {
     ];
 }
 
-/// The codes that a build option brings: letter and ten times the number.
+/// The codes that a build option adds: letter, and code in tenths.
 pub type OptionalCodes = (BuildOption, &'static [(u8, u16)]);
 
-/// Words that a code needs: its letter, ten times its number, and the letters of the words.
+/// Words that a code needs: the letter of the code, the code in tenths, and the letters of the words.
 pub type NeededWords = (u8, u16, &'static str);
 
-/// What a firmware says of a mistake.
+/// The answer of a firmware to an error.
 #[derive(Clone, Copy, Debug)]
 pub struct RefusalRow {
-    /// The mistake.
+    /// The error.
     pub refusal: FirmwareError,
     /// The number of its answer `error:20`.
     pub number: u8,
-    /// What is wrong, for people.
+    /// What is wrong, for users.
     pub message: &'static str,
-    /// What to do.
+    /// What to do, for users.
     pub help: &'static str,
 }
 
-/// A setting that says something of the machine.
+/// A setting of the firmware (`$110`) that describes the machine.
 #[derive(Clone, Copy, Debug)]
 pub struct DumpRow {
     /// Its number.
     pub number: u16,
-    /// What it says.
+    /// What it describes.
     pub meaning: DumpMeaning,
 }
 
-/// What a setting says of the machine.
+/// What a setting of the firmware describes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DumpMeaning {
-    /// How far a corner may be passed, mm.
+    /// The junction deviation, mm.
     JunctionDeviation,
-    /// How far the segments of an arc are from it, mm.
+    /// The largest distance of the segments of an arc from it, mm.
     ArcTolerance,
     /// Whether the output of the spindle drives a laser: 1 or 0.
     LaserMode,
-    /// Steps a mm.
+    /// Steps per mm.
     Steps(Axis),
-    /// Rapid speed, mm/min.
+    /// The speed of rapids, mm/min.
     Velocity(Axis),
-    /// mm/s².
+    /// The largest acceleration, mm/s².
     Acceleration(Axis),
-    /// The axis goes from this far below zero to zero, mm.
+    /// The travel, mm: the axis moves from this far below zero up to zero.
     Travel(Axis),
 }
 
-/// How a firmware reads and judges a block.
+/// How a firmware reads and checks a block.
 #[derive(Clone, Copy, Debug)]
 pub struct Firmware {
-    /// From text to words.
+    /// How a line is divided into words.
     pub line: LineRules,
-    /// What passes.
+    /// What it accepts beyond GRBL.
     pub block: BlockRules,
-    /// Whole G numbers that have codes with a fraction: another fraction is an unknown code.
+    /// Whole G numbers that have codes with a decimal: any other decimal is an unknown code.
     pub with_fractions: &'static [u16],
-    /// Whole G numbers whose fraction is not looked at.
+    /// Whole G numbers whose decimal is ignored.
     pub any_fraction: &'static [u16],
-    /// Largest line number and tool number, and the last work offset of G10 P.
+    /// The largest line number, tool number and work offset of G10 P.
     pub largest: [u32; 3],
-    /// What an arc may differ: always, at most, and in parts of its radius; mm.
+    /// How far the radii at start and end of an arc may differ: always accepted, mm; never exceeded, mm; fraction
+    /// of the radius accepted between these.
     pub arc: [f32; 3],
-    /// Codes that not every build has.
+    /// Codes that depend on options of the build.
     pub optional: &'static [OptionalCodes],
     /// Codes that need words.
     pub needs: &'static [NeededWords],
-    /// Its answers: its own, and those that it has with its kin.
+    /// Its answers: its own, and those that the family shares.
     pub rows: [&'static [RefusalRow]; 2],
-    /// What it prints for `$$`, as far as that is the machine's.
+    /// The settings of `$$` that describe the machine.
     pub dump: &'static [DumpRow],
 }
 
 impl Firmware {
-    /// What it says of a mistake.
+    /// Its answer to an error; `None` if it does not check for it.
     pub fn row(&self, refusal: FirmwareError) -> Option<&'static RefusalRow> {
         self.rows.into_iter().flatten().find(|row| row.refusal == refusal)
     }

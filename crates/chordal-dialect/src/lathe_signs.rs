@@ -1,15 +1,17 @@
-//! What tells the programs of lathes from those of mills. The weights were measured on 1,102 files, 261 of them for
-//! lathes: from a sum of five on a file is for a lathe, with one missed and none of 246 mill programs among them.
+//! What distinguishes programs of lathes from those of mills. The weights were measured on 1,102 files, 261 of them
+//! for lathes: with a sum of five as the limit, one program of a lathe is missed and none of 246 mill programs is
+//! taken for one.
 
 use crate::recognition::{MachineKind, RecognitionEvidence, RecognitionSign, TextForm, evidence};
 
-/// The sum from which on a text is for a lathe.
+/// The sum of weights from which on a program is for a lathe.
 const NEEDED: i32 = 5;
 
-/// A lathe.
+/// The signs of lathes in general.
 pub(crate) const LATHE: MachineKind = MachineKind { turns: true, signs: SIGNS, needed: NEEDED };
 
-/// A lathe with LinuxCNC, whose programs share with mills what others have for mills alone: M6, G43, G17.
+/// The signs of a lathe with LinuxCNC, whose programs have M6, G43 and G17, which on other controls only mill
+/// programs have.
 pub(crate) const LINUXCNC_LATHE: MachineKind =
     MachineKind { turns: true, signs: LINUXCNC_SIGNS, needed: 6 };
 
@@ -35,7 +37,7 @@ const LINUXCNC_SIGNS: &[RecognitionEvidence] = &[
         -4,
         "moves in X and Y",
     ),
-    // What LinuxCNC does not read.
+    // Words that LinuxCNC does not read.
     evidence(RecognitionSign::Block("U|W !G65 !G66"), -20, "U and W are increments"),
     evidence(RecognitionSign::Block("G50 S"), -20, "G50 S limits the spindle speed"),
     evidence(RecognitionSign::Block("G71..73 P Q"), -20, "G71 with P and Q"),
@@ -175,7 +177,7 @@ const SIGNS: &[RecognitionEvidence] = &[
     ),
     evidence(RecognitionSign::Comment(CUTTERS), -2, "a comment names milling cutters"),
     evidence(RecognitionSign::Block("M6"), -1, "M6 changes the tool"),
-    // LinuxCNC turns in X and Z too, and is read.
+    // LinuxCNC turns in X and Z too; its lathe programs have signs of their own.
     evidence(RecognitionSign::Form(TextForm::OWord), -20, "O words are flow control"),
     evidence(RecognitionSign::Form(TextForm::NamedParameter), -20, "variables have names"),
     evidence(RecognitionSign::Block("G64 P"), -12, "G64 P is a tolerance"),

@@ -1,8 +1,8 @@
 //! The controls as data: one folder each, listed in [`CONTROLS`].
 //!
-//! [`ControlTable`] says what a control has: its codes and the words they take, its rules, settings,
-//! macro language, alarms and the signs by which its programs are recognized. [`Control`] is one of
-//! them as a machine has it, after the machine file's settings.
+//! [`ControlTable`] says what a control has: its codes and the words they take, its rules, settings, macro
+//! language, alarms and the signs by which its programs are recognized. [`Control`] is a table as one machine uses
+//! it, with the settings of the machine file applied.
 //!
 //! ```
 //! use chordal_dialect::{Action, Control, MotionCode};
@@ -11,7 +11,7 @@
 //! let machine = Machine::from_builtin("haas-vf2").unwrap();
 //! let (control, wrong_settings) = Control::of(&machine);
 //! assert!(wrong_settings.is_empty());
-//! // Rows are counted by ten times the number: G2.
+// Codes are in tenths: 20 is G2.
 //! let row = control.g_code(20).unwrap();
 //! assert_eq!(row.action, Action::Motion(MotionCode::ArcCw));
 //! ```

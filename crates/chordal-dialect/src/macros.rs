@@ -1,50 +1,50 @@
-//! The macro rules of a control, as data.
+//! How a control carries out macros, as data.
 
 use chordal_syntax::Letters;
 
-/// Longest macro line ([`MacroForm::Lines`]), characters.
-pub const MAX_LINE: usize = 63;
+/// The longest macro line that a control reads, where macros are lines ([`MacroForm::Lines`]), characters.
+pub const MAX_MACRO_LINE_CHARS: usize = 63;
 
-/// Numbers of variables.
+/// A range of common variables.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct VariableRange {
     /// The first number.
     pub first: u32,
-    /// The last.
+    /// The last number, included.
     pub last: u32,
-    /// The number under which the first is stored: its own, or that of another range whose
-    /// second name this one is.
+    /// The number under which the first variable is stored: `first` itself, or, where the range is another name for
+    /// variables, the number of the first of these.
     pub stored: u32,
-    /// How long they hold what was written.
+    /// How long the variables keep their values.
     pub retention: VariableRetention,
 }
 
-/// How long a common variable holds what was written. Until a program writes it, its value is not known in
-/// either case: another program may have run before.
+/// How long a common variable keeps its value. Until a program writes it, the value is not known in either case:
+/// another program may have run before.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum VariableRetention {
-    /// Until the control is switched off, or reset where a parameter says so.
+    /// Until the control is switched off, or reset if a parameter says so.
     UntilPowerOff,
-    /// Over power-off.
+    /// While the control is off, too.
     OverPowerOff,
 }
 
-/// Writes a range of variables that is empty after power-on.
+/// A range of variables that are empty after power-on.
 pub const fn common(first: u32, last: u32) -> VariableRange {
     VariableRange { first, last, stored: first, retention: VariableRetention::UntilPowerOff }
 }
 
-/// Writes a range of variables that keep their values over power-off.
+/// A range of variables that keep their values while the control is off.
 pub const fn kept(first: u32, last: u32) -> VariableRange {
     VariableRange { first, last, stored: first, retention: VariableRetention::OverPowerOff }
 }
 
-/// Writes a range that is another name for the variables from `stored` on, which are kept.
+/// A range of other names for the non-volatile variables from `stored` on.
 pub const fn alias(first: u32, last: u32, stored: u32) -> VariableRange {
     VariableRange { first, last, stored, retention: VariableRetention::OverPowerOff }
 }
 
-/// What a system variable shows.
+/// What a system variable holds.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SystemVariable {
     /// End of the last block, work coordinates without the tool length; one per axis.
@@ -55,39 +55,41 @@ pub enum SystemVariable {
     WorkPosition,
     /// Where the last skip move stopped, the tool length included.
     SkipPosition,
-    /// The tool offset in force.
+    /// The active tool offset.
     ActiveToolOffset,
-    /// The code in force of group 1, 2, ….
+    /// The active code of modal group 1, 2, ….
     ModalGroup,
-    /// The last word of a letter.
+    /// The last value of a letter.
     ModalWord(u8),
-    /// The last word by argument number (A is 1, X is 24).
+    /// The last value by argument number (A is 1, X is 24).
     ModalArgument,
-    /// Geometry of the length of tool 1, 2, ….
+    /// Length of tool 1, 2, …: geometry.
     LengthGeometry,
-    /// Its wear.
+    /// Length of tool 1, 2, …: wear.
     LengthWear,
-    /// Geometry of the radius (or diameter) of tool 1, 2, ….
+    /// Radius (or diameter) of tool 1, 2, …: geometry.
     RadiusGeometry,
-    /// Its wear.
+    /// Radius (or diameter) of tool 1, 2, …: wear.
     RadiusWear,
     /// The external work offset.
     ExternalOffset,
-    /// Work offsets 1 to 6, twenty numbers for each.
+    /// Work offsets 1 to 6, one after the other.
     WorkOffsets,
-    /// Extended work offsets, twenty numbers for each.
+    /// Extended work offsets, one after the other.
     ExtendedOffsets,
     /// External offset and work offsets 1 to 6 of one axis.
     WorkOffsetsOfAxis(u8),
-    /// Inputs: given by the machine file.
+    /// An input, given by the machine file.
     Input,
-    /// Outputs and places of the control that hold what was written last: not known before the program writes them.
+    /// An output or a memory of the control, which holds what was written last: not known before the program writes
+    /// it.
     Output,
-    /// Switches that change neither path nor text, and that a reset turns off: 0 before the program writes them.
+    /// A switch that changes neither path nor text and that a reset turns off, such as #3003, which suppresses
+    /// single block: 0 before the program writes it.
     Suppression,
-    /// #3000.
+    /// #3000, which stops with an alarm.
     Alarm,
-    /// #3006.
+    /// #3006, which stops with a message.
     Message,
     /// A timer.
     Timer,
@@ -95,84 +97,85 @@ pub enum SystemVariable {
     Date,
     /// The time, HHMMSS.
     Time,
-    /// The tool in the spindle.
+    /// The number of the tool in the spindle.
     Tool,
-    /// The programmed spindle speed.
+    /// The programmed spindle speed, rev/min.
     SpindleSpeed,
-    /// A parameter or a setting of the control, given by the machine file.
+    /// A parameter or setting of the control, given by the machine file.
     Setting,
-    /// A state of the machine that no program and no machine file says, such as the servo lag, loads and
-    /// tool lives.
+    /// A state of the machine that neither program nor machine file determines, such as servo lag, load and tool
+    /// life.
     NotSimulated,
-    /// An old number of a tool offset, which depends on the memory that the control has.
+    /// A tool offset whose kind depends on the [`OffsetMemory`](crate::OffsetMemory) of the control.
     ToolOffsetByMemory,
-    /// A constant.
+    /// A number that never changes.
     Constant(u32),
-    /// Place of the first reference point, machine coordinates (LinuxCNC 5161).
+    /// Position of the first reference point, machine coordinates (LinuxCNC 5161).
     Home,
-    /// Place of the second.
+    /// Position of the second reference point, machine coordinates.
     SecondHome,
-    /// The shift of G92.
+    /// The offset of G92.
     Preset,
-    /// 1 while G92 or G52 acts.
+    /// 1 while G92 or G52 is active, otherwise 0.
     PresetActs,
-    /// Where the last probe move stopped, which a program may write.
+    /// Where the last probe move stopped; a program may write it, too.
     ProbePosition,
     /// The offsets of the tool in the spindle.
     SpindleTool,
-    /// Number of the work coordinate system in force: 1 is G54, 7 is G59.1.
+    /// Number of the active work coordinate system: 1 is G54, 7 is G59.1.
     WorkSystem,
-    /// Tables of the work offsets 1 to 9, twenty numbers for each, in mm.
+    /// Work offsets 1 to 9, twenty numbers for each, in mm.
     WorkTable,
-    /// Diameter of the tool in force.
+    /// Diameter of the active tool.
     ToolDiameter,
-    /// 1 where the last probe move found something.
+    /// 1 if the last probe move touched something, otherwise 0.
     ProbeResult,
 }
 
-/// Some system variables in a row.
+/// A range of system variables of one kind.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct SystemRow {
     /// The first number.
     pub first: u32,
-    /// The last.
+    /// The last number, included.
     pub last: u32,
-    /// What they show.
-    pub what: SystemVariable,
-    /// Numbers from one work offset to the next.
+    /// What they hold.
+    pub variable: SystemVariable,
+    /// How far the numbers of two successive work offsets are apart.
     pub step: u32,
 }
 
-/// Numbers from one work offset to the next, as rows of system variables are read.
+/// How far the numbers of two successive work offsets are apart on most controls; [`MacroRules::system_at`] counts
+/// with it on all.
 pub const OFFSET_STEP: u32 = 20;
-/// The place of its turn among the numbers of a work offset.
-pub const TURN_PLACE: u32 = 9;
+/// The index of the rotation among the numbers of one work offset.
+pub const ROTATION_INDEX: u32 = 9;
 
-/// Writes a row of system variables.
-pub const fn system(first: u32, last: u32, what: SystemVariable) -> SystemRow {
-    SystemRow { first, last, what, step: OFFSET_STEP }
+/// A range of system variables with the usual distance between work offsets.
+pub const fn system(first: u32, last: u32, variable: SystemVariable) -> SystemRow {
+    SystemRow { first, last, variable, step: OFFSET_STEP }
 }
 
-/// Writes a row of work offsets with another distance from one to the next.
+/// A range of work offsets whose numbers are `step` apart.
 pub const fn system_with_stride(
     step: u32,
     first: u32,
     last: u32,
-    what: SystemVariable,
+    variable: SystemVariable,
 ) -> SystemRow {
-    SystemRow { first, last, what, step }
+    SystemRow { first, last, variable, step }
 }
 
-/// What a variable holds that was never written.
+/// The value of a variable that was never written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum UnsetValue {
-    /// Null.
+    /// Null, which is not a number.
     Null,
     /// Zero.
     Zero,
 }
 
-/// FIX and FUP.
+/// How FIX and FUP round.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum RoundingRule {
     /// FIX toward zero, FUP away from it.
@@ -181,16 +184,16 @@ pub enum RoundingRule {
     Floor,
 }
 
-/// AND, OR and XOR.
+/// How AND, OR and XOR combine values.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum LogicRule {
-    /// Bit by bit on 32-bit integers; on the values of comparisons as truth values.
+    /// Bit by bit on 32-bit integers; the values of comparisons as truth values.
     Bitwise,
-    /// True or false.
+    /// As truth values.
     Logical,
 }
 
-/// What a variable of a modal code shows.
+/// The modal group that a system variable reports.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[allow(missing_docs, reason = "the names are the field's own")]
 pub enum ModalGroup {
@@ -205,29 +208,29 @@ pub enum ModalGroup {
     ReturnLevel,
     WorkOffset,
     ModalCall,
-    /// A group whose other codes are not carried out: always this one.
+    /// A group that is not simulated: always this code, the one of power-on.
     Fixed(u16),
 }
 
 /// How macro statements are written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum MacroForm {
-    /// They are not carried out.
+    /// There are none, or they are not carried out.
     None,
     /// Blocks of macro B: `#1=2`, `IF[…]GOTO5`, `WHILE[…]DO1`.
     Blocks,
-    /// Assignments that hold from the next line on, and O words (LinuxCNC).
+    /// Assignments that take effect on the next line, and O words (LinuxCNC).
     OWords,
-    /// Lines behind `#` in the manner of BASIC (Fadal).
+    /// Lines that begin with `#`, in the manner of BASIC (Fadal).
     Lines,
 }
 
-/// What stands behind THEN.
+/// What may follow THEN.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ThenClause {
     /// One macro statement.
     Statement,
-    /// Anything but GOTO, NC words too.
+    /// Anything but GOTO, NC words included.
     Anything,
 }
 
@@ -236,32 +239,32 @@ pub enum ThenClause {
 pub enum ArgumentScale {
     /// In least increments of its address.
     LeastIncrement,
-    /// In least increments, but the letters of [`MacroRules::whole_arguments`] whole.
+    /// In least increments, but as written for the letters of [`MacroRules::whole_arguments`].
     ByLetter,
     /// As written.
     Whole,
 }
 
-/// The macro rules of a control.
+/// How a control carries out macros.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct MacroRules {
-    /// The control has a macro language of the macro B family: G65 calls.
+    /// The control has a macro language of the macro B family: G65 and the like call programs with arguments.
     pub macro_b: bool,
     /// How macro statements are written.
     pub form: MacroForm,
-    /// O words are flow control; elsewhere `o100 if` is an error.
+    /// Whether O words such as `o100 if` are flow control; otherwise they are errors.
     pub o_flow: bool,
-    /// Comments may print, stop and show text (`(PRINT, X is #1)`).
+    /// Whether comments may print, stop and show text (`(PRINT, X is #1)`).
     pub comments_act: bool,
-    /// Number of the last local variable; each level of macro calls has its own.
+    /// Number of the last local variable; each nested macro call has local variables of its own.
     pub locals: u32,
-    /// Common variables in order.
+    /// Common variables in ascending order.
     pub common: &'static [VariableRange],
-    /// System variables in order.
+    /// System variables in ascending order.
     pub system: &'static [SystemRow],
-    /// What a variable holds that was never written.
+    /// The value of a variable that was never written.
     pub unset: UnsetValue,
-    /// Largest distance of the number of a variable from a whole number; 0.5 rounds.
+    /// How far a computed variable number may be from a whole number; 0.5 rounds every number.
     pub index_tolerance: f64,
     /// Values of words are rounded to the least increment of their address.
     pub round_words: bool,
@@ -269,54 +272,54 @@ pub struct MacroRules {
     pub atan_full_circle: bool,
     /// ASIN gives 270 to 90 degrees, not -90 to 90.
     pub asin_full_circle: bool,
-    /// FIX and FUP.
+    /// How FIX and FUP round.
     pub fix: RoundingRule,
     /// MOD is never negative; otherwise it has the sign of the dividend.
     pub modulo_positive: bool,
-    /// AND, OR and XOR.
+    /// How AND, OR and XOR combine values.
     pub logic: LogicRule,
-    /// The place of a skip move is told with the tool length in it.
+    /// The reported position of a skip move includes the tool length.
     pub skip_with_length: bool,
-    /// A comparison may be assigned: 1 or 0.
+    /// A comparison may be assigned: its value is 1 or 0.
     pub comparison_is_value: bool,
-    /// EQ and NE take values as equal that are nearer than this.
+    /// EQ and NE take values as equal whose difference is below this.
     pub equal_tolerance: f64,
-    /// THEN.
+    /// What may follow THEN.
     pub then: ThenClause,
     /// NC words and a macro statement may stand in one block.
     pub mixed_blocks: bool,
-    /// Largest number of DO.
+    /// The largest label of a loop (`DO3`).
     pub last_loop: u32,
-    /// Most loops inside each other in one program.
+    /// The largest nesting depth of loops in one program.
     pub loop_depth: u32,
-    /// Most macro calls inside each other.
+    /// The largest nesting depth of macro calls.
     pub call_depth: u32,
     /// How an argument without a decimal point is read.
     pub argument_scale: ArgumentScale,
-    /// See [`ArgumentScale::ByLetter`].
+    /// The letters that [`ArgumentScale::ByLetter`] reads as written.
     pub whole_arguments: Letters,
-    /// I, J and K may come in ten sets (type II).
+    /// I, J and K may be repeated, up to ten sets (argument specification II).
     pub argument_sets: bool,
-    /// What is added to n of `#3000=n`.
+    /// What the control adds to n of `#3000=n` for the number of the alarm.
     pub alarm_base: u32,
-    /// Largest n.
+    /// The largest n of `#3000=n`.
     pub alarm_last: u32,
-    /// Leading blanks before the integer places of DPRNT.
+    /// DPRNT pads the digits before the point with blanks.
     pub output_blanks: bool,
-    /// DPRNT needs POPEN before.
+    /// POPEN must come before DPRNT.
     pub output_needs_open: bool,
-    /// What the variables of [`SystemVariable::ModalGroup`] show, group 1 first.
+    /// The groups that [`SystemVariable::ModalGroup`] reports, group 1 first.
     pub modal_groups: &'static [ModalGroup],
-    /// The program that the first G code calls which a setting makes a call.
+    /// Number of the program that is called by the first G code that a setting makes a macro call.
     pub g_alias_programs: u32,
-    /// The same for M codes.
+    /// Number of the program that is called by the first M code that a setting makes a macro call.
     pub m_alias_programs: u32,
-    /// M codes hand their words on as arguments.
+    /// Such an M code passes the words of its block as arguments.
     pub m_alias_arguments: bool,
 }
 
 impl MacroRules {
-    /// No macro language of this family.
+    /// A control without a macro language of this family.
     pub const NONE: MacroRules = MacroRules {
         macro_b: false,
         form: MacroForm::None,
@@ -383,19 +386,20 @@ impl MacroRules {
         ..MacroRules::NONE
     };
 
-    /// The range of a common variable.
+    /// The range of a common variable; `None` if the number is none of a common variable.
     pub fn common_range(&self, number: u32) -> Option<&'static VariableRange> {
         let index = self.common.partition_point(|range| range.last < number);
         self.common.get(index).filter(|range| range.first <= number)
     }
 
-    /// What a system variable shows, and its place in its row, where work offsets are [`OFFSET_STEP`] apart.
+    /// What a system variable holds, and its index in its range, in which work offsets count [`OFFSET_STEP`] apart
+    /// whatever the control's own distance. `None` if the control does not have the variable.
     pub fn system_at(&self, number: u32) -> Option<(SystemVariable, u32)> {
         let index = self.system.partition_point(|row| row.last < number);
         let row = self.system.get(index).filter(|row| row.first <= number)?;
-        let at = number - row.first;
-        let (offset, axis) = (at / row.step, at % row.step);
-        let place = if row.step == OFFSET_STEP { at } else { offset * OFFSET_STEP + axis };
-        (row.step == OFFSET_STEP || axis < OFFSET_STEP).then_some((row.what, place))
+        let index = number - row.first;
+        let (offset, axis) = (index / row.step, index % row.step);
+        let index = if row.step == OFFSET_STEP { index } else { offset * OFFSET_STEP + axis };
+        (row.step == OFFSET_STEP || axis < OFFSET_STEP).then_some((row.variable, index))
     }
 }

@@ -1,4 +1,4 @@
-//! The numbers and habits of a control that may differ from machine to machine.
+//! The parameters of a control that may differ from machine to machine.
 
 use chordal_command::Units;
 use chordal_kernel::rules::Rules;
@@ -37,24 +37,24 @@ pub enum ExcessDecimals {
     Unknown,
 }
 
-/// What an R word does beside I, J or K.
+/// What an R word does in a block with I, J or K.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum CenterAndRadius {
-    /// R is followed.
+    /// R is used, and I, J and K are ignored.
     RadiusWins,
     /// The control refuses the block.
     Refused,
 }
 
-/// What the number after T says.
+/// What the number after T means.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum ToolWord {
     /// A tool, which a code puts into the spindle.
     Tool,
-    /// Station and offset: so many digits at the end are the number of the offset, which acts at once
-    /// (`T0101`); of a number with five digits or more the last three.
+    /// Station and offset (`T0101`): the last digits are the number of the offset, which acts at once; of a number
+    /// with five digits or more these are the last three.
     StationAndOffset {
-        /// Digits of the offset.
+        /// How many digits the offset has.
         digits: u32,
     },
 }
@@ -70,143 +70,145 @@ pub enum UnitCodes {
     Both,
 }
 
-/// What the last two digits of a fixed pocket routine (Fadal L96NN to L99NN) do.
+/// What the last two digits of a fixed pocket subroutine (Fadal L96NN to L99NN) mean.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum FixedRoutineCount {
-    /// The routine runs as often, as subroutines do.
+    /// The number of repeats, as in calls of other subroutines.
     Repeat,
-    /// It runs once.
+    /// Nothing: it runs once.
     Once,
 }
 
-/// The parameters of a control, as the tables set them and a machine file may change them.
+/// The parameters of a control, as its table has them and a machine file may change them.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Parameters {
     /// How axis words without a point are read.
     pub decimal_point: DecimalPoint,
-    /// Decimals of a length beyond the least increment.
+    /// What is done with decimals of a length beyond the least increment.
     pub excess_decimals: ExcessDecimals,
-    /// Most digits of a length; 0 for no limit.
+    /// The largest number of digits of a length; 0 for no limit.
     pub most_digits: u8,
-    /// Digits behind the point that an F without one has, in inch.
+    /// How many digits of an inch F without a point are after the point.
     pub feed_digits_inch: u8,
     /// Which plane G18 and G19 choose.
     pub plane_codes: PlaneCodes,
-    /// G0 takes back the direction that G2 or G3 armed.
-    pub rapid_disarms_arc: bool,
-    /// R beside I, J, K.
+    /// G0 cancels the direction that G2 or G3 has set, where these only set a direction.
+    pub rapid_cancels_arc: bool,
+    /// What R does in a block with I, J or K.
     pub center_and_radius: CenterAndRadius,
-    /// H brings the length offset into force by itself (Fadal Format 1).
+    /// H alone makes the length offset active (Fadal Format 1).
     pub length_by_h_alone: bool,
-    /// G4 waits, and the axis words of its block move after that (LinuxCNC).
+    /// Axis words in the block of G4 move after the dwell (LinuxCNC).
     pub dwell_with_motion: bool,
-    /// The axis words in the block of G92.1 still count from the offset that it clears (GRBL).
+    /// The axis words in the block of G92.1 are still relative to the offset that it clears (GRBL).
     pub preset_cleared_after_motion: bool,
-    /// A program without an end is refused; a second percent sign is one (LinuxCNC).
+    /// A program without an end code is refused; a second percent sign is an end, too (LinuxCNC).
     pub end_required: bool,
-    /// `G10 P0` writes the work offset in force, not the external one.
+    /// `G10 P0` writes the active work offset, not the external one.
     pub offset_zero_in_force: bool,
-    /// `G10 L2` without P is `P0`.
+    /// `G10 L2` without P means `P0`.
     pub offset_number_optional: bool,
-    /// Programs end with their last block as well as with M30 (GRBL).
+    /// A program may end with its last block instead of M30 (GRBL).
     pub end_optional: bool,
     /// Who changes tools.
     pub tool_change: ToolChanger,
-    /// Who sends the blocks goes on after one that the control refuses.
+    /// The program continues after a block that the control refuses, since the sender sends the next one.
     pub goes_on_after_refusal: bool,
-    /// What the build of its firmware has.
+    /// The options that the build of its firmware has.
     pub build: FirmwareBuild,
-    /// An F of zero or below it does nothing (Marlin).
+    /// An F of zero or less is ignored (Marlin).
     pub zero_feed_passed_over: bool,
-    /// G92 writes the active work coordinate system, and at power-on that of the machine is active (Marlin).
+    /// G92 writes the active work coordinate system, and the machine's coordinate system is active at power-on
+    /// (Marlin).
     pub preset_writes_system: bool,
-    /// The letter next to the code of the spindle that gives its power in percent of the largest speed (Snapmaker).
+    /// The letter next to a spindle code that gives its power in percent of the largest speed (Snapmaker); `None`
+    /// where there is none.
     pub power_letter: Option<u8>,
-    /// A word that nothing uses and a code without its words stop the program (LinuxCNC).
+    /// A word that no code uses, and a code without its words, stop the program (LinuxCNC).
     pub strict_words: bool,
-    /// Letters that no block may have without a code that uses them, of those that most controls store.
+    /// Letters that are refused without a code that uses them, although most controls store their values.
     pub words_of_codes: Letters,
-    /// A motion code excludes another code that takes the axis words of its block, and G53 excludes an arc (RS274/NGC): what
-    /// it shows for the first.
+    /// The alarm of a motion code together with another code that uses the axis words of its block; with it, G53
+    /// excludes arcs (RS274/NGC). `None` where both are allowed.
     pub one_code_takes_axes: Option<&'static str>,
-    /// M codes of which one block may have one.
+    /// Groups of M codes in tenths: a block may have one code of each.
     pub m_groups: &'static [&'static [u16]],
-    /// What it shows for two of them.
+    /// The alarm of two M codes of one group; `None` if it is not known.
     pub m_groups_alarm: Option<&'static str>,
     /// The largest numbers that its words may have.
     pub largest_numbers: LargestNumbers,
-    /// Most characters of a line; 0 for any.
+    /// The largest number of characters of a line; 0 for any.
     pub longest_line: u32,
-    /// Block delete is a slash at the begin of the line, without a number.
+    /// Block delete is a slash at the begin of the line; a number after it means nothing.
     pub plain_block_delete: bool,
-    /// How deep calls may be nested.
+    /// The largest nesting depth of calls.
     pub nesting: u32,
-    /// Largest count of a repeat or a call.
+    /// The largest count of a repeat or a call.
     pub max_repeats: u32,
-    /// Repeats and program number share one P (`P100013`: 10 × O0013).
+    /// P has the repeats before the four digits of the program number (`P100013`: 10 × O0013).
     pub packed_calls: bool,
-    /// H differing from the tool number is an alarm (Haas Setting 15).
+    /// An H that differs from the tool number is an alarm (Haas Setting 15).
     pub length_must_match_tool: bool,
     /// The codes that choose inch and millimetres.
     pub unit_codes: UnitCodes,
-    /// What the old numbers of tool offsets are (Fanuc #2001 to #2400).
+    /// How tool offsets are stored, which decides what #2001 to #2400 mean (Fanuc).
     pub offset_memory: OffsetMemory,
-    /// The count of M98 may stand in Q where there is no L (Mach3).
+    /// M98 takes its count from Q if it has no L (Mach3).
     pub calls_counted_by_q: bool,
-    /// Where a file is one program, M98 finds `O5` above the call too, not only below it (Mach3).
+    /// In a file that is one program, M98 also finds an `O5` before the call, not only after it (Mach3).
     pub calls_upwards: bool,
-    /// The time of G4 counts in so many of its units: 0.001 where a setting makes seconds milliseconds.
+    /// Factor on the time of G4; 0.001 where a setting makes seconds milliseconds.
     pub dwell_factor: f64,
-    /// `M98 P` looks only for a program of the file, not in the folder.
+    /// `M98 P` looks for programs in the file alone, not in its folder.
     pub calls_within_file: bool,
-    /// `M99 P` jumps in the running program instead of the calling one.
+    /// `M99 P` jumps in the called program instead of the calling one.
     pub return_label_in_callee: bool,
-    /// The count of fixed pocket routines.
+    /// What the last two digits of fixed pocket subroutines mean.
     pub fixed_routine_count: FixedRoutineCount,
-    /// The register word that gives fixed bore milling its diameter.
+    /// The number of the register with the diameter of fixed bore milling.
     pub bore_diameter_register: u8,
-    /// ATAN and ASIN of macro programs give 0 to 360 degrees, not -180 to 180.
+    /// ATAN and ASIN of macros give 0 to 360 degrees instead of -180 to 180.
     pub macro_angles_full_circle: bool,
-    /// Codes that call macros.
+    /// Codes that settings make calls of programs.
     pub aliases: MacroAliases,
-    /// Letters that move an axis by an increment, and the letter of the axis (`U` of `X`).
+    /// Letters that move an axis by an increment, each with the letter of its axis (`U` of `X`).
     pub increments: &'static [(u8, u8)],
-    /// Words of X are radii at power-on, whatever the machine file has (LinuxCNC G8).
+    /// X is programmed as a radius at power-on, whatever the machine file says (LinuxCNC G8).
     pub starts_with_radii: bool,
-    /// Words of X are radii in polar interpolation, where they are diameters otherwise.
+    /// X is programmed as a radius in polar interpolation, even where it is a diameter otherwise.
     pub face_x_radius: bool,
-    /// P of M3 and M4 that names the second spindle; 0 for none.
+    /// The P of M3 and M4 that selects the second spindle; 0 for none.
     pub second_spindle_p: u32,
-    /// Letters of axes that carry a second spindle, where the machine has no other axis of that name.
+    /// Letters of axes that carry a second spindle, unless the machine has an axis of that letter.
     pub second_spindle_axes: &'static [u8],
-    /// The first and the last M code that waits for another path; 0 for none.
+    /// The first and the last M code that waits for another channel; 0 for none.
     pub wait_codes: [u32; 2],
-    /// P of M3, M4 and M5 that names the live tool; 0 for none.
+    /// The P of M3, M4 and M5 that selects the live tool; 0 for none.
     pub live_tool_p: u32,
-    /// What T says.
+    /// What the number after T means.
     pub tool_word: ToolWord,
     /// S in the block of the code that presets coordinates limits the spindle speed.
     pub preset_limits_speed: bool,
-    /// A block with G2 or G3 in force, and no word of a centre, is a straight line.
+    /// While G2 or G3 is active, a block without a centre word is a straight line.
     pub arc_without_center_is_line: bool,
-    /// Such a line after an arc is the usual way of writing, and is not reported (lathes).
+    /// Such a line after an arc is common practice and is not reported (lathes).
     pub line_after_arc_is_usual: bool,
-    /// Which of the systems of G codes of the table it has: 0 the table itself, 1 the first of the others.
+    /// The active G code system: 0 that of the table, 1 the first of its other systems.
     pub code_system: u8,
-    /// I, K and R of a straight cut are a chamfer or a rounding at its end, and `,A` is its angle from Z (lathes).
+    /// I, K and R of a G1 are a chamfer or a rounding at its end, and `,A` is its angle from Z (lathes).
     pub corners_of_lines: bool,
-    /// The letter of the lead of a thread in one pass.
+    /// The letter of the lead of threads in one pass.
     pub thread_lead: u8,
-    /// What the machine does, whatever the language.
+    /// The rules of motion, which do not depend on the language.
     pub rules: Rules,
 }
 
-/// The largest numbers of words that count things; 0 for any.
+/// The largest numbers of some words; 0 for no limit.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct LargestNumbers {
-    /// N of a block.
+    /// N.
     pub block: u32,
-    /// O of a program, with the digits of every option of the control.
+    /// O, with the digits of every option of the control.
     pub program: u32,
     /// H and D.
     pub offset: u32,
@@ -214,26 +216,26 @@ pub struct LargestNumbers {
     pub tool: u32,
 }
 
-/// The codes of a spindle, ten times the number: it turns one way, or the other, or not at all.
+/// The codes of a spindle in tenths, one group for each spindle: clockwise, counter-clockwise, stop.
 pub const SPINDLE_CODES: &[&[u16]] = &[&[30, 40, 50]];
 
 impl LargestNumbers {
-    /// What no manual limits.
+    /// No limits.
     pub const ANY: LargestNumbers = LargestNumbers { block: 0, program: 0, offset: 0, tool: 0 };
 }
 
 /// Who changes tools.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum ToolChanger {
-    /// The machine, or the control with its operator.
+    /// The machine, or its operator as the control asks for it.
     Machine,
-    /// Who sends the blocks takes M6 out of them and waits for the tool (GRBL, which has none itself).
+    /// The sender takes M6 out of the blocks and waits for the tool (GRBL has no M6).
     Sender,
     /// Nobody: M6 is an error.
     Nobody,
 }
 
-/// What the build of a firmware has.
+/// The options that the build of a firmware has.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[allow(missing_docs, reason = "named as `BuildOption` is")]
 pub struct FirmwareBuild {
@@ -253,7 +255,7 @@ pub struct FirmwareBuild {
 }
 
 impl FirmwareBuild {
-    /// What is there where a table says nothing else: options that few firmwares have are not.
+    /// The options of a build of which nothing else is known; those that few firmwares have are off.
     pub const COMMON: FirmwareBuild = FirmwareBuild {
         mist: false,
         tool_table: false,
@@ -270,7 +272,7 @@ impl FirmwareBuild {
         coolant: true,
     };
 
-    /// It has this option.
+    /// Whether it has this option.
     pub const fn has(self, option: BuildOption) -> bool {
         match option {
             BuildOption::Mist => self.mist,
@@ -289,7 +291,7 @@ impl FirmwareBuild {
         }
     }
 
-    /// The place of an option, to set it.
+    /// The option, to be changed.
     pub const fn option_mut(&mut self, option: BuildOption) -> &mut bool {
         match option {
             BuildOption::Mist => &mut self.mist,
@@ -309,12 +311,12 @@ impl FirmwareBuild {
     }
 }
 
-/// Codes that call macros, by their numbers; 0 where there is none.
+/// The numbers of codes that settings make calls of programs, by the index of the program; 0 where there is none.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct MacroAliases {
-    /// There is any.
+    /// Whether there are any.
     pub any: bool,
-    /// G codes.
+    /// G codes that call a macro.
     pub g: [u16; 10],
     /// M codes that call a macro.
     pub m: [u16; 10],
@@ -323,7 +325,8 @@ pub struct MacroAliases {
 }
 
 impl Parameters {
-    /// Decimals of a length that the control keeps; the rest is cut, rounded or not known to be either.
+    /// Decimals of a length that the control keeps, at most [`u8::MAX`]; [`ExcessDecimals`] says what it does with
+    /// the others.
     #[inline]
     pub fn kept_decimals(&self, units: Units) -> u8 {
         match (self.excess_decimals, units) {
@@ -333,7 +336,7 @@ impl Parameters {
         }
     }
 
-    /// The length that the control makes of a number with a decimal point.
+    /// The length that the control uses for a number with a decimal point.
     #[inline]
     pub fn kept(&self, number: Decimal, units: Units) -> Decimal {
         if number.scale <= self.kept_decimals(units) {
@@ -346,14 +349,14 @@ impl Parameters {
         }
     }
 
-    /// What most controls share; a table names only what it has otherwise.
+    /// What most controls share.
     pub const COMMON: Parameters = Parameters {
         decimal_point: DecimalPoint::LeastIncrement,
         excess_decimals: ExcessDecimals::Unknown,
         most_digits: 0,
         feed_digits_inch: 0,
         plane_codes: PlaneCodes::Standard,
-        rapid_disarms_arc: false,
+        rapid_cancels_arc: false,
         center_and_radius: CenterAndRadius::RadiusWins,
         length_by_h_alone: false,
         dwell_with_motion: false,
@@ -409,13 +412,13 @@ impl Parameters {
     };
 }
 
-/// How a Fanuc keeps tool offsets, an option of the control that no program shows.
+/// How a Fanuc stores tool offsets, an option that programs do not show.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum OffsetMemory {
-    /// Nobody said.
+    /// The machine file does not say.
     NotKnown,
-    /// A: one value each.
+    /// Memory A: geometry and wear in one value.
     Whole,
-    /// B and C: wear and geometry apart.
+    /// Memory B or C: geometry and wear separate.
     GeometryAndWear,
 }

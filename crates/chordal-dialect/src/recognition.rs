@@ -1,69 +1,71 @@
-//! Signs by which a text is recognized, as data: what to look for, how much it says, and its words for people.
+//! Signs by which the control of a text is recognized, as data: what to look for, its weight, and its text for
+//! users.
 //!
-//! The signs of a control stand in its folder (`recognition.rs`), those of languages that are not read in
-//! [`not_read`](crate::not_read). What looks for them is `chordal-gcode`'s `recognize`.
+//! The signs of a control are in its folder (`recognition.rs`), those of languages that are not read in
+//! [`not_read`](crate::not_read). `chordal-gcode`'s `recognize` looks for them.
 
-/// Something in the text that speaks for a control, or against it.
+/// Something in a text that speaks for a control, or against it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum RecognitionSign {
-    /// A block of these words, with blanks between them, in any order:
+    /// A block that has all of these terms, which are separated by blanks, in any order:
     ///
     /// | term | the block has |
     /// |---|---|
     /// | `X` | a word X |
     /// | `G54.1` | this code |
-    /// | `G70..73` | a code of these |
-    /// | `U\|W` | one of them |
-    /// | `!G43` | none |
-    /// | `F<1`, `T>99` | such a number |
-    /// | `E:int`, `E:dec` | a number without a point, with digits after it |
-    /// | `O:5`, `T:3-6` | a number of so many digits |
+    /// | `G70..73` | a code from G70 to G73 |
+    /// | `U\|W` | one of the two |
+    /// | `!G43` | no G43 |
+    /// | `F<1`, `T>99` | a number in this range |
+    /// | `E:int`, `E:dec` | a number without a point; with digits after the point |
+    /// | `O:5`, `T:3-6` | a number with so many digits |
     /// | `G28:bare` | this code and no axis word |
     Block(&'static str),
-    /// Of the blocks like `among` so many in a hundred are like `of`, the ends included. It says nothing
-    /// where there are fewer than three of them.
+    /// The percentage of blocks matching `of` among those matching `among` is within `percent`, limits included.
+    /// Nothing is concluded from fewer than three blocks of `among`.
     Share {
         /// The blocks that are counted.
         of: &'static str,
-        /// All blocks.
+        /// The blocks that they are a part of.
         among: &'static str,
-        /// From and to, in a hundred.
+        /// From and to, percent.
         percent: (u8, u8),
     },
-    /// Each of the letters stands in at least so many blocks of the text, and none of the others in any.
+    /// Each of the letters `used` is in at least `least` blocks of the text, and none of the letters `unused` in
+    /// any.
     Letters {
-        /// The letters that words have.
+        /// Letters that must occur.
         used: &'static str,
-        /// The letters that no word has.
+        /// Letters that must not occur.
         unused: &'static str,
-        /// In so many blocks at least.
+        /// The smallest number of blocks for each letter.
         least: u32,
     },
-    /// A comment that names one of these, as words of their own, in capital letters.
+    /// A comment with one of these as separate words; written in capitals here.
     Comment(&'static [&'static str]),
-    /// The same where the comment says that it is about the machine, its control or the post.
+    /// The same in a comment with one of the words [`MACHINE_WORDS`] and none of [`OTHER_MACHINE_WORDS`].
     Header(&'static [&'static str]),
-    /// One of these pieces of text outside comments, in capital letters.
+    /// One of these texts outside comments; written in capitals here.
     Code(&'static [&'static str]),
-    /// A line with exactly one of these codes, without its N number, blanks and comments, in capital letters.
+    /// A line that is exactly one of these, apart from N number, blanks and comments; written in capitals here.
     Codes(&'static [&'static str]),
-    /// A line that begins with one of these pieces of text, in capital letters; blanks before it do not
-    /// count, comments do. `?` stands for a digit: `%?????`.
+    /// A line that begins with one of these, after blanks if there are any, but not after a comment; written in
+    /// capitals here. `?` stands for a digit: `%?????`.
     Begins(&'static [&'static str]),
-    /// The same of a line that holds nothing else.
+    /// A line that, apart from blanks, is one of these.
     Line(&'static [&'static str]),
-    /// A form that is no pattern of words.
+    /// A form that no pattern of words describes.
     Form(TextForm),
 }
 
-/// Forms that are no pattern of words.
+/// Forms of text that no pattern of words describes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum TextForm {
     /// `R0+1.`: a register word.
     Register,
-    /// More comments are left open than are closed.
+    /// More comments are opened than closed.
     OpenComments,
-    /// A comment with words after a semicolon.
+    /// A semicolon and a comment with words after it.
     SemicolonComments,
     /// `o100 sub`, `o<name> call`.
     OWord,
@@ -77,47 +79,47 @@ pub enum TextForm {
     MacroStatement,
     /// A line that begins with `$`.
     DollarLine,
-    /// `R1=5`: a parameter that is given a value.
+    /// `R1=5`: an assignment to a parameter.
     ParameterIsSet,
-    /// A text without `%`, O number, tool change, G43 and H, as small controls take it.
+    /// A text without `%`, O number, tool change, G43 and H, as programs for small controls are.
     BareText,
     /// A block with `X=5`: an address with an equals sign.
     EqualsAddress,
-    /// An axis letter has whole numbers without a point in some words, and decimals in others. Controls with least
-    /// increments read such whole numbers as thousandths, so that programs for them do not mix the two.
+    /// An axis letter has whole numbers without a point in some words, and decimals in others. Controls that count
+    /// in least increments read whole numbers as thousandths, so that programs for them do not mix the two.
     MixedNumbers,
-    /// Whole numbers are written with a point behind them: `X5.`.
+    /// Whole numbers have a trailing point: `X5.`.
     TrailingPoints,
-    /// A text with moves in feed and without O number, H, cycle, cutter compensation, call and variable: all that
-    /// the controls of small routers read.
+    /// A text with moves in feed and without O number, H, cycle, cutter compensation, call and variable, so that
+    /// the controls of small routers can read all of it.
     SmallControl,
     /// G43 with H in a text without `%` and O number.
     LengthWithoutTape,
-    /// `L0=1`, `G79 L0<5 N10`: a numbered L that is given a value or compared.
+    /// `L0=1`, `G79 L0<5 N10`: a numbered L that is assigned or compared.
     LParameter,
-    /// `H175 = 0.1600`: a numbered H that is given a value.
+    /// `H175 = 0.1600`: an assignment to a numbered H.
     HParameter,
     /// `(P1=2)`, `(IF P1 EQ 2 GOTO N10)`: a statement in parentheses.
     StatementInParentheses,
-    /// `Z100,200,-50;`: a letter and whole coordinates with commas between.
+    /// `Z100,200,-50;`: a letter and integer coordinates separated by commas.
     CommaCoordinates,
 }
 
-/// A sign and how strongly it speaks.
+/// A sign and its weight.
 #[derive(Clone, Copy, Debug)]
 pub struct RecognitionEvidence {
     /// What to look for.
     pub sign: RecognitionSign,
-    /// How much it says; below zero it speaks against.
+    /// The weight; a negative one speaks against the control.
     pub weight: i32,
-    /// For people: `G154 chooses an extended work offset`. Of several signs with the same words one counts.
+    /// For users: `G154 chooses an extended work offset`. Of several signs with the same reason one counts.
     pub reason: &'static str,
-    /// The built-in machine of the control that such programs are for, where it is not the usual one.
+    /// The built-in machine that such programs are for; `None` for the control's default machine.
     pub machine: Option<&'static str>,
 }
 
 impl RecognitionEvidence {
-    /// The same for programs of this built-in machine.
+    /// The same sign for programs of one built-in machine.
     pub const fn on(mut self, machine: &'static str) -> RecognitionEvidence {
         self.machine = Some(machine);
         self
@@ -127,15 +129,15 @@ impl RecognitionEvidence {
 /// A kind of machine, and how its programs are distinguished from those of others.
 #[derive(Debug)]
 pub struct MachineKind {
-    /// It is a lathe.
+    /// Whether it is a lathe.
     pub turns: bool,
     /// The signs that a program is for this kind at all.
     pub signs: &'static [RecognitionEvidence],
-    /// So much they must weigh together.
+    /// The sum of weights from which on a program is for this kind.
     pub needed: i32,
 }
 
-/// Writes a sign.
+/// A sign that names no machine.
 pub const fn evidence(
     sign: RecognitionSign,
     weight: i32,
@@ -145,18 +147,18 @@ pub const fn evidence(
 }
 
 /// A comment with one of these words is about the machine that the program is for.
-pub const ABOUT_THE_MACHINE: &[&str] =
+pub const MACHINE_WORDS: &[&str] =
     &["MACHINE", "VENDOR", "CONTROL", "CONTROLLER", "POST", "POSTED", "MODEL", "MAKE", "CNC"];
 
 /// A comment with one of these words names a machine that the program is not for.
-pub const ABOUT_ANOTHER: &[&str] =
+pub const OTHER_MACHINE_WORDS: &[&str] =
     &["FROM", "NOT", "WAS", "OLD", "FORMERLY", "ORIGINALLY", "REPLACES", "NEVER", "INSTEAD"];
 
-/// So much speaks clearly.
-pub const CLEAR: i32 = 3;
+/// From this weight on the control with the most is likely.
+pub const MIN_LIKELY_WEIGHT: i32 = 3;
 
-/// The weight by which the first must lead for the signs to decide.
-pub const LEAD: i32 = 2;
+/// The weight by which the first control must lead the second to be chosen for certain.
+pub const MIN_LEAD: i32 = 2;
 
-/// The control that is assumed where nothing speaks: most others read as it does.
-pub const ASSUMED: chordal_machine::ControlName = chordal_machine::ControlName::Fanuc;
+/// The control that is assumed without any sign: most others read programs as it does.
+pub const ASSUMED_CONTROL: chordal_machine::ControlName = chordal_machine::ControlName::Fanuc;

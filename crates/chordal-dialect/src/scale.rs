@@ -1,23 +1,24 @@
-//! Numbers of a program into millimetres and radians, with a single rounding.
+//! Converts the numbers of a program into millimetres and radians, with a single rounding.
 
 use chordal_command::Units;
 use chordal_syntax::Decimal;
 
 use crate::parameters::{DecimalPoint, Parameters};
 
-/// How literals become millimetres: `mantissa · factor / 10^(scale + extra)`.
+/// The conversion of literals: a length in mm is `mantissa · factor / 10^(scale + extra)`, where `extra` depends on
+/// whether the literal has a point.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct LiteralScale {
     factor: i64,
     with_point: u8,
     without_point: u8,
     angle_without_point: u8,
-    /// Decimals of a length that the control keeps as they are.
+    /// Decimals of a length, in the program's units, that the control keeps.
     pub decimals: u8,
 }
 
 impl LiteralScale {
-    /// For the units in force.
+    /// The conversion for the active units.
     pub fn new(units: Units, parameters: &Parameters) -> LiteralScale {
         let whole = parameters.decimal_point == DecimalPoint::Calculator;
         let digits = |digits: u8| if whole { 0 } else { digits };

@@ -18,7 +18,7 @@ use chordal_geometry::{AXIS_LETTERS, TurnDirection};
 use chordal_kernel::{Alarms, ToolValue};
 use chordal_syntax::{Block, Decimal, Letters, Lexicon};
 
-/// Codes of one group exclude each other. The numbers are Fanuc's and Haas's.
+/// A modal group: codes of one group exclude each other.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
 #[allow(missing_docs, reason = "the names are the field's own")]
 pub enum CodeGroup {
@@ -43,7 +43,7 @@ pub enum CodeGroup {
     FeedRamp,
     SpindleMode,
     Diameter,
-    /// M codes.
+    // From here on M codes.
     Stopping,
     Spindle,
     Coolant,
@@ -55,21 +55,21 @@ pub enum CodeGroup {
 /// One G or M code of a control.
 #[derive(Clone, Copy, Debug)]
 pub struct CodeRow {
-    /// Ten times the number: G54.1 is 541.
+    /// The code in tenths: G54.1 is 541.
     pub code: u16,
-    /// Codes of one group exclude each other.
+    /// Its modal group.
     pub group: CodeGroup,
     /// What it does.
     pub action: Action,
-    /// Letters beside the axes and F that it takes.
+    /// Letters that it takes, apart from the axes and F.
     pub words: Letters,
-    /// One line for people.
+    /// One line for users.
     pub title: &'static str,
 }
 
 impl CodeRow {
-    /// It takes the axis words of its block for itself. A code without effect or that is not simulated does
-    /// so where its row names the axes; other axis words of its block move.
+    /// Whether it uses the axis words of its block itself. A code without effect or that is not simulated does so
+    /// if its row names the axes; other axis words of its block are a move.
     pub const fn takes_axes(&self) -> bool {
         match self.action {
             Action::NoEffect | Action::NotSimulated => self.words.has(b'X'),
@@ -85,24 +85,24 @@ impl CodeRow {
         }
     }
 
-    /// It ends the program.
+    /// Whether it ends the program.
     pub const fn ends_program(&self) -> bool {
         matches!(self.action, Action::After(AfterCode::ProgramEnd { .. }))
     }
 
-    /// Which reference point it stores the present position as: 0 or 1.
+    /// The index of the reference point that it sets to the present position, 0 or 1; `None` for other codes.
     pub const fn stored_reference(&self) -> Option<usize> {
         let Action::Mode(ModeCode::StoreReference { second }) = self.action else { return None };
         Some(second as usize)
     }
 
-    /// Its name under its letter: `G54.1`.
+    /// Its name with its letter: `G54.1`.
     pub fn name(&self, letter: u8) -> String {
         code_name(letter, self.code)
     }
 }
 
-/// A code by ten times its number: `G54.1`.
+/// The name of a code in tenths: `G54.1`.
 pub fn code_name(letter: u8, code: u16) -> String {
     let (letter, whole) = (char::from(letter), code / 10);
     if code.is_multiple_of(10) {
@@ -112,7 +112,7 @@ pub fn code_name(letter: u8, code: u16) -> String {
     }
 }
 
-/// Ten times a code's number, as the tables count it: 541 of `54.1`. Nothing for numbers that no code has.
+/// A number as a code in tenths: 541 for `54.1`. `None` if no code can have the number.
 pub fn code_number(number: Decimal) -> Option<u16> {
     let tenths = match number.scale {
         0 => number.mantissa.checked_mul(10)?,
@@ -128,10 +128,10 @@ pub fn code_number(number: Decimal) -> Option<u16> {
     u16::try_from(tenths).ok()
 }
 
-/// The letters of a code whose words are not looked at.
+/// The letters of a code whose words are not checked.
 pub const ANY_WORDS: &str = "XYZABCIJKPQRLDHE";
 
-/// Writes a row of a code table.
+/// A row of a code table; the code in tenths.
 pub const fn row(
     code: u16,
     group: CodeGroup,
@@ -153,24 +153,24 @@ pub enum LineRepeat {
     Anywhere,
 }
 
-/// How subroutines are written beside M98.
+/// How subroutines are written, apart from M98.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SubroutineForm {
     /// There are none.
     None,
-    /// Sections `L100`, `L200`, … before the main program, ended by M17, the whole by M30;
-    /// called by `L201` (subroutine, two digits of repeats).
+    /// Sections `L100`, `L200`, … before the main program, each ended by M17, all of them by M30. `L201` calls
+    /// subroutine 2; its last two digits are the repeats.
     LetterL,
 }
 
-/// A fixed routine that a word L calls by its number, the last two digits for itself (Fadal).
+/// A fixed subroutine that an L word calls by its number; the last two digits are a parameter of it (Fadal).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum FixedRoutine {
-    /// Probing: judged, not shown.
+    /// Probing: checked, not simulated.
     Probe,
-    /// Engraving: judged, not shown.
+    /// Engraving: checked, not simulated.
     Engrave,
-    /// The cycle in force on a circle.
+    /// The active cycle at the holes of a bolt circle.
     BoltCircle,
     /// Bore milling.
     Bore(TurnDirection),
@@ -180,216 +180,219 @@ pub enum FixedRoutine {
     Circle(TurnDirection),
 }
 
-/// How motion codes are modal.
+/// How motion codes cancel each other.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum MotionModality {
     /// Each cancels the others.
     Exclusive,
-    /// G0 and G1 cancel each other; G2 and G3 arm a direction, which a block takes when it
-    /// has a centre or a radius.
+    /// G0 and G1 cancel each other; G2 and G3 only set a direction, which a block uses if it has a centre or a
+    /// radius.
     Armed,
 }
 
 /// What `G10 L…` writes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum DataTarget {
-    /// Work offset P (0 the external one).
+    /// Work offset P; 0 is the external one.
     WorkOffset,
-    /// Work offset P, so that the present position gets the given coordinates.
+    /// Work offset P, set so that the present position has the given coordinates.
     WorkOffsetFromPosition,
     /// Extended work offset P.
     ExtendedWorkOffset,
     /// A value of tool P.
     Tool(ToolValue),
-    /// Length and radius by the letters Z and R (LinuxCNC).
+    /// Length and radius of tool P, by the letters Z and R (LinuxCNC).
     ToolTable,
     /// Geometry or wear of a turning tool, by the letters of the axes, R and Q (Haas lathes).
     TurningTool {
-        /// Its wear.
+        /// Wear, otherwise geometry.
         wear: bool,
     },
-    /// Offsets of a tool, so that the present position gets these work coordinates.
+    /// Offsets of tool P, set so that the present position has the given work coordinates.
     ToolFromPosition,
-    /// The same in the ninth work offset, that of the fixture.
+    /// The same, with coordinates in the ninth work coordinate system, that of the fixture.
     ToolFromFixture,
-    /// The tool table is read again.
+    /// Nothing: the tool table is read again.
     Reload,
-    /// A register R0 … R9 (Fadal L100–L109).
+    /// A register R0 to R9 (Fadal L100 to L109).
     Register,
-    /// Something that is not simulated, and changes neither path nor position.
+    /// Something that is not simulated and changes neither path nor position.
     Other,
-    /// A value of the control is read into a register that words may name (Fadal L13 to L15).
+    /// A register that words may name, with a value of the control (Fadal L13 to L15).
     IntoRegister,
-    /// The lines up to the code that ends it are data for the control: parameters and the like.
+    /// The lines that follow, up to the code that ends them, are data for the control such as parameters.
     Lines,
 }
 
-/// Time words of a dwell.
+/// A word that may hold the time of a dwell.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct DwellWord {
     /// The letter.
     pub letter: u8,
-    /// Seconds in one unit without a decimal point.
+    /// Seconds of one unit written without a decimal point.
     pub integer_s: f64,
-    /// Seconds in one unit with a decimal point.
+    /// Seconds of one unit written with a decimal point.
     pub point_s: f64,
     /// A decimal point may be written; otherwise it is an alarm.
     pub takes_point: bool,
 }
 
 impl DwellWord {
-    /// Seconds in one unit of a number that has a decimal point or none.
+    /// Seconds of one unit of a number with or without a decimal point.
     pub fn unit_s(self, has_point: bool) -> f64 {
         if has_point { self.point_s } else { self.integer_s }
     }
 }
 
-/// Everything that makes a control.
+/// Everything that defines a control.
 #[derive(Debug)]
 pub struct ControlTable {
-    /// Name in machine files.
+    /// Its name in machine files.
     pub name: &'static str,
-    /// Name for people.
+    /// Its name for users.
     pub title: &'static str,
     /// Where its facts come from.
     pub source: &'static str,
-    /// How its text is written.
+    /// How its text is divided into words and comments.
     pub lexicon: Lexicon,
-    /// Its G codes in order.
+    /// Its G codes in ascending order.
     pub g_codes: &'static [CodeRow],
-    /// Its M codes in order.
+    /// Its M codes in ascending order.
     pub m_codes: &'static [CodeRow],
-    /// Its numbers and habits.
+    /// Its parameters before the settings of a machine file.
     pub parameters: Parameters,
-    /// The settings that a machine file may name.
+    /// The settings that a machine file may have for this control alone.
     pub settings: &'static [Setting],
-    /// What it shows for a diagnostic; `{n}` is the block's N number, `{move}` the kind of
-    /// move; of two texts with ` / ` between the first is for arcs.
+    /// The alarm that it shows for a diagnostic. `{n}` is the block's N number, `{move}` the kind of move; of two
+    /// texts separated by ` / ` the first is for arcs.
     pub alarms: &'static [(Code, &'static str)],
-    /// What one is in a scale factor without a decimal point.
+    /// The scale factor that `1` without a decimal point means.
     pub scale_unit: f64,
-    /// How motion codes are modal.
+    /// How motion codes cancel each other.
     pub motion: MotionModality,
-    /// G90 and G91 act from left to right within the block.
+    /// G90 and G91 act on the words after them, and both may be in one block; otherwise each acts on its whole
+    /// block.
     pub distance_left_to_right: bool,
-    /// G90 and G91 may stand in one block.
+    /// Where an L word repeats its block.
     pub line_repeat: LineRepeat,
-    /// Subroutines beside M98.
+    /// How subroutines are written, apart from M98.
     pub subroutines: SubroutineForm,
-    /// Fixed routines by the hundreds of the L word that calls them.
+    /// Fixed subroutines by the hundreds of the L word that calls them.
     pub fixed_routines: &'static [(u32, FixedRoutine)],
     /// Letters of axes that words may name.
     pub axis_letters: &'static str,
-    /// P on an arc: further full turns (`extra`) or all turns.
+    /// What P means on an arc.
     pub arc_turns: ArcTurns,
-    /// Centre words outside the plane are an alarm, not passed over.
+    /// Centre words outside the plane are an alarm; otherwise they are ignored.
     pub strict_center_words: bool,
-    /// G10's targets by L.
+    /// What G10 writes, by its L.
     pub set_data: &'static [(u16, DataTarget)],
-    /// Time words of G4.
+    /// The words that may hold the time of G4.
     pub dwell: &'static [DwellWord],
-    /// G4 without a time is an exact stop, not an alarm.
+    /// G4 without a time is an exact stop; otherwise an alarm.
     pub dwell_alone_stops: bool,
-    /// M codes that the table does not have are those of the machine builder or the shop, not an alarm.
+    /// M codes that are not in the table are taken for those of the machine builder or the shop; otherwise they are
+    /// an alarm.
     pub open_m_codes: bool,
-    /// Of several codes of a group in a block the last one counts, without an alarm.
+    /// Of several codes of one group in a block the last one counts; otherwise they are an alarm.
     pub last_of_group_counts: bool,
-    /// In which order it carries out what a block says.
+    /// The order in which it carries out what a block says.
     pub order: BlockOrder,
-    /// Codes that must be the only G code of their block.
+    /// Codes in tenths that must be the only G code of their block.
     pub alone: &'static [u16],
-    /// How its firmware judges a block as a whole before anything of it acts; nothing where words act one by one.
+    /// How its firmware checks a whole block before anything of it acts; `None` where words act one by one.
     pub firmware: Option<&'static Firmware>,
-    /// How it takes a line as one command with its words; nothing where a block may have several codes.
+    /// How it reads a line as one command with its words; `None` where a block may have several codes.
     pub command_line: Option<&'static CommandLine>,
-    /// What it asks of the words of a code.
+    /// What it requires of the words of a code.
     pub word_rules: &'static [WordRule],
-    /// What it refuses of a rotation about an axis in space; nothing where it has none.
+    /// What it refuses of a rotation about an axis in space; `None` where it has no such rotation.
     pub spatial: Option<&'static SpatialRules>,
-    /// Polar interpolation; nothing where it has none.
+    /// Polar interpolation; `None` where it has none.
     pub face: Option<&'static SurfaceRules>,
-    /// Cylindrical interpolation; nothing where it has none.
+    /// Cylindrical interpolation; `None` where it has none.
     pub cylinder: Option<&'static SurfaceRules>,
-    /// How its work offsets are named; with `by_e` a word E chooses one.
+    /// How its work offsets are named.
     pub work_names: WorkNaming,
     /// How its programs are numbered.
     pub program_numbers: ProgramNumbers,
-    /// Start label word of M98 (Mitsubishi H).
+    /// The word of M98 that gives the label to start at (H on a Mitsubishi); `None` where there is none.
     pub call_start_label: Option<u8>,
-    /// Its macro language.
+    /// How it carries out macros.
     pub macros: &'static MacroRules,
-    /// What it shows where a cycle of a lathe is refused.
+    /// The alarms that it shows for refused turning cycles.
     pub turning_alarms: &'static [(TurnFault, &'static str)],
-    /// Its other systems of G codes by name, each as what it has otherwise.
+    /// Its G code systems other than that of the table.
     pub systems: &'static [CodeSystem],
-    /// Cycles that drill along X, ten times the number.
+    /// Cycles that drill along X, in tenths.
     pub radial_cycles: &'static [u16],
-    /// Codes of the second spindle, which is not followed: the letter and ten times the number.
+    /// Codes of the second spindle, which is not simulated: the letter, and the code in tenths.
     pub second_spindle: &'static [(u8, u16)],
-    /// Taps that turn a live tool, ten times the number.
+    /// Codes of tapping with a live tool, in tenths.
     pub live_taps: &'static [u16],
-    /// How its programs are distinguished from those of other machines, where signs must show that first: lathes, GRBL.
+    /// What distinguishes programs of its kind of machine (lathes, GRBL) from others; `None` where nothing has to
+    /// be shown before its own signs count.
     pub kind: Option<&'static MachineKind>,
     /// Signs by which its programs are recognized.
     pub evidence: &'static [RecognitionEvidence],
-    /// How it wants a program begun and ended.
+    /// The lines that it needs around a program.
     pub post: &'static PostTemplate,
-    /// The built-in machine that a program is run on when only its control is known.
+    /// The built-in machine for programs of which only the control is known.
     pub default_machine: &'static str,
 }
 
-/// A system of G codes beside that of the table (Fanuc lathes B and C).
+/// A G code system other than that of the table, as its differences (Fanuc lathes B and C).
 #[derive(Clone, Copy, Debug)]
 pub struct CodeSystem {
     /// Its name.
     pub name: &'static str,
-    /// The codes that it has otherwise.
+    /// The codes that differ from those of the table.
     pub codes: &'static [CodeRow],
-    /// The codes of the table that it does not have, ten times the number.
+    /// The codes of the table that it does not have, in tenths.
     pub without: &'static [u16],
 }
 
-/// Why a cycle of a lathe is refused.
+/// Why a turning cycle is refused.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum TurnFault {
-    /// No depth of a pass.
+    /// The depth of a pass is missing.
     Depth,
     /// P or Q is missing.
     NoContour,
-    /// A label of P or Q is not there.
+    /// The block that P or Q names does not exist.
     NoLabel,
     /// The contour turns back along Z, or along X in G72.
     TurnsBack,
     /// X turns back in a contour of type I.
     NotMonotone,
-    /// The contour has no moves, or its first block is none.
+    /// The contour has no moves, or its first block has none.
     FirstBlock,
-    /// A code that may not be in a contour.
+    /// The contour has a code that is not allowed in it.
     CodeInContour,
-    /// The passes of a repeated contour.
+    /// The number of passes of a repeated contour is out of range.
     Passes,
-    /// The distance of the plunges.
+    /// The distance of the plunges is missing.
     Step,
-    /// Depth or height of a thread.
+    /// The height or the first depth of a thread is missing or not positive, or the thread has no length.
     ThreadDepth,
-    /// The least depth of a thread pass is more than its height.
+    /// The smallest depth of a thread pass is more than its height.
     ThreadLeast,
-    /// The angle of a thread.
+    /// The angle of a thread is out of range.
     ThreadAngle,
-    /// A lead that falls to nothing before the end of a thread (G34).
+    /// The lead falls to zero before the end of the thread (G34).
     Lead,
-    /// An axis that the pass of one block does not have.
+    /// A cycle of one pass has a word of an axis that it does not move.
     PassAxis,
 }
 
-/// How programs are numbered.
+/// The largest number after O.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ProgramNumbers {
-    /// The largest number behind O.
+    /// The largest number after O.
     pub largest: u32,
-    /// Digits of the number as the control lists it, with zeros in front.
+    /// Digits of the number in the list of the control, with leading zeros.
     pub digits: usize,
-    /// A program has a number; without, it may be a text alone.
+    /// A program needs a number; otherwise a file without one is a program, too.
     pub required: bool,
 }
 
@@ -398,18 +401,18 @@ pub struct ProgramNumbers {
 pub enum ArcTurns {
     /// Nothing.
     None,
-    /// Further full turns beside the arc's own.
+    /// Full turns in addition to the arc's own.
     Extra,
-    /// Full turns beside the angle from start to end, which is zero where both are one point: then they are all turns
-    /// (Mitsubishi M700V 6.6 (3), p. 53).
+    /// Full turns in addition to the angle from start to end. Where start and end coincide the angle is zero: they
+    /// are all turns (Mitsubishi M700V 6.6 (3), p. 53).
     BeyondAngle,
     /// All turns, the arc's own counted as one.
     Total,
 }
 
 impl ControlTable {
-    /// What most controls share. The name, the codes, the signs and what else belongs to one control
-    /// alone are empty: each control gives its own.
+    /// What most controls share. The name, the codes, the signs and whatever else each control has of its own are
+    /// empty.
     pub const COMMON: ControlTable = ControlTable {
         name: "",
         title: "",
@@ -457,7 +460,7 @@ impl ControlTable {
         default_machine: "",
     };
 
-    /// The time words of a dwell, in the units that the parameters give them.
+    /// The words that may hold the time of a dwell, in the units that the parameters set.
     pub fn dwell_words(&self, parameters: &Parameters) -> impl Iterator<Item = DwellWord> {
         let factor = parameters.dwell_factor;
         self.dwell.iter().map(move |word| DwellWord {
@@ -467,19 +470,19 @@ impl ControlTable {
         })
     }
 
-    /// The row of a G code (ten times its number).
+    /// The row of a G code in tenths; `None` if the table does not have it.
     pub fn g_code(&self, code: u16) -> Option<&'static CodeRow> {
         let index = self.g_codes.binary_search_by_key(&code, |row| row.code).ok()?;
         Some(&self.g_codes[index])
     }
 
-    /// The row of an M code (ten times its number).
+    /// The row of an M code in tenths; `None` if the table does not have it.
     pub fn m_code(&self, code: u16) -> Option<&'static CodeRow> {
         let index = self.m_codes.binary_search_by_key(&code, |row| row.code).ok()?;
         Some(&self.m_codes[index])
     }
 
-    /// `G10 L50`: the lines after this block are data.
+    /// Whether a block is `G10 L50`: the lines after it are data.
     pub fn begins_data(&self, block: &Block) -> bool {
         let l = block.word(b'L').and_then(|word| word.number()?.to_integer());
         let lines = |(number, target): &(u16, DataTarget)| {
@@ -492,12 +495,12 @@ impl ControlTable {
             })
     }
 
-    /// It is the control of a lathe.
+    /// Whether it is the control of a lathe.
     pub fn turns(&self) -> bool {
         self.kind.is_some_and(|kind| kind.turns)
     }
 
-    /// What the control shows for a diagnostic.
+    /// The alarm that the control shows for a diagnostic; `None` if it is not known.
     pub fn alarm(&self, code: Code) -> Option<&'static str> {
         Alarms { title: self.title, texts: self.alarms }.text(code)
     }

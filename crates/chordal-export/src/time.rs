@@ -259,7 +259,7 @@ pub fn short_blocks_text(ends: &CutEnds, job: &Job) -> Option<String> {
     let sure = match setting.certainty {
         Certainty::Documented => "documented",
         Certainty::Inferred => "inferred",
-        Certainty::Trade => "known in the trade",
+        Certainty::Practice => "known in the trade",
         Certainty::Unknown => "assumed",
     };
     let how = match (ends.joined, ends.within - ends.joined) {

@@ -1,21 +1,21 @@
-//! The axes at an instant of a trajectory, one instant after the other.
+//! Evaluates a trajectory at instants that follow each other.
 
 use crate::reader::{PieceReader, PieceView};
 use crate::sample::{AxisState, MotionSample};
 use crate::trajectory::{PlannedTrajectory, ProfilePoint};
 
-/// A place on a trajectory.
+/// A point of a trajectory.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct TrajectoryPlace {
-    /// Number of the piece.
+    /// Index of the piece.
     pub piece: usize,
-    /// From the start of that.
+    /// σ from the start of the piece.
     pub sigma: f64,
     /// The velocity profile there.
     pub along: ProfilePoint,
 }
 
-/// Follows a trajectory in time: finds positions.
+/// Finds the point of a trajectory at a time, from the previous one on.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PieceCursor {
     piece: usize,
@@ -25,7 +25,7 @@ pub(crate) struct PieceCursor {
 }
 
 impl PieceCursor {
-    /// The place at `t` s from the start, not before the last; `None` where there is nothing.
+    /// The point at `t` s from the start, which must not be before the last one; `None` for an empty trajectory.
     #[inline(always)]
     pub fn to(
         &mut self,
@@ -50,15 +50,15 @@ impl PieceCursor {
     }
 }
 
-/// Reads the axes at places of a trajectory.
+/// Evaluates the axes at points of a trajectory.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PieceReading {
-    /// Of the piece with this number.
+    /// The reader of the piece with this index.
     reader: Option<(usize, PieceReader)>,
 }
 
 impl PieceReading {
-    /// Writes what the axes do at a place into a sample, whose time stays.
+    /// Writes the axes and their derivatives at a point into a sample; its time is not changed.
     #[inline(always)]
     pub fn fill(
         &mut self,
@@ -82,7 +82,7 @@ impl PieceReading {
     }
 }
 
-/// Follows a trajectory in time.
+/// Evaluates the axes along a trajectory in time.
 #[derive(Clone, Debug, Default)]
 pub struct TrajectoryCursor {
     pub(crate) walk: PieceCursor,
@@ -90,16 +90,16 @@ pub struct TrajectoryCursor {
 }
 
 impl TrajectoryCursor {
-    /// The axes at `t` s from the start of the trajectory. Times must not go back; beyond the end
-    /// the answer is its end.
+    /// The axes at `t` s from the start of the trajectory. Times must not go back; after the end
+    /// the result is that of the end.
     pub fn at(&mut self, trajectory: &PlannedTrajectory, t: f64) -> AxisState {
         let mut sample = MotionSample::default();
         self.fill(trajectory, t, &mut sample);
         sample.into()
     }
 
-    /// Goes over to a copy of the trajectory that begins with the phase and the piece under way: the
-    /// numbers of both.
+    /// Continues on a copy of the trajectory that begins with the current phase and piece; returns the former
+    /// indexes of both.
     pub(crate) fn rebase(&mut self) -> (usize, usize) {
         let gone = (self.walk.phase, self.walk.piece);
         (self.walk.phase, self.walk.piece) = (0, 0);
@@ -110,7 +110,7 @@ impl TrajectoryCursor {
         gone
     }
 
-    /// The same written into a sample, whose time stays. A trajectory of nothing changes nothing.
+    /// Writes the axes at `t` s into a sample; its time is not changed. An empty trajectory changes nothing.
     #[inline(always)]
     pub(crate) fn fill(&mut self, trajectory: &PlannedTrajectory, t: f64, out: &mut MotionSample) {
         if let Some(place) = self.walk.to(trajectory, t) {

@@ -1,8 +1,8 @@
-//! The rule of small controls (GRBL): trapezoids of constant acceleration, no jerk, and at each junction of two
-//! straight segments the speed that a detour of a given deviation would allow.
+//! The planner of small controls (GRBL): trapezoids of constant acceleration without jerk limits, and at each junction of
+//! two straight segments the speed of an arc that passes it within the junction deviation.
 //!
-//! Arcs are cut into the segments that the control runs, with their ends on the curve. The control knows so many
-//! blocks ahead: the one under way ends no faster than the last known one can be stopped at.
+//! Arcs are divided into the segments that the control makes, with their ends on the curve. The control looks a fixed
+//! number of blocks ahead: each block ends no faster than the axes can stop from by the end of the last known one.
 
 use std::collections::VecDeque;
 
@@ -15,41 +15,41 @@ use crate::move_request::{CornerMode, MoveRequest};
 use crate::piece::PathPiece;
 use crate::trajectory::{JerkPhase, PlannedTrajectory, PlannerStep};
 
-/// The numbers of the rule, as the control's settings have them.
+/// The parameters of the planner, as the control's settings have them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JunctionRule {
-    /// How far a detour at a junction would be from it, mm; 0: every segment ends at rest (GRBL `$11`).
+    /// The junction deviation, mm (GRBL `$11`); 0: every segment ends at rest.
     pub deviation_mm: f64,
-    /// Blocks that are known, with the one under way.
+    /// The number of blocks that are known, the current one included.
     pub blocks: usize,
-    /// How far the segments of an arc are from it, mm (GRBL `$12`).
+    /// The largest distance of the segments of an arc from it, mm (GRBL `$12`).
     pub arc_tolerance_mm: f64,
-    /// Arcs are cut by the length of segments instead (Marlin).
+    /// The rule for dividing arcs by the length of segments instead (Marlin); `None`: by the tolerance.
     pub arc_segments: Option<ArcSegmentLengths>,
-    /// By how much X, Y and Z may change their speed at a junction at once, mm/s, where that counts and not the deviation
-    /// (Marlin's classic jerk). Moves from rest begin at rest.
+    /// The largest step of the speeds of X, Y and Z at a junction, mm/s, which replaces the deviation (Marlin's classic jerk);
+    /// `None` where the deviation counts. Motion from rest begins at rest.
     pub speed_steps_mm_s: Option<[f64; 3]>,
-    /// Ends of segments lie on whole steps of X, Y and Z, so many a mm (GRBL `$100` to `$102`); 0: anywhere.
+    /// Steps per mm of X, Y and Z, to which the ends of segments are rounded (GRBL `$100` to `$102`); 0: not rounded.
     pub steps_per_mm: [f64; 3],
-    /// A segment is accelerated evenly, but only as much as a profile with the jerk of the axes would on average
+    /// The acceleration of a segment is constant, but only the average of a profile with the jerk of the axes
     /// (an option of grblHAL).
     pub limited_jerk: bool,
 }
 
-/// Segments of an arc by their length.
+/// How an arc is divided by the length of its segments.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArcSegmentLengths {
-    /// The shortest, mm.
+    /// The shortest segment, mm.
     pub least_mm: f64,
-    /// The longest, mm.
+    /// The longest segment, mm.
     pub most_mm: f64,
-    /// A full circle has so many at least, where they do not become too short.
+    /// The smallest number of segments of a full circle, unless they would become shorter than the shortest.
     pub of_circle: f64,
 }
 
 impl ArcSegmentLengths {
-    /// How many segments an arc of this length in its plane and this angle, rad, is cut into. The last one may be shorter
-    /// on the control; here all have one length.
+    /// The number of segments of an arc with this length in its plane, mm, and this angle, rad. The last one may be shorter
+    /// on the control; here all have the same length.
     fn count(&self, length: f64, angle: f64) -> f64 {
         let fewest = (self.of_circle * angle / std::f64::consts::TAU - 1e-9).ceil().max(1.0);
         let nominal = (length / self.most_mm + 1e-9).floor().max(fewest);
@@ -58,42 +58,42 @@ impl ArcSegmentLengths {
     }
 }
 
-/// Segments turn back where the cosine of the turn is less, and go straight on where it is more.
+/// A junction is a reversal if the cosine of its angle is less, and straight if it is more.
 const REVERSAL_COSINE: f64 = -0.999_999;
 const STRAIGHT_COSINE: f64 = 0.999_999;
-/// The least speed, mm/s: 1 mm/min.
+/// The smallest speed, mm/s: 1 mm/min.
 const MIN_SPEED_MM_S: f64 = 1.0 / 60.0;
-/// A trajectory that reaches so many pieces ends where the speed is even.
+/// A trajectory with this many pieces ends at the next point of constant speed.
 const MAX_TRAJECTORY_PIECES: usize = 8192;
-/// Most segments of one move.
+/// The largest number of segments of one move.
 const MAX_SEGMENTS_PER_MOVE: f64 = 1e7;
 
-/// A straight segment that waits for its turn.
+/// A straight segment in the queue.
 #[derive(Clone, Copy, Debug)]
 struct JunctionSegment {
     from: AxisValues,
-    /// The axes by σ.
+    /// The derivatives of the axes by σ.
     direction: AxisValues,
     length: f64,
-    /// σ per s², the most that all axes hold.
+    /// The largest acceleration that all axes allow, σ per s².
     acceleration: f64,
     speed: f64,
-    /// The square of the largest speed at its start, by the junction and both speeds.
+    /// The square of the largest speed at its start, from the junction and the speeds of both segments.
     entry: f64,
     tag: u64,
 }
 
-/// The planner of the rule.
+/// The planner of small controls.
 #[derive(Debug)]
 pub(crate) struct JunctionPlanner<P> {
     rule: JunctionRule,
     waiting: VecDeque<JunctionSegment>,
-    /// The segment before the next one, where the axes do not rest between the two.
+    /// The segment before the next one; `None` where the axes rest between the two.
     last: Option<JunctionSegment>,
-    /// Speed at which the first of those that wait begins.
+    /// The speed at the start of the first segment in the queue.
     speed: f64,
     trajectory: PlannedTrajectory<P>,
-    /// σ of the end of the trajectory.
+    /// σ at the end of the trajectory.
     end: f64,
 }
 
@@ -109,7 +109,7 @@ impl<P: PathPart> JunctionPlanner<P> {
         }
     }
 
-    /// Takes a move that was checked, and emits what is certain.
+    /// Takes a checked move, and emits the segments that later moves cannot change.
     pub fn push(
         &mut self,
         motion: &MoveRequest,
@@ -134,7 +134,7 @@ impl<P: PathPart> JunctionPlanner<P> {
         }
     }
 
-    /// Everything that waits, to rest.
+    /// Emits all segments in the queue, which end at rest.
     pub fn rest(&mut self, take: &mut impl FnMut(PlannerStep<'_, P>)) {
         while !self.waiting.is_empty() {
             self.run_first(take);
@@ -143,7 +143,7 @@ impl<P: PathPart> JunctionPlanner<P> {
         (self.last, self.speed) = (None, 0.0);
     }
 
-    /// How many segments a move is cut into: vertices lie on the curve.
+    /// The number of segments of a move; their ends are on the curve.
     fn segments_of(&self, motion: &MoveRequest) -> f64 {
         if let (Some(lengths), Curve::Arc(arc)) = (self.rule.arc_segments, &motion.curve) {
             let angle = arc.sweep.abs();
@@ -165,7 +165,7 @@ impl<P: PathPart> JunctionPlanner<P> {
         let away: AxisValues = std::array::from_fn(|axis| to[axis] - from[axis]);
         let linear = chord(&away[..3]);
         let length = if linear > 0.0 { linear } else { chord(&away[3..]).min(length) };
-        // Less than a step is no motion.
+        // A distance of less than a step is no motion.
         if length <= 0.0 {
             return;
         }
@@ -188,8 +188,8 @@ impl<P: PathPart> JunctionPlanner<P> {
         self.waiting.push_back(next);
     }
 
-    /// The even acceleration of a segment. With limited jerk, the speed over the time in which a profile with that jerk
-    /// reaches it from rest.
+    /// The constant acceleration of a segment. With limited jerk it is its speed over the time in which a profile with
+    /// that jerk reaches this speed from rest.
     fn acceleration(&self, direction: &AxisValues, speed: f64, limits: &KinematicLimits) -> f64 {
         let most = least(&limits.acceleration(), direction);
         if !self.rule.limited_jerk {
@@ -207,7 +207,7 @@ impl<P: PathPart> JunctionPlanner<P> {
         speed / time
     }
 
-    /// The nearest place that motors can stand at.
+    /// The nearest position that is a whole number of steps.
     fn on_steps(&self, mut place: AxisValues) -> AxisValues {
         for (value, steps) in place.iter_mut().zip(self.rule.steps_per_mm) {
             if steps > 0.0 {
@@ -241,7 +241,7 @@ impl<P: PathPart> JunctionPlanner<P> {
         if cosine < REVERSAL_COSINE {
             return 0.0;
         }
-        // The half of the angle between the two, and the direction in which the axes are accelerated there.
+        // Half of the angle between the two, and the direction of the acceleration at the junction.
         let sine = ((1.0 + cosine) / 2.0).sqrt();
         let turn: AxisValues = std::array::from_fn(|k| after.direction[k] - before.direction[k]);
         let size = chord(&turn);
@@ -249,7 +249,7 @@ impl<P: PathPart> JunctionPlanner<P> {
         (acceleration * self.rule.deviation_mm * sine / (1.0 - sine)).min(speed * speed)
     }
 
-    /// The first segment as it runs with what is known: to the speed from which the last one can be stopped.
+    /// Emits the first segment. Its end speed is one from which the axes can stop by the end of the last known segment.
     fn run_first(&mut self, take: &mut impl FnMut(PlannerStep<'_, P>)) {
         let Some(first) = self.waiting.pop_front() else { return };
         let mut exit = 0.0;
@@ -270,7 +270,7 @@ impl<P: PathPart> JunctionPlanner<P> {
         }
     }
 
-    /// Faster, evenly, slower: as much of each as the segment has room for.
+    /// The phases of a segment: acceleration, constant speed and deceleration, each as far as there is room.
     fn phases(&mut self, segment: &JunctionSegment, exit: f64) {
         let JunctionSegment { length, acceleration, speed, .. } = *segment;
         let entry = self.speed;
@@ -305,7 +305,7 @@ fn chord(away: &[f64]) -> f64 {
     away.iter().map(|away| away * away).sum::<f64>().sqrt()
 }
 
-/// How much of limits by axis there is in a direction.
+/// The limit along a direction that keeps the limits of all axes.
 fn least(limits: &AxisValues, direction: &AxisValues) -> f64 {
     let moving = limits.iter().zip(direction).filter(|(_, share)| **share != 0.0);
     moving.fold(f64::INFINITY, |least, (limit, share)| least.min(limit / share.abs()))

@@ -1,9 +1,9 @@
 //! From the exact path to timed setpoints.
 //!
-//! A [`MoveRequest`] is an exact curve with its programmed speed and a [`CornerMode`] that says how its end
-//! is passed. Moves go into a planner, which emits [`PlannedTrajectory`]s: smooth pieces of path and
-//! the phases of constant jerk in which they are travelled. Whoever needs setpoints evaluates a
-//! trajectory at a time, or lets a [`SetpointSampler`] do it at a period.
+//! A [`MoveRequest`] is an exact curve with its programmed speed and a [`CornerMode`] for the corner at its
+//! end. Moves go into a planner, which emits [`PlannedTrajectory`]s: smooth pieces of path and
+//! the phases of constant jerk in which they are travelled. Setpoints come from evaluating a trajectory
+//! at a time, or from a [`SetpointSampler`] at a fixed period.
 //!
 //! Lengths are in mm, angles in rad, time in s. Arrays over axes are X Y Z A B C. The path of a
 //! move is measured in mm along X, Y and Z, and in rad where rotary axes alone move; both are
@@ -19,7 +19,7 @@
 //! | **curves:** runs of dense moves between corners | [`PlannedTrajectory`] | `curve_planner/` |
 //! | curve fitting, with proof of its tolerance | [`PathPiece`] | `curve_fit/` |
 //! | feedrate profile by Newton steps on the time itself | [`solve_profile()`] | `profile_solver/` |
-//! | **junctions:** trapezoids with junction deviation, for controls that have no jerk | [`JunctionRule`] | `junction_planner.rs` |
+//! | **junctions:** trapezoids with junction deviation, for controls without jerk limits | [`JunctionRule`] | `junction_planner.rs` |
 //! | the least time without jerk | [`time_bound()`] | `time_bound/` |
 //! | the least time with jerk | [`reference()`] | `reference/` |
 //! | setpoints | [`MotionSample`] | `cursor.rs`, `reader.rs`, `sampler.rs` |

@@ -1,4 +1,4 @@
-//! Measures how much of the limits of the axes a movement uses.
+//! Measures how much of the limits of the axes a motion uses.
 
 use chordal_geometry::AXES;
 
@@ -8,7 +8,7 @@ use crate::reader::state_of;
 use crate::sample::AxisState;
 use crate::trajectory::PlannedTrajectory;
 
-/// Largest use of the limits, as shares of them: 1 is a limit met.
+/// The largest use of the limits, as fractions of them: 1 is a limit that is just met.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LimitUse {
     /// Largest velocity of an axis over its limit.
@@ -20,7 +20,7 @@ pub struct LimitUse {
 }
 
 impl LimitUse {
-    /// Takes the larger of both.
+    /// The larger of both for each quantity.
     #[must_use]
     pub fn or(self, other: LimitUse) -> LimitUse {
         LimitUse {
@@ -44,19 +44,19 @@ impl LimitUse {
         used
     }
 
-    /// The factor by which the movement must take longer to stay within every limit; at most 1 when
-    /// it does already.
+    /// The factor by which the motion must take longer to stay within every limit; at most 1 if it
+    /// does so already.
     #[must_use]
     pub fn time_scale(&self) -> f64 {
         self.velocity.max(self.acceleration.sqrt()).max(cbrt(self.jerk))
     }
 }
 
-/// Distances below this are rounding, σ.
+/// Distances in σ below this are rounding.
 const NEGLIGIBLE_SIGMA: f64 = 1e-11;
 
-/// The largest use in a trajectory: on every part that is one piece and one phase, at both its ends
-/// and `probes` places between.
+/// The largest use in a trajectory, measured on each part with one piece and one phase at both its ends and
+/// at `probes` points between.
 #[must_use]
 pub fn largest_use(
     trajectory: &PlannedTrajectory,
@@ -73,7 +73,7 @@ pub fn largest_use(
             let end = piece_from + piece.length;
             let leaves = (phase.at(phase.duration_s).sigma > end).then(|| phase.time_at(end, t));
             let until = leaves.unwrap_or(phase.duration_s);
-            // A phase and a piece that begin at one place may miss each other by rounding.
+            // The starts of a phase and a piece at one point may differ by rounding.
             let distance = phase.at(until).sigma - phase.at(t).sigma;
             let probes = if distance > NEGLIGIBLE_SIGMA { probes + 2 } else { 0 };
             for probe in 0..probes {

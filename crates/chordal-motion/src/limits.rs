@@ -21,7 +21,7 @@ pub struct KinematicLimits {
     axes: PerAxis<Option<AxisLimit>>,
 }
 
-/// Which limit of an axis.
+/// The quantity that a limit of an axis concerns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LimitedQuantity {
     /// mm/s or rad/s.
@@ -48,9 +48,9 @@ impl std::fmt::Display for LimitedQuantity {
 pub struct LimitError {
     /// The index of the axis, from X = 0 to C = 5.
     pub axis: usize,
-    /// The limit that is not.
+    /// The quantity whose limit is wrong.
     pub quantity: LimitedQuantity,
-    /// The value, in mm or rad and s.
+    /// The wrong value, in mm or rad and s.
     pub value: f64,
 }
 
@@ -60,7 +60,7 @@ pub(crate) fn letter(axis: usize) -> char {
 }
 
 impl KinematicLimits {
-    /// Limits of the axes a machine has.
+    /// The limits of the axes that a machine has.
     ///
     /// # Errors
     /// The first limit that is not a positive finite number.
@@ -85,22 +85,22 @@ impl KinematicLimits {
         self.axes.get(axis).and_then(Option::as_ref)
     }
 
-    /// Speeds by axis; infinite where there is no axis, which then must not move.
+    /// The largest speed of each axis; infinite for an axis that the machine does not have and that must not move.
     pub fn velocity(&self) -> AxisValues {
         self.axes.map(|axis| axis.map_or(f64::INFINITY, |limit| limit.velocity))
     }
 
-    /// Accelerations by axis, likewise.
+    /// The largest acceleration of each axis; infinite for an axis that the machine does not have.
     pub fn acceleration(&self) -> AxisValues {
         self.axes.map(|axis| axis.map_or(f64::INFINITY, |limit| limit.acceleration))
     }
 
-    /// Jerks by axis, likewise.
+    /// The largest jerk of each axis; infinite for an axis that the machine does not have.
     pub fn jerk(&self) -> AxisValues {
         self.axes.map(|axis| axis.map_or(f64::INFINITY, |limit| limit.jerk))
     }
 
-    /// The same with a share of the jerks, which must be above zero.
+    /// The same limits with the jerks multiplied by `share`, which must be positive.
     pub(crate) fn with_jerk(&self, share: f64) -> KinematicLimits {
         let axes = self.axes.map(|axis| axis.map(|l| AxisLimit { jerk: l.jerk * share, ..l }));
         KinematicLimits { axes }

@@ -1,4 +1,4 @@
-//! A move as the planner takes it, and how its end is passed.
+//! A move as the input of the planner, and how the corner at its end is passed.
 
 use chordal_geometry::{AXES, Curve, ParamCurve};
 
@@ -10,17 +10,17 @@ use crate::limits::{KinematicLimits, letter};
 pub enum CornerMode {
     /// The axes come to rest at the end.
     Stop,
-    /// Exactly: at rest where its direction or its curvature has a step, at speed where it is
-    /// smooth.
+    /// The path is followed exactly: the axes rest where its direction or curvature has a step, and do not
+    /// where it is smooth.
     Exact,
-    /// At speed, no farther from the programmed path than the tolerance; many short moves may become one curve.
+    /// Without rest, within the tolerance of the programmed path; many short moves may become one curve.
     Joined {
         /// The tolerance of X, Y and Z, mm.
         linear_mm: f64,
         /// The tolerance of each rotary axis, rad.
         rotary_rad: f64,
     },
-    /// The same, but each corner by itself.
+    /// Without rest, within the tolerance of the programmed path, and each corner is blended by itself.
     Blended {
         /// The tolerance of X, Y and Z, mm.
         linear_mm: f64,
@@ -30,8 +30,8 @@ pub enum CornerMode {
 }
 
 impl CornerMode {
-    /// How far from the corner the axes may pass: mm, and rad of each rotary axis. `None` where they pass it
-    /// exactly or rest there.
+    /// How far from the corner the axes may pass: mm, and rad of each rotary axis. `None` where the path is
+    /// followed exactly or the axes rest.
     pub fn tolerance(&self) -> Option<(f64, f64)> {
         match *self {
             CornerMode::Stop | CornerMode::Exact => None,
@@ -50,7 +50,7 @@ pub enum MoveKind {
     Cut,
 }
 
-/// An exact piece of path and how it is to be travelled. Rotary axes turn evenly along it.
+/// An exact piece of path, its speed and its corner. Rotary axes turn in proportion to the distance along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MoveRequest {
     /// The curve of X, Y and Z, mm.
@@ -60,13 +60,13 @@ pub struct MoveRequest {
     /// Rotary axes A B C at the end, rad.
     pub rotary_to: [f64; 3],
     /// Largest speed along the path, mm/s (rad/s where rotary axes alone move); infinite for as
-    /// fast as the axes can.
+    /// fast as the axis limits allow.
     pub speed: f64,
-    /// How its end is passed. After the last move the axes rest in any case.
+    /// How the corner at its end is passed. After the last move the axes rest in any case.
     pub corner: CornerMode,
-    /// The planner treats both kinds alike: where rapids have limits of their own, they have a planner of their own.
+    /// Rapid or cut. The planner treats both alike: rapids with other limits are planned by another planner.
     pub kind: MoveKind,
-    /// A number of the caller, such as the line of the block. Pieces and setpoints bear it.
+    /// A number of the caller, such as the line of the block, which pieces and setpoints get, too.
     pub tag: u64,
 }
 
@@ -76,16 +76,16 @@ pub enum MoveError {
     /// A number that is not finite.
     #[error("a coordinate of the move is not a finite number")]
     NotFinite,
-    /// A speed of zero, below, or NaN.
+    /// A speed that is zero, negative or NaN.
     #[error("the speed of the move is {0} mm/s: it must be above zero")]
     Speed(f64),
-    /// An axis that the machine has not got.
+    /// A motion of an axis that the machine does not have.
     #[error("axis {} moves, but no limits are given for it", letter(*.0))]
     NoAxis(usize),
-    /// A tolerance below zero or NaN.
+    /// A tolerance that is negative or NaN.
     #[error("the tolerance of the corner is {0}: it must not be below zero")]
     Tolerance(f64),
-    /// The move does not begin where the one before it ends.
+    /// The move does not begin where the previous one ends.
     #[error("the move begins {0} mm (or rad) away from the end of the move before it")]
     Gap(f64),
 }
@@ -117,7 +117,7 @@ impl MoveRequest {
         join(self.curve.end().to_array(), self.rotary_to)
     }
 
-    /// The axes after a share of its length, 0 to 1, mm and rad.
+    /// The axes after a fraction of its length, 0 to 1, mm and rad.
     pub fn at(&self, share: f64) -> AxisValues {
         let place = self.curve.point_at(share * self.curve.length()).to_array();
         let turned =
@@ -145,7 +145,7 @@ impl MoveRequest {
                 }
             }
         }
-        // Its extent takes long to find on a curve, and most machines have all axes.
+        // The extent of a curve is expensive to find, and needed only on machines that lack an axis.
         let extent = || {
             let bounds = self.curve.bounds();
             (bounds.min.to_array(), bounds.max.to_array())

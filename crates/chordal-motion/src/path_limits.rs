@@ -1,5 +1,5 @@
-//! How fast a piece of path may be travelled at all: limits of the axes turned into limits of
-//! the velocity profile that hold anywhere on the piece, together.
+//! Turns the limits of the axes into limits of the velocity profile along a piece of path, which
+//! hold together anywhere on the piece.
 
 use chordal_geometry::AXES;
 
@@ -8,10 +8,10 @@ use crate::cube_root::cbrt;
 use crate::limits::KinematicLimits;
 use crate::ramp_profile::{AccelJerk, LimitInterval, SpeedDependentLimits, least};
 
-/// Limits of the axes as arrays.
+/// The limits of the axes as arrays; infinite for an axis that the machine does not have.
 #[derive(Clone, Copy, Debug)]
 pub struct AxisArrays {
-    /// Axes up to the last that the machine has; those beyond do not move.
+    /// The number of axes up to the last one that the machine has; those beyond do not move.
     pub count: usize,
     pub velocity: AxisValues,
     pub acceleration: AxisValues,
@@ -31,32 +31,32 @@ impl AxisArrays {
     }
 }
 
-/// The part of a path that turns: an arc, or a spiral between two of its places.
+/// The curved part of a path: an arc, or a spiral between two of its points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathTurning {
-    /// How much of the turning each of X, Y and Z sees, from 0 to 1.
+    /// The largest component of the curved part on X, Y and Z, as a fraction of it, from 0 to 1.
     pub share: [f64; 3],
-    /// Largest |q''|.
+    /// Largest |q''|, 1/mm.
     pub curvature: f64,
-    /// Largest change of the curvature by σ.
+    /// Largest change of the curvature by σ, 1/mm².
     pub twist: f64,
 }
 
 /// Bounds of the derivatives of the axes by σ on a piece.
 #[derive(Clone, Copy, Debug)]
 pub struct DerivativeBounds {
-    /// |q'|, |q''| and |q'''| of what does not turn.
+    /// Largest |q'|, |q''| and |q'''| of the polynomials, without the curved part.
     pub even: [AxisValues; 3],
-    /// Axes up to the last that moves.
+    /// The number of axes up to the last one that moves.
     pub axes: usize,
-    /// What turns.
+    /// The curved part; `None` where there is none.
     pub turning: Option<PathTurning>,
     /// Largest |q'| of the tool.
     pub rate: f64,
 }
 
 impl DerivativeBounds {
-    /// Bounds over both.
+    /// Makes the bounds hold for `other`, too.
     pub fn widen(&mut self, other: &DerivativeBounds) {
         for (rows, more) in self.even.iter_mut().zip(&other.even) {
             for (value, more) in rows.iter_mut().zip(more) {
@@ -67,7 +67,7 @@ impl DerivativeBounds {
         self.rate = self.rate.max(other.rate);
     }
 
-    /// How much of the turning each axis sees, its curvature and its twist.
+    /// Fraction of the curved part on each axis, curvature and twist; zero where nothing is curved.
     fn turn(&self) -> (AxisValues, f64, f64) {
         let mut shares = [0.0; AXES];
         let Some(turning) = &self.turning else { return (shares, 0.0, 0.0) };
@@ -75,7 +75,7 @@ impl DerivativeBounds {
         (shares, turning.curvature, turning.twist)
     }
 
-    /// What is left for changing the speed, at any speed up to `v`.
+    /// Acceleration and jerk along the path that are left at any speed up to `v`.
     fn effort_at(&self, v: f64, limits: &AxisArrays) -> AccelJerk {
         if self.turning.is_some() {
             self.turning_effort_at(v, limits)
@@ -85,16 +85,17 @@ impl DerivativeBounds {
     }
 }
 
-/// The share of an acceleration that a curve may use at an even speed; the rest is for changing the speed.
+/// The fraction of an acceleration that a curve may use at constant speed; the rest is for changing the speed.
 pub const CURVE_ACCELERATION_SHARE: f64 = 0.96;
-/// The same of a jerk. It is less, since a change of speed on a curve uses jerk twice: along the path, and for turning faster.
+/// The fraction of a jerk that a curve may use at constant speed. It is smaller, since a change of speed on a curve needs jerk
+/// along the path and across it.
 pub const CURVE_JERK_SHARE: f64 = 0.7;
-/// Shares of the largest speed of a curve below which more of the limits is left for changing the speed: ramps from and to rest have
-/// limits of their own there.
+/// Fractions of the largest speed of a curve below which more of the limits is left for changing the speed: ramps from and to
+/// rest use the larger limits there.
 const KNEE_SPEED_SHARES: [f64; 2] = [0.4, 0.8];
-/// The share of the jerk that is left which may go into turning while the speed changes.
+/// The fraction of the remaining jerk that may be needed across the path while the speed changes.
 const TURNING_JERK_SHARE: f64 = 0.6;
-/// The share of the jerk that is left along the path which stays for changing the speed.
+/// The fraction of the remaining jerk along the path that is kept for changing the speed.
 const PATH_JERK_SHARE: f64 = 0.6;
 
 /// The limits along the path that hold anywhere on a piece: its largest speed, and the acceleration and jerk that are left for
@@ -105,7 +106,7 @@ pub fn limit_interval(
     feed: f64,
     limits: &AxisArrays,
 ) -> LimitInterval {
-    // Where easing shortens the path the tool goes a little below its feed: to run faster by as
+    // Where blending shortens the path the tool moves a little below its feed: to move faster by as
     // much would be a change of speed at every piece.
     let mut speed = feed / bounds.rate.max(1.0);
     let (axes, [x1, x2, x3]) = (bounds.axes, &bounds.even);
@@ -141,7 +142,7 @@ pub fn limit_interval(
 }
 
 impl DerivativeBounds {
-    /// Where nothing turns: each axis has its second and third derivative by itself.
+    /// The same without a curved part: each axis has its own second and third derivative.
     fn even_effort_at(&self, v: f64, limits: &AxisArrays) -> AccelJerk {
         let (axes, [x1, x2, x3]) = (self.axes, &self.even);
         let (square, cube) = (v * v, v * v * v);
@@ -151,7 +152,7 @@ impl DerivativeBounds {
                 let left = limits.acceleration[axis] - x2[axis] * square;
                 acceleration = least(acceleration, left / x1[axis]);
             }
-            // Turning while the speed changes takes jerk from what is left.
+            // Following the curve while the speed changes uses a part of the remaining jerk.
             let turning = 3.0 * v * x2[axis];
             if turning > 0.0 {
                 let left = (limits.jerk[axis] - x3[axis] * cube).max(0.0);
@@ -178,8 +179,8 @@ impl DerivativeBounds {
             let c = turn[axis];
             let left = limits.acceleration[axis] - x2[axis] * v * v;
             acceleration = acceleration.min(largest(c, q, x1[axis], left));
-            // Turning while the speed changes takes jerk: evenly from what is left on straight
-            // axes, and across the change of speed where both turn together.
+            // Following the curve while the speed changes needs jerk: on an axis that is not curved it is
+            // subtracted from the rest, on curved axes it is at right angles to the change of speed.
             let left = limits.jerk[axis] - x3[axis] * v * v * v;
             let mut share = 3.0 * v * x2[axis] / (TURNING_JERK_SHARE * (left - c * along)).max(0.0);
             if c > 0.0 {
@@ -202,8 +203,8 @@ impl DerivativeBounds {
                 jerk.min(largest(c, normal, x1[axis], left) - along)
             })
         };
-        // Where a curve twists hard, what turning takes adds up to more than was kept for it: then
-        // less of the acceleration may be used. Without any there is jerk left, by the largest speed.
+        // Where the curvature changes fast, following the curve needs more jerk than was kept for it: then
+        // less of the acceleration may be used. With none of it the largest speed leaves some jerk.
         let mut jerk = jerk_left(acceleration);
         while jerk <= 0.0 && acceleration > 0.0 {
             acceleration *= 0.5;
@@ -213,7 +214,7 @@ impl DerivativeBounds {
     }
 }
 
-/// The largest a with c·√(a² + q²) + x·a ≤ b, for c, q, x ≥ 0.
+/// The largest a that satisfies c·√(a² + q²) + x·a ≤ b, for c, q, x ≥ 0.
 #[inline]
 fn largest(c: f64, q: f64, x: f64, b: f64) -> f64 {
     if c == 0.0 {

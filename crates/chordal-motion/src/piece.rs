@@ -1,31 +1,32 @@
-//! A piece of the smoothed path: a polynomial on every axis, with an arc under it or not.
+//! A piece of the smoothed path: a polynomial for each axis, added to an arc if there is one.
 
 use chordal_geometry::{AXES, Curve, ParamCurve, Vec3};
 
 use crate::AxisValues;
 
-/// Multiplying takes a fraction of the time of dividing.
+/// For the cubic term of a Taylor series: multiplying takes a fraction of the time of dividing.
 pub(crate) const SIXTH: f64 = 1.0 / 6.0;
 
 /// The axes and their first three derivatives by σ.
 pub type AxisJet = [AxisValues; 4];
 
-/// A smooth piece of path: a polynomial of the third degree in σ on every axis, and an
-/// arc or a spiral below it where the program has one.
+/// A smooth piece of path: a cubic polynomial in σ for each axis, to which an arc or a
+/// spiral of the program is added.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathPiece {
-    /// Its extent in σ.
+    /// Its length in σ.
     pub length: f64,
-    /// What lies below X, Y and Z, and how far from its start the piece begins.
+    /// The curve to which the polynomials of X, Y and Z are added, and the distance from its start at which the piece
+    /// begins, mm; `None` where the polynomials are the whole path.
     pub base: Option<(Curve, f64)>,
-    /// By axis: the values of the polynomial and its first three derivatives at the start.
+    /// The polynomials: by axis, the values and first three derivatives at the start.
     pub start: AxisJet,
     /// The tag of its move.
     pub tag: u64,
 }
 
 impl PathPiece {
-    /// Whether it is a straight line, evenly travelled.
+    /// Whether it is a straight line with all axes linear in σ.
     pub fn is_straight(&self) -> bool {
         self.base.is_none() && is_even(&self.start)
     }
@@ -41,7 +42,7 @@ impl PathPiece {
     }
 }
 
-/// Adds what a curve below does to X, Y and Z.
+/// Adds the position and derivatives of the base curve to X, Y and Z.
 #[inline]
 pub(crate) fn add_curve(jet: &mut AxisJet, curve: [Vec3; 4]) {
     for (row, vector) in jet.iter_mut().zip(curve) {
@@ -51,7 +52,7 @@ pub(crate) fn add_curve(jet: &mut AxisJet, curve: [Vec3; 4]) {
     }
 }
 
-/// A jet of polynomials of the third degree, further on; axes from `count` on stay as they are.
+/// A jet of cubic polynomials, moved ahead by `distance`; axes from `count` on are left as they are.
 #[inline]
 pub(crate) fn ahead(jet: &AxisJet, distance: f64, count: usize) -> AxisJet {
     let mut next = *jet;
@@ -59,7 +60,7 @@ pub(crate) fn ahead(jet: &AxisJet, distance: f64, count: usize) -> AxisJet {
     next
 }
 
-/// Takes a jet of polynomials of the third degree further on, but for axes from `count` on.
+/// Moves a jet of cubic polynomials ahead by `distance`, except for axes from `count` on.
 #[inline]
 pub(crate) fn go_ahead(jet: &mut AxisJet, distance: f64, count: usize) {
     let [x, d1, d2, d3] = jet;
@@ -71,13 +72,13 @@ pub(crate) fn go_ahead(jet: &mut AxisJet, distance: f64, count: usize) {
     }
 }
 
-/// Whether polynomials are of the first degree.
+/// Whether all polynomials are linear.
 #[inline]
 pub(crate) fn is_even(start: &AxisJet) -> bool {
     all_zero(&start[2]) && all_zero(&start[3])
 }
 
-/// Whether polynomials are constant.
+/// Whether all polynomials are constant.
 #[inline]
 pub(crate) fn is_still(start: &AxisJet) -> bool {
     is_even(start) && all_zero(&start[1])

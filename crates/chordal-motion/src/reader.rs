@@ -1,4 +1,4 @@
-//! The axes at a place of a piece, moved by the velocity profile.
+//! Evaluates a piece: the axes at a point of it and their derivatives by time.
 
 use chordal_geometry::{AXES, Curve, Tracer, Vec3};
 
@@ -7,14 +7,14 @@ use crate::piece::{AxisJet, PathPiece, SIXTH, is_even, is_still};
 use crate::sample::{AxisState, MotionSample};
 use crate::trajectory::ProfilePoint;
 
-/// A piece where its curve is kept apart.
+/// A view of a piece, whose curve may be stored apart from it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PieceView<'a> {
-    /// The curve below, where there is one, and how far from its start the piece begins.
+    /// As in [`PathPiece`]: the base curve, and how far from its start the piece begins.
     pub base: Option<(&'a Curve, f64)>,
-    /// As in the piece.
+    /// As in [`PathPiece`].
     pub start: &'a AxisJet,
-    /// As in the piece.
+    /// As in [`PathPiece`].
     pub tag: u64,
 }
 
@@ -26,22 +26,22 @@ impl<'a> From<&'a PathPiece> for PieceView<'a> {
     }
 }
 
-/// What is worth knowing of a piece before it is evaluated at many places.
+/// What is computed once for a piece that is evaluated at many points.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PieceReader {
     form: PolynomialForm,
-    /// The curve below, made ready.
+    /// The base curve, prepared for evaluation; `None` where there is none.
     tracer: Option<Tracer>,
 }
 
-/// What the polynomials of a piece are like.
+/// The degree of the polynomials of a piece.
 #[derive(Clone, Copy, Debug)]
 enum PolynomialForm {
-    /// Constant: the curve alone moves.
+    /// Constant: the base curve alone moves the axes.
     Still,
-    /// Of the first degree.
+    /// Linear.
     Even,
-    /// Anything else.
+    /// Cubic or quadratic.
     Cubic,
 }
 
@@ -59,13 +59,13 @@ impl PolynomialForm {
 }
 
 impl PieceReader {
-    /// Of a piece.
+    /// A reader of a piece.
     pub fn new(part: PieceView<'_>) -> PieceReader {
         let tracer = part.base.map(|(curve, _)| Tracer::new(curve));
         PieceReader { form: PolynomialForm::of(&part), tracer }
     }
 
-    /// Goes over to another piece; where that lies over the same curve, the curve stays ready.
+    /// Changes to the next piece; if it has the same base curve, the prepared curve is kept.
     #[inline]
     pub fn go_on(&mut self, before: PieceView<'_>, next: PieceView<'_>) {
         self.form = PolynomialForm::of(&next);
@@ -84,8 +84,8 @@ impl PieceReader {
         }
     }
 
-    /// Writes what the axes do at `sigma` from the start of the piece into a sample, whose time
-    /// stays.
+    /// Writes the axes and their derivatives at `sigma` from the start of the piece into a sample; its time is not
+    /// changed.
     #[inline(always)]
     pub fn fill(
         &mut self,
@@ -96,7 +96,7 @@ impl PieceReader {
     ) {
         out.tag = part.tag;
         match self.form {
-            // Written below.
+            // Overwritten below.
             PolynomialForm::Still => {}
             PolynomialForm::Even => fill_even(part.start, sigma, along, out),
             PolynomialForm::Cubic => fill_cubic(part.start, sigma, along, out),
@@ -115,14 +115,14 @@ impl PieceReader {
     }
 }
 
-/// The axes at one place of a piece.
+/// The axes at one point of a piece.
 pub(crate) fn state_of(piece: &PathPiece, sigma: f64, along: &ProfilePoint) -> AxisState {
     let mut sample = MotionSample::default();
     PieceReader::new(piece.into()).fill(piece.into(), sigma, along, &mut sample);
     sample.into()
 }
 
-/// Polynomials of the first degree.
+/// Evaluates linear polynomials.
 #[inline(always)]
 fn fill_even([x, d1, ..]: &AxisJet, sigma: f64, along: &ProfilePoint, out: &mut MotionSample) {
     let ProfilePoint { speed: v, acceleration: a, jerk: j, .. } = *along;
@@ -134,7 +134,7 @@ fn fill_even([x, d1, ..]: &AxisJet, sigma: f64, along: &ProfilePoint, out: &mut 
     }
 }
 
-/// Polynomials of the third degree.
+/// Evaluates cubic polynomials.
 #[inline(always)]
 fn fill_cubic([x, d1, d2, d3]: &AxisJet, sigma: f64, along: &ProfilePoint, out: &mut MotionSample) {
     let ProfilePoint { speed: v, acceleration: a, jerk: j, .. } = *along;
@@ -152,7 +152,7 @@ fn fill_cubic([x, d1, d2, d3]: &AxisJet, sigma: f64, along: &ProfilePoint, out: 
     }
 }
 
-/// The curve below alone, with nothing but a shift on top.
+/// Evaluates a base curve to which constants are added.
 #[inline(always)]
 fn set_curve([x, y, z, a, b, c]: &AxisValues, motion: [Vec3; 4], out: &mut MotionSample) {
     let [point, first, second, third] = motion;
@@ -163,7 +163,7 @@ fn set_curve([x, y, z, a, b, c]: &AxisValues, motion: [Vec3; 4], out: &mut Motio
     out.jerk = axes(third);
 }
 
-/// What the curve below adds.
+/// Adds the base curve to X, Y and Z.
 #[inline(always)]
 fn add_curve(motion: [Vec3; 4], out: &mut MotionSample) {
     let [point, first, second, third] = motion.map(Vec3::to_array);

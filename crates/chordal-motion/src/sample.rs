@@ -1,11 +1,11 @@
-//! What the axes do at an instant.
+//! Position, velocity, acceleration and jerk of the axes at an instant.
 
 use crate::AxisValues;
 
 /// A setpoint.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MotionSample {
-    /// From the start, s.
+    /// The time from the start, s.
     pub time_s: f64,
     /// mm and rad.
     pub position: AxisValues,
@@ -15,7 +15,7 @@ pub struct MotionSample {
     pub acceleration: AxisValues,
     /// mm/s³ and rad/s³.
     pub jerk: AxisValues,
-    /// The tag of the move or of the wait that is under way.
+    /// The tag of the move or of the wait that is being carried out.
     pub tag: u64,
 }
 
@@ -29,7 +29,7 @@ impl MotionSample {
     }
 }
 
-/// Where the axes are and how they move.
+/// Position and derivatives of the axes at an instant without a time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AxisState {
     /// mm and rad.
@@ -40,7 +40,7 @@ pub struct AxisState {
     pub acceleration: AxisValues,
     /// mm/s³ and rad/s³.
     pub jerk: AxisValues,
-    /// The tag of the move that is under way.
+    /// The tag of the move that is being carried out.
     pub tag: u64,
 }
 

@@ -1,4 +1,4 @@
-//! A movement in time: pieces of path, and phases of constant jerk along them.
+//! A motion in time: pieces of path, and phases of constant jerk along them.
 
 use chordal_geometry::AXES;
 
@@ -8,19 +8,19 @@ use crate::piece::{PathPiece, SIXTH};
 /// A part of a velocity profile with constant jerk along the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JerkPhase {
-    /// s.
+    /// Duration, s.
     pub duration_s: f64,
-    /// Where it begins in σ, from the start of the trajectory.
+    /// σ at its start, from the start of the trajectory.
     pub from: f64,
     /// σ per s at its start.
     pub speed: f64,
     /// σ per s² at its start.
     pub acceleration: f64,
-    /// σ per s³ all along.
+    /// σ per s³, constant.
     pub jerk: f64,
 }
 
-/// The velocity profile at an instant: σ and its derivatives by time.
+/// The velocity profile at an instant: σ and its derivatives with respect to time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ProfilePoint {
     /// σ from the start of the trajectory.
@@ -46,8 +46,8 @@ impl JerkPhase {
         }
     }
 
-    /// When the profile passes `sigma`, s from its start: not before `from` and not after its end,
-    /// whatever it passes then. It is taken never to go back; where it rests, its first instant.
+    /// When the phase reaches `sigma`, s from its start, limited to the time from `from` to its end. The speed
+    /// must not be negative; where the profile rests at `sigma`, the first instant.
     pub fn time_at(&self, sigma: f64, from: f64) -> f64 {
         let (mut low, mut high) = (from, self.duration_s);
         if self.acceleration == 0.0 && self.jerk == 0.0 && self.speed > 0.0 && low <= high {
@@ -67,29 +67,29 @@ impl JerkPhase {
                 low = t
             }
             let newton = t - beyond / along.speed;
-            // Where Newton leaves the bracket or the speed is zero: halve.
+            // Bisection where Newton's step leaves the bracket or the speed is zero.
             t = if newton > low && newton < high { newton } else { low + (high - low) / 2.0 };
         }
         t
     }
 }
 
-/// Most steps of the search for a crossing: halving alone reaches the last bit in fewer.
+/// The largest number of steps of the search for a crossing: bisection alone reaches the last bit in fewer.
 const MAX_CROSSING_STEPS: u32 = 80;
 
-/// Path and time between two instants without acceleration: from rest to rest, or to a place
-/// that is passed at even speed, where the next trajectory goes on.
+/// Path and time between two instants without acceleration: from rest to rest, or to a point
+/// that is passed at constant speed, where the next trajectory begins.
 ///
-/// `P` is what is known of the path: [`PathPiece`]s, or only their [`PathSpan`](crate::PathSpan)s.
+/// `P` says how the path is represented: by [`PathPiece`]s, or only their [`PathSpan`](crate::PathSpan)s.
 #[derive(Debug, PartialEq)]
 pub struct PlannedTrajectory<P = PathPiece> {
     /// The path, in order.
     pub pieces: Vec<P>,
     /// The velocity profile along it, in order.
     pub phases: Vec<JerkPhase>,
-    /// How long before the end of the trajectory before it begins, s. In that time the axes make
-    /// both movements, each on a straight line, which lets the tool pass the corner between them
-    /// within its tolerance.
+    /// How long before the end of the previous trajectory it begins, s. In that time the motions are
+    /// added, each on a straight line, so that the tool passes the corner between them within its
+    /// tolerance.
     pub overlap_s: f64,
 }
 
@@ -108,7 +108,7 @@ impl<P: Clone> Clone for PlannedTrajectory<P> {
         }
     }
 
-    /// Into the memory that is there already.
+    /// Reuses the memory of the vectors.
     fn clone_from(&mut self, source: &PlannedTrajectory<P>) {
         self.pieces.clone_from(&source.pieces);
         self.phases.clone_from(&source.phases);
@@ -117,7 +117,7 @@ impl<P: Clone> Clone for PlannedTrajectory<P> {
 }
 
 impl<P> PlannedTrajectory<P> {
-    /// How long it takes, s.
+    /// Its duration, s.
     pub fn duration_s(&self) -> f64 {
         self.phases.iter().map(|phase| phase.duration_s).sum()
     }
@@ -145,11 +145,11 @@ impl PlannedTrajectory {
 pub enum PlannerStep<'a, P = PathPiece> {
     /// The axes move.
     Trajectory(&'a PlannedTrajectory<P>),
-    /// The axes rest for a time.
+    /// The axes rest.
     Wait {
-        /// s, not below zero.
+        /// How long, s; not negative.
         seconds: f64,
-        /// The number that the caller has passed with the wait.
+        /// The number that the caller gave with the wait.
         tag: u64,
     },
 }

@@ -51,11 +51,11 @@ fn default(job: &Job, units: ProgramUnits) -> String {
         (StartMode::ExactStop, _) => format!(
             "this control starts in exact stop mode (setting `{}`): the tool stops at the end of every block until the \
              program changes the mode",
-            named(SettingField::PATH_START)
+            named(SettingField::POWER_ON_PATH_MODE)
         ),
         (StartMode::ExactPath, _) => format!(
             "this control starts in exact path mode (setting `{}`)",
-            named(SettingField::PATH_START)
+            named(SettingField::POWER_ON_PATH_MODE)
         ),
         (StartMode::Continuous, Some(tolerance)) => format!(
             "where the program gives no tolerance it is {} (setting `{}`)",

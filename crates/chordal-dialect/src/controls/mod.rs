@@ -1,5 +1,5 @@
-//! The controls, one folder each: whatever belongs to a control stands in its folder and nowhere else.
-//! The one list is `chordal_machine::controls`.
+//! The controls, one folder each: whatever belongs to one control alone is in its folder. They are listed in
+//! `chordal_machine::controls`.
 
 use crate::table::ControlTable;
 
@@ -54,7 +54,7 @@ mod tests {
                     row.action,
                     Action::Motion(_) | Action::Once(OnceCode::Turning(TurnCycle::LineThread))
                 );
-                // Probe moves are of this group on some controls, and hold for their block on others.
+                // Probe moves are modal on some controls, one-shot on others.
                 let is_free = matches!(row.action, Action::Once(OnceCode::Probe { .. }));
                 assert!(is_free || is_motion == moves, "{} {}", table.name, row.name(b'G'));
             }

@@ -1,4 +1,4 @@
-//! Programs of firmwares that read otherwise than GRBL does: Smoothieware, TinyG and their like.
+//! Programs of relatives of GRBL that read blocks differently: Smoothieware, TinyG and others.
 
 use super::NotRead;
 use crate::recognition::{RecognitionEvidence, RecognitionSign, evidence};

@@ -1,4 +1,4 @@
-//! Programs of ISG kernels, as many machines of wood and laser have them.
+//! Programs of controls with an ISG kernel, which many woodworking and laser machines have.
 
 use super::NotRead;
 use crate::recognition::{RecognitionEvidence, RecognitionSign, TextForm, evidence};

@@ -1,5 +1,5 @@
-//! Languages that Chordal recognizes and does not read, one file each: a program of them is one message and
-//! not two hundred, and nothing is read as something that it is not.
+//! Languages that Chordal recognizes and does not read, one file each: a program in one of them gets one message
+//! instead of hundreds, and none of its lines is taken for something else.
 
 mod acramatic;
 mod fagor;
@@ -23,23 +23,23 @@ use crate::recognition::RecognitionEvidence;
 /// A language that is not read.
 #[derive(Debug)]
 pub struct NotRead {
-    /// Its name, as the names of controls are.
+    /// Its name in data, like the names of controls.
     pub name: &'static str,
-    /// What such a program is, for people: `a lathe program for a Fanuc`.
+    /// What such a program is, for users: `a lathe program for a Fanuc`.
     pub what: &'static str,
-    /// What is said of it: `lathe programs are not followed yet`.
+    /// The second half of the message about it: `lathe programs are not followed yet`.
     pub why: &'static str,
     /// The signs that decide whether a text is in this language.
     pub signs: &'static [RecognitionEvidence],
-    /// So much they must weigh together.
+    /// The sum of weights from which on a text is in this language.
     pub needed: i32,
-    /// Signs that tell it from others of its kind. They count once the text is in the language.
+    /// Further signs, which count once a text is in the language; of several such languages the highest sum wins.
     pub own: &'static [RecognitionEvidence],
-    /// The control that the text is shown on: its comments and words, not its motion.
+    /// The control whose lexical rules an editor uses for the text.
     pub shown_on: ControlName,
 }
 
-/// All of them. Of two that weigh alike the first counts.
+/// All of them; of two with the same weight the first wins.
 pub const ALL: &[&NotRead] = &[
     &heidenhain::HEIDENHAIN,
     &sinumerik::SINUMERIK,

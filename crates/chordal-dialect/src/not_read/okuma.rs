@@ -1,4 +1,4 @@
-//! Programs of Okuma's OSP: G15 and G56 mean something else than on a Fanuc, so they are not read as one.
+//! Programs of Okuma's OSP: G15 and G56 mean something else than on a Fanuc, so that they cannot be read as programs of one.
 
 use super::NotRead;
 use crate::recognition::{RecognitionEvidence, RecognitionSign, evidence};

@@ -1,4 +1,4 @@
-//! Programs of 3D printers: plastic is pressed out, and nothing is cut.
+//! Programs of 3D printers, which extrude plastic and cut nothing.
 
 use super::NotRead;
 use crate::recognition::{RecognitionEvidence, RecognitionSign, TextForm, evidence};

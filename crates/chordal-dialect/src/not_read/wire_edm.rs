@@ -1,4 +1,4 @@
-//! Programs of machines that erode with a wire.
+//! Programs of wire EDM machines.
 
 use super::NotRead;
 use crate::recognition::{RecognitionEvidence, RecognitionSign, TextForm, evidence};

@@ -1,22 +1,22 @@
-//! Values of settings by the words that a machine file writes for them.
+//! Values of settings that a machine file writes as words.
 
-/// Words and what they stand for; the first word of a value is the one written back.
+/// Words and their values; of several words of one value the first is the one that is written back.
 pub(crate) type Choices<T> = &'static [(&'static str, T)];
 
-/// On or off.
+/// The words of a switch.
 pub(crate) const SWITCH: Choices<bool> =
     &[("on", true), ("off", false), ("1", true), ("0", false), ("true", true), ("false", false)];
 
-/// The value of a word, without regard to case; else the words there are.
+/// The value of a word, regardless of case; the error lists the words.
 pub(crate) fn choose<T: Copy>(word: &str, choices: &[(&str, T)]) -> Result<T, String> {
-    let found = choices.iter().find(|(name, _)| name.eq_ignore_ascii_case(word));
-    found.map(|(_, value)| *value).ok_or_else(|| {
+    let choice = choices.iter().find(|(name, _)| name.eq_ignore_ascii_case(word));
+    choice.map(|(_, value)| *value).ok_or_else(|| {
         let names: Vec<String> = choices.iter().map(|(name, _)| format!("`{name}`")).collect();
         names.join(" or ")
     })
 }
 
-/// The word of a value.
+/// The first word of a value; `?` if it has none.
 pub(crate) fn name_of<T: Copy + PartialEq>(value: T, choices: &[(&str, T)]) -> String {
     choices.iter().find(|(_, v)| *v == value).map_or("?", |(name, _)| name).to_string()
 }

@@ -1,4 +1,4 @@
-//! The rules of cutter compensation as settings of a machine file.
+//! Settings of cutter compensation.
 
 use chordal_kernel::rules::*;
 
@@ -47,7 +47,7 @@ const EQUAL: Choices<bool> = &[("refused", true), ("allowed", false)];
 const SPIRALS: Choices<SpiralCompensation> =
     &[("refused", SpiralCompensation::Refused), ("circles", SpiralCompensation::ByCircles)];
 
-/// The settings of compensation that every control has, under plain names.
+/// The settings of every control, under common names.
 pub const COMMON: &[Setting] = &[
     plain(
         "compensation_tangent_joint",
@@ -157,7 +157,7 @@ setting_fields! {
         },
         |p, _| idle_blocks_text(p, 0)
     );
-    /// Blocks read ahead: two more than may stand without motion.
+    /// Blocks read ahead: two more than the blocks without motion that are allowed in a row.
     COMPENSATION_BLOCKS_READ = custom(
         |p, input| {
             p.rules.compensation.idle_blocks = Some(input.between(3, 8)? - 2);
@@ -173,7 +173,7 @@ setting_fields! {
         |p, _| p.rules.compensation.zero_move_counts.to_string()
     );
     COMPENSATION_STOPS_END_LOOK_AHEAD = choice(rules.compensation.stops_end_look_ahead, SWITCH);
-    /// G41 and G40 without a move.
+    /// G41 and G40 in a block without a move.
     COMPENSATION_ALONE = custom(
         |p, input| {
             let rules = &mut p.rules.compensation;
@@ -192,7 +192,7 @@ setting_fields! {
     COMPENSATION_LEAD = choice(rules.compensation.lead, LEADS);
     COMPENSATION_PLANES = choice(rules.compensation.planes, PLANES);
     COMPENSATION_INTERFERENCE = choice(rules.compensation.interference, CHECKS);
-    /// Whether the control looks for interference at all.
+    /// Whether the control checks for interference.
     COMPENSATION_CHECK = choice(rules.compensation.checks, SWITCH);
     COMPENSATION_REMEDY = choice(rules.compensation.remedy, REMEDIES);
     COMPENSATION_EQUAL_RADIUS = choice(rules.compensation.equal_radius_refused, EQUAL);
@@ -207,12 +207,12 @@ setting_fields! {
     );
 }
 
-/// A length as the messages show it.
+/// The length that messages give as an example.
 const EXAMPLE: &str = "0.002 mm";
 
 const NO_LIMIT: &str = "no limit";
 
-/// The most blocks without motion and `extra` more.
+/// The largest number of blocks without motion, plus `extra`.
 fn idle_blocks_text(p: &Parameters, extra: u32) -> String {
     let blocks = p.rules.compensation.idle_blocks;
     blocks.map_or(NO_LIMIT.to_string(), |blocks| blocks.saturating_add(extra).to_string())

@@ -1,4 +1,4 @@
-//! The rules of canned cycles as settings of a machine file.
+//! Settings of canned cycles.
 
 use chordal_kernel::rules::*;
 
@@ -74,7 +74,7 @@ setting_fields! {
     CYCLE_FULL_RETURN = choice(rules.cycles.peck.full_return, SWITCH);
     CYCLE_REPEAT_LETTER = choice(rules.cycles.repeat_letter, LETTERS);
     CYCLE_ZERO_REPEATS = choice(rules.cycles.zero_repeats, ZERO_REPEATS);
-    /// The lift of both kinds of peck.
+    /// One lift for chip-breaking and full-retract pecks.
     CYCLE_LIFTS = custom(
         |p, input| {
             p.rules.chip_break_mm = input.length(EXAMPLE)?;
@@ -104,8 +104,8 @@ setting_fields! {
     CYCLE_SHIFT = choice(rules.cycles.bore.shift, SHIFTS);
     CYCLE_SHIFT_DIRECTION = choice(rules.cycles.bore.direction, DIRECTIONS);
     CYCLE_BACK_BORE = choice(rules.cycles.bore.back, BACK_BORES);
-    CYCLE_BOLT_CIRCLE_RADIUS = custom(set_bolt_circle, bolt_circle_text);
-    /// Fadal Format 1 (`on`) or 2: how H and F are read.
+    CYCLE_BOLT_CIRCLE_RADIUS_REGISTER = custom(set_bolt_circle, bolt_circle_text);
+    /// How H and F are read: Fadal Format 1 (`on`) or 2.
     CYCLE_FORMAT = custom(
         |p, input| {
             p.length_by_h_alone = choose(input.word, SWITCH)?;
@@ -119,13 +119,14 @@ setting_fields! {
 
 #[allow(missing_docs, reason = "as those above")]
 impl SettingField {
-    pub const CYCLE_BOLT_CIRCLE_ANGLE: SettingField = SettingField::CYCLE_BOLT_CIRCLE_RADIUS.at(1);
+    pub const CYCLE_BOLT_CIRCLE_ANGLE_REGISTER: SettingField =
+        SettingField::CYCLE_BOLT_CIRCLE_RADIUS_REGISTER.at(1);
 }
 
-/// A length as the messages show it.
+/// The length that messages give as an example.
 const EXAMPLE: &str = "0.02 in";
 
-/// 0 and 1 are both "no change", as Haas Setting 130 has it.
+/// The factor of the return speed of a tap. 0 and 1 both mean no change, as in Haas Setting 130.
 fn factor(number: f64) -> Result<f64, String> {
     match number {
         0.0 => Ok(1.0),
@@ -134,7 +135,6 @@ fn factor(number: f64) -> Result<f64, String> {
     }
 }
 
-/// The registers with the radius and the angle of a bolt circle.
 fn set_bolt_circle(p: &mut Parameters, input: &SettingInput<'_>) -> Result<(), String> {
     let register = input.whole(0..=9, "the number of a register, 0 to 9")?;
     p.rules.cycles.bolt_circle[usize::from(input.index)] = register as u8;

@@ -1,28 +1,28 @@
-//! What settings change: where a value is kept, how it is taken from a machine file and how it is written there.
+//! The parameters that settings change, and how a machine file's values become parameters and back.
 
 use chordal_machine::SettingValue;
 
 use crate::parameters::Parameters;
 
-/// The parameter that a setting changes: one of the constants below, which are named as fields of [`Parameters`] and its
-/// rules are.
+/// The parameter that a setting changes: one of the constants below, which are named after fields of [`Parameters`]
+/// and its rules.
 #[derive(Clone, Copy)]
 pub struct SettingField {
-    /// Its own name: fields are the same where their names and places are.
+    /// The name of its constant; fields are equal if name and index are.
     pub(super) name: &'static str,
-    /// Which of several alike, such as the axis; 0 where there is one.
+    /// The index among similar parameters, such as the axis; 0 where there is one.
     pub(super) index: u8,
     pub(super) set: fn(&mut Parameters, &SettingInput<'_>) -> Result<(), String>,
     pub(super) text: fn(&Parameters, u8) -> String,
 }
 
 impl SettingField {
-    /// The same field of another place, such as another axis.
+    /// The same field with another index, such as that of another axis.
     pub(super) const fn at(self, index: u8) -> SettingField {
         SettingField { index, ..self }
     }
 
-    /// The present value of the parameter, as a machine file writes it.
+    /// The value of the parameter, as a machine file writes it.
     pub fn value_text(self, parameters: &Parameters) -> String {
         (self.text)(parameters, self.index)
     }
@@ -44,7 +44,7 @@ impl std::fmt::Debug for SettingField {
 
 /// The value of a setting in a machine file.
 pub(super) struct SettingInput<'v> {
-    /// The value as a word; the common word where the setting has words of its own.
+    /// The value as text; the common word where the setting has words of its own.
     pub word: &'v str,
     pub value: &'v SettingValue,
     /// [`SettingField::index`].
@@ -58,7 +58,7 @@ impl SettingInput<'_> {
         length.map_err(|_| format!("a length with its unit, such as \"{example}\""))
     }
 
-    /// A whole number of a range; the error says `takes`.
+    /// A whole number in a range; the error is `takes`, which describes the range.
     pub fn whole(&self, range: std::ops::RangeInclusive<u32>, takes: &str) -> Result<u32, String> {
         let number = match self.value {
             SettingValue::Integer(number) => u32::try_from(*number).ok(),
@@ -67,17 +67,17 @@ impl SettingInput<'_> {
         number.filter(|number| range.contains(number)).ok_or_else(|| takes.to_string())
     }
 
-    /// A whole number between two that the error names.
-    pub fn between(&self, least: u32, most: u32) -> Result<u32, String> {
-        self.whole(least..=most, &format!("a whole number from {least} to {most}"))
+    /// A whole number in a range that the error names.
+    pub fn between(&self, min: u32, max: u32) -> Result<u32, String> {
+        self.whole(min..=max, &format!("a whole number from {min} to {max}"))
     }
 
-    /// A count without a limit of its own.
+    /// A count up to 100,000, beyond any that a control has.
     pub fn count(&self) -> Result<u32, String> {
         self.whole(0..=100_000, "a whole number")
     }
 
-    /// Any number, or NaN where there is none.
+    /// A number; NaN for other values, so that no range accepts it.
     pub fn number(&self) -> f64 {
         match self.value {
             SettingValue::Integer(number) => *number as f64,
@@ -86,7 +86,7 @@ impl SettingInput<'_> {
         }
     }
 
-    /// On or off.
+    /// `on` or `off`.
     pub fn flag(&self) -> Result<bool, String> {
         match self.word {
             "on" | "1" | "true" => Ok(true),
@@ -96,15 +96,15 @@ impl SettingInput<'_> {
     }
 }
 
-/// The word of a switch.
+/// The text of a switch.
 pub(super) fn switch_text(on: bool) -> String {
     if on { "on" } else { "off" }.to_string()
 }
 
-/// Declares fields of settings, one a line:
+/// Declares setting fields, one on each line; `place` is the path of the parameter in [`Parameters`]:
 ///
-/// - `choice(place, choices)`: one of some words,
-/// - `length(place, example)`: a length, mm, not below zero where the machine file's reader says so,
+/// - `choice(place, choices)`: one of several words,
+/// - `length(place, example)`: a length, mm; the reader of machine files decides whether it may be negative,
 /// - `flag(place)`: `on` or `off`,
 /// - `custom(set, text)`: two functions, `(&mut Parameters, &SettingInput) -> Result<(), String>` and
 ///   `(&Parameters, index) -> String`.

@@ -1,4 +1,4 @@
-//! The rules of frames as settings of a machine file.
+//! Settings of frames: scaling, rotation, mirror image.
 
 use chordal_kernel::rules::*;
 
@@ -25,7 +25,7 @@ setting_fields! {
         },
         |p, _| p.rules.frames.omitted_angle_deg.to_string()
     );
-    /// The factor of all axes.
+    /// The scale factor of an axis that G51 does not name.
     FRAME_OMITTED_FACTOR = custom(
         |p, input| {
             p.rules.frames.omitted_factors = [factor(input)?; 3];

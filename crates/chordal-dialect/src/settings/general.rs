@@ -1,4 +1,4 @@
-//! The general parameters: their words, and where they are kept.
+//! General settings: power-on state, numbers, arcs, calls, tools and options of a build.
 
 use chordal_command::{FeedAlong, RapidPath, Units};
 use chordal_kernel::rules::*;
@@ -116,7 +116,7 @@ const RAPIDS: &[(&str, RapidPath)] =
 const OFFSET_KINDS: &[(&str, OffsetKind)] =
     &[("diameter", OffsetKind::Diameter), ("radius", OffsetKind::Radius)];
 
-/// A length as the messages show it.
+/// The length that messages give as an example.
 const EXAMPLE: &str = "0.0005 in";
 
 const TWO_INCREMENTS: &str = "two-increments";
@@ -148,7 +148,6 @@ setting_fields! {
     );
     NEAR_SEMICIRCLE = choice(rules.arc.semicircle_of_long_radius, NEAR_SEMICIRCLES);
     EXCESS_DECIMALS = choice(excess_decimals, EXCESS_DECIMALS);
-    /// Whether a tool change stops the spindle.
     SPINDLE_AT_TOOL_CHANGE = choice(rules.spindle_stops_at_tool_change, SPINDLE_AT_TOOL_CHANGE);
     MOST_DIGITS = custom(
         |p, input| {
@@ -164,7 +163,7 @@ setting_fields! {
     ROTARY_IN_ARC = choice(rules.arc.rotary_in_arc, ROTARY_IN_ARC);
     OMITTED_CENTER = choice(rules.arc.omitted_center, OMITTED_CENTER);
     MACHINE_MOVE = choice(rules.machine_move_is_rapid, MACHINE_MOVES);
-    RAPID_DISARMS_ARC = flag(rapid_disarms_arc);
+    RAPID_CANCELS_ARC = flag(rapid_cancels_arc);
     CENTER_AND_RADIUS = choice(center_and_radius, CENTERS_AND_RADII);
     /// A block of an arc without a centre and without a radius (Fanuc No. 3403#5).
     ARC_WITHOUT_CENTER = choice(arc_without_center_is_line, ARCS_WITHOUT_CENTER);
@@ -213,13 +212,13 @@ setting_fields! {
         },
         |p, _| mm_text(p.rules.pocket_stepover_mm)
     );
-    FIXED_ROUTINE_COUNT = choice(fixed_routine_count, ROUTINE_COUNTS);
+    FIXED_SUBROUTINE_REPEATS = choice(fixed_routine_count, ROUTINE_COUNTS);
     BORE_DIAMETER_REGISTER = choice(bore_diameter_register, REGISTERS);
-    /// What words of X are at power-on (LinuxCNC G7, G8).
+    /// Whether X is a radius or a diameter at power-on (LinuxCNC G7, G8).
     START_RADII = choice(starts_with_radii, X_WORDS);
-    /// What words of X are in polar interpolation.
+    /// Whether X is a radius or a diameter in polar interpolation.
     FACE_X = choice(face_x_radius, X_WORDS);
-    /// Which P of M3, M4 and M5 names the live tool.
+    /// The P of M3, M4 and M5 that selects the live tool.
     LIVE_TOOL_P = custom(
         |p, input| {
             p.live_tool_p = input.count()?;
@@ -227,7 +226,7 @@ setting_fields! {
         },
         |p, _| p.live_tool_p.to_string()
     );
-    /// Which P of M3 and M4 names the second spindle.
+    /// The P of M3 and M4 that selects the second spindle.
     SECOND_SPINDLE_P = custom(
         |p, input| {
             p.second_spindle_p = input.count()?;
@@ -235,7 +234,7 @@ setting_fields! {
         },
         |p, _| p.second_spindle_p.to_string()
     );
-    /// The first M code that waits for another path.
+    /// The first M code that waits for another channel.
     FIRST_WAIT_CODE = custom(
         |p, input| {
             p.wait_codes[usize::from(input.index)] = input.count()?;
@@ -247,7 +246,7 @@ setting_fields! {
     AFTER_REFUSAL = choice(goes_on_after_refusal, AFTER_REFUSAL);
     /// Who changes tools (GRBL).
     TOOL_CHANGER = choice(tool_change, TOOL_CHANGERS);
-    /// Whether the build of a firmware has something: see [`SettingField::build`].
+    /// Whether the build of a firmware has the first option: see [`SettingField::build`].
     BUILD = custom(
         |p, input| {
             *p.build.option_mut(BuildOption::ALL[usize::from(input.index)]) = input.flag()?;
@@ -255,12 +254,12 @@ setting_fields! {
         },
         |p, index| switch_text(p.build.has(BuildOption::ALL[usize::from(index)]))
     );
-    /// Which system of G codes (Fanuc lathes No. 3401).
+    /// The G code system (Fanuc lathes No. 3401).
     CODE_SYSTEM = custom(set_code_system, |p, _| name_of(p.code_system, CODE_SYSTEMS));
-    /// What the time of G4 counts in (Mach3).
+    /// The unit of the time of G4 (Mach3).
     DWELL_UNIT = choice(dwell_factor, DWELL_UNITS);
     MACRO_ANGLES = choice(macro_angles_full_circle, MACRO_ANGLES);
-    /// What the old numbers of tool offsets are.
+    /// How tool offsets are stored, which decides what #2001 to #2400 mean.
     OFFSET_MEMORY = choice(offset_memory, OFFSET_MEMORIES);
     ALIAS_G = custom(
         |p, input| {
@@ -286,7 +285,7 @@ setting_fields! {
 }
 
 impl SettingField {
-    /// The last M code that waits for another path.
+    /// The last M code that waits for another channel.
     pub const LAST_WAIT_CODE: SettingField = SettingField::FIRST_WAIT_CODE.at(1);
 
     /// Whether the build of a firmware has an option.
@@ -294,24 +293,24 @@ impl SettingField {
         SettingField::BUILD.at(option as u8)
     }
 
-    /// It is an option of a firmware's build.
+    /// Whether it is an option of a firmware's build.
     pub fn is_build_option(self) -> bool {
         self == SettingField::BUILD.at(self.index)
     }
 
-    /// A G code that calls a macro, by its place.
-    pub const fn alias_g(place: u8) -> SettingField {
-        SettingField::ALIAS_G.at(place)
+    /// The G code that calls the macro with this index, from 0.
+    pub const fn alias_g(index: u8) -> SettingField {
+        SettingField::ALIAS_G.at(index)
     }
 
-    /// An M code that calls a macro, by its place.
-    pub const fn alias_m(place: u8) -> SettingField {
-        SettingField::ALIAS_M.at(place)
+    /// The M code that calls the macro with this index, from 0.
+    pub const fn alias_m(index: u8) -> SettingField {
+        SettingField::ALIAS_M.at(index)
     }
 
-    /// An M code that calls a subprogram, by its place.
-    pub const fn alias_subprogram(place: u8) -> SettingField {
-        SettingField::ALIAS_SUBPROGRAM.at(place)
+    /// The M code that calls the subprogram with this index, from 0.
+    pub const fn alias_subprogram(index: u8) -> SettingField {
+        SettingField::ALIAS_SUBPROGRAM.at(index)
     }
 }
 

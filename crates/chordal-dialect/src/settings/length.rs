@@ -1,4 +1,4 @@
-//! What brings a tool length into force and what ends it, as settings of a machine file.
+//! Settings of tool lengths: what activates one and what cancels it.
 
 use chordal_kernel::rules::{LengthWithoutNumber, ToolLengths};
 
@@ -35,7 +35,7 @@ pub(super) const COMMON: &[Setting] = &[
         SettingField::LENGTH_AT_TOOL_CHANGE,
         &[],
         "a change of tools: the length in force is `kept` or `ended`",
-        Certainty::Trade,
+        Certainty::Practice,
         "Haas: manual, G43 (ended by G49, H0, M30 and reset); the others: how programs are written, no manual was found",
     ),
     setting(
@@ -43,7 +43,7 @@ pub(super) const COMMON: &[Setting] = &[
         SettingField::LENGTH_AT_REFERENCE_RETURN,
         &[],
         "G28 or G30 with Z: the length in force is `kept` or `ended`",
-        Certainty::Trade,
+        Certainty::Practice,
         "Haas: manual, G43 (ended by G49, H0, M30 and reset); the others: how programs are written, no manual was found",
     ),
     setting(
@@ -51,7 +51,7 @@ pub(super) const COMMON: &[Setting] = &[
         SettingField::LENGTH_AT_MACHINE_MOVE,
         &[],
         "G53 with Z: the length in force is `kept` or `ended`",
-        Certainty::Trade,
+        Certainty::Practice,
         "Haas: manual, G43 (ended by G49, H0, M30 and reset); the others: how programs are written, no manual was found",
     ),
 ];

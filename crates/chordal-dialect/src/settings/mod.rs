@@ -1,4 +1,4 @@
-//! Settings of a machine file: the control's own parameters under their own names.
+//! Settings of a machine file: the parameters of the control under their own names.
 
 mod choices;
 mod compensation;
@@ -19,38 +19,38 @@ use self::field::{SettingInput, switch_text};
 pub(crate) use self::path_mode::{CORNER_ROUNDING, short_blocks};
 use crate::parameters::*;
 
-/// How sure a default is.
+/// How certain a fact about a control is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum Certainty {
     /// A manual says so.
     Documented,
-    /// Inferred from examples or computed.
+    /// Inferred from examples, or computed.
     Inferred,
-    /// Known in the trade, no text found.
-    Trade,
+    /// Seen in practice, such as in post-processors, but in no manual.
+    Practice,
     /// Not known: the value is a choice.
     Unknown,
 }
 
-/// A setting of a control's table.
+/// A row of a control's table of settings.
 #[derive(Clone, Copy, Debug)]
 pub struct Setting {
-    /// The name in the manual, or a plain one that all controls share.
+    /// The name in the manual, or a common name that all controls share.
     pub name: &'static str,
-    /// What it changes.
+    /// The parameter that it sets.
     pub field: SettingField,
-    /// Each value's own word and the common word it stands for (`"1"` → `"plane"`); empty
-    /// where the common words or a quantity are written.
+    /// The control's own words for values, each with the common word that it stands for (`"1"` → `"plane"`); empty
+    /// where common words or quantities are used.
     pub values: &'static [(&'static str, &'static str)],
-    /// What it does.
+    /// What it does, for users.
     pub text: &'static str,
-    /// How sure the default is.
+    /// How certain the default is.
     pub certainty: Certainty,
     /// Manual and section.
     pub source: &'static str,
 }
 
-/// The settings that every control has, under plain names.
+/// The settings of every control, under common names.
 pub const COMMON: &[Setting] = &{
     const COMPENSATION: usize = GENERAL.len();
     const PATH: usize = COMPENSATION + compensation::COMMON.len();
@@ -182,7 +182,7 @@ const GENERAL: &[Setting] = &[
     ),
     common(
         "rapid_disarms_arc",
-        SettingField::RAPID_DISARMS_ARC,
+        SettingField::RAPID_CANCELS_ARC,
         "G0 cancels the direction that G2 or G3 gave, where they only give a direction: `on` or `off`",
     ),
     common(
@@ -235,7 +235,7 @@ const fn common(name: &'static str, field: SettingField, text: &'static str) -> 
     Setting { name, field, values: &[], text, certainty: Certainty::Documented, source: "" }
 }
 
-/// Writes a row of a control's own settings.
+/// A row of a control's own settings.
 pub const fn setting(
     name: &'static str,
     field: SettingField,
@@ -258,12 +258,13 @@ pub struct SettingError {
     pub help: Option<String>,
 }
 
-/// The setting of a table by name, without regard to case.
+/// The setting of a name, regardless of case: the control's own, otherwise the common one. `None` if there is
+/// neither.
 pub fn find<'t>(own: &'t [Setting], name: &str) -> Option<&'t Setting> {
     own.iter().chain(COMMON).find(|setting| setting.name.eq_ignore_ascii_case(name))
 }
 
-/// The parameters of a machine: the table's, changed by the machine file's settings.
+/// The parameters of a machine: those of the table, changed by the settings of the machine file; an error for each setting that was refused.
 pub fn resolve(
     own: &[Setting],
     table: &Parameters,
@@ -286,6 +287,9 @@ pub fn resolve(
     (parameters, errors)
 }
 
+/// The Jaro–Winkler similarity from which a name is suggested for a misspelt one: 0 for unlike names, 1 for equal ones.
+const MIN_NAME_SIMILARITY: f64 = 0.8;
+
 fn apply(
     own: &[Setting],
     parameters: &mut Parameters,
@@ -298,18 +302,18 @@ fn apply(
         help,
     };
     let Some(setting) = find(own, name) else {
-        let near = own
+        let similar = own
             .iter()
             .chain(COMMON)
             .map(|setting| (strsim::jaro_winkler(setting.name, name), setting.name))
-            .filter(|(likeness, _)| *likeness > 0.8)
+            .filter(|(similarity, _)| *similarity > MIN_NAME_SIMILARITY)
             .max_by(|a, b| a.0.total_cmp(&b.0));
         return Err(refuse(
             format!("this control has no setting `{name}`"),
-            near.map(|(_, near)| format!("did you mean `{near}`?")),
+            similar.map(|(_, similar)| format!("did you mean `{similar}`?")),
         ));
     };
-    let written = shown(&entry.value);
+    let written = value_text(&entry.value);
     let word = setting
         .values
         .iter()
@@ -321,7 +325,7 @@ fn apply(
     })
 }
 
-fn shown(value: &SettingValue) -> String {
+fn value_text(value: &SettingValue) -> String {
     match value {
         SettingValue::Text(text) => text.clone(),
         SettingValue::Integer(number) => number.to_string(),

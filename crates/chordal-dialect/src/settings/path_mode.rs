@@ -1,4 +1,4 @@
-//! The rules of path modes as settings of a machine file.
+//! Settings of path modes, junctions and arc segments.
 
 use chordal_kernel::rules::*;
 
@@ -16,7 +16,7 @@ const STARTS: Choices<StartMode> = &[
 const LEVELS: Choices<u8> =
     &[("rough", 1), ("medium", 2), ("finish", 3), ("1", 1), ("2", 2), ("3", 3)];
 
-// `$32=2` of grblHAL is a lathe.
+// `$32=2` of grblHAL selects a lathe, which is no laser.
 const LASER_MODES: Choices<bool> =
     &[("on", true), ("off", false), ("1", true), ("0", false), ("2", false)];
 
@@ -26,19 +26,19 @@ const SHORT_BLOCKS: Choices<ShortBlocks> = &[
     ("joined", ShortBlocks::Joined),
 ];
 
-/// The settings that every control has, under plain names.
+/// The settings of every control, under common names.
 pub const COMMON: &[Setting] = &[
     plain(
         "start_path_mode",
-        SettingField::PATH_START,
+        SettingField::POWER_ON_PATH_MODE,
         "path mode at power-on: `continuous`, `exact-path` or `exact-stop`",
-        Certainty::Trade,
+        Certainty::Practice,
     ),
     plain(
         "stop_before_cut",
         SettingField::PATH_STOP_BEFORE_CUT,
         "a rapid ends at rest before a cut: `on` or `off`",
-        Certainty::Trade,
+        Certainty::Practice,
     ),
     plain(
         "stop_between_rapids",
@@ -54,7 +54,7 @@ pub const COMMON: &[Setting] = &[
     ),
 ];
 
-/// The distance in G64, of controls that name none.
+/// The corner rounding in G64 of controls whose programs do not give it.
 pub const CORNER_ROUNDING: Setting = setting(
     "corner rounding",
     SettingField::PATH_ROUNDING,
@@ -64,7 +64,7 @@ pub const CORNER_ROUNDING: Setting = setting(
     "G64",
 );
 
-/// Where short blocks become one curve, by what is known of a control.
+/// Whether a control turns short blocks into one curve, with the source of that.
 pub const fn short_blocks(certainty: Certainty, source: &'static str) -> Setting {
     setting(
         "short blocks",
@@ -87,7 +87,7 @@ const fn plain(
 }
 
 setting_fields! {
-    PATH_START = choice(rules.path.start, STARTS);
+    POWER_ON_PATH_MODE = choice(rules.path.start, STARTS);
     PATH_STOP_BEFORE_CUT = choice(rules.path.stop_before_cut, SWITCH);
     PATH_STOP_BETWEEN_RAPIDS = choice(rules.path.stop_between_rapids, SWITCH);
     PATH_STOP_AFTER_CUT = choice(rules.path.stop_after_cut, SWITCH);
@@ -99,7 +99,7 @@ setting_fields! {
         },
         |p, _| optional_text(p.rules.path.rounding_mm)
     );
-    /// The part of the first level of roughness; the others follow.
+    /// The fraction of the first smoothness level; the other levels have the next indexes.
     PATH_LEVEL_PART = custom(set_level_part, |p, index| {
         p.rules.path.level_parts[usize::from(index)].to_string()
     });
@@ -156,12 +156,12 @@ setting_fields! {
         },
         |p, _| segments_of(p).map_or("none".to_string(), |segments| segments.of_circle.to_string())
     );
-    /// The step of speed of X at a junction; those of Y and Z follow.
+    /// The speed step of X at a junction; Y and Z have the next indexes.
     PATH_SPEED_STEP = custom(set_speed_step, |p, index| {
         let steps = p.rules.path.junctions.and_then(|junctions| junctions.speed_steps_mm_s);
         steps.map_or("none".to_string(), |steps| steps[usize::from(index)].to_string())
     });
-    /// Steps of X a mm; those of Y and Z follow.
+    /// Steps per mm of X; Y and Z have the next indexes.
     PATH_STEPS = custom(
         |p, input| {
             let steps = Some(input.number()).filter(|steps| *steps > 0.0 && *steps < 1e6);
@@ -186,23 +186,23 @@ setting_fields! {
 }
 
 impl SettingField {
-    /// The part of a level of roughness, 1 to 3.
+    /// The fraction of a smoothness level, 1 to 3.
     pub const fn path_level_part(level: u8) -> SettingField {
         SettingField::PATH_LEVEL_PART.at(level - 1)
     }
 
-    /// The step of speed at a junction, of X (0), Y or Z.
+    /// The speed step at a junction of X (0), Y (1) or Z (2).
     pub const fn path_speed_step(axis: u8) -> SettingField {
         SettingField::PATH_SPEED_STEP.at(axis)
     }
 
-    /// Steps a mm, of X (0), Y or Z.
+    /// Steps per mm of X (0), Y (1) or Z (2).
     pub const fn path_steps(axis: u8) -> SettingField {
         SettingField::PATH_STEPS.at(axis)
     }
 }
 
-/// Shorter segments of arcs would never end, mm.
+/// The shortest segments of arcs that are accepted, mm: shorter ones would make an arc of too many moves to compute.
 const MIN_ARC_SEGMENT_MM: f64 = 1e-6;
 
 fn length(input: &SettingInput<'_>) -> Result<f64, String> {
@@ -237,13 +237,13 @@ fn set_speed_step(p: &mut Parameters, input: &SettingInput<'_>) -> Result<(), St
     Ok(())
 }
 
-/// The rules of junctions of a control that has them.
+/// The junction rules, or the error for a control without any.
 fn junctions(p: &mut Parameters) -> Result<&mut JunctionRules, String> {
     let none = "nothing: this control has no junction deviation";
     p.rules.path.junctions.as_mut().ok_or_else(|| none.to_string())
 }
 
-/// The rules of segments of a control that cuts arcs by their length.
+/// The rules of arc segments, or the error for a control that does not divide arcs by length.
 fn arc_segments(p: &mut Parameters) -> Result<&mut ArcSegments, String> {
     let none = "nothing: this control does not cut arcs by the length of segments";
     junctions(p)?.arc_segments.as_mut().ok_or_else(|| none.to_string())

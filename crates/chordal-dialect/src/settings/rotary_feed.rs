@@ -1,4 +1,4 @@
-//! How F counts rotary axes, as settings of a machine file.
+//! Settings of F in moves with rotary axes.
 
 use chordal_kernel::rules::*;
 
@@ -13,10 +13,10 @@ const MEASURES: Choices<RotaryFeed> = &[
     ("on-diameter", RotaryFeed::OnDiameter),
 ];
 
-/// A diameter that nobody gave.
+/// The text of a diameter that the machine file does not give.
 const NOT_KNOWN: &str = "not known";
 
-/// The largest diameter that is taken, mm.
+/// The largest diameter that is accepted, mm: larger than any machine's table.
 const MAX_DIAMETER_MM: f64 = 4000.0;
 
 setting_fields! {

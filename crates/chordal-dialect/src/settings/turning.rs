@@ -47,7 +47,7 @@ setting_fields! {
     TURNING_THREAD_POINT = choice(rules.turning.thread_words_take_point, POINTS);
 }
 
-/// A length as the messages show it.
+/// The length that messages give as an example.
 const EXAMPLE: &str = "0.5 mm";
 
 fn up_to(input: &SettingInput<'_>, most: u32) -> Result<u32, String> {

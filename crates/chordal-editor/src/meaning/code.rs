@@ -189,7 +189,7 @@ fn surface_facts(code: SurfaceCode, view: &ControlView, facts: &mut FactLines) {
     let sure = match rules.certainty {
         Certainty::Documented => "documented",
         Certainty::Inferred => "inferred",
-        Certainty::Trade => "known in the trade",
+        Certainty::Practice => "known in the trade",
         Certainty::Unknown => "not known",
     };
     facts.add("sure", &format!("{sure}: {}", rules.source));

@@ -193,7 +193,7 @@ const fn sure(certainty: Certainty) -> &'static str {
     match certainty {
         Certainty::Documented => "documented",
         Certainty::Inferred => "inferred",
-        Certainty::Trade => "trade",
+        Certainty::Practice => "trade",
         Certainty::Unknown => "unknown",
     }
 }

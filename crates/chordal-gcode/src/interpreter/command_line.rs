@@ -406,7 +406,7 @@ impl Interpreter<'_> {
     fn is_in_force_without(&self, rules: &CommandLine, block: &Block, word: &Word) -> bool {
         let Some(code) = word.number().and_then(code_number) else { return false };
         let row = self.control.row_of(word);
-        let Some(row) = row else { return rules.not_missed.contains(&(word.letter, code)) };
+        let Some(row) = row else { return rules.ignored_codes.contains(&(word.letter, code)) };
         // The command of the line may change it.
         let also = block.words.iter().filter_map(|word| self.control.row_of(word));
         if also.clone().any(|own| own.group == row.group) {
@@ -482,7 +482,7 @@ impl Interpreter<'_> {
                 Severity::Warning
             };
         };
-        if rules.not_missed.contains(&(letter, code)) {
+        if rules.ignored_codes.contains(&(letter, code)) {
             return Severity::Note;
         }
         let matters = |row: &CodeRow| match row.action {

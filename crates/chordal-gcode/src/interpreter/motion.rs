@@ -187,7 +187,7 @@ impl Interpreter<'_> {
         match motion {
             // G2 and G3 arm a direction and leave G0 or G1 in force.
             ModalMotion::Arc(direction) if armed => self.kernel.state.armed = Some(direction),
-            ModalMotion::Rapid if armed && self.control.parameters.rapid_disarms_arc => {
+            ModalMotion::Rapid if armed && self.control.parameters.rapid_cancels_arc => {
                 (self.kernel.state.motion, self.kernel.state.armed) = (ModalMotion::Rapid, None);
             }
             other => self.kernel.state.motion = other,

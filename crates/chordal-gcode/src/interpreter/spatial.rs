@@ -149,10 +149,10 @@ impl Interpreter<'_> {
             let message = format!("a rotation in space begins while {active} is active");
             self.report_spatial(block, at, message, "cancel it with G49 before", alarm);
         }
-        let most = rules.most.filter(|(most, _)| self.spatial.rotations >= *most);
-        if let Some((most, alarm)) = most {
-            let message = format!("rotation {} in space, one in another", most + 1);
-            let help = format!("at most {most} may be active: end them with G69 before");
+        let exceeded = rules.max_active.filter(|(max, _)| self.spatial.rotations >= *max);
+        if let Some((max, alarm)) = exceeded {
+            let message = format!("rotation {} in space, one in another", max + 1);
+            let help = format!("at most {max} may be active: end them with G69 before");
             return self.report_spatial(block, at, message, &help, alarm);
         }
         if self.spatial.rotations == 0 {

@@ -12,7 +12,9 @@ mod style;
 mod tally;
 
 use chordal_dialect::not_read::NotRead;
-use chordal_dialect::recognition::{ASSUMED, CLEAR, LEAD, RecognitionEvidence};
+use chordal_dialect::recognition::{
+    ASSUMED_CONTROL, MIN_LEAD, MIN_LIKELY_WEIGHT, RecognitionEvidence,
+};
 use chordal_machine::ControlName;
 
 use catalog::{CATALOG, LanguageSigns, SignTarget};
@@ -127,8 +129,10 @@ impl Recognition {
         match chosen.weight {
             weight if weight >= SURE_WEIGHT && self.lead() >= SURE_WEIGHT => EvidenceStrength::Sure,
             _ if chosen.not_read => EvidenceStrength::Likely,
-            weight if weight >= CLEAR && self.lead() >= LEAD => EvidenceStrength::Likely,
-            weight if weight >= CLEAR => EvidenceStrength::Weak,
+            weight if weight >= MIN_LIKELY_WEIGHT && self.lead() >= MIN_LEAD => {
+                EvidenceStrength::Likely
+            }
+            weight if weight >= MIN_LIKELY_WEIGHT => EvidenceStrength::Weak,
             _ => EvidenceStrength::Assumed,
         }
     }
@@ -175,11 +179,11 @@ pub fn recognize(text: &[u8]) -> Recognition {
     // one that is read does.
     ranking.sort_by_key(|each| {
         let is_read_lathe = !each.not_read && chordal_dialect::table(each.control).turns();
-        (-each.weight, !is_read_lathe, !each.not_read, each.control != ASSUMED)
+        (-each.weight, !is_read_lathe, !each.not_read, each.control != ASSUMED_CONTROL)
     });
     let mut recognition = Recognition { ranking };
     if recognition.strength() == EvidenceStrength::Assumed {
-        recognition.choose(ASSUMED.as_str());
+        recognition.choose(ASSUMED_CONTROL.as_str());
     }
     recognition
 }

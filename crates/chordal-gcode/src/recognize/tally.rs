@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use chordal_dialect::recognition::{ABOUT_ANOTHER, ABOUT_THE_MACHINE, TextForm};
+use chordal_dialect::recognition::{MACHINE_WORDS, OTHER_MACHINE_WORDS, TextForm};
 
 use super::catalog::{CATALOG, SignMatcher};
 use super::forms;
@@ -180,8 +180,8 @@ impl TextTally {
         self.upper.clear();
         self.upper.extend(comment.iter().map(u8::to_ascii_uppercase));
         let comment = std::mem::take(&mut self.upper);
-        let other = is_about(&comment, ABOUT_ANOTHER);
-        let machine = !other && is_about(&comment, ABOUT_THE_MACHINE);
+        let other = is_about(&comment, OTHER_MACHINE_WORDS);
+        let machine = !other && is_about(&comment, MACHINE_WORDS);
         for (entry, seen) in CATALOG.entries.iter().zip(&mut self.seen) {
             let target = match entry.kind {
                 _ if seen.at.is_some() => continue,

@@ -3,7 +3,7 @@
 //!
 //! With b = σ̇² the acceleration of an axis is q′b′/2 + q″b. Backwards from rest, the first pass
 //! finds the largest b at each node from which the end can still be reached; forwards, the second
-//! takes the largest b at the next node within it. Both limits of each axis hold exactly at
+//! takes the largest b at the next node within that bound. Both limits of each axis hold exactly at
 //! both ends of each interval, seen from inside it, so that steps of the curvature, the limit curve
 //! of the speed and its traps (where q′ of an axis is zero) need no case of their own.
 //! (Bobrow, Dubowsky, Gibson 1985; reachability: Pham and Pham 2018.)
@@ -11,9 +11,9 @@
 //! **Grid.** A piece begins as one interval for each tenth of a radian that the path turns on it, and
 //! the run as at least 64. Intervals are then halved as long as halving changes their time by more
 //! than their share, until the last halving has changed less than 8e-5 of the whole. Both ends
-//! being held makes each grid a little slower than the limit, and its error falls at least with
-//! the size of the intervals; the limit therefore lies within one more such change, and 1.2 of it is
-//! taken off the time: the answer is rounded towards faster.
+//! being held makes each grid a little slower than the limit, and its error falls at least in
+//! proportion to the size of the intervals. The limit is therefore within one more such change, of
+//! which 1.2 times is subtracted from the time: the result is rounded down.
 
 mod run;
 mod speed_region;
@@ -23,25 +23,25 @@ pub(crate) use run::JerkReserve;
 pub use run::{PathRun, PathRunError};
 use speed_region::SpeedRegion;
 
-/// Intervals of a run at least, and at most beyond one per piece.
+/// The smallest number of intervals of a run, and the largest beyond one per piece.
 const MIN_INTERVALS: usize = 64;
 const MAX_INTERVALS: usize = 4_000_000;
-/// Share of the time that the last halving may have changed.
+/// The largest fraction of the time that the last halving may have changed.
 const MAX_UNKNOWN_SHARE: f64 = 8e-5;
-/// How many times that change is taken off: once is the limit of refinement to first order.
+/// How many times that change is subtracted: once is the limit of refinement to first order.
 const REFINEMENT_MARGIN: f64 = 1.2;
 const MAX_REFINEMENTS: usize = 14;
 /// Largest turn on an interval of the first grid, rad.
 const MAX_INTERVAL_TURN_RAD: f64 = 0.1;
 
-/// The velocity profile that is fastest without limits of jerk.
+/// The fastest velocity profile without jerk limits.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TimeBound {
-    /// No faster profile exists, s.
+    /// A time that no profile within the limits falls below, s.
     pub time_s: f64,
-    /// Places, σ from the start.
+    /// Points of the path, σ from the start.
     pub sigma: Vec<f64>,
-    /// σ̇² there; linear between.
+    /// σ̇² at these points; linear between them.
     pub square: Vec<f64>,
 }
 
@@ -50,13 +50,13 @@ struct BoundInterval {
     piece: usize,
     from: f64,
     to: f64,
-    /// How much the halving it comes from changed the time, s; its share.
+    /// This interval's part of the change of time by the halving that made it, s.
     change_s: f64,
     /// The time it took before it was halved, by the first of its halves.
     whole_s: Option<f64>,
 }
 
-/// The fastest profile without limits of jerk, and a time that is never above the true one's by
+/// The fastest profile without jerk limits, and a time that is never above the true one's by
 /// rounding or by its grid, and at most 1e-4 of it below (more where 4 million intervals are not
 /// enough).
 pub fn time_bound(run: &PathRun<'_>) -> TimeBound {
@@ -86,7 +86,7 @@ pub fn time_bound(run: &PathRun<'_>) -> TimeBound {
     }
 }
 
-/// What the last halvings changed, s.
+/// How much the last halvings changed the time, s.
 fn unknown(intervals: &[BoundInterval]) -> f64 {
     intervals.iter().map(|interval| interval.change_s).sum()
 }

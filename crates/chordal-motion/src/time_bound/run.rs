@@ -1,4 +1,4 @@
-//! A run: smooth pieces with their speeds and the limits of the axes.
+//! A run: smooth pieces with their speeds and the axis limits.
 
 use chordal_geometry::AXES;
 
@@ -8,10 +8,10 @@ use crate::piece::{AxisJet, PathPiece};
 /// Speeds above this, in σ per s, are no limit.
 const NO_SPEED_LIMIT: f64 = 1e9;
 
-/// Places nearer to each other than this share of their distance are one.
+/// Points that are nearer to each other than this fraction of their distance from the start are the same.
 const EQUAL_PLACE_SHARE: f64 = 1e-9;
 
-/// Smooth pieces of path, travelled to rest.
+/// Smooth pieces of path, at whose end the axes rest.
 #[derive(Clone, Debug)]
 pub struct PathRun<'a> {
     pieces: &'a [PathPiece],
@@ -23,48 +23,48 @@ pub struct PathRun<'a> {
     reserve: [JerkReserve; 2],
 }
 
-/// An end of a run next to which not all of the jerk may be used: another movement uses the rest.
+/// The jerk limit near an end of a run where another motion overlaps it and needs the rest of the jerk.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct JerkReserve {
-    /// How far from the end, σ.
+    /// The distance from the end within which it applies, σ.
     pub distance: f64,
-    /// Share of the jerk of every axis.
+    /// The fraction of the jerk of every axis that may be used.
     pub share: f64,
 }
 
 impl JerkReserve {
-    /// An end next to which all of it may be used.
+    /// An end where all of the jerk may be used.
     pub const NONE: JerkReserve = JerkReserve { distance: 0.0, share: 1.0 };
 }
 
-/// A run that has no velocity profile.
+/// Why a run has no velocity profile.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum PathRunError {
-    /// Not as many speeds as pieces.
+    /// The numbers of speeds and pieces differ.
     #[error("the path has {pieces} pieces, and {speeds} speeds were given")]
     Count {
-        /// How many pieces.
+        /// The number of pieces.
         pieces: usize,
-        /// How many speeds.
+        /// The number of speeds.
         speeds: usize,
     },
-    /// A length or a speed that is not a positive number, by the number of its piece.
+    /// A length or a speed is not a positive number; with the index of its piece.
     #[error("piece {0} has a length, a speed or a derivative that is not a positive number")]
     NotPositive(usize),
-    /// No length.
+    /// The run has no length.
     #[error("the run has no length")]
     Empty,
-    /// The speed at the start is below zero or not a number.
+    /// The speed at the start is negative or NaN.
     #[error("the run begins at {0} mm/s: it must not be below zero")]
     Start(f64),
 }
 
 impl<'a> PathRun<'a> {
-    /// A run with the largest speed of each piece (σ per s; infinite for none but the axes'),
+    /// A run with the largest speed of each piece (σ per s; infinite where only the axes limit it),
     /// that begins at `start_speed` without acceleration.
     ///
     /// # Errors
-    /// Why not.
+    /// The first reason why it has no velocity profile.
     pub fn new(
         pieces: &'a [PathPiece],
         speeds: &'a [f64],
@@ -98,17 +98,17 @@ impl<'a> PathRun<'a> {
         Ok(PathRun { pieces, speeds, from, start_speed, limits: *limits, reserve })
     }
 
-    /// The same with ends next to which not all of the jerk may be used.
+    /// The same run with these limits of the jerk near its ends.
     pub(crate) fn with_ends(self, reserve: [JerkReserve; 2]) -> PathRun<'a> {
         PathRun { reserve, ..self }
     }
 
-    /// Its ends.
+    /// The limits of the jerk near its ends.
     pub(crate) fn ends(&self) -> &[JerkReserve; 2] {
         &self.reserve
     }
 
-    /// The share of the jerk that may be used between two places.
+    /// The fraction of the jerk that may be used between two points.
     pub(crate) fn jerk_share(&self, from: f64, to: f64) -> f64 {
         let [first, last] = &self.reserve;
         // What begins where an end is no longer near does so to the last bits.
@@ -139,7 +139,7 @@ impl<'a> PathRun<'a> {
         self.start_speed
     }
 
-    /// What the axes can do.
+    /// The limits of the axes.
     pub fn limits(&self) -> &KinematicLimits {
         &self.limits
     }
@@ -154,7 +154,7 @@ impl<'a> PathRun<'a> {
         self.speeds[index].min(NO_SPEED_LIMIT)
     }
 
-    /// The piece that holds a place, the later one at a seam.
+    /// The index of the piece with a point; where two pieces meet, that of the later one.
     pub(crate) fn piece_at(&self, sigma: f64) -> usize {
         let after = self.from.partition_point(|from| *from <= sigma);
         let mut index = after.saturating_sub(1).min(self.pieces.len() - 1);

@@ -16,24 +16,24 @@ struct AccelerationStrip {
     limit: f64,
 }
 
-/// What may happen on an interval.
+/// The speeds that are possible at the ends of an interval.
 pub(crate) struct SpeedRegion {
-    /// Largest b at its start by speed alone.
+    /// Largest b at its start from the speed limits alone.
     pub(crate) cap_from: f64,
-    /// Largest b at its end by speed alone.
+    /// Largest b at its end from the speed limits alone.
     pub(crate) cap_to: f64,
     strips: [AccelerationStrip; 12],
     count: usize,
 }
 
-/// Corners of a convex polygon: each of the strips adds at most two.
+/// The largest number of corners of the convex polygon: each of the strips adds at most two.
 struct SpeedPolygon {
     corners: [(f64, f64); 32],
     count: usize,
 }
 
 impl SpeedRegion {
-    /// The room of the interval from `from` to `to` of a piece.
+    /// The region of the interval from `from` to `to` of a piece.
     pub(crate) fn new(run: &PathRun<'_>, piece: usize, from: f64, to: f64) -> SpeedRegion {
         let (first, last) = (run.jet(piece, from), run.jet(piece, to));
         let rate = 0.5 / (to - from);
@@ -50,7 +50,7 @@ impl SpeedRegion {
             let (d0, d1) = (first[1][axis] * rate, last[1][axis] * rate);
             let (c0, c1) = (first[2][axis], last[2][axis]);
             let mut add = |cx: f64, cy: f64| {
-                // What the largest speeds cannot reach is no limit.
+                // A limit that the largest speeds cannot reach is left out.
                 let reach = (cx * room.cap_from).abs() + (cy * room.cap_to).abs();
                 if reach > limit {
                     room.strips[room.count] = AccelerationStrip { cx, cy, limit };
@@ -94,7 +94,7 @@ impl SpeedPolygon {
         SpeedPolygon { corners, count: 4 }
     }
 
-    /// Keeps the part with cx·x + cy·y ≤ limit. The origin is always inside.
+    /// Reduces the polygon to the part with cx·x + cy·y ≤ limit. The origin is always inside.
     fn clip(&mut self, cx: f64, cy: f64, limit: f64) {
         let over = |(x, y): (f64, f64)| cx * x + cy * y - limit;
         let old = &self.corners[..self.count];

@@ -48,7 +48,7 @@ fn no_variable_has_a_silent_value_at_the_start() {
         assert_ne!(rules.form, MacroForm::None, "{machine} has no variables");
         let commons = rules.common.iter().flat_map(|row| [(row.first, false), (row.last, false)]);
         let systems = rules.system.iter().flat_map(|row| {
-            [row.first, row.last].map(|number| (number, is_known_at_start(row.what)))
+            [row.first, row.last].map(|number| (number, is_known_at_start(row.variable)))
         });
         for (number, is_known) in commons.chain(systems) {
             checked += 1;

@@ -1,4 +1,4 @@
-//! What Fadal CNC 88 shows for a problem.
+//! The alarms of Fadal CNC 88.
 
 use crate::vocabulary::*;
 

@@ -1,8 +1,8 @@
-//! The macro language of Fadal CNC 88.
+//! Macros of Fadal CNC 88.
 
 use crate::vocabulary::*;
 
-/// Section 18. Macro lines hold nothing else; of comparisons no value is taken.
+/// User Manual (April 2003), section 18. A macro line has no NC words, and a comparison has no value.
 pub(super) static MACROS: MacroRules = MacroRules {
     form: MacroForm::Lines,
     fix: RoundingRule::TowardZero,
@@ -13,7 +13,7 @@ pub(super) static MACROS: MacroRules = MacroRules {
     ..MacroRules::NONE
 };
 
-/// How the lines that begin with `#` write expressions.
+/// The expressions of lines that begin with `#`.
 pub(super) static GRAMMAR: MacroGrammar = MacroGrammar {
     brackets: BracketStyle::Round,
     operators: OPERATORS,
@@ -60,7 +60,7 @@ const FUNCTIONS: &[(&str, Function)] = &[
     ("NOT", Function::Not),
 ];
 
-/// Tables and registers, in the same section.
+/// The names of tables and registers in expressions, in the same section.
 const VARIABLES: &[&str] = &[
     "AX", "AY", "AZ", "AA", "AB", "AC", "PX", "PY", "PZ", "PA", "PB", "FX", "FY", "FZ", "FA", "FB",
     "CP", "CR", "CC", "TT", "TU", "TN", "TL", "VF", "HO", "V", "R", "H", "D", "G", "I", "O",

@@ -31,7 +31,7 @@ pub static TABLE: ControlTable = ControlTable {
     order: BlockOrder {
         steps: BUILDER_STEPS,
         source: "usual; which M codes act after the motion was not found in the manual",
-        certainty: Certainty::Trade,
+        certainty: Certainty::Practice,
     },
     alone: &[530, 920],
     work_names: WorkNaming { extended: "E", first: 1, by_e: true },

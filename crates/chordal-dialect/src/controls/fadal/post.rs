@@ -1,4 +1,4 @@
-//! How Fadal CNC 88 wants a program begun and ended.
+//! The lines at the begin and the end of a program for Fadal CNC 88.
 
 use crate::post::PostTemplate;
 

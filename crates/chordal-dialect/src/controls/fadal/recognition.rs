@@ -11,7 +11,7 @@ pub(super) const EVIDENCE: &[RecognitionEvidence] = &[
     evidence(RecognitionSign::Block("M17 !S !T"), 3, "M17 ends a subroutine"),
     evidence(RecognitionSign::Form(TextForm::Register), 8, "R0+ is a register word"),
     evidence(RecognitionSign::Form(TextForm::HashLine), 8, "macro lines begin with #"),
-    // An argument E of a macro call says nothing.
+    // Not in macro calls, where E is an argument.
     evidence(
         RecognitionSign::Block("E:int X|Y E<100 !G65 !G66 !G66.1 !M98 !G10 !F"),
         5,

@@ -8,7 +8,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     unit_codes: UnitCodes::Both,
     nesting: 7,
     max_repeats: 99,
-    // User Manual 2003: N to 99999, O to 9999, a table of 99 offsets.
+    // User Manual 2003: N up to 99999, O up to 9999, a table of 99 offsets.
     largest_numbers: LargestNumbers { block: 99_999, program: 9999, offset: 99, tool: 0 },
     rules: Rules {
         spindle_stops_at_tool_change: true,
@@ -22,7 +22,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         compensation: COMPENSATION,
         path: PathRules { start: StartMode::ExactStop, ..PathRules::COMMON },
         outside_corner: OutsideCorner::Arc,
-        // Section 10: G40 before a change of mirror.
+        // Section 10: the mirror image must not change before G40.
         frames: FrameRules { mirror_ends_in_compensation: false, ..FrameRules::COMMON },
         arc: ArcRules {
             helix_feed: FeedAlong::Path,
@@ -58,8 +58,8 @@ const CYCLES: CycleRules = CycleRules {
     ..CycleRules::COMMON
 };
 
-/// Fadal User Manual section 10, and the start-up of its contoured slot, which works only with
-/// a vector square to the next block.
+/// Fadal User Manual, section 10. The start-up is that of its example of a contoured slot, which is right only with
+/// an offset vector at right angles to the next block.
 const COMPENSATION: CompensationRules = CompensationRules {
     side_change: SideChange::RefusedOnLine,
     coordinate_change: AllowanceRule::Refused,

@@ -1,11 +1,11 @@
-//! The settings of Fadal CNC 88, by the names of its manuals.
+//! What differs between machines with Fadal CNC 88, or is not documented. Parameters have the names of the manuals.
 
 use crate::vocabulary::*;
 
 pub(super) const SETTINGS: &[Setting] = &[
     setting(
         "rapid_disarms_arc",
-        SettingField::RAPID_DISARMS_ARC,
+        SettingField::RAPID_CANCELS_ARC,
         &[],
         "G0 cancels the direction that G2 or G3 gave: `on` or `off`",
         Certainty::Unknown,
@@ -13,7 +13,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "feed ramps",
-        SettingField::PATH_START,
+        SettingField::POWER_ON_PATH_MODE,
         &[("G9", "exact-stop"), ("G8", "continuous")],
         "at power-on: `G9` stops in position after every block, `G8` runs on without ramps",
         Certainty::Unknown,
@@ -54,7 +54,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "pocket count",
-        SettingField::FIXED_ROUTINE_COUNT,
+        SettingField::FIXED_SUBROUTINE_REPEATS,
         &[],
         "L96NN to L99NN: `repeat` runs the routine NN times, `once` ignores NN",
         Certainty::Unknown,
@@ -97,7 +97,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_P_IS_LIFT,
         &[],
         "P of G73 is the lift of a peck (`on`) or a time (`off`)",
-        Certainty::Trade,
+        Certainty::Practice,
         "post-processors",
     ),
     setting(
@@ -105,7 +105,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_P_IS_CLEARANCE,
         &[],
         "P of G83 is the clearance of a peck (`on`) or a time (`off`)",
-        Certainty::Trade,
+        Certainty::Practice,
         "an older post-processor",
     ),
     setting(
@@ -113,12 +113,12 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_SHIFT_DIRECTION,
         &[],
         "where Q shifts the tool: `x+`, `x-`, `y+`, `y-`",
-        Certainty::Trade,
+        Certainty::Practice,
         "comment of a post-processor",
     ),
     setting(
         "L93 radius",
-        SettingField::CYCLE_BOLT_CIRCLE_RADIUS,
+        SettingField::CYCLE_BOLT_CIRCLE_RADIUS_REGISTER,
         &[],
         "register that holds the radius of a bolt circle",
         Certainty::Unknown,
@@ -126,7 +126,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "L93 angle",
-        SettingField::CYCLE_BOLT_CIRCLE_ANGLE,
+        SettingField::CYCLE_BOLT_CIRCLE_ANGLE_REGISTER,
         &[],
         "register that holds the first angle of a bolt circle, in degrees",
         Certainty::Unknown,

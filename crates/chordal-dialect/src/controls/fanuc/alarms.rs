@@ -1,4 +1,4 @@
-//! What Fanuc 0i shows for a problem.
+//! The alarms of Fanuc 0i.
 
 use crate::vocabulary::*;
 

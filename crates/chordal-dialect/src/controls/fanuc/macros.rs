@@ -1,34 +1,33 @@
-//! The macro language of Fanuc 0i.
+//! Macro variables of Fanuc 0i and 30i.
 
 use crate::vocabulary::*;
 
-/// Fanuc custom macro B (B-63684EN, B-63944EN), and where the manuals were not at hand what
-/// probe makers' programs rely on.
+/// Fanuc custom macro B: B-63684EN and B-63944EN, and what macros of probe makers use beyond these.
 pub(in crate::controls) static MACROS: MacroRules =
     MacroRules { common: COMMON, system: SYSTEM, modal_groups: GROUPS, ..MacroRules::MACRO_B };
 
-/// Groups 1 to 17 of a Fanuc; 14 is that of the work offsets.
+/// Modal groups 1 to 17, as #4001 to #4017 report them.
 pub(in crate::controls) const GROUPS: &[ModalGroup] = &[
     ModalGroup::Motion,
     ModalGroup::Plane,
     ModalGroup::Distance,
-    ModalGroup::Fixed(23),
+    ModalGroup::Fixed(23), // 4: stored stroke check off
     ModalGroup::FeedMode,
     ModalGroup::Units,
     ModalGroup::Compensation,
     ModalGroup::Length,
     ModalGroup::Cycle,
     ModalGroup::ReturnLevel,
-    ModalGroup::Fixed(50),
+    ModalGroup::Fixed(50), // 11: scaling off
     ModalGroup::ModalCall,
-    ModalGroup::Fixed(97),
+    ModalGroup::Fixed(97), // 13: no constant surface speed
     ModalGroup::WorkOffset,
-    ModalGroup::Fixed(64),
-    ModalGroup::Fixed(69),
-    ModalGroup::Fixed(15),
+    ModalGroup::Fixed(64), // 15: cutting mode
+    ModalGroup::Fixed(69), // 16: coordinate rotation off
+    ModalGroup::Fixed(15), // 17: polar coordinates off
 ];
 
-/// #150–199 and #532–999 are an option that most machines have; #98000 on is one of the 30i.
+/// #150–199 and #532–999 are an option that most machines have; #98000–98999 are an option of the 30i.
 const COMMON: &[VariableRange] = &[common(100, 199), kept(500, 999), kept(98000, 98999)];
 
 const SYSTEM: &[SystemRow] = &[
@@ -61,9 +60,9 @@ const SYSTEM: &[SystemRow] = &[
     system(4120, 4120, SystemVariable::ModalWord(b'T')),
     system(4130, 4130, SystemVariable::ModalWord(b'P')),
     system(4201, 4230, SystemVariable::ModalGroup),
-    // The block that an interruption left.
+    // Modal information of the block that an interruption-type macro interrupted.
     system(4401, 4530, SystemVariable::NotSimulated),
-    // Up to twenty axes; servo lag from #5101 on, shifts by the handwheel from #5121 on, distances to go from #5181 on.
+    // Twenty numbers for each kind of position, one per axis; six axes are simulated.
     system(5001, 5006, SystemVariable::BlockEnd),
     system(5007, 5020, SystemVariable::NotSimulated),
     system(5021, 5026, SystemVariable::MachinePosition),
@@ -73,6 +72,7 @@ const SYSTEM: &[SystemRow] = &[
     system(5061, 5066, SystemVariable::SkipPosition),
     system(5067, 5080, SystemVariable::NotSimulated),
     system(5081, 5086, SystemVariable::ActiveToolOffset),
+    // From #5101 on servo lag, from #5121 on handle interruption, from #5181 on distance to go.
     system(5087, 5200, SystemVariable::NotSimulated),
     system(5201, 5206, SystemVariable::ExternalOffset),
     system(5207, 5220, SystemVariable::NotSimulated),
@@ -84,7 +84,7 @@ const SYSTEM: &[SystemRow] = &[
     system(12001, 12999, SystemVariable::RadiusWear),
     system(13001, 13999, SystemVariable::RadiusGeometry),
     system(14001, 19986, SystemVariable::ExtendedOffsets),
-    // The same for machines of up to fifty axes (30i): fifty numbers for each.
+    // The same with fifty numbers for each kind of position and each work offset, for up to fifty axes (30i).
     system(100001, 100006, SystemVariable::BlockEnd),
     system(100051, 100056, SystemVariable::MachinePosition),
     system(100101, 100106, SystemVariable::WorkPosition),

@@ -1,4 +1,4 @@
-//! How Fanuc 0i wants a program begun and ended.
+//! The lines at the begin and the end of a program for Fanuc 0i.
 
 use crate::post::PostTemplate;
 

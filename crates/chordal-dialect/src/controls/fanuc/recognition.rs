@@ -1,14 +1,14 @@
-//! Signs by which programs of Fanuc controls are recognized, and of machines that are built with one.
+//! Signs by which programs of Fanuc controls and of machines that have one are recognized.
 
 use crate::vocabulary::*;
 
-/// Also those of lathes.
+/// Names of Fanuc controls, those of lathes included.
 pub(crate) const NAMES: &[&str] = &[
     "FANUC", "FANUC 0I", "0I-MD", "0I-MF", "0I-MC", "0I-TD", "0I-TF", "31I", "30I", "32I", "18I", "16I",
     "21I", "OI-MD", "OI-MF",
 ];
 
-/// Builders and machines that come with a Fanuc, or with a control that reads as one.
+/// Builders and machines with a Fanuc, or with a control that reads programs as a Fanuc does.
 pub(crate) const MACHINES: &[&str] = &[
     "DOOSAN", "DAEWOO", "DN SOLUTIONS", "DNM", "ROBODRILL", "MAKINO", "MATSUURA", "KITAMURA", "MYCENTER",
     "MORI SEIKI", "MORISEIKI", "HYUNDAI", "HYUNDAI-WIA", "WIA", "YCM", "FEELER", "LEADWELL", "HARDINGE",
@@ -16,7 +16,7 @@ pub(crate) const MACHINES: &[&str] = &[
     "LITZ", "MITSUI SEIKI", "CHIRON", "OKK", "KIA",
 ];
 
-/// Controls of their own that read blocks as a Fanuc does.
+/// Controls of other makers that read blocks as a Fanuc does.
 const RELATED_CONTROLS: &[&str] = &["BROTHER", "SPEEDIO", "TC-S2D", "S700X1", "HURCO", "WINMAX", "CENTROID", "SYIL"];
 
 pub(super) const EVIDENCE: &[RecognitionEvidence] = &[

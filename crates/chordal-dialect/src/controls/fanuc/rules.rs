@@ -10,7 +10,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     macro_angles_full_circle: true,
     arc_without_center_is_line: true,
     m_groups: SPINDLE_CODES,
-    // With every option, as the trade knows it; no manual was found: eight digits of N and O, 2000 offsets.
+    // With every option: eight digits of N and O, 2000 offsets. From practice, no manual was found.
     largest_numbers: LargestNumbers { block: 99_999_999, program: 99_999_999, offset: 2000, tool: 0 },
     rules: Rules {
         spindle_stops_at_tool_change: true,
@@ -33,7 +33,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
             helix_feed: FeedAlong::Plane,
             spiral: SpiralForm::IncrementCount,
             spiral_end_tolerance_mm: 0.0127,
-            // L counts turns begun: exactly one is L1.
+            // L counts the turns that are begun: exactly one turn is L1.
             spiral_on_ray: SpiralOnRay::FullTurn,
             rotary_in_arc: false,
             ..ArcRules::COMMON
@@ -45,13 +45,13 @@ pub(super) const PARAMETERS: Parameters = Parameters {
 
 const CYCLES: CycleRules = CycleRules {
     repeat_letter: b'K',
-    // Proven programs tap with M29 and G84 without R.
+    // Programs that run on machines tap with M29 and G84 without R.
     missing_r: MissingLevel::Initial,
     tap: TapRules { pecks_by_q: true, ..CycleRules::COMMON.tap },
     ..CycleRules::COMMON
 };
 
-/// Fanuc 16i and 30i: three blocks are read ahead, so one without motion may stand between.
+/// Fanuc 16i and 30i: three blocks are read ahead, so that one block without motion is allowed between two moves.
 const COMPENSATION: CompensationRules = CompensationRules {
     idle_blocks: Some(1),
     zero_move_counts: 2,
@@ -61,12 +61,12 @@ const COMPENSATION: CompensationRules = CompensationRules {
     ..CompensationRules::COMMON
 };
 
-/// Operator's Manual of the 30i, optional chamfering and corner R: one block with G4 may stand between, and
-/// a corner within 1 degree of straight on gets nothing.
+/// Operator's Manual of the 30i, optional chamfering and corner R: one block with G4 is allowed between the two
+/// moves, and a corner whose direction changes by 1 degree or less gets neither chamfer nor rounding.
 const CORNER: RoundingRules =
     RoundingRules { moves: CornerMoves::LinesAndArcs, dwells_between: 1, straight_deg: 1.0 };
 
-/// Coordinates of eight digits, and what is known in the trade: no cycle along a mirrored or scaled axis.
+/// Coordinates have eight digits; from practice: no cycle along a mirrored or scaled axis.
 const FRAMES: FrameRules = FrameRules {
     largest_scaled_increments: 99_999_999.0,
     cycles_along_scaled: false,
@@ -76,7 +76,7 @@ const FRAMES: FrameRules = FrameRules {
 /// Alarm list of the 30i: three-dimensional coordinate conversion.
 pub(super) const SPATIAL: SpatialRules = SpatialRules {
     begins: &[680],
-    most: Some((2, "PS5043 TOO MANY G68 NESTING")),
+    max_active: Some((2, "PS5043 TOO MANY G68 NESTING")),
     format: Some("PS5044 G68 FORMAT ERROR"),
     parallel_axes: Some("PS0047 ILLEGAL AXIS SELECT"),
     in_compensation: Some("PS0049 ILLEGAL COMMAND(G68,G69)"),

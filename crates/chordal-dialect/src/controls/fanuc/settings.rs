@@ -8,7 +8,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::FRAME_CYCLES_ALONG_SCALED,
         &[],
         "canned cycles along an axis that is mirrored or scaled: `warned` or `allowed`",
-        Certainty::Trade,
+        Certainty::Practice,
         "",
     ),
     setting(
@@ -20,7 +20,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         "AI contour control",
     ),
     short_blocks(
-        Certainty::Trade,
+        Certainty::Practice,
         "AI contour control: G05.1 Q1 plans the speed over many blocks, G05.1 Q3 also corrects their points",
     ),
     CORNER_ROUNDING,
@@ -38,7 +38,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::MACRO_ANGLES,
         &[("0", "0-to-360"), ("1", "180")],
         "NAT: ATAN and ASIN give 0 to 360 degrees (0) or -180 to 180 (1)",
-        Certainty::Trade,
+        Certainty::Practice,
         "16i",
     ),
     setting(
@@ -86,7 +86,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::MACHINE_MOVE,
         &[],
         "a move of G53 is a `rapid`, or uses the active motion code (`in-force`)",
-        Certainty::Trade,
+        Certainty::Practice,
         "B-63534EN, G53",
     ),
     setting(
@@ -94,7 +94,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::EXCESS_DECIMALS,
         &[],
         "decimals beyond the least increment: `cut`, `rounded` or `exact`",
-        Certainty::Trade,
+        Certainty::Practice,
         "B-63534EN, decimal point programming",
     ),
     setting(
@@ -102,7 +102,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::MOST_DIGITS,
         &[],
         "most digits of a length; above it PS0003",
-        Certainty::Trade,
+        Certainty::Practice,
         "B-63534EN, decimal point programming",
     ),
     setting(
@@ -110,7 +110,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::HELIX_FEED,
         &[("0", "plane"), ("1", "path")],
         "HTG: F of a helix along the circle (0) or along the helix (1)",
-        Certainty::Trade,
+        Certainty::Practice,
         "30i; 1401#2 on 15i is documented",
     ),
     setting(
@@ -118,7 +118,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::RAPID,
         &[("0", "dog-leg"), ("1", "straight")],
         "LRP: straight rapids",
-        Certainty::Trade,
+        Certainty::Practice,
         "30i",
     ),
     setting(
@@ -126,7 +126,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::ARC_WITHOUT_CENTER,
         &[("0", "line"), ("1", "refused")],
         "CIR: a block of G2 or G3 with neither a centre nor a radius is a straight line (0), or alarm PS0022 (1)",
-        Certainty::Trade,
+        Certainty::Practice,
         "30i",
     ),
     setting(
@@ -134,7 +134,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::DECIMAL_POINT,
         &[("0", "least-increment"), ("1", "calculator")],
         "DPI: a number without a decimal point",
-        Certainty::Trade,
+        Certainty::Practice,
         "30i",
     ),
     setting(
@@ -142,17 +142,17 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::RADIUS_OFFSETS,
         &[("0", "radius"), ("1", "diameter")],
         "ODI: compensation values are radii or diameters",
-        Certainty::Trade,
+        Certainty::Practice,
         "30i",
     ),
     setting("No. 5114", SettingField::CHIP_BREAK, &[], "lift of G73", Certainty::Documented, "16i"),
-    setting("No. 5115", SettingField::PECK_CLEARANCE, &[], "clearance of G83", Certainty::Trade, "16i"),
+    setting("No. 5115", SettingField::PECK_CLEARANCE, &[], "clearance of G83", Certainty::Practice, "16i"),
     setting(
         "unit_codes",
         SettingField::UNIT_CODES,
         &[],
         "the codes that choose inch and millimetres",
-        Certainty::Trade,
+        Certainty::Practice,
         "15i",
     ),
     setting(
@@ -168,7 +168,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::PACKED_CALLS,
         &[("packed", "on"), ("separate", "off")],
         "`M98 P100013` repeats O0013 ten times, or names program 100013",
-        Certainty::Trade,
+        Certainty::Practice,
         "",
     ),
     setting(
@@ -176,7 +176,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_AXIS,
         &[("0", "z"), ("1", "plane-normal")],
         "FXY: cycles drill along Z, or along the normal of the plane",
-        Certainty::Trade,
+        Certainty::Practice,
         "16i",
     ),
     setting(
@@ -184,7 +184,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_SHIFT_DIRECTION,
         &[("00", "x+"), ("01", "x-"), ("10", "y+"), ("11", "y-")],
         "RD1, RD2: where Q shifts the tool in G76 and G87",
-        Certainty::Trade,
+        Certainty::Practice,
         "16i, 0i",
     ),
     setting(
@@ -192,7 +192,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_SHIFT_DIRECTION,
         &[("1", "x+"), ("-1", "x-"), ("2", "y+"), ("-2", "y-")],
         "where Q shifts the tool in G76 and G87, as a signed axis",
-        Certainty::Trade,
+        Certainty::Practice,
         "30i",
     ),
     setting(
@@ -216,7 +216,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_TAP_FULL_RETURN,
         &[("0", "off"), ("1", "on")],
         "PCP: peck tapping returns to R (1), or by No. 5213 (0)",
-        Certainty::Trade,
+        Certainty::Practice,
         "16i",
     ),
     setting(
@@ -224,7 +224,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_TAP_LIFT,
         &[],
         "lift of peck tapping",
-        Certainty::Trade,
+        Certainty::Practice,
         "16i",
     ),
     setting(
@@ -232,7 +232,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_TAP_DWELL_AT_R,
         &[],
         "the dwell of a tapping cycle is repeated at R",
-        Certainty::Trade,
+        Certainty::Practice,
         "",
     ),
     setting(
@@ -240,7 +240,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_REPEAT_LETTER,
         &[],
         "letter of the repeat count: `K`, or `L` on 6M and 15",
-        Certainty::Trade,
+        Certainty::Practice,
         "",
     ),
     setting(
@@ -248,7 +248,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_FIRES_ON,
         &[],
         "which words drill a hole with an active cycle: `place`, `any-axis` or `axis-or-level`",
-        Certainty::Trade,
+        Certainty::Practice,
         "",
     ),
     call("No. 6050", SettingField::alias_g(0), "G code that calls macro O9010"),
@@ -293,7 +293,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::FRAME_FACTORS_BY_VECTOR,
         &[("0", "one"), ("1", "each")],
         "factors of G51: `one` by P, or `each` by I, J and K",
-        Certainty::Trade,
+        Certainty::Practice,
         "parameter 5400",
     ),
     setting(
@@ -325,67 +325,67 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_MISSING_R,
         &[],
         "a cycle without R: it feeds from the `initial` level, with a note; or from where the tool stands (`current`), or it is `refused`",
-        Certainty::Trade,
+        Certainty::Practice,
         "proven programs: M29, then G84 without R",
     ),
 ];
 
-/// A code that calls a program; 0 for none.
+/// A setting with the code that calls a program; 0 for none.
 const fn call(name: &'static str, field: SettingField, text: &'static str) -> Setting {
-    setting(name, field, &[], text, Certainty::Trade, "16i")
+    setting(name, field, &[], text, Certainty::Practice, "16i")
 }
 
-/// SUP.
+/// SUP: start-up type A or B.
 const TYPE: Setting = setting(
     "No. 5003#0",
     SettingField::COMPENSATION_ENTRY,
     &[("0", "A"), ("1", "B")],
     "SUP: start-up and cancel of compensation by type A or B",
-    Certainty::Trade,
+    Certainty::Practice,
     "16i, 30i",
 );
 
-/// SUV.
+/// SUV: start-up type C.
 const TYPE_C: Setting = rule(
     "No. 5003#1",
     SettingField::COMPENSATION_ALONE,
     &[("0", "waits"), ("1", "perpendicular")],
     "SUV: G41 or G40 alone waits for the next move (0), or offsets the tool at once (1, type C)",
-    Certainty::Trade,
+    Certainty::Practice,
     "16i, 30i",
 );
 
-/// CNC.
+/// CNC: the interference check looks at angles alone.
 const ANGLES_ONLY: Setting = rule(
     "No. 5008#1",
     SettingField::COMPENSATION_INTERFERENCE,
     &[("0", "direction"), ("1", "arc-angle")],
     "CNC: interference is checked by the direction and angle of the moves, or only by the angle of arcs",
-    Certainty::Trade,
+    Certainty::Practice,
     "16i, 30i",
 );
 
-/// CNV.
+/// CNV: no interference check.
 const NO_CHECK: Setting = rule(
     "No. 5008#3",
     SettingField::COMPENSATION_CHECK,
     &[("0", "on"), ("1", "off")],
     "CNV: interference is checked (0) or not (1)",
-    Certainty::Trade,
+    Certainty::Practice,
     "16i, 30i",
 );
 
-/// The length of a link that is left out.
+/// How short a connecting move at a corner is left out.
 const LINK: Setting = rule(
     "No. 5010",
     SettingField::COMPENSATION_DROP_LINK,
     &[],
     "links around an outside corner that are not longer than this on either axis are skipped",
-    Certainty::Trade,
+    Certainty::Practice,
     "16i, 30i",
 );
 
-/// Blocks read ahead.
+/// How many blocks are read ahead.
 const BLOCKS_READ: Setting = rule(
     "No. 19625",
     SettingField::COMPENSATION_BLOCKS_READ,
@@ -395,27 +395,27 @@ const BLOCKS_READ: Setting = rule(
     "B-63944EN",
 );
 
-/// The same on 15i.
+/// How many blocks a 15i reads ahead.
 const BLOCKS_READ_15I: Setting =
     rule("No. 6009", SettingField::COMPENSATION_BLOCKS_READ, &[], "the same on 15i", Certainty::Documented, "B-63324EN");
 
-/// CCC.
+/// CCC: moves at outside corners.
 const CORNER: Setting = setting(
     "No. 19607#2",
     SettingField::OUTSIDE_CORNER,
     &[("0", "linear"), ("1", "arc")],
     "CCC: outside corners by straight lines or by arcs",
-    Certainty::Trade,
+    Certainty::Practice,
     "30i",
 );
 
-/// CAV.
+/// CAV: remedy for interference.
 const AVOIDANCE: Setting = rule(
     "No. 19607#5",
     SettingField::COMPENSATION_REMEDY,
     &[("0", "alarm"), ("1", "avoid")],
     "CAV: where a block interferes, alarm PS0041 or skip the block",
-    Certainty::Trade,
+    Certainty::Practice,
     "30i",
 );
 

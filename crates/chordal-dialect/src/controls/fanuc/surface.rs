@@ -2,7 +2,7 @@
 
 use crate::vocabulary::*;
 
-/// Straight cuts and arcs, compensation, dwells and macro calls; the axes are those of Nos. 5460 and 5461.
+/// Polar interpolation: allows G1, arcs, compensation, dwells and macro calls; Nos. 5460 and 5461 choose the axes.
 pub(in crate::controls) const FACE: SurfaceRules = SurfaceRules {
     word: SurfaceWord::RotaryLength,
     rapid: false,
@@ -19,7 +19,8 @@ pub(in crate::controls) const FACE: SurfaceRules = SurfaceRules {
     source: "B-62764EN, polar coordinate interpolation; alarms from a list",
 };
 
-/// No rapids; arcs by R in the plane that G18 or G19 chooses with the rotary axis in place of X or Y (No. 1022).
+/// Cylindrical interpolation: no rapids. Arcs have R, in the plane that G18 or G19 chooses with the rotary axis in
+/// place of X or Y (No. 1022).
 pub(in crate::controls) const CYLINDER: SurfaceRules = SurfaceRules {
     word: SurfaceWord::RotaryAngle,
     rapid: false,

@@ -1,4 +1,4 @@
-//! What Fanuc lathes show where a cycle is refused; all else is as on the mills.
+//! The alarms of refused cycles on Fanuc lathes; all other alarms are those of the mills.
 
 use crate::vocabulary::*;
 

@@ -1,13 +1,13 @@
-//! The G and M codes of Fanuc lathes, system A; `systems` has the other numbers of systems B and C.
+//! The G and M codes of Fanuc lathes in system A; `systems` has what differs in systems B and C.
 
 use crate::vocabulary::codes::*;
 use chordal_kernel::rules::TurnCycle;
 use chordal_kernel::TurnPass;
 
-/// Words of the cycles that rough, finish and cut threads.
+/// Words of the cycles for roughing, finishing and threads.
 pub(in crate::controls) const CYCLE_WORDS: &str = "PQUWRIKDFSTA";
 
-/// Words of a hole: the level where the feed begins, dwell, peck, repeats, brake of C.
+/// Words of a hole: R level, dwell, peck depth and repeats.
 const HOLE_WORDS: &str = "RPQK";
 
 pub(in crate::controls) const G_CODES: &[CodeRow] = &[

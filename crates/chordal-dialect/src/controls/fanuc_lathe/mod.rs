@@ -1,4 +1,4 @@
-//! Fanuc 0i-T, 18i-T, 31i-T and what reads as one: lathes with X as a diameter.
+//! Fanuc 0i-T, 18i-T, 31i-T and controls that read programs as they do: lathes with X as a diameter.
 
 mod alarms;
 mod codes;
@@ -16,7 +16,7 @@ use crate::vocabulary::*;
 /// Fanuc 0i-T, 18i-T, 31i-T, G code system A.
 pub static TABLE: ControlTable = FANUC;
 
-/// What its like read, too.
+/// The table that the lathes of other makers are based on.
 pub(in crate::controls) const FANUC: ControlTable = ControlTable {
     name: "fanuc-lathe",
     title: "Fanuc lathe",

@@ -1,4 +1,4 @@
-//! How Fanuc lathes want a program begun and ended. Thread mill programs need a live tool.
+//! The lines at the begin and the end of a program for Fanuc lathes. Thread milling programs need a live tool.
 
 use crate::post::PostTemplate;
 

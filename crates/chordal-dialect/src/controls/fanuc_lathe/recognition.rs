@@ -1,4 +1,4 @@
-//! Signs that tell a Fanuc among lathes. That a program is for a lathe at all, `lathe_signs.rs` says.
+//! Signs of a Fanuc among the controls of lathes. `lathe_signs.rs` has those of lathes in general.
 
 use crate::controls::fanuc::recognition::{MACHINES, NAMES};
 use crate::lathe_signs::BUILDERS;

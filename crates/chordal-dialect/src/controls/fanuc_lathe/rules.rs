@@ -45,7 +45,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     ..Parameters::COMMON
 };
 
-/// A hole begins at R, counted from where the tool is; Q, the depth of a peck, may be left out.
+/// R of a hole is relative to the position of the tool; Q, the depth of a peck, is optional.
 const CYCLES: CycleRules = CycleRules {
     axis: DrillingAxis::OfCode,
     repeat_letter: b'K',
@@ -55,12 +55,12 @@ const CYCLES: CycleRules = CycleRules {
     ..CycleRules::COMMON
 };
 
-/// Two blocks are read ahead (B-63604EN): one without motion may stand between.
+/// Two blocks are read ahead (B-63604EN): one block without motion is allowed between two moves.
 const COMPENSATION: CompensationRules = CompensationRules {
     idle_blocks: Some(1),
     ..CompensationRules::COMMON
 };
 
-/// Chamfer and corner R with a comma, as on the mills.
+/// Chamfer and corner R with a comma, as on mills.
 const CORNER: RoundingRules =
     RoundingRules { moves: CornerMoves::LinesAndArcs, dwells_between: 1, straight_deg: 1.0 };

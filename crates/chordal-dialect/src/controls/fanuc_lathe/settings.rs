@@ -2,7 +2,7 @@
 
 use crate::vocabulary::*;
 
-/// Of the lathes that have G12.1.
+/// X in polar interpolation, on lathes with G12.1.
 pub(in crate::controls) const FACE_X: Setting = setting(
     "X in G12.1",
     SettingField::FACE_X,
@@ -35,7 +35,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::ARC_WITHOUT_CENTER,
         &[("0", "line"), ("1", "refused")],
         "CIR: a block of G2 or G3 with neither a centre nor a radius is a straight line (0), or alarm PS0022 (1)",
-        Certainty::Trade,
+        Certainty::Practice,
         "18i-T; proven programs rely on 0",
     ),
     setting(
@@ -67,7 +67,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_R_FROM_INITIAL,
         &[("0", "from-initial"), ("1", "absolute")],
         "R of G83 to G89 is the distance from the initial level, or a level",
-        Certainty::Trade,
+        Certainty::Practice,
         "18i-T",
     ),
     setting(
@@ -75,7 +75,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_FULL_RETURN,
         &[("0", "off"), ("1", "on")],
         "pecks of G83 and G87 return to R (1), or by No. 5114 alone (0)",
-        Certainty::Trade,
+        Certainty::Practice,
         "18i-T",
     ),
     setting(
@@ -83,7 +83,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_LIFTS,
         &[],
         "return and clearance of the pecks of G83 and G87",
-        Certainty::Trade,
+        Certainty::Practice,
         "18i-T",
     ),
     setting(
@@ -91,7 +91,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TURNING_ROUGH_DEPTH,
         &[],
         "depth of a pass of G71 and G72 before a program gives one",
-        Certainty::Trade,
+        Certainty::Practice,
         "18i-T",
     ),
     setting(
@@ -108,7 +108,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TURNING_FIRST_LEVEL,
         &[],
         "the levels of G71 and G72 begin at the start with the finishing `allowance`, or at the `start` itself",
-        Certainty::Trade,
+        Certainty::Practice,
         "G71",
     ),
     setting(
@@ -116,7 +116,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TURNING_PECK_RETRACT,
         &[],
         "how far a peck of G74 and G75 backs off",
-        Certainty::Trade,
+        Certainty::Practice,
         "18i-T",
     ),
     setting(
@@ -132,7 +132,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TURNING_THREAD_LEAST,
         &[],
         "least depth of a pass of G76",
-        Certainty::Trade,
+        Certainty::Practice,
         "18i-T",
     ),
     setting(
@@ -140,7 +140,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TURNING_THREAD_FINISH,
         &[],
         "depth of the finishing pass of G76",
-        Certainty::Trade,
+        Certainty::Practice,
         "18i-T",
     ),
     setting(
@@ -148,7 +148,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TURNING_THREAD_FINISH_PASSES,
         &[],
         "finishing passes of G76",
-        Certainty::Trade,
+        Certainty::Practice,
         "18i-T",
     ),
     setting(
@@ -156,7 +156,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TURNING_THREAD_ANGLE,
         &[],
         "angle of the tool of G76, degrees",
-        Certainty::Trade,
+        Certainty::Practice,
         "18i-T",
     ),
     setting(
@@ -164,7 +164,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TURNING_THREAD_POINT,
         &[],
         "a decimal point in P and Q of G76 is `reported`, or `allowed`: they count least increments",
-        Certainty::Trade,
+        Certainty::Practice,
         "G76",
     ),
 ];

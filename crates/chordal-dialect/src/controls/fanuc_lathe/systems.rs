@@ -1,4 +1,4 @@
-//! The G code systems B and C of Fanuc lathes (No. 3401), as what they have other than A.
+//! The G code systems B and C of Fanuc lathes (No. 3401), as their differences from A.
 
 use crate::vocabulary::codes::*;
 use crate::vocabulary::*;

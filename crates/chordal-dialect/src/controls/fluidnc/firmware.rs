@@ -1,4 +1,4 @@
-//! How FluidNC reads and judges a block, and the numbers of its answers.
+//! How FluidNC reads and checks a block, and the numbers of its answers.
 
 use super::super::grbl::firmware as family;
 use crate::vocabulary::*;
@@ -29,7 +29,7 @@ pub(super) static FIRMWARE: Firmware = Firmware {
     optional: &[],
     needs: &[(b'M', 610, "Q")],
     rows: [ROWS, family::ROWS],
-    // Its settings are a file of its own.
+    // Its settings are in its configuration file.
     dump: &[],
 };
 

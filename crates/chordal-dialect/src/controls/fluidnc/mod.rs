@@ -1,4 +1,4 @@
-//! FluidNC: the family of GRBL on the ESP32.
+//! FluidNC: a relative of GRBL for the ESP32.
 
 mod codes;
 mod firmware;

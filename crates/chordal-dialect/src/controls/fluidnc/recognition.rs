@@ -1,10 +1,10 @@
-//! Signs by which programs of FluidNC are recognized: the name, and its own commands.
+//! Signs by which programs of FluidNC are recognized: its name, and its own commands.
 
 use crate::vocabulary::*;
 
 const NAMES: &[&str] = &["FLUIDNC", "GRBL_ESP32"];
 
-/// All else that they have GRBL and others have too.
+/// Whatever else is in such programs, GRBL and others have too: only a name or an own command reaches this sum.
 pub(super) static KIND: MachineKind = MachineKind { turns: false, signs: SIGNS, needed: 10 };
 
 const SIGNS: &[RecognitionEvidence] = &[

@@ -1,4 +1,4 @@
-//! The settings of FluidNC by the names of its configuration file, and of who sends it programs.
+//! The settings of FluidNC, named as in its configuration file, and of the sender.
 
 use super::super::grbl::settings::{ON_ERROR, laser_mode};
 use crate::vocabulary::*;

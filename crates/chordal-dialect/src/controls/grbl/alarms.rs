@@ -1,4 +1,4 @@
-//! What GRBL 1.1 answers where a block acts and a motion is not possible.
+//! The alarms of GRBL 1.1, for motions that are not possible; wrong blocks get the answers in `firmware.rs`.
 
 use crate::vocabulary::*;
 

@@ -1,4 +1,4 @@
-//! How GRBL 1.1 reads and judges a block, and the numbers of its answers.
+//! How GRBL 1.1 reads and checks a block, and the numbers of its answers.
 
 use crate::vocabulary::*;
 use chordal_machine::Axis;
@@ -27,10 +27,10 @@ pub(super) static FIRMWARE: Firmware = Firmware {
     dump: DUMP,
 };
 
-/// What an arc may differ: 5 µm always, otherwise a thousandth of the radius, half a millimetre at most.
+/// How far the radii of an arc may differ: 5 µm always, otherwise a thousandth of the radius, at most 0.5 mm.
 pub(in crate::controls) const ARC: [f32; 3] = [0.005, 0.5, 0.001];
 
-/// The answers that the whole family has.
+/// The answers that GRBL and its relatives share.
 pub(in crate::controls) const ROWS: &[RefusalRow] = &[
     answer(
         1,
@@ -130,7 +130,7 @@ pub(in crate::controls) const ROWS: &[RefusalRow] = &[
     answer(38, FirmwareError::ToolNumber, "a tool number is at most 255", "write a smaller one"),
 ];
 
-/// Writes a row of answers.
+/// A row of answers.
 pub(in crate::controls) const fn answer(
     number: u8,
     refusal: FirmwareError,
@@ -140,7 +140,7 @@ pub(in crate::controls) const fn answer(
     RefusalRow { refusal, number, message, help }
 }
 
-/// The settings of the machine, as the family numbers them.
+/// The settings that describe the machine; GRBL and its relatives number them alike.
 pub(in crate::controls) const DUMP: &[DumpRow] = &[
     dump(11, DumpMeaning::JunctionDeviation),
     dump(12, DumpMeaning::ArcTolerance),

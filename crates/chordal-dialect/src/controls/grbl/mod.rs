@@ -13,7 +13,7 @@ use crate::vocabulary::*;
 /// GRBL 1.1.
 pub static TABLE: ControlTable = FAMILY;
 
-/// Its kin on larger boards differ in codes, settings and answers.
+/// The table that its relatives on larger boards are based on; they differ in codes, settings and answers.
 pub(in crate::controls) const FAMILY: ControlTable = ControlTable {
     name: "grbl",
     title: "GRBL",
@@ -42,7 +42,7 @@ pub(in crate::controls) const FAMILY: ControlTable = ControlTable {
     ..ControlTable::COMMON
 };
 
-/// Comments, and nothing that a number could not begin with: the firmware reads its lines itself.
+/// Comments alone: `firmware.rs` says how lines are divided into words.
 const LEXICON: Lexicon = Lexicon {
     parenthesis: ParenthesisComment::ToEndOfLine,
     semicolon: Semicolon::Comment,
@@ -52,9 +52,9 @@ const LEXICON: Lexicon = Lexicon {
     ..Lexicon::COMMON
 };
 
-/// The same where a build has parameters, expressions and O words.
+/// The lexicon of builds with parameters, expressions and O words.
 pub(in crate::controls) const LEXICON_OF_EXPRESSIONS: Lexicon = Lexicon {
-    // What stands behind a comment may be a statement, which the firmware's own reading of lines does not know.
+    // A statement may follow a comment; the rules of `firmware.rs` do not cover statements.
     parenthesis: ParenthesisComment::Closed,
     o_words: true,
     grammar: &super::linuxcnc::GRAMMAR,
@@ -64,6 +64,6 @@ pub(in crate::controls) const LEXICON_OF_EXPRESSIONS: Lexicon = Lexicon {
 const SET_DATA: &[(u16, DataTarget)] =
     &[(2, DataTarget::WorkOffset), (20, DataTarget::WorkOffsetFromPosition)];
 
-/// P is in seconds.
+/// P in seconds, with or without a point.
 const DWELL: &[DwellWord] =
     &[DwellWord { letter: b'P', integer_s: 1.0, point_s: 1.0, takes_point: true }];

@@ -1,4 +1,4 @@
-//! How GRBL wants a program begun and ended.
+//! The lines at the begin and the end of a program for GRBL.
 
 use crate::post::PostTemplate;
 

@@ -1,5 +1,5 @@
-//! Signs by which programs of GRBL and its kin are recognized. Nearly all of their blocks mean the same elsewhere,
-//! so that a name, or what nobody else has, says most.
+//! Signs by which programs of GRBL and its relatives are recognized. Nearly all of their blocks mean the same on
+//! other controls: names, and commands that no other control has, weigh most.
 
 use crate::vocabulary::*;
 
@@ -21,13 +21,13 @@ const NAMES: &[&str] = &[
     "CANDLE",
 ];
 
-/// Fewer signs than these are no sign: a plain program is for any control.
+/// A lower sum shows nothing: a plain program is for any control.
 pub(super) static KIND: MachineKind = MachineKind { turns: false, signs: SIGNS, needed: 6 };
 
-/// Comments of programs that are made for small routers.
+/// Names in comments of CAM systems for small routers.
 const ROUTER_SOURCES: &[&str] = &["ESTLCAM", "FLATCAM", "MAKERCAM", "KIRI:MOTO", "JSCUT", "LASERWEB"];
 
-/// Comments of Carbide Create, whose machines have a GRBL.
+/// Comments of Carbide Create, whose machines have GRBL.
 const CARBIDE_CREATE: &[&str] = &["TOOL/MILL", "STOCK/BLOCK", "PREPOSITION FOR RAPID PLUNGE", "STOCKMIN:", "DESIGN FILE:"];
 
 const SIGNS: &[RecognitionEvidence] = &[

@@ -19,10 +19,10 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
         rapid: RapidPath::Straight,
         bare_home_moves_all: true,
         spindle_by_hand: true,
-        // The planner takes the length of the vector of all axes, and G20 does not scale rotary ones.
+        // F counts along the vector of all axes, and G20 does not scale rotary ones.
         rotary_feed: RotaryFeedRules::measured(RotaryFeed::DegreesAsMillimetres),
         work_values_add: false,
-        // Nothing stops between a rapid and a cut.
+        // There is no stop between a rapid and a cut.
         path: PathRules {
             stop_before_cut: false,
             stop_between_rapids: false,
@@ -39,8 +39,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
             ..PathRules::COMMON
         },
         arc: ArcRules {
-            // Above this difference the radius must agree to one part in a thousand, and above a
-            // hundred times this nothing helps.
+            // Beyond this difference the radii must agree to 0.1 %, and beyond a hundred times it the arc is refused.
             radius_error_tolerance_mm: 0.005,
             radius_error_relative: 0.001,
             radius_error_limit_mm: 0.5,

@@ -1,4 +1,4 @@
-//! The settings of GRBL 1.1, and of who sends it programs.
+//! The settings of GRBL 1.1, and of the sender.
 
 use crate::vocabulary::*;
 
@@ -9,7 +9,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TOOL_CHANGER,
         &[],
         "who changes tools: the `sender`, which keeps M6 from GRBL, or `nobody`: error:20",
-        Certainty::Trade,
+        Certainty::Practice,
         "senders; GRBL itself refuses M6",
     ),
     build("mist coolant", BuildOption::Mist, "the build has M7: `on` or `off`"),
@@ -28,11 +28,11 @@ pub(in crate::controls) const ON_ERROR: Setting = setting(
     SettingField::AFTER_REFUSAL,
     &[],
     "what the sender does after a block that the firmware refuses: `stop` or `continue`",
-    Certainty::Trade,
+    Certainty::Practice,
     "senders; the firmware itself goes on with the next block",
 );
 
-/// `$11`.
+/// Junction deviation (`$11`).
 pub(in crate::controls) const DEVIATION: Setting = setting(
     "$11",
     SettingField::PATH_JUNCTION_DEVIATION,
@@ -42,7 +42,7 @@ pub(in crate::controls) const DEVIATION: Setting = setting(
     "settings",
 );
 
-/// `$12`.
+/// Arc tolerance (`$12`).
 pub(in crate::controls) const ARC_TOLERANCE: Setting = setting(
     "$12",
     SettingField::PATH_ARC_TOLERANCE,
@@ -52,14 +52,14 @@ pub(in crate::controls) const ARC_TOLERANCE: Setting = setting(
     "settings",
 );
 
-/// `$100` to `$102`.
+/// Steps per mm (`$100` to `$102`).
 pub(in crate::controls) const STEPS: [Setting; 3] = [
     steps("$100", 0, "steps of X a mm: segments end on whole steps"),
     steps("$101", 1, "steps of Y a mm"),
     steps("$102", 2, "steps of Z a mm"),
 ];
 
-/// The length of the queue.
+/// How many blocks the planner's queue holds.
 pub(in crate::controls) const BLOCKS: Setting = setting(
     "planner blocks",
     SettingField::PATH_JUNCTION_BLOCKS,
@@ -81,7 +81,7 @@ pub(in crate::controls) const fn laser_mode(name: &'static str) -> Setting {
     )
 }
 
-/// What a build has or not.
+/// A setting for an option of the build.
 pub(in crate::controls) const fn build(name: &'static str, option: BuildOption, text: &'static str) -> Setting {
     setting(name, SettingField::build(option), &[], text, Certainty::Documented, "options of the build")
 }

@@ -1,4 +1,4 @@
-//! The G and M codes of grblHAL, in a build of three axes without lathe and spindle encoder.
+//! The G and M codes of grblHAL, for a build with three axes, without lathe functions and spindle encoder.
 
 use crate::vocabulary::codes::*;
 

@@ -1,4 +1,4 @@
-//! How grblHAL reads and judges a block, and the numbers of its answers.
+//! How grblHAL reads and checks a block, and the numbers of its answers.
 
 use super::super::grbl::firmware as family;
 use crate::vocabulary::*;

@@ -1,4 +1,4 @@
-//! grblHAL: the family of GRBL on 32-bit boards.
+//! grblHAL: a relative of GRBL for 32-bit boards.
 
 mod codes;
 mod firmware;

@@ -1,10 +1,10 @@
-//! Signs by which programs of grblHAL are recognized: the name, and machines that are sold with it.
+//! Signs by which programs of grblHAL are recognized: its name, and machines that are sold with it.
 
 use crate::vocabulary::*;
 
 const NAMES: &[&str] = &["GRBLHAL", "ALTMILL", "SUPERLONGBOARD", "FLEXI-HAL"];
 
-/// All else that they have GRBL and others have too.
+/// Whatever else is in such programs, GRBL and others have too: only a name or an own command reaches this sum.
 pub(super) static KIND: MachineKind = MachineKind { turns: false, signs: SIGNS, needed: 10 };
 
 const SIGNS: &[RecognitionEvidence] = &[

@@ -7,7 +7,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     tool_change: ToolChanger::Machine,
     nesting: 10,
     rules: Rules {
-        // As it is built without a tool table.
+        // For a build without a tool table.
         length: LengthRules {
             source: ToolLengths::Absent,
             without_number: LengthWithoutNumber::OfTool,

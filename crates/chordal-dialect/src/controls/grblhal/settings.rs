@@ -1,4 +1,4 @@
-//! The settings of grblHAL, and of who sends it programs.
+//! The settings of grblHAL, and of the sender.
 
 use super::super::grbl::settings::{
     ARC_TOLERANCE, BLOCKS, DEVIATION, ON_ERROR, STEPS, build, laser_mode,

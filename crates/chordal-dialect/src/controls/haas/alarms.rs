@@ -1,4 +1,4 @@
-//! What Haas mill shows for a problem.
+//! The alarms of Haas mills.
 
 use crate::vocabulary::*;
 

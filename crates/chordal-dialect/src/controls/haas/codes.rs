@@ -1,4 +1,4 @@
-//! The G and M codes of Haas mill.
+//! The G and M codes of Haas mills.
 
 use crate::vocabulary::codes::*;
 

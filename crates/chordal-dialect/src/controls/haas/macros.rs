@@ -1,4 +1,4 @@
-//! The macro language of Haas mill.
+//! Macro variables and functions of Haas mills.
 
 use crate::vocabulary::*;
 
@@ -23,27 +23,27 @@ pub(super) static MACROS: MacroRules = MacroRules {
     ..MacroRules::MACRO_B
 };
 
-/// Groups 1 to 16 of a Haas; 12 is that of the work offsets.
+/// Modal groups 1 to 16, as #4001 to #4016 report them.
 const GROUPS: &[ModalGroup] = &[
     ModalGroup::Motion,
     ModalGroup::Plane,
     ModalGroup::Distance,
-    ModalGroup::Fixed(0),
+    ModalGroup::Fixed(0), // 4: not used
     ModalGroup::FeedMode,
     ModalGroup::Units,
     ModalGroup::Compensation,
     ModalGroup::Length,
     ModalGroup::Cycle,
     ModalGroup::ReturnLevel,
-    ModalGroup::Fixed(50),
+    ModalGroup::Fixed(50), // 11: scaling off
     ModalGroup::WorkOffset,
-    ModalGroup::Fixed(0),
-    ModalGroup::Fixed(0),
-    ModalGroup::Fixed(64),
-    ModalGroup::Fixed(69),
+    ModalGroup::Fixed(0), // 13: not used
+    ModalGroup::Fixed(0), // 14: not used
+    ModalGroup::Fixed(64), // 15: exact stop off
+    ModalGroup::Fixed(69), // 16: rotation off
 ];
 
-/// #100–199, #500–699 and #800–999 are the first names of #10000 + n.
+/// #100–199, #500–699 and #800–999 are other names of #10100–10199, #10500–10699 and #10800–10999.
 const COMMON: &[VariableRange] =
     &[alias(100, 199, 10100), alias(500, 699, 10500), alias(800, 999, 10800), kept(10000, 10999)];
 
@@ -92,7 +92,7 @@ const SYSTEM: &[SystemRow] = &[
     system(20000, 29999, SystemVariable::Setting),
 ];
 
-/// The functions of the NGC manual, and no limit for brackets.
+/// The functions of the NGC manual; brackets may be nested to any depth.
 pub(super) static GRAMMAR: MacroGrammar =
     MacroGrammar { functions: FUNCTIONS, bracket_limit: None, ..MacroGrammar::MACRO_B };
 

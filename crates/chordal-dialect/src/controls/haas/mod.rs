@@ -31,7 +31,7 @@ pub static TABLE: ControlTable = ControlTable {
     order: BlockOrder {
         steps: BUILDER_STEPS,
         source: "usual: spindle and coolant go on before the motion, and off after it",
-        certainty: Certainty::Trade,
+        certainty: Certainty::Practice,
     },
     alone: &[1000, 1010],
     cylinder: Some(&surface::CYLINDER),
@@ -44,7 +44,7 @@ pub static TABLE: ControlTable = ControlTable {
     ..ControlTable::COMMON
 };
 
-/// The macro language of its lathes, too.
+/// The macro rules that Haas lathes share.
 pub(in crate::controls) const LATHE_MACROS: &MacroRules = &macros::MACROS;
 
 pub(in crate::controls) const LEXICON: Lexicon =
@@ -59,5 +59,5 @@ const SET_DATA: &[(u16, DataTarget)] = &[
     (20, DataTarget::ExtendedWorkOffset),
 ];
 
-// With a point P is seconds, without one milliseconds.
+// P is in seconds with a point, in milliseconds without.
 const DWELL: &[DwellWord] = &[DwellWord { letter: b'P', integer_s: 0.001, point_s: 1.0, takes_point: true }];

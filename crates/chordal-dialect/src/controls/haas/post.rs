@@ -1,4 +1,4 @@
-//! How Haas mill wants a program begun and ended.
+//! The lines at the begin and the end of a program for Haas mills.
 
 use crate::post::PostTemplate;
 

@@ -1,8 +1,8 @@
-//! Signs by which programs of Haas mills are recognized. G53 says nothing: every post writes it.
+//! Signs by which programs of Haas mills are recognized. G53 is none of them: posts for all controls write it.
 
 use crate::vocabulary::*;
 
-/// Also those of Haas lathes.
+/// Names of Haas controls, those of lathes included.
 pub(crate) const NAMES: &[&str] = &["HAAS", "HAAS AUTOMATION", "NGC CONTROL"];
 
 const MODELS: &[&str] = &[

@@ -1,4 +1,4 @@
-//! How Haas mill moves, cuts, drills and compensates.
+//! How Haas mills move, cut, drill and compensate.
 
 use crate::vocabulary::*;
 
@@ -9,7 +9,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     max_repeats: 99,
     length_must_match_tool: true,
     m_groups: SPINDLE_CODES,
-    // D to 200 and O of five digits are documented; H and T as D. N is not known: what no post writes.
+    // D up to 200 and O of five digits are documented, H and T are taken to be as D. The limit of N is not known:
+    // eight digits are more than any post writes.
     largest_numbers: LargestNumbers { block: 99_999_999, program: 99_999, offset: 200, tool: 200 },
     return_label_in_callee: true,
     rules: Rules {
@@ -17,7 +18,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         frames: FRAMES,
         rapid: RapidPath::DogLeg,
         radius_offsets: OffsetKind::Diameter,
-        // Settings 34 and 79; what they hold at delivery was not found.
+        // Settings 34 and 79, whose values at delivery are not known.
         rotary_feed: RotaryFeedRules {
             diameter_names: ["Setting 34", "Setting 79"],
             ..RotaryFeedRules::measured(RotaryFeed::OnDiameter)
@@ -37,7 +38,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
 
 const CYCLES: CycleRules = CycleRules {
     fires_on: FiringWords::Place,
-    // Setting 28 on.
+    // As with Setting 28 on.
     definition: DefinitionFires::Always,
     missing_r: MissingLevel::Current,
     zero_repeats: ZeroRepeats::PlaceOnly,
@@ -53,7 +54,7 @@ const CYCLES: CycleRules = CycleRules {
     ..CycleRules::COMMON
 };
 
-// Setting 85 is 0.025 in; what the levels of smoothness make of it is a choice.
+// Setting 85 is 0.025 in; the fractions of it that the smoothness levels use are a choice, no text has figures.
 const PATH: PathRules = PathRules {
     rounding_mm: Some(0.635),
     level_parts: [1.0, 0.5, 0.2],
@@ -65,7 +66,7 @@ const PATH: PathRules = PathRules {
 /// Haas Mill NGC Operator's Manual (2017), cutter compensation.
 const COMPENSATION: CompensationRules = CompensationRules {
     side_change: SideChange::Along,
-    // The note on thread milling: longer than the amount that is compensated.
+    // From the note on thread milling: the lead-in is longer than the offset.
     lead: LeadLength::AboveOffset,
     planes: CompensationPlanes::XyOnly,
     new_offset_on_arc: AllowanceRule::Refused,
@@ -84,6 +85,7 @@ const FRAMES: FrameRules = FrameRules {
     ..FrameRules::COMMON
 };
 
-/// Haas Mill Operator's Manual, corner rounding and chamfering: between two straight cuts; a G4 may stand between.
+/// Haas Mill Operator's Manual, corner rounding and chamfering: between two straight cuts; one G4 is allowed between
+/// them.
 const CORNER: RoundingRules =
     RoundingRules { moves: CornerMoves::Lines, dwells_between: 1, ..RoundingRules::COMMON };

@@ -1,4 +1,4 @@
-//! The settings of Haas mill, by the names of its manuals.
+//! The settings of Haas mills, by the names of their manuals.
 
 use crate::vocabulary::*;
 
@@ -73,7 +73,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::PATH_ROUNDING,
         &[],
         "how far from a corner the tool may pass: at level rough, if G187 gives no tolerance",
-        Certainty::Trade,
+        Certainty::Practice,
         "Setting 85, Maximum Corner Rounding",
     ),
     setting(
@@ -81,11 +81,11 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::PATH_LEVEL,
         &[],
         "smoothness if G187 gives none: `rough`, `medium` or `finish`",
-        Certainty::Trade,
+        Certainty::Practice,
         "Setting 191, Default Smoothness",
     ),
     short_blocks(
-        Certainty::Trade,
+        Certainty::Practice,
         "Setting 191 and G187: the speed follows the change of angle over many blocks",
     ),
     part("G187 P1 part", 1, "part of Setting 85 that level rough uses"),
@@ -241,30 +241,30 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
 ];
 
-/// A code that calls a program; 0 for none.
+/// A setting with the code that calls a program; 0 for none.
 const fn call(name: &'static str, field: SettingField, text: &'static str) -> Setting {
     setting(
         name,
         field,
         &[],
         text,
-        Certainty::Trade,
+        Certainty::Practice,
         "Aliasing; on an NGC the pages of G and M codes",
     )
 }
 
-/// How much of the largest rounding a level of smoothness uses: no text gives figures.
+/// The fraction of the largest rounding that a smoothness level uses; no text has figures.
 const fn part(name: &'static str, level: u8, text: &'static str) -> Setting {
     setting(name, SettingField::path_level_part(level), &[], text, Certainty::Unknown, "G187")
 }
 
-/// Feed of inside arcs.
+/// The feed in inside arcs with compensation.
 const INSIDE_FEED: Setting = rule(
     "Setting 44",
     SettingField::COMPENSATION_INSIDE_FEED,
     &[],
     "inside arcs are cut at F(R-r)/R, but not below this percentage of F; 100: F is not reduced",
-    Certainty::Trade,
+    Certainty::Practice,
     "Setting 44, Min F in Radius CC %",
 );
 

@@ -1,8 +1,8 @@
-//! Cylindrical mapping on a Haas (G107), and the face of its lathes (G112). No alarm number was at hand.
+//! Cylindrical mapping on a Haas (G107), and polar interpolation on its lathes (G112). Their alarm numbers are not known.
 
 use crate::vocabulary::*;
 
-/// The named linear axis becomes the rotary one; lengths of it are lengths on the shell.
+/// G107 names the linear axis that the rotary one replaces; its lengths are lengths around the cylinder.
 pub(in crate::controls) const CYLINDER: SurfaceRules = SurfaceRules {
     word: SurfaceWord::Linear,
     rapid: true,
@@ -19,9 +19,9 @@ pub(in crate::controls) const CYLINDER: SurfaceRules = SurfaceRules {
     source: "Haas mill operator's manual, G107",
 };
 
-/// X and Y of the face under G17, compensation as on a mill.
+/// X and Y on the face in G17, compensation as on a mill.
 pub(in crate::controls) const FACE: SurfaceRules = SurfaceRules {
-    certainty: Certainty::Trade,
+    certainty: Certainty::Practice,
     source: "Haas lathe, G112",
     ..CYLINDER
 };

@@ -5,7 +5,7 @@ use crate::vocabulary::codes::*;
 use chordal_kernel::TurnPass;
 use chordal_kernel::rules::TurnCycle;
 
-/// Words of a hole.
+/// Words of the drilling cycles.
 const HOLE_WORDS: &str = "RPQLIJK";
 
 pub(super) const G_CODES: &[CodeRow] = &[

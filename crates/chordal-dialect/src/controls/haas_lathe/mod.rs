@@ -21,13 +21,13 @@ pub static TABLE: ControlTable = ControlTable {
     alarms: LATHE_ALARMS,
     scale_unit: 1.0,
     set_data: SET_DATA,
-    // With a point P is seconds, without one milliseconds.
+    // P is in seconds with a point, in milliseconds without.
     dwell: &[DwellWord { letter: b'P', integer_s: 0.001, point_s: 1.0, takes_point: true }],
     dwell_alone_stops: false,
     order: BlockOrder {
         steps: BUILDER_STEPS,
         source: "usual: spindle and coolant go on before the motion, and off after it",
-        certainty: Certainty::Trade,
+        certainty: Certainty::Practice,
     },
     open_m_codes: false,
     last_of_group_counts: false,

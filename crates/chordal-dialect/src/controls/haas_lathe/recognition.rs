@@ -1,4 +1,4 @@
-//! Signs that tell a Haas among lathes. That a program is for a lathe at all, `lathe_signs.rs` says.
+//! Signs of a Haas among the controls of lathes. `lathe_signs.rs` has those of lathes in general.
 
 use crate::controls::haas::recognition::NAMES;
 use crate::lathe_signs::MODELS;

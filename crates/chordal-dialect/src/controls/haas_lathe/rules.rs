@@ -17,7 +17,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     corners_of_lines: true,
     rules: Rules {
         rapid: RapidPath::DogLeg,
-        // How F counts the C axis of a lathe was not found.
+        // How F counts the C axis of a lathe is not known.
         rotary_feed: RotaryFeedRules::COMMON,
         chip_break_mm: 0.508,
         peck_clearance_mm: 0.508,
@@ -35,7 +35,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
 
 const FANUC: Parameters = crate::controls::fanuc_lathe::PARAMETERS;
 
-/// R and Z are levels, R of a radial hole a diameter as posts of CAM systems write it; a hole is made where the tool is.
+/// R and Z are coordinates; R of a radial hole is a diameter, as CAM systems write it. The hole is at the position of
+/// the tool.
 const CYCLES: CycleRules = CycleRules {
     repeat_letter: b'L',
     r_from_initial: false,
@@ -45,7 +46,7 @@ const CYCLES: CycleRules = CycleRules {
     ..FANUC.rules.cycles
 };
 
-/// All of a cycle is in one block. Levels begin where the tool is; a thread has no finishing pass of its own.
+/// A cycle is one block. Its passes begin at the position of the tool; a thread has no separate finishing pass.
 const TURNING: TurningRules = TurningRules {
     rough_retract_mm: 1.27,
     first_level: FirstLevel::Start,

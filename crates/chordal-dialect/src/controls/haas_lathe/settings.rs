@@ -16,7 +16,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TURNING_PECK_RETRACT,
         &[],
         "how far a peck of G74 and G75 backs off",
-        Certainty::Trade,
+        Certainty::Practice,
         "Setting 22, Can Cycle Delta Z",
     ),
     setting(
@@ -40,7 +40,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TURNING_ROUGH_DEPTH,
         &[],
         "depth of a pass of G71 and G72 without D",
-        Certainty::Trade,
+        Certainty::Practice,
         "Setting 72, Can Cycle Cut Depth",
     ),
     setting(
@@ -80,7 +80,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::FACE_X,
         &[],
         "X of polar interpolation is written as `diameters`, as everywhere else, or as `radii`",
-        Certainty::Trade,
+        Certainty::Practice,
         "G112, as posts of CAM systems write it",
     ),
     setting(
@@ -88,7 +88,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TURNING_FIRST_LEVEL,
         &[],
         "the levels of G71 and G72 begin at the `start`, or there with the finishing `allowance`",
-        Certainty::Trade,
+        Certainty::Practice,
         "G71",
     ),
     setting(
@@ -96,7 +96,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TURNING_RETURN_OF_CONTOUR,
         &[],
         "a contour of G71 and G72 whose last block goes back in Z (G72: X) outside the stock: that block is `left out` of roughing, or the cycle is `refused`",
-        Certainty::Trade,
+        Certainty::Practice,
         "proven programs of schools; the manual does not say it",
     ),
     setting(
@@ -104,7 +104,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_LIFTS,
         &[],
         "clearance of the pecks of G83",
-        Certainty::Trade,
+        Certainty::Practice,
         "Setting 22, Can Cycle Delta Z",
     ),
 ];

@@ -1,4 +1,4 @@
-//! What LinuxCNC (RS274/NGC) shows for a problem.
+//! The alarms of LinuxCNC (RS274/NGC).
 
 use crate::vocabulary::*;
 

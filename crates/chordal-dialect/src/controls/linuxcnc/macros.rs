@@ -1,8 +1,8 @@
-//! The macro language of LinuxCNC (RS274/NGC).
+//! Parameters and expressions of LinuxCNC (RS274/NGC).
 
 use crate::vocabulary::*;
 
-/// "Overview", numbered and named parameters, expressions, binary operators, functions.
+/// LinuxCNC's manual, "Overview": numbered and named parameters, expressions, binary operators, functions.
 pub(in crate::controls) static MACROS: MacroRules = MacroRules {
     form: MacroForm::OWords,
     comments_act: true,
@@ -13,8 +13,7 @@ pub(in crate::controls) static MACROS: MacroRules = MacroRules {
     ..MacroRules::NONE
 };
 
-/// Those of the program, and the room between those of the control. The control's file of parameters keeps those
-/// that stand in it.
+/// Numbers that no system parameter has. Those that the control's parameter file lists are kept while it is off.
 const VARIABLES: &[VariableRange] = &[
     common(31, 5020),
     common(5030, 5060),
@@ -26,7 +25,7 @@ const VARIABLES: &[VariableRange] = &[
     common(5429, 5601),
 ];
 
-/// The axes U, V and W, of which Chordal knows nothing, stay as they are written.
+/// Values of the axes U, V and W, which are not simulated, are what the program writes into them.
 const SYSTEM: &[SystemRow] = &[
     system(5021, 5026, SystemVariable::MachinePosition),
     system(5027, 5029, SystemVariable::Output),
@@ -42,7 +41,7 @@ const SYSTEM: &[SystemRow] = &[
     system(5217, 5219, SystemVariable::Output),
     system(5220, 5220, SystemVariable::WorkSystem),
     system(5221, 5390, SystemVariable::WorkTable),
-    // What M66 has read.
+    // The value that M66 has read.
     system(5399, 5399, SystemVariable::NotSimulated),
     system(5400, 5400, SystemVariable::Tool),
     system(5401, 5406, SystemVariable::SpindleTool),
@@ -65,7 +64,7 @@ pub(in crate::controls) static GRAMMAR: MacroGrammar = MacroGrammar {
     ..MacroGrammar::MACRO_B
 };
 
-/// "Overview", binary operators.
+/// LinuxCNC's manual, "Overview", binary operators.
 const OPERATORS: &[OperatorRow] = &[
     operator("**", Operator::Power, 5),
     operator("*", Operator::Multiply, 4),

@@ -17,7 +17,7 @@ use crate::vocabulary::*;
 /// LinuxCNC (RS274/NGC), version 2.9.
 pub static TABLE: ControlTable = MILL;
 
-/// Its machines have one interpreter: that of a lathe differs in what acts at power-on.
+/// Mills and lathes have one interpreter: a lathe differs in the modes at power-on.
 pub(in crate::controls) const MILL: ControlTable = ControlTable {
     name: "linuxcnc",
     title: "LinuxCNC",

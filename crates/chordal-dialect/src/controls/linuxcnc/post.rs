@@ -1,9 +1,9 @@
-//! How LinuxCNC wants a program begun and ended.
+//! The lines at the begin and the end of a program for LinuxCNC.
 
 use crate::post::PostTemplate;
 
 pub(super) const POST: PostTemplate = PostTemplate {
-    // By these the program is known as LinuxCNC's.
+    // Semicolons: they are a sign by which the program is recognized as one for LinuxCNC.
     remark: ["; ", ""],
     open: &["%", "; {title}"],
     begin: &[

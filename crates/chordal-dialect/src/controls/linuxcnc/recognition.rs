@@ -1,14 +1,14 @@
-//! Signs by which programs of LinuxCNC are recognized, and of controls that read as it does.
+//! Signs by which programs of LinuxCNC and of controls that read programs as it does are recognized.
 
 use crate::vocabulary::*;
 
 const NAMES: &[&str] =
     &["LINUXCNC", "EMC2", "EMC", "MACHINEKIT", "RS274NGC", "RS274", "PATHPILOT", "TORMACH", "LINUXCNC POST"];
 
-/// Its names where the machine is one with PathPilot.
+/// Names of machines with PathPilot, which is based on LinuxCNC.
 const PATHPILOT: &[&str] = &["PATHPILOT", "TORMACH"];
 
-/// Controls of their own that are nearest to it.
+/// Other controls whose programs LinuxCNC reads best.
 const RELATED_CONTROLS: &[&str] = &["MACH4", "MASSO", "PLANETCNC"];
 
 pub(super) const EVIDENCE: &[RecognitionEvidence] = &[

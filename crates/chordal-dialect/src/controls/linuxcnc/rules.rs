@@ -12,7 +12,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     end_required: true,
     strict_words: true,
     words_of_codes: Letters::of("DH"),
-    // Its `enhance_block` and `check_g_codes`.
+    // From its functions `enhance_block` and `check_g_codes`.
     one_code_takes_axes: Some("Cannot use two g codes that both use axis values"),
     m_groups: M_GROUPS,
     m_groups_alarm: Some("Two m codes used from same modal group"),
@@ -56,8 +56,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
         compensation_entry: CompensationEntry::Contour,
         outside_corner: OutsideCorner::Arc,
         arc: ArcRules {
-            // Above this difference the radius must agree to one part in a thousand, and above a
-            // hundred times this nothing helps.
+            // Beyond this difference the radii must agree to 0.1 %, and beyond a hundred times it the arc is refused.
             radius_error_tolerance_mm: 0.028_284_3,
             radius_error_relative: 0.001,
             radius_error_limit_mm: 2.828_43,
@@ -69,7 +68,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     ..Parameters::COMMON
 };
 
-/// The modal groups of M codes, ten times the number.
+/// The modal groups of M codes, in tenths.
 const M_GROUPS: &[&[u16]] = &[
     &[0, 10, 20, 300, 600],
     &[620, 630, 640, 650, 660, 670, 680],
@@ -114,7 +113,7 @@ pub(in crate::controls) const CYCLES: CycleRules = CycleRules {
     ..CycleRules::COMMON
 };
 
-/// LinuxCNC 2.9, as its interpreter does it.
+/// As the interpreter of LinuxCNC 2.9 does it.
 pub(in crate::controls) const COMPENSATION: CompensationRules = CompensationRules {
     tangent_rad: 0.05,
     off_at_once: true,
@@ -136,6 +135,6 @@ pub(in crate::controls) const COMPENSATION: CompensationRules = CompensationRule
     ..CompensationRules::COMMON
 };
 
-/// No G68, G51 or G51.1: only a work coordinate system turns, by G10 L2 R.
+/// There is no G68, G51 or G51.1; G10 L2 R rotates a work coordinate system.
 const FRAMES: FrameRules =
     FrameRules { work_rotation: true, plane_change: true, ..FrameRules::COMMON };

@@ -1,4 +1,4 @@
-//! What LinuxCNC (RS274/NGC) asks of the words of a code; each line run with rs274 2.9.
+//! What LinuxCNC (RS274/NGC) requires of the words of a code; each row was tested with rs274 2.9.
 
 use crate::vocabulary::*;
 
@@ -93,12 +93,12 @@ const fn rule(
     WordRule { code: (b'M', code), test, message, help, alarm: Some(alarm), loses_path: false }
 }
 
-/// A digital output by P.
+/// P is the number of a digital output.
 const fn output(code: u16, alarm: &'static str) -> WordRule {
     rule(code, WordTest::Written(b'P'), "needs P, the number of the output", "write P", alarm)
 }
 
-/// An analogue output by E.
+/// E is the number of an analogue output.
 const fn analogue(code: u16, alarm: &'static str) -> WordRule {
     rule(
         code,
@@ -109,7 +109,7 @@ const fn analogue(code: u16, alarm: &'static str) -> WordRule {
     )
 }
 
-/// Without Q rs274 sets the output to -1 and goes on.
+/// Q is the value of the output; without Q rs274 sets it to -1 and continues.
 const fn value(code: u16) -> WordRule {
     WordRule {
         code: (b'M', code),

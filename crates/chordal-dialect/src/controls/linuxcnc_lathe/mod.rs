@@ -1,4 +1,4 @@
-//! LinuxCNC (RS274/NGC) on a lathe: the codes of its one interpreter, begun in the plane of X and Z.
+//! LinuxCNC (RS274/NGC) on a lathe: the interpreter of mills, with the plane ZX at power-on.
 
 use super::linuxcnc::{MILL, PARAMETERS};
 use crate::vocabulary::*;

@@ -1,5 +1,5 @@
-//! What Mach3 shows for a problem. Its texts are not published: those that its interpreter has from the
-//! common ancestor and that its users report.
+//! The alarms of Mach3. Its texts are not published: these are from the older interpreter that it is based on, and from
+//! reports of users.
 
 use crate::vocabulary::*;
 

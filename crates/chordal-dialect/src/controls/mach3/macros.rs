@@ -1,4 +1,4 @@
-//! Parameters and expressions of Mach3: those of LinuxCNC's family without names and flow control.
+//! Parameters and expressions of Mach3: as LinuxCNC's, without named parameters and flow control.
 
 use super::super::linuxcnc::{GRAMMAR as FAMILY_GRAMMAR, MACROS as FAMILY};
 use crate::vocabulary::*;
@@ -12,7 +12,7 @@ pub(super) static MACROS: MacroRules = MacroRules {
     ..FAMILY
 };
 
-/// Those of the program, up to #10320, and the room between those of the control.
+/// Numbers up to #10320 that no system parameter has.
 const VARIABLES: &[VariableRange] = &[
     common(1, 1999),
     common(2006, 5160),
@@ -31,11 +31,11 @@ const SYSTEM: &[SystemRow] = &[
     system(5221, 5340, SystemVariable::WorkTable),
 ];
 
-/// Numbered parameters alone, and no comparisons.
+/// Numbered parameters alone, without comparisons.
 pub(super) static GRAMMAR: MacroGrammar =
     MacroGrammar { operators: OPERATORS, names: false, ..FAMILY_GRAMMAR };
 
-/// The RS274/NGC interpreter of before LinuxCNC: AND, OR and XOR bind like `+`.
+/// As in the RS274/NGC interpreter before LinuxCNC: AND, OR and XOR have the precedence of `+`.
 const OPERATORS: &[OperatorRow] = &[
     operator("**", Operator::Power, 3),
     operator("*", Operator::Multiply, 2),

@@ -1,4 +1,4 @@
-//! Mach3 Mill (Artsoft): its interpreter is an older one of the family of LinuxCNC's.
+//! Mach3 Mill (Artsoft), whose interpreter is an older relative of LinuxCNC's.
 
 mod alarms;
 mod codes;
@@ -30,7 +30,7 @@ pub static TABLE: ControlTable = ControlTable {
         source: "Using Mach3Mill, chapter 10: order of execution, as in RS274/NGC (version 3, table 8)",
         certainty: Certainty::Documented,
     },
-    // What the reference does not list is looked for as a macro of the machine: `M100.m1s`.
+    // An M code that the reference does not list is a macro of the machine, a file such as `M100.m1s`.
     open_m_codes: true,
     word_rules: words::WORD_RULES,
     work_names: WorkNaming { extended: "G59", first: 7, by_e: false },
@@ -41,7 +41,7 @@ pub static TABLE: ControlTable = ControlTable {
     ..FAMILY
 };
 
-/// `O5` is a label for M98, and a file is one program.
+/// `O5` is a label for M98; a file is one program.
 const LEXICON: Lexicon = Lexicon { polar_words: false, grammar: &macros::GRAMMAR, ..FAMILY_LEXICON };
 
 const SET_DATA: &[(u16, DataTarget)] = &[(1, DataTarget::ToolTable), (2, DataTarget::WorkOffset)];

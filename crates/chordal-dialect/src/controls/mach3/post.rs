@@ -1,4 +1,4 @@
-//! How Mach3 wants a program begun and ended.
+//! The lines at the begin and the end of a program for Mach3.
 
 use crate::post::PostTemplate;
 

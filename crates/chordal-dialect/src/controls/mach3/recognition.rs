@@ -1,4 +1,4 @@
-//! Signs by which programs of Mach3 are recognized, and of controls that read as it does.
+//! Signs by which programs of Mach3 and of controls that read programs as it does are recognized.
 
 use crate::vocabulary::*;
 
@@ -14,7 +14,7 @@ const NAMES: &[&str] = &[
     "LAZYCAM",
 ];
 
-/// Made to read the same programs.
+/// Controls that are made to read programs for Mach3.
 const RELATED_CONTROLS: &[&str] = &["UCCNC"];
 
 pub(super) const EVIDENCE: &[RecognitionEvidence] = &[

@@ -1,10 +1,10 @@
-//! How Mach3 moves, cuts and drills: as the older interpreter that LinuxCNC's comes from.
+//! How Mach3 moves, cuts and drills: as the RS274/NGC interpreter that LinuxCNC is based on, too.
 
 use super::super::linuxcnc::PARAMETERS as FAMILY;
 use super::super::linuxcnc::rules::CYCLES as FAMILY_CYCLES;
 use crate::vocabulary::*;
 
-/// How strictly it judges words that nothing uses is not known: they are said, and stop nothing.
+/// Whether unused words stop a program is not known: they are warnings.
 pub(super) const PARAMETERS: Parameters = Parameters {
     offset_zero_in_force: false,
     end_required: false,
@@ -16,9 +16,10 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     calls_counted_by_q: true,
     calls_upwards: true,
     rules: Rules {
-        // Its screen has a field for S, and many routers a drive with a knob; LazyCam writes M3 alone.
+        // M3 without S is accepted: Mach3's screen has a field for S, many routers set the speed by a knob, and LazyCam
+        // writes M3 alone.
         speed_by_hand: true,
-        // By default M6 runs nothing but the macros of the shop.
+        // By default M6 runs the macros of the machine alone.
         spindle_stops_at_tool_change: false,
         starts_without_motion: false,
         pocket_is_one_circle: true,
@@ -30,10 +31,10 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     ..FAMILY
 };
 
-/// The modal groups of M codes, ten times the number; M7 and M8 go together.
+/// The modal groups of M codes, in tenths; M7 and M8 may be in one block.
 const M_GROUPS: &[&[u16]] = &[&[0, 10, 20, 300, 470], &[30, 40, 50], &[480, 490]];
 
-/// A dwell that is left out is none.
+/// A cycle without P has no dwell.
 const CYCLES: CycleRules = CycleRules {
     needs_p: false,
     approach: HoleApproach::FromAboveR,
@@ -41,7 +42,7 @@ const CYCLES: CycleRules = CycleRules {
     ..FAMILY_CYCLES
 };
 
-/// G68 by A, B and R; G16 about the place where the tool stands.
+/// G68 has A, B and R; the pole of G16 is the position of the tool.
 const FRAMES: FrameRules = FrameRules {
     rotation_center_by_ab: true,
     factors_by_axes: true,

@@ -21,7 +21,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     ),
     setting(
         "Motion Mode",
-        SettingField::PATH_START,
+        SettingField::POWER_ON_PATH_MODE,
         &[("Constant Velocity", "continuous"), ("Exact Stop", "exact-stop")],
         "G64 or G61 at power-on",
         Certainty::Documented,

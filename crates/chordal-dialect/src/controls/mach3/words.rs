@@ -1,4 +1,4 @@
-//! What Mach3 asks of the words of a code, and forms of its codes that are not followed.
+//! What Mach3 requires of the words of a code, and forms of its codes that are not simulated.
 
 use crate::vocabulary::*;
 

@@ -1,4 +1,4 @@
-//! What Marlin answers. It goes on after each.
+//! The answers of Marlin to problems. It continues after each.
 
 use crate::vocabulary::*;
 

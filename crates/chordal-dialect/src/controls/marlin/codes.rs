@@ -113,5 +113,5 @@ pub(super) const M_CODES: &[CodeRow] = &[
     row(9280, CodeGroup::Auxiliary, NoEffect, "", "writes the lines to a file"),
 ];
 
-/// Axes and whatever else stands next to them.
+/// All letters but G, M, N and O: their words are not checked.
 const ANY: &str = "ABCDEFHIJKLPQRSTUVWXYZ";

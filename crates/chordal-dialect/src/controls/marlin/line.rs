@@ -1,4 +1,4 @@
-//! How Marlin takes a line.
+//! How Marlin reads a line.
 
 use crate::vocabulary::*;
 use chordal_syntax::Letters;
@@ -34,12 +34,12 @@ pub(super) static COMMAND_LINE: CommandLine = CommandLine {
         (BuildOption::MotionModes, &[(b'G', 800)]),
         (BuildOption::Coolant, &[(b'M', 70), (b'M', 80), (b'M', 90)]),
     ],
-    not_missed: NOT_MISSED,
+    ignored_codes: IGNORED_CODES,
     unknown: ["echo:Unknown command: \"", "\""],
 };
 
-/// Modes of other controls that are the only one here, or that a program begins and ends with.
-const NOT_MISSED: &[(u8, u16)] = &[
+/// Codes of other controls that change nothing here: modes that Marlin always has, and marks of begin and end.
+const IGNORED_CODES: &[(u8, u16)] = &[
     (b'G', 170),
     (b'G', 400),
     (b'G', 490),

@@ -1,4 +1,4 @@
-//! Marlin 2: routers and lasers. Printers with Marlin are recognized and not read.
+//! Marlin 2 on routers and lasers. Programs for printers with Marlin are recognized, but not read.
 
 mod alarms;
 mod codes;
@@ -40,7 +40,7 @@ pub static TABLE: ControlTable = ControlTable {
     ..ControlTable::COMMON
 };
 
-/// A line is read as a whole (`line.rs`); this is what comments and words look like in an editor.
+/// Comments and words as an editor shows them; `line.rs` says how lines are read.
 const LEXICON: Lexicon = Lexicon {
     parenthesis: ParenthesisComment::ToEndOfLine,
     semicolon: Semicolon::Comment,
@@ -49,7 +49,7 @@ const LEXICON: Lexicon = Lexicon {
     ..Lexicon::COMMON
 };
 
-/// S is in seconds and P in milliseconds; S counts where both are written. Without either the moves before it end.
+/// S is in seconds and P in milliseconds; with both, S counts. Without either G4 waits until the moves before it end.
 const DWELL: &[DwellWord] = &[
     DwellWord { letter: b'S', integer_s: 1.0, point_s: 1.0, takes_point: true },
     DwellWord { letter: b'P', integer_s: 0.001, point_s: 0.001, takes_point: true },

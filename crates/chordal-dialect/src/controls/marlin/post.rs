@@ -1,4 +1,4 @@
-//! How Marlin wants a program begun and ended: one command a line, and no end.
+//! The lines at the begin and the end of a program for Marlin: one command on each line, and no end code.
 
 use crate::post::PostTemplate;
 

@@ -1,4 +1,4 @@
-//! Signs by which programs of routers and lasers with Marlin are recognized. Those of printers are in `not_read`.
+//! Signs by which programs for routers and lasers with Marlin are recognized. Those for printers are in `not_read`.
 
 use crate::vocabulary::*;
 
@@ -15,7 +15,7 @@ const NAMES: &[&str] = &[
     "HEADER START",
 ];
 
-/// Fewer signs than these are no sign: a plain program is for any control.
+/// A lower sum shows nothing: a plain program is for any control.
 pub(super) static KIND: MachineKind = MachineKind { turns: false, signs: SIGNS, needed: 6 };
 
 const SIGNS: &[RecognitionEvidence] = &[

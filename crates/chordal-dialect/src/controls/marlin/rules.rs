@@ -1,4 +1,4 @@
-//! How Marlin moves and cuts, with the options and defaults of its own configuration files.
+//! How Marlin moves and cuts, with the options and defaults of its configuration files.
 
 use crate::vocabulary::*;
 use chordal_command::Units;
@@ -36,7 +36,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         bare_home_moves_all: true,
         spindle_by_hand: true,
         work_values_add: false,
-        // There are none; G80 ends the motion that lines without a code go on with.
+        // There are no cycles; after G80 a line without a code is no motion.
         cycles: CycleRules { one_group_with_motion: true, ..CycleRules::COMMON },
         path: PathRules {
             stop_before_cut: false,
@@ -46,7 +46,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
             ..PathRules::COMMON
         },
         arc: ArcRules {
-            // Marlin does not look at it: the last segment goes to the end, wherever that is.
+            // Marlin does not compare the radii: the last segment goes to the programmed end, wherever that is. Chordal
+            // reports a difference beyond this.
             radius_error_tolerance_mm: 0.05,
             arc_mismatch: ArcMismatch::ArcThenLine,
             full_circle_by_radius: FullCircleByRadius::Refused,
@@ -59,7 +60,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
 
 const JUNCTIONS: JunctionRules = JunctionRules {
     deviation_mm: 0.013,
-    // One of the 16 of the queue stays free.
+    // The queue has room for 16 blocks, of which one is always free.
     blocks: 15,
     arc_tolerance_mm: 0.01,
     arc_segments: Some(ArcSegments { least_mm: 0.1, most_mm: 1.0, of_circle: 72 }),

@@ -26,7 +26,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::POWER_LETTER,
         &[],
         "P of M3 and M4 is the power in percent (Snapmaker): `on` or `off`",
-        Certainty::Trade,
+        Certainty::Practice,
         "posts for Snapmaker",
     ),
     path(

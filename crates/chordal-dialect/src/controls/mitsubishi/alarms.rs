@@ -1,4 +1,4 @@
-//! What Mitsubishi M700 and M800 shows for a problem.
+//! The alarms of Mitsubishi M700 and M800.
 
 use crate::vocabulary::*;
 

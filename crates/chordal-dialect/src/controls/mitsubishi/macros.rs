@@ -1,4 +1,4 @@
-//! The macro language of Mitsubishi M700 and M800.
+//! Macro variables and functions of Mitsubishi M700 and M800.
 
 use crate::vocabulary::*;
 
@@ -41,7 +41,7 @@ const SYSTEM: &[SystemRow] = &[
     system(4120, 4120, SystemVariable::ModalWord(b'T')),
     system(4201, 4221, SystemVariable::ModalGroup),
     system(4302, 4320, SystemVariable::ModalGroup),
-    // The block that an interruption left.
+    // Modal information of the block that an interruption-type macro interrupted.
     system(4401, 4520, SystemVariable::NotSimulated),
     system(5001, 5006, SystemVariable::BlockEnd),
     system(5021, 5026, SystemVariable::MachinePosition),
@@ -59,7 +59,7 @@ const SYSTEM: &[SystemRow] = &[
     system(101_001, 107_000, SystemVariable::ExtendedOffsets),
 ];
 
-/// Its functions are written out: `SQRT` and `SQR`, but not `RO` for `ROUND`.
+/// Functions have their whole names: `SQRT` or `SQR`, but not `RO` for `ROUND`.
 pub(super) static GRAMMAR: MacroGrammar =
     MacroGrammar { functions: FUNCTIONS, abbreviations: false, ..MacroGrammar::MACRO_B };
 

@@ -42,7 +42,7 @@ pub static TABLE: ControlTable = ControlTable {
     ..ControlTable::COMMON
 };
 
-/// The macro language of its lathes, too.
+/// The macro rules that Mitsubishi lathes share.
 pub(in crate::controls) const LATHE_MACROS: &MacroRules = &macros::MACROS;
 
 pub(in crate::controls) const LEXICON: Lexicon =

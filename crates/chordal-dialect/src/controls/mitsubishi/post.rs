@@ -1,4 +1,4 @@
-//! How Mitsubishi M700 and M800 wants a program begun and ended.
+//! The lines at the begin and the end of a program for Mitsubishi M700 and M800.
 
 use crate::post::PostTemplate;
 

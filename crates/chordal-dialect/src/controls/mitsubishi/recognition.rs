@@ -1,5 +1,5 @@
-//! Signs by which programs of Mitsubishi M700 and M800 are recognized, and of Mazak's ISO programs, which
-//! such a control reads.
+//! Signs by which programs of Mitsubishi M700 and M800 are recognized, and ISO programs of Mazak, whose controls are
+//! made by Mitsubishi.
 
 use crate::vocabulary::*;
 

@@ -1,4 +1,4 @@
-//! How Mitsubishi M700 and M800 moves, cuts, drills and compensates.
+//! How Mitsubishi M700 and M800 move, cut, drill and compensate.
 
 use crate::vocabulary::*;
 
@@ -7,7 +7,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     nesting: 8,
     macro_angles_full_circle: true,
     m_groups: SPINDLE_CODES,
-    // With every option, as the trade knows it; no manual was found: eight digits of N and O, 999 offsets.
+    // With every option: eight digits of N and O, 999 offsets. From practice, no manual was found.
     largest_numbers: LargestNumbers { block: 99_999_999, program: 99_999_999, offset: 999, tool: 0 },
     rules: Rules {
         spindle_stops_at_tool_change: true,
@@ -15,7 +15,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         machine_move_is_rapid: true,
         length: LengthRules { adds_to_increment: true, ..LengthRules::COMMON },
         radius_offsets: OffsetKind::Radius,
-        // As Fanuc; no section of the manual was found.
+        // As on a Fanuc; no section of the manual was found.
         rotary_feed: RotaryFeedRules::measured(RotaryFeed::DegreesAsUnits),
         chip_break_mm: 1.0,
         peck_clearance_mm: 1.0,
@@ -26,9 +26,9 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         arc: ArcRules {
             helix_feed: FeedAlong::Path,
             spiral: SpiralForm::Pitches,
-            // Section 6.13: RadErr 0.100 in the manual's own examples.
+            // Section 6.13: the manual's examples have RadErr 0.100.
             radius_error_tolerance_mm: 0.1,
-            // #11028.
+            // As with parameter #11028 on.
             semicircle_of_long_radius: true,
             spiral_end_tolerance_mm: 0.1,
             ..ArcRules::COMMON
@@ -39,7 +39,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
 };
 
 const CYCLES: CycleRules = CycleRules {
-    // Proven programs tap with M29 and G84 without R.
+    // Programs that run on machines tap with M29 and G84 without R.
     missing_r: MissingLevel::Initial,
     peck: PeckRules { dwell: PeckDwell::EachPeck, ..CycleRules::COMMON.peck },
     bore: BoreRules {
@@ -51,7 +51,7 @@ const CYCLES: CycleRules = CycleRules {
     ..CycleRules::COMMON
 };
 
-/// Mitsubishi M700V manual: fewer than four blocks without motion, and no M0, M1, M2, M30.
+/// Mitsubishi M700V manual: up to three blocks without motion in a row, and no M0, M1, M2 and M30.
 const COMPENSATION: CompensationRules = CompensationRules {
     idle_blocks: Some(3),
     stops_end_look_ahead: true,
@@ -60,7 +60,8 @@ const COMPENSATION: CompensationRules = CompensationRules {
     ..CompensationRules::COMMON
 };
 
-/// Mitsubishi M700V manual, G51 and G68: angle and centre by G90 and G91, an axis without a centre is not scaled.
+/// Mitsubishi M700V manual, G51 and G68: angle and centre are absolute or incremental by G90 and G91; an axis without a
+/// centre is not scaled.
 const FRAMES: FrameRules = FrameRules {
     // M700V manual 6.13.
     refuses_spirals: true,
@@ -78,7 +79,7 @@ const FRAMES: FrameRules = FrameRules {
 /// M700V manual p. 463 to 469: three-dimensional coordinate conversion.
 pub(super) const SPATIAL: SpatialRules = SpatialRules {
     begins: &[680, 681],
-    most: None,
+    max_active: None,
     format: None,
     parallel_axes: None,
     in_compensation: Some("P922"),
@@ -89,5 +90,5 @@ pub(super) const SPATIAL: SpatialRules = SpatialRules {
     scaling_in_offset: None,
 };
 
-/// G41.1, G51, G52 and G54 to G59.
+/// Codes that are not allowed while a rotation in space is active: G41.1, G51, G52 and G54 to G59, in tenths.
 const NOT_INSIDE: &[u16] = &[411, 421, 510, 520, 540, 541, 550, 560, 570, 580, 590];

@@ -12,7 +12,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         "high-accuracy control",
     ),
     short_blocks(
-        Certainty::Trade,
+        Certainty::Practice,
         "high-accuracy control and SSS: the speed follows the shape over many blocks",
     ),
     CORNER_ROUNDING,
@@ -56,7 +56,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::MACHINE_MOVE,
         &[],
         "a move of G53 is a `rapid`, or uses the active motion code (`in-force`)",
-        Certainty::Trade,
+        Certainty::Practice,
         "M700V manual, G53",
     ),
     setting(
@@ -64,7 +64,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::EXCESS_DECIMALS,
         &[],
         "decimals beyond the least increment: `cut`, `rounded` or `exact`",
-        Certainty::Trade,
+        Certainty::Practice,
         "M700V manual 5.3",
     ),
     setting(
@@ -80,17 +80,17 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::DECIMAL_POINT,
         &[("0", "least-increment"), ("1", "calculator")],
         "a number without a decimal point",
-        Certainty::Trade,
+        Certainty::Practice,
         "",
     ),
-    setting("#8012", SettingField::CHIP_BREAK, &[], "lift of G73", Certainty::Trade, ""),
-    setting("#8013", SettingField::PECK_CLEARANCE, &[], "clearance of G83", Certainty::Trade, ""),
+    setting("#8012", SettingField::CHIP_BREAK, &[], "lift of G73", Certainty::Practice, ""),
+    setting("#8013", SettingField::PECK_CLEARANCE, &[], "clearance of G83", Certainty::Practice, ""),
     setting(
         "#1080 Dril_Z",
         SettingField::CYCLE_AXIS,
         &[("1", "z"), ("0", "plane-normal")],
         "cycles drill along Z, or along the normal of the plane",
-        Certainty::Trade,
+        Certainty::Practice,
         "",
     ),
     setting(
@@ -98,7 +98,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_PECK_DWELL,
         &[],
         "P of pecks: `each-peck` of G73, at the `bottom` of G73 and G83, or `none`",
-        Certainty::Trade,
+        Certainty::Practice,
         "",
     ),
     setting(
@@ -106,7 +106,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_TAP_FEED,
         &[("asynchronous", "programmed"), ("synchronous", "lead")],
         "F of a tap without ,R: feed per minute, or the pitch",
-        Certainty::Trade,
+        Certainty::Practice,
         "",
     ),
     setting(
@@ -114,7 +114,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_FIRES_ON,
         &[],
         "which words drill a hole with an active cycle: `place`, `any-axis` or `axis-or-level`",
-        Certainty::Trade,
+        Certainty::Practice,
         "",
     ),
     setting(
@@ -154,12 +154,12 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CYCLE_MISSING_R,
         &[],
         "a cycle without R: it feeds from the `initial` level, with a note; or from where the tool stands (`current`), or it is `refused`",
-        Certainty::Trade,
+        Certainty::Practice,
         "proven programs: M29, then G84 without R",
     ),
 ];
 
-/// Type A or B.
+/// Start-up type A or B.
 const TYPE: Setting = setting(
     "#1229 set01/bit2",
     SettingField::COMPENSATION_ENTRY,
@@ -169,7 +169,7 @@ const TYPE: Setting = setting(
     "M700V, tool radius compensation",
 );
 
-/// Avoidance.
+/// Remedy for interference.
 const AVOIDANCE: Setting = rule(
     "#8102",
     SettingField::COMPENSATION_REMEDY,
@@ -179,7 +179,7 @@ const AVOIDANCE: Setting = rule(
     "M700V, interference check",
 );
 
-/// No check.
+/// No interference check.
 const NO_CHECK: Setting = rule(
     "#8103",
     SettingField::COMPENSATION_CHECK,

@@ -1,4 +1,4 @@
-//! Polar and cylindrical interpolation on a Mitsubishi M700 (G12.1, G7.1); the axes are those of #1516 and #1517.
+//! Polar and cylindrical interpolation on a Mitsubishi M700 (G12.1, G7.1); #1516 and #1517 choose the axes.
 
 use crate::vocabulary::*;
 

@@ -28,19 +28,20 @@ pub static TABLE: ControlTable = ControlTable {
     ..FANUC
 };
 
-/// G71 has H for pockets, and A for a contour in another program.
+/// Parameters of Fanuc lathes, except for what the L system has differently.
 const PARAMETERS: Parameters = Parameters {
     nesting: 8,
     live_tool_p: 0,
     second_spindle_p: 0,
     rules: Rules {
         turning: TurningRules {
+            // G71 takes H for pockets, and A for a contour in another program.
             pockets_by: Some(b'H'),
             contour_program: true,
             thread_words_take_point: true,
             ..super::fanuc_lathe::PARAMETERS.rules.turning
         },
-        // #11028.
+        // As with parameter #11028 on.
         arc: ArcRules {
             semicircle_of_long_radius: true,
             ..super::fanuc_lathe::PARAMETERS.rules.arc

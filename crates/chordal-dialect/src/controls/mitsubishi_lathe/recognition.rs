@@ -1,4 +1,4 @@
-//! Signs that tell a Mitsubishi among lathes, and a Mazak, whose control is of Mitsubishi.
+//! Signs of a Mitsubishi among the controls of lathes, and of a Mazak, whose control is made by Mitsubishi.
 
 use crate::controls::mitsubishi::recognition::{MAZAK, NAMES};
 use crate::vocabulary::*;

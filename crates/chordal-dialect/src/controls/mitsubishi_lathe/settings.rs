@@ -1,5 +1,4 @@
-//! The settings of Mitsubishi lathes, by the numbers of their parameters. None comes from a manual that was at hand, but
-//! #8056.
+//! The settings of Mitsubishi lathes, by the numbers of their parameters. Only #8056 was found in a manual.
 
 use crate::controls::fanuc_lathe::settings::FACE_X;
 use crate::vocabulary::*;
@@ -11,7 +10,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::CODE_SYSTEM,
         &[("2", "A"), ("3", "B"), ("4", "A"), ("5", "B"), ("6", "A"), ("7", "B")],
         "list of G codes: even ones read as system A of Fanuc, odd ones as system B",
-        Certainty::Trade,
+        Certainty::Practice,
         "M700, #1037",
     ),
     setting(
@@ -19,7 +18,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TURNING_ROUGH_DEPTH,
         &[],
         "depth of a pass of G71 and G72 before a program gives one",
-        Certainty::Trade,
+        Certainty::Practice,
         "M700, #8051",
     ),
     setting(
@@ -27,7 +26,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TURNING_ROUGH_RETRACT,
         &[],
         "how far a pass of G71 and G72 backs off",
-        Certainty::Trade,
+        Certainty::Practice,
         "M700, #8052",
     ),
     FACE_X,
@@ -52,7 +51,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TURNING_THREAD_EXIT,
         &[],
         "length of the exit of G92 and G76, in tenths of the lead",
-        Certainty::Trade,
+        Certainty::Practice,
         "M700, #8014",
     ),
     setting(
@@ -60,7 +59,7 @@ pub(super) const SETTINGS: &[Setting] = &[
         SettingField::TURNING_THREAD_FINISH,
         &[],
         "depth of the finishing pass of G76",
-        Certainty::Trade,
+        Certainty::Practice,
         "M700, #8057",
     ),
     setting(

@@ -1,7 +1,7 @@
 //! Macro lines: one statement behind `#`, in the manner of BASIC (Fadal manual, section 18).
 
 use chordal_command::{CallPath, CommandKind};
-use chordal_dialect::macros::MAX_LINE;
+use chordal_dialect::macros::MAX_MACRO_LINE_CHARS;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
@@ -93,7 +93,7 @@ impl<'a> Interpreter<'a> {
             }
         }
         let length = range.slice(self.reader.text()).len();
-        if length > MAX_LINE {
+        if length > MAX_MACRO_LINE_CHARS {
             self.report_length(range, length);
         }
         let mut parser = self.take_parser();
@@ -129,7 +129,7 @@ impl<'a> Interpreter<'a> {
             Diagnostic::new(
                 Code::MacroLineTooLong,
                 self.span(range),
-                format!("this macro line has {length} characters; the control reads {MAX_LINE}"),
+                format!("this macro line has {length} characters; the control reads {MAX_MACRO_LINE_CHARS}"),
             )
             .help("compute a part of it in a line before it"),
         );

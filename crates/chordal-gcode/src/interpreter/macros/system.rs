@@ -2,7 +2,7 @@
 
 use chordal_command::{AxisMask, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
-use chordal_dialect::macros::{OFFSET_STEP, SystemVariable, TURN_PLACE};
+use chordal_dialect::macros::{OFFSET_STEP, ROTATION_INDEX, SystemVariable};
 use chordal_dialect::{Control, OffsetMemory};
 use chordal_kernel::ToolValue;
 use chordal_kernel::rules::OffsetKind;
@@ -360,7 +360,7 @@ impl Interpreter<'_> {
     /// Key of the work offset whose turn a variable holds.
     fn work_turn(&self, at: u32) -> Option<String> {
         let turned = self.control.parameters.rules.frames.work_rotation;
-        (turned && at % OFFSET_STEP == TURN_PLACE).then(|| self.key_of_work_table(at))
+        (turned && at % OFFSET_STEP == ROTATION_INDEX).then(|| self.key_of_work_table(at))
     }
 
     fn key_of_work_table(&self, at: u32) -> String {

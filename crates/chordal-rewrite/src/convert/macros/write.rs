@@ -1,7 +1,7 @@
 //! Statements in the words of a control.
 
 use chordal::control::Control;
-use chordal::control::macros::{MAX_LINE, MacroForm};
+use chordal::control::macros::{MAX_MACRO_LINE_CHARS, MacroForm};
 use chordal::syntax::{BracketStyle, MacroGrammar};
 
 use super::meaning::{JumpLabel, MacroMeaning};
@@ -21,7 +21,7 @@ pub(super) fn statement(
 ) -> Option<Vec<String>> {
     match to.macros.form {
         MacroForm::Lines => lines(meaning, names, at, to)
-            .filter(|lines| lines.iter().all(|line| line.len() <= MAX_LINE)),
+            .filter(|lines| lines.iter().all(|line| line.len() <= MAX_MACRO_LINE_CHARS)),
         MacroForm::Blocks => Some(vec![block(meaning, names, to)?]),
         MacroForm::None | MacroForm::OWords => None,
     }
