@@ -159,16 +159,16 @@ fn strip_run_off(chain: &mut [ContourBlock], radius: f64) {
         return;
     }
     let cross = near.first;
-    let passes_crossing = (d - cross).dot(u);
+    let past_crossing_mm = (d - cross).dot(u);
     let begins_before = (cross - a).dot(t);
     // At least one of the two must pass the crossing without being extended.
-    if passes_crossing <= 0.0 && begins_before <= 0.0 {
+    if past_crossing_mm <= 0.0 && begins_before <= 0.0 {
         return;
     }
     if begins_before > 0.0 {
         chain[0].curve = GougeCurve::line(cross, b);
     }
-    if passes_crossing > 0.0 {
+    if past_crossing_mm > 0.0 {
         chain[count - 1].curve = GougeCurve::line(c, cross);
     }
 }
