@@ -50,8 +50,8 @@ impl Arc {
         }
     }
 
-    /// The arc of less than one turn from `start` through `via` to `end`, all mm. `None` if the three are on a line within
-    /// rounding, or two of them coincide.
+    /// The arc of less than one turn from `start` through `via` to `end`, all mm. `None` if the three are on a line
+    /// within rounding, or two of them coincide.
     #[must_use]
     pub fn through(start: Vec3, via: Vec3, end: Vec3) -> Option<Self> {
         let (a, b) = (via - start, end - start);
@@ -131,8 +131,8 @@ impl Arc {
     }
 }
 
-/// The derivatives of an arc at equal steps along it. Each is computed from the one before it by a rotation, which needs no
-/// sine. See [`Arc::derivatives_from`].
+/// The derivatives of an arc at equal steps along it. Each is computed from the one before it by a rotation, which
+/// needs no sine. See [`Arc::derivatives_from`].
 #[derive(Clone, Copy, Debug)]
 pub struct Derivatives {
     /// Unit vectors outward and in the direction of rotation, at the current point.
@@ -154,7 +154,8 @@ impl Derivatives {
         [self.along * first + self.rise, self.out * -second, self.along * -third]
     }
 
-    /// One of the components X, Y and Z of the three derivatives, at the current point and the steps after it: `N` points.
+    /// One of the components X, Y and Z of the three derivatives, at the current point and the steps after it: `N`
+    /// points.
     #[must_use]
     pub fn of_axis<const N: usize>(&self, axis: usize) -> [[f64; N]; 3] {
         let ((sin, cos), [first, second, third]) = (self.step, self.sizes);
@@ -180,8 +181,9 @@ impl Derivatives {
 }
 
 impl Arc {
-    /// The derivatives with respect to length at `s` mm from the start, and after it in steps of `step` mm. Rounding adds up,
-    /// so this is for few steps. The points are not limited to the ends; the derivatives of an arc without length are zero.
+    /// The derivatives with respect to length at `s` mm from the start, and after it in steps of `step` mm. Rounding
+    /// adds up, so this is for few steps. The points are not limited to the ends; the derivatives of an arc without
+    /// length are zero.
     #[must_use]
     pub fn derivatives_from(&self, s: f64, step: f64) -> Derivatives {
         let (winding, length) = (self.winding(), self.length());

@@ -22,8 +22,8 @@ pub enum SplineError {
     Weight(f64),
     /// A coordinate or a knot is not finite.
     NotFinite,
-    /// The number of knots is not that of points plus order, the knots decrease, an inner knot is repeated `order` times or
-    /// more, or the first or last `order` knots are not equal.
+    /// The number of knots is not that of points plus order, the knots decrease, an inner knot is repeated `order`
+    /// times or more, or the first or last `order` knots are not equal.
     Knots,
 }
 
@@ -383,8 +383,8 @@ impl Spline {
         }
     }
 
-    /// The curve with mapped control points. For an affine map (translation, rotation, mirroring, scaling, shear) it is the
-    /// mapped curve.
+    /// The curve with mapped control points. For an affine map (translation, rotation, mirroring, scaling, shear) it is
+    /// the mapped curve.
     #[must_use]
     pub fn mapped(&self, map: impl Fn(Vec3) -> Vec3) -> Spline {
         Spline { points: self.points.iter().copied().map(map).collect(), ..self.clone() }

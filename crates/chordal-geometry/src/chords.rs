@@ -17,8 +17,8 @@
 //! smaller.
 //!
 //! The corners of a helix are above those of its projection along the axis, a circle. At the same fraction of a step, a
-//! chord and the helix have the same height, so they differ by no more than chord and circle at that fraction. For a chord
-//! that is symmetric about its midpoint this is the deviation of the circle; for a balanced end chord it is up to
+//! chord and the helix have the same height, so they differ by no more than chord and circle at that fraction. For a
+//! chord that is symmetric about its midpoint this is the deviation of the circle; for a balanced end chord it is up to
 //! e/R·15.3 % more, which is taken into account.
 //!
 //! A chord over the step δt of a curve p(t) deviates by at most δt²/8·max|p''|. On a spiral
@@ -36,8 +36,8 @@ pub enum Placement {
     /// On the curve; the chords of a circle are inside it.
     #[default]
     Inscribed,
-    /// Outside the circle by the tolerance, with the midpoints of the chords inside by the same distance: fewer chords by a
-    /// factor of √2. On spirals and splines the same as inscribed.
+    /// Outside the circle by the tolerance, with the midpoints of the chords inside by the same distance: fewer chords
+    /// by a factor of √2. On spirals and splines the same as inscribed.
     Balanced,
     /// On the curve, with the number of chords of a circle rounded down, but at least one, so that they may exceed the
     /// tolerance slightly. Controls of small machines divide arcs like this (GRBL). On spirals and splines the same as
@@ -125,8 +125,8 @@ impl Chords {
         self.count
     }
 
-    /// The deviation of the chords of an arc, mm, if all of them span the same angle and have their ends on the arc; `None` for
-    /// other chords.
+    /// The deviation of the chords of an arc, mm, if all of them span the same angle and have their ends on the arc;
+    /// `None` for other chords.
     #[must_use]
     pub fn sagitta(&self) -> Option<f64> {
         let ChordSpacing::Even(winding) = &self.spacing else { return None };

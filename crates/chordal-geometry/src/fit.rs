@@ -60,14 +60,15 @@ pub fn arc_sweep(
 
 /// The curve from `start` to `end` (mm) about `center` (mm, in the two coordinates of the plane).
 ///
-/// The sweep is in `(0, 2π]` in the direction `direction`, plus `extra_turns` full turns. If the end is on the ray from the
-/// centre through the start, for example equal to the start, it is therefore a full turn. If the centre is known to a few
-/// digits only, an end close to that ray can be on the wrong side of it because of rounding: then the sweep is almost zero
-/// instead of almost a full turn, or the reverse.
+/// The sweep is in `(0, 2π]` in the direction `direction`, plus `extra_turns` full turns. If the end is on the ray from
+/// the centre through the start, for example equal to the start, it is therefore a full turn. If the centre is known to
+/// a few digits only, an end close to that ray can be on the wrong side of it because of rounding: then the sweep is
+/// almost zero instead of almost a full turn, or the reverse.
 ///
-/// The height along the normal is linear in the angle. If the radii differ by at most `radius_tolerance` (mm), the curve is
-/// an [`Arc`] with the radius of the start, and its end is off the circle by that difference; this is for differences from
-/// rounding, where such a gap does not matter. Otherwise the curve is a [`Spiral`], which is always continuous.
+/// The height along the normal is linear in the angle. If the radii differ by at most `radius_tolerance` (mm), the
+/// curve is an [`Arc`] with the radius of the start, and its end is off the circle by that difference; this is for
+/// differences from rounding, where such a gap does not matter. Otherwise the curve is a [`Spiral`], which is always
+/// continuous.
 ///
 /// ```
 /// use chordal_geometry::{arc_from_center, Curve, TurnDirection, ParamCurve, Plane, Vec3};
@@ -194,8 +195,8 @@ impl ArcEnds {
         ArcFit { radius_start, radius_end, sweep, curve }
     }
 
-    /// Unit vector from the centre to the start. For a start in the centre it is the direction from which the sweep leads to
-    /// the end.
+    /// Unit vector from the centre to the start. For a start in the centre it is the direction from which the sweep
+    /// leads to the end.
     fn start_direction(&self, sweep: f64) -> Vec2 {
         if self.radius_start > 0.0 {
             return self.from * (1.0 / self.radius_start);

@@ -19,8 +19,8 @@ impl Frame {
     /// The frame of the space itself.
     pub const IDENTITY: Frame = Frame { origin: Vec3::ZERO, u: Vec3::X, v: Vec3::Y, w: Vec3::Z };
 
-    /// A frame at `origin` (mm) whose third axis has the direction `normal` and whose first axis is the projection of `towards`.
-    /// `None` if one of the two is zero or they are parallel.
+    /// A frame at `origin` (mm) whose third axis has the direction `normal` and whose first axis is the projection of
+    /// `towards`. `None` if one of the two is zero or they are parallel.
     #[must_use]
     pub fn from_normal(origin: Vec3, normal: Vec3, towards: Vec3) -> Option<Frame> {
         let w = normal.normalized()?;

@@ -1,8 +1,8 @@
 //! A spiral evaluated at many points.
 //!
 //! The length of a spiral as a function of its angle has a closed form with an inverse hyperbolic sine; the angle as a
-//! function of the length has none. Around a point it has a power series, which follows term by term from its differential
-//! equation g·dt/ds = 1 with g² = (Θr)² + dr² + rise².
+//! function of the length has none. Around a point it has a power series, which follows term by term from its
+//! differential equation g·dt/ds = 1 with g² = (Θr)² + dr² + rise².
 //!
 //! The spiral is divided into parts with one series each, by equal steps of z, where Θr = √(dr² + rise²)·sinh z: then the
 //! length of each part is the same fraction of the radius of convergence of its series. The parts depend only on the
@@ -91,8 +91,8 @@ impl SpiralReader {
         }
     }
 
-    /// The point at `s` mm from the start, within the spiral, and its derivatives with respect to time, if those of `s` are
-    /// `by_time`.
+    /// The point at `s` mm from the start, within the spiral, and its derivatives with respect to time, if those of `s`
+    /// are `by_time`.
     #[inline(always)]
     pub(crate) fn motion_at(&mut self, s: f64, by_time: [f64; 3]) -> [Vec3; 4] {
         if !self.part.holds(s) {
@@ -146,10 +146,10 @@ impl SpiralGrid {
         let straight = winding.straight_squared().sqrt();
         let z = |radius: f64| math::asinh(theta * radius / straight);
         let (from, to) = (z(r0), z(r0 + dr));
-        // The radius of convergence is where g would be zero, at g²/2Θdr or farther. The truncation error is below r·g/dr
-        // times the power TERMS + 1 of the fraction of that radius. The twelfth power is used here, which gives a smaller
-        // fraction, at the largest radius, where the fraction is smallest. Twice that fraction of g²/2Θdr is the same step
-        // of z.
+        // The radius of convergence is where g would be zero, at g²/2Θdr or farther. The truncation error is below
+        // r·g/dr times the power TERMS + 1 of the fraction of that radius. The twelfth power is used here, which gives
+        // a smaller fraction, at the largest radius, where the fraction is smallest. Twice that fraction of g²/2Θdr is
+        // the same step of z.
         let largest = r0.abs().max((r0 + dr).abs());
         let off = OFF_MM + OFF_SHARE * largest;
         let around = theta * largest;

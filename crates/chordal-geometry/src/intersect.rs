@@ -32,8 +32,8 @@ pub enum Meeting {
     None,
     /// They touch in one point, mm.
     Touch(Vec2),
-    /// They cross in two points, mm: with a line, in the order of its direction; for two circles, first the point on the left,
-    /// seen from the first centre to the second.
+    /// They cross in two points, mm: with a line, in the order of its direction; for two circles, first the point on
+    /// the left, seen from the first centre to the second.
     Cross(Vec2, Vec2),
     /// They are equal within the tolerance.
     Same,
@@ -123,8 +123,8 @@ pub fn line_circle(line: Line2, circle: Circle2, tolerance: f64) -> Meeting {
     }
 }
 
-/// The intersections of two circles, by the radical line. Circles that miss each other, from outside or from inside, by at
-/// most `tolerance` (mm) touch in the middle of the gap; circles whose centres and radii agree within it are equal.
+/// The intersections of two circles, by the radical line. Circles that miss each other, from outside or from inside, by
+/// at most `tolerance` (mm) touch in the middle of the gap; circles whose centres and radii agree within it are equal.
 #[must_use]
 pub fn circle_circle(first: Circle2, second: Circle2, tolerance: f64) -> Meeting {
     let tolerance = tolerance.max(0.0);

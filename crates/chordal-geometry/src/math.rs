@@ -1,8 +1,8 @@
 //! The only module with transcendental functions.
 //!
 //! The `sin` of the platform differs between machines in the last bit; that of `libm` does not, because it is plain
-//! arithmetic. Square root and the four operations are correctly rounded by IEEE 754, so those of the standard library are
-//! used.
+//! arithmetic. Square root and the four operations are correctly rounded by IEEE 754, so those of the standard library
+//! are used.
 
 pub(crate) use core::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -3,8 +3,9 @@
 use crate::{Arc, Line, ParamCurve, Vec3};
 
 impl Line {
-    /// The parallel line `distance` mm to the left, seen against `normal` (of any length); to the right if negative. A line that
-    /// is not perpendicular to `normal` is moved like its projection. `None` if that projection has no direction.
+    /// The parallel line `distance` mm to the left, seen against `normal` (of any length); to the right if negative. A
+    /// line that is not perpendicular to `normal` is moved like its projection. `None` if that projection has no
+    /// direction.
     #[must_use]
     pub fn offset(&self, normal: Vec3, distance: f64) -> Option<Line> {
         let left = normal.normalized()?.cross(self.tangent_at(0.0)).normalized()?;
@@ -13,8 +14,8 @@ impl Line {
 }
 
 impl Arc {
-    /// The concentric arc `distance` mm to the left, seen against `self.w`; to the right if negative. `None` if its radius would
-    /// not be above zero. The offset of a helix is a helix with the same rise.
+    /// The concentric arc `distance` mm to the left, seen against `self.w`; to the right if negative. `None` if its
+    /// radius would not be above zero. The offset of a helix is a helix with the same rise.
     #[must_use]
     pub fn offset(&self, distance: f64) -> Option<Arc> {
         // Left is towards the centre when turning counter-clockwise.

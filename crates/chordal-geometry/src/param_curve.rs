@@ -15,8 +15,8 @@ pub struct Nearest {
 
 /// A curve, evaluated at its arc length `s` (mm) from the start.
 ///
-/// `s` outside `0..=length()` means the nearer end. The two ends are returned exactly as the curve was made. A NaN in a curve
-/// or an argument gives NaN in the result, never a panic.
+/// `s` outside `0..=length()` means the nearer end. The two ends are returned exactly as the curve was made. A NaN in a
+/// curve or an argument gives NaN in the result, never a panic.
 pub trait ParamCurve: Sized {
     /// The start of the curve, mm.
     fn start(&self) -> Vec3;
@@ -33,8 +33,8 @@ pub trait ParamCurve: Sized {
     /// Unit tangent at `s` mm from the start; zero if the curve has no length.
     fn tangent_at(&self, s: f64) -> Vec3;
 
-    /// Curvature vector d²p/ds² at `s` mm from the start, 1/mm: towards the centre of the osculating circle, with the inverse of
-    /// its radius as length.
+    /// Curvature vector d²p/ds² at `s` mm from the start, 1/mm: towards the centre of the osculating circle, with the
+    /// inverse of its radius as length.
     fn curvature_at(&self, s: f64) -> Vec3;
 
     /// Derivative d³p/ds³ of the curvature vector at `s` mm from the start, 1/mm².
@@ -79,7 +79,8 @@ pub trait ParamCurve: Sized {
     /// corners are not stored. See [`Chords`].
     ///
     /// # Errors
-    /// If the tolerance is not above zero, the curve is not finite, or more than [`crate::MAX_CHORDS`] chords would be needed.
+    /// If the tolerance is not above zero, the curve is not finite, or more than [`crate::MAX_CHORDS`] chords would be
+    /// needed.
     fn chords(&self, tolerance: f64, placement: Placement) -> Result<Chords, ChordError>;
 
     /// The number of chords that [`ParamCurve::chords`] makes: one less than its points.

@@ -63,8 +63,8 @@ impl KnotList {
         &self.values[..self.len]
     }
 
-    /// The sign changes of `f`, which is monotone between neighbouring knots, and both outermost knots, so that the result
-    /// divides the same interval.
+    /// The sign changes of `f`, which is monotone between neighbouring knots, and both outermost knots, so that the
+    /// result divides the same interval.
     pub(crate) fn refine(&self, f: impl Fn(f64) -> (f64, f64)) -> KnotList {
         let mut roots = KnotList::new();
         let knots = self.as_slice();

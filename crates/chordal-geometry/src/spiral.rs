@@ -7,10 +7,9 @@ use crate::{
 
 /// An Archimedean spiral in any plane or, if `rise` is not zero, the curve above it on a cone; of any number of turns.
 ///
-/// Between its ends the curve is `center + r·(u cos φ + v sin φ) + rise·(φ/sweep)·w` with
-/// `v = w × u`, φ from 0 to `sweep` and the radius `r` linear in φ from `radius_start` to `radius_end`. With a sweep of zero
-/// it is the straight line between its ends. The ends are stored as they were passed in; they may differ from the formula
-/// by rounding.
+/// Between its ends the curve is `center + r·(u cos φ + v sin φ) + rise·(φ/sweep)·w` with `v = w × u`, φ from 0 to
+/// `sweep` and the radius `r` linear in φ from `radius_start` to `radius_end`. With a sweep of zero it is the straight
+/// line between its ends. The ends are stored as they were passed in; they may differ from the formula by rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spiral {
     /// Centre at the height of the start, mm.

@@ -21,8 +21,8 @@ impl SplinePiece {
     /// The highest order (degree + 1).
     pub const MAX_ORDER: usize = MAX_SPAN_ORDER;
 
-    /// The Bezier curve with these control points (mm) and weights. `None` if their numbers differ, there are fewer than two or
-    /// more than [`SplinePiece::MAX_ORDER`], or a weight is not above zero.
+    /// The Bezier curve with these control points (mm) and weights. `None` if their numbers differ, there are fewer
+    /// than two or more than [`SplinePiece::MAX_ORDER`], or a weight is not above zero.
     #[must_use]
     pub fn new(points: &[Vec3], weights: &[f64]) -> Option<SplinePiece> {
         let above_zero = weights.iter().all(|weight| *weight > 0.0);
@@ -135,8 +135,8 @@ impl SplinePiece {
         self.parameter_between((0.0, 0.0), (1.0, self.length), s)
     }
 
-    /// The parameter at `s`, mm, between two parameters whose lengths are known, by Newton's method, with bisection where it
-    /// would leave the interval.
+    /// The parameter at `s`, mm, between two parameters whose lengths are known, by Newton's method, with bisection
+    /// where it would leave the interval.
     pub(crate) fn parameter_between(&self, low: (f64, f64), high: (f64, f64), s: f64) -> f64 {
         const MAX_STEPS: u32 = 60;
         let (mut low, mut high) = (low, high);
@@ -227,10 +227,10 @@ impl SplinePiece {
         rest.split_at_parameter(share).1
     }
 
-    /// Passes the curve to `push` in even parts: each turns by at most a quarter radian, and its parametric speed varies by at
-    /// most a factor of two, so that few points are enough to find its curvature. Where no part is this even (at a cusp, or at
-    /// a start without speed), a part that deviates from a straight line by at most `tolerance` mm and is at most ten times as
-    /// long becomes that line.
+    /// Passes the curve to `push` in even parts: each turns by at most a quarter radian, and its parametric speed
+    /// varies by at most a factor of two, so that few points are enough to find its curvature. Where no part is this
+    /// even (at a cusp, or at a start without speed), a part that deviates from a straight line by at most `tolerance`
+    /// mm and is at most ten times as long becomes that line.
     pub fn even_parts(&self, tolerance: f64, push: &mut impl FnMut(EvenPart)) {
         const MAX_NEWTON_DIVISIONS: u32 = 60;
         let mut open = vec![(*self, 0)];
@@ -456,9 +456,9 @@ impl ParamCurve for SplinePiece {
 impl SplinePiece {
     /// The number of steps of equal parameter whose chords are within `tolerance`, mm.
     ///
-    /// If A and w are replaced by their linear interpolation over a step, the curve becomes the chord. The interpolation errors
-    /// are at most step²/8 of their second derivatives, so the curve deviates from the chord by at most
-    /// step²/8·(max|A''| + max|C|·max|w''|)/min w. The control points bound all of these values.
+    /// If A and w are replaced by their linear interpolation over a step, the curve becomes the chord. The
+    /// interpolation errors are at most step²/8 of their second derivatives, so the curve deviates from the chord by at
+    /// most step²/8·(max|A''| + max|C|·max|w''|)/min w. The control points bound all of these values.
     fn steps_within(&self, tolerance: f64) -> f64 {
         let hull = self.points().iter().fold(Aabb::EMPTY, |hull, point| hull.include(*point));
         let middle = hull.center();

@@ -13,8 +13,9 @@ use crate::quadrature::{gauss, integral};
 use crate::spline_piece::OFF;
 use crate::{ParamCurve, SplinePiece, Vec3};
 
-/// The error bound of a cell, mm, and also as a fraction of its length: a hundredth of the resolution of the finest scales.
-/// For a cell that is passed in a millisecond, the jerk is then accurate to a hundred-thousandth of that of the axes.
+/// The error bound of a cell, mm, and also as a fraction of its length: a hundredth of the resolution of the finest
+/// scales. For a cell that is passed in a millisecond, the jerk is then accurate to a hundred-thousandth of that of the
+/// axes.
 const OFF_MM: f64 = 1e-9;
 const OFF_SHARE: f64 = 1e-10;
 /// The error bound as a fraction of the whole length, if that is larger: ten times the relative error of the length.
@@ -27,7 +28,8 @@ const ERROR_MARGIN: f64 = 2.0;
 const AT_SLOPE: f64 = 0.1873;
 const AT_BEND: f64 = 0.0335;
 
-/// A cell as narrow as this fraction of the parameter is not halved again: at a cusp no polynomial approximates the curve.
+/// A cell as narrow as this fraction of the parameter is not halved again: at a cusp no polynomial approximates the
+/// curve.
 const NARROWEST: f64 = 1.0 / 32_768.0;
 
 /// A speed below this fraction of the control polygon counts as zero.

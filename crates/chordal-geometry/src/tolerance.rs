@@ -7,5 +7,6 @@
 /// hundredth of this for coordinates of some metres. It is below the resolution of every control.
 pub const COINCIDENT_MM: f64 = 1e-9;
 
-/// A value that exceeds its limit by less than this fraction of it is at the limit: the difference is rounding of a product.
+/// A value that exceeds its limit by less than this fraction of it is at the limit: the difference is rounding of a
+/// product.
 pub const ROUNDING_SHARE: f64 = 1e-9;

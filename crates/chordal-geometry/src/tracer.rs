@@ -5,12 +5,12 @@ use crate::spline_run::SplineReader;
 use crate::winding::Winding;
 use crate::{Curve, Line, ParamCurve, Vec3, math};
 
-/// A curve with all constants precomputed. It returns the same as [`ParamCurve::jet_at`] within rounding, in less time. The
-/// ends are exactly those of the curve.
+/// A curve with all constants precomputed. It returns the same as [`ParamCurve::jet_at`] within rounding, in less time.
+/// The ends are exactly those of the curve.
 ///
-/// On a spiral or a spline it remembers the part with the last point, so that it is fast if each point is close to the one
-/// before it. A point of a spline is accurate to 1e-9 mm, or to 1e-12 of the length of the curve if that is larger. The
-/// result does not depend on earlier evaluations.
+/// On a spiral or a spline it remembers the part with the last point, so that it is fast if each point is close to the
+/// one before it. A point of a spline is accurate to 1e-9 mm, or to 1e-12 of the length of the curve if that is larger.
+/// The result does not depend on earlier evaluations.
 #[derive(Clone, Copy, Debug)]
 pub struct Tracer {
     start: Vec3,
@@ -104,8 +104,8 @@ impl Tracer {
         self.motion_at(s, [1.0, 0.0, 0.0])
     }
 
-    /// The point at `s` mm from the start, mm, and its first three derivatives with respect to time (mm/s, mm/s², mm/s³), if
-    /// those of `s` are `by_time`.
+    /// The point at `s` mm from the start, mm, and its first three derivatives with respect to time (mm/s, mm/s²,
+    /// mm/s³), if those of `s` are `by_time`.
     #[must_use]
     pub fn motion_at(&mut self, s: f64, by_time: [f64; 3]) -> [Vec3; 4] {
         self.with_motion_at(s, by_time, |motion| motion)

@@ -28,8 +28,8 @@ impl Transform {
         Self { columns: [Vec3::X, Vec3::Y, Vec3::Z], scale: 1.0, translation: by }
     }
 
-    /// A rotation by `angle` radians about the line through `point` (mm) along `axis` (of any length), counter-clockwise seen
-    /// against `axis`. A zero axis gives the identity.
+    /// A rotation by `angle` radians about the line through `point` (mm) along `axis` (of any length),
+    /// counter-clockwise seen against `axis`. A zero axis gives the identity.
     #[must_use]
     pub fn rotation_about(point: Vec3, axis: Vec3, angle: f64) -> Self {
         let Some(w) = axis.normalized() else { return Self::identity() };
@@ -41,7 +41,8 @@ impl Transform {
         Self::about(point, [turn(Vec3::X), turn(Vec3::Y), turn(Vec3::Z)], 1.0)
     }
 
-    /// A reflection in the plane through `point` (mm) with this `normal` (of any length). A zero normal gives the identity.
+    /// A reflection in the plane through `point` (mm) with this `normal` (of any length). A zero normal gives the
+    /// identity.
     #[must_use]
     pub fn mirror(normal: Vec3, point: Vec3) -> Self {
         let Some(n) = normal.normalized() else { return Self::identity() };
@@ -49,8 +50,8 @@ impl Transform {
         Self::about(point, [flip(Vec3::X), flip(Vec3::Y), flip(Vec3::Z)], 1.0)
     }
 
-    /// A scaling by `k` about the origin. A negative `k` scales by `|k|` and reflects through the origin. `None` if `k` is zero
-    /// or not finite.
+    /// A scaling by `k` about the origin. A negative `k` scales by `|k|` and reflects through the origin. `None` if `k`
+    /// is zero or not finite.
     #[must_use]
     pub fn scale(k: f64) -> Option<Self> {
         if k == 0.0 || !k.is_finite() {

@@ -1,5 +1,5 @@
-//! The common formula of arcs, helices, spirals and cones: a radius that turns about an axis, grows linearly with the angle
-//! and moves along the axis linearly with the angle.
+//! The common formula of arcs, helices, spirals and cones: a radius that turns about an axis, grows linearly with the
+//! angle and moves along the axis linearly with the angle.
 //!
 //! Everything is a function of t in 0..=1, the fraction of the sweep:
 //!
@@ -7,8 +7,8 @@
 //! p(t) = centre + r(t)·e(t) + t·rise·w      r(t) = r0 + t·dr      e(t) = u cos Θt + v sin Θt
 //! ```
 //!
-//! The variable is the fraction and not the angle, because then nothing is divided by the sweep, and a sweep of zero gives
-//! a straight line.
+//! The variable is the fraction and not the angle, because then nothing is divided by the sweep, and a sweep of zero
+//! gives a straight line.
 
 use crate::{Vec3, math};
 
@@ -127,8 +127,8 @@ impl Winding {
         if self.dr == 0.0 || self.theta == 0.0 || !even.is_finite() {
             return even;
         }
-        // With a speed that is linear between its end values, t is the root of a quadratic; it is scaled to give the whole
-        // length at t = 1.
+        // With a speed that is linear between its end values, t is the root of a quadratic; it is scaled to give the
+        // whole length at t = 1.
         let (g0, g1) = (self.speed(0.0), self.speed(1.0));
         let target = even * 0.5 * (g0 + g1);
         let mut t = 2.0 * target / (g0 + (g0 * g0 + 2.0 * (g1 - g0) * target).max(0.0).sqrt());
@@ -175,8 +175,8 @@ impl Winding {
         (point, self.intrinsic_along(t, e, n))
     }
 
-    /// Derivatives with respect to arc length at `t`, where `e` is the unit vector outward and `n` that in the direction of
-    /// rotation.
+    /// Derivatives with respect to arc length at `t`, where `e` is the unit vector outward and `n` that in the
+    /// direction of rotation.
     #[inline]
     fn intrinsic_along(&self, t: f64, e: Vec3, n: Vec3) -> IntrinsicDerivatives {
         let r = self.radius(t);
@@ -266,8 +266,8 @@ impl Winding {
 
 /// Mean of √(r² + m²) over r from `r0` to `r0 + growth`.
 ///
-/// The textbook form, [r√(r²+m²) + m² asinh(r/m)] / 2·growth between the ends, loses all digits if `growth` is small. Here
-/// both differences are transformed so that only sums of positive terms remain, for any growth and also for m = 0.
+/// The textbook form, [r√(r²+m²) + m² asinh(r/m)] / 2·growth between the ends, loses all digits if `growth` is small.
+/// Here both differences are transformed so that only sums of positive terms remain, for any growth and also for m = 0.
 fn mean_speed(r0: f64, growth: f64, m2: f64) -> f64 {
     let r1 = r0 + growth;
     let h0 = (r0 * r0 + m2).sqrt();

@@ -1,8 +1,8 @@
 //! Global extremes of a winding: its box, and the point nearest to another one.
 //!
-//! Both need every root of a derivative. Differentiating once or twice more leads to a function whose roots can be listed,
-//! because its phase is monotone. Between these roots the function before it is monotone and has at most one root. So no
-//! root is missed.
+//! Both need every root of a derivative. Differentiating once or twice more leads to a function whose roots can be
+//! listed, because its phase is monotone. Between these roots the function before it is monotone and has at most one
+//! root. So no root is missed.
 
 use crate::math::{self, PI, TAU};
 use crate::solve::{KnotList, bracketed_root};
@@ -10,8 +10,8 @@ use crate::winding::Winding;
 use crate::{Aabb, Vec3};
 
 impl Winding {
-    /// The ends of `lo..=hi` and, between them, the points where the phase Θt − φ − atan2(j·dr, Θr(t)) is `offset` + kπ. The
-    /// phase never decreases: its derivative is Θ(1 + j·dr²/(Θ²r² + j²dr²)).
+    /// The ends of `lo..=hi` and, between them, the points where the phase Θt − φ − atan2(j·dr, Θr(t)) is `offset` +
+    /// kπ. The phase never decreases: its derivative is Θ(1 + j·dr²/(Θ²r² + j²dr²)).
     fn phase_knots(&self, j: f64, phi: f64, offset: f64, lo: f64, hi: f64) -> KnotList {
         let lead = |t: f64| (j * self.dr, self.theta * self.radius(t));
         let phase = |t: f64| {
@@ -123,8 +123,8 @@ impl Winding {
             let r = self.radius(t);
             (size * (dr * cos - th * r * sin) + along, -size * th * (2.0 * dr * sin + th * r * cos))
         };
-        // At a fixed phase the coordinate changes linearly from turn to turn, so the extremes are in the first or in the last
-        // turn.
+        // At a fixed phase the coordinate changes linearly from turn to turn, so the extremes are in the first or in
+        // the last turn.
         let turn = TAU / th;
         let windows = if turn < 0.5 { [(0.0, turn), (1.0 - turn, 1.0)] } else { [(0.0, 1.0); 2] };
         let windows = if turn < 0.5 { &windows[..] } else { &windows[..1] };
@@ -161,8 +161,8 @@ impl Winding {
         }
         let (lo, hi) = self.nearest_window(rho, alpha, z);
         let (th, dr, rise) = (self.theta, self.dr, self.rise);
-        // Derivatives of half the squared distance: `first` returns the first and second, `second` the second and third. The
-        // third is zero at the phase knots.
+        // Derivatives of half the squared distance: `first` returns the first and second, `second` the second and
+        // third. The third is zero at the phase knots.
         let first = |t: f64| {
             let (sin, cos) = math::sin_cos(th * t - alpha);
             let r = self.radius(t);
@@ -188,9 +188,9 @@ impl Winding {
 
     /// An interval of at most two turns that contains the nearest point.
     ///
-    /// The distance is never below that from p, rotated about the axis, to the generating line (r(t), rise·t), whose square is a
-    /// parabola in t about `vertex`. Where the radius points towards p the two distances are equal, so no point farther from the
-    /// vertex than such a point can be nearer.
+    /// The distance is never below that from p, rotated about the axis, to the generating line (r(t), rise·t), whose
+    /// square is a parabola in t about `vertex`. Where the radius points towards p the two distances are equal, so no
+    /// point farther from the vertex than such a point can be nearer.
     fn nearest_window(&self, rho: f64, alpha: f64, z: f64) -> (f64, f64) {
         let vertex = (self.rise * z - self.dr * (self.r0 - rho))
             / (self.dr * self.dr + self.rise * self.rise);

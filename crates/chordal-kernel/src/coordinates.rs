@@ -1,4 +1,5 @@
-//! What lies between program and machine coordinates: work offsets, shifts, presets, tool length. Also the radius offset of compensation.
+//! What lies between program and machine coordinates: work offsets, shifts, presets, tool length. Also the radius
+//! offset of compensation.
 
 use chordal_command::{AxisMask, CommandKind, CompensationSide, Position, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};

@@ -5,8 +5,8 @@ use crate::machine::{AxisLimits, Machine};
 use crate::schema::{SchemaSlot, tables, written_tables};
 
 impl Machine {
-    /// Adds, changes or removes an axis. The numbers in the file keep their values, so if diameter programming changes, the
-    /// positions change.
+    /// Adds, changes or removes an axis. The numbers in the file keep their values, so if diameter programming changes,
+    /// the positions change.
     pub(crate) fn change_axis(&mut self, axis: Axis, limits: Option<AxisLimits>) {
         let index = axis as usize;
         let before = self.written_factor(index);

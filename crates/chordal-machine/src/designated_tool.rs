@@ -23,8 +23,8 @@ impl TurningTool {
 }
 
 impl Tool {
-    /// Fills the dimensions of the tool that its designations give and its other keys do not. `mirrored`: the control counts
-    /// tip numbers with X in the opposite direction.
+    /// Fills the dimensions of the tool that its designations give and its other keys do not. `mirrored`: the control
+    /// counts tip numbers with X in the opposite direction.
     pub fn take_designations(&mut self, mirrored: bool) {
         let insert = self.turning.insert_designation.as_ref().map(|written| written.value);
         let holder = self.turning.holder_designation.as_ref().map(|written| written.value);
@@ -47,8 +47,8 @@ impl Tool {
 }
 
 impl Machine {
-    /// Fills the dimensions of every tool that its designations give. `mirrored`: the control counts tip numbers with X in the
-    /// opposite direction.
+    /// Fills the dimensions of every tool that its designations give. `mirrored`: the control counts tip numbers with X
+    /// in the opposite direction.
     pub fn take_designations(&mut self, mirrored: bool) {
         self.tools.values_mut().for_each(|tool| tool.take_designations(mirrored));
     }

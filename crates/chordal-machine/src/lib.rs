@@ -5,8 +5,8 @@
 //! text with its unit (`"0.5 in"`, `"25 m/min"`), so no number is read in the wrong unit. Each conversion is correctly
 //! rounded: there is only one rounding, at the end.
 //!
-//! One table of rows ([`schema_reference`] prints it) defines the keys of a machine file. Checks, suggestions for misspelt
-//! keys, [`Machine::set`], [`Machine::to_toml`] and the reference use this table.
+//! One table of rows ([`schema_reference`] prints it) defines the keys of a machine file. Checks, suggestions for
+//! misspelt keys, [`Machine::set`], [`Machine::to_toml`] and the reference use this table.
 //!
 //! ```
 //! use chordal_machine::Machine;

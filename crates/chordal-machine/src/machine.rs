@@ -23,7 +23,8 @@ pub struct Machine {
     pub control: ControlName,
     /// On which side of the spindle axis the turret of a lathe is.
     pub turret: Turret,
-    /// The smallest distance from what is cut at which the turret of a lathe may index, mm; `None`: anywhere outside of it.
+    /// The smallest distance from what is cut at which the turret of a lathe may index, mm; `None`: anywhere outside of
+    /// it.
     pub turret_clearance_mm: Option<f64>,
     /// The axes by `axis as usize`; `None`: the machine has no such axis.
     pub axes: PerAxis<Option<AxisLimits>>,
@@ -291,8 +292,8 @@ pub struct Macros {
 pub struct Probe {
     /// What they touch; `None`: not given, and they touch at their end.
     pub hit: Option<ProbeHit>,
-    /// Planes, of which the first one on the path is touched: work coordinates by `axis as usize`, mm or rad. They are used if
-    /// `hit` is `None`.
+    /// Planes, of which the first one on the path is touched: work coordinates by `axis as usize`, mm or rad. They are
+    /// used if `hit` is `None`.
     pub planes: PerAxis<Option<f64>>,
 }
 

@@ -9,13 +9,14 @@ pub struct MotionSettings {
     pub feed_override: Option<f64>,
     /// The rapid override; 1 is full speed.
     pub rapid_override: Option<f64>,
-    /// The largest deviation from the programmed path at a corner, mm, if the path mode lets the control round corners and has
-    /// no tolerance.
+    /// The largest deviation from the programmed path at a corner, mm, if the path mode lets the control round corners
+    /// and has no tolerance.
     pub corner_tolerance_mm: Option<f64>,
-    /// The largest deviation from the programmed path in exact path mode, mm, where the path is smooth but its curvature is not.
+    /// The largest deviation from the programmed path in exact path mode, mm, where the path is smooth but its
+    /// curvature is not.
     pub exact_path_tolerance_mm: Option<f64>,
-    /// The largest deviation at the bends of a dog-leg rapid, and at the corner between two consecutive rapids without a stop,
-    /// mm.
+    /// The largest deviation at the bends of a dog-leg rapid, and at the corner between two consecutive rapids without
+    /// a stop, mm.
     pub rapid_corner_tolerance_mm: Option<f64>,
     /// The largest deviation of a rotary axis at a rounded corner, rad.
     pub rotary_tolerance_rad: Option<f64>,

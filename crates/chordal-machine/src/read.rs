@@ -31,9 +31,9 @@ impl Machine {
         })
     }
 
-    /// Reads a machine file. `inherits` names a built-in machine, or else a file, whose text `loader` returns. `loader` gets the
-    /// name joined to the folder of the file with the key, so that it is relative to the same folder as `file_name`. Every error
-    /// of every file is reported.
+    /// Reads a machine file. `inherits` names a built-in machine, or else a file, whose text `loader` returns. `loader`
+    /// gets the name joined to the folder of the file with the key, so that it is relative to the same folder as
+    /// `file_name`. Every error of every file is reported.
     pub fn from_toml(
         file_name: &str,
         text: &str,

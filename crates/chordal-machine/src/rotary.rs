@@ -33,8 +33,8 @@ impl RotaryAxis {
     }
 }
 
-/// The transform from program coordinates to those of the part, which are equal if A, B and C (rad) are zero. Axes that turn
-/// the tool, and those that are not known to turn the part, are ignored.
+/// The transform from program coordinates to those of the part, which are equal if A, B and C (rad) are zero. Axes that
+/// turn the tool, and those that are not known to turn the part, are ignored.
 #[must_use]
 pub fn part_transform(rotary: &[RotaryAxis; 3], angles: [f64; 3]) -> Transform {
     let turned = rotary.iter().zip(angles).enumerate();
@@ -46,8 +46,8 @@ pub fn part_transform(rotary: &[RotaryAxis; 3], angles: [f64; 3]) -> Transform {
     )
 }
 
-/// The rotations from the direction of the tool on the machine to its direction relative to the part, in the order in which
-/// they are applied: those of heads, then those of tables.
+/// The rotations from the direction of the tool on the machine to its direction relative to the part, in the order in
+/// which they are applied: those of heads, then those of tables.
 #[must_use]
 pub fn tool_rotations(rotary: &[RotaryAxis; 3]) -> Vec<ToolRotation> {
     let of = |turns: RotaryTarget| {

@@ -13,8 +13,8 @@ pub struct Tool {
     pub diameter_mm: Option<f64>,
     /// The wear that is added to the diameter, mm.
     pub diameter_wear_mm: Option<f64>,
-    /// The geometry offset by `axis as usize`, mm or rad, always as a radius: for a mill, Z is its length; a turning tool has
-    /// X and Z.
+    /// The geometry offset by `axis as usize`, mm or rad, always as a radius: for a mill, Z is its length; a turning
+    /// tool has X and Z.
     pub offset: PerAxis<Option<f64>>,
     /// The wear that is added to the geometry offset, mm or rad.
     pub offset_wear: PerAxis<Option<f64>>,
@@ -67,8 +67,8 @@ impl Tool {
         Some(self.offset[axis]? + self.offset_wear[axis].unwrap_or(0.0))
     }
 
-    /// The radius for cutter compensation, including wear, mm: half the diameter, or the nose radius of an insert. `None`: not
-    /// given.
+    /// The radius for cutter compensation, including wear, mm: half the diameter, or the nose radius of an insert.
+    /// `None`: not given.
     pub fn radius_mm(&self) -> Option<f64> {
         let wear = self.diameter_wear_mm.unwrap_or(0.0);
         match self.diameter_mm {
@@ -243,8 +243,8 @@ impl ToolShape {
         }
     }
 
-    /// The shape that a free text names (`FLAT END MILL`, `spot drill`, `5/8 bull nose`). `None` if it names none, or a tool
-    /// without a shape here, such as a reamer.
+    /// The shape that a free text names (`FLAT END MILL`, `spot drill`, `5/8 bull nose`). `None` if it names none, or a
+    /// tool without a shape here, such as a reamer.
     pub fn from_words(text: &str) -> Option<ToolShape> {
         let text = text.to_ascii_uppercase();
         let words: Vec<&str> = text.split(|c: char| !c.is_ascii_alphanumeric()).collect();

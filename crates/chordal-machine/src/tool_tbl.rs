@@ -10,10 +10,9 @@ use crate::tool::Tool;
 /// The file name in errors.
 const NAME: &str = "tool.tbl";
 
-/// Reads `tool.tbl` of LinuxCNC: a tool per line, words in any order, a comment after `;`
-/// (`T1 P1 X0 Z+0.511 D+0.125 ;1/8 end mill`). X Y Z A B C are the offsets, with Z as the length of a mill; D is the diameter,
-/// or twice the nose radius, Q the tip direction. The pocket, I, J, U, V and W are checked and ignored. Every bad line is
-/// reported.
+/// Reads `tool.tbl` of LinuxCNC: a tool per line, words in any order, a comment after `;` (`T1 P1 X0 Z+0.511 D+0.125
+/// ;1/8 end mill`). X Y Z A B C are the offsets, with Z as the length of a mill; D is the diameter, or twice the nose
+/// radius, Q the tip direction. The pocket, I, J, U, V and W are checked and ignored. Every bad line is reported.
 pub fn read_tool_tbl(
     text: &str,
     millimetres: bool,

@@ -1,7 +1,8 @@
 //! Reads files in which a control has written its macro variables.
 //!
-//! There are four forms, which are distinguished line by line: Fanuc (`G10L85P500(4029000000000000)`, the bits of a double; older:
-//! `#500=[a*65536+b]/134217728`), Mitsubishi (`#500=12.5`), Haas (`N500 V12.5`) and LinuxCNC (`5220 1.0`).
+//! There are four forms, which are distinguished line by line: Fanuc (`G10L85P500(4029000000000000)`, the bits of a
+//! double; older: `#500=[a*65536+b]/134217728`), Mitsubishi (`#500=12.5`), Haas (`N500 V12.5`) and LinuxCNC (`5220
+//! 1.0`).
 
 use std::collections::BTreeMap;
 
@@ -36,7 +37,8 @@ enum DumpEntry {
     Nothing,
 }
 
-/// Reads a file of variables. `None` if the first line with content has none of the forms: then it is another kind of file.
+/// Reads a file of variables. `None` if the first line with content has none of the forms: then it is another kind of
+/// file.
 pub fn read_variable_dump(bytes: &[u8]) -> Option<VariableDump> {
     let mut dump = VariableDump::default();
     let end = if bytes.contains(&b'\n') { b'\n' } else { b'\r' };

@@ -7,8 +7,8 @@ use crate::schema::{self, tables, written_tables};
 const SHORT_KEYS: [(&str, &str); 2] = [("offset.Z", "length"), ("offset_wear.Z", "length_wear")];
 
 impl Machine {
-    /// The text of a machine file for this machine, with every inherited key, in millimetres, seconds and radians. Reading it
-    /// gives exactly the same values.
+    /// The text of a machine file for this machine, with every inherited key, in millimetres, seconds and radians.
+    /// Reading it gives exactly the same values.
     pub fn to_toml(&self) -> String {
         let mut out = String::new();
         let mut copy = self.clone();

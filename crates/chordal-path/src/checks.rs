@@ -435,8 +435,8 @@ impl<'a> RunChecks<'a> {
         self.now.units.length_text(value * self.machine.written_factor(axis as usize))
     }
 
-    /// Follows a rapid. One that ends below the clearance plane is remembered until it is known what the run cuts: leaving
-    /// a bore or a post sideways and then lifting is common and safe.
+    /// Follows a rapid. One that ends below the clearance plane is remembered until it is known what the run cuts:
+    /// leaving a bore or a post sideways and then lifting is common and safe.
     fn rapid(&mut self, motion: &Move, origin: Origin) {
         self.seen.rapids.end_cut();
         let at_depth = std::mem::take(&mut self.now.at_depth);
@@ -518,8 +518,8 @@ impl<'a> RunChecks<'a> {
         .help("write G1 in this block")
     }
 
-    /// Makes the checks that need the whole program, and resets the memory for the next one. `head` is the position of the
-    /// program number in the text, if several programs are run together.
+    /// Makes the checks that need the whole program, and resets the memory for the next one. `head` is the position of
+    /// the program number in the text, if several programs are run together.
     pub fn finish(&mut self, head: Span, mut report: impl FnMut(Diagnostic)) {
         self.judge_turret(&mut report);
         let rapids = std::mem::take(&mut self.seen.rapids);

@@ -85,9 +85,9 @@ impl ContourCheck {
         self.level.origins.is_empty() && self.alarms.is_empty() && self.beyond.is_none()
     }
 
-    /// Records an alarm of the control. If it is an interference alarm and nothing would be cut, this is reported at the end
-    /// of the contour. Diagnostics that do not stop the control, such as the note of an inside arc as large as the offset,
-    /// are ignored.
+    /// Records an alarm of the control. If it is an interference alarm and nothing would be cut, this is reported at
+    /// the end of the contour. Diagnostics that do not stop the control, such as the note of an inside arc as large as
+    /// the offset, are ignored.
     pub fn alarm(&mut self, diagnostic: &Diagnostic) {
         let interference = diagnostic.severity == Severity::Error
             && matches!(

@@ -60,8 +60,8 @@ impl ContourLevel {
         next
     }
 
-    /// Whether a piece belongs to this level. Another side, another offset, or a step of the third axis between two blocks
-    /// begins another level: walls at another height are not cut by this one.
+    /// Whether a piece belongs to this level. Another side, another offset, or a step of the third axis between two
+    /// blocks begins another level: walls at another height are not cut by this one.
     pub fn continues_with(&self, piece: &ContourPiece) -> bool {
         self.sign == piece.sign
             && self.radius == piece.radius_mm

@@ -257,8 +257,8 @@ mod tests {
 
     #[test]
     fn a_slow_axis_makes_the_cut_as_long_as_its_turn() {
-        // 10 mm/s past the pole at 0.1 um. The axis turns faster than 30 degrees a second within 0.0437 mm of the pole, and
-        // there by 3.137 rad: 5.991 s, and 3.991 s for the rest.
+        // 10 mm/s past the pole at 0.1 um. The axis turns faster than 30 degrees a second within 0.0437 mm of the pole,
+        // and there by 3.137 rad: 5.991 s, and 3.991 s for the rest.
         let curve = line([20.0, 1e-4], [-20.0, 1e-4]);
         let most = 30.0_f64.to_radians();
         let parts = rotary_parts(&face(), &curve, 4.0, limits(most)).expect("too fast");

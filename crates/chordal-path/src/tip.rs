@@ -157,8 +157,8 @@ impl TipTracker {
         self.place
     }
 
-    /// Whether the tip may be somewhere else than the program assumes. It is not doubtful if the program itself has written
-    /// another value into the offset of this tool.
+    /// Whether the tip may be somewhere else than the program assumes. It is not doubtful if the program itself has
+    /// written another value into the offset of this tool.
     fn is_doubtful(&self) -> bool {
         match self.place {
             TipPlace::AsProgrammed => false,
@@ -190,7 +190,8 @@ impl TipTracker {
                 _ if self.has_other_sign() => TipPlace::Unknown(TipDoubt::OtherSign),
                 _ => TipPlace::AsProgrammed,
             },
-            // The number belongs to no other tool: the offsets have other numbers than the tools, or the tool has several.
+            // The number belongs to no other tool: the offsets have other numbers than the tools, or the tool has
+            // several.
             Some(number) if !self.is_of_other_tool(machine, number) => TipPlace::AsProgrammed,
             Some(_) => match own {
                 Some(own) if self.has_values => self.deviation(&own, self.sign()),

@@ -47,7 +47,8 @@ impl TurnedCut {
         }
     }
 
-    /// The distance of a point (X, Z) from the region between the cut and the axis, mm; inside, the negative depth along X.
+    /// The distance of a point (X, Z) from the region between the cut and the axis, mm; inside, the negative depth
+    /// along X.
     fn distance(&self, [x, z]: [f64; 2]) -> f64 {
         let place = [z, x.abs()];
         let [low, high] = [self.from, self.to];

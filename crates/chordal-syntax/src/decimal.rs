@@ -50,8 +50,8 @@ impl Decimal {
         self.times(1, 0)
     }
 
-    /// The nearest double to `self · factor / 10^extra_scale`: a conversion of units with only one rounding (inch to millimetre
-    /// is `times(254, 1)`).
+    /// The nearest double to `self · factor / 10^extra_scale`: a conversion of units with only one rounding (inch to
+    /// millimetre is `times(254, 1)`).
     #[inline]
     pub fn times(self, factor: i64, extra_scale: u8) -> f64 {
         if self.mantissa == 0 {
@@ -95,8 +95,8 @@ impl Decimal {
         written.max(self.scale)
     }
 
-    /// The number with only `decimals` decimals, first truncated and then rounded (half away from zero); `None` if all further
-    /// decimals are zeros.
+    /// The number with only `decimals` decimals, first truncated and then rounded (half away from zero); `None` if all
+    /// further decimals are zeros.
     #[inline]
     pub fn at_decimals(self, decimals: u8) -> Option<(Decimal, Decimal)> {
         let power = *WHOLE_POWERS.get(usize::from(self.scale.checked_sub(decimals)?))?;
@@ -115,8 +115,8 @@ impl Decimal {
         self.mantissa == 0
     }
 
-    /// Reads digits and at most one point; digits after the 18th are dropped. `None` if there are no digits, or more than 18
-    /// before the point.
+    /// Reads digits and at most one point; digits after the 18th are dropped. `None` if there are no digits, or more
+    /// than 18 before the point.
     pub(crate) fn parse_long(text: &[u8]) -> Option<Decimal> {
         let zeros = text.iter().take_while(|byte| **byte == b'0').count();
         let text = &text[zeros.min(text.len().saturating_sub(1))..];
@@ -135,8 +135,8 @@ impl Decimal {
 /// The largest number of digits that are kept; a double has fewer.
 const MAX_DIGITS: usize = 18;
 
-/// Reads `[+-]digits[.digits]` at the start of `text`: the number and its length in bytes. It is rounded to 18 digits. `None`
-/// if there is no digit, or more than 18 before the point.
+/// Reads `[+-]digits[.digits]` at the start of `text`: the number and its length in bytes. It is rounded to 18 digits.
+/// `None` if there is no digit, or more than 18 before the point.
 pub(crate) fn scan(text: &[u8]) -> Option<(Decimal, usize)> {
     let sign = text.first().copied().unwrap_or(0);
     let negative = sign == b'-';

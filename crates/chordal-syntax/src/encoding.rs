@@ -5,7 +5,8 @@ use std::borrow::Cow;
 /// The encoding of a file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Encoding {
-    /// ASCII or UTF-8, with or without a byte order mark, or an 8-bit national encoding whose special characters are in comments.
+    /// ASCII or UTF-8, with or without a byte order mark, or an 8-bit national encoding whose special characters are in
+    /// comments.
     Bytes,
     /// UTF-16, low byte first.
     Utf16Le,
@@ -29,9 +30,9 @@ const SAMPLE: usize = 64 * 1024;
 
 /// Finds the encoding of a file from its content.
 ///
-/// A UTF-8 byte order mark is removed. UTF-16 (recognized by its mark, or because every other byte is NUL) is converted to
-/// UTF-8. Everything else is used as bytes: in the usual encodings programs are ASCII outside of comments, and comments keep
-/// their bytes.
+/// A UTF-8 byte order mark is removed. UTF-16 (recognized by its mark, or because every other byte is NUL) is converted
+/// to UTF-8. Everything else is used as bytes: in the usual encodings programs are ASCII outside of comments, and
+/// comments keep their bytes.
 pub fn decode(bytes: &[u8]) -> Decoded<'_> {
     if let Some(rest) = bytes.strip_prefix(b"\xEF\xBB\xBF") {
         return plain(rest);
@@ -56,8 +57,8 @@ fn plain(bytes: &[u8]) -> Decoded<'_> {
     Decoded { text: Cow::Borrowed(bytes), encoding: Encoding::Bytes, binary }
 }
 
-/// Recognizes UTF-16 by its mark, or because one byte of its pairs is almost always NUL and the other almost never. (In NUL
-/// padding, which some controls write, both bytes are NUL.)
+/// Recognizes UTF-16 by its mark, or because one byte of its pairs is almost always NUL and the other almost never. (In
+/// NUL padding, which some controls write, both bytes are NUL.)
 fn utf16(bytes: &[u8]) -> Option<(Encoding, &[u8])> {
     if let Some(rest) = bytes.strip_prefix(b"\xFF\xFE") {
         return Some((Encoding::Utf16Le, rest));
@@ -84,8 +85,8 @@ fn utf16(bytes: &[u8]) -> Option<(Encoding, &[u8])> {
     }
 }
 
-/// Whether there are control characters that do not occur in programs. NUL (padding), tape codes (DC1–DC4), tab, form feed,
-/// line ends and the old end-of-file mark do occur.
+/// Whether there are control characters that do not occur in programs. NUL (padding), tape codes (DC1–DC4), tab, form
+/// feed, line ends and the old end-of-file mark do occur.
 fn looks_binary(text: &[u8]) -> bool {
     let sample = &text[..text.len().min(SAMPLE)];
     let strange = sample

@@ -31,7 +31,8 @@ pub struct Lexicon {
     pub semicolon: Semicolon,
     /// `*` starts a comment to the end of the line.
     pub star_comment: bool,
-    /// `R` is followed by a register digit, a sign and a value (`R0+1.5`), and a word may have the value of a register (`X+R3`).
+    /// `R` is followed by a register digit, a sign and a value (`R0+1.5`), and a word may have the value of a register
+    /// (`X+R3`).
     pub registers: bool,
     /// A line that begins with `#` is a macro line.
     pub macro_lines: bool,

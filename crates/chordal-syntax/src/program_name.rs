@@ -1,13 +1,14 @@
 //! Named programs: `<PART_1>`.
 
-/// Program numbers from this one represent names (`<PART_1>`): they are computed from the name, and too large to be written.
+/// Program numbers from this one represent names (`<PART_1>`): they are computed from the name, and too large to be
+/// written.
 const FIRST_OF_NAMES: u32 = 1 << 31;
 
 /// The largest number of characters in a program name (Fanuc 30i).
 const MAX_NAME_LENGTH: usize = 32;
 
-/// The number of the program that `<NAME>` at the start of a text names, and the length of that text in bytes; `<O123>` is
-/// program 123. `None` without a name.
+/// The number of the program that `<NAME>` at the start of a text names, and the length of that text in bytes; `<O123>`
+/// is program 123. `None` without a name.
 pub fn scan_program_name(text: &[u8]) -> Option<(u32, usize)> {
     let name = text.strip_prefix(b"<")?;
     let length = name.iter().take(MAX_NAME_LENGTH + 1).position(|byte| *byte == b'>')?;

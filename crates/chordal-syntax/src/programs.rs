@@ -29,8 +29,9 @@ impl ProgramHead {
     }
 }
 
-/// Finds the programs of a text by their heads: `O1234`, `:1234` or `<NAME>` at the start of a line, also after an N number
-/// or blanks. It is one pass that stops only at the characters that begin a head, so a gigabyte takes a fraction of a second.
+/// Finds the programs of a text by their heads: `O1234`, `:1234` or `<NAME>` at the start of a line, also after an N
+/// number or blanks. It is one pass that stops only at the characters that begin a head, so a gigabyte takes a fraction
+/// of a second.
 pub fn find_programs(text: &[u8], lexicon: &Lexicon) -> Vec<ProgramHead> {
     if !lexicon.program_heads {
         return vec![nameless(text.len() as u32)];

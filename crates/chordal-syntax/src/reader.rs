@@ -1,5 +1,5 @@
-//! Reads blocks. The modules: `macros` finds the ends of expressions and statements, `problems` reports text that is not a
-//! word, `remark` finds prose.
+//! Reads blocks. The modules: `macros` finds the ends of expressions and statements, `problems` reports text that is
+//! not a word, `remark` finds prose.
 
 mod macros;
 mod problems;
@@ -36,8 +36,8 @@ pub struct BlockReader<'a> {
     special: Letters,
 }
 
-/// The largest number of problems that are reported in one block, so that a megabyte of unreadable text on one line does not
-/// give a million.
+/// The largest number of problems that are reported in one block, so that a megabyte of unreadable text on one line
+/// does not give a million.
 const PROBLEMS_PER_BLOCK: usize = 8;
 
 /// The largest distance at which the end of a nested comment is searched, bytes: a line of parentheses only must not be
@@ -310,8 +310,8 @@ impl<'a> BlockReader<'a> {
         block.comments.push(TextRange::new(start as u32, self.at as u32));
     }
 
-    /// Reads a comment with another `(` before its first `)`: if the parentheses are balanced on its line, all of it is one
-    /// comment.
+    /// Reads a comment with another `(` before its first `)`: if the parentheses are balanced on its line, all of it is
+    /// one comment.
     #[cold]
     fn nested_comment(&mut self, block: &mut Block, start: usize, inner: usize) {
         let mut depth = 0_u32;
@@ -487,8 +487,8 @@ impl<'a> BlockReader<'a> {
         }
     }
 
-    /// Reads any number of signs, and digits with blanks between them (`x--1`, `y - 2`), if the lexicon allows them. Digits after
-    /// the 18th are dropped. `None` if there is no such number.
+    /// Reads any number of signs, and digits with blanks between them (`x--1`, `y - 2`), if the lexicon allows them.
+    /// Digits after the 18th are dropped. `None` if there is no such number.
     #[cold]
     fn loose_number(&mut self) -> Option<WordValue> {
         if !self.lexicon.blanks_in_numbers {

@@ -77,8 +77,8 @@ pub enum MacroStatement {
     Unknown(TextRange),
 }
 
-/// Reads the next statement of a macro B line; the text after it is not read yet ([`ExpressionParser::rest`]). Problems are
-/// stored in the parser.
+/// Reads the next statement of a macro B line; the text after it is not read yet ([`ExpressionParser::rest`]). Problems
+/// are stored in the parser.
 pub fn parse_statement(parser: &mut ExpressionParser<'_>) -> MacroStatement {
     let mark = parser.next_mark();
     let start = parser.position();

@@ -369,7 +369,8 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Reports M99 in a main program, or M47. A program without tool and spindle is probably a subprogram of another file.
+    /// Reports M99 in a main program, or M47. A program without tool and spindle is probably a subprogram of another
+    /// file.
     pub(super) fn report_repeat(&mut self, span: Span, what: &str) {
         let state = &self.kernel.state;
         let is_part = state.tool == 0 && state.spindle == SpindleState::Off && state.rpm == 0.0;

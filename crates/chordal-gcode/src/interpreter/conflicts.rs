@@ -136,7 +136,8 @@ impl Interpreter<'_> {
             let diagnostic = self.two_codes(block, first.1, second.1, message, "the first");
             self.kernel.report(match self.control.parameters.m_groups_alarm {
                 Some(alarm) => diagnostic.alarm(format!("{title}: {alarm}")),
-                // More than one M code is an option of that control, and its manual does not say what two spindle codes do.
+                // More than one M code is an option of that control, and its manual does not say what two spindle codes
+                // do.
                 None if self.control.table.last_of_group_counts => {
                     diagnostic.severity(Severity::Warning)
                 }

@@ -96,8 +96,8 @@ impl Interpreter<'_> {
         Some(&SHOP_CODE)
     }
 
-    /// The row of an M code without any definition, on controls where it may be the machine builder's. It is reported once
-    /// and moves nothing.
+    /// The row of an M code without any definition, on controls where it may be the machine builder's. It is reported
+    /// once and moves nothing.
     pub(super) fn open_m_code(
         &mut self,
         block: &Block,
@@ -133,8 +133,8 @@ impl Interpreter<'_> {
         Some(&SHOP_CODE)
     }
 
-    /// True when the words after an unknown M code are probably arguments of a macro. Then the code comes first and the block
-    /// has no G code, which cannot be an argument; a code of the machine builder comes after the axis words.
+    /// True when the words after an unknown M code are probably arguments of a macro. Then the code comes first and the
+    /// block has no G code, which cannot be an argument; a code of the machine builder comes after the axis words.
     fn calls_with_words(&self, block: &Block, at: usize) -> bool {
         let axes = self.control.axes();
         let is_axis = |word: &Word| {

@@ -20,8 +20,8 @@ const STROKES_PER_LETTER: f64 = 3.0;
 const LETTER_HEIGHT_MM: f64 = 25.4;
 
 impl Interpreter<'_> {
-    /// Moves to the start of the text and down, waits for the estimated time of its letters, and moves up to R. The end of
-    /// the last letter is not known, so X and Y are not known until the program names them.
+    /// Moves to the start of the text and down, waits for the estimated time of its letters, and moves up to R. The end
+    /// of the last letter is not known, so X and Y are not known until the program names them.
     pub(super) fn engrave(&mut self, block: &Block, at: usize) {
         self.unused_axes(block, |axis, _| axis < 3);
         let (target, named) = self.target(block);

@@ -44,7 +44,8 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Checks a block with the firmware. `None` when it acts, with the words the firmware has read; otherwise how to continue.
+    /// Checks a block with the firmware. `None` when it acts, with the words the firmware has read; otherwise how to
+    /// continue.
     pub(super) fn judged_by_firmware(&mut self, block: &mut Block) -> Option<BlockFlow> {
         let firmware = self.control.table.firmware?;
         let build = self.control.parameters.build;

@@ -79,8 +79,8 @@ impl Interpreter<'_> {
         self.kernel.scale(&self.at(block), &[Some(0.0); AXES], ScaleFactors::Each(each));
     }
 
-    /// Reports a block whose result under G51 of Mach3 is not known: it is known only for lines, arcs by their centre, and
-    /// blocks without lengths.
+    /// Reports a block whose result under G51 of Mach3 is not known: it is known only for lines, arcs by their centre,
+    /// and blocks without lengths.
     pub(super) fn check_multiplied_words(
         &mut self,
         block: &Block,

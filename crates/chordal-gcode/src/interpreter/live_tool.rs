@@ -1,4 +1,5 @@
-//! Live tools of a turret: by codes of their own with P as the speed (Haas M133), or by M3 with a P that selects them (Fanuc).
+//! Live tools of a turret: by codes of their own with P as the speed (Haas M133), or by M3 with a P that selects them
+//! (Fanuc).
 
 use chordal_command::{SpindleState, telling_number};
 use chordal_diagnostics::{Code, Diagnostic};

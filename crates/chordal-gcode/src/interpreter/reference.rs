@@ -275,7 +275,8 @@ impl Interpreter<'_> {
         self.kernel.go_to_reference(named, &self.reference(1));
     }
 
-    /// A reference point by its number, machine coordinates, mm and rad: as stored by the program, else by the machine file.
+    /// A reference point by its number, machine coordinates, mm and rad: as stored by the program, else by the machine
+    /// file.
     pub(super) fn reference(&self, number: u32) -> PerAxis<Option<f64>> {
         let (of_machine, stored) = match number {
             ..=1 => (self.machine.home, Some(0)),

@@ -221,7 +221,8 @@ impl Interpreter<'_> {
             .then(|| self.kernel.sweep_by_words(start, &end, &arc))
     }
 
-    /// The start of the arc with a changed word in the previous block; `None` when that word does not determine the start.
+    /// The start of the arc with a changed word in the previous block; `None` when that word does not determine the
+    /// start.
     fn start_after(
         &self,
         words: &[Word],

@@ -83,8 +83,8 @@ impl Interpreter<'_> {
         1
     }
 
-    /// True when the words of a block are increments: by its own G90 or G91, which may not have acted yet, or by the active
-    /// one. A block with both has increments before its G90.
+    /// True when the words of a block are increments: by its own G90 or G91, which may not have acted yet, or by the
+    /// active one. A block with both has increments before its G90.
     pub(super) fn reads_incremental(&self, block: &Block) -> bool {
         let says = |action| {
             block.all(b'G').any(|word| {

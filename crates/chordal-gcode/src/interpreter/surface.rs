@@ -236,8 +236,8 @@ impl Interpreter<'_> {
         });
     }
 
-    /// Selects a plane on a cylinder: arcs still lie in the unrolled surface, with their direction as in that plane. False
-    /// when no surface is active.
+    /// Selects a plane on a cylinder: arcs still lie in the unrolled surface, with their direction as in that plane.
+    /// False when no surface is active.
     pub(super) fn plane_on_surface(&mut self, plane: Plane) -> bool {
         let Some((mut state, rules)) = self.surface_rules() else { return false };
         let axial = state.run.surface.rotary - 3;

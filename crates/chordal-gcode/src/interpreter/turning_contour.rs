@@ -63,7 +63,8 @@ impl Interpreter<'_> {
         false
     }
 
-    /// Finds the blocks from N P to N Q for a roughing or a finishing cycle; `None` when they are missing, which is reported.
+    /// Finds the blocks from N P to N Q for a roughing or a finishing cycle; `None` when they are missing, which is
+    /// reported.
     pub(super) fn contour(
         &mut self,
         block: &Block,

@@ -38,8 +38,8 @@ impl Interpreter<'_> {
         }
     }
 
-    /// True for G54 with a P of its own, an extended work offset on some controls; P may also belong to another code of the
-    /// block.
+    /// True for G54 with a P of its own, an extended work offset on some controls; P may also belong to another code of
+    /// the block.
     pub(super) fn numbers_by_p(&self, block: &Block, row: &CodeRow, at: usize) -> bool {
         row.words.has(b'P')
             && block.letters().has(b'P')

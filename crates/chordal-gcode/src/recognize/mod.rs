@@ -133,8 +133,8 @@ impl Recognition {
         }
     }
 
-    /// True when a name or a form that no other control has is evidence for it, and no other is near. Several weak signs of
-    /// writing style are not enough: they indicate the author more than the control.
+    /// True when a name or a form that no other control has is evidence for it, and no other is near. Several weak
+    /// signs of writing style are not enough: they indicate the author more than the control.
     pub fn is_certain(&self) -> bool {
         let strongest = self.chosen().signs.first();
         self.strength() == EvidenceStrength::Sure

@@ -5,8 +5,8 @@ use crate::{Vec2, math};
 use super::FitMeasure;
 use super::flat::{FittedPiece, FittedShape, PlanarPoints};
 
-/// With [`FitMeasure::Points`], points must not be farther apart than this along an arc, rad: between them the path is not
-/// known.
+/// With [`FitMeasure::Points`], points must not be farther apart than this along an arc, rad: between them the path is
+/// not known.
 const WIDEST_STEP: f64 = math::PI / 4.0;
 
 /// An upper bound of the Fréchet distance between a piece and its part of the path, mm; `None` if the path does not

@@ -101,8 +101,8 @@ impl PlanarPoints {
         (following - 1) as f64 + part(length, a, b)
     }
 
-    /// The position, close to `near`, where the path crosses the line through a point perpendicular to a direction; `None` if
-    /// it does not.
+    /// The position, close to `near`, where the path crosses the line through a point perpendicular to a direction;
+    /// `None` if it does not.
     pub(super) fn foot(&self, near: f64, point: Vec2, direction: Vec2) -> Option<f64> {
         let ahead = |index: usize| (self.at[index] - point).dot(direction);
         let start = (near as usize).min(self.end() - 1);
@@ -132,7 +132,8 @@ impl PlanarPoints {
         Some(low as f64 + before / (before - following))
     }
 
-    /// Passes positions between two others to `see`: those of all points, or if there are more than `count`, about `count`.
+    /// Passes positions between two others to `see`: those of all points, or if there are more than `count`, about
+    /// `count`.
     pub(super) fn probes(&self, from: f64, to: f64, count: usize, mut see: impl FnMut(f64)) {
         let (first, last) = (math::ceil(from) as usize, to as usize);
         if first >= last {

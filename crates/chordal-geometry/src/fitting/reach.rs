@@ -171,12 +171,12 @@ impl PieceFinder<'_> {
         Some(FittedPiece { deviation, ..piece })
     }
 
-    /// Half of the angle of the arc between two points, rad, in the middle of the range that the points between them allow;
-    /// `None` if the range is empty.
+    /// Half of the angle of the arc between two points, rad, in the middle of the range that the points between them
+    /// allow; `None` if the range is empty.
     ///
-    /// In the frame of the chord of length 2h, with (x, y) relative to its midpoint: a circle through both ends passes within
-    /// e of a point if |k/2·sin ω + y·cos ω| ≤ e, with k = (x² + y² − h² − e²)/h and ω half of the angle to the right. That is
-    /// an interval about ω₀ = atan2(2y, −k).
+    /// In the frame of the chord of length 2h, with (x, y) relative to its midpoint: a circle through both ends passes
+    /// within e of a point if |k/2·sin ω + y·cos ω| ≤ e, with k = (x² + y² − h² − e²)/h and ω half of the angle to the
+    /// right. That is an interval about ω₀ = atan2(2y, −k).
     fn half_turn(&self, from: usize, to: usize, most: usize) -> Option<f64> {
         let at = &self.flat.at;
         let chord = at[to] - at[from];

@@ -1,9 +1,9 @@
-//! Relaxes a chain of pieces into a strip about the path: minimizes the sum of the squares of the distances by which points
-//! are outside, while the chain stays tangent.
+//! Relaxes a chain of pieces into a strip about the path: minimizes the sum of the squares of the distances by which
+//! points are outside, while the chain stays tangent.
 //!
-//! The steps are those of Levenberg and Marquardt. A change of a piece affects only its neighbours, so the matrix is a band
-//! with nine numbers per row. The distance of a point from an arc is computed from its power with respect to the circle,
-//! which is also stable if the arc becomes straight.
+//! The steps are those of Levenberg and Marquardt. A change of a piece affects only its neighbours, so the matrix is a
+//! band with nine numbers per row. The distance of a point from an arc is computed from its power with respect to the
+//! circle, which is also stable if the arc becomes straight.
 
 use crate::{Vec2, math};
 
@@ -18,7 +18,8 @@ const LEFT: f64 = 0.5;
 const MAX_ROUNDS_WITHOUT_GAIN: usize = 8;
 /// The number of first steps in which every point counts, for a chain that is not close to the path yet.
 const FIRST_STEPS: usize = 3;
-/// The largest number of chords of a piece of which all points are checked; of longer pieces, this many points are checked.
+/// The largest number of chords of a piece of which all points are checked; of longer pieces, this many points are
+/// checked.
 const PROBES: usize = 20;
 /// Weight of the tangency of pieces relative to distances.
 const DIRECTION: f64 = 1e5;
@@ -42,7 +43,8 @@ struct StripExcess {
 }
 
 impl StripRow<'_> {
-    /// The relaxed, tangent chain, and the largest distance by which it is outside, mm. `None` if the steps do not converge.
+    /// The relaxed, tangent chain, and the largest distance by which it is outside, mm. `None` if the steps do not
+    /// converge.
     pub(super) fn relax(&self, row: &PieceRow, is_rough: bool) -> Option<(PieceRow, f64)> {
         let mut row = row.clone();
         if !row.is_sound() {

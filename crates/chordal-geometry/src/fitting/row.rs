@@ -103,8 +103,8 @@ impl PieceRow {
         chord * cos + chord.turned_left() * sin
     }
 
-    /// The pieces from one joint to another, with the directions at their ends prescribed. In a closed chain, the indices of
-    /// joints may continue past its start.
+    /// The pieces from one joint to another, with the directions at their ends prescribed. In a closed chain, the
+    /// indices of joints may continue past its start.
     pub(super) fn part(&self, from: usize, to: usize) -> PieceRow {
         let count = self.len();
         let is_closed = self.is_closed && from == 0 && to == count;
@@ -172,8 +172,8 @@ impl PieceRow {
         JointDirections((0..=self.len()).map(at).collect())
     }
 
-    /// The equation of a joint, and by how much it is not satisfied; `None` if it has none. The equation between the ends of a
-    /// closed chain is that of the first joint.
+    /// The equation of a joint, and by how much it is not satisfied; `None` if it has none. The equation between the
+    /// ends of a closed chain is that of the first joint.
     pub(super) fn equation(
         &self,
         joint: usize,
@@ -371,8 +371,8 @@ impl PieceRow {
         }
     }
 
-    /// Replaces the arcs between two joints by `count` arcs, each through three points of the path, with lengths according to
-    /// `rule`.
+    /// Replaces the arcs between two joints by `count` arcs, each through three points of the path, with lengths
+    /// according to `rule`.
     pub(super) fn spread(
         &mut self,
         flat: &PlanarPoints,
@@ -421,8 +421,8 @@ pub(super) enum SpreadRule<'a> {
     Density(&'a ArcDensity),
 }
 
-/// How many arcs the path needs at each point: the lengths along the path up to the joints of a chain of far shorter arcs,
-/// mm.
+/// How many arcs the path needs at each point: the lengths along the path up to the joints of a chain of far shorter
+/// arcs, mm.
 pub(super) struct ArcDensity(pub(super) Vec<f64>);
 
 impl ArcDensity {

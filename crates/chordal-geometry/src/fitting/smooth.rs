@@ -1,8 +1,8 @@
 //! Turns pieces through the points into tangent pieces, as few as possible.
 //!
-//! The chain of pieces, each as long as possible, is relaxed into a strip as wide as the tolerance. Where it does not fit,
-//! one piece is added, the joints around it are redistributed, and it is relaxed again. Where the deviations leave room,
-//! one piece is removed. Pieces that cannot be tangent are not changed.
+//! The chain of pieces, each as long as possible, is relaxed into a strip as wide as the tolerance. Where it does not
+//! fit, one piece is added, the joints around it are redistributed, and it is relaxed again. Where the deviations leave
+//! room, one piece is removed. Pieces that cannot be tangent are not changed.
 
 use crate::{Vec2, math};
 
@@ -17,8 +17,8 @@ use super::{FitMeasure, FitOptions};
 const TOLERANCE_HALVINGS: usize = 5;
 /// The lengths of more pieces are not balanced.
 const MAX_HALVED_PIECES: usize = 100;
-/// Half the width of the strip for relaxing, as a fraction of the tolerance: points between the checked ones may be farther
-/// off.
+/// Half the width of the strip for relaxing, as a fraction of the tolerance: points between the checked ones may be
+/// farther off.
 const STRIP: f64 = 0.985;
 /// How often the strip is made narrower if they are.
 const NARROWER: usize = 3;
@@ -135,8 +135,8 @@ impl SectionFit<'_> {
         density
     }
 
-    /// The same number of pieces with the smallest tolerance that this number allows, so that the last piece is not short and
-    /// the joints have room to move.
+    /// The same number of pieces with the smallest tolerance that this number allows, so that the last piece is not
+    /// short and the joints have room to move.
     fn even(&self, longest: &[FittedPiece], range: [usize; 2]) -> Vec<FittedPiece> {
         let mut best = longest.to_vec();
         if longest.len() > MAX_HALVED_PIECES {
@@ -192,7 +192,8 @@ impl SectionFit<'_> {
         Some(RelaxedRow { row, deviations, excess: outside.max(f64::MIN_POSITIVE) })
     }
 
-    /// Adds and removes pieces until the chain is within the tolerance with few pieces; cuts it where it cannot be tangent.
+    /// Adds and removes pieces until the chain is within the tolerance with few pieces; cuts it where it cannot be
+    /// tangent.
     fn finish(
         &self,
         mut measured: MeasuredRow,

@@ -25,7 +25,8 @@ pub struct SpiralWords {
     pub centered: bool,
     /// It has a radius.
     pub by_radius: bool,
-    /// The centre words on the two axes of the plane, mm, `None` when omitted; [`ArcCenter`](crate::rules::ArcCenter) says how they are read.
+    /// The centre words on the two axes of the plane, mm, `None` when omitted; [`ArcCenter`](crate::rules::ArcCenter)
+    /// says how they are read.
     pub center: [Option<f64>; 2],
     /// The change of the radius per turn, mm (Q).
     pub increment: Option<f64>,

@@ -39,7 +39,8 @@ impl CheckedValue<'_> {
         Ok(())
     }
 
-    /// Reads the old key `kind`. If it names no shape there is a notice, because functions that need one do not know this tool.
+    /// Reads the old key `kind`. If it names no shape there is a notice, because functions that need one do not know
+    /// this tool.
     pub(super) fn take_kind(&self, machine: &mut Machine) -> Result<(), MachineError> {
         let text = self.text(self.value)?;
         if !schema::tool(machine, &self.at.keys).take_kind(&text) {

@@ -74,8 +74,8 @@ impl HolderDesignation {
         Ok(HolderDesignation { kind, letter, clearance, style, hand, edge_mm })
     }
 
-    /// The angle κ between the main edge of the insert and the feed along Z, degrees. `None` if the letter of the style does not
-    /// determine it.
+    /// The angle κ between the main edge of the insert and the feed along Z, degrees. `None` if the letter of the style
+    /// does not determine it.
     pub fn approach_degrees(&self) -> Option<f64> {
         // Manufacturers use different angles: 107.5° and 117.5°.
         if self.style == 'Q' && self.letter != InsertLetter::D {
@@ -91,8 +91,8 @@ impl HolderDesignation {
         (other + corner <= 180.0).then_some(other)
     }
 
-    /// The tip number of Fanuc for the usual mounting: a right-hand holder feeds towards the chuck, a bar is in a bore, and a
-    /// neutral holder is perpendicular to the spindle. `None` if more than one mounting is usual.
+    /// The tip number of Fanuc for the usual mounting: a right-hand holder feeds towards the chuck, a bar is in a bore,
+    /// and a neutral holder is perpendicular to the spindle. `None` if more than one mounting is usual.
     pub fn usual_tip(&self) -> Option<u32> {
         let style = self.style_row()?;
         match (self.kind, self.hand) {

@@ -136,8 +136,8 @@ pub(super) fn is_clamping(letter: char) -> bool {
 pub(super) struct HolderStyle {
     /// The angle between the main edge and the feed, degrees.
     pub entering_degrees: f64,
-    /// The main edge is at the end of the shank: for a square shank across the spindle, the entering angle is that of a feed
-    /// along X.
+    /// The main edge is at the end of the shank: for a square shank across the spindle, the entering angle is that of a
+    /// feed along X.
     pub end_cutting: bool,
 }
 

@@ -1,5 +1,5 @@
-//! Designations of turning tools, as in catalogues: inserts (ISO 1832, ANSI B212.4), holders with a square shank (ISO 5608)
-//! and boring bars (ISO 6261).
+//! Designations of turning tools, as in catalogues: inserts (ISO 1832, ANSI B212.4), holders with a square shank (ISO
+//! 5608) and boring bars (ISO 6261).
 
 mod edge;
 mod holder;

@@ -1,5 +1,5 @@
-//! The table of the keys of a machine file: the path of each key, its values, its meaning and the field for its value. The
-//! checks, suggestions, assignments, the reference and the writer of machine files use it.
+//! The table of the keys of a machine file: the path of each key, its values, its meaning and the field for its value.
+//! The checks, suggestions, assignments, the reference and the writer of machine files use it.
 
 mod bodies;
 mod rows;

@@ -9,8 +9,9 @@ use crate::toml_text::string_text;
 use crate::value::SettingValue;
 
 impl SchemaSlot {
-    /// The text of the value of the key in a machine, in millimetres, seconds and radians; `None` if the file does not need
-    /// the key. It uses the same accessors as reading, which may create missing entries, so `machine` is a mutable copy.
+    /// The text of the value of the key in a machine, in millimetres, seconds and radians; `None` if the file does not
+    /// need the key. It uses the same accessors as reading, which may create missing entries, so `machine` is a mutable
+    /// copy.
     pub(crate) fn written(&self, machine: &mut Machine, keys: &PlaceholderKeys) -> Option<String> {
         let is_rotary = keys.axis.is_some_and(Axis::is_rotary);
         let factor = keys.axis.map_or(1.0, |axis| machine.written_factor(axis as usize));

@@ -179,8 +179,8 @@ impl Compensator {
         self.on_arc("ends", "put G40 on a straight move away from the contour", origin, out);
     }
 
-    /// Reports an arc on which compensation starts or ends. In the block of the code itself this was already reported when
-    /// the block was interpreted.
+    /// Reports an arc on which compensation starts or ends. In the block of the code itself this was already reported
+    /// when the block was interpreted.
     fn on_arc(&self, what: &str, help: &str, origin: &Origin, out: &mut dyn PathSink) {
         if self.code.span == origin.span {
             return;

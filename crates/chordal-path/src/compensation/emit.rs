@@ -41,7 +41,8 @@ impl Compensator {
         position[b] = at.b;
     }
 
-    /// The position that the control programs when the tool centre is at `centre`, mm: the imaginary tip of a turning tool.
+    /// The position that the control programs when the tool centre is at `centre`, mm: the imaginary tip of a turning
+    /// tool.
     fn tip_at(&self, centre: Vec2) -> Vec2 {
         centre + self.tip
     }

@@ -68,8 +68,8 @@ pub struct ContourPiece {
     pub sign: f64,
     /// The offset, mm.
     pub radius_mm: f64,
-    /// The offset in the table is negative: the program already gives the tool centre and the offset is a wear, or the tool
-    /// is meant to be on the other side.
+    /// The offset in the table is negative: the program already gives the tool centre and the offset is a wear, or the
+    /// tool is meant to be on the other side.
     pub negative: bool,
     /// The block is a rapid, which cuts no wall.
     pub rapid: bool,
@@ -142,8 +142,8 @@ pub struct Compensator {
     /// The block of the last G40, G41, G42 or D.
     code: Origin,
     toward: Option<Vec2>,
-    /// The active code was programmed again: if it is in a block without motion, the block before ends perpendicular to its
-    /// offset point.
+    /// The active code was programmed again: if it is in a block without motion, the block before ends perpendicular to
+    /// its offset point.
     again: bool,
     /// The block of a G39 that applies to the next corner.
     round_next: Option<Origin>,

@@ -226,7 +226,8 @@ impl Compensator {
         self.queue.push_back(block);
     }
 
-    /// Starts compensation after a G41 in a block without motion, type C: the tool first moves perpendicular to the contour.
+    /// Starts compensation after a G41 in a block without motion, type C: the tool first moves perpendicular to the
+    /// contour.
     fn start_square(
         &mut self,
         command: &Command,

@@ -24,8 +24,8 @@ pub struct PartContour {
     pub ambiguous: Vec<(u32, u32)>,
     /// Arcs at the ends that only lead the tool to the contour and away from it.
     pub lead_arcs: Vec<ContourBlock>,
-    /// For the tag of every block of the part the index of its curve, in the order of tags. Blocks that repeat a curve have
-    /// the same index.
+    /// For the tag of every block of the part the index of its curve, in the order of tags. Blocks that repeat a curve
+    /// have the same index.
     places: Vec<(u32, u32)>,
 }
 

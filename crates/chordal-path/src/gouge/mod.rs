@@ -99,8 +99,8 @@ pub struct CenterMove {
 /// Tolerances and limits of the check.
 #[derive(Clone, Copy, Debug)]
 pub struct GougeOptions {
-    /// A depth up to this is not a gouge, mm: the maximum of 2 µm, the largest difference between the start and end radius
-    /// of an arc, and two least increments.
+    /// A depth up to this is not a gouge, mm: the maximum of 2 µm, the largest difference between the start and end
+    /// radius of an arc, and two least increments.
     pub epsilon: f64,
     /// Points nearer than this are one vertex, mm.
     pub vertex: f64,
@@ -123,8 +123,8 @@ impl Default for GougeOptions {
 pub enum GougeKind {
     /// In the contour of the part.
     Contour,
-    /// Made by a lead, within a tool radius of an open end of the contour. Contours often begin and end outside of the part,
-    /// where this cuts nothing.
+    /// Made by a lead, within a tool radius of an open end of the contour. Contours often begin and end outside of the
+    /// part, where this cuts nothing.
     AtLead,
 }
 
@@ -148,8 +148,8 @@ pub struct Gouge {
 /// The result of the check.
 #[derive(Clone, Debug, Default)]
 pub struct GougeReport {
-    /// The gouges, the deepest first. Gouges within a tool diameter of each other along path and contour are one. If there
-    /// are more than requested, the deepest is among these, and the others are an arbitrary selection.
+    /// The gouges, the deepest first. Gouges within a tool diameter of each other along path and contour are one. If
+    /// there are more than requested, the deepest is among these, and the others are an arbitrary selection.
     pub gouges: Vec<Gouge>,
     /// There are more gouges than reported.
     pub more: bool,

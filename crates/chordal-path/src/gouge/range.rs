@@ -102,8 +102,8 @@ pub struct OffsetRange {
     pub lead_clear: RadiusLimit,
     /// The lead arc with the smallest radius, if there is one.
     pub lead_arc: Option<LeadArc>,
-    /// The smallest radius of each kind at which the contour or its leads change, mm, in ascending order. If the range may
-    /// have gaps, [`intervals`] tests a radius between each two of them.
+    /// The smallest radius of each kind at which the contour or its leads change, mm, in ascending order. If the range
+    /// may have gaps, [`intervals`] tests a radius between each two of them.
     pub events: Vec<f64>,
     /// The contour is one chain. If it is not, radii above an impossible one may be possible again: see [`intervals`].
     pub simple: bool,

@@ -51,8 +51,8 @@ impl GougeCurve {
         GougeCurve::Line { from, to }
     }
 
-    /// The arc about `center` from one point to another, mm, counter-clockwise or clockwise; a full turn if the points are
-    /// equal. The radius is the distance of `from` from the centre.
+    /// The arc about `center` from one point to another, mm, counter-clockwise or clockwise; a full turn if the points
+    /// are equal. The radius is the distance of `from` from the centre.
     #[must_use]
     pub fn arc(center: Vec2, from: Vec2, to: Vec2, counter_clockwise: bool) -> Self {
         let start = angle_of(from - center);
@@ -99,8 +99,8 @@ impl GougeCurve {
         }
     }
 
-    /// The angles of the tangents at both ends, rad, not unwrapped relative to a neighbour; the second is the first plus the
-    /// sweep.
+    /// The angles of the tangents at both ends, rad, not unwrapped relative to a neighbour; the second is the first
+    /// plus the sweep.
     pub(super) fn tangent_angles(&self) -> (f64, f64) {
         match *self {
             GougeCurve::Line { from, to } => {

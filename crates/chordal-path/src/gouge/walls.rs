@@ -165,9 +165,9 @@ impl ChainLoops {
         (next..self.chain.len()).zip(body).take_while(same).count()
     }
 
-    /// Whether a loop continues straight beyond an outside corner and returns straight into the next wall. A pocket that is
-    /// entered and left through its corner looks the same, but is longer than the rest of the chain, or its leads are arcs
-    /// with the tool inside.
+    /// Whether a loop continues straight beyond an outside corner and returns straight into the next wall. A pocket
+    /// that is entered and left through its corner looks the same, but is longer than the rest of the chain, or its
+    /// leads are arcs with the tool inside.
     fn is_excursion(&self, before: usize, body: &[usize], after: usize) -> bool {
         let curve = |at: usize| &self.chain[at].curve;
         let (first, last) = (curve(body[0]), curve(body[body.len() - 1]));

@@ -44,8 +44,8 @@ pub struct MacroGrammar {
     /// Variables written as letters and a number (Fadal `V1`, `FX(V10)`); longer letters come before those that are their
     /// beginning. The index in the list is the number of [`StackOp::Letters`](super::StackOp).
     pub letter_variables: &'static [&'static str],
-    /// The deepest nesting of brackets, including those of functions and conditions; more is an alarm. `None` if no limit is
-    /// known.
+    /// The deepest nesting of brackets, including those of functions and conditions; more is an alarm. `None` if no
+    /// limit is known.
     pub bracket_limit: Option<u8>,
 }
 
@@ -54,8 +54,8 @@ pub const fn operator(text: &'static str, operator: Operator, level: u8) -> Oper
     OperatorRow { text, operator, level }
 }
 
-/// AND has the precedence of `*`, OR and XOR that of `+`: `IF[#120AND4EQ4]` is `[#120 AND 4] EQ 4`, as in the Fanuc programs
-/// of a probe manufacturer.
+/// AND has the precedence of `*`, OR and XOR that of `+`: `IF[#120AND4EQ4]` is `[#120 AND 4] EQ 4`, as in the Fanuc
+/// programs of a probe manufacturer.
 const MACRO_B_OPERATORS: &[OperatorRow] = &[
     operator("MOD", Operator::Modulo, 3),
     operator("AND", Operator::And, 3),

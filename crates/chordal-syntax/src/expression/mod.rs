@@ -1,8 +1,8 @@
 //! Expressions of macro languages: compiles text to steps for a stack machine, with spans.
 //!
-//! An expression becomes a list of steps in the order in which a stack machine executes them (`#1+2*3` is
-//! `1, read, 2, 3, ×, +`), so that evaluating it needs no recursion and no additional memory, even for a long line. Reading
-//! never fails: unreadable text gives a diagnostic and a step without a known value.
+//! An expression becomes a list of steps in the order in which a stack machine executes them (`#1+2*3` is `1, read, 2,
+//! 3, ×, +`), so that evaluating it needs no recursion and no additional memory, even for a long line. Reading never
+//! fails: unreadable text gives a diagnostic and a step without a known value.
 
 mod grammar;
 mod parse;

@@ -197,8 +197,8 @@ impl<'a> ExpressionParser<'a> {
         self.steps.push(ExpressionStep { op, range });
     }
 
-    /// Reads operands joined by operators of at least a level. The loop takes operators of equal level from the left, so a long
-    /// sum needs no recursion.
+    /// Reads operands joined by operators of at least a level. The loop takes operators of equal level from the left,
+    /// so a long sum needs no recursion.
     fn binary(&mut self, level: u8) {
         self.next_mark();
         let start = self.at;

@@ -86,8 +86,8 @@ impl BlockReader<'_> {
         KEYWORDS.iter().any(|keyword| word == *keyword)
     }
 
-    /// Goes to the end of a macro statement: the end of the line, or a semicolon outside of brackets and comments if that ends
-    /// a block.
+    /// Goes to the end of a macro statement: the end of the line, or a semicolon outside of brackets and comments if
+    /// that ends a block.
     pub(super) fn skip_statement(&mut self) {
         if self.lexicon.semicolon == Semicolon::Comment {
             return self.skip_to_line_end();
@@ -115,8 +115,8 @@ impl BlockReader<'_> {
         following == Some(&open) && self.lexicon.grammar.functions.iter().any(known)
     }
 
-    /// Finds the end of `#12`, `#[…]`, `[…]` or `SIN[…]`, with a sign. Brackets are matched; the end of the line closes all. The
-    /// expression itself is read when the block is executed.
+    /// Finds the end of `#12`, `#[…]`, `[…]` or `SIN[…]`, with a sign. Brackets are matched; the end of the line closes
+    /// all. The expression itself is read when the block is executed.
     pub(super) fn expression(&mut self) -> WordValue {
         let start = self.at;
         self.operand();

@@ -52,7 +52,8 @@ impl BlockReader<'_> {
         Some(WordValue::Number(number))
     }
 
-    /// Reports `(cut) o100 repeat [2]`: after a comment, the interpreter reads the O as a word, and there is no such word.
+    /// Reports `(cut) o100 repeat [2]`: after a comment, the interpreter reads the O as a word, and there is no such
+    /// word.
     #[cold]
     pub(super) fn o_word_after_comment(&self, block: &mut Block, start: usize) {
         self.problem(block, || {
@@ -169,8 +170,8 @@ impl BlockReader<'_> {
     }
 }
 
-/// Whether a token has the letter O instead of a zero: `1O.` in `X1O.Y5.`, `.O0` in `X4.O00F90.`, `-O.` in `Z-O.5F30.`. The O
-/// is before a point or a digit; at the start of the token, only before a point.
+/// Whether a token has the letter O instead of a zero: `1O.` in `X1O.Y5.`, `.O0` in `X4.O00F90.`, `-O.` in `Z-O.5F30.`.
+/// The O is before a point or a digit; at the start of the token, only before a point.
 fn is_packed_slip(token: &[u8]) -> bool {
     let is_within = |part: &[u8]| {
         matches!(part[0], b'0'..=b'9' | b'.' | b'+' | b'-')

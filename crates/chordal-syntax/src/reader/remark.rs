@@ -1,5 +1,5 @@
-//! Finds prose between the words of a program: a comment without its parentheses, or one that was wrapped at the end of its
-//! line.
+//! Finds prose between the words of a program: a comment without its parentheses, or one that was wrapped at the end of
+//! its line.
 
 use super::*;
 
@@ -45,8 +45,8 @@ impl CommentTokens {
         tokens
     }
 
-    /// Whether the text is prose: at least as many prose tokens as others, and two of them, or one that closes a parenthesis
-    /// from another line, or a single one of four or more letters.
+    /// Whether the text is prose: at least as many prose tokens as others, and two of them, or one that closes a
+    /// parenthesis from another line, or a single one of four or more letters.
     fn is_prose(&self) -> bool {
         let alone = self.prose == 1 && self.other == 0 && self.longest >= 4;
         (self.prose >= 2 || alone || self.closes)
@@ -77,8 +77,8 @@ fn without_marks(token: &[u8]) -> &[u8] {
 }
 
 impl BlockReader<'_> {
-    /// Reports the prose from `start` to the end of its line or the next comment as one problem, and skips it. False if the text
-    /// is not prose.
+    /// Reports the prose from `start` to the end of its line or the next comment as one problem, and skips it. False if
+    /// the text is not prose.
     #[cold]
     pub(super) fn remark(&mut self, block: &mut Block, start: usize) -> bool {
         // A line of a megabyte must not be searched for its end repeatedly.

@@ -148,7 +148,8 @@ impl<'a> Interpreter<'a> {
         self.report_once(Diagnostic::new(code, self.span(range), message).help(help));
     }
 
-    /// The start of the block after the END of a loop; `None` when there is none. The text is searched once for all loops.
+    /// The start of the block after the END of a loop; `None` when there is none. The text is searched once for all
+    /// loops.
     fn loop_end(&mut self, head: TextPosition, number: u32) -> Option<TextPosition> {
         let mut reader = self.reader_of(self.program);
         let ends = self.macros.loop_ends.entry((self.file, self.program)).or_default();

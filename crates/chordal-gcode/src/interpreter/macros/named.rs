@@ -74,7 +74,8 @@ impl Interpreter<'_> {
         ))
     }
 
-    /// The value of a predefined variable; `Some(None)` when the program does not determine it, `None` for no such variable.
+    /// The value of a predefined variable; `Some(None)` when the program does not determine it, `None` for no such
+    /// variable.
     fn predefined(&self, name: &str) -> Option<Option<f64>> {
         let name = name.strip_prefix('_')?;
         let state = &self.kernel.state;

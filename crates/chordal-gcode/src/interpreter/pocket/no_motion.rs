@@ -37,8 +37,8 @@ impl Interpreter<'_> {
         self.motion_missing(word, &format!("{what} moves and measures"));
     }
 
-    /// L9201: Z is the depth, R0 the clearance plane, R1 the kind of letters, R2 their height, R3 the angle, R4 the step of
-    /// a serial number; the text follows a parenthesis.
+    /// L9201: Z is the depth, R0 the clearance plane, R1 the kind of letters, R2 their height, R3 the angle, R4 the
+    /// step of a serial number; the text follows a parenthesis.
     pub(super) fn engrave_routine(&mut self, block: &Block, word: &Word) {
         self.routine_allowed(word);
         if self.active_radius_offset().is_none_or(|number| number == 0) {
