@@ -1,4 +1,4 @@
-//! Subroutines of O words that a text calls.
+//! Finds the subroutines that a text calls by O words.
 
 use chordal_diagnostics::{FileId, TextRange};
 use chordal_syntax::{
@@ -7,7 +7,7 @@ use chordal_syntax::{
 
 use crate::macros::names::normal;
 
-/// Longest line that is looked at.
+/// Longest line that is examined.
 const MAX_LINE_BYTES: usize = 4096;
 
 /// The names of the subroutines that a text calls by O words (`o<name> call`), each once: the

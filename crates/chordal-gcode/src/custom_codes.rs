@@ -1,4 +1,4 @@
-//! Codes that a shop has of its own: what is asked when one is met, and what may be answered.
+//! Custom M codes and programs: the call that a run passes to its caller, and the possible answers.
 
 use chordal_command::{AxisMask, Position, Units};
 use std::collections::{HashMap, HashSet};
@@ -7,14 +7,14 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use chordal_diagnostics::Span;
 
-/// Knows codes and programs that neither the control nor the texts of a job have.
+/// Answers codes and programs that neither the control nor the texts of a job define.
 ///
-/// It is asked where an M code is met that the control's table does not have or does not carry out,
-/// and where a program is called (`G65 P9010`, `M98 P9010`, a code that a setting makes a call) that
-/// no text holds. Every question of a job runs its program anew, so the same call must be answered the
-/// same way each time; [`ShopRecord`] sees to that for one that cannot promise it.
+/// It is called for an M code that the control's table does not contain or does not carry out, and for a call
+/// (`G65 P9010`, `M98 P9010`, a code that a setting makes a call) of a program that no text contains. A job runs
+/// its program several times, so the same call must always get the same answer; wrap an implementation that
+/// cannot guarantee this in [`ShopRecord`].
 ///
-/// A closure is one:
+/// A closure implements it:
 ///
 /// ```
 /// use chordal_gcode::{ShopAnswer, ShopCall, CustomCode, ShopCodes};
@@ -37,12 +37,12 @@ impl<F: Fn(&ShopCall<'_>) -> ShopAnswer + Send + Sync> ShopCodes for F {
     }
 }
 
-/// What was met.
+/// A custom code or program.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
 pub enum CustomCode {
     /// An M code, ten times its number: M120 is 1200.
     M(u16),
-    /// A called program that is not there.
+    /// A called program that no text contains.
     Program(u32),
 }
 
@@ -56,14 +56,14 @@ impl fmt::Display for CustomCode {
     }
 }
 
-/// A code where it was met, and how the control stands before its block moves.
+/// A custom code in its block, and the state of the control before the block moves.
 #[derive(Clone, Copy, Debug)]
 pub struct ShopCall<'a> {
     /// The code.
     pub code: CustomCode,
-    /// Which main program runs, by its place among the programs of the job.
+    /// The index of the running main program among the programs of the job.
     pub main: usize,
-    /// How many calls of this run were asked about before.
+    /// Number of custom codes of this run before this one.
     pub nth: u32,
     /// The block.
     pub block: Span,
@@ -73,58 +73,58 @@ pub struct ShopCall<'a> {
     pub line: u32,
     /// Its text.
     pub text: &'a str,
-    /// Its words with the numbers as written, N left out; empty where they are arguments.
+    /// Its words with the numbers as written, without N; empty when they are arguments.
     pub words: &'a [(char, f64)],
     /// The local variables that a macro call sets, by number.
     pub arguments: &'a [(u32, f64)],
     /// The tool in the spindle.
     pub tool: u32,
-    /// Where the tool tip is, program coordinates, mm and rad.
+    /// The tool tip, program coordinates, mm and rad.
     pub position: Position,
-    /// The axes of which that is known.
+    /// The axes whose position is known.
     pub known: AxisMask,
     /// Units of the program.
     pub units: Units,
-    /// G91 is in force.
+    /// G91 is active.
     pub incremental: bool,
-    /// Speed of the spindle where it turns, rev/min; else 0.
+    /// Speed of the spindle, rev/min; 0 when it is stopped.
     pub spindle_rpm: f64,
 }
 
-/// What a machine does for a code of the shop's own.
+/// What a machine does for a custom code or program.
 #[derive(Clone, PartialEq, Debug)]
 pub enum ShopAnswer {
-    /// Nobody knows the code: what the control says stands.
+    /// The code is not known here: the control reports it as usual.
     NotMine,
-    /// It takes a time.
+    /// It takes time and moves nothing.
     Wait {
-        /// For how long; not below zero.
+        /// Its time, s; not negative.
         seconds: f64,
-        /// For what; `None`: the code's own name.
+        /// The reason; `None` for the name of the code.
         label: Option<Arc<str>>,
     },
-    /// It does what these blocks say, run as a subprogram. Their end is a return.
+    /// It runs these NC blocks as a subprogram; their end is a return.
     Text(Arc<str>),
-    /// It refuses, and says why.
+    /// It is refused, for this reason.
     Refused(String),
 }
 
 impl ShopAnswer {
-    /// A time in seconds, and for what.
+    /// A time, s, and its reason.
     pub fn wait(seconds: f64, label: &str) -> ShopAnswer {
         ShopAnswer::Wait { seconds, label: Some(Arc::from(label)) }
     }
 
-    /// NC blocks.
+    /// NC blocks to run as a subprogram.
     pub fn text(text: &str) -> ShopAnswer {
         ShopAnswer::Text(Arc::from(text))
     }
 }
 
-/// Asks about each call once and gives the same answer in every later run.
+/// Passes on each call once and repeats the answer in every later run.
 ///
-/// A call is known by its main program and its number among the calls of the run. That is enough:
-/// with the same answers before it a run comes to the same calls.
+/// A call is identified by its main program and its number among the calls of the run. This is sufficient: after
+/// the same answers, a run makes the same calls.
 pub struct ShopRecord {
     inner: Arc<dyn ShopCodes>,
     known: Mutex<CachedAnswers>,
@@ -133,12 +133,12 @@ pub struct ShopRecord {
 #[derive(Default)]
 struct CachedAnswers {
     answers: HashMap<(usize, u32), ShopAnswer>,
-    /// A text that is answered again and again is kept once.
+    /// Equal texts are stored once.
     texts: HashSet<Arc<str>>,
 }
 
 impl ShopRecord {
-    /// A record in which nothing stands yet, and who is asked.
+    /// An empty record in front of `inner`.
     pub fn new(inner: Arc<dyn ShopCodes>) -> ShopRecord {
         ShopRecord { inner, known: Mutex::default() }
     }
@@ -148,7 +148,7 @@ impl ShopRecord {
         known.answers.get(&(call.main, call.nth)).cloned()
     }
 
-    /// Notes an answer; of two for the same call the first counts.
+    /// Stores an answer; of two answers to the same call the first counts.
     fn note(&self, call: &ShopCall<'_>, answer: ShopAnswer) -> ShopAnswer {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         let answer = match answer {
@@ -165,7 +165,7 @@ impl ShopRecord {
 
 impl ShopCodes for ShopRecord {
     fn answer(&self, call: &ShopCall<'_>) -> ShopAnswer {
-        // The lock is not held while the shop is asked, which may take long.
+        // The lock is released during the call, which may take long.
         self.known(call).unwrap_or_else(|| {
             let answer = self.inner.answer(call);
             self.note(call, answer)

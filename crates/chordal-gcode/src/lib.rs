@@ -1,8 +1,7 @@
-//! The word-address language: text into blocks, blocks into what the kernel does.
+//! The word-address language: reads text into blocks and carries them out with the kernel.
 //!
-//! [`Library`] finds the programs of a text, [`run`] carries one out: blocks one after the other,
-//! calls, loops, macro statements. What a code does on a control stands in its table
-//! (`chordal-dialect`); how the machine moves is the kernel's business.
+//! [`Library`] finds the programs of a text, [`run`] carries one out: its blocks in order, calls, loops, macro
+//! statements. The tables of `chordal-dialect` define what a code does on a control; the kernel makes the moves.
 //!
 //! ```
 //! use chordal_diagnostics::{Source, SourceMap};
@@ -18,7 +17,7 @@
 //! let options = RunOptions::default();
 //! let language = WordAddress::new(&sources, &machine, &control, &options);
 //! assert_eq!(language.programs()[0].number, Some(7));
-//! // What stands at a place of the text: G0.
+//! // The meaning of the word at byte 8: G0.
 //! assert!(language.meaning(8).unwrap().1.starts_with("G0: "));
 //! ```
 

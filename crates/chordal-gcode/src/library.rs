@@ -8,13 +8,13 @@ use chordal_syntax::{Block, BlockReader, Lexicon, ProgramHead, find_programs, is
 /// A program of one of the texts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Program {
-    /// The text it stands in.
+    /// Its file.
     pub file: FileId,
     /// Its head and its range.
     pub head: ProgramHead,
 }
 
-/// All programs of a job by number. The first of a number counts.
+/// All programs of a job by number. The first one with a number counts.
 #[derive(Debug)]
 pub struct Library<'a> {
     sources: &'a SourceMap<'a>,
@@ -63,7 +63,7 @@ impl<'a> Library<'a> {
         sources.get(file).map_or(&[], |source| source.text())
     }
 
-    /// The program of a number; one of `near` (the caller's file) comes before others.
+    /// The index of the program with a number; one in `near` (the caller's file) takes precedence. `None` without one.
     pub fn find(&self, number: u32, near: FileId) -> Option<usize> {
         let first = *self.by_number.get(&number)?;
         if self.programs[first].file == near {
@@ -76,8 +76,7 @@ impl<'a> Library<'a> {
         here.or(Some(first))
     }
 
-    /// The first program of each file by the file's name in lower case, folder and ending left
-    /// out.
+    /// The first program of each file, by the name of the file in lower case without folder and extension.
     pub(crate) fn files_by_name(&self) -> HashMap<String, usize> {
         let mut files = HashMap::new();
         for (index, program) in self.programs.iter().enumerate() {
@@ -89,9 +88,8 @@ impl<'a> Library<'a> {
         files
     }
 
-    /// Programs that no other program of the same file calls: the mains. When every one is
-    /// called, or a call computes its number, the first. `also_called` are programs that
-    /// something else than the text calls.
+    /// The main programs of the first file: those that no other program of it calls; the first one when each is
+    /// called or a call computes its number. `also_called` are programs called from elsewhere.
     pub fn mains(&self, lexicon: &Lexicon, also_called: &[u32]) -> Vec<usize> {
         let here: Vec<usize> =
             (0..self.programs.len()).filter(|i| self.programs[*i].file == FileId(0)).collect();
@@ -120,7 +118,7 @@ impl<'a> Library<'a> {
         reader
     }
 
-    /// Numbers that stand twice in one file.
+    /// Reports program numbers that occur twice in one file.
     pub fn duplicate_diagnostics(&self) -> impl Iterator<Item = Diagnostic> + '_ {
         self.duplicates.iter().map(|(first, again)| {
             let span = |index: usize| -> Span {
@@ -140,11 +138,11 @@ impl<'a> Library<'a> {
     }
 }
 
-/// Stands among the called programs for a call whose number is computed.
+/// Marks a call with a computed number in the list of called programs.
 const COMPUTED: u32 = u32::MAX;
 
-/// The program numbers that a text calls with literals: `M98 P1000`, `G65 P9000`, packed
-/// repeats (`P51000`) read both ways.
+/// The program numbers that a text calls with literals: `M98 P1000`, `G65 P9000`; with packed repeats (`P51000`)
+/// both 51000 and 1000.
 pub fn referenced_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
     let mut numbers = called_programs(text, lexicon);
     numbers.retain(|number| *number != COMPUTED);
@@ -156,7 +154,7 @@ fn called_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
     for at in memchr::memmem::find_iter(text, b"98") {
         call_at(text, at, b'M', lexicon, &mut numbers);
     }
-    // G150 takes its outline from a program.
+    // The outline of G150 may be a program.
     for code in [b"65".as_slice(), b"66", b"150"] {
         for at in memchr::memmem::find_iter(text, code) {
             call_at(text, at, b'G', lexicon, &mut numbers);
@@ -172,7 +170,7 @@ fn called_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
     numbers
 }
 
-/// Notes the program of `START 9200`, on a macro line.
+/// Adds the program of `START 9200` on a macro line.
 fn started_at(text: &[u8], at: usize, numbers: &mut Vec<u32>) {
     // Macro lines are short.
     let before = &text[at.saturating_sub(100)..at];
@@ -187,7 +185,7 @@ fn started_at(text: &[u8], at: usize, numbers: &mut Vec<u32>) {
     numbers.extend(number);
 }
 
-/// Notes the numbers behind P in a macro statement.
+/// Adds the numbers after P in a macro statement.
 fn called_in_statement(words: &[u8], numbers: &mut Vec<u32>) {
     for at in memchr::memchr2_iter(b'P', b'p', words) {
         let rest = words[at + 1..].trim_ascii_start();
@@ -198,7 +196,7 @@ fn called_in_statement(words: &[u8], numbers: &mut Vec<u32>) {
     }
 }
 
-/// Reads the block around a call code at `at` and notes the P words.
+/// Reads the block around a call code at `at` and adds its P words.
 fn call_at(text: &[u8], at: usize, letter: u8, lexicon: &Lexicon, numbers: &mut Vec<u32>) {
     let mut back = at;
     while back > 0 && matches!(text[back - 1], b' ' | b'0') {

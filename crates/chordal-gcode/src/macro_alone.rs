@@ -1,7 +1,7 @@
-//! Programs that need a caller: macros, which read arguments that only a call gives.
+//! Finds macros that need a caller, because they read arguments that only a call gives.
 //!
-//! Decided by the text, before anything is run: a program that returns (M99) and nowhere ends (M2, M30), and
-//! reads local variables that no line above sets. Of LinuxCNC a text with nothing outside its subroutines.
+//! This is decided by the text, before a run: such a program returns (M99) and never ends (M2, M30), and reads local
+//! variables that no line above sets. For LinuxCNC it is a text with nothing outside its subroutines.
 
 use std::collections::BTreeSet;
 
@@ -17,15 +17,15 @@ use chordal_syntax::{
 use crate::library::{Library, Program};
 use crate::macros::arguments::type_one;
 
-/// Macros are short: a longer text is taken for a program, bytes.
+/// Macros are short: a longer text counts as a main program, bytes.
 const MAX_MACRO_BYTES: usize = 1 << 20;
 
-/// What a macro run by itself lacks.
+/// The call that a macro needs.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct MissingCall {
     /// The head of the macro, or its first block.
     pub head: TextRange,
-    /// Its arguments, for people: `X, Y and R`.
+    /// Its arguments in words: `X, Y and R`.
     pub arguments: String,
 }
 
@@ -38,7 +38,7 @@ enum CallArgument {
     Letters(u8, u32),
 }
 
-/// What the program would need to be run; `None` for one that is a main program.
+/// The call that a program needs; `None` for a main program.
 pub(crate) fn missing_call(
     library: &Library<'_>,
     program: Program,
@@ -85,7 +85,7 @@ pub(crate) fn missing_call(
     Some(MissingCall { head, arguments })
 }
 
-/// A quick look: most programs end here.
+/// A fast search that excludes most programs.
 fn may_be_macro(text: &[u8], form: MacroForm) -> bool {
     let has = |part: &[u8]| {
         let first = part[0];
@@ -99,14 +99,14 @@ fn may_be_macro(text: &[u8], form: MacroForm) -> bool {
     }
 }
 
-/// Where the lines of a text of subroutines are.
+/// The state of the scan of a text with subroutines.
 #[derive(Default)]
 struct SubState {
     found: bool,
     inside: bool,
 }
 
-/// One pass over the text.
+/// A scan of the text.
 struct MacroScan<'a> {
     control: &'a Control,
     text: &'a [u8],
@@ -114,12 +114,12 @@ struct MacroScan<'a> {
     parser: ExpressionParser<'a>,
     read: BTreeSet<CallArgument>,
     set: BTreeSet<CallArgument>,
-    /// M99 was met.
+    /// M99 was found.
     returns: bool,
 }
 
 impl<'a> MacroScan<'a> {
-    /// A block of macro B: its words and its statements. `None` where it shows a main program.
+    /// Scans the words and statements of a macro B block. `None` when it shows a main program.
     fn block(&mut self, block: &mut Block) -> Option<()> {
         let line = block.line;
         loop {
@@ -129,7 +129,7 @@ impl<'a> MacroScan<'a> {
             if rest.is_empty() || rest.start <= range.start {
                 return Some(());
             }
-            // The rest is read as a block of its own. It is shorter every time.
+            // The rest is read as a block of its own; it gets shorter each time, so the loop ends.
             let mut reader = BlockReader::new(self.text, self.file, self.control.table.lexicon);
             reader.seek(BlockPosition { offset: rest.start, line });
             reader.limit(rest.end);
@@ -139,8 +139,8 @@ impl<'a> MacroScan<'a> {
         }
     }
 
-    /// Reads the values of words. `None` for an end of a program, and where a tool is named by its number: that
-    /// is the work of a main program, which M99 starts again.
+    /// Scans the values of words. `None` for a program end, and for a tool number: then it is a main program that M99
+    /// starts again.
     fn words(&mut self, block: &Block) -> Option<()> {
         let mut calls = false;
         for word in &block.words {
@@ -164,7 +164,7 @@ impl<'a> MacroScan<'a> {
             });
             match row.map(|row| row.action) {
                 Some(Action::After(AfterCode::ProgramEnd { .. })) => return None,
-                // With P it may be a jump of a main program.
+                // M99 with P may be a jump in a main program.
                 Some(Action::Call(CallCode::Return)) => self.returns |= !block.letters().has(b'P'),
                 Some(Action::Call(_)) => calls = true,
                 _ => {}
@@ -175,7 +175,7 @@ impl<'a> MacroScan<'a> {
         (calls || !names_tool).then_some(())
     }
 
-    /// Takes what a statement reads and sets, and gives what is left of its line.
+    /// Scans what a statement reads and sets; returns the rest of its line.
     fn statement(&mut self, range: TextRange) -> TextRange {
         self.parser.start(self.text, self.file, range);
         match parse_statement(&mut self.parser) {
@@ -202,7 +202,7 @@ impl<'a> MacroScan<'a> {
         self.parser.rest()
     }
 
-    /// A macro line of a Fadal.
+    /// Scans a macro line of a Fadal; `None` when it shows a main program.
     fn macro_line(&mut self, block: &Block) -> Option<()> {
         self.words(block)?;
         let BlockKind::Macro(range) = block.kind else { return Some(()) };
@@ -236,7 +236,7 @@ impl<'a> MacroScan<'a> {
         }
     }
 
-    /// A line of LinuxCNC. `None` where something outside of the subroutines moves or computes.
+    /// Scans a line of LinuxCNC. `None` when something outside the subroutines moves or computes.
     fn line_of_subs(&mut self, block: &mut Block, state: &mut SubState) -> Option<()> {
         if let BlockKind::Macro(range) = block.kind {
             let first = range.slice(self.text).first().copied().unwrap_or(b' ');
@@ -270,7 +270,7 @@ impl<'a> MacroScan<'a> {
         Some(())
     }
 
-    /// Assignments and words of a line.
+    /// Scans assignments and words of a line.
     fn assignments(&mut self, block: &mut Block) -> Option<()> {
         let line = block.line;
         loop {
@@ -300,7 +300,7 @@ impl<'a> MacroScan<'a> {
         }
     }
 
-    /// A block number, or the end of the text.
+    /// True for a block number or a program end.
     fn is_idle(&self, word: &chordal_syntax::Word) -> bool {
         let code = word.number().and_then(code_number);
         let row = code.and_then(|code| self.control.m_code(code));
@@ -309,7 +309,7 @@ impl<'a> MacroScan<'a> {
         word.letter == b'N' || word.letter == b'M' && ends
     }
 
-    /// Variables that an expression reads and nothing before has set.
+    /// Records the variables that an expression reads and that nothing above has set.
     fn reads(&mut self, expression: Expression) {
         let mut found = Vec::new();
         let mut before = None;
@@ -359,7 +359,7 @@ impl<'a> MacroScan<'a> {
         }
     }
 
-    /// The arguments by their letters.
+    /// The arguments as letters.
     fn letters(&self) -> String {
         let names = self.control.table.lexicon.grammar.letter_variables;
         let name = |argument: &CallArgument| match *argument {
@@ -373,7 +373,7 @@ impl<'a> MacroScan<'a> {
         list(&self.read.iter().filter_map(name).collect::<Vec<_>>())
     }
 
-    /// The arguments by their places.
+    /// The arguments as variables.
     fn numbers(&self) -> String {
         let numbers = self.read.iter().filter_map(|argument| match argument {
             CallArgument::Local(number) => Some(format!("#{number}")),
@@ -383,7 +383,7 @@ impl<'a> MacroScan<'a> {
     }
 }
 
-/// The letter of an argument of type I.
+/// The letter of an argument of type I; `None` for a variable without one.
 fn letter_of(number: u32) -> Option<u8> {
     (b'A'..=b'Z').find(|letter| type_one(*letter) == number)
 }

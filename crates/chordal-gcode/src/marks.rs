@@ -1,10 +1,10 @@
-//! The marks of a macro statement or expression: enough to colour it and to find its names. What
-//! a statement means is the business of `chordal-syntax`.
+//! Splits a macro statement or expression into marks, for colours and for finding its names. `chordal-syntax` reads its
+//! meaning.
 
 use chordal_diagnostics::TextRange;
 use chordal_syntax::Lexicon;
 
-/// What stands at a place of a macro statement.
+/// The class of a piece of a macro statement.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum StatementMark {
     /// `#101`, `#<depth>`, `V12`, `R3`.
@@ -15,11 +15,11 @@ pub enum StatementMark {
     Number,
     /// A text in quotation marks.
     Text,
-    /// A comment, or the remark at the end of a macro line.
+    /// A comment, also at the end of a macro line.
     Comment,
 }
 
-/// The marks of a range in order; operators and brackets are left out.
+/// The marks of a range in order, without operators and brackets.
 pub fn marks<'a>(
     text: &'a [u8],
     range: TextRange,
@@ -27,7 +27,7 @@ pub fn marks<'a>(
 ) -> impl Iterator<Item = (StatementMark, TextRange)> + 'a {
     let end = (range.end as usize).min(text.len());
     let mut at = range.start as usize;
-    // The mark that opens a macro line is no variable.
+    // The `#` that opens a macro line is not a variable.
     if lexicon.macro_lines && text.get(at) == Some(&b'#') {
         at += 1;
     }
@@ -43,7 +43,7 @@ pub fn marks<'a>(
     })
 }
 
-/// Goes over the next mark; always at least a byte on.
+/// Advances over the next mark, by at least a byte; `None` for operators and brackets.
 fn step(text: &[u8], at: &mut usize, lexicon: &Lexicon) -> Option<StatementMark> {
     let byte = text[*at];
     let run = |from: usize, of: fn(&u8) -> bool| text[from..].iter().take_while(|b| of(b)).count();

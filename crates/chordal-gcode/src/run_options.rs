@@ -1,4 +1,4 @@
-//! How a run is done: its budgets, who is asked, and which side it takes where nobody knows.
+//! The options of a run: its budgets, its hooks, and how unknown conditions are assumed.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -8,32 +8,30 @@ use chordal_diagnostics::{Diagnostic, FileId};
 
 use crate::custom_codes::ShopCodes;
 
-/// True when a run should end early. It is asked about every thousand blocks.
+/// Returns true to end a run early; called about every thousand blocks.
 pub type InterruptCheck = Arc<dyn Fn() -> bool + Send + Sync>;
 
-/// How a run is done.
+/// The options of a run.
 #[derive(Clone)]
 pub struct RunOptions {
-    /// Most blocks carried out in calls, repeats and jumps. Blocks that are simply read one
-    /// after the other are not counted: their number is that of the text.
+    /// Largest number of blocks carried out in calls, repeats and backward jumps. Blocks in the order of the text are not
+    /// counted, as the text limits their number.
     pub max_repeated_blocks: u64,
-    /// Who knows the codes and programs of the shop that nothing else knows.
+    /// Answers custom codes and programs; `None` without such a hook.
     pub shop_codes: Option<Arc<dyn ShopCodes>>,
-    /// Ends the run early.
+    /// Ends the run early; `None` to run to the end.
     pub interrupt: Option<InterruptCheck>,
-    /// Nobody named the machine: its limits of travel, feed and speed are a guess.
+    /// The user did not choose the machine: its limits of travel, feed and speed are assumed.
     pub assumed_machine: bool,
-    /// The text is in a language that is not read: this is said of it, and nothing is run.
+    /// The problem to report for a text in a language that is not read; then nothing is run.
     pub not_read: Option<Arc<Diagnostic>>,
-    /// What else is to be reported of the program before its first block: what was assumed of it, lines of files
-    /// next to it that cannot be read.
+    /// Problems to report before the first block: assumptions about the program, unreadable lines of files next to it.
     pub notes: Arc<[Diagnostic]>,
-    /// Another run has taken the usual sides: what this one finds is added to it.
+    /// Another run has assumed the conditions as usual; the findings of this one are added to it.
     pub is_other_side: bool,
-    /// Both ways of block delete are asked for, whatever the blocks do.
+    /// Both positions of the block delete switch are checked, whatever the deletable blocks do.
     pub both_block_deletes: bool,
-    /// The conditions of which nobody knows whether they are fulfilled, and that are taken as fulfilled: their files
-    /// and where they begin. The others are taken as not fulfilled.
+    /// The unknown conditions that are assumed to be fulfilled, by file and offset; all others are assumed not to be.
     pub fulfilled: Arc<BTreeSet<(FileId, u32)>>,
 }
 

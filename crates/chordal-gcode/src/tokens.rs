@@ -1,4 +1,4 @@
-//! The words of a block by what they are, for colours.
+//! The tokens of a block, for colours.
 
 use chordal_diagnostics::TextRange;
 use chordal_kernel::{Token, TokenClass};

@@ -1,4 +1,4 @@
-//! The word-address language as a [`Language`]: programs of blocks, on any control of the tables.
+//! The word-address language as a [`Language`], for all controls of the tables.
 
 use chordal_diagnostics::{FileId, SourceMap, Span, TextRange};
 use chordal_dialect::Control;
@@ -12,7 +12,7 @@ use crate::macro_alone::missing_call;
 use crate::run_options::RunOptions;
 use crate::tokens::block_tokens;
 
-/// Programs of blocks, with the texts, the machine and its control.
+/// The programs of some texts with the machine and its control.
 pub struct WordAddress<'a> {
     sources: &'a SourceMap<'a>,
     library: Library<'a>,
@@ -38,12 +38,12 @@ impl<'a> WordAddress<'a> {
         &self.library
     }
 
-    /// The places of the programs that a run begins with.
+    /// The indices of the main programs, with which a run can begin.
     pub fn mains(&self) -> Vec<usize> {
         self.library.mains(&self.control.table.lexicon, &self.control.alias_programs())
     }
 
-    /// Whether a program is a macro, which is not run without its caller.
+    /// True for a macro, which is not run without its caller.
     pub fn needs_caller(&self, program: usize) -> bool {
         let program = self.library.programs().get(program).copied();
         program.is_some_and(|program| missing_call(&self.library, program, self.control).is_some())

@@ -1,8 +1,8 @@
-//! A box along the axes.
+//! An axis-aligned box.
 
 use crate::Vec3;
 
-/// A box with sides along the axes; the corners belong to it.
+/// An axis-aligned box, including its faces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aabb {
     /// The corner with the smallest coordinates, mm.
@@ -12,7 +12,7 @@ pub struct Aabb {
 }
 
 impl Aabb {
-    /// The box that contains nothing and leaves any box it is united with as it is.
+    /// The empty box: its union with any box is that box.
     pub const EMPTY: Aabb = Aabb {
         min: Vec3::new(f64::INFINITY, f64::INFINITY, f64::INFINITY),
         max: Vec3::new(f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY),
@@ -24,7 +24,7 @@ impl Aabb {
         Aabb::EMPTY.include(a).include(b)
     }
 
-    /// The smallest box around this one and `p` (mm). A coordinate that is NaN is left out.
+    /// The smallest box around this one and `p`, mm. A coordinate that is NaN is ignored.
     #[must_use]
     pub fn include(self, p: Vec3) -> Aabb {
         Aabb {
@@ -50,7 +50,7 @@ impl Aabb {
         }
     }
 
-    /// Whether `p` (mm) lies in the box or on its faces.
+    /// Whether `p`, mm, is in the box or on its faces.
     #[must_use]
     pub fn contains(&self, p: Vec3) -> bool {
         self.min.x <= p.x

@@ -9,9 +9,9 @@ use crate::{
 /// A circular arc in any plane or, when `rise` is not zero, a helix; of any number of turns.
 ///
 /// Between its ends the curve is `center + radius·(u cos φ + v sin φ) + rise·(φ/sweep)·w` with
-/// `v = w × u` and φ running from 0 to `sweep`. The ends themselves are kept as they were given, so
-/// that neighbours in a program meet exactly; they may differ from the formula by rounding, or by
-/// whatever the caller accepted as equal radii (see [`arc_from_center`](crate::arc_from_center)).
+/// `v = w × u` and φ from 0 to `sweep`. The ends are stored as they were passed in, so that neighbours in a program meet
+/// exactly; they may differ from the formula by rounding, or by the difference of radii that the caller accepted as equal
+/// (see [`arc_from_center`](crate::arc_from_center)).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arc {
     /// Centre at the height of the start, mm.
@@ -26,9 +26,9 @@ pub struct Arc {
     pub sweep: f64,
     /// Movement along `w` over the whole sweep, mm.
     pub rise: f64,
-    /// The start as it was given, mm.
+    /// The exact start that was passed in, mm.
     pub start: Vec3,
-    /// The end as it was given, mm.
+    /// The exact end that was passed in, mm.
     pub end: Vec3,
 }
 
@@ -50,8 +50,8 @@ impl Arc {
         }
     }
 
-    /// The arc of less than one turn from `start` through `via` to `end`, all mm. `None` when the
-    /// three lie on a line, so far as doubles can show, or two of them coincide.
+    /// The arc of less than one turn from `start` through `via` to `end`, all mm. `None` if the three are on a line
+    /// within rounding, or two of them coincide.
     #[must_use]
     pub fn through(start: Vec3, via: Vec3, end: Vec3) -> Option<Self> {
         let (a, b) = (via - start, end - start);
@@ -76,13 +76,13 @@ impl Arc {
         self.sweep * self.fraction(s)
     }
 
-    /// Movement along the axis for each radian, mm; zero for a plane arc.
+    /// Movement along the axis per radian, mm; zero for a plane arc.
     #[must_use]
     pub fn rise_per_radian(&self) -> f64 {
         if self.sweep == 0.0 { 0.0 } else { self.rise / self.sweep }
     }
 
-    /// Whether the sense of turning about `w` is counter-clockwise.
+    /// The direction of rotation about `w`.
     #[must_use]
     pub fn direction(&self) -> TurnDirection {
         if self.sweep < 0.0 { TurnDirection::Cw } else { TurnDirection::Ccw }
@@ -115,7 +115,7 @@ impl Arc {
         }
     }
 
-    /// The part between two fractions, `t0 <= t1`.
+    /// The part between two fractions of the sweep, `t0 <= t1`.
     fn part(&self, t0: f64, t1: f64) -> Self {
         let p = self.winding().part(t0, t1);
         Self {
@@ -131,30 +131,31 @@ impl Arc {
     }
 }
 
-/// The derivatives of an arc at even steps along it, one after the other: each turns on from the one
-/// before, which takes no sine. See [`Arc::derivatives_from`].
+/// The derivatives of an arc at equal steps along it. Each is computed from the one before it by a rotation, which
+/// needs no sine. See [`Arc::derivatives_from`].
 #[derive(Clone, Copy, Debug)]
 pub struct Derivatives {
-    /// Unit vectors outward and along the turning, at the place.
+    /// Unit vectors outward and in the direction of rotation, at the current point.
     out: Vec3,
     along: Vec3,
-    /// Sine and cosine of a step.
+    /// Sine and cosine of the angle of a step.
     step: (f64, f64),
-    /// Sizes of the derivatives across the axis.
+    /// Sizes of the three derivatives perpendicular to the axis: 1, 1/mm, 1/mm² per length.
     sizes: [f64; 3],
-    /// Of the tangent along the axis.
+    /// The component of the tangent along the axis.
     rise: Vec3,
 }
 
 impl Derivatives {
-    /// The unit tangent, the curvature vector (1/mm) and its derivative (1/mm²) at the place.
+    /// The unit tangent, the curvature vector (1/mm) and its derivative (1/mm²) at the current point.
     #[must_use]
     pub fn here(&self) -> [Vec3; 3] {
         let [first, second, third] = self.sizes;
         [self.along * first + self.rise, self.out * -second, self.along * -third]
     }
 
-    /// The same for one of X, Y and Z at `N` places from here on, each derivative by itself.
+    /// One of the components X, Y and Z of the three derivatives, at the current point and the steps after it: `N`
+    /// points.
     #[must_use]
     pub fn of_axis<const N: usize>(&self, axis: usize) -> [[f64; N]; 3] {
         let ((sin, cos), [first, second, third]) = (self.step, self.sizes);
@@ -171,7 +172,7 @@ impl Derivatives {
         places
     }
 
-    /// Goes on by a step.
+    /// Moves to the next step.
     pub fn advance(&mut self) {
         let ((sin, cos), out, along) = (self.step, self.out, self.along);
         self.out = out * cos + along * sin;
@@ -180,8 +181,9 @@ impl Derivatives {
 }
 
 impl Arc {
-    /// The derivatives by length at `s` mm from the start and from there on in steps of `step` mm: for a
-    /// few steps, as rounding adds up. Nothing is kept within the ends; an arc without length has none.
+    /// The derivatives with respect to length at `s` mm from the start, and after it in steps of `step` mm. Rounding
+    /// adds up, so this is for few steps. The points are not limited to the ends; the derivatives of an arc without
+    /// length are zero.
     #[must_use]
     pub fn derivatives_from(&self, s: f64, step: f64) -> Derivatives {
         let (winding, length) = (self.winding(), self.length());
@@ -237,7 +239,7 @@ impl ParamCurve for Arc {
     fn jet_at(&self, s: f64) -> [Vec3; 4] {
         let t = self.fraction(s);
         let (point, derivatives) = self.winding().jet(t);
-        // The ends as they were given, like `point_at`.
+        // The exact ends, like `point_at`.
         derivatives.derivatives_after(if t <= 0.0 {
             self.start
         } else if t >= 1.0 {

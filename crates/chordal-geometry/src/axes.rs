@@ -1,9 +1,9 @@
-//! How many axes there are, in which order arrays hold them, and their letters.
+//! The number of axes, their order in arrays, and their letters.
 
-/// How many axes a machine may have.
+/// The largest number of axes of a machine.
 pub const AXES: usize = 6;
 
-/// One of each axis: X, Y and Z, then A, B and C, which turn about them.
+/// One value for each axis: X, Y and Z, then A, B and C, which turn about them.
 pub type PerAxis<T> = [T; AXES];
 
 /// The letters of the axes, in order.

@@ -1,7 +1,7 @@
-//! One polynomial span of a spline: control points with weights, asked by a parameter from 0 to 1.
+//! One polynomial span of a spline: control points with weights, evaluated at a parameter from 0 to 1.
 //!
-//! The curve is A(t)/w(t), where A has the control points times their weights and w the weights. All is
-//! found by de Casteljau's steps, which take means only and so lose no digits.
+//! The curve is A(t)/w(t), where A has the control points times their weights and w the weights. Both are evaluated by
+//! de Casteljau's algorithm, which only takes means and is therefore numerically stable.
 
 use crate::{Aabb, Vec3};
 
@@ -45,10 +45,10 @@ impl WeightedPoint {
     }
 }
 
-/// The most control points of a span that is kept by itself.
+/// The largest number of control points of a span in a fixed-size array.
 pub(crate) const MAX_SPAN_ORDER: usize = 6;
 
-/// A span that stands alone: its control points seen from the first, and that.
+/// A span in a fixed-size array: its control points relative to the first one, and that point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bezier {
     pub points: [WeightedPoint; MAX_SPAN_ORDER],
@@ -57,7 +57,7 @@ pub(crate) struct Bezier {
 }
 
 impl Bezier {
-    /// The point at `t` and its derivatives by it.
+    /// The point at `t`, mm, and its first three derivatives with respect to `t`.
     pub(crate) fn jet(&self, t: f64) -> [Vec3; 4] {
         let mut points = self.points;
         let mut jet = quotient(jet(&mut points[..self.order], t));
@@ -77,14 +77,14 @@ pub(crate) fn quotient(of: [WeightedPoint; 4]) -> [Vec3; 4] {
     [c, c1, c2, c3]
 }
 
-/// One round of de Casteljau's means: the first `count` points become `count - 1`.
+/// One round of de Casteljau's algorithm: the first `count` points become `count - 1`.
 fn step(points: &mut [WeightedPoint], count: usize, t: f64) {
     for index in 0..count - 1 {
         points[index] = points[index].lerp(points[index + 1], t);
     }
 }
 
-/// A, w and their first three derivatives by t. The control points are used up.
+/// A, w and their first three derivatives with respect to t. Overwrites the control points.
 pub(crate) fn jet(points: &mut [WeightedPoint], t: f64) -> [WeightedPoint; 4] {
     let degree = points.len() - 1;
     let mut found = [WeightedPoint::ZERO; 4];
@@ -110,7 +110,7 @@ pub(crate) fn jet(points: &mut [WeightedPoint], t: f64) -> [WeightedPoint; 4] {
     }
 }
 
-/// A, w and their first derivative by t. The control points are used up.
+/// The first derivative of the curve with respect to t, mm. Overwrites the control points.
 pub(crate) fn velocity(points: &mut [WeightedPoint], t: f64) -> Vec3 {
     let degree = points.len() - 1;
     if degree == 0 {
@@ -120,18 +120,18 @@ pub(crate) fn velocity(points: &mut [WeightedPoint], t: f64) -> Vec3 {
         step(points, count, t);
     }
     let (first, last) = (points[0], points[1]);
-    // A'w − Aw' = degree·(A₁w₀ − A₀w₁), whatever t is.
+    // A'w − Aw' = degree·(A₁w₀ − A₀w₁) for every t.
     let weight = first.lerp(last, t).weight;
     (last.point * first.weight - first.point * last.weight) * (degree as f64 / (weight * weight))
 }
 
-/// Makes control points the factors of powers of x, from −1 at the first to 1 at the last: about the middle, where
-/// the fewest digits are lost.
+/// Converts control points to the coefficients of powers of x, which is −1 at the first point and 1 at the last:
+/// expanding about the middle has the smallest rounding errors.
 pub(crate) fn to_powers(points: &mut [WeightedPoint]) {
     let degree = points.len() - 1;
     let mut means = [WeightedPoint::ZERO; MAX_SPAN_ORDER];
     means[..=degree].copy_from_slice(points);
-    // The power k has the difference of order k of the means halfway after the other steps.
+    // The coefficient of power k is the difference of order k of the means at the middle.
     let mut factor = 1.0;
     let mut found = [WeightedPoint::ZERO; MAX_SPAN_ORDER];
     for order in (0..=degree).rev() {
@@ -141,7 +141,7 @@ pub(crate) fn to_powers(points: &mut [WeightedPoint]) {
                 differences[index] = differences[index + 1].minus(differences[index]);
             }
         }
-        // (degree over order), and half the width of x for each order.
+        // The binomial (degree over order), and half the width of x per order.
         found[order] = differences[0].times(factor * 0.5_f64.powi(order as i32));
         factor = factor * order as f64 / (degree - order + 1) as f64;
         step(&mut means, order + 1, 0.5);
@@ -149,10 +149,10 @@ pub(crate) fn to_powers(points: &mut [WeightedPoint]) {
     points.copy_from_slice(&found[..=degree]);
 }
 
-/// Divides the control points at `t`: they become those before it, `after` those after it.
+/// Splits a span at `t`: `points` become the control points of the part before it, `after` those of the part after it.
 pub(crate) fn split(points: &mut [WeightedPoint], after: &mut [WeightedPoint], t: f64) {
     let count = points.len();
-    // Backwards, so that the points before `t` stay where each round leaves them.
+    // Backwards, so that each round leaves one point of the first part in place.
     for round in 0..count {
         after[count - 1 - round] = points[count - 1];
         for index in (round + 1..count).rev() {
@@ -161,8 +161,8 @@ pub(crate) fn split(points: &mut [WeightedPoint], after: &mut [WeightedPoint], t
     }
 }
 
-/// The box around a curve, with its ends `start` and `end`: parts of it are divided while their control points
-/// lie outside the box of the points that were found.
+/// The box around a curve with the ends `start` and `end`. Parts of the curve are divided as long as their control points
+/// are outside the box of the points found so far.
 pub(crate) fn bounds(points: &[WeightedPoint], start: Vec3, end: Vec3) -> Aabb {
     const MAX_DIVISIONS: u32 = 48;
     let mut found = Aabb::of_points(start, end);

@@ -4,26 +4,26 @@ use crate::bezier::{self, WeightedPoint, quotient};
 use crate::quadrature::integral;
 use crate::{Aabb, ParamCurve, SplinePiece, Transform, Vec3, math};
 
-/// Why there is no such spline.
+/// Why a spline cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SplineError {
     /// The order is below two.
     Order(usize),
     /// Fewer control points than the order.
     TooFew {
-        /// Control points given.
+        /// The number of control points.
         points: usize,
         /// The order.
         order: usize,
     },
-    /// Not one weight for each control point.
+    /// The number of weights differs from the number of control points; this many weights.
     Weights(usize),
-    /// A weight that is zero, below, or not finite.
+    /// A weight is zero, negative or not finite.
     Weight(f64),
-    /// A coordinate or a knot that is not finite.
+    /// A coordinate or a knot is not finite.
     NotFinite,
-    /// The knots are not as many as points and order together, go down, repeat inside as often as the
-    /// order says, or do not begin and end with as many equal ones.
+    /// The number of knots is not that of points plus order, the knots decrease, an inner knot is repeated `order`
+    /// times or more, or the first or last `order` knots are not equal.
     Knots,
 }
 
@@ -52,10 +52,10 @@ impl core::fmt::Display for SplineError {
 impl core::error::Error for SplineError {}
 
 /// A rational B-spline (NURBS) with clamped knots: it begins at its first control point and ends at its last.
-/// With as many control points as its order it is one Bezier curve.
+/// If it has as many control points as its order, it is one Bezier curve.
 ///
-/// It is asked by its parameter. For questions by length it is divided into its polynomial spans, exactly
-/// ([`Spline::pieces`]).
+/// It is evaluated at a parameter. To evaluate it at a length, [`Spline::pieces`] divides it exactly into its polynomial
+/// spans.
 ///
 /// ```
 /// use chordal_geometry::{Spline, Vec3};
@@ -77,7 +77,7 @@ impl Spline {
     /// The spline of this order (degree + 1) with these control points (mm), weights and knots.
     ///
     /// # Errors
-    /// What is wrong with them.
+    /// See [`SplineError`].
     pub fn new(
         order: usize,
         points: Vec<Vec3>,
@@ -101,7 +101,7 @@ impl Spline {
         Ok(Spline { order, points, weights, knots })
     }
 
-    /// With knots 0 … 0, 1, 2, … at equal distances and clamped ends.
+    /// The spline with equidistant knots 0 … 0, 1, 2, … and clamped ends.
     ///
     /// # Errors
     /// As [`Spline::new`].
@@ -118,7 +118,7 @@ impl Spline {
         Spline::new(order, points, weights, knots)
     }
 
-    /// A Bezier curve with equal weights; of the third degree with four control points, mm.
+    /// A Bezier curve with equal weights, mm; four control points give the third degree.
     ///
     /// # Errors
     /// As [`Spline::new`].
@@ -127,8 +127,8 @@ impl Spline {
         Spline::uniform(order, points, weights)
     }
 
-    /// A circular arc in any plane: from `start` about `center` by `sweep` radians, counter-clockwise seen
-    /// against `normal` (any length); it ends at `end`, which rounding alone may hold off the circle, mm.
+    /// A circular arc in any plane: from `start` about `center`, mm, by `sweep` radians, positive counter-clockwise seen
+    /// against `normal` (of any length). It ends at `end`, mm, which may be off the circle only by rounding.
     ///
     /// # Errors
     /// As [`Spline::new`].
@@ -190,19 +190,19 @@ impl Spline {
         (self.knots[self.order - 1], self.knots[self.points.len()])
     }
 
-    /// Where it begins, mm.
+    /// The start, mm.
     #[must_use]
     pub fn start(&self) -> Vec3 {
         self.points[0]
     }
 
-    /// Where it ends, mm.
+    /// The end, mm.
     #[must_use]
     pub fn end(&self) -> Vec3 {
         self.points[self.points.len() - 1]
     }
 
-    /// Unit vector of travel at the start; zero where all control points are one.
+    /// Unit tangent at the start; zero if all control points coincide.
     #[must_use]
     pub fn start_tangent(&self) -> Vec3 {
         let first = self.points[0];
@@ -210,7 +210,7 @@ impl Spline {
         next.unwrap_or(Vec3::ZERO)
     }
 
-    /// Unit vector of travel at the end.
+    /// Unit tangent at the end; zero if all control points coincide.
     #[must_use]
     pub fn end_tangent(&self) -> Vec3 {
         let last = self.end();
@@ -219,19 +219,19 @@ impl Spline {
         before.unwrap_or(Vec3::ZERO)
     }
 
-    /// The point at a parameter, mm; at the nearer end outside of the domain.
+    /// The point at a parameter, mm; outside of the domain, the nearer end.
     #[must_use]
     pub fn point_at(&self, u: f64) -> Vec3 {
         self.jet_at(u)[0]
     }
 
-    /// The point at a parameter and its first three derivatives by it.
+    /// The point at a parameter, mm, and its first three derivatives with respect to it.
     #[must_use]
     pub fn jet_at(&self, u: f64) -> [Vec3; 4] {
         let (first, last) = self.domain();
         let span = self.span(u);
         let mut jet = quotient(self.weighted_jet(span, u.clamp(first, last)));
-        // The ends as they were given.
+        // The exact ends.
         if u <= first {
             jet[0] = self.start();
         } else if u >= last {
@@ -240,13 +240,13 @@ impl Spline {
         jet
     }
 
-    /// A, w and their derivatives: de Boor's means of the control points, and of their differences.
+    /// A, w and their derivatives, by de Boor's algorithm from the control points and their differences.
     fn weighted_jet(&self, span: usize, u: f64) -> [WeightedPoint; 4] {
         let mut found = [WeightedPoint::ZERO; 4];
         let mut points = self.local(span);
         for (derivative, row) in found.iter_mut().enumerate() {
             let degree = points.len() - 1;
-            // Control points of this derivative: one fewer with each.
+            // Each derivative has one control point fewer.
             *row = self.means(points.clone(), span, |_| u);
             if derivative == 3 || degree == 0 {
                 break;
@@ -262,14 +262,14 @@ impl Spline {
         found
     }
 
-    /// The control points that act on a span.
+    /// The weighted control points that affect a span.
     fn local(&self, span: usize) -> Vec<WeightedPoint> {
         (span + 1 - self.order..=span)
             .map(|index| WeightedPoint::new(self.points[index], self.weights[index]))
             .collect()
     }
 
-    /// De Boor's means over a span with a parameter of its own in each round: the blossom.
+    /// De Boor's algorithm over a span with a separate parameter in each round (the blossom).
     fn means(
         &self,
         mut points: Vec<WeightedPoint>,
@@ -289,7 +289,7 @@ impl Spline {
         points[degree]
     }
 
-    /// The number of the last knot of those at or before a parameter, within the domain.
+    /// The index of the last knot at or before a parameter, within the domain.
     fn span(&self, u: f64) -> usize {
         let mut span = self.points.len() - 1;
         while span > self.order - 1
@@ -300,7 +300,7 @@ impl Spline {
         span
     }
 
-    /// The spans between different knots, by the number of their first knot.
+    /// The spans between different knots, as the index of their first knot.
     fn spans(&self) -> impl Iterator<Item = usize> {
         (self.order - 1..self.points.len()).filter(|span| self.knots[*span] < self.knots[*span + 1])
     }
@@ -317,8 +317,8 @@ impl Spline {
             .collect()
     }
 
-    /// Its polynomial spans one after the other, each exact; their inner ends are equal. `None` for an
-    /// order above [`SplinePiece::MAX_ORDER`].
+    /// Its polynomial spans in order, each exact; the end of one equals the start of the next. `None` for an order above
+    /// [`SplinePiece::MAX_ORDER`].
     #[must_use]
     pub fn pieces(&self) -> Option<Vec<SplinePiece>> {
         let mut pieces: Vec<SplinePiece> = Vec::new();
@@ -338,7 +338,7 @@ impl Spline {
         self.length_between(first, last, tolerance)
     }
 
-    /// Length between two parameters, mm, within `tolerance` mm; below zero backwards.
+    /// Length between two parameters, mm, within `tolerance` mm; negative if `to` is below `from`.
     #[must_use]
     pub fn length_between(&self, from: f64, to: f64, tolerance: f64) -> f64 {
         if to < from {
@@ -371,7 +371,7 @@ impl Spline {
         })
     }
 
-    /// The same points from the end to the start.
+    /// The same curve in the opposite direction.
     #[must_use]
     pub fn reversed(&self) -> Spline {
         let (first, last) = self.domain();
@@ -383,14 +383,14 @@ impl Spline {
         }
     }
 
-    /// The curve of the mapped control points. For an affine map that is the mapped curve: moved, turned,
-    /// mirrored, scaled or sheared.
+    /// The curve with mapped control points. For an affine map (translation, rotation, mirroring, scaling, shear) it is
+    /// the mapped curve.
     #[must_use]
     pub fn mapped(&self, map: impl Fn(Vec3) -> Vec3) -> Spline {
         Spline { points: self.points.iter().copied().map(map).collect(), ..self.clone() }
     }
 
-    /// The parts before and after a parameter; `None` where one of them would be empty.
+    /// The parts before and after a parameter; `None` if one of them would be empty.
     #[must_use]
     pub fn split_at(&self, u: f64) -> Option<(Spline, Spline)> {
         let (first, last) = self.domain();
@@ -401,7 +401,7 @@ impl Spline {
         while whole.knots.iter().filter(|knot| **knot == u).count() < self.order - 1 {
             whole = whole.with_knot(u);
         }
-        // All means at u are one control point then.
+        // Then one control point is the point at u.
         let begin = whole.knots.iter().position(|knot| *knot == u)?;
         let middle = begin - 1;
         let part = |points: std::ops::RangeInclusive<usize>, knots: Vec<f64>| Spline {

@@ -1,52 +1,52 @@
-//! Polylines within a tolerance of a curve, corner by corner.
+//! Polylines within a tolerance of a curve, computed corner by corner.
 //!
 //! | curve | spacing | step |
 //! |---|---|---|
 //! | line | one chord | |
 //! | arc, helix, inscribed | even | 2·acos(1 − e/R) |
-//! | arc, helix, rounded down | even | 2·√(e·(2R − e))/R, the number of them rounded down |
+//! | arc, helix, rounded down | even | 2·√(e·(2R − e))/R, their number rounded down |
 //! | arc, helix, balanced | even but for the two ends | 2·acos((R − e)/(R + e)) |
 //! | spiral, cone | closer where the curvature is larger | √(8e/√(r² + 4b²)), b = dr/dφ |
 //! | span of a spline | even in its parameter | by its control points |
 //!
-//! *Balanced* corners lie `e` outside the circle and chord middles up to `e` inside. The two ends
-//! stay on the curve, for a full circle as well, and each end chord spans
+//! *Balanced* corners are `e` outside the circle and the midpoints of chords up to `e` inside. The two ends are on the
+//! curve, also for a full circle, and each end chord spans
 //! acos((R − e)/R) + acos((R − e)/(R + e)). A full circle of R 10 mm within 1 µm thus takes
-//! 2 + ⌈(2π − 0.06828)/0.0400⌉ = 158 chords where inscribed ones are 223, a quarter 40 and 56.
-//! Where the chords do not fill the sweep exactly, they are shortened together and the corners move
-//! inward with the error that is left.
+//! 2 + ⌈(2π − 0.06828)/0.0400⌉ = 158 chords instead of 223 inscribed ones, a quarter circle 40 instead of 56.
+//! If the chords do not fill the sweep exactly, all are shortened, and the corners move inward because the error gets
+//! smaller.
 //!
-//! A helix has its corners over those of the circle it is seen as from above: a chord and the helix
-//! at the same share of its step have the same height, so they differ by no more than chord and
-//! circle do at that share. For a chord that is symmetric about its middle this is the deviation of
-//! the circle; for a balanced end chord it is up to e/R·15.3 % more, which is allowed for.
+//! The corners of a helix are above those of its projection along the axis, a circle. At the same fraction of a step, a
+//! chord and the helix have the same height, so they differ by no more than chord and circle at that fraction. For a
+//! chord that is symmetric about its midpoint this is the deviation of the circle; for a balanced end chord it is up to
+//! e/R·15.3 % more, which is taken into account.
 //!
 //! A chord over the step δt of a curve p(t) deviates by at most δt²/8·max|p''|. On a spiral
-//! |p''| = Θ²√(r² + 4b²) is convex in r, so the straight line between its end values bounds it; that
-//! makes the spacing a closed form and every corner reachable without the ones before. Corners of
-//! spirals lie on the curve in either placement.
+//! |p''| = Θ²√(r² + 4b²) is convex in r, so the straight line between its end values bounds it. With this bound the
+//! spacing has a closed form, and every corner can be computed without those before it. The corners of spirals are on the
+//! curve in every placement.
 
 use crate::bezier::Bezier;
 use crate::winding::Winding;
 use crate::{Vec3, math};
 
-/// Where the corners of the chords lie.
+/// Where the corners of the chords are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Placement {
-    /// On the curve; the chords of a circle lie inside it.
+    /// On the curve; the chords of a circle are inside it.
     #[default]
     Inscribed,
-    /// The tolerance outside the circle, the middles of the chords inside by the same; √2 fewer
-    /// chords. On spirals and splines the same as inscribed.
+    /// Outside the circle by the tolerance, with the midpoints of the chords inside by the same distance: fewer chords
+    /// by a factor of √2. On spirals and splines the same as inscribed.
     Balanced,
-    /// On the curve, and no more chords of a circle than steps of the tolerance fit in whole, but one: they may be a
-    /// little farther off. The control units of small machines cut arcs so (GRBL). On spirals and splines the same as
+    /// On the curve, with the number of chords of a circle rounded down, but at least one, so that they may exceed the
+    /// tolerance slightly. Controls of small machines divide arcs like this (GRBL). On spirals and splines the same as
     /// inscribed.
     RoundedDown,
 }
 
 impl Placement {
-    /// The word of files.
+    /// The word for it in machine files.
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -57,17 +57,17 @@ impl Placement {
     }
 }
 
-/// The most chords one curve is cut into: 2⁴⁰. At a nanometre each that is a kilometre.
+/// The largest number of chords of one curve: 2⁴⁰, a kilometre of chords of one nanometre.
 pub const MAX_CHORDS: u64 = 1 << 40;
 
-/// Why a curve was not cut into chords.
+/// Why a curve cannot be divided into chords.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ChordError {
     /// The tolerance is zero, negative or NaN.
     Tolerance(f64),
     /// A number of the curve is NaN or infinite.
     NotFinite,
-    /// More than [`MAX_CHORDS`] chords would be needed; about so many.
+    /// More than [`MAX_CHORDS`] chords would be needed: about this many.
     TooMany(f64),
 }
 
@@ -85,12 +85,11 @@ impl core::fmt::Display for ChordError {
 
 impl core::error::Error for ChordError {}
 
-/// The corners of a polyline along a curve, from its start to its end; both are given exactly.
+/// The corners of a polyline along a curve, from its exact start to its exact end.
 ///
-/// One more point than chords. A tolerance above half the radius (a third, balanced) counts as
-/// that, so there are at least three chords to a turn; an infinite one asks for just those. On a
-/// spiral the limit grows with the distance from the axis. A sweep that fits a number of chords to
-/// within rounding takes that number.
+/// There is one more point than chords. The tolerance is limited to half the radius (for balanced chords, a third of it),
+/// so that there are at least three chords per turn, also for an infinite tolerance. On a spiral the limit grows with the
+/// distance from the axis. If a whole number of chords fits within rounding, that is their number.
 #[derive(Clone, Debug)]
 pub struct Chords {
     spacing: ChordSpacing,
@@ -109,7 +108,7 @@ enum ChordSpacing {
         winding: Winding,
         /// Fraction of the sweep that each end chord spans.
         end_span: f64,
-        /// How far the corners lie outside, mm.
+        /// How far the corners are outside, mm.
         outward: f64,
     },
     Graded {
@@ -126,8 +125,8 @@ impl Chords {
         self.count
     }
 
-    /// How far the chords of an arc are from it where all of them span the same angle with their ends on it, mm; `None`
-    /// for others.
+    /// The deviation of the chords of an arc, mm, if all of them span the same angle and have their ends on the arc;
+    /// `None` for other chords.
     #[must_use]
     pub fn sagitta(&self) -> Option<f64> {
         let ChordSpacing::Even(winding) = &self.spacing else { return None };
@@ -135,7 +134,7 @@ impl Chords {
         Some(2.0 * winding.r0 * half * half)
     }
 
-    /// Corner number `index`, mm: the start at 0, the end from `chord_count()` on.
+    /// The corner with this index, mm: the start at 0, the end at `chord_count()` and above.
     #[must_use]
     pub fn corner(&self, index: u64) -> Vec3 {
         if index == 0 {
@@ -202,7 +201,7 @@ impl Chords {
         Ok(Self { spacing, count, ..straight })
     }
 
-    /// Along a span of a spline, in so many steps of equal parameter.
+    /// The chords along a span of a spline, in steps of equal parameter; `steps` is their number, not yet rounded.
     pub(crate) fn along(
         span: Bezier,
         end: Vec3,
@@ -247,7 +246,7 @@ fn check_tolerance(tolerance: f64) -> Result<(), ChordError> {
     if tolerance > 0.0 { Ok(()) } else { Err(ChordError::Tolerance(tolerance)) }
 }
 
-/// Rounded up, but a whole number that rounding has lifted by a hair stays itself.
+/// Rounds up; a value that exceeds a whole number only by rounding gives that number.
 fn whole(chords: f64) -> Result<u64, ChordError> {
     if chords.is_nan() || chords > MAX_CHORDS as f64 {
         return Err(ChordError::TooMany(chords));
@@ -255,7 +254,7 @@ fn whole(chords: f64) -> Result<u64, ChordError> {
     Ok((chords - chords * 4.0 * f64::EPSILON).ceil().max(1.0) as u64)
 }
 
-/// acos(1 − e/R), in the form that keeps its digits when e is small.
+/// acos(1 − e/R), in a form that is accurate for small e.
 fn half_step_inscribed(ratio: f64) -> f64 {
     2.0 * math::asin((0.5 * ratio).sqrt())
 }
@@ -275,9 +274,9 @@ fn rounded_down(w: &Winding, tolerance: f64) -> Result<u64, ChordError> {
     whole(chords_in_whole(w.r0, w.theta, tolerance).max(1.0))
 }
 
-/// How many chords of a tolerance fit in an arc in whole, by its radius and its angle in rad, neither negative; zero
-/// where the circle has none. The chord is taken for the step, as the control units do that round down
-/// ([`Placement::RoundedDown`]).
+/// How many whole chords fit into an arc, from its radius and tolerance, mm, and its angle, rad, which is not negative;
+/// zero if the tolerance is too large for a chord. The length of a chord is used instead of that of its arc, as in the
+/// controls that round down ([`Placement::RoundedDown`]).
 #[must_use]
 pub fn chords_in_whole(radius: f64, angle: f64, tolerance: f64) -> f64 {
     let half_chord = (tolerance * (2.0 * radius - tolerance)).max(0.0).sqrt();
@@ -288,7 +287,7 @@ fn balanced(winding: Winding, tolerance: f64) -> Result<(ChordSpacing, u64), Cho
     let theta = winding.theta;
     // A third of the radius: steps of a third of a turn.
     let ratio = (tolerance / winding.r0).min(1.0 / 3.0);
-    // The end chords of a helix; the factor's largest value, 0.1525, is the limit for small ratios.
+    // For the end chords of a helix. The largest value of the factor, 0.1525, is its limit for small ratios.
     let ratio = if winding.rise == 0.0 { ratio } else { ratio / (1.0 + 0.153 * ratio) };
     let spans = |ratio: f64| {
         let step = half_step_balanced(ratio);
@@ -301,8 +300,8 @@ fn balanced(winding: Winding, tolerance: f64) -> Result<(ChordSpacing, u64), Cho
     let inner = if theta <= 2.0 * end { 0 } else { whole((theta - 2.0 * end) / step)? };
     let count = inner + 2;
     let reach = |end: f64, step: f64| 2.0 * end + inner as f64 * step;
-    // Spans grow with the square root of the tolerance, or a little slower, so this smaller
-    // tolerance still fills the sweep; what it overfills is taken from all spans alike.
+    // Spans grow with the square root of the tolerance or slightly slower, so this smaller tolerance still fills the
+    // sweep; the excess is subtracted from all spans in proportion.
     let shrink = (theta / reach(end, step)).min(1.0);
     let left = ratio * shrink * shrink;
     let (end, step) = spans(left);
@@ -310,7 +309,7 @@ fn balanced(winding: Winding, tolerance: f64) -> Result<(ChordSpacing, u64), Cho
     Ok((ChordSpacing::Balanced { winding, end_span, outward: left * winding.r0 }, count))
 }
 
-/// Corners at equal shares of ∫√Q dt, Q running evenly from `Q(0)` to `Q(0)·(1 + growth)`.
+/// Corners at equal fractions of ∫√Q dt, where Q is linear from `Q(0)` to `Q(0)·(1 + growth)`.
 #[derive(Clone, Debug)]
 struct GradedSpacing {
     growth: f64,
@@ -339,19 +338,19 @@ impl GradedSpacing {
 
 fn graded(winding: Winding, tolerance: f64) -> Result<(ChordSpacing, u64), ChordError> {
     let w = &winding;
-    // Growth of the radius for each radian.
+    // Growth of the radius per radian.
     let b = (w.dr / w.theta).abs();
     let bend = |r: f64| (r * r + 4.0 * b * b).sqrt();
     let (q0, q1) = (bend(w.r0), bend(w.r0 + w.dr));
     let largest = q0.max(q1);
-    // Beyond this the least of steps below already holds the whole curve.
+    // For a larger tolerance, the smallest number of steps below already covers the whole curve.
     let e = tolerance.min(largest);
-    // Keeps every step below a third of a turn, however near to the axis.
+    // Keeps every step below a third of a turn, also close to the axis.
     const MAX_CHORD_ANGLE_RAD: f64 = math::TAU / 3.0;
     let floor = 8.0 * e / (MAX_CHORD_ANGLE_RAD * MAX_CHORD_ANGLE_RAD);
     let least = q0.min(q1) + floor;
-    // What Q can grow by within a step, b for each radian: with that added, the value at one end of
-    // a step covers the other end as well.
+    // The largest growth of Q within a step, b per radian: with it added, the value at one end of a step is a bound for
+    // the other end as well.
     let growth = b * (8.0 * e / least).sqrt();
     let (q0, q1) = (q0 + floor + growth, q1 + floor + growth);
     let grading = GradedSpacing::new((q1 - q0) / q0);

@@ -1,4 +1,4 @@
-//! The one type that holds any of the curves.
+//! The enum of all curves.
 
 use crate::{
     Aabb, Arc, ChordError, Chords, Line, Nearest, ParamCurve, Placement, Spiral, SplinePiece,
@@ -10,9 +10,9 @@ use crate::{
 pub enum Curve {
     /// A straight line.
     Line(Line),
-    /// A circular arc or, when it rises, a helix.
+    /// A circular arc, or a helix.
     Arc(Arc),
-    /// An Archimedean spiral or, when it rises, a curve on a cone.
+    /// An Archimedean spiral, or such a curve on a cone.
     Spiral(Spiral),
     /// One polynomial span of a spline.
     Spline(SplinePiece),

@@ -1,17 +1,17 @@
-//! From what a program says about an arc (ends, centre or radius, sense) to the curve.
+//! Computes the curve of an arc command from its ends, its centre or radius, and its direction.
 
 use crate::{Arc, Curve, Plane, Spiral, TurnDirection, Vec2, Vec3, math};
 
-/// The curve of an arc command, with the numbers a caller judges it by.
+/// The curve of an arc command, with the values for checking it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArcFit {
     /// Distance from the centre to the start in the plane, mm.
     pub radius_start: f64,
     /// Distance from the centre to the end in the plane, mm.
     pub radius_end: f64,
-    /// Angle travelled, radians, positive counter-clockwise.
+    /// The angle of the arc, rad, positive counter-clockwise.
     pub sweep: f64,
-    /// The curve: an arc where the radii agree, otherwise a spiral.
+    /// The curve: an arc if the radii agree, otherwise a spiral.
     pub curve: Curve,
 }
 
@@ -30,7 +30,7 @@ pub struct ArcSweep {
     pub radius_start: f64,
     /// Distance from the centre to the end in the plane, mm.
     pub radius_end: f64,
-    /// Angle travelled, radians, positive counter-clockwise.
+    /// The angle of the arc, rad, positive counter-clockwise.
     pub sweep: f64,
 }
 
@@ -42,7 +42,7 @@ impl ArcSweep {
     }
 }
 
-/// The radii and the angle of [`arc_from_center`], for who needs no curve.
+/// The radii and the angle of [`arc_from_center`] without the curve.
 #[inline]
 #[must_use]
 pub fn arc_sweep(
@@ -58,17 +58,17 @@ pub fn arc_sweep(
     ArcSweep { radius_start: ends.radius_start, radius_end: ends.radius_end, sweep }
 }
 
-/// The curve from `start` to `end` (mm) about `center` (mm, in the plane's own two coordinates).
+/// The curve from `start` to `end` (mm) about `center` (mm, in the two coordinates of the plane).
 ///
-/// The sweep lies in `(0, 2π]` in the sense of `direction`, plus `extra_turns` full turns. An end on
-/// the ray of the start, coinciding ends among them, is therefore a full turn. Beware what follows
-/// for a centre known to a few digits only: an end that misses that ray by rounding, on the wrong
-/// side, sweeps almost nothing instead of almost everything, or the reverse.
+/// The sweep is in `(0, 2π]` in the direction `direction`, plus `extra_turns` full turns. If the end is on the ray from
+/// the centre through the start, for example equal to the start, it is therefore a full turn. If the centre is known to
+/// a few digits only, an end close to that ray can be on the wrong side of it because of rounding: then the sweep is
+/// almost zero instead of almost a full turn, or the reverse.
 ///
-/// The height along the normal changes evenly with the angle. Radii that differ by at most
-/// `radius_tolerance` (mm) give an [`Arc`] with the start's radius, whose given end then lies off
-/// the circle by that difference; it is meant for differences of rounding, where the gap means
-/// nothing. Beyond it the curve is a [`Spiral`], which is continuous whatever the difference.
+/// The height along the normal is linear in the angle. If the radii differ by at most `radius_tolerance` (mm), the
+/// curve is an [`Arc`] with the radius of the start, and its end is off the circle by that difference; this is for
+/// differences from rounding, where such a gap does not matter. Otherwise the curve is a [`Spiral`], which is always
+/// continuous.
 ///
 /// ```
 /// use chordal_geometry::{arc_from_center, Curve, TurnDirection, ParamCurve, Plane, Vec3};
@@ -108,12 +108,12 @@ impl Arc {
     }
 }
 
-/// The curve from `start` to `end` (mm) about `center` (mm, in plane coordinates) with a sweep that
-/// the program gives: `sweep` radians, positive counter-clockwise, of any size.
+/// The curve from `start` to `end` (mm) about `center` (mm, in plane coordinates) with the programmed sweep: `sweep`
+/// radians, positive counter-clockwise, of any size.
 ///
-/// The ends and the centre fix the angle up to full turns already. The result has the angle nearest
-/// to `sweep` that leads from the start to the end, so the curve is continuous however roughly
-/// `sweep` was rounded; compare [`ArcFit::sweep`] with it to see by how much the two disagree.
+/// The ends and the centre already determine the angle up to full turns. The result has the angle closest to `sweep` that
+/// leads from the start to the end, so the curve is continuous even if `sweep` is rounded coarsely. The difference to
+/// [`ArcFit::sweep`] shows how much the two disagree.
 /// `radius_tolerance` (mm) is that of [`arc_from_center`].
 #[inline]
 #[must_use]
@@ -130,13 +130,13 @@ pub fn spiral_from_center(
         let angle = math::atan2(ends.from.cross(ends.to), ends.from.dot(ends.to));
         angle + math::TAU * ((sweep - angle) / math::TAU).round()
     } else {
-        // An end at the centre has no direction to agree with.
+        // An end in the centre has no direction to compare with.
         sweep
     };
     ends.fit(fixed, radius_tolerance)
 }
 
-/// Start and end seen from the centre.
+/// Start and end relative to the centre.
 struct ArcEnds {
     plane: Plane,
     start: Vec3,
@@ -158,12 +158,12 @@ impl ArcEnds {
         Self { plane, start, end, center, from, to, radius_start, radius_end }
     }
 
-    /// The angle from the start to the end in a direction, with full turns beside it.
+    /// The angle from the start to the end in a direction, plus full turns, rad.
     #[inline]
     fn sweep(&self, direction: TurnDirection, extra_turns: u32) -> f64 {
         let sign = direction.sign();
-        // The multiplication by ±1 is exact. Both products in the cross product of coinciding ends are
-        // the same, so its zero is exact as well and needs no case of its own.
+        // The multiplication by ±1 is exact. For coinciding ends both products in the cross product are equal, so its
+        // zero is exact as well and needs no special case.
         let angle = math::atan2(sign * self.from.cross(self.to), self.from.dot(self.to));
         let directed = if angle <= 0.0 { angle + math::TAU } else { angle };
         sign * (directed + f64::from(extra_turns) * math::TAU)
@@ -195,8 +195,8 @@ impl ArcEnds {
         ArcFit { radius_start, radius_end, sweep, curve }
     }
 
-    /// Unit vector from the centre to the start. A start in the centre has none of its own; then it
-    /// is the one from which the sweep leads to the end.
+    /// Unit vector from the centre to the start. For a start in the centre it is the direction from which the sweep
+    /// leads to the end.
     fn start_direction(&self, sweep: f64) -> Vec2 {
         if self.radius_start > 0.0 {
             return self.from * (1.0 / self.radius_start);
@@ -210,10 +210,10 @@ impl ArcEnds {
     }
 }
 
-/// Why a radius gives no centre.
+/// Why a radius does not give a centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RadiusError {
-    /// Start and end coincide in the plane: every centre at that distance would do.
+    /// Start and end coincide in the plane: every centre at that distance is possible.
     FullCircle,
     /// The radius is too small to reach from start to end.
     TooShort {
@@ -247,22 +247,22 @@ impl core::fmt::Display for RadiusError {
 
 impl core::error::Error for RadiusError {}
 
-/// How far twice a radius may be off the chord in a half circle, mm.
+/// By how much twice the radius may differ from the chord of a half circle, mm.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct HalfCircleTolerance {
-    /// Twice the radius is shorter: without it the arc would not reach its end.
+    /// By how much it may be shorter. Without this tolerance such an arc would not reach its end.
     pub too_short_mm: f64,
-    /// Twice the radius is longer: 0 where the centre is computed.
+    /// By how much it may be longer; 0 if the centre of such an arc is computed.
     pub too_long_mm: f64,
 }
 
 impl HalfCircleTolerance {
-    /// The same in both senses.
+    /// The same tolerance in both directions, mm.
     pub const fn either(mm: f64) -> HalfCircleTolerance {
         HalfCircleTolerance { too_short_mm: mm, too_long_mm: mm }
     }
 
-    /// In a plane that is scaled by a factor.
+    /// The tolerance in a plane that is scaled by a factor.
     #[must_use]
     pub fn scaled(self, factor: f64) -> HalfCircleTolerance {
         HalfCircleTolerance {
@@ -275,8 +275,8 @@ impl HalfCircleTolerance {
 /// The centre (mm, in plane coordinates) of the arc from `start` to `end` with a signed radius, mm:
 /// positive for the arc of at most half a turn, negative for the one of more.
 ///
-/// Where twice the radius and the chord differ by no more than `tolerance`, the centre is the middle of the chord: that
-/// is how a half circle with a rounded radius arrives.
+/// If twice the radius and the chord differ by no more than `tolerance`, the centre is the midpoint of the chord, because
+/// the arc is probably a half circle with a rounded radius.
 ///
 /// # Errors
 /// See [`RadiusError`].
@@ -308,7 +308,7 @@ pub fn center_from_radius(
     if size < half {
         return Err(RadiusError::TooShort { chord, radius: size, short_by: half - size });
     }
-    // As a product: the difference of squares would lose half the digits near a half circle.
+    // As a product, because the difference of squares would lose half the digits near a half circle.
     let height = ((size - half) * (size + half)).sqrt();
     let side = if radius < 0.0 { -direction.sign() } else { direction.sign() };
     Ok((middle + along.turned_left() * (side * height / chord)).into())

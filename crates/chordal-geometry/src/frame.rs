@@ -5,7 +5,7 @@ use crate::Vec3;
 /// A right-handed orthonormal coordinate system: `u × v = w`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
-    /// Where the system's zero lies, mm.
+    /// The origin of the system, mm.
     pub origin: Vec3,
     /// Unit vector of the first axis.
     pub u: Vec3,
@@ -16,22 +16,22 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The frame that leaves coordinates as they are.
+    /// The frame of the space itself.
     pub const IDENTITY: Frame = Frame { origin: Vec3::ZERO, u: Vec3::X, v: Vec3::Y, w: Vec3::Z };
 
-    /// A frame at `origin` (mm) whose third axis is `normal` and whose first axis points as far
-    /// along `towards` as that allows. `None` when the two give no plane (zero or parallel).
+    /// A frame at `origin` (mm) whose third axis has the direction `normal` and whose first axis is the projection of
+    /// `towards`. `None` if one of the two is zero or they are parallel.
     #[must_use]
     pub fn from_normal(origin: Vec3, normal: Vec3, towards: Vec3) -> Option<Frame> {
         let w = normal.normalized()?;
         let v = w.cross(towards.normalized()?).normalized()?;
-        // Twice, because the first cross product of near-parallel vectors is only roughly square.
+        // Twice, because the cross product of almost parallel vectors is only roughly perpendicular.
         let v = (v - w * v.dot(w)).normalized()?;
         let u = v.cross(w).normalized()?;
         Some(Frame { origin, u, v, w })
     }
 
-    /// The coordinates in this frame of a point given in space, mm.
+    /// The coordinates in this frame of a point in space, mm.
     #[must_use]
     pub fn to_local(&self, p: Vec3) -> Vec3 {
         let d = p - self.origin;

@@ -1,50 +1,49 @@
-//! A spiral asked at many places.
+//! A spiral evaluated at many points.
 //!
-//! The way of a spiral as a function of its angle has a closed form with an inverse hyperbolic
-//! sine; the angle as a function of the way has none. Around a place it has a power series, which
-//! follows from its differential equation g·dt/ds = 1 with g² = (Θr)² + dr² + rise² term by term.
+//! The length of a spiral as a function of its angle has a closed form with an inverse hyperbolic sine; the angle as a
+//! function of the length has none. Around a point it has a power series, which follows term by term from its
+//! differential equation g·dt/ds = 1 with g² = (Θr)² + dr² + rise².
 //!
-//! The parts with a series of their own are those of even steps of z, where
-//! Θr = √(dr² + rise²)·sinh z: there every part has the same share of the way to the place at
-//! which its series ends. They are the spiral's own, so no answer depends on what was asked before.
+//! The spiral is divided into parts with one series each, by equal steps of z, where Θr = √(dr² + rise²)·sinh z: then the
+//! length of each part is the same fraction of the radius of convergence of its series. The parts depend only on the
+//! spiral, so the result does not depend on earlier evaluations.
 
 use crate::winding::Winding;
 use crate::{Vec3, math};
 
-/// Terms of the series after its constant.
+/// The number of terms of the series after its constant.
 const TERMS: usize = 12;
 
-/// What the series may be off, mm, and as a share of the radius: far below rounding of a place
-/// in a machine.
+/// The error bound of the series, mm, and also as a fraction of the radius: far below the resolution of a machine.
 const OFF_MM: f64 = 1e-13;
 const OFF_SHARE: f64 = 1e-15;
 
-/// More parts than any spiral of finite numbers has.
+/// No spiral with finite values needs this many parts; if more are computed, one part is used.
 const MAX_PARTS: f64 = 1e9;
 
-/// A part of a spiral with the fraction of the sweep as a power series of the way.
+/// A part of a spiral with the fraction of the sweep as a power series of the length.
 #[derive(Clone, Copy, Debug)]
 struct SpiralPart {
-    /// Its number among the parts.
+    /// Its index among the parts.
     number: usize,
-    /// Where it begins and ends, mm from the start of the spiral.
+    /// Its start and its end, mm from the start of the spiral.
     from: f64,
     to: f64,
-    /// Its middle, likewise.
+    /// Its middle, mm from the start of the spiral.
     s: f64,
-    /// What all the powers are shares of, inverted: 1/mm.
+    /// The inverse of the length by which the variable of the series is scaled, 1/mm.
     per_reach: f64,
     /// Fraction of the sweep in the middle.
     t: f64,
-    /// Factors of the first power and above.
+    /// The coefficients of the first power and above.
     terms: [f64; TERMS],
 }
 
-/// A spiral and the part of it that was asked last.
+/// A spiral and the part of it that was used last.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SpiralReader {
     winding: Winding,
-    /// Quarter turns of the whole sweep.
+    /// The whole sweep in quarter turns.
     quarters: f64,
     /// Θ·dr.
     bend: f64,
@@ -60,7 +59,7 @@ struct SpiralGrid {
     winding: Winding,
     length: f64,
     count: usize,
-    /// z at the start, and the step of it for each part.
+    /// z at the start, and its step per part.
     from: f64,
     step: f64,
 }
@@ -71,7 +70,7 @@ impl SpiralPart {
         s >= self.from && s < self.to
     }
 
-    /// How far the fraction of the sweep is from that in the middle.
+    /// The difference of the fraction of the sweep from that in the middle.
     #[inline]
     fn beyond(&self, s: f64) -> f64 {
         let x = (s - self.s) * self.per_reach;
@@ -92,8 +91,8 @@ impl SpiralReader {
         }
     }
 
-    /// The point at `s` mm from the start, within the spiral, and its derivatives by time where
-    /// those of `s` are `by_time`.
+    /// The point at `s` mm from the start, within the spiral, and its derivatives with respect to time, if those of `s`
+    /// are `by_time`.
     #[inline(always)]
     pub(crate) fn motion_at(&mut self, s: f64, by_time: [f64; 3]) -> [Vec3; 4] {
         if !self.part.holds(s) {
@@ -103,7 +102,7 @@ impl SpiralReader {
         self.motion(t, math::sin_cos_of_quarters(self.quarters * t), by_time)
     }
 
-    /// The point at `t`, with sine and cosine of the angle there, and its derivatives by time.
+    /// The point at `t` and its derivatives with respect to time, from the sine and cosine of the angle there.
     #[inline(always)]
     fn motion(
         &self,
@@ -116,14 +115,14 @@ impl SpiralReader {
         let around = r * theta;
         let k2 = 1.0 / (around * around + self.straight);
         let k = k2.sqrt();
-        // g' and g'' relative to g, and what the velocity profile makes of t.
+        // g' and g'' relative to g, and the derivatives of t with respect to time.
         let bend = around * self.bend * k2;
         let second = self.bend * self.bend * k2 - bend * bend;
         let t1 = speed * k;
         let square = t1 * t1;
         let t2 = acceleration * k - bend * square;
         let t3 = jerk * k - t1 * (3.0 * bend * t2 + second * square);
-        // The angle and the radius by time; the frame turns with the angle.
+        // The derivatives of the angle and the radius with respect to time; the frame turns with the angle.
         let (w1, w2, w3) = (theta * t1, theta * t2, theta * t3);
         let (r1, r2, r3) = (dr * t1, dr * t2, dr * t3);
         let (e, n) = (u * cos + v * sin, v * cos - u * sin);
@@ -131,7 +130,7 @@ impl SpiralReader {
         let (out2, along2) = (r2 - r * square, 2.0 * r1 * w1 + r * w2);
         let out3 = r3 - 3.0 * (r1 * square + r * w1 * w2);
         let along3 = 3.0 * (r2 * w1 + r1 * w2) + r * (w3 - w1 * square);
-        // Written out: as a function of its own it would be called, and what nobody asks for found.
+        // Written out, because a separate function would not be inlined and would compute unused values.
         [
             center + e * r + w * (rise * t),
             e * r1 + n * (r * w1) + w * (rise * t1),
@@ -147,22 +146,22 @@ impl SpiralGrid {
         let straight = winding.straight_squared().sqrt();
         let z = |radius: f64| math::asinh(theta * radius / straight);
         let (from, to) = (z(r0), z(r0 + dr));
-        // The series of a part ends where g would be zero, at g²/2Θdr or farther; what is left out
-        // of it is below r·g/dr times the share of that to the power TERMS + 1. Below the share of
-        // a twelfth power is taken, which is smaller, and where the radius is largest, where it is
-        // smallest. Twice that share of g²/2Θdr is as much of z.
+        // The radius of convergence is where g would be zero, at g²/2Θdr or farther. The truncation error is below
+        // r·g/dr times the power TERMS + 1 of the fraction of that radius. The twelfth power is used here, which gives
+        // a smaller fraction, at the largest radius, where the fraction is smallest. Twice that fraction of g²/2Θdr is
+        // the same step of z.
         let largest = r0.abs().max((r0 + dr).abs());
         let off = OFF_MM + OFF_SHARE * largest;
         let around = theta * largest;
         let square = around * around + straight * straight;
         let share = math::twelfth_root(off * (theta * dr).abs() / square);
-        // Without growth, or with next to none, one part is all; and where no number comes out.
+        // One part is enough without growth or with almost none, and is also used if the number is NaN.
         let parts = ((to - from).abs() / share).ceil();
         let count = if parts > 1.0 && parts < MAX_PARTS { parts } else { 1.0 };
         SpiralGrid { winding, length, count: count as usize, from, step: (to - from) / count }
     }
 
-    /// The part that holds a place, mostly next to the one of a number.
+    /// The part that contains `s`, mm; usually close to the part `near`.
     #[cold]
     fn part_for(&self, s: f64, near: usize) -> SpiralPart {
         let mut number = near;
@@ -173,9 +172,9 @@ impl SpiralGrid {
             let Winding { theta, .. } = self.winding;
             let radius = self.winding.radius(self.winding.fraction_at(s));
             let z = math::asinh(theta * radius / self.winding.straight_squared().sqrt());
-            // A number that is none counts as 0.
+            // NaN is converted to 0.
             number = (((z - self.from) / self.step) as usize).min(self.count - 1);
-            // Rounding may have met the one before or after.
+            // Because of rounding it may be the part before or after.
             while number > 0 && s < self.begin(number) {
                 number -= 1;
             }
@@ -200,7 +199,7 @@ impl SpiralGrid {
         ((around / theta - r0) / dr).clamp(0.0, 1.0)
     }
 
-    /// Where a part begins, mm from the start of the spiral.
+    /// The start of a part, mm from the start of the spiral.
     fn begin(&self, number: usize) -> f64 {
         if number >= self.count {
             self.length
@@ -218,7 +217,7 @@ impl SpiralGrid {
         SpiralPart { number, from, to, s, per_reach, t, terms: self.series(t, reach) }
     }
 
-    /// The terms of the fraction about `t`, for powers of shares of `reach`.
+    /// The coefficients of the fraction about `t`, for powers of the length divided by `reach`.
     fn series(&self, t: f64, reach: f64) -> [f64; TERMS] {
         let Winding { theta, dr, .. } = self.winding;
         // Powers of Θr and of g.
@@ -227,14 +226,14 @@ impl SpiralGrid {
         around[0] = theta * self.winding.radius(t);
         speed[0] = self.winding.speed_squared(t).sqrt();
         for n in 0..TERMS {
-            // g·t' = reach, the power n of it.
+            // g·t' = reach, its power n.
             let mut sum = if n == 0 { reach } else { 0.0 };
             for k in 0..n {
                 sum -= speed[n - k] * terms[k] * (k + 1) as f64;
             }
             terms[n] = sum / (speed[0] * (n + 1) as f64);
             around[n + 1] = theta * dr * terms[n];
-            // g² = (Θr)² + …, the power n + 1 of it.
+            // g² = (Θr)² + …, its power n + 1.
             let mut sum = 2.0 * around[0] * around[n + 1];
             for k in 1..=n {
                 sum += around[k] * around[n + 1 - k] - speed[k] * speed[n + 1 - k];

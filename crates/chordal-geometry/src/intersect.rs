@@ -1,18 +1,18 @@
-//! Where lines and circles of a plane meet.
+//! Intersections of lines and circles in a plane.
 //!
-//! Differences of squares are taken as products, and everything is relative to one of the two
-//! shapes, so the digits that the distance from the origin would cost are kept.
+//! Differences of squares are computed as products, and all coordinates are relative to one of the two shapes, so that no
+//! digits are lost because of a large distance from the origin.
 
 use core::f64::consts::TAU;
 
 use crate::Vec2;
 
-/// A line without ends: `point` (mm) and a `direction` of any length above zero.
+/// An infinite line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line2 {
     /// A point on the line, mm.
     pub point: Vec2,
-    /// The direction of travel, of any length.
+    /// The direction of the line, of any length above zero.
     pub direction: Vec2,
 }
 
@@ -28,19 +28,19 @@ pub struct Circle2 {
 /// The points two shapes have in common.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Meeting {
-    /// None.
+    /// They have none.
     None,
     /// They touch in one point, mm.
     Touch(Vec2),
-    /// They cross in two points, mm. Against a line: in the order of its direction. Of two circles:
-    /// first the one to the left of the way from the first centre to the second.
+    /// They cross in two points, mm: with a line, in the order of its direction; for two circles, first the point on
+    /// the left, seen from the first centre to the second.
     Cross(Vec2, Vec2),
-    /// They are the same, within the tolerance.
+    /// They are equal within the tolerance.
     Same,
 }
 
 impl Meeting {
-    /// The points, mm: none, one or two.
+    /// The points, mm: none, one or two; none if the shapes are equal.
     pub fn points(self) -> impl Iterator<Item = Vec2> {
         let (a, b) = match self {
             Meeting::None | Meeting::Same => (None, None),
@@ -50,7 +50,7 @@ impl Meeting {
         a.into_iter().chain(b)
     }
 
-    /// The point nearest to `p`, mm.
+    /// The point nearest to `p`, mm; `None` without points.
     #[must_use]
     pub fn nearest_to(self, p: Vec2) -> Option<Vec2> {
         match self {
@@ -74,14 +74,14 @@ pub fn fractions_at_angle(start: f64, sweep: f64, angle: f64) -> impl Iterator<I
 pub struct LineCrossing {
     /// The point, mm.
     pub point: Vec2,
-    /// How far along the first line it lies, in lengths of its direction vector.
+    /// Its position along the first line, in lengths of its direction vector.
     pub along_first: f64,
-    /// How far along the second line it lies, in lengths of its direction vector.
+    /// Its position along the second line, in lengths of its direction vector.
     pub along_second: f64,
 }
 
-/// The crossing of two lines. `None` when the sine of the angle between them is at most
-/// `parallel_sine` in size, or a direction is zero.
+/// The crossing of two lines. `None` if the absolute sine of the angle between them is at most `parallel_sine`, or a
+/// direction is zero.
 #[must_use]
 pub fn line_line(first: Line2, second: Line2, parallel_sine: f64) -> Option<LineCrossing> {
     let (d0, d1) = (first.direction, second.direction);
@@ -93,23 +93,23 @@ pub fn line_line(first: Line2, second: Line2, parallel_sine: f64) -> Option<Line
     let between = second.point - first.point;
     let along_first = between.cross(d1) / cross;
     let along_second = between.cross(d0) / cross;
-    // From the nearer of the two given points, whose error the long way would multiply.
+    // From the nearer of the two points, because the error grows with the distance.
     let by_first = along_first.abs() * d0.length() <= along_second.abs() * d1.length();
     let point =
         if by_first { first.point + d0 * along_first } else { second.point + d1 * along_second };
     Some(LineCrossing { point, along_first, along_second })
 }
 
-/// The points of a line on a circle. A line that passes outside by at most `tolerance` (mm)
-/// touches at its point nearest to the centre.
+/// The intersections of a line and a circle. A line that misses the circle by at most `tolerance` (mm) touches it at the
+/// point nearest to the centre.
 #[must_use]
 pub fn line_circle(line: Line2, circle: Circle2, tolerance: f64) -> Meeting {
     let Some(t) = line.direction.normalized() else { return Meeting::None };
     let to_center = circle.center - line.point;
-    // Distance of the centre from the line, and the line's point nearest to it.
+    // The distance of the centre from the line, and the point of the line nearest to it.
     let left = t.cross(to_center);
     let d = left.abs();
-    // Reached from the centre, so that the points lie on the circle however far `point` is.
+    // Computed from the centre, so that the points are on the circle even if `point` is far away.
     let foot = circle.center - t.turned_left() * left;
     let rho = circle.radius;
     let product = (rho - d) * (rho + d);
@@ -123,9 +123,8 @@ pub fn line_circle(line: Line2, circle: Circle2, tolerance: f64) -> Meeting {
     }
 }
 
-/// The points two circles have in common, by the radical line. Circles that miss each other, from
-/// outside or from inside, by at most `tolerance` (mm) touch between the two; circles whose centres
-/// and radii agree within it are the same.
+/// The intersections of two circles, by the radical line. Circles that miss each other, from outside or from inside, by
+/// at most `tolerance` (mm) touch in the middle of the gap; circles whose centres and radii agree within it are equal.
 #[must_use]
 pub fn circle_circle(first: Circle2, second: Circle2, tolerance: f64) -> Meeting {
     let tolerance = tolerance.max(0.0);
@@ -136,8 +135,8 @@ pub fn circle_circle(first: Circle2, second: Circle2, tolerance: f64) -> Meeting
         return Meeting::Same;
     }
     let Some(t) = between.normalized() else { return Meeting::None };
-    // (D + r0 + r1)(D + r0 − r1)(D − r0 + r1)(r0 + r1 − D) is (2·D·h)², h half the common chord:
-    // Heron's product, which keeps the small factor's digits where r0² − a² would lose them.
+    // (D + r0 + r1)(D + r0 − r1)(D − r0 + r1)(r0 + r1 − D) is (2·D·h)², with h half the common chord: Heron's product,
+    // which is accurate for a small factor, unlike r0² − a².
     let outside = r0 + r1 - distance;
     let inside = distance - (r0 - r1).abs();
     let a = 0.5 * (distance + (r0 - r1) * ((r0 + r1) / distance));
@@ -151,7 +150,7 @@ pub fn circle_circle(first: Circle2, second: Circle2, tolerance: f64) -> Meeting
     if -outside > tolerance || -inside > tolerance || !(outside + inside).is_finite() {
         return Meeting::None;
     }
-    // Halfway across the gap, along the line of centres.
+    // In the middle of the gap, on the line of the centres.
     let along = if outside <= 0.0 {
         0.5 * (r0 + (distance - r1))
     } else if r0 >= r1 {

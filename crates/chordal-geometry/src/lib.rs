@@ -1,9 +1,9 @@
 //! The exact curves of machine motion: line, circular arc, helix, Archimedean spiral, cone and spline.
 //!
-//! A curve stays exact until somebody asks for chords, and every tolerance is an argument. Lengths
-//! are in millimetres by convention (nothing here depends on it), angles in radians, all `f64`. The
-//! crate knows no program language and no machine. Results are the same to the bit on every
-//! platform: transcendental functions come from `libm`, in one module.
+//! A curve stays exact until it is divided into chords, and every tolerance is an argument. Lengths are in millimetres by
+//! convention (the crate does not depend on it), angles in radians, all `f64`. The crate is independent of program
+//! languages and machines. Results are bit-identical on every platform: transcendental functions come from `libm`, in one
+//! module.
 //!
 //! ```
 //! use chordal_geometry::{Arc, ParamCurve, Placement, Plane};
@@ -21,12 +21,12 @@
 //!
 //! | to | see |
 //! |---|---|
-//! | ask a curve for points, lengths, curvature, boxes, parts | [`ParamCurve`] |
-//! | ask it at many places | [`Tracer`] |
+//! | get points, lengths, curvature, boxes and parts of a curve | [`ParamCurve`] |
+//! | evaluate it at many points | [`Tracer`] |
 //! | make a spline, divide it into its spans | [`Spline`], [`SplinePiece`] |
-//! | make a curve of an arc command | [`arc_from_center`], [`spiral_from_center`], [`center_from_radius`] |
-//! | cut it into chords | [`ParamCurve::chords`], [`Chords`] |
-//! | lay lines and arcs through points, thin points out | [`fit_path`], [`simplify`] |
+//! | make a curve from an arc command | [`arc_from_center`], [`spiral_from_center`], [`center_from_radius`] |
+//! | divide it into chords | [`ParamCurve::chords`], [`Chords`] |
+//! | fit lines and arcs to points, reduce points | [`fit_path`], [`simplify`] |
 //! | intersect and offset | [`line_line`], [`line_circle`], [`circle_circle`], [`Line::offset`], [`Arc::offset`] |
 
 #![forbid(unsafe_code)]

@@ -18,7 +18,7 @@ impl Line {
         Self { start, end }
     }
 
-    /// The point at fraction `t` of the way.
+    /// The point at fraction `t` of the length, mm.
     fn at_fraction(&self, t: f64) -> Vec3 {
         if t <= 0.0 {
             self.start
@@ -29,7 +29,7 @@ impl Line {
         }
     }
 
-    /// Fraction of the way at `s` mm, clamped to 0..=1.
+    /// Fraction of the length at `s` mm, clamped to 0..=1.
     fn fraction(&self, s: f64) -> f64 {
         let length = self.length();
         if s <= 0.0 {

@@ -1,7 +1,8 @@
-//! The one door to transcendental functions.
+//! The only module with transcendental functions.
 //!
-//! The platform's `sin` differs between machines in the last bit; `libm` is plain arithmetic and
-//! does not. Square root and the four operations are exact by IEEE 754, so the standard ones serve.
+//! The `sin` of the platform differs between machines in the last bit; that of `libm` does not, because it is plain
+//! arithmetic. Square root and the four operations are correctly rounded by IEEE 754, so those of the standard library
+//! are used.
 
 pub(crate) use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -10,13 +11,13 @@ pub(crate) fn sin_cos(angle: f64) -> (f64, f64) {
     libm::sincos(angle)
 }
 
-/// Sine and cosine of `quarters` quarter turns, in that order, each within 1e-15: quicker than those of an
-/// angle, because whole quarters are taken off without rounding.
+/// Sine and cosine of `quarters` quarter turns, in that order, each within 1e-15: faster than those of an angle, because
+/// whole quarters are subtracted without rounding.
 #[inline]
 pub(crate) fn sin_cos_of_quarters(quarters: f64) -> (f64, f64) {
-    // Added and taken off again, this leaves the nearest whole number; its last bits count it.
+    // Adding and subtracting this rounds to the nearest whole number; the last bits of the sum are that number.
     const WHOLE: f64 = 6_755_399_441_055_744.0;
-    // Up to here that holds for the parts, which are sixteen times as many.
+    // Up to this value the rounding is exact for the parts as well, which are sixteen times as many.
     const MAX_EXACT_COUNT: f64 = 1e14;
     const STEP: f64 = FRAC_PI_2 / PARTS as f64;
     if quarters.abs() >= MAX_EXACT_COUNT {
@@ -26,14 +27,14 @@ pub(crate) fn sin_cos_of_quarters(quarters: f64) -> (f64, f64) {
     let shifted = parts + WHOLE;
     let x = (parts - (shifted - WHOLE)) * STEP;
     let [sin, cos] = TURN[(shifted.to_bits() % TURN.len() as u64) as usize];
-    // Within half a part the first terms of the series are right to a tenth of the last bit.
+    // Within half a part the first terms of the series are accurate to a tenth of the last bit.
     let z = x * x;
     let sin_x = x + x * z * (-1.0 / 6.0 + z * (1.0 / 120.0 - z * (1.0 / 5040.0)));
     let below_one = z * (-0.5 + z * (1.0 / 24.0 - z * (1.0 / 720.0 - z * (1.0 / 40320.0))));
     (sin + (sin * below_one + cos * sin_x), cos + (cos * below_one - sin * sin_x))
 }
 
-/// Parts of a quarter turn with known sine and cosine.
+/// The number of parts of a quarter turn with tabulated sine and cosine.
 const PARTS: usize = 16;
 
 /// Sine and cosine of each part of a turn.
@@ -72,11 +73,11 @@ const SINES: [f64; PARTS + 1] = [
     1.0,
 ];
 
-/// The value of a polynomial, its constant first, of an even number of factors.
+/// The value of a polynomial with an even number of coefficients, the constant first.
 #[inline]
 pub(crate) fn polynomial<const N: usize>(x: f64, factors: &[f64; N]) -> f64 {
     const { assert!(N >= 2 && N.is_multiple_of(2)) };
-    // Even and odd powers by themselves wait half as long for one another.
+    // Evaluating even and odd powers separately halves the chain of dependent operations.
     let square = x * x;
     let (mut even, mut odd) = (factors[N - 2], factors[N - 1]);
     for pair in factors[..N - 2].rchunks_exact(2) {
@@ -101,12 +102,12 @@ pub(crate) fn asin(x: f64) -> f64 {
     libm::asin(x)
 }
 
-/// The whole number above.
+/// Rounds up.
 pub(crate) fn ceil(x: f64) -> f64 {
     libm::ceil(x)
 }
 
-/// The nearest whole number, halves away from zero.
+/// Rounds to the nearest whole number, halves away from zero.
 pub(crate) fn round(x: f64) -> f64 {
     libm::round(x)
 }

@@ -1,11 +1,11 @@
-//! Parallels of lines and arcs.
+//! Offset curves of lines and arcs.
 
 use crate::{Arc, Line, ParamCurve, Vec3};
 
 impl Line {
-    /// The parallel `distance` mm to the left of travel, seen against `normal` (any length);
-    /// to the right when negative. A line that is not square to `normal` is moved as its projection
-    /// is. `None` when that projection has no direction.
+    /// The parallel line `distance` mm to the left, seen against `normal` (of any length); to the right if negative. A
+    /// line that is not perpendicular to `normal` is moved like its projection. `None` if that projection has no
+    /// direction.
     #[must_use]
     pub fn offset(&self, normal: Vec3, distance: f64) -> Option<Line> {
         let left = normal.normalized()?.cross(self.tangent_at(0.0)).normalized()?;
@@ -14,9 +14,8 @@ impl Line {
 }
 
 impl Arc {
-    /// The parallel `distance` mm to the left of travel, seen against `self.w`; to the right when
-    /// negative. `None` when the radius would not stay above zero. A helix stays one, with the same
-    /// rise.
+    /// The concentric arc `distance` mm to the left, seen against `self.w`; to the right if negative. `None` if its
+    /// radius would not be above zero. The offset of a helix is a helix with the same rise.
     #[must_use]
     pub fn offset(&self, distance: f64) -> Option<Arc> {
         // Left is towards the centre when turning counter-clockwise.

@@ -1,8 +1,8 @@
-//! The three coordinate planes and the two senses of turning in them.
+//! The three coordinate planes and the two directions of rotation in them.
 
 use crate::{Frame, Vec2, Vec3};
 
-/// A coordinate plane, with an order of its two axes that makes first × second = normal.
+/// A coordinate plane; its two axes are ordered so that first × second = normal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Plane {
     /// First axis X, second Y, normal Z.
@@ -15,7 +15,7 @@ pub enum Plane {
 }
 
 impl Plane {
-    /// Positions in `[x, y, z]` of the first axis, the second axis and the normal.
+    /// The indices in `[x, y, z]` of the first axis, the second axis and the normal.
     #[must_use]
     pub const fn axes(self) -> (usize, usize, usize) {
         match self {
@@ -45,7 +45,7 @@ impl Plane {
         }
     }
 
-    /// Unit normal. Counter-clockwise is seen looking against it.
+    /// Unit normal. Counter-clockwise is meant looking against it.
     #[must_use]
     pub const fn normal(self) -> Vec3 {
         match self {
@@ -61,7 +61,7 @@ impl Plane {
         Frame { origin: Vec3::ZERO, u: self.first_axis(), v: self.second_axis(), w: self.normal() }
     }
 
-    /// A point's coordinates in the plane, mm, without its height.
+    /// The coordinates of a point in the plane, mm, without its height.
     #[must_use]
     pub const fn project(self, p: Vec3) -> Vec2 {
         match self {
@@ -71,7 +71,7 @@ impl Plane {
         }
     }
 
-    /// A point's coordinate along the normal, mm.
+    /// The coordinate of a point along the normal, mm.
     #[must_use]
     pub const fn height(self, p: Vec3) -> f64 {
         match self {
@@ -92,7 +92,7 @@ impl Plane {
     }
 }
 
-/// A sense of turning in a plane, seen against its normal.
+/// A direction of rotation in a plane, seen against its normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TurnDirection {
     /// Clockwise: from the second axis to the first, a negative sweep.
@@ -120,7 +120,7 @@ impl TurnDirection {
         }
     }
 
-    /// The direction that a mirror leaves: the other one in a mirror.
+    /// The other direction if `mirrored` is true, otherwise the same one.
     #[must_use]
     pub const fn mirrored_if(self, mirrored: bool) -> TurnDirection {
         if mirrored { self.reversed() } else { self }

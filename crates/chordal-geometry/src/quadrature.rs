@@ -1,6 +1,6 @@
-//! Lengths of curves without a closed form, by Gauss's rule on parts that are divided until they agree.
+//! Lengths of curves without a closed form, by Gauss quadrature on intervals that are divided until the results agree.
 
-/// Places and shares of Gauss's rule of eight points on -1..1, those above zero.
+/// The positive nodes and the weights of Gauss quadrature with eight points on -1..1.
 const RULE: [(f64, f64); 4] = [
     (0.183_434_642_495_649_8, 0.362_683_783_378_362),
     (0.525_532_409_916_329, 0.313_706_645_877_887_3),
@@ -8,11 +8,12 @@ const RULE: [(f64, f64); 4] = [
     (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
 ];
 
-/// A part is not divided more often, nor all parts together: a cusp, rounding or a NaN ends here.
+/// The largest number of times an interval is divided: this ends the division at a cusp, with rounding or a NaN.
 const MAX_DEPTH: u32 = 40;
+/// The largest number of intervals.
 const MAX_PARTS: u32 = 4000;
 
-/// ∫f from `a` to `b` by eight places.
+/// ∫f from `a` to `b` with eight points.
 pub(crate) fn gauss(f: &mut impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
     let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
     let sum = RULE
@@ -22,7 +23,7 @@ pub(crate) fn gauss(f: &mut impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
     half * sum
 }
 
-/// ∫f from `a` to `b` within `tolerance`, so far as halves that agree with the whole can show it.
+/// ∫f from `a` to `b` within `tolerance`, estimated from the difference between an interval and its halves.
 pub(crate) fn integral(f: &mut impl FnMut(f64) -> f64, a: f64, b: f64, tolerance: f64) -> f64 {
     let (mut sum, mut parts) = (0.0, 0);
     let mut open = vec![(a, b, gauss(f, a, b), tolerance, 0)];

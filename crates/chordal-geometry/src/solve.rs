@@ -1,9 +1,9 @@
-//! Roots by bracketing, and short lists of them.
+//! Bracketed root finding, and short lists of roots.
 
-/// Newton's method inside a bracket, with bisection wherever it would leave the bracket or stall.
+/// Newton's method inside a bracket, with bisection where it would leave the bracket or stall.
 ///
-/// `f` returns value and derivative. `lo` and `hi` bracket a sign change; the result lies between
-/// them in any case, NaN included, after at most `MAX_STEPS` evaluations.
+/// `f` returns value and derivative. `lo` and `hi` bracket a sign change; the result is always between them, even if `f`
+/// returns NaN, after at most `MAX_STEPS` evaluations.
 pub(crate) fn bracketed_root(f: impl Fn(f64) -> (f64, f64), mut lo: f64, mut hi: f64) -> f64 {
     // Bisection alone needs about 60 to reach neighbouring doubles; Newton needs 4 to 6.
     const MAX_STEPS: usize = 120;
@@ -27,7 +27,7 @@ pub(crate) fn bracketed_root(f: impl Fn(f64) -> (f64, f64), mut lo: f64, mut hi:
             0.5 * (lo + hi)
         };
         last_step = (next - x).abs();
-        // Two roundings of the larger end: below that a step no longer means anything.
+        // Two rounding errors of the larger end: a smaller step has no effect.
         let done = last_step <= 2.0 * f64::EPSILON * lo.abs().max(hi.abs());
         x = next;
         if done {
@@ -37,8 +37,7 @@ pub(crate) fn bracketed_root(f: impl Fn(f64) -> (f64, f64), mut lo: f64, mut hi:
     x
 }
 
-/// A short ascending list on the stack. What does not fit is dropped, so a loop over it is bounded
-/// whatever the input.
+/// A short ascending list on the stack. Values that do not fit are dropped, so a loop over it is bounded for every input.
 #[derive(Clone, Copy)]
 pub(crate) struct KnotList {
     values: [f64; Self::CAPACITY],
@@ -46,7 +45,7 @@ pub(crate) struct KnotList {
 }
 
 impl KnotList {
-    /// Windows span at most two turns, which gives at most ten roots and two ends.
+    /// Intervals span at most two turns, which gives at most ten roots and two ends.
     const CAPACITY: usize = 24;
 
     pub(crate) fn new() -> Self {
@@ -64,8 +63,8 @@ impl KnotList {
         &self.values[..self.len]
     }
 
-    /// The sign changes of `f`, which is monotone between neighbouring knots. Both outermost knots
-    /// are kept, so that the result divides the same interval.
+    /// The sign changes of `f`, which is monotone between neighbouring knots, and both outermost knots, so that the
+    /// result divides the same interval.
     pub(crate) fn refine(&self, f: impl Fn(f64) -> (f64, f64)) -> KnotList {
         let mut roots = KnotList::new();
         let knots = self.as_slice();

@@ -1,17 +1,15 @@
-//! The Archimedean spiral and its relative on a cone.
+//! The Archimedean spiral and its counterpart on a cone.
 
 use crate::winding::Winding;
 use crate::{
     Aabb, ChordError, Chords, Frame, Nearest, ParamCurve, Placement, Transform, TurnDirection, Vec3,
 };
 
-/// An Archimedean spiral in any plane or, when `rise` is not zero, the curve over it on a cone; of
-/// any number of turns.
+/// An Archimedean spiral in any plane or, if `rise` is not zero, the curve above it on a cone; of any number of turns.
 ///
-/// Between its ends the curve is `center + r·(u cos φ + v sin φ) + rise·(φ/sweep)·w` with
-/// `v = w × u`, φ running from 0 to `sweep` and the radius `r` from `radius_start` to `radius_end`
-/// evenly with φ. With a sweep of zero it is the straight line between its ends. The ends are kept
-/// as they were given; they may differ from the formula by rounding.
+/// Between its ends the curve is `center + r·(u cos φ + v sin φ) + rise·(φ/sweep)·w` with `v = w × u`, φ from 0 to
+/// `sweep` and the radius `r` linear in φ from `radius_start` to `radius_end`. With a sweep of zero it is the straight
+/// line between its ends. The ends are stored as they were passed in; they may differ from the formula by rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spiral {
     /// Centre at the height of the start, mm.
@@ -28,9 +26,9 @@ pub struct Spiral {
     pub sweep: f64,
     /// Movement along `w` over the whole sweep, mm.
     pub rise: f64,
-    /// The start as it was given, mm.
+    /// The exact start that was passed in, mm.
     pub start: Vec3,
-    /// The end as it was given, mm.
+    /// The exact end that was passed in, mm.
     pub end: Vec3,
 }
 
@@ -66,7 +64,7 @@ impl Spiral {
         w.radius(w.fraction_at(s))
     }
 
-    /// Whether the sense of turning about `w` is counter-clockwise.
+    /// The direction of rotation about `w`.
     #[must_use]
     pub fn direction(&self) -> TurnDirection {
         if self.sweep < 0.0 { TurnDirection::Cw } else { TurnDirection::Ccw }
@@ -87,7 +85,7 @@ impl Spiral {
         }
     }
 
-    /// The part between two fractions, `t0 <= t1`.
+    /// The part between two fractions of the sweep, `t0 <= t1`.
     fn part(&self, t0: f64, t1: f64) -> Self {
         let whole = self.winding();
         let p = whole.part(t0, t1);
@@ -141,7 +139,7 @@ impl ParamCurve for Spiral {
         let winding = self.winding();
         let t = winding.fraction_at(s);
         let (point, derivatives) = winding.jet(t);
-        // The ends as they were given, like `point_at`.
+        // The exact ends, like `point_at`.
         derivatives.derivatives_after(if t <= 0.0 {
             self.start
         } else if t >= 1.0 {

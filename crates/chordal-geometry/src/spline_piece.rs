@@ -1,13 +1,13 @@
-//! One polynomial span of a spline as a curve of its own: a rational Bezier curve.
+//! One polynomial span of a spline as a separate curve: a rational Bezier curve.
 
 use crate::bezier::{self, Bezier, MAX_SPAN_ORDER, WeightedPoint};
 use crate::quadrature::integral;
 use crate::{Aabb, ChordError, Chords, Line, Nearest, ParamCurve, Placement, Transform, Vec3};
 
-/// What a length may be off, as a share of it: rounding.
+/// The relative error of a length, from rounding.
 pub(crate) const OFF: f64 = 1e-13;
 
-/// One polynomial span of a [`Spline`](crate::Spline), exactly: a rational Bezier curve of order 2 to
+/// One exact polynomial span of a [`Spline`](crate::Spline): a rational Bezier curve of order 2 to
 /// [`SplinePiece::MAX_ORDER`]. It is made by [`Spline::pieces`](crate::Spline::pieces).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SplinePiece {
@@ -21,8 +21,8 @@ impl SplinePiece {
     /// The highest order (degree + 1).
     pub const MAX_ORDER: usize = MAX_SPAN_ORDER;
 
-    /// The Bezier curve with these control points (mm) and weights; `None` where they are not as many, fewer
-    /// than two, more than [`SplinePiece::MAX_ORDER`], or a weight is not above zero.
+    /// The Bezier curve with these control points (mm) and weights. `None` if their numbers differ, there are fewer
+    /// than two or more than [`SplinePiece::MAX_ORDER`], or a weight is not above zero.
     #[must_use]
     pub fn new(points: &[Vec3], weights: &[f64]) -> Option<SplinePiece> {
         let above_zero = weights.iter().all(|weight| *weight > 0.0);
@@ -39,7 +39,7 @@ impl SplinePiece {
         Some(SplinePiece { points: own, weights: of_points, order, length: 0.0 }.measured())
     }
 
-    /// Of points times their weights, with the ends as they were given.
+    /// The curve of weighted points, with the exact ends.
     pub(crate) fn of_weighted(
         of: &[WeightedPoint],
         start: Vec3,
@@ -81,7 +81,7 @@ impl SplinePiece {
         std::array::from_fn(|index| WeightedPoint::new(self.points[index], self.weights[index]))
     }
 
-    /// Seen from the start, so that a small curve far from the origin keeps its digits.
+    /// The weighted control points relative to the start, so that a small curve far from the origin loses no digits.
     fn about_start(&self) -> [WeightedPoint; MAX_SPAN_ORDER] {
         let start = self.points[0];
         std::array::from_fn(|index| {
@@ -93,7 +93,7 @@ impl SplinePiece {
         Bezier { points: self.about_start(), order: self.order, start: self.points[0] }
     }
 
-    /// The point at parameter `t` from 0 to 1, mm, and its first three derivatives by it.
+    /// The point at parameter `t` from 0 to 1, mm, and its first three derivatives with respect to `t`.
     #[must_use]
     pub fn jet_at_parameter(&self, t: f64) -> [Vec3; 4] {
         let mut jet = self.bezier().jet(t);
@@ -109,7 +109,7 @@ impl SplinePiece {
         bezier::velocity(&mut self.about_start()[..self.order], t).length()
     }
 
-    /// Length of the control polygon, mm: not below that of the curve.
+    /// Length of the control polygon, mm, which is at least that of the curve.
     pub(crate) fn hull_length(&self) -> f64 {
         self.points().windows(2).map(|pair| pair[0].distance(pair[1])).sum()
     }
@@ -123,7 +123,7 @@ impl SplinePiece {
         integral(&mut |t| self.speed(t), from, to, OFF * self.hull_length())
     }
 
-    /// The parameter at `s` mm from the start, from 0 to 1; NaN for a NaN.
+    /// The parameter at `s` mm from the start, 0 to 1; NaN if `s` is NaN.
     #[must_use]
     pub fn parameter_at(&self, s: f64) -> f64 {
         if s <= 0.0 {
@@ -135,8 +135,8 @@ impl SplinePiece {
         self.parameter_between((0.0, 0.0), (1.0, self.length), s)
     }
 
-    /// The parameter at `s` between two whose lengths are known: Newton's steps, or halves where one leads
-    /// out.
+    /// The parameter at `s`, mm, between two parameters whose lengths are known, by Newton's method, with bisection
+    /// where it would leave the interval.
     pub(crate) fn parameter_between(&self, low: (f64, f64), high: (f64, f64), s: f64) -> f64 {
         const MAX_STEPS: u32 = 60;
         let (mut low, mut high) = (low, high);
@@ -146,7 +146,7 @@ impl SplinePiece {
         }
         let mut t = low.0 + (high.0 - low.0) * share.clamp(0.0, 1.0);
         for _ in 0..MAX_STEPS {
-            // From the nearer end, so that short ways are measured.
+            // From the nearer end, so that the integral is short.
             let length = if t - low.0 <= high.0 - t {
                 low.1 + self.length_between(low.0, t)
             } else {
@@ -171,9 +171,9 @@ impl SplinePiece {
         t
     }
 
-    /// The point at a parameter and its derivatives by length.
+    /// The point at a parameter, mm, and its derivatives with respect to length.
     pub(crate) fn by_length(&self, t: f64) -> [Vec3; 4] {
-        // Below this share of the control polygon a speed is none: the direction is that of what follows.
+        // A speed below this fraction of the control polygon counts as zero: the direction is that of the curve after it.
         const STILL: f64 = 1e-9;
         let [point, d1, d2, d3] = self.jet_at_parameter(t);
         let speed = d1.length();
@@ -197,7 +197,7 @@ impl SplinePiece {
         [point, tangent, curvature, curvature1]
     }
 
-    /// The parts before and after a parameter. The inner ends are equal.
+    /// The parts before and after a parameter. The end of the first equals the start of the second.
     #[must_use]
     pub fn split_at_parameter(&self, t: f64) -> (SplinePiece, SplinePiece) {
         let mut before = self.about_start();
@@ -227,10 +227,10 @@ impl SplinePiece {
         rest.split_at_parameter(share).1
     }
 
-    /// Hands on even parts of the curve, one after the other: on each the curve turns by a quarter radian at
-    /// most and its parameter runs evenly to a factor of two, so that its curvature is seen from few places.
-    /// Where no part is so even (at a cusp, or at a start without speed) a part that no point of is farther
-    /// than `tolerance` mm from a straight line, and that is no longer than ten times that, is that line.
+    /// Passes the curve to `push` in even parts: each turns by at most a quarter radian, and its parametric speed
+    /// varies by at most a factor of two, so that few points are enough to find its curvature. Where no part is this
+    /// even (at a cusp, or at a start without speed), a part that deviates from a straight line by at most `tolerance`
+    /// mm and is at most ten times as long becomes that line.
     pub fn even_parts(&self, tolerance: f64, push: &mut impl FnMut(EvenPart)) {
         const MAX_NEWTON_DIVISIONS: u32 = 60;
         let mut open = vec![(*self, 0)];
@@ -249,7 +249,7 @@ impl SplinePiece {
         }
     }
 
-    /// It is the straight line between its ends, to rounding, and does not turn back on it.
+    /// Whether it is the straight line between its ends within rounding, without reversals.
     fn is_straight(&self) -> bool {
         let chord = self.end() - self.start();
         let size = self.points().iter().fold(0.0_f64, |size, point| size.max(point.length()));
@@ -257,14 +257,14 @@ impl SplinePiece {
         forward && self.flatness() <= 4.0 * f64::EPSILON * size
     }
 
-    /// Largest distance of a control point, and so of the curve, from the line between the ends, mm.
+    /// The largest distance of a control point from the line between the ends, mm: a bound for that of the curve.
     fn flatness(&self) -> f64 {
         let line = Line { start: self.start(), end: self.end() };
         self.points().iter().fold(0.0, |most, point| most.max(line.nearest(*point).distance))
     }
 
     fn is_even(&self) -> bool {
-        // tan of the angle that the legs of the control polygon span at most.
+        // The tangent of the largest angle between the legs of the control polygon.
         const TURN: f64 = 0.25;
         const RATIO: f64 = 2.0;
         let legs = self.points().windows(2).map(|pair| pair[1] - pair[0]);
@@ -290,13 +290,13 @@ impl SplinePiece {
     }
 }
 
-/// A part of a spline as [`SplinePiece::even_parts`] hands it on.
+/// A part of a spline from [`SplinePiece::even_parts`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(clippy::large_enum_variant, reason = "handed on at once, never kept in numbers")]
 pub enum EvenPart {
     /// A straight part.
     Line(Line),
-    /// A part that turns.
+    /// A curved part.
     Bent(SplinePiece),
 }
 
@@ -362,10 +362,10 @@ impl ParamCurve for SplinePiece {
         moved
     }
 
-    /// Parts are divided while one of their points may be nearer than the nearest that was found.
+    /// Divides parts as long as one of their points may be nearer than the nearest one found.
     fn nearest(&self, p: Vec3) -> Nearest {
         const MAX_SEARCH_DIVISIONS: u32 = 50;
-        // Nearer by less than this share does not count: about its centre all of a circle is as near.
+        // A relative improvement below this is ignored: all points of a circle are equally near to its centre.
         const SEARCH_TOLERANCE: f64 = 1e-10;
         let size = self.hull_length();
         let mut best = (0.0, self.start().distance(p));
@@ -390,7 +390,7 @@ impl ParamCurve for SplinePiece {
             bezier::split(&mut part[..self.order], &mut after[..self.order], 0.5);
             let middle = 0.5 * (from + to);
             see(middle, &mut best);
-            // The nearer half last, so that it is looked at first.
+            // The nearer half last, so that it is searched first.
             let halves = [(part, from, middle, depth + 1), (after, middle, to, depth + 1)];
             let near = |half: &([WeightedPoint; MAX_SPAN_ORDER], f64, f64, u32)| {
                 half.0[0].place().distance(p)
@@ -402,7 +402,7 @@ impl ParamCurve for SplinePiece {
                 open.extend(halves);
             }
         }
-        // On from there by Newton's steps, as far as they lead nearer.
+        // Continues with Newton's method as long as the distance decreases.
         for _ in 0..8 {
             let [q, d1, d2, _] = self.jet_at_parameter(best.0);
             let by = (q - p).dot(d1) / (d1.length_squared() + (q - p).dot(d2));
@@ -421,7 +421,7 @@ impl ParamCurve for SplinePiece {
         Nearest { s: self.length_to(t), point, distance: point.distance(p) }
     }
 
-    /// The largest of many places, and of those between the largest of them.
+    /// The largest curvature at many points, refined around the largest of them.
     fn max_curvature(&self) -> f64 {
         const PLACES: u32 = 64;
         let at = |t: f64| self.by_length(t)[2].length();
@@ -454,11 +454,11 @@ impl ParamCurve for SplinePiece {
 }
 
 impl SplinePiece {
-    /// How many steps of equal parameter have chords within `tolerance`.
+    /// The number of steps of equal parameter whose chords are within `tolerance`, mm.
     ///
-    /// A chord is the straight line that A and w make where they are taken as straight over the step. Both
-    /// miss it by step²/8 of their second derivatives at most, so the curve misses the chord by
-    /// step²/8·(max|A''| + max|C|·max|w''|)/min w. Bezier's control points bound all of these.
+    /// If A and w are replaced by their linear interpolation over a step, the curve becomes the chord. The
+    /// interpolation errors are at most step²/8 of their second derivatives, so the curve deviates from the chord by at
+    /// most step²/8·(max|A''| + max|C|·max|w''|)/min w. The control points bound all of these values.
     fn steps_within(&self, tolerance: f64) -> f64 {
         let hull = self.points().iter().fold(Aabb::EMPTY, |hull, point| hull.include(*point));
         let middle = hull.center();

@@ -1,44 +1,47 @@
-//! A span of a spline asked at many places.
+//! A span of a spline evaluated at many points.
 //!
-//! Neither the length of a spline nor the parameter after a length has a closed form. So its points are laid down
-//! as polynomials of the length itself, in cells: of the ninth degree, with the point and four derivatives of the
-//! curve at both ends. With x from −1 to 1 such a polynomial is off by (1 − x²)⁵·E(x), where E is the tenth
-//! derivative by 10!. E and how it changes are measured where the parameter is halfway, against the exact curve and
-//! its length by quadrature; where the polynomial may be off by more than is allowed the parameter is halved.
+//! Neither the length of a spline nor the parameter at a length has a closed form. The points are therefore approximated
+//! by polynomials in the length, in cells: by polynomials of the ninth degree with the point and four derivatives of the
+//! curve at both ends. With x from −1 to 1 the error of such a polynomial is (1 − x²)⁵·E(x), where E is the tenth
+//! derivative divided by 10!. E and its change are determined at the middle of the parameter interval, by comparison with
+//! the exact curve and its length by quadrature. If the error bound is too large, the parameter interval is halved.
 //!
-//! The cells are the curve's own, so no answer depends on what was asked before.
+//! The cells depend only on the curve, so the result does not depend on earlier evaluations.
 
 use crate::bezier::{self, MAX_SPAN_ORDER, WeightedPoint};
 use crate::quadrature::{gauss, integral};
 use crate::spline_piece::OFF;
 use crate::{ParamCurve, SplinePiece, Vec3};
 
-/// What a cell may be off, mm and as a share of its length: a hundredth of what the finest scales read, and jerk to
-/// a hundred-thousandth of the axes' where it takes a millisecond to pass.
+/// The error bound of a cell, mm, and also as a fraction of its length: a hundredth of the resolution of the finest
+/// scales. For a cell that is passed in a millisecond, the jerk is then accurate to a hundred-thousandth of that of the
+/// axes.
 const OFF_MM: f64 = 1e-9;
 const OFF_SHARE: f64 = 1e-10;
-/// As a share of the whole length, where that is more: ten times what that length may be off.
+/// The error bound as a fraction of the whole length, if that is larger: ten times the relative error of the length.
 const OFF_WHOLE: f64 = 10.0 * OFF;
 
-/// What a cell is off is taken from E and its first two derivatives halfway, and so much more for the others.
+/// The error of a cell is estimated from E and its first two derivatives at the middle; this factor allows for the higher
+/// ones.
 const ERROR_MARGIN: f64 = 2.0;
 /// The largest of (1 − x²)⁵·|x|, at x² = 1/11, and of (1 − x²)⁵·x²/2, at x² = 1/6.
 const AT_SLOPE: f64 = 0.1873;
 const AT_BEND: f64 = 0.0335;
 
-/// Cells as narrow as this part of the parameter are not halved: at a cusp no polynomial follows the curve.
+/// A cell as narrow as this fraction of the parameter is not halved again: at a cusp no polynomial approximates the
+/// curve.
 const NARROWEST: f64 = 1.0 / 32_768.0;
 
-/// A speed below this share of the control polygon is none.
+/// A speed below this fraction of the control polygon counts as zero.
 const STILL: f64 = 1e-9;
 
-/// What is known at a place: the point and so many derivatives, by their factorials.
+/// The number of Taylor coefficients at a point: the point, and four derivatives divided by their factorials.
 const KNOWN: usize = 5;
-/// Factors of a polynomial with these at both ends.
+/// The number of coefficients of a polynomial that is determined by these at both ends.
 const TERMS: usize = 2 * KNOWN;
 
-/// What the means of the even derivatives at both ends, and half the differences of the odd ones, by their
-/// factorials, give to the factors of the even powers of x: a row for each derivative, times 128.
+/// The contributions of the means of the even derivatives at both ends, and half the differences of the odd ones (divided
+/// by their factorials) to the coefficients of the even powers of x: a row for each derivative, times 128.
 const EVEN_DERIVATIVE_WEIGHTS: [[f64; KNOWN]; KNOWN] = [
     [128.0, 0.0, 0.0, 0.0, 0.0],
     [-93.0, 140.0, -70.0, 28.0, -5.0],
@@ -46,7 +49,7 @@ const EVEN_DERIVATIVE_WEIGHTS: [[f64; KNOWN]; KNOWN] = [
     [-28.0, 96.0, -120.0, 64.0, -12.0],
     [8.0, -32.0, 48.0, -32.0, 8.0],
 ];
-/// The same for the odd powers, of half the differences of even derivatives and the means of odd ones.
+/// The same for the odd powers, from half the differences of the even derivatives and the means of the odd ones.
 const ODD: [[f64; KNOWN]; KNOWN] = [
     [315.0, -420.0, 378.0, -180.0, 35.0],
     [-187.0, 420.0, -378.0, 180.0, -35.0],
@@ -55,7 +58,7 @@ const ODD: [[f64; KNOWN]; KNOWN] = [
     [8.0, -32.0, 48.0, -32.0, 8.0],
 ];
 
-/// X, Y, Z and nothing: two pairs, which a processor takes at once.
+/// X, Y, Z and zero, so that a processor can compute with pairs.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(16))]
 struct SplineRow([f64; 4]);
@@ -86,39 +89,39 @@ impl SplineRow {
     }
 }
 
-/// A piece and the cell of it that was asked last.
+/// A piece and the cell of it that was used last.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SplineReader {
     piece: SplinePiece,
     powers: PowerSeries,
     cell: PolynomialCell,
-    /// The half after the cell, where that was found as the half before: the search goes on from there.
+    /// The half after the cell, if the cell is the half before: the next search begins there.
     next: Option<(KnownLength, KnownLength)>,
 }
 
-/// A part of the curve as a polynomial.
+/// A part of the curve that is approximated by a polynomial.
 #[derive(Clone, Copy, Debug)]
 struct PolynomialCell {
-    /// From where to where, mm from the start of the curve.
+    /// Its start and its end, mm from the start of the curve.
     from: f64,
     to: f64,
-    /// Its middle, mm, and one by half its length.
+    /// Its middle, mm from the start of the curve, and the inverse of half its length, 1/mm.
     middle: f64,
     per_half: f64,
-    /// Factors of powers of x, from −1 at its start to 1 at its end, mm.
+    /// The coefficients of the powers of x, mm; x is −1 at its start and 1 at its end.
     terms: [SplineRow; TERMS],
-    /// The parameter at its ends, where no polynomial follows the curve.
+    /// The parameters at its ends, if no polynomial approximates the curve here, so that it is evaluated exactly.
     exactly: Option<(f64, f64)>,
 }
 
-/// A place whose length from the start is known.
+/// A point whose length from the start is known.
 #[derive(Clone, Copy, Debug)]
 struct KnownLength {
-    /// From −1 at the start of the curve to 1 at its end.
+    /// Its parameter, from −1 at the start of the curve to 1 at its end.
     x: f64,
-    /// mm from the start.
+    /// Its length from the start, mm.
     s: f64,
-    /// The point seen from the start, mm, and its derivatives by length, by their factorials.
+    /// The point relative to the start, mm, and its derivatives with respect to length, divided by their factorials.
     series: [Vec3; KNOWN],
 }
 
@@ -132,7 +135,7 @@ impl SplineReader {
         }
     }
 
-    /// The point at `s` mm from the start and its derivatives by time where those of `s` are `by_time`.
+    /// The point at `s` mm from the start and its derivatives with respect to time, if those of `s` are `by_time`.
     #[inline(always)]
     pub(crate) fn motion_at(&mut self, s: f64, by_time: [f64; 3]) -> [Vec3; 4] {
         if !(s >= self.cell.from && s < self.cell.to) {
@@ -154,7 +157,7 @@ impl SplineReader {
         [point, d1 * v, d1 * a + d2 * (v * v), d1 * j + d2 * (3.0 * v * a) + d3 * (v * v * v)]
     }
 
-    /// Finds the cell that holds a place, by halves of the parameter.
+    /// Finds the cell that contains `s`, mm, by bisection of the parameter.
     #[cold]
     #[inline(never)]
     fn find(&mut self, s: f64) {
@@ -204,7 +207,7 @@ impl PolynomialCell {
         exactly: None,
     };
 
-    /// The polynomial that has what the curve has at two places, seen from the start of the curve.
+    /// The polynomial that agrees with the curve at two points, relative to the start of the curve.
     fn between(low: &KnownLength, high: &KnownLength) -> PolynomialCell {
         let half = 0.5 * (high.s - low.s);
         let per_half = if half > 0.0 { 1.0 / half } else { 0.0 };
@@ -225,23 +228,23 @@ impl PolynomialCell {
         PolynomialCell { from: low.s, to: high.s, middle, per_half, terms, exactly: None }
     }
 
-    /// The same seen from where the start of the curve is seen from.
+    /// The same polynomial in absolute coordinates, from the start of the curve.
     fn seen_from(mut self, start: Vec3) -> PolynomialCell {
         self.terms[0] = self.terms[0].plus(SplineRow::of(start));
         self
     }
 
-    /// How far the polynomial may be off anywhere, by a place about its middle, mm.
+    /// The error bound of the polynomial, mm, from a point near its middle.
     fn is_off_at(&self, place: &KnownLength) -> f64 {
         let x = (place.s - self.middle) * self.per_half;
         let half = 0.5 * (self.to - self.from);
         let [point, d1, d2, ..] = place.series;
-        // By x, as x goes evenly.
+        // With respect to x, which is linear in the length.
         let [q, q1, q2, _] = self.motion_at(place.s, [half, 0.0, 0.0]);
         let off = q - point;
         let off1 = q1 - d1 * half;
         let off2 = q2 - d2 * (2.0 * half * half);
-        // f = (1 − x²)⁵ and its derivatives; off = f·E, and so on.
+        // f = (1 − x²)⁵ and its derivatives; the error is f·E.
         let u = 1.0 - x * x;
         let cube = u * u * u;
         let (f, f1, f2) = (cube * u * u, -10.0 * x * cube * u, cube * (90.0 * x * x - 10.0));
@@ -254,7 +257,7 @@ impl PolynomialCell {
     #[inline(always)]
     fn motion_at(&self, s: f64, [speed, acceleration, jerk]: [f64; 3]) -> [Vec3; 4] {
         let x = (s - self.middle) * self.per_half;
-        // Horner's steps: the value, the first derivative, a half of the second, a sixth of the third.
+        // Horner's scheme: the value, the first derivative, half of the second, a sixth of the third.
         let [t0, t1, t2, t3, t4, t5, t6, t7, t8, t9] = &self.terms;
         let step = |of: SplineRow, add: &SplineRow| of.times(x).plus(*add);
         let (first, value) = (*t9, step(*t9, t8));
@@ -268,7 +271,7 @@ impl PolynomialCell {
             first = step(first, &value);
             value = step(value, term);
         }
-        // x by time.
+        // The derivatives of x with respect to time.
         let [x1, x2, x3] = [speed, acceleration, jerk].map(|of| of * self.per_half);
         let square = x1 * x1;
         let velocity = first.times(x1);
@@ -279,12 +282,13 @@ impl PolynomialCell {
     }
 }
 
-/// A piece as powers of x, from −1 at its start to 1 at its end: points seen from the start, times their weights.
+/// A piece as a polynomial in x, which is −1 at its start and 1 at its end: points relative to the start, times their
+/// weights.
 #[derive(Clone, Copy, Debug)]
 struct PowerSeries {
     terms: [WeightedPoint; MAX_SPAN_ORDER],
     degree: usize,
-    /// Whether the weights differ; if not they are 1 here.
+    /// Whether the weights differ; if not, they are 1 here.
     rational: bool,
 }
 
@@ -301,7 +305,7 @@ impl PowerSeries {
         PowerSeries { terms, degree: points.len() - 1, rational }
     }
 
-    /// The point and its derivatives by x, by their factorials.
+    /// The point and its derivatives with respect to x, divided by their factorials.
     fn series(&self, x: f64) -> [Vec3; KNOWN] {
         let mut series = [WeightedPoint::ZERO; KNOWN];
         for term in self.terms[..=self.degree].iter().rev() {
@@ -312,7 +316,7 @@ impl PowerSeries {
         }
         let mut points = series.map(|part| part.point);
         if self.rational {
-            // w·c = A, power by power.
+            // Solves w·c = A, power by power.
             let per_weight = 1.0 / series[0].weight;
             for order in 0..KNOWN {
                 let mut point = points[order];
@@ -325,7 +329,7 @@ impl PowerSeries {
         points
     }
 
-    /// How far the point moves for each unit of x, mm.
+    /// The parametric speed |dp/dx|, mm.
     #[inline]
     fn speed(&self, x: f64) -> f64 {
         if !self.rational {
@@ -345,15 +349,15 @@ impl PowerSeries {
     }
 }
 
-/// A point and its derivatives by length, from those by a parameter, all by their factorials. Where the curve
-/// stands, and `hull` mm is the length of its control polygon, there are none.
+/// A point and its derivatives with respect to length, from those with respect to a parameter, all divided by their
+/// factorials. They are zero if the speed is negligible relative to `hull`, the length of the control polygon, mm.
 fn by_length([c0, c1, c2, c3, c4]: &[Vec3; KNOWN], hull: f64) -> [Vec3; KNOWN] {
     let (c0, c1, c2, c3, c4) = (*c0, *c1, *c2, *c3, *c4);
     let speed = c1.length();
     if speed <= STILL * hull {
         return [c0, Vec3::ZERO, Vec3::ZERO, Vec3::ZERO, Vec3::ZERO];
     }
-    // The square of the speed, the speed and so the length as power series of the parameter.
+    // The square of the speed, the speed, and from it the length, as power series in the parameter.
     let square1 = 4.0 * c1.dot(c2);
     let square2 = 4.0 * c2.dot(c2) + 6.0 * c1.dot(c3);
     let square3 = 12.0 * c2.dot(c3) + 8.0 * c1.dot(c4);
@@ -361,7 +365,7 @@ fn by_length([c0, c1, c2, c3, c4]: &[Vec3; KNOWN], hull: f64) -> [Vec3; KNOWN] {
     let g1 = square1 * per_twice;
     let g2 = (square2 - g1 * g1) * per_twice;
     let g3 = (square3 - 2.0 * g1 * g2) * per_twice;
-    // In lengths of the first term: the parameter is b·(s − …), by the reversed series.
+    // Scaled by the first term: the parameter is b·(s − …), by reversion of the series.
     let b = 1.0 / speed;
     let (l2, l3, l4) = (g1 * b / 2.0, g2 * b / 3.0, g3 * b / 4.0);
     let m2 = -l2;

@@ -1,11 +1,12 @@
-//! Tolerances that several crates share, each with its reason. They are for rounding only: how exact a result must be is
+//! Tolerances that several crates share, each with its reason. They only allow for rounding; the accuracy of a result is
 //! always an argument.
 
-/// Places nearer than this are the same place, mm.
+/// Points nearer than this are the same point, mm.
 ///
-/// Doubles leave up to a hundredth of it when a centre is computed from a radius or a few rounded words are added, for
-/// coordinates of some metres; no control computes as finely.
+/// If a centre is computed from a radius or a few rounded words are added, the rounding error of doubles is up to a
+/// hundredth of this for coordinates of some metres. It is below the resolution of every control.
 pub const COINCIDENT_MM: f64 = 1e-9;
 
-/// A value that is above its limit by less than this share of it is at the limit: the last digits of a product.
+/// A value that exceeds its limit by less than this fraction of it is at the limit: the difference is rounding of a
+/// product.
 pub const ROUNDING_SHARE: f64 = 1e-9;

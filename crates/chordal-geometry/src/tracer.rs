@@ -1,16 +1,16 @@
-//! Curves made ready to be asked at many places.
+//! Curves prepared for evaluation at many points.
 
 use crate::growth::SpiralReader;
 use crate::spline_run::SplineReader;
 use crate::winding::Winding;
 use crate::{Curve, Line, ParamCurve, Vec3, math};
 
-/// A curve with all that does not change along it worked out: it answers what
-/// [`ParamCurve::jet_at`] answers, to rounding, in less time. The ends are those of the curve.
+/// A curve with all constants precomputed. It returns the same as [`ParamCurve::jet_at`] within rounding, in less time.
+/// The ends are exactly those of the curve.
 ///
-/// On a spiral or a spline it keeps the part that holds the last place, so that it is quick where one
-/// place lies near the one before. A point of a spline is within 1e-9 mm, or within 1e-12 of the length
-/// of the curve where that is more. No answer depends on what was asked before.
+/// On a spiral or a spline it remembers the part with the last point, so that it is fast if each point is close to the
+/// one before it. A point of a spline is accurate to 1e-9 mm, or to 1e-12 of the length of the curve if that is larger.
+/// The result does not depend on earlier evaluations.
 #[derive(Clone, Copy, Debug)]
 pub struct Tracer {
     start: Vec3,
@@ -31,24 +31,24 @@ enum TracerKind {
     Bent(SplineReader),
 }
 
-/// An arc or a helix: its radius as vectors, and everything for each mm of its length.
+/// An arc or a helix: its radius as vectors, and its rates per mm of length.
 #[derive(Clone, Copy, Debug)]
 struct ArcTracer {
     center: Vec3,
-    /// From the centre to the start, and a quarter turn further, mm.
+    /// The vectors from the centre to the start, and to the point a quarter turn further, mm.
     radii: (Vec3, Vec3),
-    /// Quarter turns for each mm.
+    /// Quarter turns per mm.
     quarters: f64,
-    /// Radians for each mm.
+    /// Radians per mm.
     rate: f64,
-    /// Movement along the axis for each mm.
+    /// Movement along the axis per mm.
     rise: Vec3,
 }
 
 impl ArcTracer {
     fn new(winding: &Winding, length: f64) -> ArcTracer {
         let Winding { center, u, v, w, r0, theta, rise, .. } = *winding;
-        // Without length it has no direction either.
+        // An arc without length has no direction either.
         let per_mm = if length == 0.0 { 0.0 } else { 1.0 / length };
         let rate = theta * per_mm;
         ArcTracer {
@@ -65,7 +65,7 @@ impl ArcTracer {
         let (sin, cos) = math::sin_cos_of_quarters(s * self.quarters);
         let (u, v) = self.radii;
         let (out, along) = (u * cos + v * sin, v * cos - u * sin);
-        // The angle by time.
+        // The derivatives of the angle with respect to time.
         let [first, second, third] = [speed, acceleration, jerk].map(|of| of * self.rate);
         let square = first * first;
         [
@@ -78,7 +78,7 @@ impl ArcTracer {
 }
 
 impl Tracer {
-    /// Makes a curve ready.
+    /// Prepares a curve.
     #[must_use]
     pub fn new(curve: &Curve) -> Tracer {
         let length = curve.length();
@@ -98,20 +98,20 @@ impl Tracer {
         Tracer { start: curve.start(), end: curve.end(), length, kind }
     }
 
-    /// The point at `s` mm from the start, mm, and its first three derivatives by `s`.
+    /// The point at `s` mm from the start, mm, and its first three derivatives with respect to `s`.
     #[must_use]
     pub fn jet_at(&mut self, s: f64) -> [Vec3; 4] {
         self.motion_at(s, [1.0, 0.0, 0.0])
     }
 
-    /// The point at `s` mm from the start, mm, and its first three derivatives by time where those
-    /// of `s` are `by_time`: mm/s, mm/s², mm/s³.
+    /// The point at `s` mm from the start, mm, and its first three derivatives with respect to time (mm/s, mm/s²,
+    /// mm/s³), if those of `s` are `by_time`.
     #[must_use]
     pub fn motion_at(&mut self, s: f64, by_time: [f64; 3]) -> [Vec3; 4] {
         self.with_motion_at(s, by_time, |motion| motion)
     }
 
-    /// Hands on [`Tracer::motion_at`], without a copy: for loops over many places.
+    /// Calls `take` with the result of [`Tracer::motion_at`] without a copy: for loops over many points.
     #[inline(always)]
     pub fn with_motion_at<R>(
         &mut self,
@@ -123,7 +123,7 @@ impl Tracer {
             return take(self.outside(s, by_time));
         }
         match &mut self.kind {
-            // Each on its own, so that it stays in registers.
+            // A separate call for each kind, so that the result stays in registers.
             TracerKind::Round(round) => take(round.motion_at(s, by_time)),
             TracerKind::Growing(growth) => take(growth.motion_at(s, by_time)),
             TracerKind::Bent(run) => take(run.motion_at(s, by_time)),
@@ -131,7 +131,7 @@ impl Tracer {
         }
     }
 
-    /// At an end, beyond it, or at a number that is none.
+    /// The result at an end, beyond it, or for NaN.
     #[cold]
     fn outside(&mut self, s: f64, by_time: [f64; 3]) -> [Vec3; 4] {
         let mut motion = self.inside(s.clamp(0.0, self.length.max(0.0)), by_time);

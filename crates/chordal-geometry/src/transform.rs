@@ -1,34 +1,34 @@
-//! Moving, turning, mirroring and scaling without changing a curve's kind.
+//! Similarity transformations, which do not change the kind of a curve.
 
 use crate::{Frame, Vec3, math};
 
 /// A similarity: rotation or reflection, then a uniform scale above zero, then a translation.
 ///
-/// Unequal scales are left out on purpose: they would turn a circle into an ellipse.
+/// Different scales per axis are not supported, because they would turn a circle into an ellipse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transform {
     /// Images of the unit vectors X, Y, Z before scaling; orthonormal.
     columns: [Vec3; 3],
-    /// Ratio of lengths after to lengths before, above zero.
+    /// The scale factor, above zero.
     scale: f64,
-    /// Where the origin goes, mm.
+    /// The image of the origin, mm.
     translation: Vec3,
 }
 
 impl Transform {
-    /// The transform that changes nothing.
+    /// The identity.
     #[must_use]
     pub const fn identity() -> Self {
         Self { columns: [Vec3::X, Vec3::Y, Vec3::Z], scale: 1.0, translation: Vec3::ZERO }
     }
 
-    /// Moves by `by`, mm.
+    /// A translation by `by`, mm.
     #[must_use]
     pub const fn translation(by: Vec3) -> Self {
         Self { columns: [Vec3::X, Vec3::Y, Vec3::Z], scale: 1.0, translation: by }
     }
 
-    /// Turns by `angle` radians about the line through `point` (mm) along `axis` (any length),
+    /// A rotation by `angle` radians about the line through `point` (mm) along `axis` (of any length),
     /// counter-clockwise seen against `axis`. A zero axis gives the identity.
     #[must_use]
     pub fn rotation_about(point: Vec3, axis: Vec3, angle: f64) -> Self {
@@ -41,8 +41,8 @@ impl Transform {
         Self::about(point, [turn(Vec3::X), turn(Vec3::Y), turn(Vec3::Z)], 1.0)
     }
 
-    /// Mirrors in the plane through `point` (mm) with this `normal` (any length). A zero normal
-    /// gives the identity.
+    /// A reflection in the plane through `point` (mm) with this `normal` (of any length). A zero normal gives the
+    /// identity.
     #[must_use]
     pub fn mirror(normal: Vec3, point: Vec3) -> Self {
         let Some(n) = normal.normalized() else { return Self::identity() };
@@ -50,8 +50,8 @@ impl Transform {
         Self::about(point, [flip(Vec3::X), flip(Vec3::Y), flip(Vec3::Z)], 1.0)
     }
 
-    /// Scales by `k` about the origin. A negative `k` scales by `|k|` and reflects through the
-    /// origin. `None` for a zero or non-finite `k`, which would leave no curve.
+    /// A scaling by `k` about the origin. A negative `k` scales by `|k|` and reflects through the origin. `None` if `k`
+    /// is zero or not finite.
     #[must_use]
     pub fn scale(k: f64) -> Option<Self> {
         if k == 0.0 || !k.is_finite() {
@@ -65,7 +65,7 @@ impl Transform {
         })
     }
 
-    /// Takes coordinates in `frame` to space (see [`Frame::to_world`]).
+    /// Converts coordinates in `frame` to space (see [`Frame::to_world`]).
     #[must_use]
     pub const fn from_frame(frame: Frame) -> Self {
         Self { columns: [frame.u, frame.v, frame.w], scale: 1.0, translation: frame.origin }
@@ -87,26 +87,26 @@ impl Transform {
         }
     }
 
-    /// Where a point goes, mm.
+    /// The image of a point, mm.
     #[must_use]
     pub fn apply_point(&self, p: Vec3) -> Vec3 {
         self.translation + self.apply_vector(p)
     }
 
-    /// What becomes of the difference of two points, mm: turned and scaled, not moved.
+    /// The image of the difference of two points, mm: rotated and scaled, not translated.
     #[must_use]
     pub fn apply_vector(&self, v: Vec3) -> Vec3 {
         self.apply_direction(v) * self.scale
     }
 
-    /// What becomes of a direction: turned only, so that a unit vector stays one.
+    /// The image of a direction: only rotated or reflected, so that a unit vector stays one.
     #[must_use]
     pub fn apply_direction(&self, v: Vec3) -> Vec3 {
         let [a, b, c] = self.columns;
         a * v.x + b * v.y + c * v.z
     }
 
-    /// The transform that undoes this one.
+    /// The inverse transform.
     #[must_use]
     pub fn inverse(&self) -> Self {
         let [a, b, c] = self.columns;
@@ -123,7 +123,7 @@ impl Transform {
         self.scale
     }
 
-    /// Whether left and right change places.
+    /// Whether it mirrors, so that left and right are exchanged.
     #[must_use]
     pub fn is_reflection(&self) -> bool {
         let [a, b, c] = self.columns;

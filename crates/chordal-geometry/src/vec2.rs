@@ -27,7 +27,7 @@ impl Vec2 {
         self.a * o.a + self.b * o.b
     }
 
-    /// Signed area of the parallelogram, positive when `o` lies counter-clockwise, mm².
+    /// Signed area of the parallelogram, mm²: positive if `o` is counter-clockwise of this vector.
     #[must_use]
     pub fn cross(self, o: Vec2) -> f64 {
         self.a * o.b - self.b * o.a
@@ -45,13 +45,13 @@ impl Vec2 {
         (self - o).length()
     }
 
-    /// The vector turned a quarter turn counter-clockwise.
+    /// The vector rotated by a quarter turn counter-clockwise.
     #[must_use]
     pub fn turned_left(self) -> Vec2 {
         Vec2::new(-self.b, self.a)
     }
 
-    /// The unit vector of this direction; `None` when it has none (zero, or not finite).
+    /// The unit vector in this direction; `None` if the vector is zero or not finite.
     #[must_use]
     pub fn normalized(self) -> Option<Vec2> {
         let largest = self.a.abs().max(self.b.abs());

@@ -69,7 +69,7 @@ impl Vec3 {
         self.length_squared().sqrt()
     }
 
-    /// The unit vector of this direction; `None` when it has none (zero, or not finite).
+    /// The unit vector in this direction; `None` if the vector is zero or not finite.
     #[must_use]
     pub fn normalized(self) -> Option<Vec3> {
         // Scaled first, so that the squares neither underflow nor overflow.
@@ -88,7 +88,7 @@ impl Vec3 {
         (self - o).length()
     }
 
-    /// The point at fraction `t` of the way to `o`: exactly `self` at 0 and exactly `o` at 1.
+    /// The point at fraction `t` between this one and `o`: exactly `self` at 0 and exactly `o` at 1.
     #[must_use]
     pub fn lerp(self, o: Vec3, t: f64) -> Vec3 {
         self * (1.0 - t) + o * t
@@ -100,7 +100,7 @@ impl Vec3 {
         self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
     }
 
-    /// Coordinate by number: 0 is x, 1 is y, anything else z. mm.
+    /// The coordinate with this index, mm: 0 is x, 1 is y, any other z.
     #[must_use]
     pub const fn component(self, index: usize) -> f64 {
         match index {

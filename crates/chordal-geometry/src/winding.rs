@@ -1,5 +1,5 @@
-//! What arcs, helices, spirals and cones have in common: a radius that turns about an axis while
-//! it grows evenly and moves along the axis evenly.
+//! The common formula of arcs, helices, spirals and cones: a radius that turns about an axis, grows linearly with the
+//! angle and moves along the axis linearly with the angle.
 //!
 //! Everything is a function of t in 0..=1, the fraction of the sweep:
 //!
@@ -7,12 +7,12 @@
 //! p(t) = centre + r(t)·e(t) + t·rise·w      r(t) = r0 + t·dr      e(t) = u cos Θt + v sin Θt
 //! ```
 //!
-//! The fraction, not the angle, because then nothing is divided by the sweep, and a sweep of zero
-//! is the straight line it should be.
+//! The variable is the fraction and not the angle, because then nothing is divided by the sweep, and a sweep of zero
+//! gives a straight line.
 
 use crate::{Vec3, math};
 
-/// The curve above. `v` already carries the sense of turning, so `theta >= 0`.
+/// A curve by this formula. `v` includes the direction of rotation, so `theta >= 0`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Winding {
     pub center: Vec3,
@@ -29,7 +29,7 @@ pub(crate) struct Winding {
     pub rise: f64,
 }
 
-/// Derivatives of position by arc length.
+/// Derivatives of the position with respect to arc length.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct IntrinsicDerivatives {
     pub tangent: Vec3,
@@ -38,7 +38,7 @@ pub(crate) struct IntrinsicDerivatives {
 }
 
 impl IntrinsicDerivatives {
-    /// After their point.
+    /// The point followed by these derivatives.
     pub(crate) fn derivatives_after(self, point: Vec3) -> [Vec3; 4] {
         [point, self.tangent, self.curvature, self.curvature_derivative]
     }
@@ -62,7 +62,7 @@ impl Winding {
         self.r0 + self.dr * t
     }
 
-    /// Unit vectors outward and along the turning.
+    /// Unit vectors outward and in the direction of rotation.
     pub(crate) fn radial(&self, t: f64) -> (Vec3, Vec3) {
         let (sin, cos) = math::sin_cos(self.theta * t);
         (self.u * cos + self.v * sin, self.v * cos - self.u * sin)
@@ -72,7 +72,7 @@ impl Winding {
         self.point_outside(t, 0.0)
     }
 
-    /// The point `outward` mm further from the axis than the curve.
+    /// The point `outward` mm farther from the axis than the curve.
     pub(crate) fn point_outside(&self, t: f64, outward: f64) -> Vec3 {
         let (sin, cos) = math::sin_cos(self.theta * t);
         let r = self.radius(t) + outward;
@@ -114,7 +114,7 @@ impl Winding {
     }
 
     /// The fraction of the sweep at which the length from the start is `s` mm, clamped to 0..=1;
-    /// NaN for a NaN.
+    /// NaN if `s` is NaN.
     pub(crate) fn fraction_at(&self, s: f64) -> f64 {
         let total = self.length();
         if s <= 0.0 {
@@ -127,8 +127,8 @@ impl Winding {
         if self.dr == 0.0 || self.theta == 0.0 || !even.is_finite() {
             return even;
         }
-        // The speed taken as linear between its end values gives a quadratic for t; scaled so that
-        // the whole length is met at t = 1.
+        // With a speed that is linear between its end values, t is the root of a quadratic; it is scaled to give the
+        // whole length at t = 1.
         let (g0, g1) = (self.speed(0.0), self.speed(1.0));
         let target = even * 0.5 * (g0 + g1);
         let mut t = 2.0 * target / (g0 + (g0 * g0 + 2.0 * (g1 - g0) * target).max(0.0).sqrt());
@@ -136,7 +136,7 @@ impl Winding {
         if !(t > lo && t < hi) {
             t = even;
         }
-        // Halley's method takes two steps as a rule; the bracket and the count are for odd input.
+        // Halley's method usually takes two steps; the bracket and the limit are for unusual input.
         for _ in 0..60 {
             let miss = self.length_to(t) - s;
             if miss < 0.0 {
@@ -150,7 +150,7 @@ impl Winding {
             let next = if halley >= lo && halley <= hi { halley } else { 0.5 * (lo + hi) };
             let step = (next - t).abs();
             t = next;
-            // Derivatives of the speed are below Θ, Θ² of it, so the next error is below Θ²·step³.
+            // The derivatives of the speed are below Θ and Θ² times it, so the next error is below Θ²·step³.
             if step * self.theta.max(1.0) <= 2e-6 * t {
                 break;
             }
@@ -158,13 +158,13 @@ impl Winding {
         t
     }
 
-    /// Derivatives by arc length at `t`; all zero on a curve without length.
+    /// Derivatives with respect to arc length at `t`; all zero on a curve without length.
     pub(crate) fn intrinsic(&self, t: f64) -> IntrinsicDerivatives {
         let (e, n) = self.radial(t);
         self.intrinsic_along(t, e, n)
     }
 
-    /// The point at `t` and its derivatives by arc length, with one sine and cosine for all.
+    /// The point at `t` and its derivatives with respect to arc length, with only one sine and cosine.
     #[inline]
     pub(crate) fn jet(&self, t: f64) -> (Vec3, IntrinsicDerivatives) {
         let (sin, cos) = math::sin_cos(self.theta * t);
@@ -175,7 +175,8 @@ impl Winding {
         (point, self.intrinsic_along(t, e, n))
     }
 
-    /// Derivatives by arc length at `t`, where `e` points outward and `n` along the turning.
+    /// Derivatives with respect to arc length at `t`, where `e` is the unit vector outward and `n` that in the
+    /// direction of rotation.
     #[inline]
     fn intrinsic_along(&self, t: f64, e: Vec3, n: Vec3) -> IntrinsicDerivatives {
         let r = self.radius(t);
@@ -192,7 +193,7 @@ impl Winding {
         }
         let k = 1.0 / g;
         if dr == 0.0 {
-            // What is left of the terms below when the radius does not grow.
+            // The terms below if the radius does not grow.
             return IntrinsicDerivatives {
                 tangent: (n * around + self.w * self.rise) / g,
                 curvature: e * -(around * th) * (k * k),
@@ -263,11 +264,10 @@ impl Winding {
     }
 }
 
-/// Mean of √(r² + m²) for r running evenly from `r0` to `r0 + growth`.
+/// Mean of √(r² + m²) over r from `r0` to `r0 + growth`.
 ///
-/// The textbook form, [r√(r²+m²) + m² asinh(r/m)] / 2·growth between the ends, loses everything
-/// when `growth` is small. Here both differences have been carried out by algebra, so only sums of
-/// positive terms are left, for any growth and with m = 0 as well.
+/// The textbook form, [r√(r²+m²) + m² asinh(r/m)] / 2·growth between the ends, loses all digits if `growth` is small.
+/// Here both differences are transformed so that only sums of positive terms remain, for any growth and also for m = 0.
 fn mean_speed(r0: f64, growth: f64, m2: f64) -> f64 {
     let r1 = r0 + growth;
     let h0 = (r0 * r0 + m2).sqrt();

@@ -1,8 +1,8 @@
-//! Global extremes of a winding: its box, and its point nearest to a given one.
+//! Global extremes of a winding: its box, and the point nearest to another one.
 //!
-//! Both need every root of a derivative. Differentiating once more (and again) leads to a function
-//! whose roots are known one by one, because its phase only grows; between those the next function
-//! up is monotone and has at most one root. No root is guessed, so none is missed.
+//! Both need every root of a derivative. Differentiating once or twice more leads to a function whose roots can be
+//! listed, because its phase is monotone. Between these roots the function before it is monotone and has at most one
+//! root. So no root is missed.
 
 use crate::math::{self, PI, TAU};
 use crate::solve::{KnotList, bracketed_root};
@@ -10,8 +10,8 @@ use crate::winding::Winding;
 use crate::{Aabb, Vec3};
 
 impl Winding {
-    /// Ends of `lo..=hi` and, between them, where the phase Θt − φ − atan2(j·dr, Θr(t)) is
-    /// `offset` + kπ. The phase never falls: its derivative is Θ(1 + j·dr²/(Θ²r² + j²dr²)).
+    /// The ends of `lo..=hi` and, between them, the points where the phase Θt − φ − atan2(j·dr, Θr(t)) is `offset` +
+    /// kπ. The phase never decreases: its derivative is Θ(1 + j·dr²/(Θ²r² + j²dr²)).
     fn phase_knots(&self, j: f64, phi: f64, offset: f64, lo: f64, hi: f64) -> KnotList {
         let lead = |t: f64| (j * self.dr, self.theta * self.radius(t));
         let phase = |t: f64| {
@@ -23,7 +23,7 @@ impl Winding {
         let first = (phase(lo) / PI).ceil();
         let last = (phase(hi) / PI).floor();
         let mut k = first;
-        // The list is short by construction; the count holds where rounding makes k + 1 equal k.
+        // The list is short by construction; the limit is for large values, where k + 1 is rounded to k.
         for _ in 0..20 {
             if k > last || k.is_nan() || last.is_nan() {
                 break;
@@ -46,7 +46,7 @@ impl Winding {
         knots
     }
 
-    /// The smallest box around the points at fractions 0 to 1, without the ends themselves.
+    /// The smallest box around the points at fractions 0 to 1, without the ends.
     pub(crate) fn interior_bounds(&self) -> Aabb {
         let mut low = [f64::INFINITY; 3];
         let mut high = [f64::NEG_INFINITY; 3];
@@ -64,14 +64,14 @@ impl Winding {
         Aabb { min: Vec3::from_array(low), max: Vec3::from_array(high) }
     }
 
-    /// Size of the unit circle's projection on a coordinate axis.
+    /// Half the length of the projection of the unit circle on a coordinate axis.
     fn projected_size(&self, axis: usize) -> f64 {
         let (ui, vi, wi) = (self.u.component(axis), self.v.component(axis), self.w.component(axis));
-        // Exactly one where the axis lies in the plane, for boxes that are exact to the bit.
+        // Exactly 1 if the axis is in the plane, so that boxes are exact.
         if wi == 0.0 { 1.0 } else { (ui * ui + vi * vi).sqrt() }
     }
 
-    /// Angle at which that projection is largest, radians.
+    /// The angle at which that projection is largest, rad.
     fn projected_phase(&self, axis: usize) -> f64 {
         math::atan2(self.v.component(axis), self.u.component(axis))
     }
@@ -85,14 +85,14 @@ impl Winding {
             return;
         }
         let phi = self.projected_phase(axis);
-        // Of a flat arc, which most are, the extremes lie on the axis through its centre.
+        // The extremes of a plane arc, the usual case, are on the axis through its centre.
         let (tilt, cos) = match ratio == 0.0 {
             true => (0.0, 1.0),
             false => (math::asin(ratio), ((1.0 - ratio) * (1.0 + ratio)).sqrt()),
         };
         let base = self.center.component(axis);
         for (chi, sign) in [(tilt, 1.0), (PI - tilt, -1.0)] {
-            // From turn to turn these extremes move evenly, so the first and the last decide.
+            // These extremes change linearly from turn to turn, so the first and the last are enough.
             let first = ((-phi - chi) / TAU).ceil();
             let last = ((self.theta - phi - chi) / TAU).floor();
             if first > last {
@@ -123,13 +123,13 @@ impl Winding {
             let r = self.radius(t);
             (size * (dr * cos - th * r * sin) + along, -size * th * (2.0 * dr * sin + th * r * cos))
         };
-        // At a fixed phase the coordinate changes evenly from turn to turn, so the extremes lie in
-        // the first or in the last turn.
+        // At a fixed phase the coordinate changes linearly from turn to turn, so the extremes are in the first or in
+        // the last turn.
         let turn = TAU / th;
         let windows = if turn < 0.5 { [(0.0, turn), (1.0 - turn, 1.0)] } else { [(0.0, 1.0); 2] };
         let windows = if turn < 0.5 { &windows[..] } else { &windows[..1] };
         for &(lo, hi) in windows {
-            // slope' = −A Θ (2 dr sin χ + Θ r cos χ), zero where the phase is π/2 + kπ.
+            // slope' = −A Θ (2 dr sin χ + Θ r cos χ) is zero if the phase is π/2 + kπ.
             let knots = self.phase_knots(2.0, phi, math::FRAC_PI_2, lo, hi).refine(slope);
             for &t in knots.as_slice() {
                 see(place(t));
@@ -137,7 +137,7 @@ impl Winding {
         }
     }
 
-    /// The fraction at which the curve is nearest to `p`, and the distance there.
+    /// The fraction at which the curve is nearest to `p`, and the distance there, mm.
     pub(crate) fn nearest_fraction(&self, p: Vec3) -> (f64, f64) {
         let d = p - self.center;
         let (x, y, z) = (d.dot(self.u), d.dot(self.v), d.dot(self.w));
@@ -151,7 +151,7 @@ impl Winding {
             }
         };
         consider(1.0);
-        // Squared, because that is what the general case would divide by.
+        // Tests the squares, because the general case would divide by their sum.
         if self.dr * self.dr + self.rise * self.rise == 0.0 {
             let angle = if alpha < 0.0 { alpha + TAU } else { alpha };
             if angle < self.theta {
@@ -161,7 +161,8 @@ impl Winding {
         }
         let (lo, hi) = self.nearest_window(rho, alpha, z);
         let (th, dr, rise) = (self.theta, self.dr, self.rise);
-        // Half the squared distance, differentiated once, twice and (through its phase) thrice.
+        // Derivatives of half the squared distance: `first` returns the first and second, `second` the second and
+        // third. The third is zero at the phase knots.
         let first = |t: f64| {
             let (sin, cos) = math::sin_cos(th * t - alpha);
             let r = self.radius(t);
@@ -185,11 +186,11 @@ impl Winding {
         best
     }
 
-    /// An interval of at most two turns that holds the nearest point.
+    /// An interval of at most two turns that contains the nearest point.
     ///
-    /// The distance is never below that from p, turned about the axis, to the generating line
-    /// (r(t), rise·t): a parabola in t about `vertex`. Where the curve points straight towards p
-    /// the two agree, so nothing further from the vertex than such a place can be nearer.
+    /// The distance is never below that from p, rotated about the axis, to the generating line (r(t), rise·t), whose
+    /// square is a parabola in t about `vertex`. Where the radius points towards p the two distances are equal, so no
+    /// point farther from the vertex than such a point can be nearer.
     fn nearest_window(&self, rho: f64, alpha: f64, z: f64) -> (f64, f64) {
         let vertex = (self.rise * z - self.dr * (self.r0 - rho))
             / (self.dr * self.dr + self.rise * self.rise);
@@ -207,7 +208,7 @@ impl Winding {
                 reach = reach.min((t - vertex).abs());
             }
         }
-        // A little wider than proved: a vertex far away is known only to its own rounding.
+        // Slightly wider than proved, because a vertex far away has a rounding error.
         let reach = reach + f64::EPSILON * 4.0 * vertex.abs();
         ((vertex - reach).clamp(0.0, 1.0), (vertex + reach).clamp(0.0, 1.0))
     }

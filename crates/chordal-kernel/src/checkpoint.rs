@@ -1,24 +1,25 @@
-//! Places between two blocks at which a run may be left off and taken up again, so that a text
-//! that changed somewhere needs not be run whole.
+//! Positions between two blocks at which a run can stop and be resumed, so that after a change of the text
+//! only the part that it affects is run again.
 
 use std::any::Any;
 use std::fmt::Debug;
 
 use chordal_diagnostics::TextShift;
 
-/// What a language and the kernel remember at a checkpoint: all that decides about what follows.
+/// What a language and the kernel remember at a checkpoint: everything that the rest of the run depends on.
 pub trait CheckpointMemory: Any + Debug + Send + Sync {
-    /// True when what follows is the same after both, to the bit.
+    /// True when the rest of the run is the same from both, bit for bit.
     fn is_like(&self, other: &dyn CheckpointMemory) -> bool;
-    /// Makes it one of a text that has changed elsewhere; `None` where it remembers words that went.
+    /// Moves its spans to a text that was changed at another position; `None` when a word that it
+    /// remembers was deleted.
     fn shift(&mut self, shift: &TextShift) -> Option<()>;
-    /// A copy.
+    /// A copy (`Clone` cannot be called on a trait object).
     fn copy(&self) -> Box<dyn CheckpointMemory>;
-    /// The language's own type again.
+    /// For a downcast to the language's own type.
     fn as_any(&self) -> &dyn Any;
 }
 
-/// A place between two blocks of the main program, and all that is remembered there.
+/// A position between two blocks of the main program, with everything that is remembered there.
 #[derive(Debug)]
 pub struct Checkpoint {
     offset: u32,
@@ -34,7 +35,7 @@ impl Clone for Checkpoint {
 }
 
 impl Checkpoint {
-    /// Before the block that begins at a byte of a line, after so many blocks.
+    /// A checkpoint before the block that begins at byte `offset`, on `line` (from 1), after `blocks` blocks.
     pub fn new(
         offset: u32,
         line: u32,
@@ -59,23 +60,24 @@ impl Checkpoint {
         self.blocks
     }
 
-    /// What the language remembers, where it is of this type.
+    /// What the language remembers; `None` when it is of another type.
     pub fn memory<M: CheckpointMemory>(&self) -> Option<&M> {
         self.memory.as_any().downcast_ref()
     }
 
-    /// True when what follows is the same after both, to the bit.
+    /// True when the rest of the run is the same from both, bit for bit.
     pub fn leads_on_like(&self, other: &Checkpoint) -> bool {
         (self.offset, self.line) == (other.offset, other.line)
             && self.memory.is_like(other.memory.as_ref())
     }
 
-    /// Counts other blocks before it.
+    /// Replaces the number of blocks carried out before it.
     pub fn count_blocks(&mut self, blocks: u64) {
         self.blocks = blocks;
     }
 
-    /// Makes it one of a text that has changed elsewhere; `None` where it remembers words that went.
+    /// Moves its spans to a text that was changed at another position; `None` when a word that it
+    /// remembers was deleted.
     pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         (self.offset, self.line) = shift.place(self.offset, self.line)?;
         self.memory.shift(shift)

@@ -1,4 +1,5 @@
-//! What lies between program and machine coordinates: work offsets, shifts, presets, tool length; and the radius offset of compensation.
+//! What lies between program and machine coordinates: work offsets, shifts, presets, tool length. Also the radius
+//! offset of compensation.
 
 use chordal_command::{AxisMask, CommandKind, CompensationSide, Position, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
@@ -15,16 +16,16 @@ use crate::statement::{Statement, WordMeaning};
 pub enum ToolValue {
     /// Length.
     Length,
-    /// Its wear.
+    /// Wear of the length.
     LengthWear,
     /// Radius, or diameter where the table holds diameters.
     Radius,
-    /// Its wear.
+    /// Wear of the radius or diameter.
     RadiusWear,
 }
 
 impl Kernel<'_> {
-    /// Pushes what lies between program and machine coordinates now.
+    /// Emits the active work offset.
     pub fn emit_work_offset(&mut self) {
         let state = &self.state;
         let kind = CommandKind::WorkOffset {
@@ -53,7 +54,7 @@ impl Kernel<'_> {
         self.emit_work_offset();
     }
 
-    /// A tool length comes into force, or none.
+    /// Activates a tool length; without a number, ends the active one.
     pub fn set_length(&mut self, at: &dyn Statement, length: LengthOffset) {
         let cancel = self.rules.cycles.cancel;
         self.end_cycle_if(length.number.is_none() && cancel.by_length_cancel);
@@ -76,7 +77,7 @@ impl Kernel<'_> {
         self.emit_tool_length();
     }
 
-    /// Ends the length in force where the control does so beside the codes of lengths.
+    /// Ends the active length where another code (a tool change, M30) does so on this control.
     pub(crate) fn end_length_if(&mut self, ends: bool) {
         if ends && self.state.offsets.has_length() {
             let none = LengthOffset { number: None, minus: false };
@@ -85,7 +86,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// A turning tool without X and Z.
+    /// Reports a turning tool whose X and Z the machine file does not give.
     fn report_no_geometry(&mut self, span: Span, number: u32) {
         self.report_unset(
             Code::OffsetNotSet,
@@ -97,7 +98,7 @@ impl Kernel<'_> {
         self.emit_tool_length();
     }
 
-    /// Brings tool offsets into force by their values: in place of those in force, or added to them.
+    /// Activates tool offsets by their values, mm and rad: replacing the active ones, or added to them.
     pub fn set_tool_offsets(&mut self, values: &PerAxis<Option<f64>>, add: bool) {
         self.state.shift_coordinates(|offsets| {
             let mut tool = offsets.tool_in_force();
@@ -110,7 +111,7 @@ impl Kernel<'_> {
         self.emit_tool_length();
     }
 
-    /// Pushes the tool offset in force.
+    /// Emits the active tool offset.
     pub fn emit_tool_length(&mut self) {
         let offsets = &self.state.offsets;
         let kind = CommandKind::ToolLength {
@@ -123,7 +124,7 @@ impl Kernel<'_> {
         self.emit(kind);
     }
 
-    /// Reported once for each offset.
+    /// Reports a missing value once for each offset.
     fn report_unset(
         &mut self,
         code: Code,
@@ -139,7 +140,7 @@ impl Kernel<'_> {
         self.report(Diagnostic::new(code, span, message).help(help));
     }
 
-    /// Compensation goes on or off, or its offset changes.
+    /// Emits that compensation starts or ends, or that its offset changes.
     pub fn emit_compensation(&mut self, number: Option<u32>, toward: Option<[f64; 2]>, span: Span) {
         let side = self.state.side;
         let cancelled = number == Some(0);
@@ -177,14 +178,14 @@ impl Kernel<'_> {
         }
     }
 
-    /// Where the programmed point of a turning tool lies as seen from the centre of its nose, in radii on the axes
-    /// of the plane: by the tip number of Fanuc and Haas (3 for turning outside towards the chuck).
+    /// From the centre of a turning tool's nose to its programmed point, in nose radii on the axes of the plane,
+    /// by the tip number of Fanuc and Haas (3 for turning outside towards the chuck).
     fn tip(&self, number: u32) -> [f64; 2] {
         let tip = self.state.offsets.tool(number).and_then(|tool| tool.tip);
         self.direction_of_tip(tip)
     }
 
-    /// The same by a tip number.
+    /// The same for a tip number; zero for tip 0 or 9, without a number and in other planes than ZX.
     pub fn direction_of_tip(&self, tip: Option<u32>) -> [f64; 2] {
         // From the programmed point to the centre, along X and along Z.
         let (x, z) = match tip {
@@ -200,11 +201,11 @@ impl Kernel<'_> {
             _ => (0.0, 0.0),
         };
         let x = if self.rules.turning.tips_mirrored { -x } else { x };
-        // Not −0: it would be written.
+        // `0.0 -` instead of a minus sign: −0 would appear in the output.
         [0.0 - z, 0.0 - x]
     }
 
-    /// Writes one value of a tool, mm, or adds to it.
+    /// Writes one value of a tool, mm, or adds to it. A radius is stored as a diameter.
     pub fn store_tool_value(&mut self, value: ToolValue, number: u32, mm: f64, add: bool) {
         let diameter = match self.rules.radius_offsets {
             OffsetKind::Diameter => 1.0,
@@ -222,12 +223,13 @@ impl Kernel<'_> {
         });
     }
 
-    /// Values of work offsets are added to those that the tables have.
+    /// True when values of work offsets are added to those in the table.
     pub fn adds_to_work_values(&self) -> bool {
         self.rules.work_values_add && self.state.incremental
     }
 
-    /// Writes a work offset: the values as given, or so that the present place gets them.
+    /// Writes a work offset: the values themselves, or (`from_position`) the offset with which the present
+    /// position gets these coordinates.
     pub fn write_work_values(
         &mut self,
         key: &str,
@@ -238,7 +240,7 @@ impl Kernel<'_> {
         let machine: Vec<f64> = (0..AXES).map(|axis| self.state.machine_position(axis)).collect();
         let active = self.state.offsets.key(self.state.offsets.active());
         let offsets = &self.state.offsets;
-        // What lies between machine coordinates and those of any system, and places of that one.
+        // `beyond`: what is added to every system (EXT, shifts, presets); the system's own part changes.
         let own = |key: &str, axis: usize| offsets.work_value(key, axis).unwrap_or(0.0);
         let total = offsets.total();
         let beyond: Position = std::array::from_fn(|axis| total[axis] - own(&active, axis));
@@ -258,7 +260,7 @@ impl Kernel<'_> {
         self.state.shift_coordinates(|offsets| {
             for axis in named.iter().map(|axis| axis as usize) {
                 let stored = if from_position {
-                    // So that the present place gets this coordinate.
+                    // So that the present position gets this coordinate.
                     machine[axis] - meant[axis] - beyond[axis]
                 } else {
                     meant[axis]
@@ -269,13 +271,13 @@ impl Kernel<'_> {
         self.emit_written_offset(key);
     }
 
-    /// Turns a work coordinate system about its zero, degrees.
+    /// Rotates a work coordinate system about its zero, degrees.
     pub fn write_work_rotation(&mut self, key: &str, degrees: f64) {
         self.state.write_work_rotation(key, degrees);
         self.emit_written_offset(key);
     }
 
-    /// Pushes the work offset where a system was written that is in force, or that acts on all.
+    /// Emits the work offset when the written system is the active one, or `EXT`, which acts on all.
     fn emit_written_offset(&mut self, key: &str) {
         let offsets = &self.state.offsets;
         if key == "EXT" || key == offsets.key(offsets.active()) {
@@ -310,7 +312,7 @@ impl Kernel<'_> {
         self.emit_work_offset();
     }
 
-    /// G92 or G52 acts from here on, on the axes named; the values of some of them are known.
+    /// Remembers that G92 or G52 acts from here on, on the axes `named`; of those, the values of `known` are known.
     fn note_preset(&mut self, named: AxisMask, known: AxisMask) {
         self.presets_known = self.presets_known.without(named).or(known);
         self.kept_presets = self.state.offsets.presets();
@@ -356,14 +358,14 @@ impl Kernel<'_> {
         self.emit_work_offset();
     }
 
-    /// Where a place of program coordinates lies in the work coordinate system; an axis without a value stands.
+    /// A point of program coordinates in the work coordinate system; an axis without a value keeps its position.
     fn in_work_coordinates(&self, values: &PerAxis<Option<f64>>) -> Position {
         let position = self.state.position;
         let place = std::array::from_fn(|axis| values[axis].unwrap_or(position[axis]));
         self.state.frames.map().point(&place)
     }
 
-    /// G92.1 and G92.2.
+    /// G92.1 and G92.2; the second keeps the values for G92.3 (`keep`).
     pub fn clear_preset(&mut self, keep: bool) {
         if !keep {
             self.kept_presets = self.kept_presets.ended();

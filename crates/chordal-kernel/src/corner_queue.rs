@@ -1,4 +1,4 @@
-//! A move that is held because its end is rounded or chamfered, and what has come after it.
+//! A move that waits because its end is rounded or chamfered, and what came after it.
 
 use chordal_command::{CallPath, Command, CommandKind, Origin};
 use chordal_diagnostics::Span;
@@ -7,7 +7,7 @@ use chordal_geometry::Plane;
 use crate::frames::Frames;
 use crate::modal::Modal;
 
-/// What stands in a corner.
+/// The shape that replaces a corner.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum CornerForm {
     /// An arc that touches both moves.
@@ -18,24 +18,24 @@ pub enum CornerForm {
     ChordOfRounding,
 }
 
-/// What a block asks for at its end.
+/// The rounding or chamfer that a block requests at its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ProgrammedCorner {
     /// The word.
     pub word: Span,
-    /// How the language calls it: `,R`.
+    /// Its spelling in the language: `,R`.
     pub name: &'static str,
-    /// What it asks for.
+    /// Rounding or chamfer.
     pub form: CornerForm,
-    /// Its radius, or the distance from the corner, mm.
+    /// The radius of a rounding, or the distance of a chamfer from the corner, mm.
     pub size_mm: f64,
 }
 
-/// What comes after the move that is held.
+/// What came after the waiting move.
 #[derive(Debug)]
 #[allow(
     clippy::large_enum_variant,
-    reason = "most of what waits is commands: a box would be one for each"
+    reason = "most items are commands: boxing would allocate for each of them"
 )]
 pub(crate) enum QueuedItem {
     Command(Command),
@@ -52,15 +52,15 @@ pub(crate) struct QueuedMove {
     pub block_number: Option<f64>,
     pub plane: Plane,
     pub frames: Frames,
-    /// Its own block is at work.
+    /// The block of this move is not yet complete.
     pub is_open: bool,
     pub waiting: Vec<QueuedItem>,
-    /// So many of them have been looked at.
-    pub judged: usize,
+    /// How many of `waiting` have been checked.
+    pub checked: usize,
     pub dwells: u32,
 }
 
-/// The corners that wait.
+/// The requested corner of the current block, and the move that waits for its corner.
 #[derive(Default, Debug)]
 pub(crate) struct CornerQueue {
     pub request: Option<ProgrammedCorner>,
@@ -68,7 +68,7 @@ pub(crate) struct CornerQueue {
 }
 
 impl CornerQueue {
-    /// Something waits.
+    /// True when a move waits, or the current one will.
     #[inline]
     pub fn wait(&self) -> bool {
         self.queued.is_some() || self.request.is_some()

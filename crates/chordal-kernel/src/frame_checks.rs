@@ -1,4 +1,4 @@
-//! What is looked at while a frame is in force, and right after one has changed.
+//! Checks while a frame is active, and of the first block after a change.
 
 use chordal_command::{AxisMask, Command, CommandKind, Position, Units};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
@@ -7,11 +7,11 @@ use chordal_machine::{AXES, Axis};
 use crate::kernel::Kernel;
 use crate::statement::Statement;
 
-/// Coordinates that differ by less are the same on the control, mm.
+/// Coordinates that differ by less are equal on a control that counts in 0.001 mm: half an increment, mm.
 const EQUAL_COORDINATE_MM: f64 = 0.000_5;
 
 impl Kernel<'_> {
-    /// Adds what a change of rotation or scaling has made of the coordinates of the position.
+    /// Adds up by how much changes of rotation or scaling have changed the coordinates of the present position.
     pub(crate) fn note_jump(&mut self, before: &Position) {
         let now = self.state.position;
         let jump = self.state.frame_jump.unwrap_or([0.0; AXES]);
@@ -20,14 +20,13 @@ impl Kernel<'_> {
         self.state.frame_jump = changed.then_some(jump);
     }
 
-    /// The program has named the position anew, by a preset or a move to a place of the machine.
+    /// Forgets the changes: a preset or a move in machine coordinates has set the position again.
     pub fn forget_jump(&mut self) {
         self.state.frame_jump = None;
     }
 
-    /// A block that goes to a target in absolute coordinates and names these axes, the first one after a
-    /// change of rotation or scaling. With one axis of the plane the other keeps a coordinate that the
-    /// program does not show.
+    /// Checks the first block in absolute coordinates after a change of rotation or scaling. If it names only one
+    /// axis of the plane, the other keeps a coordinate that the program does not show.
     #[cold]
     pub fn check_first_after_frame(
         &mut self,
@@ -74,7 +73,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// A scaled coordinate or radius with more digits than the control holds.
+    /// Reports a scaled coordinate or radius with more digits than the control can store.
     #[cold]
     pub(crate) fn check_scaled_size(&mut self, command: &Command) {
         let most = self.rules.frames.largest_scaled_increments;
@@ -114,7 +113,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// A cycle along an axis that is mirrored or scaled, where manuals ask not to.
+    /// Reports a cycle along a mirrored or scaled axis, on controls whose manuals forbid it.
     pub fn check_cycle_in_frame(&mut self, at: &dyn Statement, axis: usize) {
         if self.rules.frames.cycles_along_scaled || self.state.frames.is_plain() {
             return;

@@ -1,4 +1,4 @@
-//! Codes of frames: they come into force and end, with what a control refuses.
+//! The codes that start and end frames, and what a control refuses there.
 
 use chordal_command::{AxisMask, CompensationSide};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
@@ -11,8 +11,8 @@ use crate::rules::UnequalArcs;
 use crate::statement::{Statement, WordMeaning};
 
 impl Kernel<'_> {
-    /// Rotation in the plane in force, about a centre that is absolute even in G91; without a
-    /// centre about the present place.
+    /// Rotates coordinates in the active plane, about a centre that is absolute even in G91; an axis without a
+    /// centre uses the present position.
     pub fn rotate(&mut self, at: &dyn Statement, center: [Option<f64>; 2], degrees: Option<f64>) {
         self.check_start_in_compensation(at);
         let rules = &self.rules.frames;
@@ -43,7 +43,7 @@ impl Kernel<'_> {
         let plane = self.state.plane;
         let (a, b, _) = plane.axes();
         self.change_frames(|frames| frames.set_rotation(None));
-        // Where the tool stands without the rotation that was.
+        // The position of the tool without the previous rotation.
         let here = self.state.position;
         let center = [center[0].unwrap_or(here[a]), center[1].unwrap_or(here[b])];
         self.change_frames(|frames| {
@@ -52,7 +52,7 @@ impl Kernel<'_> {
         self.note_jump(&place);
     }
 
-    /// End points are a radius and an angle from here on, or coordinates again.
+    /// From here on, end points are a radius and an angle (`on`), or coordinates again.
     pub fn set_polar(&mut self, on: bool) {
         let (a, b, _) = self.state.plane.axes();
         let here = [self.state.position[a], self.state.position[b]];
@@ -60,7 +60,7 @@ impl Kernel<'_> {
         self.state.polar = on.then_some(PolarReading { angle: None, pole });
     }
 
-    /// Scaling about a centre; `word` gives the factors.
+    /// Scales coordinates about a centre; an axis without a centre uses the present position.
     pub fn scale(
         &mut self,
         at: &dyn Statement,
@@ -117,7 +117,7 @@ impl Kernel<'_> {
         self.note_jump(&place);
     }
 
-    /// Mirrors the named axes, each at its line.
+    /// Mirrors each axis that has a value at that coordinate, mm.
     pub fn mirror(&mut self, at: &dyn Statement, lines: &PerAxis<Option<f64>>) {
         self.check_start_in_compensation(at);
         self.change_frames(|frames| {
@@ -129,7 +129,7 @@ impl Kernel<'_> {
         });
     }
 
-    /// Ends the mirror of these axes.
+    /// Ends the mirror image of these axes.
     pub fn end_mirror(&mut self, at: &dyn Statement, axes: AxisMask) {
         let ends = self.state.frames.kinds().mirror;
         if ends && !self.rules.frames.mirror_ends_in_compensation {
@@ -160,7 +160,7 @@ impl Kernel<'_> {
         self.note_jump(&place);
     }
 
-    /// A frame that ends while the tool is offset, where the control wants compensation off before.
+    /// Reports a frame that ends while the tool is offset, where the control requires compensation off before.
     fn check_end_in_compensation(&mut self, at: &dyn Statement, what: &str) {
         if self.state.side == CompensationSide::Off {
             return;
@@ -177,7 +177,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// The machine stands still. A mirror that comes or goes changes the side of the tool.
+    /// Changes the frames without moving the machine. A mirror that starts or ends changes the side of the tool.
     fn change_frames(&mut self, change: impl FnOnce(&mut Frames)) {
         let plane = self.state.plane;
         let side = self.state.side;
@@ -189,7 +189,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// A frame that comes into force while the tool is offset.
+    /// Reports a frame that starts while the tool is offset.
     fn check_start_in_compensation(&mut self, at: &dyn Statement) {
         if self.state.side == CompensationSide::Off || self.rules.frames.in_compensation {
             return;
@@ -206,7 +206,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// Whether an arc in the plane in force can be made in the frames in force. What cannot is reported.
+    /// True when the active frames keep an arc in the active plane an arc; otherwise this is reported.
     pub fn arc_fits_frames(&mut self, at: &dyn Statement) -> bool {
         if self.state.frames.is_plain() {
             return true;
@@ -229,7 +229,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// A spiral while coordinates are mirrored or scaled, on a control that refuses that.
+    /// Reports a spiral while coordinates are mirrored or scaled, on a control that refuses it; true when refused.
     pub fn spiral_is_refused(&mut self, at: &dyn Statement) -> bool {
         let kinds = self.state.frames.kinds();
         if !self.rules.frames.refuses_spirals || !kinds.mirror && !kinds.scaling {
@@ -262,7 +262,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// An arc, or compensation, in another plane than that of the rotation.
+    /// Reports an arc, or compensation (`what`), in a plane other than that of the rotation.
     #[cold]
     pub fn report_tilted_arc(&mut self, span: Span, what: &str) {
         let plane = |plane: Plane| match plane {
@@ -282,7 +282,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// The plane changes while a rotation is in force.
+    /// Reports a change of plane while a rotation is active.
     pub(crate) fn check_plane_change(&mut self, word: Span, plane: Plane) {
         let other = self.state.frames.rotation().is_some_and(|rotation| rotation.plane != plane);
         if !other || self.rules.frames.plane_change {
@@ -294,8 +294,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// A code that works with machine or work coordinates while they are mirrored, scaled or
-    /// rotated by the program.
+    /// Warns of a code that uses machine or work coordinates while the program mirrors, scales or rotates them.
     pub fn warn_of_frames(&mut self, word: Span, code: &str) {
         if !self.state.frames.are_inside_presets() {
             return;
@@ -315,7 +314,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// How long a length of the machine is in program coordinates along an axis.
+    /// A length on the machine along an axis, converted to program coordinates, mm.
     pub fn unscaled(&self, axis: usize, mm: f64) -> f64 {
         match self.state.frames.is_plain() {
             true => mm,

@@ -1,4 +1,4 @@
-//! The kernel: what a numerical control remembers and pushes into its sink.
+//! The kernel: what a numerical control remembers and emits.
 
 use chordal_command::{
     AxisMask, CallPath, CallPaths, Command, CommandKind, Origin, Units, telling_number,
@@ -12,10 +12,10 @@ use crate::rules::{ArcCenter, Rules};
 use crate::sink::RunSink;
 use crate::state::State;
 
-/// What a control shows for a problem.
+/// The alarm texts of a control.
 #[derive(Clone, Copy, Debug)]
 pub struct Alarms {
-    /// The control, for people.
+    /// The name of the control in messages.
     pub title: &'static str,
     /// The text of each problem that the control knows; `{n}` is the number of the block,
     /// `{delta}` the measured difference.
@@ -23,48 +23,48 @@ pub struct Alarms {
 }
 
 impl Alarms {
-    /// The control's own text.
+    /// The control's own text; `None` when it has none for this problem.
     pub fn text(&self, code: Code) -> Option<&'static str> {
         self.texts.iter().find(|(of, _)| *of == code).map(|(_, text)| *text)
     }
 }
 
-/// What was reported once and is not reported again.
+/// Problems that are reported once a run (or once a tool), and whether they were.
 #[derive(Clone, Default, Debug, PartialEq)]
 pub struct KernelReports {
     /// No feed before a cut.
     pub missing_feed: bool,
     /// An arc that may be a full circle.
     pub vanishing_circle: bool,
-    /// A rotary axis whose feed counts on a diameter that is not given.
+    /// A rotary axis whose feed needs a diameter that the machine file does not give.
     pub rotary_diameter: bool,
     /// The tool that cut without a spindle.
     pub spindle_for_tool: Option<u32>,
-    /// The tap whose pitch the feed does not fit.
+    /// The tap whose pitch does not match the feed.
     pub pitch_for_tool: Option<u32>,
     /// The tool that tapped without a speed.
     pub tap_speed_for_tool: Option<u32>,
-    /// The tool that cut in step with the spindle at too large a feed, and the lead, mm.
+    /// The tool whose synchronized cut exceeded the largest feed, and the lead, mm.
     pub feed_in_step: Option<(u32, f64)>,
-    /// The tool that cut a thread at a cutting speed.
+    /// The tool that cut a thread at constant surface speed.
     pub thread_at_surface_speed: Option<u32>,
-    /// The tool that made a hole in the centre at a cutting speed.
+    /// The tool that made a hole in the centre at constant surface speed.
     pub hole_at_surface_speed: Option<u32>,
-    /// The tool that a cycle turned too fast.
+    /// The tool whose speed in a cycle exceeded its limit.
     pub cycle_speed_for_tool: Option<u32>,
-    /// An arc in inverse time whose F counts otherwise.
+    /// An arc in inverse time, where F has a meaning of its own on this control.
     pub inverse_time_arc: bool,
     /// Offsets that the machine file does not give.
     pub offsets: Vec<String>,
     /// A cycle without R, which feeds from the initial level.
     pub cycle_without_r: bool,
-    /// Routines whose path is a choice.
+    /// Built-in routines whose path no manual gives, so that it is assumed.
     pub assumed_paths: Vec<String>,
     /// The other rule for arc centres under which an arc was right.
     pub other_center: Option<ArcCenter>,
 }
 
-/// What is remembered of a run, and may be taken up again later.
+/// All that a kernel remembers, to resume a run from a checkpoint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KernelMemory {
     /// The state of the control.
@@ -77,28 +77,28 @@ pub struct KernelMemory {
     pub repeated: u64,
     /// The number of the last block that has one.
     pub block_number: Option<f64>,
-    /// Presets to put back.
+    /// Presets that G92.3 restores.
     pub kept_presets: CoordinatePresets,
-    /// Presets act.
+    /// Presets are active.
     pub preset_acts: bool,
-    /// The axes whose preset follows from the program.
+    /// The axes whose preset is known from the program.
     pub presets_known: AxisMask,
-    /// What was reported.
+    /// Problems reported so far.
     pub reported: KernelReports,
 }
 
-/// A numerical control at work: it takes values with their statement, moves the machine and
-/// pushes commands and problems into its sink. It sees no text.
+/// A running numerical control: it takes values with their statement, moves the machine and
+/// emits commands and problems into its sink. It sees no text.
 pub struct Kernel<'a> {
-    /// How this control does things.
+    /// The rules of this control.
     pub rules: &'a Rules,
     /// The machine.
     pub machine: &'a Machine,
-    /// What the control shows for problems.
+    /// The alarm texts of the control.
     pub alarms: Alarms,
-    /// What it remembers from block to block.
+    /// Modal and other state.
     pub state: State,
-    /// The block at work.
+    /// The current block.
     pub origin: Origin,
     /// The chains of calls so far.
     pub calls: CallPaths,
@@ -108,30 +108,30 @@ pub struct Kernel<'a> {
     pub block_number: Option<f64>,
     /// Blocks in calls and repeats so far.
     pub repeated: u64,
-    /// Most of them.
+    /// The budget: the largest permitted `repeated`.
     pub max_repeated: u64,
-    /// Presets that G92.2 keeps.
+    /// Presets that G92.2 keeps for G92.3.
     pub kept_presets: CoordinatePresets,
-    /// G92 or G52 acts: it was written, and not switched off since.
+    /// G92 or G52 acts: it was programmed and not cancelled since.
     pub preset_acts: bool,
-    /// The axes whose preset follows from the program.
+    /// The axes whose preset is known from the program.
     pub presets_known: AxisMask,
-    /// What was reported once.
+    /// Problems that are not reported again.
     pub reported: KernelReports,
     /// Moves that wait for the corner at their end.
     pub(crate) corners: CornerQueue,
-    /// The commands of a contour that a cycle reads, which are not carried out.
+    /// The commands of a contour while a cycle reads it; they are not carried out. `None` otherwise.
     pub collected: Option<Vec<Command>>,
-    /// A contour is cut that cycles may have read before.
+    /// The contour that is cut may have been read by a cycle before, with its problems reported.
     pub contour_again: bool,
-    /// What was said of the blocks of contours while cycles read them.
+    /// Problems reported while cycles read contours.
     reported_contours: Vec<(Code, Span)>,
-    /// Who takes what the run produces.
+    /// Takes what the run produces.
     pub sink: &'a mut (dyn RunSink + 'a),
 }
 
 impl<'a> Kernel<'a> {
-    /// At power-on.
+    /// A kernel in the state `state`, with nothing emitted or reported.
     pub fn new(
         rules: &'a Rules,
         machine: &'a Machine,
@@ -162,7 +162,7 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// Pushes a command of the present block, as the work coordinate system has it.
+    /// Emits a command of the current block, mapped into the work coordinate system.
     #[inline(always)]
     pub fn emit(&mut self, kind: CommandKind) {
         let command = Command { kind, origin: self.origin };
@@ -171,14 +171,14 @@ impl<'a> Kernel<'a> {
             || self.collected.is_some()
             || self.state.surface.is_some()
         {
-            return self.emit_otherwise(command);
+            return self.emit_rare(command);
         }
         self.sink.command(&command);
     }
 
-    /// The same where a frame or a surface is in force, or a corner waits.
+    /// The rare cases of [`Kernel::emit`]: an active frame or surface, a waiting corner, a contour that is read.
     #[cold]
-    fn emit_otherwise(&mut self, command: Command) {
+    fn emit_rare(&mut self, command: Command) {
         if self.corners.wait() {
             return self.emit_at_corner(command.kind);
         }
@@ -187,7 +187,7 @@ impl<'a> Kernel<'a> {
         self.hand_over(&command);
     }
 
-    /// Into the sink, or to the cycle that reads a contour.
+    /// Passes a command to the sink, or to the cycle that reads a contour.
     pub(crate) fn hand_over(&mut self, command: &Command) {
         if let (Some(surface), Some(motion)) = (&mut self.state.surface, command.kind.motion()) {
             surface.run.follow(motion, command.kind.shape());
@@ -198,7 +198,7 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// A command as the work coordinate system has it.
+    /// A command mapped into the work coordinate system.
     #[inline]
     pub(crate) fn in_work(&self, kind: CommandKind, origin: Origin) -> Command {
         let kind = match self.state.frames.is_plain() {
@@ -208,7 +208,7 @@ impl<'a> Kernel<'a> {
         Command { kind, origin }
     }
 
-    /// Pushes a problem, with the calls it was reached through and what the control shows for it.
+    /// Reports a problem, with the calls that led to it and the control's alarm text.
     pub fn report(&mut self, mut diagnostic: Diagnostic) {
         if self.call != CallPath::default() {
             diagnostic.calls = self.calls.resolve(self.call);
@@ -217,18 +217,19 @@ impl<'a> Kernel<'a> {
             diagnostic.alarm = self.alarm_text(diagnostic.code, None);
         }
         if self.collected.is_some() || self.contour_again {
-            let stated = (diagnostic.code, diagnostic.primary.span);
-            if self.reported_contours.contains(&stated) {
+            let problem = (diagnostic.code, diagnostic.primary.span);
+            if self.reported_contours.contains(&problem) {
                 return;
             }
             if self.collected.is_some() {
-                self.reported_contours.push(stated);
+                self.reported_contours.push(problem);
             }
         }
         self.sink.diagnostic(diagnostic);
     }
 
-    /// What the control shows, with the block's number put in.
+    /// The alarm text with the number of the block and the measured difference filled in; `None` when the
+    /// control has none.
     pub fn alarm_text(&self, code: Code, delta: Option<String>) -> Option<String> {
         let text = self.alarms.text(code)?;
         let text = text
@@ -237,12 +238,12 @@ impl<'a> Kernel<'a> {
         Some(format!("{}: {text}", self.alarms.title))
     }
 
-    /// The number of the last block that has one, for alarms.
+    /// The number of the last block that has one, for alarms; `?` before the first.
     pub fn number_of_block(&self) -> String {
         self.block_number.map_or("?".to_string(), |number| number.to_string())
     }
 
-    /// A word is missing.
+    /// Reports a missing word.
     pub fn missing_word(&mut self, at: Span, message: String, help: &str) {
         self.report(Diagnostic::new(Code::MissingWord, at, message).help(help));
     }
@@ -265,7 +266,7 @@ impl<'a> Kernel<'a> {
         false
     }
 
-    /// A length for people, in the program's units.
+    /// A length with its unit, in the units of the program, for messages.
     pub fn length_text(&self, mm: f64) -> String {
         match self.state.units {
             Units::Inch => format!("{} in", telling_number(mm / 25.4, 4)),
@@ -273,7 +274,7 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// All that it remembers.
+    /// A copy of all that it remembers.
     pub fn memory(&self) -> KernelMemory {
         KernelMemory {
             state: self.state.clone(),
@@ -288,7 +289,7 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// Goes on from there.
+    /// Restores what [`Kernel::memory`] returned.
     pub fn recall(&mut self, memory: KernelMemory) {
         self.state = memory.state;
         self.origin = memory.origin;
@@ -303,7 +304,8 @@ impl<'a> Kernel<'a> {
 }
 
 impl KernelMemory {
-    /// Makes it one of a text that has changed elsewhere; `None` where it remembers words that went.
+    /// Moves its spans to a text that was changed at another position; `None` when a word that it
+    /// remembers was deleted.
     pub fn shift(&mut self, shift: &chordal_diagnostics::TextShift) -> Option<()> {
         self.origin = self.origin.shifted(shift)?;
         self.calls.shift(shift)?;
@@ -313,12 +315,12 @@ impl KernelMemory {
         Some(())
     }
 
-    /// Equal to the bit: 0 and −0 are not the same place.
+    /// Equal bit for bit: 0 and −0 are different positions.
     pub fn is_like(&self, other: &KernelMemory) -> bool {
         self.is_at(other) && self == other
     }
 
-    /// At the same position, to the bit.
+    /// True at the same position, bit for bit.
     pub fn is_at(&self, other: &KernelMemory) -> bool {
         let bits = |memory: &KernelMemory| memory.state.position.map(f64::to_bits);
         bits(self) == bits(other)

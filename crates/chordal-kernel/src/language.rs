@@ -1,9 +1,8 @@
-//! What a language of programs is to everything above it.
+//! The interface of a programming language of controls to everything above it.
 //!
-//! A control whose programs are blocks of words and one whose programs are lines of text in words
-//! of a language (conversational) differ in how they are read. What they make the machine do is one
-//! thing. A language reads, and drives the [`Kernel`](crate::Kernel); a library or a tool that asks
-//! through this trait needs to know no more of it.
+//! Programs of word-address blocks and conversational programs (lines of plain-language text) are read
+//! differently; what they make the machine do is the same. A language reads a program and drives the
+//! [`Kernel`](crate::Kernel). Libraries and tools use this trait and need to know no more of the language.
 
 use chordal_command::CallPaths;
 use chordal_diagnostics::{Span, TextRange};
@@ -11,14 +10,14 @@ use chordal_diagnostics::{Span, TextRange};
 use crate::checkpoint::Checkpoint;
 use crate::sink::RunSink;
 
-/// A program of a text.
+/// One of the programs of a text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ProgramPlace {
-    /// Where it stands.
+    /// Its text.
     pub span: Span,
-    /// Its number, where it has one.
+    /// Its number; `None` when it has none.
     pub number: Option<u32>,
-    /// A run begins with it; others are run where they are called.
+    /// A run begins with it; the others run where they are called.
     pub is_main: bool,
 }
 
@@ -29,17 +28,17 @@ pub enum EndReason {
     ProgramEnd,
     /// The text ended first.
     EndOfText,
-    /// The main program returns (M99): it would begin again.
+    /// The main program returns (M99) and would begin again.
     Repeats,
-    /// A jump to a place that is not there.
+    /// A jump to a label that does not exist.
     LostJump,
     /// The program stopped itself with an alarm (`#3000=1 (TEXT)`).
     Alarm,
     /// The budget was used up.
     Budget,
-    /// Who ran it wanted it to end.
+    /// The caller stopped it.
     Interrupted,
-    /// It was not run: a macro without its caller.
+    /// It was not run: a macro without the program that calls it.
     NotRun,
 }
 
@@ -52,20 +51,21 @@ pub struct Outcome {
     pub blocks: u64,
     /// The chains of calls.
     pub calls: CallPaths,
-    /// Numbers of called programs that were not there.
+    /// Numbers of called programs that were not found.
     pub missing_programs: Vec<u32>,
 }
 
-/// A run that came to its end.
+/// A run that was not interrupted at a checkpoint.
 #[derive(Clone, Debug)]
 pub struct CompletedRun {
-    /// What it leaves.
+    /// How it ended, and its totals.
     pub outcome: Outcome,
-    /// What of the first text was read after the last checkpoint, except the blocks in their order.
+    /// The part of the first text that was read after the last checkpoint in addition to the blocks in their
+    /// order (for labels and subprograms); `None` when there is none.
     pub text_read: Option<TextRange>,
 }
 
-/// What a piece of text is.
+/// The class of a piece of text, for colours.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum TokenClass {
     /// A comment with its marks.
@@ -80,7 +80,7 @@ pub enum TokenClass {
     GCode,
     /// A code that switches: M.
     MCode,
-    /// Where to.
+    /// An axis word: a coordinate.
     Axis,
     /// Feed and speed.
     Speed,
@@ -130,14 +130,14 @@ pub struct Token {
     pub class: TokenClass,
 }
 
-/// A language, with the texts and the machine that it is asked about. The first text is the
-/// program; the others are where its subprograms may be.
+/// A language, with the texts and the machine it works on. The first text is the program; the others
+/// may contain its subprograms.
 pub trait Language {
     /// The programs of the first text, in its order.
     fn programs(&self) -> Vec<ProgramPlace>;
 
-    /// Runs one of them, from a checkpoint on where one is given, and pushes its commands and
-    /// problems into a sink. `None` when the sink has ended it at a checkpoint.
+    /// Runs one of them, from its start or from a checkpoint, and emits its commands and problems into a
+    /// sink. `None` when the sink stopped it at a checkpoint.
     fn run(
         &self,
         program: usize,
@@ -145,9 +145,9 @@ pub trait Language {
         sink: &mut dyn RunSink,
     ) -> Option<CompletedRun>;
 
-    /// The pieces of a part of the first text, in its order, for colours.
+    /// The tokens of a part of the first text, in order.
     fn tokens(&self, part: TextRange) -> Vec<Token>;
 
-    /// What stands at a byte of the first text, in one line for people.
+    /// The range of the word at a byte of the first text and its meaning in one line; `None` without a known code there.
     fn meaning(&self, at: u32) -> Option<(TextRange, String)>;
 }

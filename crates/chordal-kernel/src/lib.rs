@@ -1,8 +1,8 @@
 //! What any numerical control does, and no text: state, offsets, motion, cycles, pockets.
 //!
-//! A language reads a program and gives values with their [`Statement`]; the [`Kernel`] moves the
-//! machine and pushes commands and problems into a sink. [`rules`] are plain data: how one control
-//! does a thing otherwise than the next.
+//! A language reads a program and passes values with their [`Statement`]; the [`Kernel`] moves the
+//! machine and emits commands and problems into a sink. [`rules`] are plain data: how one control
+//! differs from another.
 //!
 //! ```
 //! use chordal_command::PathMode;

@@ -11,7 +11,7 @@ use crate::rules::{ArcCenter, CycleKind};
 use crate::state::{LiveTool, ModalMotion, SplineForm, State, TurnPass};
 use crate::state_items::{StateItem, StateValue};
 
-/// What a block without a motion code does.
+/// The motion of a block without a motion code.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum MotionMode {
     /// A rapid.
@@ -22,20 +22,20 @@ pub enum MotionMode {
     Arc(TurnDirection),
     /// A spiral.
     Spiral(TurnDirection),
-    /// A straight cut in step with the spindle.
+    /// A straight cut synchronized with the spindle.
     Thread,
-    /// The same, back again with the spindle reversed.
+    /// A synchronized cut in, and out again with the spindle reversed.
     RigidTap,
     /// A spline.
     Spline(SplineForm),
-    /// A pass of a lathe and back to its start.
+    /// A turning pass with its return to the start.
     Turn(TurnPass),
-    /// A probe move, where its code stays in force.
+    /// A probe move, where its code stays active.
     Probe {
-        /// Without a touch the control stops.
+        /// The control stops with an alarm when nothing was touched.
         must_hit: bool,
     },
-    /// A thread in many passes, where its code stays in force.
+    /// A threading cycle of several passes, where its code stays active.
     ThreadPasses,
     /// A canned cycle.
     Cycle(CycleKind),
@@ -44,19 +44,19 @@ pub enum MotionMode {
 /// The modal state after a block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Modal {
-    /// The G codes in force by the control's own numbers (`G1`, `G17`, `G41`), the motion first.
+    /// The active G codes as the control writes them (`G1`, `G17`, `G41`), the motion first.
     pub codes: Vec<String>,
-    /// What a block without a motion code does; `None` where it needs one.
+    /// The motion of a block without a motion code; `None` when a block needs one.
     pub motion: Option<MotionMode>,
-    /// G91 is in force.
+    /// G91 is active.
     pub incremental: bool,
     /// The plane of arcs and compensation.
     pub plane: Plane,
     /// The side of cutter compensation.
     pub side: CompensationSide,
-    /// What I, J and K of arcs say.
+    /// The meaning of I, J and K of arcs.
     pub arc_center: ArcCenter,
-    /// The cycle in force.
+    /// The active cycle; `None` without one.
     pub cycle: Option<CycleKind>,
     /// The tool tip in program coordinates, mm and rad.
     pub position: Position,
@@ -68,48 +68,48 @@ pub struct Modal {
     pub machine_known: AxisMask,
     /// Units of the program text.
     pub units: Units,
-    /// What F counts.
+    /// The unit of F.
     pub feed_mode: FeedMode,
     /// F in mm/s, 1/s or mm per revolution; `None` before any F.
     pub feed: Option<f64>,
     /// What the spindle does.
     pub spindle: SpindleState,
-    /// Its speed, rev/min.
+    /// The programmed speed of the spindle, rev/min.
     pub rpm: f64,
-    /// A live tool that turns, and cuts in place of the spindle.
+    /// The running live tool, which cuts in place of the spindle; `None` when none runs.
     pub live: Option<LiveTool>,
-    /// The cutting speed that it keeps instead (G96), mm/s.
+    /// The cutting speed that the spindle keeps (G96), mm/s; `None` with a fixed speed.
     pub surface_speed: Option<f64>,
-    /// What limits its speed (G50 S), rev/min.
+    /// The limit of the spindle speed (G50 S), rev/min; `None` without one.
     pub speed_limit: Option<f64>,
     /// Coolant valves.
     pub coolant: Coolant,
     /// The tool in the spindle; 0 for none.
     pub tool: u32,
-    /// The tool made ready.
+    /// The tool made ready for the next change; `None` before a T word.
     pub selected_tool: Option<u32>,
-    /// The tool tip in the work coordinate system, frames undone, mm and rad.
+    /// The tool tip in the work coordinate system, without mirror, scaling or rotation, mm and rad.
     pub work_position: Position,
-    /// The frames that words are read in.
+    /// The kinds of active frames.
     pub frames: FrameKinds,
     /// The work coordinate system.
     pub work: WorkName,
     /// Its name on this control.
     pub work_name: String,
-    /// Number of the tool length offset in force.
+    /// Number of the active tool length offset; `None` without one.
     pub length_offset: Option<u32>,
-    /// The tool offsets in force where the program gives them itself (G43.1), mm and rad.
+    /// Active tool offsets that the program itself gives (G43.1), mm and rad; `None` otherwise.
     pub own_length: Option<Position>,
-    /// Number of the radius offset that compensation uses.
+    /// Number of the radius offset that compensation uses; `None` before one.
     pub radius_offset: Option<u32>,
     /// How corners are passed.
     pub path_mode: PathMode,
-    /// All that the control keeps, item by item.
+    /// All of the state, item by item.
     pub items: Vec<(StateItem, StateValue)>,
 }
 
 impl Modal {
-    /// What is in force, with the codes that stand for it in the program's language.
+    /// The modal part of a state; `codes` are the active codes in the language of the program.
     pub fn of(state: &State, codes: Vec<String>) -> Modal {
         let mut machine_position = state.position;
         for (axis, value) in machine_position.iter_mut().enumerate() {
@@ -153,7 +153,7 @@ impl Modal {
 }
 
 impl State {
-    /// The frames that words are read in.
+    /// The kinds of active frames, polar coordinates and surfaces included.
     pub(crate) fn frame_kinds(&self) -> FrameKinds {
         FrameKinds {
             polar: self.polar.is_some(),
@@ -162,7 +162,7 @@ impl State {
         }
     }
 
-    /// What a block without a motion code does; `None` where it needs one.
+    /// The motion of a block without a motion code; `None` when a block needs one.
     pub fn motion_mode(&self) -> Option<MotionMode> {
         match (&self.cycle, self.motion) {
             (Some(cycle), _) => Some(MotionMode::Cycle(cycle.kind)),

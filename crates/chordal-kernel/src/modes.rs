@@ -1,4 +1,4 @@
-//! Modes that a statement sets: distance, units, feed, plane, path, spindle, tool.
+//! The modes that a statement sets: distance, units, feed, plane, path, spindle, tool.
 
 use chordal_command::{
     CommandKind, CompensationSide, Coolant, FeedMode, SpindleState, SurfaceSpeed, Units,
@@ -11,7 +11,7 @@ use crate::path_mode::PathState;
 use crate::state::LiveTool;
 
 impl Kernel<'_> {
-    /// G90 and G91; where the tool stands when G91 comes into force is remembered.
+    /// G90 and G91; the position at which G91 becomes active is remembered.
     pub fn set_incremental(&mut self, incremental: bool) {
         if incremental && !self.state.incremental {
             self.state.incremental_from = self.state.position;
@@ -19,7 +19,7 @@ impl Kernel<'_> {
         self.state.incremental = incremental;
     }
 
-    /// Units of the program.
+    /// Sets the units of the program.
     pub fn set_units(&mut self, units: Units) {
         if self.state.units != units {
             self.state.units = units;
@@ -27,16 +27,16 @@ impl Kernel<'_> {
         }
     }
 
-    /// A code of the program says what F counts.
+    /// Sets the unit of F by a code of the program; on some controls this ends F even without a change.
     pub fn set_feed_mode_by_code(&mut self, mode: FeedMode) {
-        let is_in_force = self.state.feed_mode == mode;
-        if is_in_force && self.rules.feed_mode_code_ends_feed {
+        let is_active = self.state.feed_mode == mode;
+        if is_active && self.rules.feed_mode_code_ends_feed {
             self.end_feed();
         }
         self.set_feed_mode(mode);
     }
 
-    /// F is what it is before any F.
+    /// Forgets F, as before the first one.
     fn end_feed(&mut self) {
         self.state.feed = None;
         self.state.feed_angular = None;
@@ -44,17 +44,17 @@ impl Kernel<'_> {
         self.reported.missing_feed = false;
     }
 
-    /// What F counts.
+    /// Sets the unit of F; a change forgets F.
     pub fn set_feed_mode(&mut self, mode: FeedMode) {
         if self.state.feed_mode != mode {
             self.state.feed_mode = mode;
-            // A feed of one mode means nothing in another.
+            // A feed of one unit means nothing in another.
             self.end_feed();
             self.emit(CommandKind::FeedMode(mode));
         }
     }
 
-    /// The plane of arcs and compensation; `word` chose it.
+    /// Selects the plane of arcs and compensation; `word` is the code.
     pub fn set_plane(&mut self, word: Span, plane: Plane) {
         if plane == self.state.plane {
             return;
@@ -74,7 +74,8 @@ impl Kernel<'_> {
         self.emit(CommandKind::Plane(plane));
     }
 
-    /// Turns the spindle, or stops it. Where it turns it is what cuts; while a live tool does, its stop shows nothing.
+    /// Starts or stops the spindle. A running spindle replaces a live tool as what cuts; stopping the spindle while
+    /// a live tool cuts emits nothing.
     pub fn set_spindle(&mut self, spindle: SpindleState) {
         let turns = |state: SpindleState| matches!(state, SpindleState::Cw | SpindleState::Ccw);
         if spindle == SpindleState::Off && !turns(self.state.spindle) {
@@ -90,7 +91,7 @@ impl Kernel<'_> {
         self.emit(CommandKind::Spindle { state: spindle, rpm });
     }
 
-    /// A live tool turns, and cuts in place of the spindle; or it stops, and the spindle is what cuts again.
+    /// Starts a live tool, which cuts in place of the spindle, or stops it (`None`), and the spindle cuts again.
     pub fn set_live_tool(&mut self, live: Option<LiveTool>) {
         let before = std::mem::replace(&mut self.state.live, live);
         if let Some(live) = live {
@@ -111,13 +112,13 @@ impl Kernel<'_> {
         }
     }
 
-    /// What turns where the tool cuts: a live tool, or the spindle.
+    /// State of what turns during a cut: a live tool, or the spindle.
     #[inline]
     pub(crate) fn turning(&self) -> SpindleState {
         self.state.live.map_or(self.state.spindle, |live| live.turns)
     }
 
-    /// Opens or closes coolant valves.
+    /// Changes the coolant valves; emits only a change.
     pub fn set_coolant(&mut self, change: impl FnOnce(&mut Coolant)) {
         let before = self.state.coolant;
         change(&mut self.state.coolant);
@@ -126,14 +127,14 @@ impl Kernel<'_> {
         }
     }
 
-    /// G96: S is a cutting speed from here on; the last one acts until there is an S.
+    /// G96: S is a cutting speed from here on; until an S, the last cutting speed acts.
     pub fn keep_surface_speed(&mut self) {
         if self.state.surface_speed.is_none() {
             self.state.surface_speed = Some(self.state.last_surface_speed);
         }
     }
 
-    /// G97: S is the spindle's speed again, and the last one stays.
+    /// G97: S is the spindle speed again; until an S, the present speed stays.
     pub fn keep_spindle_speed(&mut self) {
         if let Some(surface) = self.surface_of_spindle() {
             self.state.rpm = surface.rev_per_s(self.state.position[0]) * 60.0;
@@ -141,14 +142,14 @@ impl Kernel<'_> {
         }
     }
 
-    /// S while a cutting speed is kept, mm/s.
+    /// S under G96, mm/s.
     pub fn set_surface_speed(&mut self, mm_per_s: f64) {
         self.state.surface_speed = Some(mm_per_s);
         self.state.last_surface_speed = mm_per_s;
         self.follow_diameter();
     }
 
-    /// The program limits the speed of the spindle, rev/min.
+    /// Limits the spindle speed, rev/min.
     pub fn limit_speed(&mut self, rpm: f64) {
         self.state.speed_limit = Some(rpm);
         if self.state.surface_speed.is_some() {
@@ -156,7 +157,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// The spindle takes the speed of the diameter where the tool is.
+    /// Sets the spindle to the speed that G96 gives at the present diameter.
     pub(crate) fn follow_diameter(&mut self) {
         if self.surface().is_some() {
             let rpm = self.rev_per_s(self.state.position[0]) * 60.0;
@@ -164,7 +165,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// The cutting speed that the spindle keeps; none where a live tool cuts.
+    /// The cutting speed that the spindle keeps; `None` without G96 and when a live tool cuts.
     pub(crate) fn surface(&self) -> Option<SurfaceSpeed> {
         self.surface_of_spindle().filter(|_| self.state.live.is_none())
     }
@@ -176,7 +177,7 @@ impl Kernel<'_> {
         Some(SurfaceSpeed { mm_per_s, most_rev_per_s: most / 60.0, is_limited: limit.is_finite() })
     }
 
-    /// The speed of what turns with the tool at a place of X, rev/s.
+    /// The speed of spindle or live tool with the tool tip at `x` (a radius, mm), rev/s.
     pub(crate) fn rev_per_s(&self, x: f64) -> f64 {
         if let Some(live) = self.state.live {
             return live.rpm / 60.0;
@@ -187,8 +188,8 @@ impl Kernel<'_> {
         }
     }
 
-    /// The speed of what turns during a cut that begins at a place of X, rev/s, and the cutting speed that is
-    /// kept in it.
+    /// The speed of spindle or live tool at the start of a cut at `x` (a radius, mm), rev/s, and the cutting
+    /// speed that is kept during it.
     #[inline]
     pub(crate) fn spindle_of_feed(&self, x: f64) -> (f64, Option<SurfaceSpeed>) {
         if self.state.live.is_none() && self.state.surface_speed.is_none() {
@@ -199,12 +200,12 @@ impl Kernel<'_> {
 
     #[cold]
     fn spindle_of_lathe(&self, x: f64) -> (f64, Option<SurfaceSpeed>) {
-        // The spindle holds the part on a surface: it has no cutting speed.
+        // On a surface (G12.1, G7.1) the spindle positions the part as an axis: it has no cutting speed.
         let surface = if self.state.surface.is_some() { None } else { self.surface() };
         (self.rev_per_s(x), surface)
     }
 
-    /// The speed of the spindle, rev/min.
+    /// Sets the spindle speed, rev/min.
     pub fn set_speed(&mut self, rpm: f64) {
         self.state.rpm = rpm;
         self.state.unknown.speed = false;
@@ -213,29 +214,29 @@ impl Kernel<'_> {
         }
     }
 
-    /// S of a value that is not known.
+    /// An S whose value is not known.
     pub fn set_unknown_speed(&mut self) {
         self.set_speed(0.0);
         self.state.unknown.speed = true;
     }
 
-    /// A tool of an unknown number is made ready.
+    /// Makes a tool of unknown number ready.
     pub fn select_unknown_tool(&mut self) {
         self.state.selected_tool = None;
         self.state.unknown.tool = true;
     }
 
-    /// A tool is made ready.
+    /// Makes a tool ready for the next change.
     pub fn select_tool(&mut self, number: u32) {
         self.state.selected_tool = Some(number);
         self.state.unknown.tool = false;
         self.emit(CommandKind::ToolSelect { number });
     }
 
-    /// The tool made ready goes into the spindle; `word` changes it.
+    /// Puts the tool made ready into the spindle; `word` is the code.
     pub fn tool_change(&mut self, word: Span) {
         self.state.arc_over_rapid = false;
-        // A tool of an unknown number is as no tool that the machine file knows.
+        // A tool of unknown number is treated as one that is not in the machine file.
         let unknown = self.state.unknown.tool.then_some(0);
         let Some(number) = self.state.selected_tool.or(unknown) else {
             let message = "a tool change without a tool number".to_string();
@@ -259,19 +260,19 @@ impl Kernel<'_> {
         self.emit(CommandKind::Tool { number });
     }
 
-    /// The tool in the spindle has a number; neither tool nor length change.
+    /// Gives the tool in the spindle another number (M61), without a tool change.
     pub fn set_tool_number(&mut self, number: u32) {
         self.state.tool = number;
         self.emit(CommandKind::ToolNumber { number });
     }
 
-    /// A path mode comes into force, or its distance changes.
+    /// Changes the path mode or its tolerance.
     pub fn change_path_mode(&mut self, change: impl FnOnce(&mut PathState)) {
         change(&mut self.state.path);
         self.emit(CommandKind::PathMode(self.state.path.in_force()));
     }
 
-    /// After the statement: the stop that it alone wanted is over.
+    /// Ends the exact stop of a single statement (G9), after it.
     pub fn end_exact_stop_once(&mut self) {
         self.change_path_mode(|path| path.once = false);
     }

@@ -8,20 +8,20 @@ use chordal_machine::{AXES, Axis, Machine, PerAxis, Tool};
 
 use crate::frames::{FrameMap, Frames};
 
-/// The axis of the tool length: without it the others are taken as zero, since a mill has no more.
 const X: usize = Axis::X as usize;
+/// The axis of the tool length. A mill's table has no other: its missing offsets on other axes count as zero.
 const Z: usize = Axis::Z as usize;
 
-/// The offset tables and which of them are in force.
+/// The offset tables and which of them are active.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Offsets {
     systems: BTreeMap<String, PerAxis<Option<f64>>>,
-    /// The rotation of a system about its zero, degrees, where it has one.
+    /// The rotation of a system about its zero, degrees.
     rotations: BTreeMap<String, f64>,
     external: PerAxis<Option<f64>>,
     tools: BTreeMap<u32, Tool>,
     naming: WorkNaming,
-    /// The linear axes that the machine does not have: nothing of them is unknown.
+    /// The linear axes that the machine does not have: their offsets count as known.
     absent: AxisMask,
     /// The axes along which tools differ: Z, and X on lathes.
     tool_axes: AxisMask,
@@ -30,25 +30,25 @@ pub struct Offsets {
     shift: Position,
     /// G92, added to every system.
     preset: Position,
-    /// The axes whose place G92 has made known or unknown, whatever the table says.
+    /// Axes whose machine position G92 made known or unknown, regardless of the table; `None` by the table.
     preset_known: PerAxis<Option<bool>>,
-    /// The presets that were given at a place that nobody knows in the work coordinate system.
+    /// Presets that were programmed at an unknown position of the work coordinate system.
     unknown_presets: UnknownPresets,
     length: LengthOffset,
-    /// Tool offsets in force by their values, not by the table.
+    /// Tool offsets that are active by their values, not by the table.
     tool_values: Option<Position>,
     total: Position,
     work: Position,
     system: Position,
     system_known: AxisMask,
     known: AxisMask,
-    /// What was written and is not told yet.
+    /// What was written since [`Offsets::take_written`].
     written: Vec<WrittenOffset>,
-    /// All that was written.
+    /// All that was written since the start.
     touched: BTreeSet<WrittenOffset>,
 }
 
-/// A place of the offset tables that a program has written.
+/// An entry of the offset tables that a program has written.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum WrittenOffset {
     /// A work coordinate system by its key, on an axis.
@@ -59,17 +59,17 @@ pub enum WrittenOffset {
     Tool(u32),
 }
 
-/// What G92 and its like have made of the coordinates.
+/// What G92 and similar codes add to the coordinates.
 #[derive(Clone, Copy, Default, PartialEq, Debug)]
 pub struct CoordinatePresets {
     /// What they add on every axis, mm and rad.
     pub values: Position,
-    /// Those at a place that nobody knows.
+    /// Presets programmed at an unknown position.
     pub unknown: UnknownPresets,
 }
 
 impl CoordinatePresets {
-    /// None acts any more; those to come are told from those that there were.
+    /// Ends all presets; the count is kept, so that later ones differ from earlier ones.
     pub(crate) fn ended(self) -> CoordinatePresets {
         let unknown = UnknownPresets { axes: AxisMask::NONE, ..self.unknown };
         CoordinatePresets { values: [0.0; AXES], unknown }
@@ -85,28 +85,28 @@ pub struct LengthOffset {
     pub minus: bool,
 }
 
-/// Which of the offsets stand behind the numbers: two unknown offsets are not the same.
+/// Identifies the active offsets, because two unknown offsets are not equal.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct OffsetIdentity {
     active: WorkName,
     length: LengthOffset,
     tool_axes: AxisMask,
-    /// What of them is known, and how many presets there were at a place that nobody knows.
+    /// The axes whose system offset is known.
     system_known: AxisMask,
     is_length_known: bool,
     unknown_presets: u32,
 }
 
 impl OffsetIdentity {
-    /// True when both stand for the same offset of an axis.
+    /// True when both mean the same offset of an axis.
     pub fn same_for(&self, other: &OffsetIdentity, axis: usize) -> bool {
         self.active == other.active && (!self.tool_axes.has(axis) || self.length == other.length)
     }
 
-    /// Along this axis the same of both is unknown, if anything is: they differ by what is known of them.
+    /// True when the unknown parts of both offsets of an axis are the same, so that their difference is known.
     pub fn same_unknowns_for(&self, other: &OffsetIdentity, axis: usize) -> bool {
-        // Where tools differ along X, another offset is another tip of the turret: it is placed by the block that
-        // names it.
+        // When tools differ along X (a lathe), another offset is another tool of the turret, whose position comes from
+        // the block that names it.
         let is_of_one_tip = !self.tool_axes.has(X);
         let are_lengths_related = match (self.is_length_known, other.is_length_known) {
             (true, true) => is_of_one_tip || self.length == other.length,
@@ -121,7 +121,7 @@ impl OffsetIdentity {
 }
 
 impl Offsets {
-    /// The tables of a machine.
+    /// The offset tables of a machine, with the system `active` selected.
     pub fn new(machine: &Machine, active: WorkName, naming: WorkNaming) -> Offsets {
         let systems =
             machine.work_offsets.iter().map(|(name, o)| (name.clone(), o.values)).collect();
@@ -159,7 +159,7 @@ impl Offsets {
         offsets
     }
 
-    /// What is added to program coordinates to get machine coordinates.
+    /// What is added to program coordinates to get machine coordinates, mm and rad.
     #[inline]
     pub fn total(&self) -> Position {
         self.total
@@ -170,7 +170,7 @@ impl Offsets {
         self.work
     }
 
-    /// Where the zero of program coordinates comes from.
+    /// The parts of the work offset: system and unknown presets.
     pub fn zero(&self) -> WorkZero {
         WorkZero {
             system: self.system,
@@ -185,7 +185,7 @@ impl Offsets {
         self.known
     }
 
-    /// Which offsets are in force.
+    /// Which offsets are active.
     pub fn identity(&self) -> OffsetIdentity {
         OffsetIdentity {
             active: self.active,
@@ -207,12 +207,12 @@ impl Offsets {
         self.length
     }
 
-    /// A tool length is in force, by its number or by its values.
+    /// True when a tool length is active, by its number or by its values.
     pub fn has_length(&self) -> bool {
         self.length.number.is_some() || self.tool_values.is_some()
     }
 
-    /// The tool offsets in force where the program gives them itself, not by a number.
+    /// Active tool offsets that the program gives by value, not by number, mm and rad; `None` otherwise.
     pub fn own_length(&self) -> Option<Position> {
         self.tool_values.filter(|_| self.length.number.is_none())
     }
@@ -223,7 +223,7 @@ impl Offsets {
         self.preset_known = [None; AXES];
     }
 
-    /// Brings a tool length into force: as the table has it, or as it has it now.
+    /// Activates a tool length: with later changes of the table, or (`copied`) with its present values.
     pub fn set_length(&mut self, length: LengthOffset, copied: bool) {
         self.length = length;
         self.tool_values = None;
@@ -232,29 +232,29 @@ impl Offsets {
         }
     }
 
-    /// Brings tool offsets into force by their values.
+    /// Activates tool offsets by their values, mm and rad.
     pub fn set_tool_values(&mut self, values: Position) {
         self.length = LengthOffset { number: None, minus: false };
         self.tool_values = Some(values);
     }
 
-    /// G52: the shift of an axis.
+    /// G52: sets the shift of an axis, mm or rad.
     pub fn set_shift(&mut self, axis: usize, value: f64) {
         self.shift[axis] = value;
     }
 
-    /// Takes G52 back on an axis; the preset keeps the coordinates where they are.
+    /// Ends G52 on an axis; the preset takes over its value, so that the coordinates do not change.
     pub fn move_shift_to_preset(&mut self, axis: usize) {
         self.preset[axis] += std::mem::take(&mut self.shift[axis]);
     }
 
-    /// G92: `by` is added to the preset of an axis, whose place is then known or not.
+    /// G92: adds `by` to the preset of an axis, whose machine position is then known or not.
     pub fn add_preset(&mut self, axis: usize, by: f64, known: bool) {
         self.preset[axis] += by;
         self.preset_known[axis] = Some(known);
     }
 
-    /// Axes are preset at a place that nobody knows in the work coordinate system.
+    /// Presets axes at an unknown position of the work coordinate system.
     pub fn preset_somewhere(&mut self, axes: AxisMask) {
         if axes != AxisMask::NONE {
             self.unknown_presets.axes = self.unknown_presets.axes.or(axes);
@@ -262,24 +262,24 @@ impl Offsets {
         }
     }
 
-    /// The presets, to put them back later.
+    /// The presets, to restore them later.
     pub fn presets(&self) -> CoordinatePresets {
         CoordinatePresets { values: self.preset, unknown: self.unknown_presets }
     }
 
-    /// Puts presets back.
+    /// Restores presets.
     pub fn set_presets(&mut self, presets: CoordinatePresets) {
         self.preset = presets.values;
         self.unknown_presets = presets.unknown;
         self.preset_known = [None; AXES];
     }
 
-    /// Name of a system in the tables.
+    /// The name of a system in the tables.
     pub fn key(&self, name: WorkName) -> String {
         name.table_key(self.naming)
     }
 
-    /// Writes one value of a work offset (G10).
+    /// Writes one value of a work offset (G10), mm or rad, or adds to it.
     pub fn write_work(&mut self, key: &str, axis: usize, value: f64, add: bool) {
         let values = if key == "EXT" {
             &mut self.external
@@ -297,37 +297,37 @@ impl Offsets {
         self.note_written(WrittenOffset::Rotation(key.to_string()));
     }
 
-    /// The last of the same place counts.
+    /// Remembers a written entry, each once.
     fn note_written(&mut self, place: WrittenOffset) {
         self.touched.insert(place.clone());
         self.written.retain(|other| *other != place);
         self.written.push(place);
     }
 
-    /// Something was written since that was taken last.
+    /// True when something was written since [`Offsets::take_written`].
     #[inline]
     pub fn has_written(&self) -> bool {
         !self.written.is_empty()
     }
 
-    /// What was written since this was asked last.
+    /// What was written since the last call.
     #[inline]
     pub fn take_written(&mut self) -> Vec<WrittenOffset> {
         std::mem::take(&mut self.written)
     }
 
-    /// All places that were written, with what they hold.
+    /// All written entries with their present values.
     pub(crate) fn all_written(&self) -> Vec<(String, Vec<Option<f64>>)> {
         let places = self.touched.iter();
         places.map(|place| (format!("{place:?}"), self.written_values(place))).collect()
     }
 
-    /// By how much G52 and G92 have moved the zero of an axis.
+    /// The distance by which G52 and G92 have moved the zero of an axis, mm or rad.
     pub(crate) fn shift_of(&self, axis: usize) -> f64 {
         self.shift[axis] + self.preset[axis]
     }
 
-    /// What a written place holds now.
+    /// The present values of a written entry.
     pub fn written_values(&self, place: &WrittenOffset) -> Vec<Option<f64>> {
         match place {
             WrittenOffset::Work(key, axis) => vec![self.work_value(key, *axis)],
@@ -345,7 +345,7 @@ impl Offsets {
         self.rotations.get(key).copied().unwrap_or(0.0)
     }
 
-    /// Brings the rotation of the system in force into the frames. Shifts and presets turn with the system.
+    /// Updates the frames with the rotation of the active system. Shifts and presets rotate with the system.
     pub(crate) fn turn_coordinates(&self, frames: &mut Frames) {
         if self.rotations.is_empty() {
             return;
@@ -353,23 +353,23 @@ impl Offsets {
         frames.set_work_rotation(self.turned(), self.zero_of_turn());
     }
 
-    /// How far the system in force is turned, degrees.
+    /// The rotation of the active system, degrees.
     pub fn turned(&self) -> f64 {
         if self.rotations.is_empty() { 0.0 } else { self.rotation(&self.key(self.active)) }
     }
 
-    /// The turn of a system about its zero, where systems are turned.
+    /// The rotation of a system about its zero; `None` while no system is rotated.
     pub(crate) fn own_turn(&self, key: &str) -> Option<FrameMap> {
         let turned = !self.rotations.is_empty();
         turned.then(|| FrameMap::rotation(Plane::Xy, self.zero_of_turn(), self.rotation(key)))
     }
 
-    /// Where the zero of a system lies in its coordinates, without shift and preset.
+    /// The zero of the active system, before shift and preset, in its shifted coordinates, mm.
     pub(crate) fn zero_of_turn(&self) -> [f64; 2] {
         [0, 1].map(|axis| -(self.shift[axis] + self.preset[axis]))
     }
 
-    /// One value of a work offset.
+    /// One value of a work offset, mm or rad; `None` when neither machine file nor program gives it.
     pub fn work_value(&self, key: &str, axis: usize) -> Option<f64> {
         if key == "EXT" {
             return self.external[axis];
@@ -377,7 +377,7 @@ impl Offsets {
         self.systems.get(key)?[axis]
     }
 
-    /// The offsets of a tool.
+    /// The offsets of a tool; `None` when neither machine file nor program gives it.
     pub fn tool(&self, number: u32) -> Option<&Tool> {
         self.tools.get(&number)
     }
@@ -388,17 +388,17 @@ impl Offsets {
         self.tools.entry(number).or_default()
     }
 
-    /// Length with wear, where the table has one.
+    /// Length with wear, mm; `None` when the table has none.
     pub fn length_mm(&self, number: u32) -> Option<f64> {
         self.tools.get(&number)?.offset_of(Z)
     }
 
-    /// Radius with wear, where the table has one.
+    /// Radius with wear, mm; `None` when the table has none.
     pub fn radius_mm(&self, number: u32) -> Option<f64> {
         self.tools.get(&number)?.radius_mm()
     }
 
-    /// What the tool length adds to Z, where it is known.
+    /// What the tool length adds to Z, mm; `None` when it is not known.
     pub fn length_in_force(&self) -> Option<f64> {
         if let Some(values) = self.tool_values {
             return Some(values[Z]);
@@ -412,7 +412,7 @@ impl Offsets {
         }
     }
 
-    /// What the tool's offsets add on every axis, zero where the table has none.
+    /// What the tool offsets add on every axis, mm and rad; zero where the table has none.
     pub fn tool_in_force(&self) -> Position {
         if let Some(values) = self.tool_values {
             return values;
@@ -424,7 +424,7 @@ impl Offsets {
         std::array::from_fn(|axis| tool.offset_of(axis).map_or(0.0, |value| sign * value))
     }
 
-    /// What the tool's offsets add on an axis, where the table has it.
+    /// What the tool offsets add on an axis, mm or rad; `None` where the table has no value.
     pub fn known_tool_offset(&self, axis: usize) -> Option<f64> {
         let by_table = self.length.number.filter(|_| self.tool_values.is_none());
         if let Some(number) = by_table
@@ -435,22 +435,23 @@ impl Offsets {
         Some(self.tool_in_force()[axis])
     }
 
-    /// One value of a work offset, where it is given. The external offset is zero where offsets are given and it is
-    /// not.
+    /// One value of a work offset, mm or rad; `None` when it is not given. A missing external offset is zero once
+    /// any other offset is given.
     pub fn known_work_value(&self, key: &str, axis: usize) -> Option<f64> {
-        let has_provided = || self.systems.values().flatten().any(Option::is_some);
-        let absent = || (key == "EXT" && has_provided()).then_some(0.0);
+        let has_any = || self.systems.values().flatten().any(Option::is_some);
+        let absent = || (key == "EXT" && has_any()).then_some(0.0);
         self.work_value(key, axis).or_else(absent)
     }
 
-    /// The rotation of a work coordinate system, degrees, where it is given or the system is and has none.
+    /// The rotation of a work coordinate system, degrees, zero for a given system without one; `None` for a system
+    /// that is not given.
     pub fn known_rotation(&self, key: &str) -> Option<f64> {
-        let is_provided =
+        let is_defined =
             || self.systems.get(key).is_some_and(|values| values.iter().any(Option::is_some));
-        self.rotations.get(key).copied().or_else(|| is_provided().then_some(0.0))
+        self.rotations.get(key).copied().or_else(|| is_defined().then_some(0.0))
     }
 
-    /// Computes total and known anew; to be called after any change.
+    /// Recomputes totals and what is known; to be called after any change.
     pub fn update(&mut self) {
         let machine = self.active == WorkName::Machine;
         let system = if machine {

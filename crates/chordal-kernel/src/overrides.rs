@@ -1,11 +1,11 @@
-//! Which overrides of the panel act.
+//! Which overrides of the control panel act.
 
 use chordal_command::CommandKind;
 
 use crate::kernel::Kernel;
 
 impl Kernel<'_> {
-    /// A code that lets overrides act or not; `None` leaves one as it is.
+    /// Enables or disables overrides by a code; `None` leaves one as it is.
     pub fn set_overrides(&mut self, feed: Option<bool>, rapid: Option<bool>) {
         let by_code = &mut self.state.overrides.by_code;
         by_code.feed = feed.unwrap_or(by_code.feed);
@@ -19,17 +19,17 @@ impl Kernel<'_> {
         self.push_overrides();
     }
 
-    /// A tapping cycle goes into its hole, or has come out of it.
+    /// A tapping cycle enters its hole, or has left it.
     pub fn set_in_tap(&mut self, on: bool) {
         self.state.overrides.in_tap = on;
         self.push_overrides();
     }
 
     fn push_overrides(&mut self) {
-        let in_force = self.state.overrides.in_force();
-        if in_force != self.state.overrides.pushed {
-            self.state.overrides.pushed = in_force;
-            self.emit(CommandKind::Overrides(in_force));
+        let active = self.state.overrides.in_force();
+        if active != self.state.overrides.pushed {
+            self.state.overrides.pushed = active;
+            self.emit(CommandKind::Overrides(active));
         }
     }
 }

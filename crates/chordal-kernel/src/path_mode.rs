@@ -1,4 +1,4 @@
-//! The path mode in force: how the ends of moves are passed.
+//! The active path mode: whether and how the ends of moves are rounded.
 
 use chordal_command::PathMode;
 
@@ -9,9 +9,9 @@ use crate::rules::{PathRules, ShortBlocks};
 pub struct PathState {
     /// By G61, G64 and their like.
     mode: PathMode,
-    /// The distance that G187, G05.1 and their like have set, mm.
+    /// The tolerance that G187, G05.1 and similar codes set, mm; `None` without one.
     distance_mm: Option<f64>,
-    /// Such a code joins short blocks.
+    /// Such a code makes the control join short blocks.
     joins: bool,
     /// This block ends at rest (G9).
     pub once: bool,
@@ -23,7 +23,7 @@ impl PathState {
         PathState { mode: rules.start_mode(), distance_mm: None, joins: false, once: false }
     }
 
-    /// The mode in force, the present block's own stop included.
+    /// The active mode; with G9, the exact stop of the current block.
     pub fn in_force(&self) -> PathMode {
         match self.mode {
             _ if self.once => PathMode::ExactStop,
@@ -35,18 +35,18 @@ impl PathState {
         }
     }
 
-    /// A code of the family of G61 and G64.
+    /// Sets the mode by a code such as G61 or G64.
     pub fn set_mode(&mut self, mode: PathMode) {
         self.mode = mode;
     }
 
-    /// A code that switches look-ahead on, with the distance of the rules, or off.
+    /// Switches look-ahead on, with the tolerance of the rules, or off.
     pub fn set_look_ahead(&mut self, rules: &PathRules, on: bool) {
         self.distance_mm = rules.look_ahead_mm.filter(|_| on);
         self.joins = on && rules.short_blocks != ShortBlocks::Separate;
     }
 
-    /// A code that sets the distance apart from the mode; `None` takes it back.
+    /// Sets the tolerance independently of the mode, mm; `None` ends it.
     pub fn set_distance(&mut self, distance_mm: Option<f64>) {
         self.distance_mm = distance_mm;
     }

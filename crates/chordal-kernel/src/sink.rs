@@ -1,4 +1,4 @@
-//! What a run gives beside its commands: the state after each block, and places to go on from.
+//! What a run emits in addition to its commands: the state after each block, and checkpoints.
 
 use std::ops::ControlFlow;
 
@@ -8,26 +8,26 @@ use chordal_diagnostics::TextRange;
 use crate::checkpoint::Checkpoint;
 use crate::modal::Modal;
 
-/// A sink that may also ask for the state after each block, and for checkpoints.
+/// A sink that can also request the state after each block, and checkpoints.
 pub trait RunSink: Sink {
-    /// Whether [`block_done`](Self::block_done) is to be called; asked once.
+    /// True when [`block_done`](Self::block_done) is to be called; read once, at the start.
     fn wants_blocks(&self) -> bool {
         false
     }
-    /// A block has been carried out; `modal` gives what is in force after it.
+    /// Called after each block; `modal` computes the state after it.
     fn block_done(&mut self, _origin: &Origin, _modal: &dyn Fn() -> Modal) {}
-    /// From which byte of the main program on a [`Checkpoint`] is wanted; asked at the beginning
-    /// and after each.
+    /// The byte of the main program from which the next [`Checkpoint`] is requested; read at the start and after
+    /// each checkpoint.
     fn next_checkpoint(&self) -> u32 {
         u32::MAX
     }
-    /// Whether what has come so far can be left off here.
+    /// True when the sink has no pending command, so that a checkpoint is possible here.
     fn is_settled(&self) -> bool {
         true
     }
-    /// A place at which the run may be taken up again. `Break` ends it here. `looked` is what of
-    /// the first text was read since the checkpoint before, except the blocks between the two:
-    /// called programs, and those that were searched for a label.
+    /// A checkpoint; `Break` ends the run here. `text_read` is the part of the first text that was read since the
+    /// previous checkpoint in addition to the blocks between the two: called programs, and those searched for a
+    /// label; `None` when there is none.
     fn checkpoint(
         &mut self,
         _checkpoint: Checkpoint,

@@ -1,4 +1,4 @@
-//! What cuts ask of the spindle, and of the axes that move in step with it.
+//! Checks of the spindle speed, and of axes that follow the spindle.
 
 use chordal_command::{
     ArcShape, Feed, FeedMode, Move, Position, SpindleState, Units, telling_number,
@@ -12,21 +12,21 @@ use crate::motion::is_over;
 use crate::rules::TapFeed;
 use crate::statement::Statement;
 
-/// X nearer to zero is the centre, mm.
+/// A smaller X counts as the centre of rotation, mm.
 const CENTER_MM: f64 = 1e-6;
 
-/// The feed of an axis, or along the path, that a cut may not exceed.
+/// A limit of the feed: of the machine, or of an axis.
 #[derive(Clone)]
 struct FeedBound {
     /// Along the path, mm/s.
     along_path: f64,
-    /// What has the limit, and the limit itself, mm/s.
+    /// The machine or axis, and its limit, mm/s.
     name: String,
     limit: f64,
 }
 
 impl Kernel<'_> {
-    /// The limit of every feed.
+    /// The limit of the machine for every feed.
     fn feed_bound_of_machine(&self) -> Option<FeedBound> {
         let limit = self.machine.feed.max_mm_per_s?;
         Some(FeedBound { along_path: limit, name: self.machine.name.clone(), limit })
@@ -39,7 +39,7 @@ impl Kernel<'_> {
         Some(FeedBound { along_path: limit, name, limit })
     }
 
-    /// The lowest limit of the feed of a straight cut: that of the machine, and of each axis by its share of the path.
+    /// The lowest limit along a straight cut: of the machine, and of each axis divided by its share of the path.
     fn feed_bound(&self, motion: &Move) -> Option<FeedBound> {
         let shares = shares_of_axes(motion);
         let of_axes = (0..3).filter(|axis| shares[*axis] > 0.0).filter_map(|axis| {
@@ -50,8 +50,7 @@ impl Kernel<'_> {
         bounds.min_by(|a, b| a.along_path.total_cmp(&b.along_path))
     }
 
-    /// A cut in step with the spindle whose lead and speed are more than an axis can follow. A lead is that of an axis:
-    /// each axis is looked at by itself.
+    /// Reports a synchronized cut whose lead and speed exceed what an axis can follow; each axis is compared by itself.
     pub(crate) fn check_feed_in_step(&mut self, motion: &Move, feed: &Feed) {
         let Some(rev_per_s) = Some(feed.spindle_rev_per_s).filter(|rev| *rev > 0.0) else { return };
         let along_path = match feed.mode {
@@ -92,7 +91,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// F of a cut is a feed per revolution: at the smallest diameter it may be more than the machine allows.
+    /// Reports a feed per revolution that exceeds a limit at the smallest diameter of the cut.
     #[cold]
     pub(crate) fn check_feed_per_turn(
         &mut self,
@@ -105,7 +104,7 @@ impl Kernel<'_> {
         let Some(value) = feed.mm_per_s_at(radius).filter(|value| value.is_finite()) else {
             return;
         };
-        // The directions of an arc change: its axes are not looked at one by one.
+        // The direction of an arc changes, so its axes are not compared one by one.
         let bound = match shape {
             Some(_) => self.feed_bound_of_machine(),
             None => self.feed_bound(motion),
@@ -126,7 +125,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// A feed for people, in the program's units.
+    /// A feed with its unit, in the units of the program, for messages.
     pub(crate) fn feed_text(&self, mm_per_s: f64) -> String {
         match self.state.units {
             Units::Inch => format!("{} in/min", telling_number(mm_per_s * 60.0 / 25.4, 1)),
@@ -134,13 +133,13 @@ impl Kernel<'_> {
         }
     }
 
-    /// A tap whose spindle was given no speed; once for each tool.
+    /// Reports, once for each tool, a tapping cycle without a spindle speed.
     pub(crate) fn check_tap_speed(&mut self, at: &dyn Statement) {
         if self.state.rpm > 0.0 || !self.turns_without_speed() {
             return;
         }
         let tool = self.state.tool;
-        // The cut that follows says nothing else.
+        // Not reported again for the cut that follows.
         self.reported.spindle_for_tool = Some(tool);
         if self.reported.tap_speed_for_tool.replace(tool) == Some(tool) {
             return;
@@ -156,7 +155,7 @@ impl Kernel<'_> {
         self.report(diagnostic);
     }
 
-    /// A thread whose passes have different speeds; once for each tool.
+    /// Reports, once for each tool, a thread whose passes have different spindle speeds.
     pub(crate) fn check_thread_speed(&mut self) {
         let Some(surface) = self.surface() else { return };
         let tool = self.state.tool;
@@ -178,7 +177,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// A hole along Z in the centre, at a speed that goes by the diameter; once for each tool.
+    /// Reports, once for each tool, a hole along Z in the centre under constant surface speed.
     pub(crate) fn check_center_speed(&mut self, at: &dyn Statement, x: f64, is_tap: bool) {
         let Some(surface) = self.surface() else { return };
         if !is_tap && x.abs() > CENTER_MM {
@@ -193,7 +192,7 @@ impl Kernel<'_> {
         self.report(hole_at_surface_speed(at.span(), what, rpm));
     }
 
-    /// A speed that a word of a cycle gives against the machine's; once for each tool.
+    /// Reports, once for each tool, a speed word of a cycle above the limit of the machine.
     pub fn check_cycle_speed(&mut self, at: &dyn Statement, rpm: f64, from: &str) {
         let most = match self.state.live {
             Some(_) => self.machine.live_tool_max_rpm,
@@ -213,7 +212,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// The speeds of a tap: that of its own word, and that of the way out.
+    /// Checks the speeds of a tap: by its own word, and of the retraction.
     fn check_tap_speeds(&mut self, at: &dyn Statement, hole: &HoleWords) {
         let by_word = self.rules.cycles.tap.feed == TapFeed::SpeedWithLeadQ;
         let rpm = hole.words.tap_rpm.filter(|_| by_word);
@@ -228,7 +227,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// What a hole asks of the spindle.
+    /// Checks the spindle speeds of a hole.
     pub(crate) fn check_hole_speeds(
         &mut self,
         at: &dyn Statement,
@@ -248,7 +247,7 @@ impl Kernel<'_> {
     }
 }
 
-/// A hole (`what`) while the spindle keeps a cutting speed, with the speed that it comes to, where something limits it.
+/// The problem of a hole (`what`) under constant surface speed; `rpm` is the speed there, `None` when nothing limits it.
 pub fn hole_at_surface_speed(span: Span, what: &str, rpm: Option<f64>) -> Diagnostic {
     let speed = match rpm {
         Some(rpm) => format!("at {} rpm", telling_number(rpm, 0)),
@@ -260,20 +259,20 @@ pub fn hole_at_surface_speed(span: Span, what: &str, rpm: Option<f64>) -> Diagno
         .help("write G97 and the spindle speed before the hole")
 }
 
-/// How much of a straight path goes along each axis.
+/// The fraction of a straight path along each of X, Y and Z.
 fn shares_of_axes(motion: &Move) -> [f64; 3] {
     let course: [f64; 3] = std::array::from_fn(|axis| (motion.to[axis] - motion.from[axis]).abs());
     let length = libm::sqrt(course.iter().map(|part| part * part).sum());
     course.map(|part| if length > 0.0 { part / length } else { 0.0 })
 }
 
-/// The lead of a cut in step with the spindle where it is largest, mm: at one of its ends, where it changes.
+/// The largest lead of a synchronized cut, mm: a changing lead is largest at one of its ends.
 fn largest_lead(motion: &Move, feed: &Feed) -> f64 {
     if feed.lead_change == 0.0 || feed.value <= 0.0 {
         return feed.value;
     }
     let length: f64 = (0..3).map(|axis| (motion.to[axis] - motion.from[axis]).powi(2)).sum();
-    // The mean lead lies between those of the ends, which differ by the change times the turns.
+    // The leads of the ends differ by the change times the turns, and `value` is their mean.
     let turns = libm::sqrt(length) / feed.value;
     feed.value + feed.lead_change.abs() * turns / 2.0
 }

@@ -13,7 +13,7 @@ use crate::path_mode::PathState;
 use crate::rules::{ArcCenter, CycleKind, Rules, TurningRules};
 use crate::surface::SurfaceState;
 
-/// The motion that a block without a motion code makes.
+/// The motion of a block without a motion code.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ModalMotion {
     /// G0.
@@ -30,20 +30,20 @@ pub enum ModalMotion {
     RigidTap,
     /// G5, G5.1 and G5.2.
     Spline(SplineForm),
-    /// A pass of a lathe and back to its start.
+    /// A turning pass with its return to the start.
     Turn(TurnPass),
-    /// A probe move, where its code stays in force (RS274/NGC and GRBL G38.2 to G38.5).
+    /// A probe move, where its code stays active (RS274/NGC and GRBL G38.2 to G38.5).
     Probe {
-        /// Without a touch the control stops.
+        /// The control stops with an alarm when nothing was touched.
         must_hit: bool,
     },
-    /// A thread in many passes, where its code stays in force and needs its words again (RS274/NGC G76).
+    /// A threading cycle of several passes, where its code stays active and needs its words again (RS274/NGC G76).
     ThreadPasses,
     /// None: an axis word needs a motion code (LinuxCNC after G80).
     None,
 }
 
-/// A pass of a lathe that one block makes, and that blocks after it repeat.
+/// A turning pass of one block, which later blocks repeat.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum TurnPass {
     /// Along Z (G90).
@@ -54,48 +54,48 @@ pub enum TurnPass {
     Thread,
 }
 
-/// A live tool of a turret that turns.
+/// A running live tool of a turret.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct LiveTool {
-    /// Which way.
+    /// Its direction.
     pub turns: SpindleState,
     /// Its speed, rev/min.
     pub rpm: f64,
 }
 
-/// What the passes and cycles of a lathe remember from block to block, mm; depths are measured on the radius.
+/// What turning passes and cycles remember from block to block, mm; depths on the radius.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct TurningMemory {
     /// The end of the last pass: X (a radius) and Z.
     pub pass_end: [f64; 2],
-    /// How much a pass is tapered: start minus end.
+    /// Taper of a pass: start minus end, on the radius or along Z.
     pub pass_taper: f64,
     /// The lead of the last thread.
     pub pass_lead: f64,
     /// Depth of a roughing pass.
     pub rough_depth: f64,
-    /// How far it backs off.
+    /// Retraction after a roughing pass.
     pub rough_retract: f64,
-    /// What G73 leaves to be removed on the radius, and along Z.
+    /// The distance of the first pass of G73 from the last, on the radius and along Z.
     pub pattern: [f64; 2],
-    /// In so many passes.
+    /// Number of passes of G73.
     pub pattern_passes: u32,
-    /// How far a peck backs off.
+    /// Retraction of a peck.
     pub peck_retract: f64,
-    /// Threads end without their exit.
+    /// Threads end without their exit at 45 degrees.
     pub without_exit: bool,
-    /// What the first block of a thread has said.
+    /// The words of the first block of a threading cycle.
     pub thread: ThreadMemory,
 }
 
-/// What the first block of a thread cycle says.
+/// The words of the first block of a threading cycle.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ThreadMemory {
     /// Finishing passes.
     pub finish_passes: u32,
     /// Length of the exit, in leads.
     pub exit_leads: f64,
-    /// Angle of the tool, degrees.
+    /// Included angle of the tool, degrees.
     pub angle_deg: f64,
     /// Least depth of a pass, mm.
     pub least: f64,
@@ -127,29 +127,29 @@ impl TurningMemory {
     }
 }
 
-/// How the words of a block give a spline.
+/// The kinds of spline blocks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SplineForm {
-    /// Two control points by their way from the start and from the end (G5).
+    /// Two control points, relative to the start and to the end (G5).
     Cubic,
-    /// One control point by its way from the start (G5.1).
+    /// One control point, relative to the start (G5.1).
     Quadratic,
     /// One control point a block, with its weight (G5.2).
     Points,
 }
 
-/// A canned cycle in force: its kind and the words that stay.
+/// An active canned cycle: its kind and its modal words; `None` for a word that was not given.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CycleState {
-    /// Which one.
+    /// The cycle.
     pub kind: CycleKind,
     /// Index of the drilling axis.
     pub axis: usize,
-    /// Level of the drilling axis when the series of cycles began.
+    /// Position of the drilling axis when the series of cycles began, mm.
     pub initial: f64,
-    /// R: a level, or as written where the control reads it again.
+    /// R: a level, mm, or the value as written on controls that read it again for each hole.
     pub r: Option<f64>,
-    /// The depth.
+    /// Z: the depth, mm.
     pub z: Option<f64>,
     /// Q: a step or a shift, mm.
     pub q: Option<f64>,
@@ -157,22 +157,22 @@ pub struct CycleState {
     pub vector: [Option<f64>; 3],
     /// The dwell at the bottom, s.
     pub dwell_s: Option<f64>,
-    /// P where it is the lift of a peck, mm.
+    /// P when it is the retraction of a peck, mm.
     pub lift: Option<f64>,
-    /// F where it is the speed of a tap.
+    /// F when it is the speed of a tap, rev/min.
     pub tap_rpm: Option<f64>,
-    /// J where it says how much faster a tap leaves.
+    /// J when it is the factor of the retraction speed of a tap.
     pub out_factor: Option<f64>,
     /// `,R1` or `,R0` of a tap.
     pub synchronous: Option<bool>,
-    /// E: speed of the spindle, reversed, after the hole.
+    /// E: speed of the spindle, in reverse, after the hole, rev/min.
     pub after_rpm: Option<f64>,
-    /// The present block has made its hole.
+    /// The current block has made its hole.
     pub fired: bool,
 }
 
 impl CycleState {
-    /// Without words.
+    /// A cycle without words.
     pub fn new(kind: CycleKind, axis: usize, initial: f64) -> CycleState {
         CycleState {
             kind,
@@ -193,16 +193,16 @@ impl CycleState {
     }
 }
 
-/// What keeps the panel's overrides from acting.
+/// Which overrides of the control panel are disabled, and by what.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct OverrideState {
-    /// By M48, M49 and their like.
+    /// By M48, M49 and similar codes.
     pub by_code: Overrides,
-    /// G63 is in force.
+    /// G63 is active.
     pub tapping_mode: bool,
-    /// A tap is in its hole.
+    /// A tapping cycle is in its hole.
     pub in_tap: bool,
-    /// What was pushed last.
+    /// The overrides last emitted.
     pub pushed: Overrides,
 }
 
@@ -214,15 +214,14 @@ impl Default for OverrideState {
 }
 
 impl OverrideState {
-    /// What acts now.
+    /// The overrides that act now.
     pub fn in_force(&self) -> Overrides {
         let feed = self.by_code.feed && !self.tapping_mode && !self.in_tap;
         Overrides { feed, ..self.by_code }
     }
 }
 
-/// Words that are in force and have values that are not known: nothing is missing, and nothing of them can
-/// be checked.
+/// Active words whose values are not known: they are not missing, but cannot be checked.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct UnknownWords {
     /// F.
@@ -235,8 +234,8 @@ pub struct UnknownWords {
     pub radius_offset: bool,
 }
 
-/// The axes of which the place follows from where the machine stood when the program began. It is drawn at the
-/// reference point, and a program that reads it reads what nobody knows.
+/// The axes that are still where the machine was when the program began. They are drawn at the reference point,
+/// but a program that reads their position reads an unknown value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct StartAxes {
     /// In program coordinates.
@@ -250,92 +249,93 @@ pub struct StartAxes {
 pub struct State {
     /// The tool tip in program coordinates.
     pub position: Position,
-    /// Where the control takes the tool to be, where that is not its position: targets begin there.
+    /// The position that the control assumes, program coordinates; targets are computed from it. `None` when it
+    /// equals `position`.
     pub control_position: Option<Position>,
     /// The axes whose program coordinate is known.
     pub known: AxisMask,
     /// The axes whose machine coordinate is known.
     pub machine_known: AxisMask,
-    /// The axes that went to an unknown place: an increment does not make their place known again.
+    /// The axes that moved to an unknown position; an increment does not make them known again.
     pub astray: AxisMask,
-    /// The axes that stand where the run began.
+    /// The axes that have not moved since the run began.
     pub start: StartAxes,
-    /// Words in force whose values are not known.
+    /// Active words whose values are not known.
     pub unknown: UnknownWords,
-    /// The offset tables, and which are in force.
+    /// The offset tables, and which are active.
     pub offsets: Offsets,
     /// Mirror, scaling and rotation.
     pub frames: Frames,
-    /// By how much rotation and scaling have changed the coordinates of the position since the program
-    /// named both axes of the plane.
+    /// By how much rotation and scaling have changed the coordinates of the position since the program named both
+    /// axes of the plane, mm; `None` without a change.
     pub frame_jump: Option<Position>,
-    /// The angle that the last rotation was given, degrees.
+    /// The angle of the last rotation, degrees; `None` before one.
     pub last_rotation_deg: Option<f64>,
-    /// End points are a radius and an angle.
+    /// Polar coordinates; `None` when end points are coordinates.
     pub polar: Option<PolarReading>,
-    /// Two coordinates lie on a surface that turns with a rotary axis.
+    /// The surface of polar or cylindrical interpolation; `None` when inactive.
     pub surface: Option<SurfaceState>,
     /// Units of the program.
     pub units: Units,
     /// The plane of arcs and compensation.
     pub plane: Plane,
-    /// G91 is in force.
+    /// G91 is active.
     pub incremental: bool,
-    /// Where the tool stood when G91 came into force.
+    /// The position at which G91 became active.
     pub incremental_from: Position,
-    /// What a block without a motion code does.
+    /// The motion of a block without a motion code.
     pub motion: ModalMotion,
-    /// The direction that G2 or G3 armed, where they arm one.
+    /// The direction that G2 or G3 selected, on controls where arcs then need no code; `None` otherwise.
     pub armed: Option<TurnDirection>,
-    /// The last block cut an arc while G0 is in force (where G2 and G3 do not cancel it).
+    /// The last block cut an arc while G0 is active (on controls where G2 and G3 do not cancel it).
     pub arc_over_rapid: bool,
-    /// What centre words say.
+    /// The meaning of centre words.
     pub arc_center: ArcCenter,
-    /// What F counts.
+    /// The unit of F.
     pub feed_mode: FeedMode,
-    /// F as the mode counts it: mm/s, 1/s, mm per revolution; `None` before any F.
+    /// F in the unit of the mode: mm/s, 1/s or mm per revolution; `None` before any F.
     pub feed: Option<f64>,
-    /// F of rotary moves alone, rad/s.
+    /// F of moves of rotary axes alone, rad/s; `None` before any F.
     pub feed_angular: Option<f64>,
-    /// The F word in force where it is above a limit of the machine that no move has met yet.
+    /// The active F word while it may exceed a limit of the machine and no move has been checked; `None` otherwise.
     pub feed_over: Option<Span>,
     /// What the spindle does.
     pub spindle: SpindleState,
-    /// Its speed, rev/min; the last one while a cutting speed is kept.
+    /// Its speed, rev/min; during G96 the last one.
     pub rpm: f64,
-    /// A live tool that turns, and cuts in place of the spindle.
+    /// The running live tool, which cuts in place of the spindle; `None` when none runs.
     pub live: Option<LiveTool>,
-    /// The speed that a live tool was given last, rev/min.
+    /// The last speed of a live tool, rev/min.
     pub live_rpm: f64,
     /// The cutting speed that is kept (G96), mm/s; `None` in G97.
     pub surface_speed: Option<f64>,
-    /// The last cutting speed, which a G96 without S brings back, mm/s.
+    /// The last cutting speed, which G96 without S restores, mm/s.
     pub last_surface_speed: f64,
-    /// The limit of the spindle speed that the program has set, rev/min.
+    /// The programmed limit of the spindle speed, rev/min; `None` without one.
     pub speed_limit: Option<f64>,
-    /// Open valves.
+    /// Open coolant valves.
     pub coolant: Coolant,
     /// The tool in the spindle; 0 for none.
     pub tool: u32,
-    /// The tool made ready.
+    /// The tool made ready for the next change; `None` before a T word.
     pub selected_tool: Option<u32>,
     /// The side of cutter compensation.
     pub side: CompensationSide,
-    /// Number of its offset.
+    /// Number of the radius offset; `None` before one.
     pub radius_offset: Option<u32>,
-    /// Number of the length offset that a word named while no length was in force.
+    /// Number of a length offset that was programmed while no length was active; `None` without one.
     pub named_length: Option<u32>,
-    /// A cycle ends at R, not at its initial level.
+    /// A cycle returns to R (G99), not to its initial level (G98).
     pub return_to_r: bool,
-    /// The cycle in force.
+    /// The active cycle; `None` without one.
     pub cycle: Option<CycleState>,
-    /// The last dwell that a cycle was given, s.
+    /// The last dwell of a cycle, s; `None` before one.
     pub cycle_dwell_s: Option<f64>,
     /// The path mode.
     pub path: PathState,
     /// The overrides.
     pub overrides: OverrideState,
-    /// Passes and cycles of a lathe.
+    /// The memory of turning passes and cycles.
     pub turning: TurningMemory,
 }
 
@@ -400,7 +400,7 @@ impl State {
         }
     }
 
-    /// The machine coordinate of an axis.
+    /// The machine coordinate of an axis, mm or rad.
     pub fn machine_position(&self, axis: usize) -> f64 {
         let place = match (&self.surface, self.frames.is_plain()) {
             (Some(surface), _) => surface.run.on_axes(&self.position)[axis],
@@ -410,19 +410,19 @@ impl State {
         place + self.offsets.total()[axis]
     }
 
-    /// The program coordinate of an axis where it follows from the program.
+    /// The program coordinate of an axis, mm or rad; `None` when it does not follow from the program.
     pub fn known_position(&self, axis: usize) -> Option<f64> {
         let is_known = self.known.has(axis) && !self.start.program.has(axis);
         is_known.then_some(self.position[axis])
     }
 
-    /// The machine coordinate of an axis where it follows from the program.
+    /// The machine coordinate of an axis, mm or rad; `None` when it does not follow from the program.
     pub fn known_machine_position(&self, axis: usize) -> Option<f64> {
         let is_known = self.machine_known.has(axis) && !self.start.machine.has(axis);
         is_known.then(|| self.machine_position(axis))
     }
 
-    /// Axes come to places that a block names: their program coordinates are known.
+    /// Marks the program coordinates of axes as known: a block moves them to named positions.
     #[inline]
     pub fn place(&mut self, axes: AxisMask) {
         if axes.and(self.start.program.or(self.astray)) != AxisMask::NONE {
@@ -431,13 +431,13 @@ impl State {
         }
     }
 
-    /// Axes come to places of machine coordinates.
+    /// Marks axes as moved to positions of machine coordinates.
     pub fn leave_machine_start(&mut self, axes: AxisMask) {
         self.start.machine = self.start.machine.without(axes);
         self.start.program = self.start.program.without(axes);
     }
 
-    /// The tool tip in the work coordinate system, the frames undone.
+    /// The tool tip in the work coordinate system, without mirror, scaling or rotation.
     pub fn work_position(&self) -> Position {
         match self.frames.is_plain() {
             true => self.position,
@@ -445,7 +445,7 @@ impl State {
         }
     }
 
-    /// Changes the offsets: the machine stands still and the program coordinates change.
+    /// Changes the offsets: the machine does not move, the program coordinates change.
     pub fn shift_coordinates(&mut self, change: impl FnOnce(&mut Offsets)) {
         let mut work = self.work_position();
         let mut known = self.frames.map().known(self.known);
@@ -473,7 +473,7 @@ impl State {
             let is_related = identity.same_unknowns_for(&old_identity, axis);
             if self.machine_known.has(axis) && new_known.has(axis) {
                 known.insert(axis);
-                // The coordinate follows from the place of the machine.
+                // The coordinate follows from the machine's start position.
                 if !is_related && self.start.machine.has(axis) {
                     self.start.program.insert(axis);
                 }
@@ -491,9 +491,9 @@ impl State {
         }
     }
 
-    /// Writes the turn of a work coordinate system. While G92 or G52 is in force, the interpreter of RS274/NGC turns its
-    /// place about the zero of the program, and the machine turns about that of the work coordinate system: from then
-    /// on it believes to be where the machine does not stand, and the next move ends where it believes.
+    /// Writes the rotation of a work coordinate system. While G92 or G52 is active, the interpreter of RS274/NGC rotates
+    /// its position about the zero of the program, but the machine about the zero of the work coordinate system: from
+    /// then on its position differs from the machine's, and the next move ends where the interpreter assumes.
     pub fn write_work_rotation(&mut self, key: &str, degrees: f64) {
         let old_turn_deg = self.frames.work_rotation_deg();
         self.shift_coordinates(|offsets| offsets.write_rotation(key, degrees));
@@ -507,7 +507,7 @@ impl State {
         }
     }
 
-    /// Changes the frames: the machine stands still and the program coordinates change.
+    /// Changes the frames: the machine does not move, the program coordinates change.
     pub fn change_frames(&mut self, change: impl FnOnce(&mut Frames)) {
         let work = self.work_position();
         let known = self.frames.map().known(self.known);
@@ -515,7 +515,7 @@ impl State {
         self.stand_at(work, known);
     }
 
-    /// Puts the tool tip at a place of the work coordinate system.
+    /// Sets the position of the tool tip in the work coordinate system.
     pub fn stand_at(&mut self, work: Position, known: AxisMask) {
         if self.frames.is_plain() {
             (self.position, self.known) = (work, known);
@@ -526,7 +526,7 @@ impl State {
     }
 }
 
-/// A vector of X and Y after a turn.
+/// A vector of X and Y after a rotation.
 fn turned([x, y]: [f64; 2], degrees: f64) -> [f64; 2] {
     let (sin, cos) = libm::sincos(degrees.to_radians());
     [cos * x - sin * y, sin * x + cos * y]

@@ -1,34 +1,33 @@
-//! What a control keeps from block to block, item by item: the list by which a program that begins within another one
-//! brings back what holds there.
+//! The state of a control, item by item: a program that restarts within another one must restore all of them.
 
 use chordal_command::{AxisMask, Position};
 
 use crate::state::State;
 
-/// Something that a control keeps from block to block.
+/// One item of the state.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Hash)]
 pub enum StateItem {
     /// Units of the text.
     Units,
-    /// G90 or G91, and where the tool stood when G91 came into force.
+    /// G90 or G91, and the position at which G91 became active.
     Distance,
     /// The plane of arcs and compensation.
     Plane,
-    /// What a block without a motion code does.
+    /// The motion of a block without a motion code.
     Motion,
-    /// What centre words say.
+    /// The meaning of centre words.
     ArcCenter,
     /// The canned cycle.
     Cycle,
-    /// The words of the cycle that stay, and what cycles of a lathe remember.
+    /// The modal words of the cycle, and what turning cycles remember.
     CycleWords,
-    /// What F counts.
+    /// The unit of F.
     FeedMode,
     /// F.
     Feed,
     /// What the spindle does.
     Spindle,
-    /// Its speed.
+    /// The spindle speed.
     SpindleSpeed,
     /// A live tool.
     LiveTool,
@@ -44,7 +43,7 @@ pub enum StateItem {
     ReadyTool,
     /// Cutter compensation.
     Side,
-    /// The number of its offset.
+    /// The number of the radius offset.
     RadiusOffset,
     /// The work coordinate system.
     WorkOffset,
@@ -52,7 +51,7 @@ pub enum StateItem {
     Shift,
     /// The tool length in force.
     LengthOffset,
-    /// The length that was named and waits for its code.
+    /// The length offset that was named and waits for its code.
     NamedLength,
     /// What the program has written into the tables of offsets.
     Tables,
@@ -60,14 +59,14 @@ pub enum StateItem {
     Frames,
     /// How corners are passed.
     PathMode,
-    /// Which overrides act.
+    /// Which overrides are enabled.
     Overrides,
-    /// Where the tool is, and what of that is known.
+    /// The known coordinates of the tool tip.
     Position,
 }
 
 impl StateItem {
-    /// For people: what is another one.
+    /// What the item is called in messages about a difference.
     pub fn word(self) -> &'static str {
         match self {
             StateItem::Units => "the unit",
@@ -102,16 +101,16 @@ impl StateItem {
     }
 }
 
-/// What an item is.
+/// The value of an item.
 #[derive(Clone, PartialEq, Debug)]
 pub enum StateValue {
     /// It has no value.
     None,
     /// Numbers: mm, rad, mm/s, rev/min.
     Numbers(Vec<f64>),
-    /// One of several: told in the words of this library.
+    /// One of several: the debug text of its type in this library.
     Word(String),
-    /// Numbers of places, each with its name.
+    /// Numbers of table entries, each with its name.
     Places(Vec<(String, Vec<Option<f64>>)>),
 }
 
@@ -137,8 +136,8 @@ fn place(position: Position, known: AxisMask) -> StateValue {
 }
 
 impl State {
-    /// All that is kept, each item with its value. Whatever a control keeps is one of the items: a further field of the
-    /// state does not compile until this list has it.
+    /// All items with their values. The state is destructured, so that a new field does not compile until it is
+    /// considered here.
     pub fn state_items(&self) -> Vec<(StateItem, StateValue)> {
         let State {
             position,
@@ -157,7 +156,7 @@ impl State {
             units,
             plane,
             incremental,
-            // It is where the tool stands once the head has said G91.
+            // A restart sets it by writing G91 at the right position.
             incremental_from: _,
             motion: _,
             armed: _,
@@ -222,7 +221,7 @@ impl State {
     }
 }
 
-/// The number of the offset, or the offsets that the program gives itself.
+/// The number of the length offset, or the offsets that the program gives by value.
 fn length(state: &State) -> StateValue {
     match state.offsets.own_length() {
         Some(values) => StateValue::Places(vec![("own".into(), values.map(Some).to_vec())]),

@@ -1,13 +1,13 @@
-//! A statement of a program as the kernel sees it: where its words stand and what they are called.
+//! A statement of a program as the kernel sees it: the spans of its words and their names.
 
 use chordal_command::AxisMask;
 use chordal_diagnostics::Span;
 use chordal_geometry::Plane;
 
-/// What a word of a statement says, whatever the language writes for it.
+/// The meaning of a word of a statement, independent of its spelling in the language.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum WordMeaning {
-    /// The place on these axes.
+    /// Coordinates of these axes.
     Axes(AxisMask),
     /// The centre of an arc.
     Center,
@@ -15,15 +15,15 @@ pub enum WordMeaning {
     CenterOrRadius,
     /// The end of an arc in this plane, and its centre.
     EndAndCenter(Plane),
-    /// The height of a turn, of a spiral whose axis is the third of the plane.
+    /// The height of a turn of a spiral, normal to the plane.
     Height(Plane),
-    /// The change of a spiral's radius in a turn; a step of a cycle or a pocket.
+    /// The change of a spiral's radius per turn; a step of a cycle or a pocket.
     Increment,
-    /// How many turns, holes or passes.
+    /// The number of turns, holes or passes.
     Count,
     /// The angle of a rotation.
     Angle,
-    /// Further turns of a spiral.
+    /// Additional turns of a spiral.
     Pitches,
     /// Number of the tool length offset.
     LengthOffset,
@@ -37,20 +37,20 @@ pub enum WordMeaning {
     Steps,
 }
 
-/// A statement of a program: a block, a line, whatever the language is made of.
+/// A statement of a program: a block, or a line of a conversational language.
 pub trait Statement {
     /// The whole statement.
     fn span(&self) -> Span;
-    /// The words that say something; the whole statement where it has none of them.
+    /// The words with this meaning; the whole statement when it has none.
     fn words(&self, what: WordMeaning) -> Span;
-    /// How the language calls such a word: `Q`.
+    /// The spelling of such a word in the language: `Q`.
     fn name(&self, what: WordMeaning) -> &'static str;
-    /// How it calls the centre words of the two axes of a plane: `I` and `J`.
+    /// The spelling of the centre words of the two axes of a plane: `I` and `J`.
     fn center_names(&self, plane: Plane) -> [&'static str; 2];
-    /// The number of such a word as written, where the statement has one.
+    /// The number of such a word as written; `None` when the statement has none.
     fn number(&self, what: WordMeaning) -> Option<String>;
-    /// The statement has a word that says it.
+    /// True when the statement has a word with this meaning.
     fn has(&self, what: WordMeaning) -> bool;
-    /// The statement gives a feed.
+    /// True when the statement gives a feed.
     fn has_feed(&self) -> bool;
 }

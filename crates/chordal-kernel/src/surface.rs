@@ -3,28 +3,28 @@
 use chordal_command::{AxisMask, FeedMode, SurfaceRun};
 use chordal_geometry::Plane;
 
-/// How the plane of the program lies to the plane of the surface.
+/// How the plane of the program relates to the plane of the surface.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SurfacePlane {
     /// It is the same.
     Same,
-    /// With its axes in the other order: G2 and G3, G41 and G42 change places.
+    /// The same with its axes in the other order: G2 and G3, G41 and G42 are exchanged.
     Swapped,
-    /// Another one: nothing turns or is offset in it.
+    /// Another one: no arcs and no compensation are possible.
     Other,
 }
 
-/// A surface in force.
+/// An active surface.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SurfaceState {
-    /// The surface, and how far its axis has turned.
+    /// The surface, and the present angle of its rotary axis.
     pub run: SurfaceRun,
-    /// How the plane of the program lies to it.
+    /// How the plane of the program relates to it.
     pub plane: SurfacePlane,
-    /// The plane that is active again after it.
+    /// The plane to restore at its end.
     pub plane_after: Plane,
-    /// The feed that is active again after it.
+    /// The feed to restore at its end; `None` when it stays.
     pub(crate) feed_after: Option<(FeedMode, Option<f64>)>,
-    /// What was known before of program and machine coordinates.
+    /// The axes whose program and machine coordinates were known before.
     pub(crate) known: [AxisMask; 2],
 }

@@ -1,4 +1,4 @@
-//! How polar and cylindrical interpolation begin and end.
+//! Starts and ends polar and cylindrical interpolation.
 
 use chordal_command::{
     AxisMask, CommandKind, CompensationSide, FeedMode, RotarySurface, SurfaceRun, SurfaceShape,
@@ -8,21 +8,21 @@ use chordal_geometry::Plane;
 use crate::kernel::Kernel;
 use crate::surface::{SurfacePlane, SurfaceState};
 
-/// How a surface is begun.
+/// A surface to start.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct NewSurface {
     /// The surface.
     pub surface: RotarySurface,
     /// The plane of its two coordinates.
     pub own_plane: Plane,
-    /// How the plane of the program lies to it.
+    /// How the plane of the program relates to it.
     pub plane: SurfacePlane,
-    /// F is per minute on it.
+    /// F is per minute on it, even if it is per revolution before.
     pub own_feed: bool,
 }
 
 impl Kernel<'_> {
-    /// The face of the part that turns with a rotary axis, where the tool is now.
+    /// The face of the rotating part at the present position of the tool.
     pub fn face(&self, rotary: usize, along: usize, across: usize) -> RotarySurface {
         let position = &self.state.position;
         let (zero, negative) = (position[rotary], position[along] < 0.0);
@@ -30,14 +30,14 @@ impl Kernel<'_> {
         RotarySurface { shape, rotary, across, across_position: position[across] }
     }
 
-    /// The coordinates lie on a surface from here on; the machine stands still.
+    /// From here on, coordinates lie on a surface; the machine does not move.
     pub fn begin_surface(&mut self, new: NewSurface) {
         let NewSurface { surface, own_plane, plane, own_feed } = new;
         let state = &mut self.state;
         let known = [state.known, state.machine_known];
         state.position = surface.on_surface(&state.position);
         let is_known = match surface.shape {
-            // The angle where it begins is its zero, whatever that is.
+            // The angle at the start becomes the zero, so it need not be known.
             SurfaceShape::Face { along, .. } => state.known.has(along),
             SurfaceShape::Cylinder { .. } => state.known.has(surface.rotary),
         };
@@ -56,7 +56,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// The axes themselves again.
+    /// Ends the surface: coordinates are those of the axes again.
     pub fn end_surface(&mut self) {
         self.end_corner_before("interpolation on the surface ends before the next move");
         let Some(before) = self.state.surface.take() else { return };
@@ -69,7 +69,7 @@ impl Kernel<'_> {
         let [known, machine_known] = before.known;
         let across = AxisMask(1 << surface.across);
         let rotary = AxisMask(1 << surface.rotary);
-        // A cylinder's length that was named has placed the rotary axis; a face turns it from where it stood.
+        // On a cylinder, a programmed length gives the angle of the rotary axis; on a face, its start angle is needed.
         let is_placed = match surface.shape {
             SurfaceShape::Face { .. } => known.has(surface.rotary),
             SurfaceShape::Cylinder { .. } => state.known.has(place),
@@ -101,7 +101,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// Cutter compensation is on.
+    /// True when cutter compensation is on.
     pub fn is_compensating(&self) -> bool {
         self.state.side != CompensationSide::Off
     }

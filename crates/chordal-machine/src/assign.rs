@@ -1,4 +1,4 @@
-//! Assignments: one key of a machine, as a line of its file would say it.
+//! Assignments: set one key of a machine, in the form of a line of its file.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -12,14 +12,14 @@ use crate::error::{ErrorSource, MachineError};
 use crate::machine::Machine;
 use crate::schema::SchemaSlot;
 
-/// What errors call the text of an assignment.
+/// The file name for errors in an assignment.
 const NAME: &str = "assignment";
 
 impl Machine {
-    /// Sets a key by `key = value`, as a machine file would: `tools.5.diameter = "0.5 in"`. A
-    /// text needs no quotes (`tools.5.diameter=0.5 in`, `control=haas`), nor does a key with
-    /// spaces or points in it (`settings.Setting 58=fanuc`, `work_offsets.G59.1.X=1 in`), since
-    /// a shell eats them. `#500=1.5` is short for `macros.variables.500=1.5`. On an error the machine stays as it was.
+    /// Sets a key with `key = value`, as in a machine file: `tools.5.diameter = "0.5 in"`. A text needs no quotes
+    /// (`tools.5.diameter=0.5 in`, `control=haas`), and neither does a key with spaces or points
+    /// (`settings.Setting 58=fanuc`, `work_offsets.G59.1.X=1 in`), because a shell removes them. `#500=1.5` is short for
+    /// `macros.variables.500=1.5`. On an error the machine is not changed.
     pub fn set(&mut self, assignment: &str) -> Result<(), MachineError> {
         let source = ErrorSource::new(NAME, assignment);
         let form = || Some("write `key=value`, such as `tools.5.diameter=0.5 in`".to_string());
@@ -51,7 +51,7 @@ impl Machine {
             _ => written.to_string(),
         };
         let written = normal.as_str();
-        // From here on spans count from the value's start.
+        // From here, spans are relative to the start of the value.
         let source = ErrorSource { shift: start, ..source };
         let wants_text = matches!(
             at.row().map(|row| &row.slot),
@@ -86,7 +86,7 @@ impl Machine {
     }
 }
 
-/// The first `=` outside quotes; in a key of bare words with a stray quote, the first at all.
+/// The position of the first `=` outside of quotes; if there is an unmatched quote, of the first `=`.
 fn find_equals(text: &str) -> Option<usize> {
     let mut quote = None;
     for (at, byte) in text.bytes().enumerate() {
@@ -100,7 +100,7 @@ fn find_equals(text: &str) -> Option<usize> {
     text.find('=')
 }
 
-/// A key with its place in the assignment.
+/// A key with its position in the assignment.
 type AssignedKey = (String, Range<usize>);
 
 /// The dotted keys before the `=`.
@@ -135,7 +135,7 @@ fn keys(text: &str, source: &ErrorSource) -> Result<Vec<AssignedKey>, MachineErr
         keys.push((key, span));
         start = end + 1;
     }
-    // A setting's name is the rest of the key, a work offset's all but the axis at the end.
+    // The name of a setting is the rest of the key, that of a work offset all but the axis at the end.
     let first = keys.first().map(|(key, _)| key.as_str());
     let last = match first {
         Some("settings") => keys.len(),
@@ -150,7 +150,7 @@ fn keys(text: &str, source: &ErrorSource) -> Result<Vec<AssignedKey>, MachineErr
     Ok(keys)
 }
 
-/// Where each part of a dotted key ends: at the points outside quotes, and at the end.
+/// Where each part of a dotted key ends: at the points outside of quotes, and at the end.
 fn ends(text: &str) -> Vec<usize> {
     let mut ends = Vec::new();
     let mut quote = None;
@@ -172,7 +172,7 @@ fn ends(text: &str) -> Vec<usize> {
     ends
 }
 
-/// The value: as TOML has it, or else the bare text.
+/// The value: a TOML value, or else the bare text.
 fn value<'t>(
     text: &'t str,
     wants_text: bool,

@@ -1,10 +1,10 @@
-//! The six axes a machine may have.
+//! The six possible axes of a machine.
 
 use std::fmt;
 
 pub use chordal_geometry::{AXES, AXIS_LETTERS, AXIS_NAMES, PerAxis};
 
-/// An axis, in the order in which arrays over axes hold them.
+/// An axis. The number of each is its index in arrays over axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(usize)]
 pub enum Axis {
@@ -26,7 +26,7 @@ impl Axis {
     /// Every axis, in order.
     pub const ALL: PerAxis<Axis> = [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C];
 
-    /// The axis' letter, upper case.
+    /// The letter of the axis, upper case.
     pub const fn letter(self) -> char {
         match self {
             Axis::X => 'X',
@@ -38,7 +38,7 @@ impl Axis {
         }
     }
 
-    /// The axis of a letter of either case.
+    /// The axis with a letter, in either case; `None` if there is none.
     pub const fn from_letter(letter: u8) -> Option<Axis> {
         match letter.to_ascii_uppercase() {
             b'X' => Some(Axis::X),
@@ -51,7 +51,7 @@ impl Axis {
         }
     }
 
-    /// Whether the axis turns (A, B, C): its positions are radians.
+    /// Whether the axis is rotary (A, B, C): its positions are in radians.
     pub const fn is_rotary(self) -> bool {
         matches!(self, Axis::A | Axis::B | Axis::C)
     }

@@ -1,12 +1,12 @@
-//! An axis of a machine that comes or goes, with the places that the file gives along it.
+//! Adds or removes an axis of a machine, and adapts the positions that the file gives along it.
 
 use crate::axis::Axis;
 use crate::machine::{AxisLimits, Machine};
 use crate::schema::{SchemaSlot, tables, written_tables};
 
 impl Machine {
-    /// Puts an axis there, or takes it away. The numbers of the file stay what they are: where they
-    /// become diameters, or cease to be, the places that they give change.
+    /// Adds, changes or removes an axis. The numbers in the file keep their values, so if diameter programming changes,
+    /// the positions change.
     pub(crate) fn change_axis(&mut self, axis: Axis, limits: Option<AxisLimits>) {
         let index = axis as usize;
         let before = self.written_factor(index);
@@ -17,7 +17,7 @@ impl Machine {
         }
     }
 
-    /// Multiplies every place of an axis that the file gives.
+    /// Multiplies every position of an axis that the file gives.
     fn scale_places(&mut self, axis: Axis, by: f64) {
         let keys =
             tables().flat_map(|table| written_tables(self, table)).flat_map(|(_, keys)| keys);

@@ -1,4 +1,4 @@
-//! Keys and values against the schema, and the good ones into the machine.
+//! Checks keys and values against the schema, and stores valid ones in the machine.
 
 mod designations;
 mod tools;
@@ -17,13 +17,13 @@ use crate::suggest;
 use crate::toml_text::key_text;
 use crate::value::{SettingEntry, SettingValue};
 
-/// The keys that name the file to read first: that of a machine file, and that of a setup file.
+/// The keys that name the file to inherit from: in a machine file, and in a setup file.
 pub(crate) const INHERITS: [&str; 2] = ["inherits", "machine"];
 
-/// The widest override that panels have: 200 %.
+/// The largest override on operator panels: 200 %.
 const MAX_OVERRIDE: f64 = 2.0;
 
-/// A place in the schema: the path as the schema has it, and as the file has it.
+/// A position in the schema: its path in the schema, and as written in the file.
 #[derive(Clone, Default)]
 pub(crate) struct SchemaLocation {
     path: String,
@@ -32,17 +32,17 @@ pub(crate) struct SchemaLocation {
 }
 
 impl SchemaLocation {
-    /// No key was taken yet.
+    /// True before the first key.
     pub(crate) fn is_top(&self) -> bool {
         self.path.is_empty()
     }
 
-    /// The key is one of a tool.
+    /// True for a key of a tool.
     pub(crate) fn is_of_tool(&self) -> bool {
         self.path.starts_with("tools.")
     }
 
-    /// One key further.
+    /// The location of a key in this one.
     pub(crate) fn step(
         &self,
         key: &str,
@@ -75,12 +75,12 @@ impl SchemaLocation {
         })
     }
 
-    /// The schema's row here, if the place is a key or a table with a meaning of its own.
+    /// The row of the schema here, if this is a key or a table that has a row.
     pub(crate) fn row(&self) -> Option<&'static SchemaRow> {
         schema::row(&self.path)
     }
 
-    /// `[work_offsets.G59.1]` is a table `1` in a table `G59`.
+    /// A help text if quotes are missing: `[work_offsets.G59.1]` is a table `1` in a table `G59`.
     fn forgotten_quotes(&self, key: &str) -> Option<String> {
         let digits = key.starts_with(|c: char| c.is_ascii_digit());
         let offset = self.shown.strip_prefix("work_offsets.").filter(|_| digits)?;
@@ -94,7 +94,7 @@ impl SchemaLocation {
         children: &[&'static str],
         source: &ErrorSource,
     ) -> MachineError {
-        // `max_velocity` in `[feed]`: the key is `max`, and the rest says what the table says.
+        // `max_velocity` in `[feed]`: the key is `max`, and the rest repeats the table.
         let longer = children
             .iter()
             .copied()
@@ -103,7 +103,7 @@ impl SchemaLocation {
         let near = near.map(|near| {
             if self.shown.is_empty() { near.to_string() } else { format!("{}.{near}", self.shown) }
         });
-        // A key of the file itself is none of its tables.
+        // A key at the top of the file is not a table.
         let fits = |path: &&str| self.shown.is_empty() || path.contains('.');
         let near = near.or_else(|| key_of_other_table(key).filter(fits).map(str::to_string));
         let (message, takes) = match self.shown.as_str() {
@@ -121,7 +121,7 @@ impl SchemaLocation {
     }
 }
 
-/// The key of another table that somebody may have meant.
+/// The key of another table that may have been meant.
 fn key_of_other_table(key: &str) -> Option<&'static str> {
     let same_name = rows().find(|row| row.name().eq_ignore_ascii_case(key));
     let joined = || {
@@ -133,7 +133,7 @@ fn key_of_other_table(key: &str) -> Option<&'static str> {
     same_name.or_else(joined).map(|row| row.path)
 }
 
-/// Puts a table's keys into a machine.
+/// Stores the keys of a table in a machine.
 pub(crate) fn put_table(
     machine: &mut Machine,
     at: &SchemaLocation,
@@ -142,7 +142,7 @@ pub(crate) fn put_table(
     errors: &mut Vec<MachineError>,
 ) {
     for (key, value) in table {
-        // Which file to inherit from has been read before.
+        // The file to inherit from was already read.
         if at.path.is_empty() && INHERITS.contains(&key.get_ref().as_ref()) {
             continue;
         }
@@ -153,7 +153,7 @@ pub(crate) fn put_table(
     }
 }
 
-/// Puts a value or a table into a machine.
+/// Stores a value or a table in a machine.
 pub(crate) fn put(
     machine: &mut Machine,
     at: &SchemaLocation,
@@ -206,7 +206,7 @@ fn set_axis(machine: &mut Machine, keys: &PlaceholderKeys, there: bool) {
     }
 }
 
-/// A value with all that is needed to say what is wrong with it.
+/// A value with the data for error messages about it.
 struct CheckedValue<'v> {
     row: &'static SchemaRow,
     at: &'v SchemaLocation,
@@ -300,7 +300,7 @@ impl CheckedValue<'_> {
             SchemaSlot::Setting => {
                 let location = Some(self.source.location(self.value.span()));
                 let setting = SettingEntry { value: self.setting()?, location };
-                // A later spelling replaces an earlier one: case does not matter to a control.
+                // A later spelling replaces an earlier one, because names are compared without case.
                 machine.settings.retain(|name, _| !name.eq_ignore_ascii_case(&keys.name));
                 machine.settings.insert(keys.name.clone(), setting);
             }
@@ -319,7 +319,7 @@ impl CheckedValue<'_> {
         Ok(())
     }
 
-    /// An override as a fraction.
+    /// An override as a fraction of 1.
     fn percentage(&self) -> Result<f64, MachineError> {
         let help = || Some("write it as `\"80 %\"` or `0.8`".to_string());
         let target = "a percentage or a fraction";
@@ -349,7 +349,7 @@ impl CheckedValue<'_> {
         Err(self.error(message, help))
     }
 
-    /// A quantity or a number within bounds.
+    /// A quantity or a number, checked against bounds.
     fn within(
         &self,
         dimension: Option<QuantityDimension>,
@@ -389,13 +389,13 @@ impl CheckedValue<'_> {
         is_a_table(self.at, self.value.get_ref(), self.value.span(), &children, self.source)
     }
 
-    /// "`travel` takes two lengths; this is a whole number".
+    /// An error such as "`travel` takes two lengths; this is a whole number".
     fn takes(&self, what: &str, help: Option<String>) -> MachineError {
         let found = article(self.value.get_ref());
         self.error(format!("`{}` takes {what}; this is {found}", self.name()), help)
     }
 
-    /// What messages call the key: its name, or the whole path where that alone says too little.
+    /// The name of the key in messages, or its whole path if the name is not clear alone.
     fn name(&self) -> &str {
         let name = self.row.name();
         let alone = ROWS.iter().filter(|row| row.name() == name).count() == 1;

@@ -1,11 +1,11 @@
-//! The controls by name.
+//! The names of the controls.
 
 use std::fmt;
 use std::str::FromStr;
 
 macro_rules! names {
     ($($name:ident $folder:ident $word:literal,)*) => {
-        /// The control of a machine: whose rules its programs are read by.
+        /// The control of a machine, by whose rules its programs are run.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[allow(missing_docs, reason = "each is the control of its folder")]
         pub enum ControlName {
@@ -16,7 +16,7 @@ macro_rules! names {
             /// Every control.
             pub const ALL: &'static [ControlName] = &[$(ControlName::$name),*];
 
-            /// The name, lower case, as a machine file writes it.
+            /// The name in machine files, lower case.
             pub const fn as_str(self) -> &'static str {
                 match self {
                     $(ControlName::$name => $word,)*
@@ -28,7 +28,7 @@ macro_rules! names {
 
 crate::controls!(names);
 
-/// The name of no control.
+/// The error for a text that is not the name of a control.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("`{0}` is not a control")]
 pub struct UnknownControl(pub String);

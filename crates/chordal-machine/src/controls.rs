@@ -1,8 +1,8 @@
 //! The one list of controls.
 
 /// Every control: its name in Rust, its folder and its name in machine files. A new one is its folder in
-/// `chordal-dialect/src/controls`, named as in machine files (`_` for `-`), and its line here; the enum
-/// [`ControlName`](crate::ControlName) and the list of tables are made from it.
+/// `chordal-dialect/src/controls`, named as in machine files (`_` for `-`), and its line here. The enum
+/// [`ControlName`](crate::ControlName) and the list of tables are generated from this list.
 #[macro_export]
 macro_rules! controls {
     ($each:ident) => {

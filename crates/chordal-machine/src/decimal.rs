@@ -1,6 +1,6 @@
-//! Decimal numbers kept digit by digit, so that a change of unit rounds once.
+//! Decimal numbers with all their digits, so that a conversion of units rounds only once.
 
-/// A decimal number exactly as written: `digits` (0 to 9 each) times ten to `exponent`.
+/// A decimal number exactly as written: `digits` (0 to 9 each) times ten to the power `exponent`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct ExactDecimal {
     negative: bool,
@@ -8,7 +8,7 @@ pub(crate) struct ExactDecimal {
     exponent: i64,
 }
 
-/// An exact factor: `digits` times ten to `exponent`, over `denominator`.
+/// An exact factor: `digits` times ten to the power `exponent`, divided by `denominator`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ExactFactor {
     pub(crate) digits: &'static str,
@@ -16,12 +16,12 @@ pub(crate) struct ExactFactor {
     pub(crate) denominator: u64,
 }
 
-/// More digits than any point halfway between two doubles has: beyond them only "not zero"
-/// matters to the rounding.
+/// More digits than any midpoint between two doubles has. Of further digits it only matters for the rounding whether all
+/// are zero.
 const QUOTIENT_DIGITS: usize = 800;
 
 impl ExactDecimal {
-    /// Reads the number at the start of a text; gives it and the rest of the text.
+    /// Reads the number at the start of a text: the number and the rest of the text. `None` if there is none.
     pub(crate) fn read(text: &str) -> Option<(ExactDecimal, &str)> {
         let bytes = text.as_bytes();
         let mut at = 0;
@@ -56,7 +56,7 @@ impl ExactDecimal {
             let count =
                 bytes[from.min(bytes.len())..].iter().take_while(|b| b.is_ascii_digit()).count();
             if count > 0 {
-                // Anything beyond a few hundred is zero or out of range anyway.
+                // Any exponent beyond a few hundred gives zero or is out of range.
                 let size =
                     text[from..from + count].parse::<i64>().unwrap_or(i64::MAX).min(1_000_000);
                 exponent += if bytes[at + 1] == b'-' { -size } else { size };
@@ -66,7 +66,7 @@ impl ExactDecimal {
         Some((ExactDecimal { negative, digits, exponent }, &text[at..]))
     }
 
-    /// The number times a factor, rounded once; infinite where it is out of range.
+    /// The number times a factor, rounded once; infinite if it is out of range.
     pub(crate) fn times(&self, factor: ExactFactor) -> f64 {
         let product = multiply(&self.digits, factor.digits.as_bytes());
         let (quotient, extra) = divide(&product, factor.denominator);
@@ -82,7 +82,7 @@ impl ExactDecimal {
     }
 }
 
-/// Digits times the digits of an ASCII number.
+/// The product of digits and the digits of an ASCII number.
 fn multiply(digits: &[u8], number: &[u8]) -> Vec<u8> {
     let mut product = vec![0u32; digits.len() + number.len()];
     for (i, a) in digits.iter().rev().enumerate() {
@@ -97,8 +97,8 @@ fn multiply(digits: &[u8], number: &[u8]) -> Vec<u8> {
     product.iter().rev().map(|digit| *digit as u8).collect()
 }
 
-/// Digits over a small number: the quotient's digits and how many of them are decimals. A last
-/// digit 1 stands for whatever is left.
+/// Digits divided by a small number: the digits of the quotient and how many of them are decimals. A remainder is
+/// represented by a last digit 1.
 fn divide(digits: &[u8], by: u64) -> (Vec<u8>, i64) {
     if by == 1 {
         return (digits.to_vec(), 0);

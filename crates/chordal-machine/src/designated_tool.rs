@@ -1,4 +1,4 @@
-//! Designations in a tool: what they give, and where they say something else than its other keys.
+//! The dimensions that the designations of a tool give, and contradictions to its other keys.
 
 use crate::designation::{HolderDesignation, InsertDesignation, InsertLetter, WrittenDesignation};
 use crate::error::{ErrorSource, MachineError, ValueLocation};
@@ -6,15 +6,15 @@ use crate::machine::Machine;
 use crate::tool::{Tool, ToolShape};
 use crate::turning::{TurningTool, mirrored_tip};
 
-/// A nose radius in inches and the same in tenths of a millimetre differ by less, mm.
+/// The largest difference between a nose radius in inches and the same one in tenths of a millimetre, mm.
 const NOSE_TOLERANCE_MM: f64 = 0.02;
-/// Makers round entering angles: 62.5° and 63° are one, degrees.
+/// Entering angles that differ by less are equal, degrees: manufacturers round them, for example 62.5° to 63°.
 const ANGLE_TOLERANCE_DEG: f64 = 1.0;
-/// Edges are given without what is below a millimetre.
+/// Edge lengths that differ by less are equal, mm: designations have whole millimetres.
 const EDGE_TOLERANCE_MM: f64 = 1.0;
 
 impl TurningTool {
-    /// The shape of the insert: of its letter or its designation, else of that of the holder.
+    /// The shape of the insert, from its letter or its designation, else from that of the holder.
     fn insert_letter(&self) -> Option<InsertLetter> {
         let of_insert = self.insert_designation.as_ref().map(|written| written.value.letter);
         let of_holder = self.holder_designation.as_ref().map(|written| written.value.letter);
@@ -23,8 +23,8 @@ impl TurningTool {
 }
 
 impl Tool {
-    /// Gives the tool what its designations say and none of its other keys. `mirrored`: the control counts tips
-    /// with X turned round.
+    /// Fills the dimensions of the tool that its designations give and its other keys do not. `mirrored`: the control
+    /// counts tip numbers with X in the opposite direction.
     pub fn take_designations(&mut self, mirrored: bool) {
         let insert = self.turning.insert_designation.as_ref().map(|written| written.value);
         let holder = self.turning.holder_designation.as_ref().map(|written| written.value);
@@ -47,13 +47,14 @@ impl Tool {
 }
 
 impl Machine {
-    /// Gives every tool what its designations say.
+    /// Fills the dimensions of every tool that its designations give. `mirrored`: the control counts tip numbers with X
+    /// in the opposite direction.
     pub fn take_designations(&mut self, mirrored: bool) {
         self.tools.values_mut().for_each(|tool| tool.take_designations(mirrored));
     }
 }
 
-/// Where the designations of a machine's tools say something else than its other keys, or each other.
+/// The contradictions between the designations of the tools of a machine and their other keys, or each other.
 pub(crate) fn contradictions(machine: &Machine) -> Vec<MachineError> {
     machine.tools.iter().flat_map(|(number, tool)| of_tool(*number, tool)).collect()
 }
@@ -76,7 +77,7 @@ fn of_tool(number: u32, tool: &Tool) -> Vec<MachineError> {
     errors
 }
 
-/// What is wrong and what to do.
+/// The message and the help text of an error.
 type ProblemAndHelp = (String, String);
 
 fn with_insert(
@@ -151,7 +152,7 @@ fn with_holder(
     wrong
 }
 
-/// Where holder and insert do not fit: what the holder takes, and what the insert is.
+/// The mismatch between holder and insert: what the holder takes, and what the insert is; `None` if they fit.
 fn of_pair(
     holder: &HolderDesignation,
     insert: &WrittenDesignation<InsertDesignation>,
@@ -181,7 +182,7 @@ fn error(location: Option<&ValueLocation>, message: String, help: String) -> Mac
     }
 }
 
-/// A length for people.
+/// A length as text.
 fn mm(length: f64) -> String {
     format!("{} mm", rounded(length, 1000.0))
 }

@@ -1,4 +1,4 @@
-//! What is wrong with a machine file, with all that is needed to underline it.
+//! Errors in machine files, with the text that they underline.
 
 use std::fmt;
 use std::ops::Range;
@@ -8,26 +8,26 @@ use std::sync::Arc;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}: {message}", self.place())]
 pub struct MachineError {
-    /// What is wrong.
+    /// The problem, for users.
     pub message: String,
-    /// What to write instead.
+    /// How to correct it; `None` if there is no advice.
     pub help: Option<String>,
-    /// The file's name, as the caller gave it.
+    /// The name of the file, as passed in.
     pub file: String,
-    /// The bytes of `text` to underline; `None` where something is missing altogether.
+    /// The bytes of `text` to underline; `None` if something is missing in the file.
     pub span: Option<Range<usize>>,
     /// The whole text of the file.
     pub text: Arc<str>,
 }
 
 impl MachineError {
-    /// The line of the span's start, from 1.
+    /// The line of the start of the span, from 1; `None` without a span.
     pub fn line(&self) -> Option<usize> {
         let before = &self.text.as_bytes()[..self.span.as_ref()?.start.min(self.text.len())];
         Some(1 + before.iter().filter(|byte| **byte == b'\n').count())
     }
 
-    /// `file:line`.
+    /// The location as text: `file:line`.
     fn place(&self) -> String {
         match self.line() {
             Some(line) => format!("{}:{line}", self.file),
@@ -41,25 +41,25 @@ impl MachineError {
     }
 }
 
-/// Where something was written.
+/// The position of a value in a file.
 #[derive(Clone, PartialEq, Eq)]
 pub struct ValueLocation {
-    /// The file's name.
+    /// The name of the file.
     pub file: Arc<str>,
-    /// The bytes of `text`.
+    /// The position in `text`, bytes.
     pub span: Range<usize>,
     /// The whole text of the file.
     pub text: Arc<str>,
 }
 
 impl fmt::Debug for ValueLocation {
-    /// Leaves the file's text out.
+    /// Omits the text of the file.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}..{}", self.file, self.span.start, self.span.end)
     }
 }
 
-/// A text that errors point into. Spans given to it count from `shift`.
+/// A text with errors. Spans are relative to `shift`.
 #[derive(Clone)]
 pub(crate) struct ErrorSource {
     pub(crate) file: Arc<str>,
@@ -72,7 +72,7 @@ impl ErrorSource {
         ErrorSource { file: file.into(), text: text.into(), shift: 0 }
     }
 
-    /// The span in the whole text, held to its bounds and to whole characters.
+    /// The span in the whole text, limited to its bounds and to whole characters.
     pub(crate) fn span(&self, span: Range<usize>) -> Range<usize> {
         let clamped = |at: usize| {
             let at = (at + self.shift).min(self.text.len());

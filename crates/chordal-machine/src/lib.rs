@@ -1,13 +1,12 @@
-//! What a shop knows of a machine: axes and their limits, feeds, tools, work offsets and the
-//! control's own settings, as plain data read from TOML.
+//! The data of a machine in a shop: axes and their limits, feeds, tools, work offsets and the settings of the control, as
+//! plain data read from TOML.
 //!
-//! Inside, lengths are millimetres, times are seconds and angles are radians. In a machine file
-//! every quantity is a text with its unit (`"0.5 in"`, `"25 m/min"`), so no number is ever read
-//! in the wrong unit, and each conversion is exact to the last bit: one rounding, at the end.
+//! Internally, lengths are in millimetres, times in seconds and angles in radians. In a machine file every quantity is a
+//! text with its unit (`"0.5 in"`, `"25 m/min"`), so no number is read in the wrong unit. Each conversion is correctly
+//! rounded: there is only one rounding, at the end.
 //!
-//! One table of rows ([`schema_reference`] prints it) says which keys a machine file may have.
-//! Checking, suggestions for misspelt keys, [`Machine::set`], [`Machine::to_toml`] and the reference
-//! come from it.
+//! One table of rows ([`schema_reference`] prints it) defines the keys of a machine file. Checks, suggestions for
+//! misspelt keys, [`Machine::set`], [`Machine::to_toml`] and the reference use this table.
 //!
 //! ```
 //! use chordal_machine::Machine;
@@ -24,8 +23,7 @@
 //! assert_eq!(error.message, "`feed.max` takes a velocity; `300` has no unit");
 //! ```
 //!
-//! The crate touches no file: who calls gives the text, and a `loader` for the files that
-//! `inherits` names.
+//! The crate does not access files: the caller passes the text, and a `loader` for the files that `inherits` names.
 #![forbid(unsafe_code)]
 
 mod assign;

@@ -1,4 +1,4 @@
-//! The machine as plain data. Millimetres, seconds and radians.
+//! The machine as plain data, in millimetres, seconds and radians.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,68 +10,69 @@ use crate::setup::Setup;
 use crate::tool::Tool;
 use crate::value::SettingEntry;
 
-/// A machine and what its shop has set on it.
+/// A machine with its settings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Machine {
-    /// The name it is called by: the file's name without folder and ending, unless it says one.
+    /// Its name: the `name` in the file, or else the name of the file without folder and extension.
     pub name: String,
-    /// A name for people; the same as `name` where the file gives none.
+    /// A name for display; the same as `name` if the file gives none.
     pub title: String,
-    /// Remarks.
+    /// Remarks from the file.
     pub notes: Vec<String>,
-    /// Whose rules its programs are read by.
+    /// Its control, by whose rules its programs are run.
     pub control: ControlName,
-    /// On which side of the axis the turret of a lathe stands.
+    /// On which side of the spindle axis the turret of a lathe is.
     pub turret: Turret,
-    /// How near to what is cut the turret of a lathe may turn, mm; `None`: anywhere outside.
+    /// The smallest distance from what is cut at which the turret of a lathe may index, mm; `None`: anywhere outside of
+    /// it.
     pub turret_clearance_mm: Option<f64>,
     /// The axes by `axis as usize`; `None`: the machine has no such axis.
     pub axes: PerAxis<Option<AxisLimits>>,
     /// What A, B and C turn, in this order.
     pub rotary: [RotaryAxis; 3],
-    /// The fastest feeds that may be programmed.
+    /// The largest feeds that may be programmed.
     pub feed: FeedLimits,
     /// The path of a rapid move; `None`: the control's default.
     pub rapid: Option<RapidShape>,
-    /// The fastest spindle speed, revolutions per minute.
+    /// The largest spindle speed, 1/min; `None`: not known.
     pub spindle_max_rpm: Option<f64>,
-    /// The fastest speed of live tools, revolutions per minute.
+    /// The largest speed of live tools, 1/min; `None`: not known.
     pub live_tool_max_rpm: Option<f64>,
-    /// The power that the spindle has for a cut, kW.
+    /// The power of the spindle for cutting, kW; `None`: not known.
     pub spindle_power_kw: Option<f64>,
-    /// The tools by number.
+    /// The tools, by number.
     pub tools: BTreeMap<u32, Tool>,
     /// The work offsets by the names that [`work_offset_name`](crate::work_offset_name) gives.
     pub work_offsets: BTreeMap<String, WorkOffset>,
-    /// The control's own settings, by the names its manual uses.
+    /// The settings of the control, by their names in its manual.
     pub settings: BTreeMap<String, SettingEntry>,
-    /// Reference point 1, in machine coordinates.
+    /// Reference point 1, machine coordinates by `axis as usize`, mm or rad; `None`: not given.
     pub home: PerAxis<Option<f64>>,
-    /// Reference points 2, 3 and 4, in machine coordinates.
+    /// Reference points 2, 3 and 4, machine coordinates by `axis as usize`, mm or rad; `None`: not given.
     pub reference_points: [PerAxis<Option<f64>>; 3],
     /// The switches of the operator's panel.
     pub switches: Switches,
-    /// The plane above which rapids may move freely, Z in work coordinates.
+    /// The height above which rapids may move freely, Z in work coordinates, mm; `None`: not given.
     pub clearance_mm: Option<f64>,
-    /// How it moves, in addition to the limits of its axes.
+    /// The settings of motion that are not limits of one axis.
     pub motion: MotionSettings,
-    /// What takes time besides moving.
+    /// The times of actions other than motion.
     pub times: NonMotionTimes,
-    /// What macro programs find.
+    /// The state that macro programs find.
     pub macros: Macros,
-    /// What probe moves find.
+    /// What probe moves touch.
     pub probe: Probe,
-    /// M codes that the shop has of its own, by number.
+    /// Custom M codes of the machine, by number.
     pub shop_codes: BTreeMap<u16, CustomCodeSpec>,
-    /// Programs that are called and that no text holds, by number.
+    /// Programs that are called but are in none of the texts, by number.
     pub shop_programs: BTreeMap<u32, CustomCodeSpec>,
-    /// What lies on it.
+    /// The setup: stock, fixtures and target.
     pub setup: Setup,
-    /// What was read from its file otherwise than it was written.
+    /// Notices about values that were read with another meaning than written.
     pub notices: MachineNotices,
 }
 
-/// What is to be told about a machine file that was read; machines are equal whatever it is.
+/// Notices from reading a machine file; they do not matter for the equality of machines.
 #[derive(Clone, Debug, Default)]
 pub struct MachineNotices(pub Vec<MachineError>);
 
@@ -81,37 +82,37 @@ impl PartialEq for MachineNotices {
     }
 }
 
-/// The limits of an axis: millimetres, or radians on a rotary axis.
+/// An axis with its limits, in millimetres, or radians on a rotary axis. `None` means that a limit is not known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AxisLimits {
-    /// What its words and offsets say. Here and everywhere inside a place is a radius.
+    /// Whether its words and offsets are radii or diameters. Positions in this crate are always radii.
     pub programmed: DiameterProgramming,
-    /// The lowest and the highest position, machine coordinates, mm or rad.
+    /// The lowest and the highest position in machine coordinates, mm or rad.
     pub travel: Option<(f64, f64)>,
     /// Rapid speed, mm/s or rad/s.
     pub max_velocity: Option<f64>,
-    /// mm/s² or rad/s².
+    /// The largest acceleration, mm/s² or rad/s².
     pub max_acceleration: Option<f64>,
-    /// mm/s³ or rad/s³.
+    /// The largest jerk, mm/s³ or rad/s³.
     pub max_jerk: Option<f64>,
-    /// The acceleration of rapids where it is another, mm/s² or rad/s².
+    /// The acceleration of rapids if it differs, mm/s² or rad/s².
     pub rapid_acceleration: Option<f64>,
-    /// The jerk of rapids where it is another, mm/s³ or rad/s³.
+    /// The jerk of rapids if it differs, mm/s³ or rad/s³.
     pub rapid_jerk: Option<f64>,
 }
 
-/// What the words, offsets and limits of a linear axis say, on the control and in the machine file.
+/// Whether the words, offsets and limits of a linear axis are radii or diameters, on the control and in the machine file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum DiameterProgramming {
-    /// How far the slide is from its zero.
+    /// The distance of the slide from its zero.
     #[default]
     Radius,
-    /// Twice that, as X of a lathe.
+    /// Twice that distance, as X of a lathe.
     Diameter,
 }
 
 impl DiameterProgramming {
-    /// The word of a machine file.
+    /// The word for it in machine files.
     pub const fn as_str(self) -> &'static str {
         match self {
             DiameterProgramming::Radius => "radius",
@@ -119,8 +120,8 @@ impl DiameterProgramming {
         }
     }
 
-    /// What a place is multiplied by to be written: 1, or 2 of a diameter. A power of two, so that
-    /// nothing is rounded either way.
+    /// The factor from a position to its written value: 1, or 2 for a diameter. It is a power of two, so that there is no
+    /// rounding.
     pub const fn factor(self) -> f64 {
         match self {
             DiameterProgramming::Radius => 1.0,
@@ -129,16 +130,15 @@ impl DiameterProgramming {
     }
 }
 
-/// What a rotary axis turns, as far as pictures need it.
+/// The kinematics of a rotary axis, as far as drawings need them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RotaryAxis {
-    /// `None`: not known.
+    /// What it turns; `None`: not known.
     pub turns: Option<RotaryTarget>,
-    /// It counts the other way than ISO 841: there a positive angle turns the tool about the part
-    /// as a right-hand screw goes along the linear axis.
+    /// Its positive direction is opposite to ISO 841, where a positive angle turns the tool relative to the part by the
+    /// right-hand rule about the linear axis.
     pub reversed: bool,
-    /// A place that its axis goes through, program coordinates by X, Y, Z, mm; where nothing is
-    /// given, the program's zero.
+    /// A point on its axis of rotation, program coordinates X, Y, Z, mm; a coordinate that is `None` is the program zero.
     pub center_mm: [Option<f64>; 3],
 }
 
@@ -152,10 +152,10 @@ pub enum RotaryTarget {
 }
 
 impl RotaryTarget {
-    /// Both.
+    /// Both values.
     pub const ALL: [RotaryTarget; 2] = [RotaryTarget::Table, RotaryTarget::Head];
 
-    /// The word of a machine file.
+    /// The word for it in machine files.
     pub const fn as_str(self) -> &'static str {
         match self {
             RotaryTarget::Table => "table",
@@ -164,29 +164,29 @@ impl RotaryTarget {
     }
 }
 
-/// The fastest feeds that may be programmed.
+/// The largest feeds that may be programmed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FeedLimits {
-    /// Of a move with a linear axis in it, mm/s.
+    /// The limit for moves with a linear axis, mm/s; `None`: not known.
     pub max_mm_per_s: Option<f64>,
-    /// Of a move of rotary axes alone, rad/s.
+    /// The limit for moves of rotary axes only, rad/s; `None`: not known.
     pub max_rad_per_s: Option<f64>,
 }
 
 /// The path of a rapid move of several axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum RapidShape {
-    /// Every axis at its own speed until it arrives.
+    /// Every axis moves at its own speed until it arrives.
     DogLeg,
     /// A straight line, as fast as the slowest axis allows.
     Straight,
 }
 
 impl RapidShape {
-    /// Both.
+    /// Both values.
     pub const ALL: [RapidShape; 2] = [RapidShape::DogLeg, RapidShape::Straight];
 
-    /// The word of a machine file.
+    /// The word for it in machine files.
     pub const fn as_str(self) -> &'static str {
         match self {
             RapidShape::DogLeg => "dog-leg",
@@ -195,21 +195,21 @@ impl RapidShape {
     }
 }
 
-/// On which side of the axis the turret of a lathe stands. Programs are the same: pictures turn round.
+/// On which side of the spindle axis the turret of a lathe is. It does not affect programs, only drawings.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Turret {
-    /// Behind the axis as the operator sees it: X goes up in pictures.
+    /// Behind the axis as seen by the operator: X is drawn upward.
     #[default]
     Rear,
-    /// Between the operator and the axis: X goes down in pictures.
+    /// Between the operator and the axis: X is drawn downward.
     Front,
 }
 
 impl Turret {
-    /// Every side.
+    /// Both sides.
     pub const ALL: [Turret; 2] = [Turret::Rear, Turret::Front];
 
-    /// The word of a machine file.
+    /// The word for it in machine files.
     pub const fn as_str(self) -> &'static str {
         match self {
             Turret::Rear => "rear",
@@ -228,89 +228,89 @@ pub struct WorkOffset {
 /// The switches of the operator's panel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Switches {
-    /// Block delete: `/1` to `/9` by number. Number 0 is the bare `/` and equals number 1.
+    /// Block delete switches, by number: `/1` to `/9`. Number 0 is for `/` without a number and equals number 1.
     pub block_delete: [bool; 10],
-    /// Optional stop: M01 stops.
+    /// The optional stop is on: M01 stops.
     pub optional_stop: bool,
 }
 
-/// What takes time besides moving.
+/// The times of actions other than motion, s; `None`: not given.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct NonMotionTimes {
-    /// A change of tool, from M06 to the next move.
+    /// A tool change, from M06 to the next move.
     pub tool_change_s: Option<f64>,
-    /// The spindle speeds up or slows down by 1000 rpm.
+    /// Acceleration or deceleration of the spindle by 1000 rpm.
     pub spindle_per_1000_rpm_s: Option<f64>,
-    /// The time to orient the spindle (M19), in addition to the time it needs to stop.
+    /// Orientation of the spindle (M19), in addition to the time to stop it.
     pub spindle_orient_s: Option<f64>,
-    /// A probe touches and the control takes the place over.
+    /// A probe touch, until the control has stored the position.
     pub probe_s: Option<f64>,
-    /// An M code that switches coolant, until the control goes on.
+    /// An M code for coolant, until the control continues.
     pub m_code_s: Option<f64>,
 }
 
-/// What the machine does for an M code that its control does not have, or for a program that no text holds.
+/// The behaviour of an M code that the control does not have, or of a program that is in none of the texts.
 #[derive(Clone, Debug, Default)]
 pub struct CustomCodeSpec {
-    /// How long the machine takes for it; `None`: no time.
+    /// How long it takes, s; `None`: no time.
     pub time_s: Option<f64>,
-    /// What it is, for people.
+    /// A description for users.
     pub label: Option<String>,
-    /// The blocks that it runs, as a subprogram would.
+    /// The blocks that it runs like a subprogram; `None`: none.
     pub blocks: Option<String>,
-    /// Where it was written.
+    /// Its position in the file.
     pub location: Option<ValueLocation>,
 }
 
 impl PartialEq for CustomCodeSpec {
-    /// Codes that do the same are equal, wherever they were written.
+    /// The position does not matter for equality.
     fn eq(&self, other: &Self) -> bool {
         let what = |code: &Self| (code.time_s, code.label.clone(), code.blocks.clone());
         what(self) == what(other)
     }
 }
 
-/// What macro programs find when the program starts.
+/// The state that macro programs find when the program starts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Macros {
     /// Values of variables by number (`#500`).
     pub variables: BTreeMap<u32, f64>,
-    /// Values of the control's own variables by name (`#<_hal[spindle.0.at-speed]>`): in lower case, without blanks.
+    /// Values of variables of the control, by name (`#<_hal[spindle.0.at-speed]>`) in lower case without blanks.
     pub named_variables: BTreeMap<String, f64>,
     /// Variables that are known to be vacant.
     pub vacant: BTreeSet<u32>,
-    /// The date as a control shows it, YYYYMMDD.
+    /// The date as YYYYMMDD; `None`: not given.
     pub date: Option<u32>,
-    /// The time, HHMMSS.
+    /// The time as HHMMSS; `None`: not given.
     pub time: Option<u32>,
-    /// What the operator types where the program asks (Fadal INPUT), in order.
+    /// The inputs of the operator, in order (Fadal INPUT).
     pub inputs: Vec<f64>,
 }
 
 /// Where probe and skip moves (G31, G38.2) touch the part.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Probe {
-    /// What they touch; `None`: nothing is said, and they touch where they end.
+    /// What they touch; `None`: not given, and they touch at their end.
     pub hit: Option<ProbeHit>,
-    /// Planes of which the nearest on the way is touched: work coordinates by `axis as usize`,
-    /// mm or rad. They hold where `hit` is `None`.
+    /// Planes, of which the first one on the path is touched: work coordinates by `axis as usize`, mm or rad. They are
+    /// used if `hit` is `None`.
     pub planes: PerAxis<Option<f64>>,
 }
 
-/// What a probe move meets.
+/// What a probe move touches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProbeHit {
-    /// Something where the move ends.
+    /// Something at the end of the move.
     End,
     /// Nothing.
     Nothing,
 }
 
 impl ProbeHit {
-    /// Both.
+    /// Both values.
     pub const ALL: [ProbeHit; 2] = [ProbeHit::End, ProbeHit::Nothing];
 
-    /// The word of a machine file.
+    /// The word for it in machine files.
     pub const fn as_str(self) -> &'static str {
         match self {
             ProbeHit::End => "end",
@@ -320,7 +320,7 @@ impl ProbeHit {
 }
 
 impl Machine {
-    /// Whether blocks are given for a code or a program; a run takes them in as further texts.
+    /// Whether there are blocks for a custom code or a program, which a run needs as additional texts.
     pub fn answers_with_blocks(&self) -> bool {
         self.shop_codes
             .values()
@@ -328,7 +328,7 @@ impl Machine {
             .any(|code| code.blocks.is_some())
     }
 
-    /// A machine of which only the control is known: X, Y and Z without limits.
+    /// A machine of which only the control is known: it has X, Y and Z without limits.
     pub fn new(name: &str, control: ControlName) -> Machine {
         let mut machine = Machine::without_axes(name, control);
         machine.give_default_axes();
@@ -368,7 +368,7 @@ impl Machine {
         }
     }
 
-    /// X, Y and Z without limits, where no axis is known.
+    /// Adds X, Y and Z without limits if no axis is known.
     pub(crate) fn give_default_axes(&mut self) {
         if self.axes.iter().all(Option::is_none) {
             for axis in [Axis::X, Axis::Y, Axis::Z] {
@@ -377,22 +377,22 @@ impl Machine {
         }
     }
 
-    /// A lathe: X is programmed as a diameter.
+    /// Whether it is a lathe: X is programmed as a diameter.
     pub fn turns(&self) -> bool {
         self.written_factors()[0] != 1.0
     }
 
-    /// What a place of an axis is multiplied by to be written in a program: 1, or 2 of a diameter.
+    /// The factor from a position of an axis to its value in a program: 1, or 2 for a diameter.
     pub fn written_factor(&self, axis: usize) -> f64 {
         self.axes[axis].map_or(1.0, |limits| limits.programmed.factor())
     }
 
-    /// The same for every axis.
+    /// The factor of every axis.
     pub fn written_factors(&self) -> PerAxis<f64> {
         std::array::from_fn(|axis| self.written_factor(axis))
     }
 
-    /// It is described, and without this axis: a lathe of two axes has no Y.
+    /// Whether the machine is described and does not have this axis, such as Y on a lathe with two axes.
     pub fn lacks(&self, axis: Axis) -> bool {
         let is_described =
             [Axis::X, Axis::Y, Axis::Z].iter().any(|axis| self.axis(*axis).is_some());

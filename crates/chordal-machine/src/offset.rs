@@ -1,9 +1,9 @@
-//! The names of work offsets, written one way.
+//! Normalizes the names of work offsets.
 
-/// The one name of a work offset, from any way of writing it: `g54` is `G54`, `G54.1P01` and
-/// `G54 P1` are `G54.1 P1`, `G110` is `G154 P1`, `e3` is `E3`. `None`: no such work offset.
+/// The normalized name of a work offset in any spelling: `g54` is `G54`, `G54.1P01` and `G54 P1` are `G54.1 P1`, `G110`
+/// is `G154 P1`, `e3` is `E3`. `None`: no such work offset.
 ///
-/// Names there are: `G52`, `G54` to `G59`, `G59.1` to `G59.3`, `G54.1 P1` to `P300`, `G154 P1`
+/// The normalized names are: `G52`, `G54` to `G59`, `G59.1` to `G59.3`, `G54.1 P1` to `P300`, `G154 P1`
 /// to `P99`, `G59 P7` to `P254`, `E1` to `E48`, `EXT` (the common shift of all of them).
 pub fn work_offset_name(text: &str) -> Option<String> {
     let text: String =

@@ -1,9 +1,9 @@
-//! Quantities: texts with a unit, read exactly.
+//! Quantities: texts with a unit, converted exactly.
 
 use crate::decimal::{ExactDecimal, ExactFactor};
 use crate::suggest;
 
-/// What kind of quantity is due, and with it the unit it is read into.
+/// The dimension of a quantity, which determines the unit that it is converted to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum QuantityDimension {
     /// Millimetres.
@@ -28,12 +28,12 @@ pub enum QuantityDimension {
     SpindleSpeed,
     /// Kilowatts.
     Power,
-    /// Newtons by square millimetre.
+    /// Newtons per square millimetre.
     Stress,
 }
 
 impl QuantityDimension {
-    /// Its name with an article: `a length`.
+    /// Its name with an article, for messages: `a length`.
     pub const fn noun(self) -> &'static str {
         match self {
             QuantityDimension::Length => "a length",
@@ -51,7 +51,7 @@ impl QuantityDimension {
         }
     }
 
-    /// The units to show somebody who wrote none.
+    /// Examples of its units, for messages.
     pub const fn units(self) -> &'static [&'static str] {
         match self {
             QuantityDimension::Length => &["in", "mm"],
@@ -69,7 +69,7 @@ impl QuantityDimension {
         }
     }
 
-    /// The unit a quantity is read into.
+    /// The unit that a quantity is converted to.
     pub const fn inside(self) -> &'static str {
         match self {
             QuantityDimension::Length => "mm",
@@ -87,7 +87,7 @@ impl QuantityDimension {
         }
     }
 
-    /// The same of a rotary axis: an angle for a length, and so on.
+    /// The corresponding dimension of a rotary axis: an angle for a length, and so on.
     pub const fn of_rotary(self) -> QuantityDimension {
         match self {
             QuantityDimension::Length => QuantityDimension::Angle,
@@ -98,7 +98,7 @@ impl QuantityDimension {
         }
     }
 
-    /// The dimension of a base over a power of time; `None`: nothing a machine has.
+    /// The dimension of a base divided by a power of time; `None` if there is none.
     const fn of(base: UnitBase, per_time: i64) -> Option<QuantityDimension> {
         match (base, per_time) {
             (UnitBase::Length, 0) => Some(QuantityDimension::Length),
@@ -117,7 +117,7 @@ impl QuantityDimension {
     }
 }
 
-/// Why a text is not the quantity that is due.
+/// Why a text is not a quantity of the expected dimension.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("this must be {}; {}", self.dimension().noun(), self.fault())]
 pub enum QuantityError {
@@ -125,45 +125,45 @@ pub enum QuantityError {
     NotANumber {
         /// The text.
         text: String,
-        /// What was due.
+        /// The expected dimension.
         dimension: QuantityDimension,
     },
     /// A number without a unit.
     NoUnit {
         /// The number.
         text: String,
-        /// What was due.
+        /// The expected dimension.
         dimension: QuantityDimension,
     },
     /// An unknown unit.
     UnknownUnit {
         /// The text.
         text: String,
-        /// The unit in it.
+        /// The unknown unit.
         unit: String,
-        /// What was due.
+        /// The expected dimension.
         dimension: QuantityDimension,
     },
     /// Another kind of quantity.
     WrongDimension {
         /// The text.
         text: String,
-        /// What it is; `None`: nothing a machine has.
+        /// Its dimension; `None` if it is none of [`QuantityDimension`].
         found: Option<QuantityDimension>,
-        /// What was due.
+        /// The expected dimension.
         dimension: QuantityDimension,
     },
-    /// A number too large to hold.
+    /// A number that is too large.
     OutOfRange {
         /// The text.
         text: String,
-        /// What was due.
+        /// The expected dimension.
         dimension: QuantityDimension,
     },
 }
 
 impl QuantityError {
-    /// What was due.
+    /// The expected dimension.
     pub const fn dimension(&self) -> QuantityDimension {
         match self {
             QuantityError::NotANumber { dimension, .. }
@@ -174,7 +174,7 @@ impl QuantityError {
         }
     }
 
-    /// What is wrong with the text, without what was due.
+    /// The problem of the text, for messages, without the expected dimension.
     pub fn fault(&self) -> String {
         match self {
             QuantityError::NotANumber { text, .. } => {
@@ -192,7 +192,7 @@ impl QuantityError {
         }
     }
 
-    /// What to write instead.
+    /// How to correct it, for messages; `None` if there is no advice.
     pub fn help(&self) -> Option<String> {
         let number = match self {
             QuantityError::NoUnit { text, .. } => text.as_str(),
@@ -222,7 +222,7 @@ impl QuantityError {
 enum UnitBase {
     Length,
     Angle,
-    /// An angle counted in revolutions.
+    /// An angle in revolutions.
     Turn,
     Time,
     Power,
@@ -252,8 +252,7 @@ const fn unit(
     UnitSpec { names, base, factor: ExactFactor { digits, exponent, denominator } }
 }
 
-/// The units, in millimetres, radians and seconds. Case does not matter: there is no mega-metre
-/// and no mega-second on a machine.
+/// The units, in millimetres, radians and seconds. Case does not matter, because megametres and megaseconds do not occur.
 const UNITS: &[UnitSpec] = &[
     unit(
         &["mm", "millimetre", "millimetres", "millimeter", "millimeters"],
@@ -276,15 +275,15 @@ const UNITS: &[UnitSpec] = &[
     unit(&["min", "minute", "minutes"], UnitBase::Time, "6", 1, 1),
     unit(&["kW"], UnitBase::Power, "1", 0, 1),
     unit(&["W"], UnitBase::Power, "1", -3, 1),
-    // 550 foot-pounds in a second; 75 kilopond-metres in a second.
+    // 550 foot-pounds per second; 75 kilopond-metres per second.
     unit(&["hp"], UnitBase::Power, "74569987158227022", -17, 1),
     unit(&["PS"], UnitBase::Power, "73549875", -8, 1),
     unit(&["MPa"], UnitBase::Stress, "1", 0, 1),
-    // 1000 pounds of force on a square inch: 4448.2216152605 N on 645.16 mm².
+    // 1000 pounds of force per square inch: 4448.2216152605 N per 645.16 mm².
     unit(&["ksi"], UnitBase::Stress, "44482216152605", -8, 64516),
 ];
 
-/// Units with a name of their own for something over a time, and those of a force over an area.
+/// Abbreviations of units with a quotient: per time, and force per area.
 const SHORT_UNIT_NAMES: &[(&str, &str)] = &[
     ("rpm", "rev/min"),
     ("ipm", "in/min"),
@@ -298,11 +297,11 @@ fn find_unit(name: &str) -> Option<&'static UnitSpec> {
     UNITS.iter().find(|unit| unit.names.iter().any(|own| own.eq_ignore_ascii_case(name)))
 }
 
-/// No machine has larger values, mm, rad and s: sums and products of a few are still numbers.
+/// The largest accepted value, mm, rad and s: sums and products of a few such values are still finite.
 const MAX_QUANTITY: f64 = 1e30;
 
 /// Reads a quantity (`"0.5 in"`, `"25 m/min"`, `"2000 mm/s^2"`) into the unit of its dimension
-/// ([`QuantityDimension::inside`]). The digits are converted exactly and rounded once.
+/// ([`QuantityDimension::inside`]). The conversion is exact, with one rounding.
 pub fn parse_quantity(text: &str, dimension: QuantityDimension) -> Result<f64, QuantityError> {
     let text = text.trim();
     let own = || text.to_string();
@@ -322,7 +321,7 @@ pub fn parse_quantity(text: &str, dimension: QuantityDimension) -> Result<f64, Q
     };
     let found = QuantityDimension::of(base, per_time);
     let factor = match dimension {
-        // In revolutions per minute: π does not come into it.
+        // Revolutions per minute need no factor of π.
         QuantityDimension::SpindleSpeed if base == UnitBase::Turn && per_time == 1 => {
             ExactFactor { digits: "60", exponent: factor.exponent + PI_DECIMALS, ..factor }
         }
@@ -336,7 +335,7 @@ pub fn parse_quantity(text: &str, dimension: QuantityDimension) -> Result<f64, Q
     Ok(value)
 }
 
-/// The same of a machine: one without measure is refused.
+/// Reads a quantity of a machine, which must not exceed [`MAX_QUANTITY`].
 pub(crate) fn machine_quantity(
     text: &str,
     dimension: QuantityDimension,
@@ -348,7 +347,7 @@ pub(crate) fn machine_quantity(
     Ok(value)
 }
 
-/// A decimal number in inches or millimetres, exactly, in millimetres.
+/// Converts a decimal number in inches or millimetres to millimetres, with one rounding; `None` if it is not a number.
 pub(crate) fn length_of_bare(text: &str, millimetres: bool) -> Option<f64> {
     let (number, rest) = ExactDecimal::read(text)?;
     let (digits, exponent) = if millimetres { ("1", 0) } else { ("254", -1) };
@@ -356,7 +355,7 @@ pub(crate) fn length_of_bare(text: &str, millimetres: bool) -> Option<f64> {
     (rest.is_empty() && value.abs() <= MAX_QUANTITY).then_some(value)
 }
 
-/// What a unit measures, over which power of time, and its factor.
+/// The base of a unit, the power of time that it is divided by, and its factor; `None` for an unknown unit.
 fn read_unit(text: &str) -> Option<(UnitBase, i64, ExactFactor)> {
     let text = SHORT_UNIT_NAMES
         .iter()
@@ -374,7 +373,7 @@ fn read_unit(text: &str) -> Option<(UnitBase, i64, ExactFactor)> {
             return None;
         }
         for _ in 0..power {
-            // A minute is 6 tens of seconds, a millisecond is 10^-3: over the digits (1 or 6).
+            // A minute is 6·10 s, a millisecond is 10^-3 s: the digits (1 or 6) are in the denominator.
             let digits: u64 = below.factor.digits.parse().ok()?;
             factor.denominator *= digits;
             factor.exponent -= below.factor.exponent;
@@ -383,7 +382,7 @@ fn read_unit(text: &str) -> Option<(UnitBase, i64, ExactFactor)> {
     Some((top.base, per_time, factor))
 }
 
-/// `s^2`, `s²`, `s2` or `s`: the name and the power.
+/// The name and the power of `s^2`, `s²`, `s2` or `s`.
 fn read_power(text: &str) -> (&str, i64) {
     for (endings, power) in
         [(["^2", "\u{b2}", "2"], 2), (["^3", "\u{b3}", "3"], 3), (["^1", "\u{b9}", "1"], 1)]

@@ -1,4 +1,4 @@
-//! Machine files: what they inherit first, then their own keys.
+//! Reads machine files: first the files that they inherit from, then their own keys.
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -12,14 +12,14 @@ use crate::files::{in_folder_of, is_separator};
 use crate::machine::Machine;
 use crate::suggest;
 
-/// How many files may inherit from each other in a row.
+/// The largest depth of inheritance.
 const MAX_INHERITANCE_DEPTH: usize = 16;
 
-/// Gives the text of a file by name, or why it cannot.
+/// Returns the text of a file by name, or the reason why it cannot.
 type TextLoader<'l> = &'l dyn Fn(&str) -> Result<String, String>;
 
 impl Machine {
-    /// A built-in machine.
+    /// Reads a built-in machine.
     pub fn from_builtin(name: &str) -> Result<Machine, Vec<MachineError>> {
         let Some(text) = builtin(name) else {
             let help = builtin_help(name);
@@ -31,10 +31,9 @@ impl Machine {
         })
     }
 
-    /// Reads a machine file. `inherits` names a built-in machine, or else a file, which `loader`
-    /// turns into its text: it is asked by the name joined to the folder of the file that says
-    /// it, so both are relative to the same place as `file_name`. Every error of every file is
-    /// reported.
+    /// Reads a machine file. `inherits` names a built-in machine, or else a file, whose text `loader` returns. `loader`
+    /// gets the name joined to the folder of the file with the key, so that it is relative to the same folder as
+    /// `file_name`. Every error of every file is reported.
     pub fn from_toml(
         file_name: &str,
         text: &str,
@@ -47,7 +46,7 @@ impl Machine {
 fn read(file: &str, text: &str, loader: TextLoader<'_>) -> Result<Machine, Vec<MachineError>> {
     let mut reader = MachineReader {
         loader,
-        // The control stands in until a file says one; no machine gets out without.
+        // This control is a placeholder until a file names one; no machine is returned without.
         machine: Machine::without_axes("", ControlName::Fanuc),
         control_is_known: false,
         parts_missing: false,
@@ -80,10 +79,10 @@ struct MachineReader<'l> {
     loader: TextLoader<'l>,
     machine: Machine,
     control_is_known: bool,
-    /// Something could not be read, so what is missing may be in there.
+    /// A part could not be read, so missing keys may be in it.
     parts_missing: bool,
     errors: Vec<MachineError>,
-    /// The files being read, each inheriting from the next.
+    /// The files that are being read, each of which inherits from the next.
     chain: Vec<String>,
 }
 
@@ -118,8 +117,7 @@ impl MachineReader<'_> {
                 .collect();
             syntax.sort_by_key(MachineError::line);
             syntax.dedup_by_key(|error| error.line());
-            // After a slip of syntax the keys may not be what they were meant to be; values
-            // made up in recovery have no place at all.
+            // After a syntax error the keys may be wrong, and values from error recovery have no position.
             let first = syntax[0].line().unwrap_or(0);
             errors.retain(|error| {
                 error.line().is_some_and(|line| line < first) && !error.underlined().is_empty()
@@ -182,7 +180,7 @@ impl MachineReader<'_> {
     }
 }
 
-/// What errors call the file of a built-in machine.
+/// The file name of a built-in machine in errors.
 fn builtin_file(name: &str) -> String {
     format!("built-in/{name}.toml")
 }
@@ -194,13 +192,13 @@ fn builtin_help(name: &str) -> String {
     }
 }
 
-/// A file's name without folder and ending.
+/// The name of a file without folder and extension.
 fn stem(file: &str) -> &str {
     let name = file.rsplit(is_separator).next().unwrap_or(file);
     name.strip_suffix(".toml").filter(|name| !name.is_empty()).unwrap_or(name)
 }
 
-/// The name with `.` and `..` worked off, so that a circle is seen.
+/// The name with `.` and `..` resolved, so that circular inheritance is detected.
 fn normal(file: &str) -> String {
     let mut parts: Vec<&str> = Vec::new();
     for part in file.split(is_separator) {

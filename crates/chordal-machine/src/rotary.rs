@@ -1,7 +1,7 @@
-//! Where rotary axes bring points of the path and the direction of the tool, seen from the part.
+//! Points of the path and the direction of the tool relative to the part, with rotary axes.
 //!
-//! A, B and C turn about X, Y and Z, through a point that the machine file gives. Tables carry the part, the first
-//! letter nearest to the machine; heads carry the tool.
+//! A, B and C turn about axes parallel to X, Y and Z through a point in the machine file. Tables carry the part, with the
+//! axis of the first letter closest to the machine; heads carry the tool.
 
 use chordal_geometry::{Transform, Vec3};
 
@@ -10,31 +10,31 @@ use crate::machine::{RotaryAxis, RotaryTarget};
 /// The linear axes that A, B and C turn about.
 const AXES: [Vec3; 3] = [Vec3::X, Vec3::Y, Vec3::Z];
 
-/// A rotation of the tool, seen from the part, by the angle of a rotary axis.
+/// A rotation of the tool relative to the part by a rotary axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ToolRotation {
     /// 0, 1 and 2 for A, B and C.
     pub axis: usize,
-    /// The unit vector that a positive angle turns the tool about, by the right-hand rule.
+    /// The unit vector about which a positive angle turns the tool, by the right-hand rule.
     pub about: Vec3,
 }
 
 impl RotaryAxis {
-    /// A point that the axis goes through, program coordinates, mm.
+    /// A point on the axis of rotation, program coordinates, mm.
     #[must_use]
     pub fn center(&self) -> Vec3 {
         let [x, y, z] = self.center_mm.map(|mm| mm.unwrap_or(0.0));
         Vec3::new(x, y, z)
     }
 
-    /// The direction that the axis turns about for a positive angle.
+    /// The unit vector about which a positive angle turns, by the right-hand rule.
     fn about(&self, axis: usize) -> Vec3 {
         if self.reversed { AXES[axis] * -1.0 } else { AXES[axis] }
     }
 }
 
-/// Takes program coordinates to those of the part, which are the same while A, B and C (rad) are zero. Axes that turn the
-/// tool, and those of which it is not known what they turn, change nothing.
+/// The transform from program coordinates to those of the part, which are equal if A, B and C (rad) are zero. Axes that
+/// turn the tool, and those that are not known to turn the part, are ignored.
 #[must_use]
 pub fn part_transform(rotary: &[RotaryAxis; 3], angles: [f64; 3]) -> Transform {
     let turned = rotary.iter().zip(angles).enumerate();
@@ -46,8 +46,8 @@ pub fn part_transform(rotary: &[RotaryAxis; 3], angles: [f64; 3]) -> Transform {
     )
 }
 
-/// The rotations that take the tool's direction on the machine to its direction on the part, in the order in which they
-/// act: those of heads, then those of tables.
+/// The rotations from the direction of the tool on the machine to its direction relative to the part, in the order in
+/// which they are applied: those of heads, then those of tables.
 #[must_use]
 pub fn tool_rotations(rotary: &[RotaryAxis; 3]) -> Vec<ToolRotation> {
     let of = |turns: RotaryTarget| {

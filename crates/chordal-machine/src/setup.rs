@@ -1,31 +1,31 @@
-//! What lies on the machine: the stock, what holds it, and what is to become of it.
+//! The setup on the machine: the stock, the fixtures, and the target part.
 
 use std::collections::BTreeMap;
 
 use crate::axis::Axis;
 use crate::error::ValueLocation;
 
-/// A setup: the stock, the fixtures, the part that is wanted.
+/// A setup: the stock, the fixtures, the target part.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Setup {
-    /// What the program cuts from; `None`: not known.
+    /// The stock that the program cuts; `None`: not known.
     pub stock: Option<Body>,
-    /// What must not be touched, by name.
+    /// The bodies that must not be touched, by name.
     pub fixtures: BTreeMap<String, Body>,
-    /// The part as it should be.
+    /// The part to be made; `None`: not known.
     pub target: Option<Body>,
-    /// The cutting force of materials, by name.
+    /// The cutting forces of materials, by name.
     pub materials: BTreeMap<String, CuttingForce>,
 }
 
-/// The cutting force of a material by the rule of Kienzle, as far as it was given.
+/// The cutting force of a material in the model of Kienzle; `None`: not given.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CuttingForce {
     /// The force on a chip of 1 mm × 1 mm, N/mm².
     pub k_c1_n_per_mm2: Option<f64>,
-    /// By which power of the thickness it falls.
+    /// The exponent of the decrease with the chip thickness.
     pub m_c: Option<f64>,
-    /// Where the values are from.
+    /// The source of the values.
     pub source: Option<String>,
 }
 
@@ -38,7 +38,7 @@ impl Setup {
             && self.materials.is_empty()
     }
 
-    /// Its bodies with their names in a machine file.
+    /// Its bodies, each with its name in a machine file.
     pub fn bodies(&self) -> impl Iterator<Item = (String, &Body)> {
         let stock = self.stock.iter().map(|body| ("stock".to_string(), body));
         let fixtures = self.fixtures.iter().map(|(name, body)| (format!("fixtures.{name}"), body));
@@ -47,43 +47,43 @@ impl Setup {
     }
 }
 
-/// A body as it was written: which of the dimensions count depends on its shape.
+/// A body as written in the file; the shape determines which of the dimensions are used. `None`: not given.
 #[derive(Clone, Debug, Default)]
 pub struct Body {
-    /// What it is.
+    /// Its shape.
     pub shape: Option<BodyShape>,
-    /// The work offset in whose coordinates its places are.
+    /// The work offset of its coordinates.
     pub work_offset: Option<String>,
-    /// The corner with the lowest coordinates, or the end of a cylinder, by X, Y, Z, mm.
+    /// The corner with the lowest coordinates, or one end of a cylinder: X, Y, Z, mm.
     pub from: [Option<f64>; 3],
-    /// The opposite corner or end, mm.
+    /// The opposite corner or end: X, Y, Z, mm.
     pub to: [Option<f64>; 3],
-    /// Along which axis a cylinder lies; Z if nothing is said.
+    /// The axis of a cylinder; `None`: Z.
     pub axis: Option<Axis>,
     /// The diameter of a cylinder, mm.
     pub diameter_mm: Option<f64>,
     /// The diameter of the bore of a tube, mm.
     pub bore_mm: Option<f64>,
-    /// The file of a mesh, relative to the same place as the name of the file that says it.
+    /// The file of a mesh, relative to the same folder as the name of the file with the key.
     pub file: Option<String>,
-    /// The unit of a mesh, which its file does not name.
+    /// The unit of a mesh, which is not in its file.
     pub unit: Option<MeshUnit>,
-    /// A mesh is turned by half a turn about this axis of its file before it is placed.
+    /// The axis of its file about which a mesh is rotated by half a turn before it is positioned.
     pub turned_over: Option<Axis>,
-    /// How far the tool must stay away from a fixture, mm.
+    /// The smallest allowed distance of the tool from a fixture, mm.
     pub clearance_mm: Option<f64>,
-    /// How much of the part may be missing, or too much, mm.
+    /// How much material may be missing or left on the target, mm.
     pub tolerance_mm: Option<f64>,
     /// The outline of a half section.
     pub contour: Vec<ContourPoint>,
-    /// What it is made of.
+    /// The name of its material.
     pub material: Option<String>,
-    /// Where it was written.
+    /// Its position in the file.
     pub location: Option<ValueLocation>,
 }
 
 impl PartialEq for Body {
-    /// Bodies that are the same are equal, wherever they were written.
+    /// The position does not matter for equality.
     fn eq(&self, other: &Self) -> bool {
         let what = |body: &Self| Body { location: None, ..body.clone() };
         let (one, other) = (what(self), what(other));
@@ -103,20 +103,20 @@ impl PartialEq for Body {
     }
 }
 
-/// What a body is.
+/// The shape of a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum BodyShape {
     /// Between two corners.
     Box,
     /// Between two ends, with a diameter.
     Cylinder,
-    /// The same with a bore.
+    /// A cylinder with a bore.
     Tube,
-    /// A closed mesh of a file.
+    /// A closed mesh from a file.
     Stl,
-    /// What turns about Z, by the outline of its half section.
+    /// A body of revolution about Z, from the outline of its half section.
     Contour,
-    /// The same by the lines and arcs of a drawing.
+    /// The same, from the lines and arcs of a drawing.
     Dxf,
 }
 
@@ -125,9 +125,9 @@ pub enum BodyShape {
 pub struct ContourPoint {
     /// Distance from the axis, mm.
     pub radius_mm: f64,
-    /// Along the axis, mm.
+    /// Position along the axis, mm.
     pub z_mm: f64,
-    /// The radius of the arc that leads to it, mm: positive as G3, negative as G2. `None`: a line.
+    /// The radius of the arc to this corner, mm: positive like G3, negative like G2. `None`: a line.
     pub arc_mm: Option<f64>,
 }
 
@@ -142,7 +142,7 @@ impl BodyShape {
         BodyShape::Dxf,
     ];
 
-    /// The word of a machine file.
+    /// The word for it in machine files.
     pub const fn as_str(self) -> &'static str {
         match self {
             BodyShape::Box => "box",
@@ -165,10 +165,10 @@ pub enum MeshUnit {
 }
 
 impl MeshUnit {
-    /// Both.
+    /// Both values.
     pub const ALL: [MeshUnit; 2] = [MeshUnit::Millimetre, MeshUnit::Inch];
 
-    /// The word of a machine file.
+    /// The word for it in machine files.
     pub const fn as_str(self) -> &'static str {
         match self {
             MeshUnit::Millimetre => "mm",
@@ -176,7 +176,7 @@ impl MeshUnit {
         }
     }
 
-    /// In millimetres.
+    /// The unit in millimetres.
     pub const fn mm(self) -> f64 {
         match self {
             MeshUnit::Millimetre => 1.0,

@@ -1,9 +1,9 @@
-//! "Did you mean".
+//! Finds suggestions for misspelt words.
 
-/// How alike two words must be to name one for the other.
+/// The smallest similarity of two words for a suggestion, 0 to 1.
 const MIN_SIMILARITY: f64 = 0.75;
 
-/// The candidate most like a word, if any is like enough. The first of equals.
+/// The candidate most similar to a word, or the first of several; `None` if none is similar enough.
 pub(crate) fn nearest<'c>(
     word: &str,
     candidates: impl IntoIterator<Item = &'c str>,
@@ -14,7 +14,7 @@ pub(crate) fn nearest<'c>(
         let other = candidate.to_lowercase();
         let mut alike = strsim::normalized_damerau_levenshtein(&word, &other)
             .max(strsim::jaro_winkler(&word, &other) - 0.1);
-        // One slip in a short word, as `mx` for `max`; two letters say too little (`km`, `mm`).
+        // One mistake in a short word, such as `mx` for `max`; two letters are not enough (`km`, `mm`).
         let (short, long) = (word.len().min(other.len()), word.len().max(other.len()));
         if short >= 2 && long >= 3 && strsim::damerau_levenshtein(&word, &other) == 1 {
             alike = alike.max(MIN_SIMILARITY);
@@ -26,7 +26,7 @@ pub(crate) fn nearest<'c>(
     best.map(|(_, candidate)| candidate)
 }
 
-/// `a`, `a or b`, `a, b or c`.
+/// A list as text: `a`, `a or b`, `a, b or c`.
 pub(crate) fn or_list<T: AsRef<str>>(items: &[T]) -> String {
     match items {
         [] => String::new(),

@@ -1,12 +1,12 @@
-//! Keys and texts as TOML writes them.
+//! Keys and strings in TOML syntax.
 
-/// A key as TOML writes it: bare where it may be, else quoted.
+/// A key in TOML syntax: bare if possible, else quoted.
 pub(crate) fn key_text(key: &str) -> String {
     let bare = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'-';
     if !key.is_empty() && key.bytes().all(bare) { key.to_string() } else { string_text(key) }
 }
 
-/// A text as TOML writes it.
+/// A string in TOML syntax.
 pub(crate) fn string_text(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {

@@ -1,73 +1,74 @@
-//! A tool: its offsets, its shape, and the solids above its edges.
+//! A tool: its offsets, its shape, its shank and its holder.
 
 use crate::axis::{Axis, PerAxis};
 use crate::turning::TurningTool;
 
-/// The whole angle of the point of a drill that nobody gives, rad: 118°, as twist drills have it.
+/// The default point angle of a drill, rad: 118°, that of common twist drills.
 pub const USUAL_POINT_ANGLE_RAD: f64 = 118.0_f64.to_radians();
 
-/// A tool, its offsets and its shape.
+/// A tool, its offsets and its shape. `None`: not given.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tool {
-    /// The diameter: twice the radius offset.
+    /// The diameter, which is twice the radius offset, mm.
     pub diameter_mm: Option<f64>,
-    /// What is added to the diameter.
+    /// The wear that is added to the diameter, mm.
     pub diameter_wear_mm: Option<f64>,
-    /// The geometry offset by `axis as usize`, mm or rad, a radius on every axis: that of Z is the
-    /// length of a mill, those of X and Z are a turning tool's.
+    /// The geometry offset by `axis as usize`, mm or rad, always as a radius: for a mill, Z is its length; a turning
+    /// tool has X and Z.
     pub offset: PerAxis<Option<f64>>,
-    /// What is added to the geometry.
+    /// The wear that is added to the geometry offset, mm or rad.
     pub offset_wear: PerAxis<Option<f64>>,
-    /// What it is; `None`: not known, and nothing is guessed.
+    /// Its shape; `None`: not known, and not guessed.
     pub shape: Option<ToolShape>,
-    /// The radius of the corner between side and end.
+    /// The radius of the corner between side and end, mm.
     pub corner_radius_mm: Option<f64>,
-    /// The whole angle of the point of a drill or chamfer mill, rad.
+    /// The point angle of a drill or chamfer mill, from side to side, rad.
     pub point_angle_rad: Option<f64>,
-    /// The diameter of the flat at the end of a chamfer mill.
+    /// The diameter of the flat at the end of a chamfer mill, mm.
     pub tip_diameter_mm: Option<f64>,
-    /// The pitch of a tap or thread mill.
+    /// The pitch of a tap or thread mill, mm.
     pub pitch_mm: Option<f64>,
-    /// Teeth: around, or of a thread mill along its axis.
+    /// The number of teeth: around, or for a thread mill along its axis.
     pub teeth: Option<u32>,
-    /// The thickest chip that a tooth may take.
+    /// The largest chip thickness of a tooth, mm.
     pub max_chip_mm: Option<f64>,
-    /// The thinnest chip that its edges cut: below they rub.
+    /// The smallest chip thickness that its edges cut, mm: thinner chips are only rubbed.
     pub min_chip_mm: Option<f64>,
-    /// The nose radius of an insert.
+    /// The nose radius of an insert, mm.
     pub nose_radius_mm: Option<f64>,
-    /// Where the programmed point lies as seen from the nose, 0 to 9 as the control counts.
+    /// The tip number: the direction of the programmed point from the nose, 0 to 9 as the control counts.
     pub tip: Option<u32>,
-    /// The outline of a form tool from its end up: height above the end and radius, mm.
+    /// The outline of a form tool from its end upward: height above the end and radius, mm.
     pub profile: Vec<[f64; 2]>,
-    /// How far up the edges cut.
+    /// The length of the cutting edges, mm.
     pub flute_length_mm: Option<f64>,
-    /// The diameter of a round shank, where `shank` does not say more.
+    /// The diameter of a round shank if `shank` is empty, mm.
     pub shank_diameter_mm: Option<f64>,
-    /// The shank, from the edges up.
+    /// The shank, from the edges upward.
     pub shank: Vec<HolderSegment>,
-    /// The holder, from the shank up.
+    /// The holder, from the shank upward.
     pub holder: Vec<HolderSegment>,
     /// The insert, blade and holder of a turning tool.
     pub turning: TurningTool,
-    /// A name for people, as `roughing end mill`.
+    /// A name for display, such as `roughing end mill`.
     pub description: Option<String>,
     /// Free text.
     pub comment: Option<String>,
 }
 
 impl Tool {
-    /// The length offset without wear: the geometry along Z, mm.
+    /// The length offset without wear: the geometry offset along Z, mm; `None`: not given.
     pub const fn length_mm(&self) -> Option<f64> {
         self.offset[Axis::Z as usize]
     }
 
-    /// The geometry of an axis with its wear; `None` without geometry.
+    /// The geometry offset of an axis including its wear, mm or rad; `None` without geometry.
     pub fn offset_of(&self, axis: usize) -> Option<f64> {
         Some(self.offset[axis]? + self.offset_wear[axis].unwrap_or(0.0))
     }
 
-    /// The radius that cutter compensation takes, wear in it: half the diameter, or the nose of an insert.
+    /// The radius for cutter compensation, including wear, mm: half the diameter, or the nose radius of an insert.
+    /// `None`: not given.
     pub fn radius_mm(&self) -> Option<f64> {
         let wear = self.diameter_wear_mm.unwrap_or(0.0);
         match self.diameter_mm {
@@ -76,9 +77,9 @@ impl Tool {
         }
     }
 
-    /// The shape with its dimensions; `None` where it is not known or one of them is missing.
+    /// The shape with its dimensions; `None` if it is not known or one of them is missing.
     pub fn cutter(&self) -> Option<Cutter<'_>> {
-        // Some controls take a negative diameter for the other side; the tool has none.
+        // On some controls a negative diameter means the other side; the tool itself has no negative diameter.
         let diameter_mm = || self.diameter_mm.map(f64::abs);
         Some(match self.shape? {
             ToolShape::Flat => match self.corner_radius_mm {
@@ -126,12 +127,12 @@ impl Tool {
         })
     }
 
-    /// A drill whose point angle nobody gives: the usual one is taken.
+    /// Whether it is a drill without a point angle, so that the default is used.
     pub fn has_assumed_point_angle(&self) -> bool {
         self.shape == Some(ToolShape::Drill) && self.point_angle_rad.is_none()
     }
 
-    /// The keys of dimensions that the shape needs and that are missing, as a machine file writes them.
+    /// The keys in a machine file of the dimensions that the shape needs and that are missing.
     pub fn missing_dimensions(&self) -> Vec<&'static str> {
         let Some(shape) = self.shape else { return vec!["shape"] };
         let diameter = ("diameter", self.diameter_mm.is_some());
@@ -155,19 +156,18 @@ impl Tool {
         needed.into_iter().filter(|(_, is_provided)| !is_provided).map(|(key, _)| key).collect()
     }
 
-    /// The diameter of the shank where the edges end.
+    /// The diameter of the shank at the end of the edges, mm.
     fn neck_mm(&self) -> Option<f64> {
         self.shank.first().map(|piece| piece.lower_mm).or(self.shank_diameter_mm)
     }
 
-    /// What a list calls it: its comment, else its description, else its shape.
+    /// Its label in lists: its comment, else its description, else its shape.
     pub fn label(&self) -> Option<&str> {
         let shape = || self.shape.map(ToolShape::as_str);
         self.comment.as_deref().or(self.description.as_deref()).or_else(shape)
     }
 
-    /// Takes a free text of what it is: a shape where it says one, else its description. False where it
-    /// says none.
+    /// Reads a free text: as the shape if it names one, else as the description. False if it names no shape.
     pub(crate) fn take_kind(&mut self, text: &str) -> bool {
         let shape = ToolShape::from_words(text);
         self.shape = shape.or(self.shape);
@@ -179,7 +179,7 @@ impl Tool {
     }
 }
 
-/// What a tool is.
+/// The shape of a tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ToolShape {
     /// An end mill with a flat end, or a face mill.
@@ -188,7 +188,7 @@ pub enum ToolShape {
     Ball,
     /// An end mill with rounded corners.
     Bull,
-    /// A cone that breaks edges.
+    /// A conical chamfer mill.
     Chamfer,
     /// A drill, center drill or spot drill.
     Drill,
@@ -200,11 +200,11 @@ pub enum ToolShape {
     TSlot,
     /// A ball on a neck.
     Lollipop,
-    /// A body of revolution with an outline of its own.
+    /// A body of revolution with any outline.
     Form,
     /// A turning insert.
     Insert,
-    /// A blade for grooves or for parting off.
+    /// A grooving or parting blade.
     Groove,
 }
 
@@ -225,7 +225,7 @@ impl ToolShape {
         ToolShape::Groove,
     ];
 
-    /// The word of a machine file.
+    /// The word for it in machine files.
     pub const fn as_str(self) -> &'static str {
         match self {
             ToolShape::Flat => "flat",
@@ -243,8 +243,8 @@ impl ToolShape {
         }
     }
 
-    /// The shape that words of a shop speak of (`FLAT END MILL`, `spot drill`, `5/8 bull nose`).
-    /// `None` where they speak of none, or of a tool that has no shape here, as a reamer.
+    /// The shape that a free text names (`FLAT END MILL`, `spot drill`, `5/8 bull nose`). `None` if it names none, or a
+    /// tool without a shape here, such as a reamer.
     pub fn from_words(text: &str) -> Option<ToolShape> {
         let text = text.to_ascii_uppercase();
         let words: Vec<&str> = text.split(|c: char| !c.is_ascii_alphanumeric()).collect();
@@ -252,7 +252,7 @@ impl ToolShape {
         let pair = |a: &str, b: &str| words.windows(2).any(|pair| pair == [a, b]);
         let either = |list: &[&str]| list.iter().any(|word| has(word));
         let place = |word: &str| words.iter().position(|own| *own == word).unwrap_or(usize::MAX);
-        // The first that fits: a thread mill is no mill, and a ball end mill no flat one.
+        // The first match counts: a thread mill is not a flat mill, and neither is a ball end mill.
         Some(match () {
             () if either(&["REAM", "REAMER", "PROBE", "DOVETAIL", "KEYSEAT", "KEYCUTTER"])
                 || either(&[
@@ -331,30 +331,30 @@ pub enum Cutter<'t> {
     Ball { diameter_mm: f64 },
     /// Rounded corners.
     Bull { diameter_mm: f64, corner_radius_mm: f64 },
-    /// A cone above a flat, which may have no size.
+    /// A cone above a flat, whose diameter may be zero.
     Chamfer { diameter_mm: f64, tip_diameter_mm: f64, point_angle_rad: f64 },
     /// A point and a cylinder.
     Drill { diameter_mm: f64, point_angle_rad: f64 },
-    /// A thread that turns in.
+    /// A tap with a thread of this pitch.
     Tap { diameter_mm: f64, pitch_mm: f64 },
-    /// Threads one above the other.
+    /// A thread mill with a number of threads along its axis.
     ThreadMill { diameter_mm: f64, pitch_mm: f64, teeth: u32 },
-    /// A disc of a thickness on a neck.
+    /// A disc on a neck.
     TSlot { diameter_mm: f64, thickness_mm: f64, neck_mm: f64 },
     /// A ball on a neck.
     Lollipop { diameter_mm: f64, neck_mm: f64 },
     /// An outline: height above the end and radius.
     Form { profile: &'t [[f64; 2]] },
-    /// A nose and where the programmed point lies.
+    /// An insert with a nose radius and a tip number.
     Insert { nose_radius_mm: f64, tip: u32 },
-    /// A blade of a width and where its programmed point lies.
+    /// A blade with a width and a tip number.
     Groove { width_mm: f64, tip: u32 },
 }
 
-/// A piece of a shank or holder: a cylinder, or a cone where the diameters differ.
+/// A segment of a shank or holder: a cylinder, or a cone if the diameters differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HolderSegment {
-    /// How high it is, mm.
+    /// Its height, mm.
     pub height_mm: f64,
     /// The diameter at its lower end, mm.
     pub lower_mm: f64,

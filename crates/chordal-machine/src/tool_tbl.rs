@@ -1,4 +1,4 @@
-//! LinuxCNC's tool table.
+//! The tool table of LinuxCNC.
 
 use std::collections::BTreeMap;
 
@@ -7,13 +7,12 @@ use crate::error::{ErrorSource, MachineError};
 use crate::quantity::length_of_bare;
 use crate::tool::Tool;
 
-/// What errors call the table.
+/// The file name in errors.
 const NAME: &str = "tool.tbl";
 
-/// Reads LinuxCNC's `tool.tbl`: a tool per line, words in any order, a comment after `;`
-/// (`T1 P1 X0 Z+0.511 D+0.125 ;1/8 end mill`). X Y Z A B C are the offsets, Z the
-/// length of a mill; D is the diameter, or twice the nose radius, Q the tip direction. The pocket, I, J, U, V
-/// and W are read and left out. Every bad line is reported.
+/// Reads `tool.tbl` of LinuxCNC: a tool per line, words in any order, a comment after `;` (`T1 P1 X0 Z+0.511 D+0.125
+/// ;1/8 end mill`). X Y Z A B C are the offsets, with Z as the length of a mill; D is the diameter, or twice the nose
+/// radius, Q the tip direction. The pocket, I, J, U, V and W are checked and ignored. Every bad line is reported.
 pub fn read_tool_tbl(
     text: &str,
     millimetres: bool,
@@ -58,10 +57,10 @@ fn read_line(
         match letter {
             'T' | 'P' | 'Q' => match value.parse::<u32>() {
                 Ok(whole) if letter == 'T' => number = Some((whole, span)),
-                // 0 is the default that every mill's line may have.
+                // 0 is the default, which the line of a mill may have.
                 Ok(tip @ 1..=9) if letter == 'Q' => tool.tip = Some(tip),
                 Ok(_) => {}
-                // LinuxCNC's own files write `P-1` for "in no pocket".
+                // The files of LinuxCNC have `P-1` for a tool in no pocket.
                 Err(_) if letter == 'P' && value.parse::<i32>().is_ok() => {}
                 Err(_) => {
                     let message = format!("`{letter}` needs a whole number, not `{value}`");
@@ -105,7 +104,7 @@ fn read_line(
     }
 }
 
-/// Lengths are mm; LinuxCNC counts rotary axes in degrees whatever the units are.
+/// Sets an offset; `mm` is a length in mm. Offsets of rotary axes are always in degrees in LinuxCNC.
 fn set_offset(tool: &mut Tool, letter: char, mm: f64, number: &str) {
     let axis = u8::try_from(letter).ok().and_then(Axis::from_letter);
     let Some(axis) = axis else { return };
@@ -113,7 +112,7 @@ fn set_offset(tool: &mut Tool, letter: char, mm: f64, number: &str) {
     tool.offset[axis as usize] = if axis.is_rotary() { degrees() } else { Some(mm) };
 }
 
-/// The words between white space, each with its place.
+/// The words between white space, each with its position.
 fn split_words(text: &str) -> impl Iterator<Item = (usize, &str)> {
     text.split_whitespace().map(move |word| (word.as_ptr() as usize - text.as_ptr() as usize, word))
 }

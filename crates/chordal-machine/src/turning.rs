@@ -1,35 +1,35 @@
-//! What a turning tool has that a mill has not: its insert, how it is held, and the outline of its holder.
+//! The data of turning tools: the insert, its mounting, and the outline of the holder.
 
 use crate::designation::{HolderDesignation, InsertDesignation, InsertLetter, WrittenDesignation};
 
-/// The shape of a turning tool. Angles are rad, lengths mm, distances along X are radii.
+/// The shape of a turning tool. Angles are in rad, lengths in mm, distances along X are radii. `None`: not given.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TurningTool {
-    /// The first letter of the insert's ISO code: its corner angle.
+    /// The first letter of the ISO code of the insert, which determines its corner angle.
     pub insert: Option<InsertLetter>,
     /// The whole designation of the insert.
     pub insert_designation: Option<WrittenDesignation<InsertDesignation>>,
-    /// That of the holder.
+    /// The whole designation of the holder.
     pub holder_designation: Option<WrittenDesignation<HolderDesignation>>,
-    /// The tip number is that of the holder's usual mounting: nobody gave it.
+    /// The tip number is not given, but that of the usual mounting of the holder.
     pub has_usual_tip: bool,
-    /// The corner angle where no letter says it.
+    /// The corner angle if no letter is given.
     pub insert_angle_rad: Option<f64>,
-    /// Between the main cutting edge and the feed along Z.
+    /// The angle between the main cutting edge and the feed along Z.
     pub approach_angle_rad: Option<f64>,
     /// The width of a grooving or parting tool.
     pub width_mm: Option<f64>,
     /// The slope of its front edge.
     pub lead_angle_rad: Option<f64>,
-    /// Where it cuts, if its tip number does not say it.
+    /// Where it cuts, if its tip number does not determine it.
     pub facing: Option<ToolFacing>,
-    /// From the programmed point to the middle of the round shank, along X.
+    /// The distance from the programmed point to the axis of the round shank, along X.
     pub bar_offset_mm: Option<f64>,
-    /// Corners of the holder as seen from the programmed point: X, Z.
+    /// The corners of the holder relative to the programmed point: X, Z.
     pub holder_outline: Vec<[f64; 2]>,
 }
 
-/// The number of a tip where X is counted the other way round.
+/// The tip number with X in the opposite direction.
 pub const fn mirrored_tip(tip: u32) -> u32 {
     match tip {
         1 => 4,
@@ -43,7 +43,7 @@ pub const fn mirrored_tip(tip: u32) -> u32 {
 }
 
 impl TurningTool {
-    /// The corner angle of the insert, rad; `None` where it is not known, or round.
+    /// The corner angle of the insert, rad; `None` if it is not known or the insert is round.
     pub fn corner_rad(&self) -> Option<f64> {
         let of_letter = self.insert.and_then(InsertLetter::corner_degrees).map(f64::to_radians);
         self.insert_angle_rad.or(of_letter)
@@ -64,11 +64,11 @@ pub enum ToolFacing {
 }
 
 impl ToolFacing {
-    /// All of them.
+    /// All values.
     pub const ALL: [ToolFacing; 4] =
         [ToolFacing::Outside, ToolFacing::Inside, ToolFacing::Face, ToolFacing::BackFace];
 
-    /// The word of a machine file.
+    /// The word for it in machine files.
     pub const fn as_str(self) -> &'static str {
         match self {
             ToolFacing::Outside => "outside",

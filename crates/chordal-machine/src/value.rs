@@ -1,9 +1,9 @@
-//! The control's own settings, raw: what they mean is the control's business.
+//! The settings of the control as written; their meaning depends on the control.
 
 use crate::error::ValueLocation;
 use crate::quantity::{QuantityDimension, QuantityError, machine_quantity};
 
-/// A setting's value as written.
+/// The value of a setting as written.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SettingValue {
     /// A text, often a word or a quantity.
@@ -22,7 +22,7 @@ impl SettingValue {
         self.as_quantity(QuantityDimension::Length)
     }
 
-    /// The value as a quantity, in the crate's unit of that dimension.
+    /// The value as a quantity, in the unit of that dimension ([`QuantityDimension::inside`]).
     pub fn as_quantity(&self, dimension: QuantityDimension) -> Result<f64, QuantityError> {
         let bare = match self {
             SettingValue::Text(text) => return machine_quantity(text, dimension),
@@ -41,12 +41,12 @@ impl SettingValue {
 pub struct SettingEntry {
     /// Its value as written.
     pub value: SettingValue,
-    /// Where it was written.
+    /// Its position in the file.
     pub location: Option<ValueLocation>,
 }
 
 impl PartialEq for SettingEntry {
-    /// Settings of equal value are equal, wherever they were written.
+    /// The position does not matter for equality.
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
     }

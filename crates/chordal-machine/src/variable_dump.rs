@@ -1,14 +1,15 @@
-//! A control's own output of its macro variables.
+//! Reads files in which a control has written its macro variables.
 //!
-//! Four forms, told apart line by line: Fanuc (`G10L85P500(4029000000000000)`, the bits of a double; before that
-//! `#500=[a*65536+b]/134217728`), Mitsubishi (`#500=12.5`), Haas (`N500 V12.5`) and LinuxCNC (`5220 1.0`).
+//! There are four forms, which are distinguished line by line: Fanuc (`G10L85P500(4029000000000000)`, the bits of a
+//! double; older: `#500=[a*65536+b]/134217728`), Mitsubishi (`#500=12.5`), Haas (`N500 V12.5`) and LinuxCNC (`5220
+//! 1.0`).
 
 use std::collections::BTreeMap;
 
-/// A file with more lines is none of a control.
+/// The largest number of lines; a file with more is not from a control.
 const MAX_LINES: usize = 200_000;
 
-/// Most characters of a bad line that a message shows.
+/// The largest number of characters of a bad line in a message.
 const MAX_SHOWN: usize = 40;
 
 /// The variables of a control.
@@ -16,28 +17,28 @@ const MAX_SHOWN: usize = 40;
 pub struct VariableDump {
     /// Values by number; `None`: the variable is vacant.
     pub values: BTreeMap<u32, Option<f64>>,
-    /// Lines that cannot be read.
+    /// The lines that cannot be read.
     pub bad_lines: Vec<BadLine>,
 }
 
-/// A line of none of the forms.
+/// A line in none of the forms.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BadLine {
     /// Its number, from 1.
     pub line: usize,
-    /// Its text, cut where it is long.
+    /// Its text, shortened if it is long.
     pub text: String,
 }
 
-/// What a line says.
+/// The content of a line.
 enum DumpEntry {
     Value(u32, Option<f64>),
-    /// A head, a name, an end.
+    /// A head, a name or an end.
     Nothing,
 }
 
-/// Reads a file of variables. `None` where the first line that says something has none of the forms: then it
-/// is another sort of file.
+/// Reads a file of variables. `None` if the first line with content has none of the forms: then it is another kind of
+/// file.
 pub fn read_variable_dump(bytes: &[u8]) -> Option<VariableDump> {
     let mut dump = VariableDump::default();
     let end = if bytes.contains(&b'\n') { b'\n' } else { b'\r' };
@@ -107,7 +108,7 @@ fn parse_line(line: &str) -> Option<DumpEntry> {
     }
 }
 
-/// `500(4029000000000000)`, with a comment after it in some versions.
+/// Reads `500(4029000000000000)`, in some versions with a comment after it.
 fn of_fanuc(rest: &str) -> Option<DumpEntry> {
     let (number, rest) = rest.split_once('(')?;
     let (bits, _) = rest.split_once(')')?;
@@ -123,9 +124,9 @@ fn of_fanuc(rest: &str) -> Option<DumpEntry> {
     value.is_finite().then_some(DumpEntry::Value(number, Some(value)))
 }
 
-/// The right side of an assignment: a number, `#0` for vacant, or `[a*65536+b]/134217728`.
+/// Reads the right side of an assignment: a number, `#0` for vacant, or `[a*65536+b]/134217728`.
 fn assigned(value: &str) -> Option<Option<f64>> {
-    // A name or a remark may stand behind it.
+    // A name or a comment may follow it.
     let value = value.split('(').next().unwrap_or(value);
     if matches!(value, "#0" | "") {
         return Some(None);
@@ -152,7 +153,7 @@ fn number_of(text: &str) -> Option<u32> {
     if is_whole { text.parse().ok() } else { None }
 }
 
-/// A number as controls write it: digits, a point or a decimal comma, a sign.
+/// Reads a number as controls write it: digits, a decimal point or comma, a sign. `None` if it is not finite.
 fn finite(text: &str) -> Option<f64> {
     let text = text.strip_prefix('+').unwrap_or(text).replace(',', ".");
     let plain =

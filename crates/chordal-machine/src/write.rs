@@ -1,15 +1,14 @@
-//! A machine as the file that would give it, with nothing left to inherit.
+//! Writes a machine as a file without inheritance.
 
 use crate::machine::{Machine, Macros};
 use crate::schema::{self, tables, written_tables};
 
-/// The keys of a tool that people know, and those of an axis that say the same: a mill has its length
-/// and no other offset.
+/// Keys of a tool for one axis with their usual short keys, for mills, which have a length and no other offset.
 const SHORT_KEYS: [(&str, &str); 2] = [("offset.Z", "length"), ("offset_wear.Z", "length_wear")];
 
 impl Machine {
-    /// The machine file that gives this machine, every inherited key in it, in millimetres,
-    /// seconds and radians: reading it back gives the same bits.
+    /// The text of a machine file for this machine, with every inherited key, in millimetres, seconds and radians.
+    /// Reading it gives exactly the same values.
     pub fn to_toml(&self) -> String {
         let mut out = String::new();
         let mut copy = self.clone();
@@ -32,7 +31,7 @@ impl Machine {
         out
     }
 
-    /// The table has a meaning though none of its keys is written.
+    /// Whether the table has a meaning although none of its keys is written.
     fn has_table(&self, table: &str) -> bool {
         match table {
             "macros" => self.macros != Macros::default(),

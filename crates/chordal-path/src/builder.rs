@@ -1,4 +1,4 @@
-//! Commands into segments of path in one frame.
+//! Turns commands into segments of the path, all in one frame.
 
 use chordal_command::{
     AxisMask, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Position, SpindleState,
@@ -15,22 +15,23 @@ use crate::segment::{
 };
 use crate::tip::{TipPlace, TipTracker};
 
-/// The frame of a run: the work coordinate system of its first cut.
+/// The frame in which the path of a run is given: the work coordinate system of its first cut.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RunFrame {
     name: WorkName,
     zero: WorkZero,
-    /// Added to its coordinates to get machine coordinates, mm.
+    /// What is added to coordinates in this frame to get machine coordinates, mm.
     offset: Position,
 }
 
 impl RunFrame {
-    /// The frame of a first cut that is made in `frame`. `set_up` is what the setup gives of its work coordinate
-    /// system, mm: what the program itself writes into the system moves it against that.
+    /// The frame of a run whose first cut is made in `frame`. `set_up` is the offset of its work coordinate system that
+    /// the setup gives, mm, `None` per axis without one: what the program writes into the system later is a move
+    /// relative to it.
     pub fn of_cut(frame: &ProgramFrame, set_up: PerAxis<Option<f64>>) -> RunFrame {
         let zero = &frame.zero;
         let offset = std::array::from_fn(|axis| match set_up[axis] {
-            // Nothing else is known of it but what the preset says.
+            // Only the preset says where the zero of this axis is.
             _ if zero.unknown_presets.axes.has(axis) => frame.work[axis],
             Some(value) => value,
             None => zero.system[axis],
@@ -38,8 +39,8 @@ impl RunFrame {
         RunFrame { name: frame.name, zero: *zero, offset }
     }
 
-    /// How far program coordinates of another frame lie from this one, mm: zero along the axes of which that is not
-    /// known.
+    /// The shift from the program coordinates of another frame to this one, mm: zero along the axes for which it is not
+    /// known. Also those axes, with the reason; `None` if there are none.
     fn shift_of(&self, frame: &ProgramFrame) -> (Vec3, Option<UnrelatedZero>) {
         let same_system = frame.name == self.name;
         let mut axes = AxisMask::NONE;
@@ -63,40 +64,41 @@ impl RunFrame {
 }
 
 /// Turns commands into segments in one frame: the work coordinate system of the first cut.
-/// What runs under another work offset, a shift or a preset is moved to where it lies relative to that.
+/// Moves under another work offset, a shift or a preset are shifted to where they lie in that frame.
 #[derive(Debug)]
 pub struct PathBuilder<'a> {
     machine: &'a Machine,
     frame: ProgramFrame,
     run_frame: Option<RunFrame>,
-    /// From the active program coordinates to the frame of the run, mm, and where that is not known, why.
+    /// The shift from the active program coordinates to the frame of the run, mm, and why it is not known along some
+    /// axes.
     shift: (Vec3, Option<UnrelatedZero>),
     tool: u32,
     tip: TipTracker,
-    /// The speed of the spindle, 1/min; 0 while it stands.
+    /// The speed of the spindle, 1/min; 0 while it does not turn.
     rpm: f64,
     not_named: NotNamedTracker,
 }
 
-/// Finds the axes that the program does not name, move by move.
+/// Finds, move by move, the axes that the program does not name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum NotNamedTracker {
-    /// Found before the run.
+    /// They were found before the run.
     Found(NotNamed),
-    /// The run could not be looked at before: Z, as long as no move has named it and with it a cut was made.
+    /// The run was not searched in advance. Z counts as not named in a cut as long as no move has named Z.
     SoFar(PlanarStart),
 }
 
 impl NotNamedTracker {
-    /// Follows a move; the axes of it that are drawn at zero.
+    /// Follows a move and returns the axes that are drawn at zero in it.
     fn follow(&mut self, motion: &Move, cuts: bool) -> NotNamed {
         match self {
             NotNamedTracker::Found(NotNamed { never, in_no_cut }) => {
-                let mut stands = in_no_cut.without(motion.from_known.or(motion.to_known));
+                let mut remaining = in_no_cut.without(motion.from_known.or(motion.to_known));
                 (0..3).filter(|axis| motion.from[*axis] != motion.to[*axis]).for_each(|axis| {
-                    stands.remove(axis);
+                    remaining.remove(axis);
                 });
-                NotNamed { never: *never, in_no_cut: stands }
+                NotNamed { never: *never, in_no_cut: remaining }
             }
             NotNamedTracker::SoFar(flat) => match flat.follow(motion, cuts) {
                 true => {
@@ -108,19 +110,19 @@ impl NotNamedTracker {
     }
 }
 
-/// Whether a program has only X and Y so far.
+/// Whether a program has moved only X and Y so far.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum PlanarStart {
-    /// Z was never moved, and nothing was cut.
+    /// Z has not moved, and nothing was cut.
     Open,
-    /// The same, and something was cut.
+    /// Z has not moved, and something was cut.
     Cut,
-    /// Z was moved or placed.
+    /// Z has moved, or its position is known.
     No,
 }
 
 impl PlanarStart {
-    /// Follows a move; true where it lies flat although its height is not known.
+    /// Follows a move; true if it is drawn in a plane although its height is not known.
     fn follow(&mut self, motion: &Move, cuts: bool) -> bool {
         let both = motion.from_known.and(motion.to_known);
         if motion.from_known.or(motion.to_known).has(2) || motion.from[2] != motion.to[2] {
@@ -137,8 +139,7 @@ impl PlanarStart {
 }
 
 impl<'a> PathBuilder<'a> {
-    /// A builder for one run; `offset` and `known` as
-    /// [`initial_offset`](chordal_gcode::initial_offset) gives them.
+    /// A builder for one run. `offset` and `known` come from [`initial_offset`](chordal_gcode::initial_offset).
     pub fn new(machine: &'a Machine, offset: Position, known: AxisMask) -> PathBuilder<'a> {
         PathBuilder {
             tip: TipTracker::new(machine, ToolLengths::Absent, known),
@@ -152,25 +153,26 @@ impl<'a> PathBuilder<'a> {
         }
     }
 
-    /// The tip of a tool stands where the machine puts it, not where the program means it to be.
+    /// Draws the tip of a tool where the machine puts it, not where the program assumes it to be.
     pub fn with_tool_lengths(self, lengths: ToolLengths) -> PathBuilder<'a> {
         let tip = TipTracker::new(self.machine, lengths, self.frame.known);
         PathBuilder { tip, ..self }
     }
 
-    /// The run begins in a work coordinate system.
+    /// Sets the work coordinate system that is active when the run begins.
     pub fn in_system(self, name: WorkName) -> PathBuilder<'a> {
         PathBuilder { frame: self.frame.in_system(name), ..self }
     }
 
-    /// The frame of the run is known before its first cut: what goes before lies right, too.
+    /// Sets the frame of the run, if it is known before its first cut: then the moves before that cut are drawn in the
+    /// same frame.
     pub fn in_run_frame(mut self, run_frame: Option<RunFrame>) -> PathBuilder<'a> {
         self.run_frame = run_frame;
         self.place();
         self
     }
 
-    /// The axes that the program does not name are known before the run.
+    /// Sets the axes that the program does not name, if they are known before the run.
     pub fn without_names(mut self, axes: Option<NotNamed>) -> PathBuilder<'a> {
         if let Some(axes) = axes {
             self.not_named = NotNamedTracker::Found(axes);
@@ -178,7 +180,7 @@ impl<'a> PathBuilder<'a> {
         self
     }
 
-    /// Follows a command and hands its segments on.
+    /// Follows a command and passes its segments to `push`.
     pub fn command(&mut self, command: &Command, mut push: impl FnMut(&Segment)) {
         if let CommandKind::Tool { number } | CommandKind::ToolNumber { number } = command.kind {
             self.tool = number;
@@ -243,7 +245,7 @@ impl<'a> PathBuilder<'a> {
         }
     }
 
-    /// From the active program coordinates to the frame of the run.
+    /// The shift from the active program coordinates to the frame of the run, mm.
     fn shift(&mut self, cuts: bool) -> Vec3 {
         match self.tip.place() {
             TipPlace::Shifted(by) => self.shift_of_frame(cuts) + by,
@@ -297,7 +299,7 @@ impl<'a> PathBuilder<'a> {
     }
 }
 
-/// A shift that takes axes which a move does not name to their zero.
+/// The shift of a move, mm, with the axes in `axes`, which the program does not name, brought to zero.
 fn to_zero(shift: Vec3, motion: &Move, axes: AxisMask) -> Vec3 {
     if axes == AxisMask::NONE {
         return shift;
@@ -307,7 +309,8 @@ fn to_zero(shift: Vec3, motion: &Move, axes: AxisMask) -> Vec3 {
     Vec3::new(along(0), along(1), along(2))
 }
 
-/// How long a cutting move takes at its feed, without acceleration, s. 0 without a feed.
+/// How long a cutting move takes at its programmed feed, without acceleration, s. 0 without a feed, and for a feed per
+/// revolution while the spindle does not turn.
 pub fn duration_s(feed: &Feed, motion: &Move, curve: &Curve) -> f64 {
     let positive = feed.value > 0.0;
     if !positive {
@@ -337,7 +340,7 @@ pub fn duration_s(feed: &Feed, motion: &Move, curve: &Curve) -> f64 {
         FeedMode::PerRevolution => 0.0,
         FeedMode::PerTime if length > 0.0 => length / feed.value,
         FeedMode::PerTime => {
-            // Rotary axes alone: the feed is an angle per time.
+            // Only rotary axes move: the feed is an angle per time.
             motion.turn_rad() / feed.value
         }
     }

@@ -1,4 +1,4 @@
-//! Checks that need the path: travel, rapids into the part, nearly tangent joints.
+//! Checks that need the path: travel of the axes, rapids into the part, nearly tangent joints, slow cuts.
 
 mod cutting_speed;
 mod joint;
@@ -27,31 +27,31 @@ use crate::turret_log::TurretLog;
 use cutting_speed::CuttingSpeedMemory;
 use turret::TurretMemory;
 
-/// Rapids one after the other at depth that are remembered until a cut follows.
+/// How many consecutive rapids at depth are remembered until a cut follows.
 const LEGS_KEPT: usize = 16;
 
-/// Feeds from here on are not judged as too slow, mm/s (20 mm/min).
+/// Feeds of at least this are not reported as too slow, mm/s (20 mm/min).
 const SLOW_MM_PER_S: f64 = 20.0 / 60.0;
 
-/// A block that takes longer at such a feed was hardly meant, s.
+/// A cut at a slower feed is reported if it takes longer than this, s.
 const LONG_CUT_S: f64 = 600.0;
 
-/// Below the clearance plane by less is on it, mm.
+/// Tolerance for rounding: a point below the clearance plane by less is on it, mm.
 const ON_PLANE_MM: f64 = 1e-6;
 
-/// Watches the commands of a run.
+/// Follows the commands of a run and reports problems of its path.
 #[derive(Debug)]
 pub struct RunChecks<'a> {
     machine: &'a Machine,
-    /// Nothing of the part is above this, mm.
+    /// The height of the clearance plane: no part of the workpiece is above it, mm.
     clearance_mm: f64,
     /// The machine is a lathe.
     turns: bool,
-    /// How programs limit the spindle where they keep a cutting speed.
+    /// An example of how programs limit the spindle speed with a constant cutting speed, for help texts.
     speed_limit_example: &'static str,
-    /// Nobody named the machine: what exceeds its limits is one note at the end.
+    /// No machine was chosen, and its limits are assumed: exceeding them is one note at the end.
     assumed: bool,
-    /// What is remembered where a program begins.
+    /// The memory at the start of a program.
     start: ChecksMemory,
     now: ChecksMemory,
     seen: CheckedRange,
@@ -62,13 +62,13 @@ pub struct RunChecks<'a> {
 pub struct ChecksMemory {
     frame: ProgramFrame,
     units: Units,
-    /// The programmed moves that come have cutter compensation.
+    /// Cutter compensation is active for the programmed moves.
     compensated: bool,
-    /// Direction and place of the end of the last cut, and the plane where it was an arc.
+    /// Direction and position at the end of the last cut, and its plane if it was an arc.
     last: Option<(Vec3, Vec3, Option<Plane>)>,
     /// The last cut was below the clearance plane, and only the rapids of `legs` came after it.
     at_depth: bool,
-    /// Rapids sideways at depth, until the next motion shows where they led.
+    /// Rapids sideways at depth, until the next motion shows whether they lead to a cut.
     legs: Vec<LowRapid>,
     contour: ContourRapid,
     tip: TipTracker,
@@ -79,14 +79,14 @@ pub struct ChecksMemory {
     reported_speed: bool,
 }
 
-/// What a stretch of a run has touched, for what can be judged only at its end.
+/// What a part of a run has cut and moved through, for the checks that are made at the end of the run.
 #[derive(Clone, Debug)]
 pub struct CheckedRange {
     /// What is cut, in program coordinates, and the rapids below the clearance plane.
     rapids: RapidLog,
-    /// On a lathe: what is cut, and where the turret turns.
+    /// On a lathe: what is cut, and where the turret indexes.
     turret: TurretLog,
-    /// Extent of each axis over known places, for machines whose offsets are not known.
+    /// Lowest and highest known position of each axis, mm or rad, for machines whose offsets are not known.
     extent: PerAxis<(f64, f64)>,
     /// By how much the limits of an assumed machine were exceeded.
     excess: LimitExcess,
@@ -105,7 +105,7 @@ impl Default for CheckedRange {
 }
 
 impl CheckedRange {
-    /// With what the stretch after has touched.
+    /// Adds the range of the part of the run that follows.
     pub fn and(&mut self, next: &CheckedRange) {
         self.rapids.and(&next.rapids);
         self.turret.and(&next.turret);
@@ -115,7 +115,7 @@ impl CheckedRange {
         self.excess.and(&next.excess);
     }
 
-    /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
+    /// Moves the positions in the text after an edit of other text; `None` if one of them was in the edited text.
     pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         self.turret.shift(shift)?;
         self.rapids.shift(shift)
@@ -123,7 +123,7 @@ impl CheckedRange {
 }
 
 impl ChecksMemory {
-    /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
+    /// Moves the positions in the text after an edit of other text; `None` if one of them was in the edited text.
     pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         for leg in &mut self.legs {
             leg.origin = leg.origin.shifted(shift)?;
@@ -135,7 +135,8 @@ impl ChecksMemory {
 }
 
 impl<'a> RunChecks<'a> {
-    /// Checks for one run that begins in these units.
+    /// Checks for one run that begins in these units. `offset` and `known` come from
+    /// [`initial_offset`](chordal_gcode::initial_offset).
     pub fn new(
         machine: &'a Machine,
         offset: Position,
@@ -168,50 +169,50 @@ impl<'a> RunChecks<'a> {
         }
     }
 
-    /// The tip of a tool stands where the machine puts it.
+    /// Checks the tip of a tool where the machine puts it, not where the program assumes it to be.
     pub fn with_tool_lengths(mut self, lengths: ToolLengths) -> RunChecks<'a> {
         self.now.tip = TipTracker::new(self.machine, lengths, self.now.frame.known);
         self.start = self.now.clone();
         self
     }
 
-    /// How programs limit the spindle where they keep a cutting speed, for people.
+    /// Sets the example of how programs limit the spindle speed with a constant cutting speed, for help texts.
     pub fn with_speed_limit_example(self, example: &'static str) -> RunChecks<'a> {
         RunChecks { speed_limit_example: example, ..self }
     }
 
-    /// Nobody named the machine: its limits are a guess.
+    /// Sets whether no machine was chosen, so that its limits are assumed.
     pub fn assumed(self, assumed: bool) -> RunChecks<'a> {
         RunChecks { assumed, ..self }
     }
 
-    /// A problem that these checks report in another form, because nobody named the machine.
+    /// True for a problem that these checks report in another form because the limits of the machine are assumed.
     pub fn is_guessed(&self, code: Code) -> bool {
         self.assumed && matches!(code, Code::FeedOverLimit | Code::SpindleOverLimit)
     }
 
-    /// What is remembered here.
+    /// What the checks remember at this point of the run.
     pub fn memory(&self) -> &ChecksMemory {
         &self.now
     }
 
-    /// Goes on from there.
+    /// Restores a memory, to continue from that point of the run.
     pub fn recall(&mut self, memory: ChecksMemory) {
         self.now = memory;
     }
 
-    /// Takes out what was touched so far; what comes is counted anew.
+    /// Returns the range that was collected so far, and starts an empty one.
     pub fn take_seen(&mut self) -> CheckedRange {
         std::mem::take(&mut self.seen)
     }
 
-    /// Counts as touched, besides.
+    /// Adds a range to the collected one.
     pub fn add_seen(&mut self, seen: &CheckedRange) {
         self.seen.and(seen);
     }
 
-    /// Follows a command as programmed. Joints of a compensated contour are judged here: their
-    /// coordinates are the programmer's, the corners of the tool centre are not.
+    /// Follows a command as programmed. Joints of a compensated contour are checked here, because the program gives their
+    /// coordinates; the corners of the tool centre path are computed.
     #[inline]
     pub fn programmed(&mut self, command: &Command, mut report: impl FnMut(Diagnostic)) {
         match &command.kind {
@@ -248,7 +249,7 @@ impl<'a> RunChecks<'a> {
         }
     }
 
-    /// Follows a command of the tool centre.
+    /// Follows a command of the tool centre path.
     #[inline]
     pub fn command(&mut self, path: PathCommand<'_>, mut report: impl FnMut(Diagnostic)) {
         let command = path.command;
@@ -303,7 +304,7 @@ impl<'a> RunChecks<'a> {
                 self.cut_at_depth(motion);
             }
             CommandKind::Spline { motion, curve, .. } => {
-                // Joints of splines are not judged: they pass from one to the next as the program says.
+                // Joints of splines are not checked: the program gives their directions explicitly.
                 self.now.last = None;
                 self.reach(curve.bounds(), motion, command.origin, &mut report);
                 self.cut_at_depth(motion);
@@ -315,7 +316,7 @@ impl<'a> RunChecks<'a> {
         }
     }
 
-    /// A cut at a feed that nobody means.
+    /// Reports a cut whose feed is so slow that it is probably a mistake.
     #[cold]
     fn slow(
         &self,
@@ -359,7 +360,7 @@ impl<'a> RunChecks<'a> {
         }
     }
 
-    /// A cut along a curve reaches as far as its bounds.
+    /// Follows a cut along a curve with these bounds.
     fn reach(
         &mut self,
         bounds: Aabb,
@@ -434,8 +435,8 @@ impl<'a> RunChecks<'a> {
         self.now.units.length_text(value * self.machine.written_factor(axis as usize))
     }
 
-    /// A rapid that ends below the clearance plane is remembered until the run has shown what is cut. Leaving a
-    /// bore or a post sideways and then lifting is common and right.
+    /// Follows a rapid. One that ends below the clearance plane is remembered until it is known what the run cuts:
+    /// leaving a bore or a post sideways and then lifting is common and safe.
     fn rapid(&mut self, motion: &Move, origin: Origin) {
         self.seen.rapids.end_cut();
         let at_depth = std::mem::take(&mut self.now.at_depth);
@@ -463,12 +464,12 @@ impl<'a> RunChecks<'a> {
         }
     }
 
-    /// A place below this is at depth, mm.
+    /// Positions below this height are at depth, mm.
     fn depth_mm(&self) -> f64 {
         self.clearance_mm - ON_PLANE_MM
     }
 
-    /// A cut: the rapids that led here at depth from another cut count.
+    /// Follows a cut: the rapids at depth that led to it from another cut are logged.
     #[inline]
     fn end_legs(&mut self) {
         if !self.now.legs.is_empty() {
@@ -495,10 +496,10 @@ impl<'a> RunChecks<'a> {
                 "a rapid plunges {depth} below the clearance plane, inside the region that is cut next"
             ),
         };
-        let provided =
+        let source =
             if self.machine.clearance_mm.is_some() { "the machine file's" } else { "Z0, the" };
         Diagnostic::new(Code::RapidIntoPart, rapid.origin.span, message)
-            .label(format!("below {provided} clearance plane"))
+            .label(format!("below {source} clearance plane"))
             .help("use G1 if this is a cut, or lift the tool first")
     }
 
@@ -517,8 +518,8 @@ impl<'a> RunChecks<'a> {
         .help("write G1 in this block")
     }
 
-    /// What can be judged only at the end of a program; the next one begins anew. `head` is where its number
-    /// stands, if others are run with it.
+    /// Makes the checks that need the whole program, and resets the memory for the next one. `head` is the position of
+    /// the program number in the text, if several programs are run together.
     pub fn finish(&mut self, head: Span, mut report: impl FnMut(Diagnostic)) {
         self.judge_turret(&mut report);
         let rapids = std::mem::take(&mut self.seen.rapids);
@@ -535,7 +536,7 @@ impl<'a> RunChecks<'a> {
         self.seen = CheckedRange::default();
     }
 
-    /// Holds the extent of an axis against its travel, where no work offset is known.
+    /// Compares the extent of an axis with its travel if no work offset is known.
     fn whole_travel(&mut self, axis: Axis, head: Span, report: &mut impl FnMut(Diagnostic)) {
         let (low, high) = self.seen.extent[axis as usize];
         let limits = self.machine.axes[axis as usize].as_ref();
@@ -565,7 +566,7 @@ impl<'a> RunChecks<'a> {
     }
 }
 
-/// Nothing of the part is above this, mm. The tool of a lathe comes from the side: no plane is above its part.
+/// The height of the clearance plane, mm. A lathe tool approaches from the side, so a lathe has none: minus infinity.
 fn clearance_mm(machine: &Machine) -> f64 {
     match machine.turns() {
         true => f64::NEG_INFINITY,
@@ -573,12 +574,13 @@ fn clearance_mm(machine: &Machine) -> f64 {
     }
 }
 
-/// A place below this is at depth, mm: below the clearance plane by more than rounding.
+/// Positions below this height are at depth, mm: below the clearance plane by more than rounding. Minus infinity on a
+/// lathe.
 pub fn depth_mm(machine: &Machine) -> f64 {
     clearance_mm(machine) - ON_PLANE_MM
 }
 
-/// The linear axes that move are known at both ends; those that stand add nothing to the length.
+/// True if the linear axes that move are known at both ends; the others add nothing to the length.
 fn has_known_length(motion: &Move) -> bool {
     let known = motion.from_known.and(motion.to_known);
     (0..3).all(|axis| known.has(axis) || motion.from[axis] == motion.to[axis])

@@ -1,9 +1,8 @@
-//! Holds every compensated contour, from G41 or G42 to G40, against the whole path of its
-//! tool centre, and says where the tool would cut into it.
+//! Checks every compensated contour, from G41 or G42 to G40, against the whole path of its tool centre, and reports
+//! where the tool would cut into the contour.
 //!
-//! The control's own checks see a few blocks; this one sees the contour. Its answer is the
-//! geometric truth, and it is reported with the alarm of the control, which may come too often
-//! or not at all.
+//! The checks of a control compare a few blocks; this one compares the whole contour. It finds the real gouges, which
+//! the alarms of the control may miss, and the alarms where nothing would be cut.
 
 use chordal_command::{Origin, Units};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
@@ -14,16 +13,16 @@ use crate::contour_level::ContourLevel;
 use crate::gouge::{self, Gouge, GougeKind, GougeOptions};
 use crate::side_check::SideCheck;
 
-/// Gouges reported for one contour: the deepest. What follows is only counted.
+/// The largest number of gouges reported for one contour; that there are more is one further report.
 const MAX_REPORTED_PER_CONTOUR: usize = 8;
 
-/// Blocks kept of one contour. What comes after is not checked, and that is said.
+/// The largest number of blocks stored for one contour. The blocks after them are not checked, which is reported.
 const KEPT_BLOCKS: usize = 4_000_000;
 
-/// Steps of the search per contour: some seconds at most.
+/// The largest number of steps of the search per contour: a few seconds.
 const SEARCH_BUDGET: u64 = 200_000_000;
 
-/// Rounding of the programmed points below this cuts nothing, mm.
+/// A depth up to this comes from rounding of the programmed points and is not a gouge, mm.
 const MIN_DEPTH_MM: f64 = 0.002;
 
 /// Checks the compensated contours of a run one after the other.
@@ -35,7 +34,7 @@ pub struct ContourCheck {
     sides: SideCheck,
     /// Blocks of this contour at which the control found interference.
     alarms: Vec<Span>,
-    /// The first block that was not kept.
+    /// The first block that was not stored.
     beyond: Option<Origin>,
 }
 
@@ -54,8 +53,7 @@ impl Default for ContourCheck {
 }
 
 impl ContourCheck {
-    /// Takes the next block of a compensated contour. What is found in a contour is reported once
-    /// that is known to have ended.
+    /// Takes the next block of a compensated contour. The findings of a contour are reported when it ends.
     pub fn piece(&mut self, piece: &ContourPiece, report: &mut dyn FnMut(Diagnostic, &Origin)) {
         if piece.contour_number != self.contour_number {
             self.finish(report);
@@ -63,10 +61,10 @@ impl ContourCheck {
         }
         self.units = piece.units;
         if piece.negative {
-            // The wear of a program for the tool centre: what is programmed is not the wall.
+            // The program gives the tool centre, with a negative wear: the programmed path is not the wall.
             return;
         }
-        if !self.level.goes_on_with(piece) {
+        if !self.level.continues_with(piece) {
             let next = self.level.next(piece);
             self.end_level(report);
             self.level = next;
@@ -82,14 +80,14 @@ impl ContourCheck {
         }
     }
 
-    /// Whether no contour is open: all that was found has been reported.
+    /// Whether no contour is open, so that all findings are reported.
     pub fn is_settled(&self) -> bool {
         self.level.origins.is_empty() && self.alarms.is_empty() && self.beyond.is_none()
     }
 
-    /// Notes an alarm of the control. Where it is about interference and nothing would be cut,
-    /// that is reported once the contour is known. What the control runs all the same (an inside arc as large as the
-    /// offset, a note) is no alarm.
+    /// Records an alarm of the control. If it is an interference alarm and nothing would be cut, this is reported at
+    /// the end of the contour. Diagnostics that do not stop the control, such as the note of an inside arc as large as
+    /// the offset, are ignored.
     pub fn alarm(&mut self, diagnostic: &Diagnostic) {
         let interference = diagnostic.severity == Severity::Error
             && matches!(
@@ -103,7 +101,7 @@ impl ContourCheck {
         }
     }
 
-    /// Ends the contour that is open.
+    /// Ends the open contour and reports its findings.
     pub fn finish(&mut self, report: &mut dyn FnMut(Diagnostic, &Origin)) {
         self.end_level(report);
         self.alarms.clear();

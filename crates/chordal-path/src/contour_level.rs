@@ -1,4 +1,4 @@
-//! Blocks of a compensated contour, gathered for what looks at it whole.
+//! Collects the blocks of a compensated contour that are checked together.
 
 use chordal_command::Origin;
 use chordal_geometry::{Plane, Vec2};
@@ -6,16 +6,16 @@ use chordal_geometry::{Plane, Vec2};
 use crate::compensation::{BlockRole, CompensationCurve, ContourPiece};
 use crate::gouge::{self, CenterMove, Contour, ContourBlock, ToolSide};
 
-/// A difference of the radii of an arc's ends above this makes it a spiral, mm.
+/// An arc whose end radii differ by more than this is a spiral, mm.
 const ROUNDED_RADIUS_MM: f64 = 0.02;
 
-/// A spiral is checked along chords that stay this near to it, mm.
+/// A spiral is checked along chords that deviate from it by at most this, mm.
 const SPIRAL_CHORD_MM: f64 = 0.0005;
 
-/// Most chords of one spiral.
+/// The largest number of chords of one spiral.
 const MAX_CHORDS: f64 = 20_000.0;
 
-/// Blocks of a contour at one height, on one side, with one offset.
+/// Blocks of a contour at one height, with the tool on one side and with one offset.
 #[derive(Debug, Default)]
 pub struct ContourLevel {
     /// The plane of compensation.
@@ -23,17 +23,17 @@ pub struct ContourLevel {
     sign: f64,
     radius: f64,
     height: f64,
-    /// Largest difference of an arc's radii that comes from rounding, mm.
+    /// The largest difference between the end radii of an arc that comes from rounding, mm.
     pub rounding: f64,
     blocks: Vec<ContourBlock>,
     /// The path of the tool centre.
     pub moves: Vec<CenterMove>,
-    /// The block of each tag.
+    /// The position of each block in the program; a tag is an index into this list.
     pub origins: Vec<Origin>,
 }
 
 impl ContourLevel {
-    /// A level that begins with this piece, which is still to be taken.
+    /// A level that begins with this piece; the piece itself is not added.
     pub fn of(piece: &ContourPiece) -> ContourLevel {
         ContourLevel {
             plane: piece.plane,
@@ -43,8 +43,8 @@ impl ContourLevel {
         }
     }
 
-    /// The level that follows this one and begins with this piece, which is still to be taken. What each
-    /// level runs into at the other's height shows whether its first and last block are leads.
+    /// The level that follows this one and begins with this piece; the piece itself is not added. Each of the two levels
+    /// gets the neighbouring block of the other, which shows whether its first or last block is a lead.
     pub fn next(&mut self, piece: &ContourPiece) -> ContourLevel {
         let mut next = ContourLevel::of(piece);
         let Some(last) = self.blocks.last() else { return next };
@@ -60,15 +60,15 @@ impl ContourLevel {
         next
     }
 
-    /// Another side, another offset, or a step of the third axis between two blocks begin a
-    /// level of their own: what lies at another height is not cut by this one.
-    pub fn goes_on_with(&self, piece: &ContourPiece) -> bool {
+    /// Whether a piece belongs to this level. Another side, another offset, or a step of the third axis between two
+    /// blocks begins another level: walls at another height are not cut by this one.
+    pub fn continues_with(&self, piece: &ContourPiece) -> bool {
         self.sign == piece.sign
             && self.radius == piece.radius_mm
             && (self.blocks.is_empty() || self.height == piece.height.0)
     }
 
-    /// Takes a block and what the tool centre does for it.
+    /// Adds a block and its path of the tool centre.
     pub fn take(&mut self, piece: &ContourPiece) {
         let tag = self.origins.len() as u32;
         self.origins.push(piece.origin);
@@ -88,7 +88,7 @@ impl ContourLevel {
         }
     }
 
-    /// The programmed contour, if there is one and the tool is offset from it.
+    /// Takes the programmed contour out; `None` if there are no blocks or no offset.
     pub fn contour(&mut self) -> Option<Contour> {
         if self.radius <= 0.0 || self.blocks.is_empty() {
             return None;
@@ -98,12 +98,12 @@ impl ContourLevel {
     }
 }
 
-/// A block that bounds nothing at this height.
+/// A block that is no wall at this height.
 fn passing(curve: gouge::GougeCurve) -> ContourBlock {
     ContourBlock { curve, tag: u32::MAX, role: gouge::GougeRole::Passing }
 }
 
-/// How much the radii of an arc differ by rounding, mm; nothing for a spiral.
+/// The difference between the end radii of an arc, mm; 0 for a spiral.
 fn radius_difference(curve: &CompensationCurve) -> f64 {
     match *curve {
         CompensationCurve::Arc { radius_from, radius_to, .. } => {
@@ -114,7 +114,7 @@ fn radius_difference(curve: &CompensationCurve) -> f64 {
     }
 }
 
-/// The curve as lines and arcs of one radius: a spiral in short chords.
+/// Splits a curve into lines and arcs of one radius: a spiral becomes short chords.
 fn plain(curve: &CompensationCurve, mut push: impl FnMut(gouge::GougeCurve)) {
     match *curve {
         CompensationCurve::Line { from, to } => push(gouge::GougeCurve::line(from, to)),

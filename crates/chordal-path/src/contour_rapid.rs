@@ -1,5 +1,5 @@
-//! A rapid in a contour: between two arcs, at depth, joined to both of them without a corner. Nobody positions a
-//! tool like this; a G0 stands where a G1 was meant.
+//! Finds a rapid in a contour: between two arcs, at depth, tangent to both of them. Positioning moves do not look like
+//! this; probably the program has a G0 instead of a G1.
 
 use chordal_command::{ArcShape, Move, Origin};
 use chordal_diagnostics::TextShift;
@@ -7,19 +7,19 @@ use chordal_geometry::{ParamCurve, Vec3};
 
 use crate::segment::{curve_of, is_known, point};
 
-/// Directions that differ by less are the same, rad (0.5°).
+/// Directions that differ by less are equal, rad (0.5°).
 const EQUAL_DIRECTION_RAD: f64 = 0.008_73;
 
-/// What is remembered from one move to the next.
+/// The state from one move to the next.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ContourRapid {
-    /// The move before was this arc.
+    /// The last move, if it was an arc.
     arc: Option<(Move, ArcShape)>,
-    /// The move before was a rapid that went on from an arc.
+    /// The last move, if it was a rapid tangent to an arc before it.
     rapid: Option<OpenRapid>,
 }
 
-/// A rapid that goes on from an arc.
+/// A rapid that continues an arc without a corner.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OpenRapid {
     pub from: Vec3,
@@ -28,7 +28,7 @@ pub(crate) struct OpenRapid {
 }
 
 impl ContourRapid {
-    /// An arc; the rapid before it, where that joins it without a corner.
+    /// Follows an arc. Returns the rapid before it, if both ends of that rapid are tangent to arcs.
     #[inline]
     pub fn arc(&mut self, motion: &Move, shape: &ArcShape) -> Option<OpenRapid> {
         self.arc = Some((*motion, *shape));
@@ -39,7 +39,7 @@ impl ContourRapid {
         joined.then_some(rapid)
     }
 
-    /// A rapid below `plane`.
+    /// Follows a rapid; `plane` is the height below which it is at depth, mm.
     #[inline]
     pub fn rapid(&mut self, motion: &Move, plane: f64, origin: Origin) {
         self.rapid = None;
@@ -55,13 +55,13 @@ impl ContourRapid {
         }
     }
 
-    /// Any other motion.
+    /// Follows any other motion.
     #[inline]
     pub fn other(&mut self) {
         (self.arc, self.rapid) = (None, None);
     }
 
-    /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
+    /// Moves the positions in the text after an edit of other text; `None` if one of them was in the edited text.
     pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         if let Some(rapid) = &mut self.rapid {
             rapid.origin = rapid.origin.shifted(shift)?;

@@ -1,5 +1,5 @@
-//! By how much a program exceeds the limits of a machine that nobody named. They are a guess, so that they are one
-//! note of a program and not an error of each move.
+//! By how much a program exceeds the limits of an assumed machine. Those limits are a guess, so there is one note for
+//! the program and not an error for each move.
 
 use chordal_command::{AxisMask, CommandKind, Feed, FeedMode, Move, Units, number_text};
 use chordal_diagnostics::{Code, Diagnostic, Span};
@@ -9,7 +9,7 @@ use chordal_machine::{AXES, Machine, PerAxis};
 /// The largest excess of each kind.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LimitExcess {
-    /// Beyond the travel, mm or rad.
+    /// The largest distance beyond the travel of each axis, mm or rad.
     travel: PerAxis<f64>,
     /// The largest feed above the limit, mm/s.
     feed: f64,
@@ -17,7 +17,8 @@ pub struct LimitExcess {
     speed: f64,
 }
 
-/// The largest share that an axis has of a straight cut whose feed follows the spindle: a lead is that of an axis.
+/// The largest share that one axis has in a straight cut with a feed per revolution, 0 to 1: the feed limit applies to
+/// the axis. 1 for other feeds.
 fn share_in_step(feed: &Feed, motion: &Move) -> f64 {
     if feed.mode != FeedMode::PerRevolution {
         return 1.0;
@@ -29,7 +30,7 @@ fn share_in_step(feed: &Feed, motion: &Move) -> f64 {
 }
 
 impl LimitExcess {
-    /// With that of another part of the run.
+    /// Adds the excess of another part of the run.
     pub fn and(&mut self, other: &LimitExcess) {
         for axis in 0..AXES {
             self.travel(axis, other.travel[axis]);
@@ -38,12 +39,12 @@ impl LimitExcess {
         self.speed = self.speed.max(other.speed);
     }
 
-    /// A move goes so far beyond the travel of an axis.
+    /// Records a move that goes `over` beyond the travel of an axis, mm or rad.
     pub fn travel(&mut self, axis: usize, over: f64) {
         self.travel[axis] = self.travel[axis].max(over);
     }
 
-    /// Follows feeds and speeds.
+    /// Records the feed or the spindle speed of a command, if it is above the limit.
     #[inline]
     pub fn command(&mut self, kind: &CommandKind, machine: &Machine) {
         if let CommandKind::Spindle { rpm, .. } = kind {
@@ -62,7 +63,7 @@ impl LimitExcess {
         }
     }
 
-    /// One note about all of it.
+    /// One note about everything that was exceeded; `None` if nothing was.
     pub fn note(&self, machine: &Machine, units: Units, head: Span) -> Option<Diagnostic> {
         let parts: Vec<String> = self
             .travel_text(machine, units)

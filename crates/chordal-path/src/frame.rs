@@ -1,27 +1,27 @@
-//! Offsets and lengths between program and machine coordinates.
+//! The offsets between program and machine coordinates.
 
 use chordal_command::{AxisMask, Command, CommandKind, Position, SurfaceRun, WorkName, WorkZero};
 use chordal_machine::AXES;
 
-/// What lies between program and machine coordinates while commands go by.
+/// The relation between program and machine coordinates, which follows the commands of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProgramFrame {
-    /// The work coordinate system.
+    /// The active work coordinate system.
     pub name: WorkName,
     /// Where the zero of program coordinates comes from.
     pub zero: WorkZero,
-    /// Added to program coordinates, without tool length, mm and rad.
+    /// What is added to program coordinates, without the tool offset, mm and rad.
     pub work: Position,
-    /// Added by the offsets of the tool, the length with them, mm and rad.
+    /// The offset of the tool, including its length, that is added as well, mm and rad.
     pub tool: Position,
-    /// The axes for which the way to machine coordinates is known.
+    /// The axes whose machine coordinates are known.
     pub known: AxisMask,
-    /// The surface on which two coordinates lie, with how far its axis has turned.
+    /// The surface on which two coordinates lie, and the position of its axis; `None` without one.
     pub surface: Option<SurfaceRun>,
 }
 
 impl ProgramFrame {
-    /// The frame before the first command.
+    /// The frame before the first command, in G54, with this offset (mm and rad) and the axes for which it is known.
     pub fn new(offset: Position, known: AxisMask) -> ProgramFrame {
         ProgramFrame {
             name: WorkName::G(54),
@@ -33,7 +33,7 @@ impl ProgramFrame {
         }
     }
 
-    /// The same frame, where another work coordinate system is the first.
+    /// The same frame with another initial work coordinate system.
     pub fn in_system(self, name: WorkName) -> ProgramFrame {
         ProgramFrame { name, ..self }
     }
@@ -65,7 +65,7 @@ impl ProgramFrame {
         true
     }
 
-    /// A position of the program with the axes themselves, at the end of the last move.
+    /// Converts a program position at the end of the last move to positions of the real axes, mm and rad.
     #[inline]
     pub fn on_axes(&self, position: &Position) -> Position {
         match &self.surface {
@@ -74,7 +74,7 @@ impl ProgramFrame {
         }
     }
 
-    /// A program coordinate of the axes themselves in machine coordinates.
+    /// The machine coordinate of an axis at a position of the real axes, mm or rad.
     pub fn machine(&self, position: &Position, axis: usize) -> f64 {
         position[axis] + self.work[axis] + self.tool[axis]
     }

@@ -1,8 +1,7 @@
-//! From commands to the path of the tool tip, its times, and the checks that need the path.
+//! Turns commands into the path of the tool tip with its times, and makes the checks that need the path.
 //!
-//! [`PathBuilder`] turns each motion command into exact curves in one frame for the whole
-//! run; [`RunChecks`] watches travel, rapids and tangency as the commands go by. Both keep a
-//! bounded state: nothing is collected here.
+//! [`PathBuilder`] turns each motion command into exact curves in one frame for the whole run. [`RunChecks`] checks
+//! travel, rapids and tangency as it follows the commands. The memory of both is bounded.
 //!
 //! ```
 //! use chordal_command::{

@@ -1,9 +1,9 @@
-//! The way of a rapid: straight, or each axis at its own speed.
+//! The path of a rapid: straight, or with each axis at its own speed.
 
 use chordal_command::{Position, RapidPath};
 use chordal_machine::{AXES, Machine, PerAxis};
 
-/// Time of a rapid without acceleration, s. Axes without a known speed take none.
+/// The time of a rapid without acceleration, s. Axes without a known speed take no time.
 pub(crate) fn rapid_time_s(machine: &Machine, from: &Position, to: &Position) -> f64 {
     (0..AXES).map(|axis| axis_time_s(machine, axis, from, to)).fold(0.0, f64::max)
 }
@@ -17,8 +17,8 @@ fn axis_time_s(machine: &Machine, axis: usize, from: &Position, to: &Position) -
     }
 }
 
-/// The corners of a rapid after its start: one point when it is straight, up to three when
-/// the axes arrive one after the other.
+/// Passes the corners of a rapid after its start to `push`, each with the time from the corner before it, s: one point
+/// if it is straight, otherwise one for each time at which an axis arrives.
 pub(crate) fn corners(
     machine: &Machine,
     path: RapidPath,

@@ -1,27 +1,27 @@
-//! Rapids below the clearance plane, held against what was cut before them.
+//! Compares rapids below the clearance plane with what was cut before them.
 //!
-//! Without a stock the region of a cut is the box of all moves from one rapid to the next, cleared down to its
-//! lowest point. A rapid through such a region is safe at that depth; one through a part of the program's
-//! region that no cut before it has cleared goes into the part. Outside that region there is nothing to hit that
-//! the program speaks of. It is judged at the end of the run, when the whole region is known.
+//! The stock is not known. The region of a cut is the box of all moves from one rapid to the next, and it counts as
+//! cleared down to its lowest point. A rapid through such a region is safe at that depth. A rapid goes into the part if
+//! it is inside the region of the whole program where no earlier cut has cleared. Outside of that region nothing is
+//! known to be in the way. The check is made at the end of the run, when the whole region is known.
 
 use chordal_command::{Origin, Units};
 use chordal_diagnostics::TextShift;
 use chordal_geometry::{Aabb, Vec3};
 
-/// Rapids remembered of a run.
+/// The largest number of rapids that are remembered in a run.
 const MAX_RAPIDS: usize = 1000;
 
-/// Regions remembered of a run; the last one takes in what comes after.
+/// The largest number of regions that are remembered in a run; later regions are merged into the last one.
 const MAX_CUTS: usize = 4096;
 
-/// Places of a rapid that are looked at.
+/// The number of points of a rapid that are checked.
 const PLACES: u32 = 16;
 
-/// Less than this is no depth and no distance, mm.
+/// Depths and distances up to this count as zero, mm.
 const NEGLIGIBLE_MM: f64 = 1e-6;
 
-/// How a rapid goes.
+/// The direction of a rapid.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum RapidDirection {
     /// Sideways, from one cut to another.
@@ -51,14 +51,15 @@ enum CheckEvent {
     Rapid(LowRapid),
 }
 
-/// What a run, or a stretch of it, has cut, and the rapids between.
+/// What a run, or a part of it, has cut, and the rapids between the cuts.
 #[derive(Clone, Debug)]
 pub(crate) struct RapidLog {
     events: Vec<CheckEvent>,
     rapids: usize,
-    /// The cut that goes on.
+    /// The region of the current cut.
     open: Aabb,
-    /// The first motion of the stretch was a rapid: what was open before it ends there.
+    /// Whether the first motion of this part was a rapid, which ends a cut of the part before it. `None` before the first
+    /// motion.
     begins: Option<bool>,
 }
 
@@ -69,7 +70,7 @@ impl Default for RapidLog {
 }
 
 impl RapidLog {
-    /// A cut between known places.
+    /// Extends the current cut by a move between known positions.
     #[inline]
     pub fn cut(&mut self, region: impl FnOnce(Aabb) -> Aabb) {
         self.open = region(self.open);
@@ -78,7 +79,7 @@ impl RapidLog {
         }
     }
 
-    /// A rapid ends the cut before it.
+    /// Ends the current cut at a rapid.
     #[inline]
     pub fn end_cut(&mut self) {
         if self.begins.is_none() {
@@ -90,7 +91,7 @@ impl RapidLog {
         }
     }
 
-    /// A rapid below the clearance plane.
+    /// Adds a rapid that ends below the clearance plane.
     pub fn rapid(&mut self, rapid: LowRapid) {
         if self.rapids < MAX_RAPIDS {
             self.rapids += 1;
@@ -111,10 +112,10 @@ impl RapidLog {
         }
     }
 
-    /// With the stretch after.
+    /// Adds the log of the part of the run that follows.
     pub fn and(&mut self, next: &RapidLog) {
         match next.begins {
-            // A rapid that a cut at an unknown place has ended may still be in it.
+            // Without a known motion there may still be a rapid, which was logged at a cut at an unknown position.
             None if next.events.is_empty() => return,
             Some(true) => self.end_cut(),
             None | Some(false) => {}
@@ -135,7 +136,7 @@ impl RapidLog {
         self.open = self.open.union(next.open);
     }
 
-    /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
+    /// Moves the positions in the text after an edit of other text; `None` if one of them was in the edited text.
     pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         for event in &mut self.events {
             if let CheckEvent::Rapid(rapid) = event {
@@ -145,14 +146,14 @@ impl RapidLog {
         Some(())
     }
 
-    /// The rapids that go into the part.
+    /// Reports the rapids that go into the part.
     pub fn judge(mut self, mut report: impl FnMut(LowRapid)) {
         self.end_cut();
         let whole = self.cuts(&self.events).fold(Aabb::EMPTY, Aabb::union);
         for (index, event) in self.events.iter().enumerate() {
             let CheckEvent::Rapid(rapid) = event else { continue };
             let (before, after) = self.events.split_at(index);
-            // Where it plunges beside a contour the cut that follows begins: on the edge of its region.
+            // A plunge next to a contour is on the edge of the region of the cut that follows, not inside.
             let region = match rapid.direction {
                 RapidDirection::Down => self.cuts(after).next().unwrap_or(whole),
                 RapidDirection::Sideways | RapidDirection::Slanting => whole,
@@ -178,7 +179,7 @@ impl LowRapid {
         self.plane - self.to.z
     }
 
-    /// Places along it that lie below the clearance plane, its end with them.
+    /// Points along it that are below the clearance plane, including its end.
     fn places(&self) -> impl Iterator<Item = Vec3> + '_ {
         let along =
             |step: u32| self.from + (self.to - self.from) * (f64::from(step) / f64::from(PLACES));
@@ -189,7 +190,8 @@ impl LowRapid {
     }
 }
 
-/// Strictly inside, as seen from above; along an axis in which the region has no width, on it.
+/// Whether a point is strictly inside a region, seen from above; along an axis in which the region has no width, whether
+/// it is on it.
 fn is_inside(region: &Aabb, place: Vec3) -> bool {
     let within = |place: f64, low: f64, high: f64| match high - low > NEGLIGIBLE_MM {
         true => place > low + NEGLIGIBLE_MM && place < high - NEGLIGIBLE_MM,
@@ -198,7 +200,7 @@ fn is_inside(region: &Aabb, place: Vec3) -> bool {
     within(place.x, region.min.x, region.max.x) && within(place.y, region.min.y, region.max.y)
 }
 
-/// The cut went over the place, as deep or deeper.
+/// Whether a cut has cleared a point: its region contains it, seen from above, and is at least as deep.
 fn clears(cut: &Aabb, place: Vec3) -> bool {
     let near = NEGLIGIBLE_MM;
     cut.min.z <= place.z + near

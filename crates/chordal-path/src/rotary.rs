@@ -1,4 +1,4 @@
-//! Cuts on a surface that turns with a rotary axis: how near to the axis they come, and how fast it has to turn.
+//! Cuts on a surface that turns with a rotary axis: how close they come to the axis, and how fast it has to turn.
 
 use chordal_command::{Position, RotarySurface, SurfaceShape};
 use chordal_geometry::{Curve, ParamCurve, Vec3};
@@ -6,23 +6,23 @@ use chordal_machine::AXES;
 
 use crate::surface::SurfacePart;
 
-/// Places at which a curve is looked at first.
+/// The number of intervals into which a curve is divided for the first samples.
 const PLACES: u32 = 64;
 
-/// A piece turns the axis by no more than this, rad, or is divided.
+/// A piece that turns the axis by more than this is divided, rad.
 const MAX_PIECE_TURN_RAD: f64 = 0.05;
 
-/// A cut that comes nearer to the pole than this goes through it: the rotary axis turns there, at rest, mm.
+/// A cut that comes closer to the pole than this goes through it, mm: the rotary axis turns while the other axes wait.
 const POLE_MM: f64 = 1e-6;
 
-/// Where a piece is divided: not in the middle, which is the pole itself for a cut from one side to the other. A piece with the
-/// pole inside turns the axis by half a turn; one that ends there would not.
+/// The fraction at which a piece is divided: not the middle, which would be the pole for a symmetrical cut through it. A
+/// piece with the pole inside turns the axis by half a turn; a piece that ends in the pole would not.
 const DIVIDED_AT: f64 = 0.487;
 
-/// An arc may turn the axis out and back: it is looked at in so many pieces at least.
+/// The smallest number of pieces of an arc, which may turn the axis forward and back again.
 const FIRST_PIECES: u32 = 32;
 
-/// So often a cut is divided at most.
+/// The largest number of times a piece is divided again.
 const MAX_HALVINGS: u32 = 24;
 
 fn at(point: Vec3) -> Position {
@@ -31,7 +31,7 @@ fn at(point: Vec3) -> Position {
     place
 }
 
-/// The places of a curve that are nearest to the rotary axis and farthest from it.
+/// The points of a curve that are nearest to the rotary axis and farthest from it, mm.
 pub(crate) fn nearest_and_farthest(surface: &RotarySurface, curve: &Curve) -> [Vec3; 2] {
     let length = curve.length();
     let radius = |s: f64| surface.radius_at(curve.point_at(s).to_array());
@@ -51,14 +51,14 @@ pub(crate) fn nearest_and_farthest(surface: &RotarySurface, curve: &Curve) -> [V
                 low = first;
             }
         }
-        // An end is exact where it is the best.
+        // If an end is the best point, it is returned exactly.
         let middle = (low + high) / 2.0;
         let best = [middle, 0.0, length].into_iter().min_by(|a, b| value(*a).total_cmp(&value(*b)));
         curve.point_at(best.unwrap_or(middle))
     })
 }
 
-/// How fast the rotary axis turns at most, rad/s, at this speed along a curve, and the radius at that place, mm.
+/// The largest speed of the rotary axis, rad/s, for a speed along a curve, mm/s, and the radius at that point, mm.
 pub(crate) fn fastest_turn(surface: &RotarySurface, curve: &Curve, speed: f64) -> (f64, f64) {
     let length = curve.length();
     let mut fastest = (0.0, f64::INFINITY);
@@ -82,7 +82,7 @@ pub(crate) fn fastest_turn(surface: &RotarySurface, curve: &Curve, speed: f64) -
     }
     let [nearest, _] = nearest_and_farthest(surface, curve);
     let radius = surface.radius_at(nearest.to_array());
-    // A straight cut is square to its distance where it is nearest, an arc too: all speed turns the axis.
+    // At its nearest point a line or an arc is perpendicular to the radius: the whole speed turns the axis.
     if let (SurfaceShape::Face { .. }, true) = (surface.shape, radius < fastest.1) {
         let ends = [curve.start(), curve.end()].map(|end| surface.radius_at(end.to_array()));
         if radius < ends[0].min(ends[1]) * (1.0 - 1e-9) && radius > POLE_MM {
@@ -92,17 +92,17 @@ pub(crate) fn fastest_turn(surface: &RotarySurface, curve: &Curve, speed: f64) -
     fastest
 }
 
-/// How fast a rotary axis may turn, rad/s, and how fast that may change, rad/s².
+/// The limits of a rotary axis.
 #[derive(Clone, Copy, Debug)]
 pub struct RotaryLimits {
-    /// rad/s.
+    /// The largest speed, rad/s.
     pub velocity: f64,
-    /// rad/s².
+    /// The largest acceleration, rad/s².
     pub acceleration: f64,
 }
 
-/// The pieces of a cut on a surface, each as slow as the rotary axis needs; `None` where it keeps up. `seconds` is what the feed
-/// alone takes. How the cut is entered and left is not looked at: the axis may turn there.
+/// Divides a cut on a surface into pieces that are as slow as the rotary axis needs; `None` if the axis can follow the
+/// feed. `seconds` is the time of the cut at the feed. The axis may already turn at the start and still at the end.
 pub fn rotary_parts(
     surface: &RotarySurface,
     curve: &Curve,
@@ -126,7 +126,7 @@ pub fn rotary_parts(
     for piece in &mut pieces {
         piece.seconds = piece.at_feed(speed, limits);
     }
-    // The axis turns faster from piece to piece only as its acceleration allows, forward in time and backward.
+    // Limits the change of speed from piece to piece by the acceleration of the axis, forward and then backward in time.
     for at in 1..pieces.len() {
         let before = pieces[at - 1];
         pieces[at].follow(&before, limits.acceleration);
@@ -144,14 +144,14 @@ pub fn rotary_parts(
     pieces.iter().any(is_slower).then(|| parts.collect())
 }
 
-/// A piece of a cut on which the axis turns evenly.
+/// A piece of a cut on which the axis turns at a constant speed.
 #[derive(Clone, Copy, Debug)]
 struct RotaryPiece {
     from: f64,
     to: f64,
-    /// How far the axis turns on it, rad.
+    /// The angle by which the axis turns on it, rad.
     turn: f64,
-    /// The pole is on it: the axis turns there, and everything else stands.
+    /// The pole is on it: the axis turns there while the other axes wait.
     has_pole: bool,
     seconds: f64,
 }
@@ -161,12 +161,12 @@ impl RotaryPiece {
         self.to - self.from
     }
 
-    /// How fast the axis turns, rad/s; at the pole it begins and ends at rest.
+    /// The speed of the axis, rad/s; at the pole it starts and stops.
     fn rate(&self) -> f64 {
         if self.has_pole { 0.0 } else { self.turn / self.seconds }
     }
 
-    /// The time at the feed, or what the axis needs at its largest speed.
+    /// The time of the piece, s: at the feed, or longer if the axis needs more.
     fn at_feed(&self, speed: f64, limits: RotaryLimits) -> f64 {
         let (turn, by_feed) = (self.turn.abs(), self.length() / speed);
         let RotaryLimits { velocity, acceleration } = limits;
@@ -182,7 +182,8 @@ impl RotaryPiece {
         by_feed.max(by_turn)
     }
 
-    /// No faster than the axis can come to from a neighbour: its rate changes from the middle of one to that of the other.
+    /// Makes the piece slower if the axis cannot reach its speed from that of a neighbour: the speed changes between the
+    /// midpoints of the two pieces.
     fn follow(&mut self, other: &RotaryPiece, acceleration: f64) {
         let (rate, from) = (self.rate(), other.rate());
         if self.has_pole || rate.abs() <= from.abs() {
@@ -192,7 +193,7 @@ impl RotaryPiece {
         if (rate - from).abs() <= acceleration * (half + self.seconds / 2.0) {
             return;
         }
-        // Its time t: |turn| / t - from = a (half + t / 2), with the sign of `from` in the direction of the turn.
+        // Solves |turn| / t - from = a (half + t / 2) for its time t; `from` is positive in the direction of the turn.
         let from = from * self.turn.signum();
         let reached = from + acceleration * half;
         let root = (reached * reached + 2.0 * acceleration * self.turn.abs()).sqrt();
@@ -256,8 +257,8 @@ mod tests {
 
     #[test]
     fn a_slow_axis_makes_the_cut_as_long_as_its_turn() {
-        // 10 mm/s past the pole at 0.1 um. The axis turns faster than 30 degrees a second within 0.0437 mm of the pole, and
-        // there by 3.137 rad: 5.991 s, and 3.991 s for the rest.
+        // 10 mm/s past the pole at 0.1 um. The axis turns faster than 30 degrees a second within 0.0437 mm of the pole,
+        // and there by 3.137 rad: 5.991 s, and 3.991 s for the rest.
         let curve = line([20.0, 1e-4], [-20.0, 1e-4]);
         let most = 30.0_f64.to_radians();
         let parts = rotary_parts(&face(), &curve, 4.0, limits(most)).expect("too fast");

@@ -1,4 +1,4 @@
-//! Where the axes themselves are at their largest and smallest on a move on a surface.
+//! The extreme positions of the real axes in a move on a surface.
 
 use std::f64::consts::TAU;
 
@@ -10,17 +10,17 @@ use chordal_machine::AXES;
 
 use crate::segment::curve_of;
 
-/// Radii that differ by more are those of a spiral, mm.
+/// If the end radii differ by more, a move is a spiral, mm.
 const EQUAL_RADIUS_MM: f64 = 1e-6;
 
-/// Nearer to the pole than this a centre has no direction, mm.
+/// A centre that is closer to the pole than this has no direction, mm.
 const POLE_MM: f64 = 1e-9;
 
-/// Places at which a spiral is looked at.
+/// The number of intervals into which a spiral is divided.
 const PLACES: u32 = 256;
 
-/// The axes themselves where one of them is at its largest or smallest on a move on a surface, and at its end; and which of them
-/// are known. The run of the surface has followed the move.
+/// The positions of the real axes (mm and rad) at which one of them has an extreme in a move on a surface, and at its
+/// end; also which axes are known. `run` has already followed the move.
 pub fn places_on_axes(
     run: &SurfaceRun,
     motion: &Move,
@@ -32,7 +32,7 @@ pub fn places_on_axes(
         SurfaceShape::Cylinder { .. } => on_cylinder(run, motion, shape),
     };
     let (across, rotary) = (AxisMask(1 << surface.across), AxisMask(1 << surface.rotary));
-    // The axis across stands, and was judged where it came to stand.
+    // The axis across does not move; its position was checked when it moved there.
     let is_turned = match surface.shape {
         SurfaceShape::Face { .. } => motion.to_known.has(surface.rotary),
         SurfaceShape::Cylinder { .. } => motion.to_known.has(surface.across),
@@ -41,7 +41,7 @@ pub fn places_on_axes(
     (places, if is_turned { linear.or(rotary) } else { linear })
 }
 
-/// The corners of the box around a move on the shell rolled out, and its end: the axes follow its sides.
+/// The corners of the box around a move on the unrolled cylinder, and its end: the axes move parallel to its sides.
 fn on_cylinder(run: &SurfaceRun, motion: &Move, shape: Option<&ArcShape>) -> Vec<Position> {
     let bounds = curve_of(motion, shape).bounds();
     let corner = |place: [f64; 3]| {
@@ -52,7 +52,7 @@ fn on_cylinder(run: &SurfaceRun, motion: &Move, shape: Option<&ArcShape>) -> Vec
     vec![corner(bounds.min.to_array()), corner(bounds.max.to_array()), run.on_axes(&motion.to)]
 }
 
-/// A place of a move on a face: how far along the move it is, from 0 to 1, and its two coordinates.
+/// A point of a move on a face: the fraction of the move, 0 to 1, and its two coordinates, mm.
 struct FacePoint {
     share: f64,
     flat: [f64; 2],
@@ -70,7 +70,7 @@ fn on_face(
     let whole = surface.turn(&motion.from, &motion.to, shape);
     let angle = |at: &FacePoint| match shape {
         _ if at.share >= 1.0 => run.angle,
-        // From the pole, and to it, nothing turns.
+        // A line from the pole or to it does not turn the axis.
         None => run.angle - surface.turn(&on(motion, surface, along, at), &motion.to, None),
         Some(_) if at.share <= 0.0 => run.angle - whole,
         Some(shape) => {
@@ -96,7 +96,7 @@ fn on_face(
     places.iter().map(on_axes).collect()
 }
 
-/// The position of a place of a move.
+/// The position of all axes at a point of a move.
 fn on(motion: &Move, surface: &RotarySurface, along: usize, at: &FacePoint) -> Position {
     let mut position: Position = std::array::from_fn(|axis: usize| {
         motion.from[axis] + (motion.to[axis] - motion.from[axis]) * at.share
@@ -107,7 +107,7 @@ fn on(motion: &Move, surface: &RotarySurface, along: usize, at: &FacePoint) -> P
     position
 }
 
-/// Where a line is nearest to the pole, if that is between its ends.
+/// The point of a line nearest to the pole, if it is between the ends.
 fn foot(from: [f64; 2], to: [f64; 2]) -> Option<FacePoint> {
     let path = [to[0] - from[0], to[1] - from[1]];
     let square = path[0] * path[0] + path[1] * path[1];
@@ -116,7 +116,7 @@ fn foot(from: [f64; 2], to: [f64; 2]) -> Option<FacePoint> {
         .then(|| FacePoint { share, flat: [from[0] + path[0] * share, from[1] + path[1] * share] })
 }
 
-/// Where an arc is nearest to the pole and farthest from it, and where lines from the pole touch it.
+/// The points of an arc that are nearest to the pole and farthest from it, and where lines from the pole are tangent.
 fn of_arc(from: [f64; 2], shape: &ArcShape) -> Vec<FacePoint> {
     let (center, radius) = (shape.center, shape.radius_from);
     let away = libm::hypot(center[0], center[1]);

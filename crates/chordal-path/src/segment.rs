@@ -1,9 +1,9 @@
-//! A segment of path: an exact curve of the tool tip with its block.
+//! A segment of the path: an exact curve of the tool tip with its block.
 
 use chordal_command::{ArcShape, AxisMask, CommandKind, Move, Origin, Position, WorkName};
 use chordal_geometry::{Curve, Line, Spline, Vec3, spiral_from_center};
 
-/// What a piece of path is.
+/// The kind of a segment.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum SegmentKind {
     /// A rapid.
@@ -18,25 +18,26 @@ pub enum SegmentKind {
     Spline,
 }
 
-/// Axes of X, Y and Z that a program does not name where it cuts: it is drawn at their zero, and that is said.
+/// Those of the axes X, Y and Z that a program does not name where it cuts. The path is drawn at their zero, which is
+/// reported.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct NotNamed {
-    /// Those that it never names, as a laser does not name Z.
+    /// The axes that it never names, as a laser program does not name Z.
     pub never: AxisMask,
-    /// Those that it names, and that are not known in any cut and move in none.
+    /// The axes that it names, but which are not known in any cut and do not move in any.
     pub in_no_cut: AxisMask,
 }
 
 impl NotNamed {
-    /// None.
+    /// No axes.
     pub const NONE: NotNamed = NotNamed { never: AxisMask::NONE, in_no_cut: AxisMask::NONE };
 
-    /// All of them.
+    /// The axes of both kinds.
     pub const fn all(self) -> AxisMask {
         self.never.or(self.in_no_cut)
     }
 
-    /// Those of either.
+    /// The axes in either of the two values.
     pub const fn or(self, other: NotNamed) -> NotNamed {
         NotNamed {
             never: self.never.or(other.never),
@@ -45,30 +46,31 @@ impl NotNamed {
     }
 }
 
-/// A zero of program coordinates of which nobody knows how it lies to that of the run: a work offset that is not given,
-/// or a preset at an unknown place. What is programmed from there has no place in the frame of the run.
+/// A zero of program coordinates whose position relative to the frame of the run is not known: because of a work offset
+/// that is not given, or a preset (G92) at an unknown position. Coordinates from this zero cannot be converted to the
+/// frame of the run.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct UnrelatedZero {
-    /// Those of X, Y and Z along which it is not known.
+    /// Those of X, Y and Z along which the position is not known.
     pub axes: AxisMask,
-    /// The work coordinate system.
+    /// The work coordinate system of this zero.
     pub system: WorkName,
-    /// That of the first cut.
+    /// The work coordinate system of the first cut.
     pub run_system: WorkName,
-    /// The values of the systems are not the reason, but a preset (G92) where the tool was at an unknown place.
+    /// The reason is a preset (G92) while the tool was at an unknown position, not the values of the systems.
     pub is_preset: bool,
 }
 
-/// A piece of path: an exact curve of the tool tip.
+/// A segment of the path: an exact curve of the tool tip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
-    /// What it is.
+    /// Its kind.
     pub kind: SegmentKind,
     /// The curve in the frame of the run, mm.
     pub curve: Curve,
     /// Its length, mm.
     pub length_mm: f64,
-    /// How long it takes without acceleration, s; 0 where no feed is known.
+    /// How long it takes without acceleration, s; 0 if no feed is known.
     pub duration_s: f64,
     /// Rotary axes A B C at the start, rad.
     pub rotary_from: [f64; 3],
@@ -76,44 +78,44 @@ pub struct Segment {
     pub rotary_to: [f64; 3],
     /// The tool in the spindle.
     pub tool: u32,
-    /// How fast the spindle turns, 1/min, 0 while it stands; of a laser its power.
+    /// The spindle speed, 1/min, 0 while it does not turn; for a laser, its power.
     pub rpm: f64,
-    /// Both ends are known relative to the part, so that it can be drawn.
+    /// X, Y and Z are known relative to the part at both ends.
     pub known: bool,
     /// The axes that are known relative to the part at the start.
     pub from_known: AxisMask,
-    /// Those that are at the end.
+    /// The axes that are known relative to the part at the end.
     pub to_known: AxisMask,
-    /// The tip is at the programmed point, or as far from it as the curve says.
+    /// The position of the tip is known: at the programmed point, or away from it by the shift that the curve includes.
     pub tip_known: bool,
-    /// Where its program coordinates lie in the frame of the run is not known.
+    /// Set if the relation of its program coordinates to the frame of the run is not known.
     pub unrelated_zero: Option<UnrelatedZero>,
-    /// Those of X, Y and Z that are taken as zero, because the program does not say them.
+    /// Those of X, Y and Z that are drawn at zero because the program does not name them.
     pub not_named: NotNamed,
-    /// The block that says so.
+    /// The position of its block in the program.
     pub origin: Origin,
 }
 
 impl Segment {
-    /// It can be drawn: both ends have a place in the frame of the run along every axis that the program names.
+    /// Whether it can be drawn: both ends have a known position in the frame of the run along every axis that the program
+    /// names.
     pub fn is_drawn(&self) -> bool {
         self.places().iter().all(|axes| axes.or(self.not_named.all()).covers(AxisMask::LINEAR))
     }
 
-    /// Those of X, Y and Z whose place in the frame of the run is known, at the start and at the end.
+    /// Those of X, Y and Z whose position in the frame of the run is known, at the start and at the end.
     pub fn places(&self) -> [AxisMask; 2] {
         let lost = self.unrelated_zero.map_or(AxisMask::NONE, |zero| zero.axes);
         [self.from_known, self.to_known].map(|axes| axes.and(AxisMask::LINEAR).without(lost))
     }
 }
 
-/// X, Y and Z of a position.
+/// X, Y and Z of a position, mm.
 pub(crate) fn point(position: &Position) -> Vec3 {
     Vec3::new(position[0], position[1], position[2])
 }
 
-/// A difference of radii below which an arc is an arc, mm: below what any control
-/// computes with, above rounding.
+/// If the end radii differ by more, an arc is a spiral, mm: below the resolution of any control, above rounding.
 const EQUAL_RADIUS_MM: f64 = 1e-9;
 
 /// The exact curve of a motion command in program coordinates.
@@ -129,9 +131,9 @@ pub fn curve_of(motion: &Move, shape: Option<&ArcShape>) -> Curve {
     }
 }
 
-/// The exact curves of a motion command in program coordinates, one after the other: one, but for a spline of
-/// several polynomial spans. A spline of a higher order than [`SplinePiece`](chordal_geometry::SplinePiece)
-/// takes is the line between its ends.
+/// Passes the exact curves of a motion command in program coordinates to `push`: one curve, except for a spline of
+/// several polynomial spans. A spline whose order is too high for [`SplinePiece`](chordal_geometry::SplinePiece) becomes
+/// the line between its ends.
 pub fn curves_of(kind: &CommandKind, mut push: impl FnMut(Curve)) {
     let Some(motion) = kind.motion() else { return };
     match kind.spline().map(Spline::pieces) {
@@ -140,7 +142,7 @@ pub fn curves_of(kind: &CommandKind, mut push: impl FnMut(Curve)) {
     }
 }
 
-/// True when X, Y and Z are known at both ends.
+/// True if X, Y and Z are known at both ends.
 pub(crate) fn is_known(motion: &Move) -> bool {
     motion.from_known.and(motion.to_known).covers(AxisMask::LINEAR)
 }

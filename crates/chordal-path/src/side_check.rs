@@ -1,5 +1,5 @@
-//! From where the tool comes to a compensated contour, and where it goes: the side that G41 or G42 puts
-//! it on. It needs no diameter.
+//! Compares the side from which the tool comes to a compensated contour and to which it leaves with the side of G41 or
+//! G42. This does not need the tool diameter.
 
 use core::f64::consts::PI;
 
@@ -9,26 +9,27 @@ use chordal_geometry::Vec2;
 
 use crate::compensation::{BlockRole, CompensationCurve, ContourPiece};
 
-/// A lead that lies on the far side of a wall by less is in line with it, mm.
+/// A lead that is on the far side of a wall by less is in line with it, mm.
 const ACROSS_MM: f64 = 0.01;
 
 /// Turns smaller than this are tangent joints, rad.
 const TANGENT_RAD: f64 = 0.02;
 
-/// Follows the leads of one contour after the other.
+/// Checks the leads of contour after contour.
 #[derive(Debug, Default)]
 pub struct SideCheck {
-    /// Where the lead-in begins, until the first wall is known.
+    /// The start of the lead-in, mm, and its block, until the first wall is known.
     begun: Option<(Vec2, Origin)>,
-    /// The lead-in, where it came from the far side.
+    /// The lead-in, if it came from the far side.
     across: Option<Origin>,
-    /// The last block and, where that is an arc that may lead out, the one before.
+    /// The last block.
     last: Option<CompensationCurve>,
+    /// The block before the last, which is the last wall if the last block is a lead-out arc.
     before: Option<CompensationCurve>,
 }
 
 impl SideCheck {
-    /// Takes the next block of a contour; what is found is reported with its lead-out.
+    /// Follows the next block of a contour. A problem is reported at its lead-out.
     pub fn piece(&mut self, piece: &ContourPiece, report: &mut dyn FnMut(Diagnostic, &Origin)) {
         let Some(programmed) = &piece.programmed else { return };
         match piece.role {
@@ -55,8 +56,7 @@ impl SideCheck {
         self.before = self.last.replace(*block);
     }
 
-    /// Looks from where the tool came to the first wall: the first block, or the one after an arc
-    /// that leads to it.
+    /// Records if the tool came from the far side of the first wall: the first block, or the one after a lead-in arc.
     fn first_wall(&mut self, sign: f64, next: Option<&CompensationCurve>) {
         let (Some((begun, origin)), Some(first)) = (self.begun, self.last) else { return };
         let wall = match next {
@@ -71,7 +71,7 @@ impl SideCheck {
         }
     }
 
-    /// The last block, or the one before an arc that leads away.
+    /// The last wall: the last block, or the one before a lead-out arc.
     fn last_wall(&self, sign: f64) -> Option<CompensationCurve> {
         let last = self.last?;
         match self.before {
@@ -81,7 +81,7 @@ impl SideCheck {
     }
 }
 
-/// An arc of no more than half a turn with the tool inside it.
+/// Whether a curve is an arc of at most half a turn with the tool inside it.
 fn leads(curve: &CompensationCurve, sign: f64) -> bool {
     match *curve {
         CompensationCurve::Arc { sweep, .. } => sweep * sign > 0.0 && sweep.abs() <= PI + 1e-6,
@@ -98,13 +98,13 @@ fn are_tangent(before: &CompensationCurve, after: &CompensationCurve) -> bool {
     }
 }
 
-/// A lead that lies on the other side of the wall than the tool.
+/// Whether a lead is on the side of the wall opposite to the tool.
 fn across(tangent: Vec2, lead: Vec2, sign: f64) -> bool {
     tangent.turned_left().dot(lead) * sign < -ACROSS_MM
 }
 
-/// A tool that comes from the far side of the contour and goes off to it has to cross it twice: the
-/// other side was meant.
+/// The diagnostic for a tool that comes from the far side of the contour and leaves to it: it would have to cross the
+/// contour twice, so probably the other side was meant.
 fn wrong_side(lead_out: &ContourPiece, lead_in: &Origin) -> Diagnostic {
     let (code, other, side, far) = match lead_out.sign > 0.0 {
         true => ("G41", "G42", "left", "right"),

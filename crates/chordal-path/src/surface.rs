@@ -1,10 +1,10 @@
-//! Cuts at a constant cutting speed: the spindle turns faster towards the axis, and a feed per revolution
-//! with it.
+//! Times of cuts at a constant cutting speed: the spindle turns faster closer to its axis, and with it a feed per
+//! revolution is faster.
 
 use chordal_command::{Feed, FeedMode, SurfaceSpeed};
 use chordal_geometry::{Curve, ParamCurve};
 
-/// A piece of a cut on which the speed of the spindle hardly changes.
+/// A piece of a cut with an almost constant speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfacePart {
     /// Where it begins on the curve, mm.
@@ -15,14 +15,14 @@ pub struct SurfacePart {
     pub seconds: f64,
 }
 
-/// The spindle's speed changes by no more than this part of itself on a piece.
+/// The largest change of the spindle speed on a piece, as a fraction of it.
 const CHANGE: f64 = 0.02;
 
-/// So often a curve is halved at most: pieces of a thousandth of it.
+/// The largest number of times a curve is halved: the shortest pieces are about a thousandth of it.
 const MAX_HALVINGS: u32 = 10;
 
-/// The pieces of a cut whose spindle keeps a cutting speed; `None` where the feed does not depend on it. X of
-/// the curve is the radius of the part.
+/// The pieces of a cut at a constant cutting speed; `None` if the feed does not depend on the spindle speed. X of the
+/// curve is the radius of the part.
 pub fn surface_parts(feed: &Feed, curve: &Curve) -> Option<Vec<SurfacePart>> {
     let surface = feed.surface?;
     if feed.mode != FeedMode::PerRevolution || feed.value <= 0.0 || feed.value.is_nan() {
@@ -34,7 +34,7 @@ pub fn surface_parts(feed: &Feed, curve: &Curve) -> Option<Vec<SurfacePart>> {
     Some(parts)
 }
 
-/// How long such a cut takes, s.
+/// How long a cut at a constant cutting speed takes, s; `None` if the feed does not depend on the spindle speed.
 pub(crate) fn surface_time(feed: &Feed, curve: &Curve) -> Option<f64> {
     Some(surface_parts(feed, curve)?.iter().map(|part| part.seconds).sum())
 }
@@ -51,7 +51,7 @@ fn divide(
     let middle = (from + to) / 2.0;
     let [first, half, last] = [from, middle, to].map(speed);
     let (least, most) = (first.min(half).min(last), first.max(half).max(last));
-    // Without a limit the speed at the axis is no number.
+    // Without a limit, the speed at the axis is infinite.
     let even = most.is_finite() && most - least <= CHANGE * most;
     if even || depth == MAX_HALVINGS {
         let seconds = time(surface, per_rev, curve, [from, to]);
@@ -61,7 +61,7 @@ fn divide(
     divide(surface, per_rev, curve, [middle, to], depth + 1, parts);
 }
 
-/// The integral of ds / (F n) by three points of Gauss: n is nearly even on a piece.
+/// The integral of ds / (F n), s, by Gauss quadrature with three points: n is almost constant on a piece.
 fn time(surface: &SurfaceSpeed, per_rev: f64, curve: &Curve, [from, to]: [f64; 2]) -> f64 {
     const POINTS: [(f64, f64); 3] =
         [(-0.774_596_669_241_483_4, 5.0), (0.0, 8.0), (0.774_596_669_241_483_4, 5.0)];

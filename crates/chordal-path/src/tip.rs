@@ -1,75 +1,76 @@
-//! Where the tip of the tool is, seen from the programmed point: the length offset in force against the length of
-//! the tool in the spindle.
+//! The position of the tool tip relative to the programmed point, from the active length offset and the length of the
+//! tool in the spindle.
 
 use chordal_command::{AxisMask, Command, CommandKind, Position, WorkName};
 use chordal_geometry::Vec3;
 use chordal_kernel::rules::ToolLengths;
 use chordal_machine::{AXES, Axis, Machine, PerAxis};
 
-/// Offsets that differ by less are the same, mm: below the least increment of every control.
+/// Offsets that differ by less are equal, mm: below the least increment of every control.
 const EQUAL_OFFSET_MM: f64 = 1e-5;
 
-/// Where the tip is.
+/// The position of the tip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TipPlace {
-    /// At the programmed point; where no length is known, because the work offset was set with this tool.
+    /// At the programmed point. Also if no length is known and the work offset was set with this tool.
     AsProgrammed,
-    /// Taken at the programmed point, as if the work offset was set with this tool, which nothing says.
+    /// Assumed to be at the programmed point, as if the work offset was set with this tool, which is not known.
     Assumed,
     /// Away from the programmed point by this much, mm.
     Shifted(Vec3),
-    /// Somewhere else, nobody knows where.
+    /// Not known.
     Unknown(TipDoubt),
 }
 
-/// Why nobody knows where the tip is.
+/// Why the position of the tip is not known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TipDoubt {
-    /// No length offset is in force, and nothing says that the work offset was set with this tool.
+    /// No length offset is active, and it is not known that the work offset was set with this tool.
     NoLength,
-    /// The length offset in force is that of another tool.
+    /// The active length offset is that of another tool.
     OtherTool,
-    /// G43 after G44, or G44 after G43: the table holds lengths of one sign.
+    /// G43 after G44, or G44 after G43: the lengths in the table have one sign.
     OtherSign,
 }
 
-/// Follows tools and offsets.
+/// Follows tool changes and offsets.
 #[derive(Clone, Debug)]
 pub struct TipTracker {
     lengths: ToolLengths,
-    /// The axes along which tools differ.
+    /// The axes along which the offsets of tools differ.
     axes: &'static [usize],
     tool: u32,
     number: Option<u32>,
-    /// What the tool's offsets add, and whether all of it is in the table.
+    /// What the active tool offset adds, mm and rad.
     offset: Position,
+    /// All values of the active offset are in the table.
     has_values: bool,
     is_subtracted: bool,
-    /// How the program brought its first length into force. Who writes G44 keeps lengths with the other sign.
+    /// Whether the program subtracted its first length (G44): then the lengths in its table have the opposite sign.
     subtracts: Option<bool>,
-    /// Some length offset was in force before.
+    /// A length offset has been active.
     has_had_length: bool,
-    /// The axes whose work offset is known, where no length is in force.
+    /// The axes whose work offset is known while no length is active.
     work_known: AxisMask,
-    /// Coordinates are those of the machine: they say nothing of the part.
+    /// Coordinates are machine coordinates, which are independent of the part.
     is_in_machine: bool,
-    /// The tools that were in the spindle.
+    /// The tools that have been in the spindle.
     used: Vec<u32>,
     place: TipPlace,
-    /// The tools and lengths whose place was reported.
+    /// The pairs of tool and length offset that were reported.
     reported: Vec<(u32, Option<u32>)>,
-    /// A move with this tool and this length has yet to be looked at.
+    /// The position of the tip is doubtful, and this pair of tool and length offset was not reported yet.
     is_open: bool,
 }
 
-/// Tools differ in Z on mills.
+/// The axes of tool offsets on mills.
 const MILL_AXES: &[usize] = &[Axis::Z as usize];
 
-/// Tools differ in X and Z on lathes.
+/// The axes of tool offsets on lathes.
 const LATHE_AXES: &[usize] = &[Axis::X as usize, Axis::Z as usize];
 
 impl TipTracker {
-    /// Before the first command; `known`: the axes whose work offset is known.
+    /// The state before the first command; `known` are the axes whose work offset is known.
     pub fn new(machine: &Machine, lengths: ToolLengths, known: AxisMask) -> TipTracker {
         TipTracker {
             lengths,
@@ -138,26 +139,26 @@ impl TipTracker {
         self.is_open = self.is_doubtful() && !self.reported.contains(&self.tool_and_offset());
     }
 
-    /// A move with this tool and this length has yet to be looked at.
+    /// The position of the tip is doubtful, and this pair of tool and length offset was not reported yet.
     #[inline]
     pub fn is_open(&self) -> bool {
         self.is_open
     }
 
-    /// The place of the tip was reported, once for each tool and length.
+    /// Marks this pair of tool and length offset as reported.
     pub fn set_reported(&mut self) {
         self.reported.push(self.tool_and_offset());
         self.is_open = false;
     }
 
-    /// Where the tip is now.
+    /// The current position of the tip.
     #[inline]
     pub fn place(&self) -> TipPlace {
         self.place
     }
 
-    /// The length in force is not that of the tool. Where the program itself has written another value into the
-    /// tool's own offset, it means the tip to be elsewhere.
+    /// Whether the tip may be somewhere else than the program assumes. It is not doubtful if the program itself has
+    /// written another value into the offset of this tool.
     fn is_doubtful(&self) -> bool {
         match self.place {
             TipPlace::AsProgrammed => false,
@@ -167,12 +168,12 @@ impl TipTracker {
         }
     }
 
-    /// The tool in the spindle, and the number of the length offset in force.
+    /// The tool in the spindle, and the number of the active length offset.
     pub fn tool_and_offset(&self) -> (u32, Option<u32>) {
         (self.tool, self.number)
     }
 
-    /// The program has had this tool in the spindle.
+    /// Whether the program has had this tool in the spindle.
     pub fn has_used(&self, tool: u32) -> bool {
         self.used.contains(&tool)
     }
@@ -189,7 +190,8 @@ impl TipTracker {
                 _ if self.has_other_sign() => TipPlace::Unknown(TipDoubt::OtherSign),
                 _ => TipPlace::AsProgrammed,
             },
-            // The number is of no other tool: the shop numbers offsets in another way, or the tool has several.
+            // The number belongs to no other tool: the offsets have other numbers than the tools, or the tool has
+            // several.
             Some(number) if !self.is_of_other_tool(machine, number) => TipPlace::AsProgrammed,
             Some(_) => match own {
                 Some(own) if self.has_values => self.deviation(&own, self.sign()),
@@ -198,7 +200,7 @@ impl TipTracker {
         }
     }
 
-    /// No length is in force, or one that the program itself gives.
+    /// The position of the tip if no length offset is active, or one without a number, whose value is in the program.
     fn without_number(&self, own: Option<PerAxis<f64>>) -> TipPlace {
         let has_own_values = self.axes.iter().any(|axis| self.offset[*axis] != 0.0);
         match own {
@@ -221,7 +223,7 @@ impl TipTracker {
         }
     }
 
-    /// The offset in force against that of the tool.
+    /// The position of the tip from the difference between the active offset and that of the tool.
     fn deviation(&self, own: &PerAxis<f64>, sign: f64) -> TipPlace {
         let mut by = [0.0; 3];
         for axis in self.axes {
@@ -233,17 +235,17 @@ impl TipTracker {
         }
     }
 
-    /// -1 where the program subtracts its lengths (G44), which are then kept with the other sign.
+    /// -1 if the program subtracts its lengths (G44), which then have the opposite sign; otherwise 1.
     fn sign(&self) -> f64 {
         if self.subtracts == Some(true) { -1.0 } else { 1.0 }
     }
 
-    /// The length in force is added where the program's first one was subtracted, or the other way round.
+    /// Whether the active length is added and the first one of the program was subtracted, or the reverse.
     fn has_other_sign(&self) -> bool {
         self.number.is_some() && self.subtracts.is_some_and(|first| first != self.is_subtracted)
     }
 
-    /// The offsets of a tool as it was measured; nothing where one of them is not known.
+    /// The measured offsets of a tool, mm; `None` if one of them is not known.
     fn offsets_of(&self, machine: &Machine, number: u32) -> Option<PerAxis<f64>> {
         let tool = machine.tools.get(&number)?;
         let mut offsets = [0.0; AXES];
@@ -253,7 +255,7 @@ impl TipTracker {
         Some(offsets)
     }
 
-    /// The offset belongs to another tool: one with a shape, or one that the program has used.
+    /// Whether the offset belongs to another tool: one with a shape, or one that the program has used.
     fn is_of_other_tool(&self, machine: &Machine, number: u32) -> bool {
         let has_shape = |number: &u32| machine.tools.get(number).is_some_and(|t| t.shape.is_some());
         self.used.contains(&number) || has_shape(&number) || {

@@ -1,21 +1,22 @@
-//! Where the turret of a lathe turns, held against all that the program cuts.
+//! Compares the positions where the turret of a lathe indexes with everything that the program cuts.
 //!
-//! What lies between a cut and the axis is the part, or was. The part turns about Z, so that of X the distance from the
-//! axis counts. It is judged at the end of the run, when all cuts are known, and only in one work coordinate system.
+//! The region between a cut and the spindle axis is the part, or was part of it. The part turns about Z, so only the
+//! distance from the axis matters for X. The check is made at the end of the run, when all cuts are known, and only
+//! within one work coordinate system.
 
 use chordal_command::{Origin, Position, Units, WorkName};
 use chordal_diagnostics::TextShift;
 
-/// Cuts that are remembered of a run; what comes after says nothing.
+/// The largest number of cuts that are remembered in a run; later cuts are ignored.
 const MAX_CUTS: usize = 20_000;
 
-/// Turns of the turret that are remembered of a run.
+/// The largest number of turns of the turret that are remembered in a run; later turns are ignored.
 const MAX_TURNS: usize = 1000;
 
-/// Inside by less is on the side, mm.
+/// A tip inside the part by less is on its surface, mm.
 const ON_SIDE_MM: f64 = 1e-6;
 
-/// A work coordinate system, with where X and Z of its zero are.
+/// A work coordinate system, with X and Z of its zero, mm.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct TurretSystem {
     name: WorkName,
@@ -28,7 +29,7 @@ impl TurretSystem {
     }
 }
 
-/// A cut seen from the axis: from (z, radius) to (z, radius), mm. What lies between it and the axis is the part, or is gone.
+/// A cut in (z, radius), mm. The region between it and the axis is the part, or was part of it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct TurnedCut {
     from: [f64; 2],
@@ -36,7 +37,7 @@ pub(crate) struct TurnedCut {
 }
 
 impl TurnedCut {
-    /// A straight cut between two places (X as a radius, Z).
+    /// A straight cut between two points (X as a radius, Z), mm.
     pub fn new(from: [f64; 2], to: [f64; 2]) -> TurnedCut {
         let seen = |[x, z]: [f64; 2]| [z, x.abs()];
         let (from, to) = (seen(from), seen(to));
@@ -46,7 +47,8 @@ impl TurnedCut {
         }
     }
 
-    /// How far a place (X, Z) is from what lies between the cut and the axis, mm; below zero inside, along X.
+    /// The distance of a point (X, Z) from the region between the cut and the axis, mm; inside, the negative depth
+    /// along X.
     fn distance(&self, [x, z]: [f64; 2]) -> f64 {
         let place = [z, x.abs()];
         let [low, high] = [self.from, self.to];
@@ -71,30 +73,31 @@ fn distance_to_segment(place: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
     libm::hypot(off[0] - path[0] * share, off[1] - path[1] * share)
 }
 
-/// The turret turns.
+/// A turn of the turret.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TurretTurn {
     pub system: TurretSystem,
-    /// The tool that goes and where its tip is (X as a radius, Z).
+    /// The previous tool and the position of its tip (X as a radius, Z), mm.
     pub from: (u32, [f64; 2]),
-    /// The tool that comes, and where its tip comes to, where the offsets of both tools are known.
+    /// The new tool, and the position of its tip, mm; `None` unless the offsets of both tools are known.
     pub to: (u32, Option<[f64; 2]>),
     pub units: Units,
     pub origin: Origin,
 }
 
-/// A turn near the part.
+/// A turn of the turret close to the part.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct NearTurn {
     pub turn: TurretTurn,
-    /// The tool that is near, and where its tip is.
+    /// The tool that is close to the part.
     pub tool: u32,
+    /// The position of its tip (X as a radius, Z), mm.
     pub place: [f64; 2],
-    /// From what is cut, mm; below zero inside.
+    /// Its distance from what is cut, mm; negative inside.
     pub distance: f64,
 }
 
-/// What a run, or a stretch of it, has cut, and where the turret turned.
+/// What a run, or a part of it, has cut, and where the turret turned.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TurretLog {
     cuts: Vec<(TurretSystem, TurnedCut)>,
@@ -102,27 +105,27 @@ pub(crate) struct TurretLog {
 }
 
 impl TurretLog {
-    /// A cut.
+    /// Adds a cut.
     pub fn cut(&mut self, system: TurretSystem, cut: TurnedCut) {
         if self.cuts.len() < MAX_CUTS && self.cuts.last() != Some(&(system, cut)) {
             self.cuts.push((system, cut));
         }
     }
 
-    /// The turret turns.
+    /// Adds a turn of the turret.
     pub fn turn(&mut self, turn: TurretTurn) {
         if self.turns.len() < MAX_TURNS {
             self.turns.push(turn);
         }
     }
 
-    /// With the stretch after.
+    /// Adds the log of the part of the run that follows.
     pub fn and(&mut self, next: &TurretLog) {
         next.cuts.iter().for_each(|(system, cut)| self.cut(*system, *cut));
         next.turns.iter().for_each(|turn| self.turn(*turn));
     }
 
-    /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
+    /// Moves the positions in the text after an edit of other text; `None` if one of them was in the edited text.
     pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         for turn in &mut self.turns {
             turn.origin = turn.origin.shifted(shift)?;
@@ -130,7 +133,7 @@ impl TurretLog {
         Some(())
     }
 
-    /// The turns inside of what is cut, or nearer to it than the clearance.
+    /// Reports the turns inside of what is cut, or closer to it than the clearance, mm.
     pub fn judge(&self, clearance_mm: f64, mut report: impl FnMut(&NearTurn)) {
         for turn in &self.turns {
             let places = [(turn.from.0, Some(turn.from.1)), turn.to];

@@ -4,21 +4,21 @@ use chordal_diagnostics::{Diagnostic, TextRange};
 
 use crate::Decimal;
 
-/// What stands after an address letter.
+/// The value after an address letter.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum WordValue {
     /// A literal.
     Number(Decimal),
     /// The value of a register (`X+R3`), with its sign.
     Register {
-        /// `R0` … `R9`.
+        /// The digit of `R0` … `R9`.
         index: u8,
-        /// `-R3`.
+        /// True for a minus sign (`-R3`).
         negative: bool,
     },
-    /// A macro expression (`#101`, `[#1+2]`), by its text.
+    /// The text of a macro expression (`#101`, `[#1+2]`).
     Expression(TextRange),
-    /// Nothing readable; the block holds the diagnostic.
+    /// No readable value; the block has the diagnostic.
     Missing,
 }
 
@@ -29,16 +29,16 @@ pub struct Word {
     pub letter: u8,
     /// The register number of a register word (`R0+1.` → 0), else `None`.
     pub register: Option<u8>,
-    /// A comma stood before the letter (`,R1.`: corner radius).
+    /// There is a comma before the letter (`,R1.`: corner radius).
     pub comma: bool,
     /// The value.
     pub value: WordValue,
-    /// Letter and value in the text.
+    /// The position of letter and value in the text.
     pub range: TextRange,
 }
 
 impl Word {
-    /// The literal, where the value is one.
+    /// The literal; `None` if the value is not one.
     #[inline]
     pub fn number(&self) -> Option<Decimal> {
         match self.value {
@@ -47,7 +47,7 @@ impl Word {
         }
     }
 
-    /// A radius or an angle (`@5`, `^30`).
+    /// True for a polar radius or angle (`@5`, `^30`).
     pub const fn is_polar(&self) -> bool {
         matches!(self.letter, b'@' | b'^')
     }
@@ -58,7 +58,7 @@ impl Word {
 pub struct Letters(pub u32);
 
 impl Letters {
-    /// No letter.
+    /// The empty set.
     pub const NONE: Letters = Letters(0);
 
     /// The letters of an upper-case text.
@@ -84,13 +84,13 @@ impl Letters {
         self.0 |= 1 << (letter - b'A');
     }
 
-    /// True when the sets share a letter.
+    /// True if the sets have a letter in common.
     #[inline]
     pub const fn meets(self, other: Letters) -> bool {
         self.0 & other.0 != 0
     }
 
-    /// True when every letter is in `other` too.
+    /// True if every letter is also in `other`.
     #[inline]
     pub const fn within(self, other: Letters) -> bool {
         self.0 & !other.0 == 0
@@ -107,62 +107,62 @@ impl Letters {
         Letters(self.0 & !other.0)
     }
 
-    /// The letters of both.
+    /// The letters that are in either set.
     #[inline]
     pub const fn union(self, other: Letters) -> Letters {
         Letters(self.0 | other.0)
     }
 }
 
-/// What sort of line a block is.
+/// The kind of a block.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum BlockKind {
     /// Words, comments, or both.
     #[default]
     Words,
-    /// `%`, with whatever stands after it.
+    /// `%`, with any text after it.
     Percent,
     /// A folder line of a memory dump (`&F=/USER/`).
     Folder,
-    /// A macro statement (`#1=2`, `IF[…]GOTO5`, `# IF V1 > 2 THEN …`), by its text.
+    /// The text of a macro statement (`#1=2`, `IF[…]GOTO5`, `# IF V1 > 2 THEN …`).
     Macro(TextRange),
 }
 
-/// Block delete: `/`, `/2`; from the first word or from the middle of the block.
+/// Block delete: `/`, `/2`; from the first word, or from the middle of the block.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct BlockDelete {
-    /// The switch, 1 when none is written.
+    /// The number of the switch; 1 if none is written.
     pub switch: u8,
     /// The number of the switch is written.
     pub numbered: bool,
-    /// It is the first of its line.
+    /// It is at the start of its line.
     pub first: bool,
-    /// Words from this one on are deleted.
+    /// The index of the first word that is deleted.
     pub from_word: usize,
 }
 
-/// One block. The reader fills it again and again.
+/// One block. The reader reuses it for every block.
 #[derive(Clone, Debug, Default)]
 pub struct Block {
     /// The text of the block, without its line end.
     pub range: TextRange,
     /// Line of the file, from 1.
     pub line: u32,
-    /// What sort of line it is.
+    /// Its kind.
     pub kind: BlockKind,
     /// Block delete, when there is a `/`.
     pub delete: Option<BlockDelete>,
     /// The words in order.
     pub words: Vec<Word>,
-    /// Radius `@` and angle `^` of a polar target, which are not among its words and letters.
+    /// Radius `@` and angle `^` of a polar target, which are not in `words` and `letters`.
     pub polar: Vec<Word>,
-    /// A mark of channels (`$2`, `!2L1`); the first of its block.
+    /// The first channel mark of the block (`$2`, `!2L1`).
     pub channel: Option<TextRange>,
-    /// Comments with their marks.
+    /// Comments, including their delimiters.
     pub comments: Vec<TextRange>,
-    /// A word's value is an expression.
+    /// At least one value is an expression.
     pub expressions: bool,
-    /// There are words after a comma (`,R1.`), which are not among its letters.
+    /// There are words after a comma (`,R1.`), which are not in `letters`.
     pub commas: bool,
     /// What could not be read.
     pub problems: Vec<Diagnostic>,
@@ -193,11 +193,11 @@ impl Block {
         self.repeated = Letters::NONE;
     }
 
-    /// Adds a word. (Public so that a repeat or a cycle can build blocks of its own.)
+    /// Adds a word. It is public so that a repeat or a cycle can build blocks.
     #[inline(always)]
     pub fn push(&mut self, word: Word) {
         if word.comma {
-            // `,R1.` and `,C1.` are no R and no C word: only a walk over all words meets them.
+            // `,R1.` and `,C1.` are not R and C words: they are found only by iterating over all words.
             self.commas = true;
         } else if self.letters.has(word.letter) {
             self.repeated.insert(word.letter);
@@ -213,7 +213,7 @@ impl Block {
         if word.is_polar() { self.polar.push(word) } else { self.push(word) }
     }
 
-    /// Drops the words from `from` on (block delete in the middle of a block).
+    /// Removes the words with index `from` and above (block delete in the middle of a block).
     pub fn truncate(&mut self, from: usize) {
         let kept: Vec<Word> = self.words.drain(..).take(from).collect();
         if from == 0 {
@@ -225,19 +225,19 @@ impl Block {
         kept.into_iter().for_each(|word| self.push(word));
     }
 
-    /// The letters that stand in the block.
+    /// The letters of the words in the block.
     #[inline]
     pub const fn letters(&self) -> Letters {
         self.letters
     }
 
-    /// The letters that stand more than once.
+    /// The letters that occur more than once.
     #[inline]
     pub const fn repeated(&self) -> Letters {
         self.repeated
     }
 
-    /// The first word of a letter.
+    /// The first word with a letter; `None` if there is none.
     #[inline]
     pub fn word(&self, letter: u8) -> Option<&Word> {
         if !self.letters.has(letter) {
@@ -247,7 +247,7 @@ impl Block {
         if first < 255 { self.words.get(first) } else { self.all(letter).next() }
     }
 
-    /// The last word of a letter: the one that counts when a letter is repeated.
+    /// The last word with a letter, which is the one that counts if a letter is repeated; `None` if there is none.
     #[inline]
     pub fn last(&self, letter: u8) -> Option<&Word> {
         if self.repeated.has(letter) {
@@ -257,12 +257,12 @@ impl Block {
         }
     }
 
-    /// All words of a letter in order.
+    /// All words with a letter, in order.
     pub fn all(&self, letter: u8) -> impl Iterator<Item = &Word> {
         self.words.iter().filter(move |word| word.letter == letter && !word.comma)
     }
 
-    /// True when the block holds nothing to carry out.
+    /// True if the block has nothing to execute.
     pub fn is_idle(&self) -> bool {
         self.words.is_empty()
             && self.polar.is_empty()

@@ -1,30 +1,30 @@
-//! Numbers as they were written, to the last digit.
+//! Exact decimal numbers, as written in the program.
 
 use std::fmt;
 
-/// A number as it was written: sign, digits, and whether there was a decimal point.
+/// A number as written: sign, digits, and whether there is a decimal point.
 ///
-/// `X10` and `X10.` differ on some controls, and `.1` has no exact binary form, so the
-/// literal is kept until a control says what it means.
+/// `X10` and `X10.` differ on some controls, and `.1` has no exact binary form, so the literal is kept until the rules of
+/// the control define its value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Hash)]
 pub struct Decimal {
     /// The digits without the point, with the sign.
     pub mantissa: i64,
-    /// Digits after the point.
+    /// The number of digits after the point.
     pub scale: u8,
     /// A point was written.
     pub has_point: bool,
-    /// A minus sign was written (kept apart, for `-0`).
+    /// A minus sign was written (a separate flag because of `-0`).
     pub negative: bool,
 }
 
-/// Powers of ten that a double holds exactly.
+/// The powers of ten that are exact as a double.
 const POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
 
-/// The same as whole numbers, as far as they go.
+/// The powers of ten that fit into an `i64`.
 const WHOLE_POWERS: [i64; 19] = {
     let mut powers = [1; 19];
     let mut at = 1;
@@ -35,7 +35,7 @@ const WHOLE_POWERS: [i64; 19] = {
     powers
 };
 
-/// Integers up to here have an exact double.
+/// All integers up to this are exact as a double.
 const EXACT: u64 = 1 << 53;
 
 impl Decimal {
@@ -50,8 +50,8 @@ impl Decimal {
         self.times(1, 0)
     }
 
-    /// The nearest double to `self · factor / 10^extra_scale`: a conversion of units with
-    /// a single rounding (inch to millimetre is `times(254, 1)`).
+    /// The nearest double to `self · factor / 10^extra_scale`: a conversion of units with only one rounding (inch to
+    /// millimetre is `times(254, 1)`).
     #[inline]
     pub fn times(self, factor: i64, extra_scale: u8) -> f64 {
         if self.mantissa == 0 {
@@ -71,13 +71,13 @@ impl Decimal {
     #[cold]
     fn times_slowly(self, factor: i64, extra_scale: u8) -> f64 {
         let wide = i128::from(self.mantissa) * i128::from(factor);
-        // The standard library's parser rounds correctly for any length.
+        // The parser of the standard library rounds correctly for any length.
         format!("{wide}e-{}", u32::from(self.scale) + u32::from(extra_scale))
             .parse()
             .unwrap_or(f64::NAN)
     }
 
-    /// The value as a whole number, when it is one (`5` and `5.0`).
+    /// The value as a whole number (`5` and `5.0`); `None` if it is not one.
     #[inline]
     pub fn to_integer(self) -> Option<i64> {
         if self.scale == 0 {
@@ -87,7 +87,7 @@ impl Decimal {
         (self.mantissa % power == 0).then(|| self.mantissa / power)
     }
 
-    /// How many digits it has, those after the point at least.
+    /// The number of its digits, at least that of those after the point.
     pub fn digits(self) -> u8 {
         let size = self.mantissa.unsigned_abs();
         let more = |power: &&i64| size >= power.unsigned_abs();
@@ -95,8 +95,8 @@ impl Decimal {
         written.max(self.scale)
     }
 
-    /// The number with only so many decimals, cut and rounded (half away from zero); `None` where nothing
-    /// but zeros stand after them.
+    /// The number with only `decimals` decimals, first truncated and then rounded (half away from zero); `None` if all
+    /// further decimals are zeros.
     #[inline]
     pub fn at_decimals(self, decimals: u8) -> Option<(Decimal, Decimal)> {
         let power = *WHOLE_POWERS.get(usize::from(self.scale.checked_sub(decimals)?))?;
@@ -115,8 +115,8 @@ impl Decimal {
         self.mantissa == 0
     }
 
-    /// Reads digits and at most one point; of more than 18 digits those at the end are dropped. `None`
-    /// where there are no digits, or more than 18 before the point.
+    /// Reads digits and at most one point; digits after the 18th are dropped. `None` if there are no digits, or more
+    /// than 18 before the point.
     pub(crate) fn parse_long(text: &[u8]) -> Option<Decimal> {
         let zeros = text.iter().take_while(|byte| **byte == b'0').count();
         let text = &text[zeros.min(text.len().saturating_sub(1))..];
@@ -125,30 +125,29 @@ impl Decimal {
             .filter(|_| text.iter().position(|byte| *byte == b'.').unwrap_or(text.len()) <= 18)
     }
 
-    /// Reads a whole text as a number; `None` when it is anything else.
+    /// Reads a whole text as a number; `None` if it is not one.
     pub fn parse(text: &[u8]) -> Option<Decimal> {
         let (number, length) = scan(text)?;
         (length == text.len()).then_some(number)
     }
 }
 
-/// Most digits that are kept: the double of a number with more is the same.
+/// The largest number of digits that are kept; a double has fewer.
 const MAX_DIGITS: usize = 18;
 
-/// Reads `[+-]digits[.digits]` at the head of `text`: the number and its length in bytes. Of more digits than
-/// 18 those after the point are rounded away. `None` when there is no digit, or more than 18 before the point.
+/// Reads `[+-]digits[.digits]` at the start of `text`: the number and its length in bytes. It is rounded to 18 digits.
+/// `None` if there is no digit, or more than 18 before the point.
 pub(crate) fn scan(text: &[u8]) -> Option<(Decimal, usize)> {
     let sign = text.first().copied().unwrap_or(0);
     let negative = sign == b'-';
     scan_any(text, usize::from(negative || sign == b'+'), negative)
 }
 
-/// Bytes that [`scan_short`] looks at.
+/// The number of bytes that [`scan_short`] reads.
 pub(crate) const SHORT_BYTES: usize = 16;
 
-/// Numbers that end within eight bytes after the sign, point and all: nearly every number
-/// of a program. The eight bytes are taken at once and the point is squeezed out from
-/// between the digits. `None` sends the caller to [`scan`].
+/// Reads a number of at most eight bytes after the sign, including the point: almost every number of a program. The eight
+/// bytes are processed as one integer, from which the point is removed. `None` for other numbers, which [`scan`] reads.
 #[inline]
 pub(crate) fn scan_short(text: &[u8; SHORT_BYTES]) -> Option<(Decimal, usize)> {
     let negative = text[0] == b'-';
@@ -161,7 +160,7 @@ pub(crate) fn scan_short(text: &[u8; SHORT_BYTES]) -> Option<(Decimal, usize)> {
     if rest == 0 {
         return None;
     }
-    // The flag is the highest bit of its byte.
+    // The highest bit of a byte is its flag.
     let bits = strange.trailing_zeros() - 7;
     let has_point = (values >> bits) & 0xFF == u64::from(b'.' ^ 0x30);
     let (digits, digit_bits, end_bits) = if has_point {
@@ -184,10 +183,10 @@ pub(crate) fn scan_short(text: &[u8; SHORT_BYTES]) -> Option<(Decimal, usize)> {
     Some((number, end_bits as usize / 8 + usize::from(signed)))
 }
 
-/// The highest bit of each byte that is not a digit; `values` are bytes less `0`.
+/// Sets the highest bit of each byte that is not a digit; `values` are the bytes minus `0`.
 #[inline]
 const fn strange_bytes(values: u64) -> u64 {
-    // Without carries from byte to byte: seven bits are compared, the eighth is added.
+    // There are no carries between bytes: seven bits are compared, and the eighth is combined separately.
     (((values & 0x7F7F_7F7F_7F7F_7F7F) + 0x7676_7676_7676_7676) | values) & 0x8080_8080_8080_8080
 }
 
@@ -215,7 +214,7 @@ fn scan_any(text: &[u8], start: usize, negative: bool) -> Option<(Decimal, usize
     Some((Decimal { mantissa, scale: scale as u8, has_point, negative }, at))
 }
 
-/// A number of many digits: zeros in front do not count, and those that are too many are rounded.
+/// Reads a number with many digits: leading zeros do not count, and excess digits are rounded.
 #[cold]
 fn scan_long(
     text: &[u8],
@@ -260,7 +259,7 @@ fn digits(text: &[u8], at: usize) -> (u64, usize) {
     })
 }
 
-/// The number of eight digits, one a byte, the first in the lowest byte.
+/// The number of eight digits, one per byte, with the first in the lowest byte.
 #[inline]
 const fn join(digits: u64) -> u64 {
     let pairs = (digits.wrapping_mul(10).wrapping_add(digits >> 8)) & 0x00FF_00FF_00FF_00FF;

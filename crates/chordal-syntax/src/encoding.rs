@@ -1,12 +1,12 @@
-//! The encoding of a file, found by its content.
+//! Finds the encoding of a file from its content.
 
 use std::borrow::Cow;
 
-/// How the bytes of a file stood for characters.
+/// The encoding of a file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Encoding {
-    /// ASCII or UTF-8, with or without a byte order mark, or an 8-bit national encoding
-    /// whose special characters stand in comments.
+    /// ASCII or UTF-8, with or without a byte order mark, or an 8-bit national encoding whose special characters are in
+    /// comments.
     Bytes,
     /// UTF-16, low byte first.
     Utf16Le,
@@ -14,25 +14,25 @@ pub enum Encoding {
     Utf16Be,
 }
 
-/// A text as the reader takes it.
+/// A text in the form that the reader needs.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Decoded<'a> {
-    /// One byte per ASCII character. Not a copy unless the file was UTF-16.
+    /// One byte per ASCII character. It is a copy only if the file was UTF-16.
     pub text: Cow<'a, [u8]>,
-    /// What the file was.
+    /// The encoding of the file.
     pub encoding: Encoding,
-    /// The bytes look like something else than a program (an archive, a picture).
+    /// The bytes do not look like a program but like binary data (an archive, a picture).
     pub binary: bool,
 }
 
-/// How much of a file is looked at to decide what it is.
+/// The number of bytes that are examined to find the encoding.
 const SAMPLE: usize = 64 * 1024;
 
-/// Finds out how a file is written. Content decides, not the name.
+/// Finds the encoding of a file from its content.
 ///
-/// A UTF-8 mark is dropped. UTF-16 (by its mark, or because every other byte is NUL) is
-/// turned into UTF-8. Everything else is taken as bytes: programs are ASCII outside
-/// comments in every encoding shops use, and comments keep their bytes.
+/// A UTF-8 byte order mark is removed. UTF-16 (recognized by its mark, or because every other byte is NUL) is converted
+/// to UTF-8. Everything else is used as bytes: in the usual encodings programs are ASCII outside of comments, and
+/// comments keep their bytes.
 pub fn decode(bytes: &[u8]) -> Decoded<'_> {
     if let Some(rest) = bytes.strip_prefix(b"\xEF\xBB\xBF") {
         return plain(rest);
@@ -57,8 +57,8 @@ fn plain(bytes: &[u8]) -> Decoded<'_> {
     Decoded { text: Cow::Borrowed(bytes), encoding: Encoding::Bytes, binary }
 }
 
-/// UTF-16 has a mark, or one half of its byte pairs is nearly always NUL and the other
-/// nearly never. (Plain NUL padding, as controls write it, is NUL on both sides.)
+/// Recognizes UTF-16 by its mark, or because one byte of its pairs is almost always NUL and the other almost never. (In
+/// NUL padding, which some controls write, both bytes are NUL.)
 fn utf16(bytes: &[u8]) -> Option<(Encoding, &[u8])> {
     if let Some(rest) = bytes.strip_prefix(b"\xFF\xFE") {
         return Some((Encoding::Utf16Le, rest));
@@ -85,8 +85,8 @@ fn utf16(bytes: &[u8]) -> Option<(Encoding, &[u8])> {
     }
 }
 
-/// Control characters that no program text holds. NUL (padding), tape codes (DC1–DC4),
-/// tab, form feed, line ends and the old end-of-file mark do occur in real files.
+/// Whether there are control characters that do not occur in programs. NUL (padding), tape codes (DC1–DC4), tab, form
+/// feed, line ends and the old end-of-file mark do occur.
 fn looks_binary(text: &[u8]) -> bool {
     let sample = &text[..text.len().min(SAMPLE)];
     let strange = sample

@@ -1,4 +1,4 @@
-//! How a control writes its text: comments, semicolons, registers.
+//! The lexical rules of a control: comments, semicolons, registers.
 
 use crate::expression::MacroGrammar;
 
@@ -11,7 +11,7 @@ pub enum ParenthesisComment {
     ToEndOfLine,
 }
 
-/// What a semicolon is.
+/// The meaning of a semicolon.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Semicolon {
     /// The end of the block; another block may follow on the line.
@@ -20,40 +20,40 @@ pub enum Semicolon {
     Comment,
 }
 
-/// How a control writes its text. Part of the control's table; the reader knows no control.
+/// The lexical rules of a control. They are part of the table of the control; the reader itself is the same for all.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Lexicon {
     /// How a `(` comment ends.
     pub parenthesis: ParenthesisComment,
-    /// A `(` inside of a comment, whatever closes it, and a comment before an O word are errors (RS274/NGC).
+    /// A `(` inside of a comment is an error, and so is a comment before an O word (RS274/NGC).
     pub strict_comments: bool,
-    /// What a semicolon is.
+    /// The meaning of a semicolon.
     pub semicolon: Semicolon,
     /// `*` starts a comment to the end of the line.
     pub star_comment: bool,
-    /// `R` is followed by a register digit, a sign and a value (`R0+1.5`), and a word may
-    /// take a register's value (`X+R3`).
+    /// `R` is followed by a register digit, a sign and a value (`R0+1.5`), and a word may have the value of a register
+    /// (`X+R3`).
     pub registers: bool,
     /// A line that begins with `#` is a macro line.
     pub macro_lines: bool,
-    /// Blanks inside a number are skipped (`X1 2.5` is 12.5).
+    /// Blanks inside a number are ignored (`X1 2.5` is 12.5).
     pub blanks_in_numbers: bool,
-    /// `O` words may be flow control (`o100 sub`), not only program heads.
+    /// `O` words may be flow control (`o100 sub`), not only program numbers.
     pub o_words: bool,
-    /// `O1234` or `:1234` at the start of a line begins a program; where not, a file is one program.
+    /// `O1234` or `:1234` at the start of a line begins a program; otherwise a file is one program.
     pub program_heads: bool,
-    /// `<NAME>` heads a program too, and names one in a call (Fanuc 30i).
+    /// `<NAME>` also begins a program, and names one in a call (Fanuc 30i).
     pub named_programs: bool,
-    /// `@` and `^` are words: a radius and an angle in the plane.
+    /// `@` and `^` are words: a polar radius and angle in the plane.
     pub polar_words: bool,
-    /// `$2` heads the program of a channel, and `!2L1` waits for one.
+    /// `$2` begins the program of a channel, and `!2L1` waits for a channel.
     pub channels: bool,
-    /// Expressions and macro statements.
+    /// The grammar of expressions and macro statements.
     pub grammar: &'static MacroGrammar,
 }
 
 impl Lexicon {
-    /// What most controls share: those whose programs have numbers and macro B.
+    /// The rules of most controls: those with program numbers and macro B.
     pub const COMMON: Lexicon = Lexicon {
         parenthesis: ParenthesisComment::Closed,
         strict_comments: false,

@@ -1,8 +1,7 @@
-//! Word-address text → blocks of words with spans.
+//! Parses word-address text into blocks of words with spans.
 //!
-//! Blocks are read on demand into a buffer that is used again, so a text costs no memory
-//! beyond itself. Reading never fails: what cannot be read becomes a diagnostic of the
-//! block, and the rest of the block is there.
+//! Blocks are read on demand into a buffer that is reused, so no memory beyond the text itself is needed. Reading never
+//! fails: unreadable text becomes a diagnostic of the block, and the rest of the block is read.
 //!
 //! ```
 //! use chordal_diagnostics::FileId;

@@ -1,11 +1,11 @@
-//! Statements of macro lines (Fadal): one statement a line after `#`, in the manner of BASIC.
+//! Statements of macro lines (Fadal): one statement per line after `#`, as in BASIC.
 
 use chordal_diagnostics::{Code, TextRange};
 
 use crate::expression::{Expression, ExpressionParser, StackOp};
 use crate::statement::AssignTarget;
 
-/// A piece of PRINT.
+/// An item of a PRINT statement.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum PrintItem {
     /// The text between quotation marks, without them.
@@ -17,16 +17,16 @@ pub enum PrintItem {
 /// The statement of a macro line.
 #[derive(Clone, PartialEq, Debug)]
 pub enum LineStatement {
-    /// Nothing, a remark, or WAIT.
+    /// No statement, a remark, or WAIT.
     Empty,
     /// `V1=…`.
     Assign {
-        /// What is written to.
+        /// The variable that is assigned.
         target: AssignTarget,
         /// The value.
         value: Expression,
     },
-    /// `IF … THEN`; the statement after it stays to be read.
+    /// `IF … THEN`; the statement after it is not read yet.
     If(Expression),
     /// `GOTO :LABEL`.
     GotoLabel(TextRange),
@@ -34,13 +34,13 @@ pub enum LineStatement {
     GotoNumber(Expression),
     /// `:LABEL`.
     Label(TextRange),
-    /// `START n`: goes on in another program.
+    /// `START n`: continues in another program.
     Start(Expression),
     /// `PRINT "X IS ",V1`.
     Print {
-        /// What is printed.
+        /// The items that are printed.
         items: Vec<PrintItem>,
-        /// A comma at the end: the next PRINT goes on in the same line.
+        /// There is a comma at the end: the next PRINT continues in the same line.
         holds: bool,
     },
     /// `INPUT V1`.
@@ -51,11 +51,11 @@ pub enum LineStatement {
     SetRadians(bool),
     /// `SET RND3`.
     SetPlaces(Expression),
-    /// Something that is not a statement; reported as a problem.
+    /// Text that is not a statement, which was reported as a problem.
     Unknown(TextRange),
 }
 
-/// Reads the next statement of a line, after `#` or THEN. Problems are left in the parser.
+/// Reads the next statement of a line, after `#` or THEN. Problems are stored in the parser.
 pub fn parse_line_statement(parser: &mut ExpressionParser<'_>) -> LineStatement {
     let mark = parser.next_mark();
     let start = parser.position();
@@ -115,7 +115,7 @@ fn keyword(parser: &mut ExpressionParser<'_>, start: u32) -> LineStatement {
     assignment(parser, start)
 }
 
-/// A label with its colon: letters and digits.
+/// Reads a label with its colon: letters and digits.
 fn label(parser: &mut ExpressionParser<'_>) -> TextRange {
     parser.take(b':');
     parser.next_mark();
@@ -181,7 +181,7 @@ fn print(parser: &mut ExpressionParser<'_>) -> LineStatement {
     LineStatement::Print { items, holds }
 }
 
-/// INPUT may show a text of its own before it asks.
+/// Reads INPUT, which may have a prompt text.
 fn input(parser: &mut ExpressionParser<'_>) -> LineStatement {
     if parser.next_mark() == b'"' {
         let line = &parser.text[parser.at + 1..parser.end];
@@ -231,7 +231,7 @@ fn set(parser: &mut ExpressionParser<'_>, start: u32) -> LineStatement {
     }
 }
 
-/// Passes over the rest of the line.
+/// Reports the statement and skips the rest of the line.
 fn unknown(parser: &mut ExpressionParser<'_>, start: u32, why: &str) -> LineStatement {
     let text = parser.text;
     let mut end = parser.end;

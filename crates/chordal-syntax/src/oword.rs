@@ -4,10 +4,10 @@ use chordal_diagnostics::{Code, TextRange};
 
 use crate::expression::{Expression, ExpressionParser};
 
-/// What names a subroutine or a structure.
+/// The label of a subroutine or a control structure.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum OLabel {
-    /// A number or a name, by its text without the brackets.
+    /// The text of a number or a name, without the brackets.
     Text(TextRange),
     /// A number that is computed.
     Computed(Expression),
@@ -34,7 +34,7 @@ pub enum FlowWord {
     Continue,
 }
 
-/// The words, a longer one before one that begins it.
+/// The words; a longer one comes before one that is its beginning.
 const WORDS: [(&str, FlowWord); 15] = [
     ("ENDSUB", FlowWord::EndSub),
     ("ENDIF", FlowWord::EndIf),
@@ -53,18 +53,18 @@ const WORDS: [(&str, FlowWord); 15] = [
     ("CONTINUE", FlowWord::Continue),
 ];
 
-/// A line of flow control. Its values stay to be read.
+/// The start of a flow control line. Its values are not read yet.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct OWord {
     /// The label.
     pub label: OLabel,
-    /// The word; `None` where there is no such word, which is reported.
+    /// The word; `None` for an unknown word, which was reported.
     pub word: Option<FlowWord>,
-    /// Label and word.
+    /// The text of label and word.
     pub range: TextRange,
 }
 
-/// Reads the label and the word of a line that begins with O. Problems are left in the parser.
+/// Reads the label and the word of a line that begins with O. Problems are stored in the parser.
 pub fn parse_o_word(parser: &mut ExpressionParser<'_>) -> OWord {
     parser.next_mark();
     let start = parser.position();

@@ -1,12 +1,14 @@
-//! Programs by name: `<PART_1>`.
+//! Named programs: `<PART_1>`.
 
-/// Numbers from here on stand for names (`<PART_1>`): they are made from the name, and nobody writes them.
+/// Program numbers from this one represent names (`<PART_1>`): they are computed from the name, and too large to be
+/// written.
 const FIRST_OF_NAMES: u32 = 1 << 31;
 
-/// Most characters of a program's name (Fanuc 30i).
+/// The largest number of characters in a program name (Fanuc 30i).
 const MAX_NAME_LENGTH: usize = 32;
 
-/// The program that `<NAME>` at the beginning of a text names, and the length of the words; `<O123>` is program 123.
+/// The number of the program that `<NAME>` at the start of a text names, and the length of that text in bytes; `<O123>`
+/// is program 123. `None` without a name.
 pub fn scan_program_name(text: &[u8]) -> Option<(u32, usize)> {
     let name = text.strip_prefix(b"<")?;
     let length = name.iter().take(MAX_NAME_LENGTH + 1).position(|byte| *byte == b'>')?;
@@ -19,14 +21,14 @@ pub fn scan_program_name(text: &[u8]) -> Option<(u32, usize)> {
         name[0].eq_ignore_ascii_case(&b'O').then(|| std::str::from_utf8(&name[1..]).ok()).flatten();
     let number =
         digits.and_then(|digits| digits.parse().ok()).filter(|number| *number < FIRST_OF_NAMES);
-    // FNV-1a: two names of one folder have the same number once in many millions.
+    // FNV-1a: the probability that two names have the same number is negligible.
     let hash = name.iter().fold(0x811c_9dc5_u32, |hash, byte| {
         (hash ^ u32::from(byte.to_ascii_uppercase())).wrapping_mul(0x0100_0193)
     });
     Some((number.unwrap_or(FIRST_OF_NAMES | hash >> 2), length + 2))
 }
 
-/// Whether a program's number stands for a name.
+/// Whether a program number represents a name.
 pub fn is_program_name(number: u32) -> bool {
     number >= FIRST_OF_NAMES
 }

@@ -1,4 +1,4 @@
-//! The programs of a file, found by their heads.
+//! Finds the programs of a file by their heads.
 
 use chordal_diagnostics::{TextRange, line_ends};
 
@@ -10,18 +10,18 @@ use crate::reader::BlockPosition;
 /// A program of a file: its head and the text up to the next head.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ProgramHead {
-    /// The number after `O` or `:`, or that of its name; `None` for text before the first head.
+    /// The number after `O` or `:`, or the one that represents its name; `None` for text before the first head.
     pub number: Option<u32>,
-    /// The head's own words.
+    /// The text of the head.
     pub head: TextRange,
-    /// Where the program begins (its head's line).
+    /// The start of the program (of the line of its head).
     pub start: BlockPosition,
-    /// Where it ends: the next head, or the end of the file.
+    /// Its end, in bytes: the next head, or the end of the file.
     pub end: u32,
 }
 
 impl ProgramHead {
-    /// How the program is called: `O1234`, or by its name; `None` where it has neither.
+    /// The program as it is called: `O1234`, or its name; `None` if it has neither.
     pub fn title(&self, text: &[u8]) -> Option<String> {
         let number = self.number?;
         let name = || String::from_utf8_lossy(self.head.slice(text)).into_owned();
@@ -29,9 +29,9 @@ impl ProgramHead {
     }
 }
 
-/// Finds the programs of a text by their heads: `O1234` or `:1234` at the start of a line,
-/// an N number or blanks before it allowed, or `<NAME>` there. One pass that only stops at the letter `O`, so
-/// a gigabyte costs a fraction of a second.
+/// Finds the programs of a text by their heads: `O1234`, `:1234` or `<NAME>` at the start of a line, also after an N
+/// number or blanks. It is one pass that stops only at the characters that begin a head, so a gigabyte takes a fraction
+/// of a second.
 pub fn find_programs(text: &[u8], lexicon: &Lexicon) -> Vec<ProgramHead> {
     if !lexicon.program_heads {
         return vec![nameless(text.len() as u32)];
@@ -74,7 +74,7 @@ fn nameless(end: u32) -> ProgramHead {
     ProgramHead { number: None, head: TextRange::default(), start, end }
 }
 
-/// Line start, number and end of a head whose letter is at `at`, if it is one.
+/// Line start, number and end of the head whose letter is at `at`; `None` if it is not a head.
 fn head_at(text: &[u8], at: usize, lexicon: &Lexicon) -> Option<(usize, u32, usize)> {
     if text[at] == b'<' {
         let (number, length) = scan_program_name(&text[at..])?;
@@ -91,7 +91,7 @@ fn head_at(text: &[u8], at: usize, lexicon: &Lexicon) -> Option<(usize, u32, usi
     }
     let end = at + 1 + digits;
     let number = std::str::from_utf8(&text[at + 1..end]).ok()?.parse().ok()?;
-    // Back to the start of the line over blanks, NULs and one N number.
+    // Goes back to the start of the line over blanks, NULs and one N number.
     let mut back = at;
     let mut seen_number = false;
     while back > 0 {
@@ -109,14 +109,14 @@ fn head_at(text: &[u8], at: usize, lexicon: &Lexicon) -> Option<(usize, u32, usi
     Some((back, number, end))
 }
 
-/// Counts the lines from a known position on.
+/// The position at offset `to`, with the lines counted from a known position.
 fn advance(text: &[u8], from: BlockPosition, to: u32) -> BlockPosition {
     let part = &text[from.offset as usize..to as usize];
     let ends = line_ends(part).count();
     BlockPosition { offset: to, line: from.line + ends as u32 }
 }
 
-/// True when a text holds words, not only comments, percent and folder lines.
+/// True if a text has words, not only comments, percent and folder lines.
 fn holds_words(text: &[u8]) -> bool {
     text.split(|b| matches!(b, b'\n' | b'\r')).any(|line| {
         let first = line.iter().find(|b| !matches!(b, b' ' | b'\t' | 0));

@@ -1,5 +1,5 @@
-//! Reads blocks; `macros` finds the ends of expressions and statements, `problems` says what is
-//! no word, `remark` finds prose.
+//! Reads blocks. The modules: `macros` finds the ends of expressions and statements, `problems` reports text that is
+//! not a word, `remark` finds prose.
 
 mod macros;
 mod problems;
@@ -14,10 +14,10 @@ use crate::block::{Block, BlockDelete, BlockKind, Letters, Word, WordValue};
 use crate::decimal::{self, Decimal};
 use crate::lexicon::{Lexicon, ParenthesisComment, Semicolon};
 
-/// A place between two blocks.
+/// A position between two blocks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct BlockPosition {
-    /// Offset in the text.
+    /// Offset in the text, bytes.
     pub offset: u32,
     /// Line of the file, from 1.
     pub line: u32,
@@ -32,16 +32,16 @@ pub struct BlockReader<'a> {
     at: usize,
     line: u32,
     end: usize,
-    /// Letters that are never plain words: registers, and the O of flow control.
+    /// Letters that need special treatment: those of registers, and the O of flow control.
     special: Letters,
 }
 
-/// How many unreadable places of one block are reported; a megabyte of garbage on one line is
-/// one problem, not a million.
+/// The largest number of problems that are reported in one block, so that a megabyte of unreadable text on one line
+/// does not give a million.
 const PROBLEMS_PER_BLOCK: usize = 8;
 
-/// How far the end of a comment within a comment is looked for, in bytes: a line of nothing but
-/// parentheses must not be read again for each of them.
+/// The largest distance at which the end of a nested comment is searched, bytes: a line of parentheses only must not be
+/// read again for each of them.
 const MAX_NESTED_COMMENT_BYTES: usize = 1024;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -59,7 +59,7 @@ const CLASSES: [CharClass; 256] = {
     while byte < 256 {
         table[byte] = match byte as u8 {
             b'A'..=b'Z' | b'a'..=b'z' => CharClass::Letter,
-            // NUL pads tapes and memories; DC1–DC4 start and stop a punch; 1A ended files.
+            // NUL is padding of tapes and memories; DC1–DC4 start and stop a tape punch; 1A is an old end-of-file mark.
             b' ' | b'\t' | 0 | 0x0b | 0x0c | 0x11..=0x14 | 0x1a | 0x7f => CharClass::Blank,
             b'0'..=b'9' | b'.' | b'+' | b'-' => CharClass::Digit,
             b'\n' | b'\r' => CharClass::LineEnd,
@@ -70,7 +70,7 @@ const CLASSES: [CharClass; 256] = {
     table
 };
 
-/// Bytes right after a number that mean it is not a plain one: `1..2`, `1O.5`, `1[`, `1#`.
+/// Bytes that show, directly after a number, that it is not a plain one: `1..2`, `1O.5`, `1[`, `1#`.
 const STRANGE_AFTER_NUMBER: [bool; 256] = {
     let mut table = [false; 256];
     let strange = b".Oo[#";
@@ -83,7 +83,7 @@ const STRANGE_AFTER_NUMBER: [bool; 256] = {
 };
 
 impl<'a> BlockReader<'a> {
-    /// Reads `text` from its beginning.
+    /// A reader at the beginning of `text`.
     pub fn new(text: &'a [u8], file: FileId, lexicon: Lexicon) -> BlockReader<'a> {
         let mut special = Letters::NONE;
         if lexicon.registers {
@@ -95,18 +95,18 @@ impl<'a> BlockReader<'a> {
         BlockReader { text, file, lexicon, at: 0, line: 1, end: text.len(), special }
     }
 
-    /// Where the next block begins.
+    /// The start of the next block.
     pub fn position(&self) -> BlockPosition {
         BlockPosition { offset: self.at as u32, line: self.line }
     }
 
-    /// Goes to a place that [`position`](Self::position) gave.
+    /// Continues at a position from [`position`](Self::position).
     pub fn seek(&mut self, position: BlockPosition) {
         self.at = (position.offset as usize).min(self.end);
         self.line = position.line;
     }
 
-    /// Reads only up to `offset`.
+    /// Sets the end of reading to `offset`, in bytes.
     pub fn limit(&mut self, offset: u32) {
         self.end = (offset as usize).min(self.text.len());
     }
@@ -116,7 +116,7 @@ impl<'a> BlockReader<'a> {
         self.text
     }
 
-    /// Fills `block` with the next block that holds anything; false at the end.
+    /// Fills `block` with the next block that is not empty; false at the end.
     pub fn read(&mut self, block: &mut Block) -> bool {
         loop {
             if self.at >= self.end {
@@ -163,7 +163,7 @@ impl<'a> BlockReader<'a> {
 
     fn skip_line_end(&mut self) {
         let rest = &self.text[self.at..self.end];
-        // Most lines end with one byte, and no test of more is needed.
+        // Most lines end with one byte, so that is tested first.
         self.at += match rest {
             [b'\n', next, ..] if *next != b'\r' => 1,
             _ => line_end_length(rest),
@@ -171,7 +171,7 @@ impl<'a> BlockReader<'a> {
         self.line += 1;
     }
 
-    /// Anything but letters, numbers, blanks and line ends. False when the block is over.
+    /// Reads a character other than letters, numbers, blanks and line ends. False at the end of the block.
     fn read_mark(&mut self, block: &mut Block, byte: u8) -> bool {
         let start = self.at;
         match byte {
@@ -190,7 +190,7 @@ impl<'a> BlockReader<'a> {
                     self.skip_to_line_end();
                 }
             }
-            // `M30%`: the mark after the last block of a tape is a block of its own.
+            // `M30%`: the percent sign after the last block of a tape is a separate block.
             b'%' if self.ends_tape_here() => {
                 block.range.end = start as u32;
                 return false;
@@ -224,7 +224,7 @@ impl<'a> BlockReader<'a> {
         true
     }
 
-    /// `$2` and `!2L1`: the mark with the digits, letters and marks that follow it.
+    /// Reads `$2` or `!2L1`: the mark and the digits, letters and marks that follow it.
     fn channel_mark(&mut self, block: &mut Block) {
         let start = self.at as u32;
         let is_of_mark = |byte: &u8| byte.is_ascii_alphanumeric() || matches!(byte, b'$' | b'!');
@@ -233,14 +233,13 @@ impl<'a> BlockReader<'a> {
         block.channel.get_or_insert(TextRange::new(start, self.at as u32));
     }
 
-    /// A colon heads a program (`:0097`) where nothing but an N number stands before it.
-    /// A colon and a number at the beginning of a block.
+    /// Whether a colon begins a program (`:0097`): only an N number may be before it, and a number must follow.
     fn program_colon(&self, block: &Block) -> bool {
         block.words.iter().all(|word| word.letter == b'N')
             && self.text.get(self.at + 1).is_some_and(u8::is_ascii_digit)
     }
 
-    /// A mark whose line holds an end of block right after it (`%;`): goes there.
+    /// Whether an end of block follows directly on a mark (`%;`); if so, continues there.
     fn end_of_block_follows(&mut self) -> bool {
         let rest = &self.text[self.at + 1..self.end];
         let blanks =
@@ -253,7 +252,7 @@ impl<'a> BlockReader<'a> {
         follows
     }
 
-    /// A percent sign with nothing after it on its line.
+    /// Whether there is nothing after a percent sign on its line.
     fn ends_tape_here(&self) -> bool {
         let rest = &self.text[self.at + 1..self.end];
         let blanks =
@@ -311,8 +310,8 @@ impl<'a> BlockReader<'a> {
         block.comments.push(TextRange::new(start as u32, self.at as u32));
     }
 
-    /// A comment that was opened again before its first `)`: where as many are closed on its
-    /// line, all of it is meant as one.
+    /// Reads a comment with another `(` before its first `)`: if the parentheses are balanced on its line, all of it is
+    /// one comment.
     #[cold]
     fn nested_comment(&mut self, block: &mut Block, start: usize, inner: usize) {
         let mut depth = 0_u32;
@@ -328,7 +327,7 @@ impl<'a> BlockReader<'a> {
         let close = self.at as u32;
         match length {
             Some(length) => self.at = start + length + 1,
-            // More open than closed: the first `)` ends the comment, and nothing is left over.
+            // There are more `(` than `)`: the first `)` ends the comment, and no text is left over.
             None if self.lexicon.strict_comments => {}
             None => return,
         }
@@ -354,7 +353,7 @@ impl<'a> BlockReader<'a> {
             _ => (1, false),
         };
         if block.delete.is_none() {
-            // An N number does not count: `/N10 …` and `N10 / …` delete the same.
+            // An N number does not count: `/N10 …` and `N10 / …` delete the same words.
             let only_number = block.words.iter().all(|word| word.letter == b'N');
             let from_word = if only_number { 0 } else { block.words.len() };
             let first = block.words.is_empty() && block.comments.is_empty();
@@ -374,8 +373,7 @@ impl<'a> BlockReader<'a> {
         }
     }
 
-    /// Reads a word whose letter is at `self.at`. False when a macro statement took the
-    /// rest of the line.
+    /// Reads a word whose letter is at `self.at`. False if the rest of the line is a macro statement.
     #[inline(always)]
     fn read_word(&mut self, block: &mut Block, letter: u8, comma: bool) -> bool {
         let plain = !comma && !self.special.has(letter);
@@ -445,7 +443,7 @@ impl<'a> BlockReader<'a> {
         true
     }
 
-    /// The register digit of a register word; none is register 0 (`R+.1`).
+    /// The register digit of a register word; 0 without one (`R+.1`).
     fn register(&mut self) -> u8 {
         let digit = self.peek();
         let next = self.text.get(self.at + 1).copied().unwrap_or(b'\n');
@@ -460,7 +458,7 @@ impl<'a> BlockReader<'a> {
         0
     }
 
-    /// Digits after blanks belong to the number where the lexicon says so.
+    /// Adds digits after blanks to the number, if the lexicon allows blanks in numbers.
     #[cold]
     fn more_digits(&mut self, number: Decimal) -> WordValue {
         let line = &self.text[self.at..self.end];
@@ -489,8 +487,8 @@ impl<'a> BlockReader<'a> {
         }
     }
 
-    /// Signs and digits with blanks between them, in any count (`x--1`, `y - 2`), where the lexicon
-    /// says so. Digits beyond the eighteenth are dropped.
+    /// Reads any number of signs, and digits with blanks between them (`x--1`, `y - 2`), if the lexicon allows them.
+    /// Digits after the 18th are dropped. `None` if there is no such number.
     #[cold]
     fn loose_number(&mut self) -> Option<WordValue> {
         if !self.lexicon.blanks_in_numbers {
@@ -514,8 +512,7 @@ impl<'a> BlockReader<'a> {
         Some(WordValue::Number(Decimal { mantissa, negative, ..number }))
     }
 
-    /// Everything after a letter that is not a plain number. `None` when the line turned
-    /// out to be a macro statement.
+    /// Reads a value that is not a plain number. `None` if the line is a macro statement.
     #[cold]
     fn unusual_value(&mut self, block: &mut Block, letter: u8, start: usize) -> Option<WordValue> {
         if letter == b'N'
@@ -526,7 +523,7 @@ impl<'a> BlockReader<'a> {
         let text = &self.text[..self.end];
         let rest = &text[self.at..];
         let is_sign = |b: &&u8| matches!(**b, b'+' | b'-');
-        // Where numbers may have blanks, they may have signs in any count (`X--#1`).
+        // If numbers may have blanks, they may have any number of signs (`X--#1`).
         let sign = match self.lexicon.blanks_in_numbers {
             true => rest.iter().take_while(|b| is_sign(b) || matches!(**b, b' ' | b'\t')).count(),
             false => usize::from(rest.first().as_ref().is_some_and(is_sign)),
@@ -549,7 +546,7 @@ impl<'a> BlockReader<'a> {
             Some(b'R' | b'r') if self.lexicon.registers => {
                 if let Some(digit) = rest.get(sign + 1).filter(|b| b.is_ascii_digit()) {
                     self.at += sign + 2;
-                    // `X+R6.`: a point that means nothing.
+                    // `X+R6.`: the point has no meaning.
                     let more = rest.get(sign + 3).is_some_and(u8::is_ascii_digit);
                     self.at += usize::from(rest.get(sign + 2) == Some(&b'.') && !more);
                     return Some(WordValue::Register {
@@ -563,7 +560,7 @@ impl<'a> BlockReader<'a> {
         if rest.first().is_some_and(u8::is_ascii_alphabetic) && self.remark(block, start) {
             return None;
         }
-        // `DO1` alone in its block begins a loop.
+        // `DO1` begins a loop if it is alone in its block.
         let in_words = block.words.iter().any(|word| word.letter != b'N');
         let do_loop = letter == b'D' && !in_words && self.keyword(start);
         if !do_loop && let Some(value) = self.letter_for_digit(block, start) {
@@ -574,7 +571,7 @@ impl<'a> BlockReader<'a> {
             self.bad_number(block, start);
             return Some(WordValue::Missing);
         }
-        // Two letters in a row are a keyword (IF, WHILE, DPRNT, sub): a macro statement.
+        // Two letters in a row may be a keyword (IF, WHILE, DPRNT, sub): a macro statement.
         if rest.first().is_some_and(u8::is_ascii_alphabetic) && self.keyword(start) {
             self.at = start;
             self.skip_statement();

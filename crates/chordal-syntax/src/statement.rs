@@ -1,15 +1,15 @@
-//! Macro statements of the macro B family: assignments, IF, WHILE, GOTO, output.
+//! Statements of the macro B family: assignments, IF, WHILE, GOTO, output.
 
 use chordal_diagnostics::{Code, TextRange};
 
 use crate::expression::{Expression, ExpressionParser, StackOp};
 
-/// What is written to.
+/// The target of an assignment.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct AssignTarget {
     /// The number of the variable; empty for a named one.
     pub index: Expression,
-    /// What kind of variable: [`StackOp::Read`], [`StackOp::ReadNamed`] or [`StackOp::Letters`].
+    /// The kind of the variable: [`StackOp::Read`], [`StackOp::ReadNamed`] or [`StackOp::Letters`].
     pub kind: StackOp,
     /// Its text.
     pub range: TextRange,
@@ -20,13 +20,13 @@ pub struct AssignTarget {
 pub enum ConditionBranch {
     /// GOTO.
     Goto(Expression),
-    /// THEN: what follows on the line.
+    /// THEN: the statement that follows on the line.
     Then,
-    /// Nothing: the condition holds for the rest of the line (`[#1EQ2] M99`).
+    /// No word: the condition applies to the rest of the line (`[#1EQ2] M99`).
     Rest,
 }
 
-/// Codes of output.
+/// An output command.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum OutputCode {
     /// POPEN.
@@ -42,22 +42,22 @@ pub enum OutputCode {
 /// One macro statement.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum MacroStatement {
-    /// Nothing.
+    /// No statement.
     Empty,
     /// `#1=…`.
     Assign {
-        /// What is written to.
+        /// The variable that is assigned.
         target: AssignTarget,
         /// The value.
         value: Expression,
-        /// The text in brackets that hugs it (`#3000=1(TEXT)`), without the brackets.
+        /// The text in parentheses directly after it (`#3000=1(TEXT)`), without them; `None` if there is none.
         text: Option<TextRange>,
     },
     /// `IF[…]…`, or `[…]…`.
     If {
         /// The condition.
         condition: Expression,
-        /// What it decides.
+        /// What the condition controls.
         branch: ConditionBranch,
     },
     /// GOTO.
@@ -66,19 +66,19 @@ pub enum MacroStatement {
     While {
         /// The condition.
         condition: Option<Expression>,
-        /// n.
+        /// The number n of the loop.
         number: u32,
     },
     /// `ENDn`.
     End(u32),
     /// POPEN, PCLOS, DPRNT, BPRNT.
     Output(OutputCode),
-    /// Something that is not a statement of this control; reported as a problem.
+    /// Text that is not a statement of this control, which was reported as a problem.
     Unknown(TextRange),
 }
 
-/// Reads the next statement of a macro B line; what comes after it stays to be read
-/// ([`ExpressionParser::rest`]). Problems are left in the parser.
+/// Reads the next statement of a macro B line; the text after it is not read yet ([`ExpressionParser::rest`]). Problems
+/// are stored in the parser.
 pub fn parse_statement(parser: &mut ExpressionParser<'_>) -> MacroStatement {
     let mark = parser.next_mark();
     let start = parser.position();
@@ -125,7 +125,7 @@ pub fn parse_statement(parser: &mut ExpressionParser<'_>) -> MacroStatement {
     if parser.take_text("BPRNT") {
         return output(parser, start, OutputCode::Binary);
     }
-    // Names for variables on the screen: `SETVN500[DEPTH,WIDTH]`.
+    // Names of variables for the screen: `SETVN500[DEPTH,WIDTH]`.
     if parser.take_text("SETVN") {
         return names_of_variables(parser, start);
     }
@@ -145,7 +145,7 @@ fn assignment(parser: &mut ExpressionParser<'_>) -> MacroStatement {
     MacroStatement::Assign { target: AssignTarget { index, kind, range }, value, text }
 }
 
-/// The comment right after the value.
+/// The text of a comment directly after the value; `None` if there is none.
 fn hugging_text(parser: &mut ExpressionParser<'_>) -> Option<TextRange> {
     if parser.next_mark() != b'(' {
         return None;
@@ -208,8 +208,7 @@ fn do_number(
     }
 }
 
-/// The number of DO and END; not one with a leading zero, which is DO and the letter O
-/// mistyped.
+/// The number of DO and END. A number with a leading zero is not accepted, because there the O of DO was typed as a zero.
 fn loop_number(parser: &mut ExpressionParser<'_>) -> Option<u32> {
     parser.next_mark();
     let rest = &parser.text[parser.at..parser.end];
@@ -261,7 +260,7 @@ fn names_of_variables(parser: &mut ExpressionParser<'_>, start: u32) -> MacroSta
     }
 }
 
-/// Passes over the rest of the line.
+/// Reports the statement and skips the rest of the line.
 fn unknown(parser: &mut ExpressionParser<'_>, start: u32, why: &str) -> MacroStatement {
     parser.at = parser.end;
     let mut end = parser.end as u32;
@@ -274,7 +273,7 @@ fn unknown(parser: &mut ExpressionParser<'_>, start: u32, why: &str) -> MacroSta
     MacroStatement::Unknown(range)
 }
 
-/// The same where the problem is reported already.
+/// The same for a statement that was already reported.
 fn unknown_quietly(parser: &mut ExpressionParser<'_>, start: u32) -> MacroStatement {
     if parser.problems.is_empty() {
         return unknown(parser, start, "a macro statement is an assignment, IF, WHILE, GOTO, END");

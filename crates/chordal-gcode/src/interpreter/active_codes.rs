@@ -1,4 +1,4 @@
-//! The codes in force, by the control's own numbers.
+//! The active codes, as the control writes them.
 
 use chordal_command::{CompensationSide, FeedMode, Units};
 use chordal_dialect::Control;
@@ -6,9 +6,9 @@ use chordal_dialect::{Action, ModeCode, ReadingCode};
 use chordal_geometry::Plane;
 use chordal_kernel::State;
 
-/// The codes by the first row of the table that does what is in force. The work offset and the
-/// tool length have names of their own.
-pub(super) fn codes_in_force(state: &State, control: &Control) -> Vec<String> {
+/// The G codes of the active modes: for each mode the first row of the table with its action. Work offset and tool
+/// length are reported by their own names.
+pub(super) fn active_codes(state: &State, control: &Control) -> Vec<String> {
     let mut actions = Vec::new();
     actions.extend(state.motion_mode().map(Action::from));
     actions.push(match state.plane {

@@ -1,4 +1,4 @@
-//! Lines by their angle (`,A`), as drawings of turned parts give them.
+//! Lines by their angle (`,A`), as dimensioned on drawings of turned parts.
 
 use chordal_command::{AxisMask, Origin, Position};
 use chordal_diagnostics::TextRange;
@@ -11,7 +11,7 @@ use super::Interpreter;
 const X: usize = Axis::X as usize;
 const Z: usize = Axis::Z as usize;
 
-/// A line whose angle alone is given: it ends where the line of the next block begins.
+/// A line with an angle but no end point: it ends where it meets the line of the next block.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct OpenLine {
     origin: Origin,
@@ -27,8 +27,8 @@ fn angle_word(block: &Block) -> Option<&Word> {
 }
 
 impl Interpreter<'_> {
-    /// `,A`: a straight cut at an angle from +Z, of which the block names one end coordinate; or neither, where the next block has
-    /// both and its own angle.
+    /// `,A`: a straight cut at an angle from +Z, with one end coordinate; or with none, if the next block has both and
+    /// its own angle.
     pub(super) fn line_by_angle(
         &mut self,
         block: &Block,
@@ -62,7 +62,7 @@ impl Interpreter<'_> {
         named.insert(Z);
     }
 
-    /// The line before this block had an angle alone: it ends where it meets the line of this one.
+    /// Ends the line of the previous block, which has only an angle, where it meets the line of this block.
     pub(super) fn end_open_line(&mut self, block: &Block, target: &Position, named: AxisMask) {
         let Some(open) = self.open_line.take() else { return };
         let angle = angle_word(block).copied().and_then(|word| self.literal(&word));
@@ -84,18 +84,18 @@ impl Interpreter<'_> {
         let mut corner = from;
         corner[Z] += along * cos;
         corner[X] += along * sin;
-        // The move belongs to its own block, with the corner and the feed of that.
+        // The move belongs to its own block, with the corner and the feed of that block.
         let own = self.kernel.take_requested_corner();
         let (origin, feed) = (self.kernel.origin, self.kernel.state.feed);
         (self.kernel.origin, self.kernel.state.feed) = (open.origin, open.feed);
-        open.corner.into_iter().for_each(|corner| self.kernel.ask_corner(corner));
+        open.corner.into_iter().for_each(|corner| self.kernel.request_corner(corner));
         self.kernel.straight(&self.at(block), corner, AxisMask((1 << X) | (1 << Z)));
         self.kernel.corner_move_done();
         (self.kernel.origin, self.kernel.state.feed) = (origin, feed);
-        own.into_iter().for_each(|corner| self.kernel.ask_corner(corner));
+        own.into_iter().for_each(|corner| self.kernel.request_corner(corner));
     }
 
-    /// A line by its angle alone that nothing ends.
+    /// Reports a line with only an angle that no following block ends.
     pub(super) fn lose_open_line(&mut self, why: &str) {
         if let Some(open) = self.open_line.take() {
             let message = format!("a line by its angle alone (`,A`) is not followed: {why}");

@@ -1,4 +1,4 @@
-//! Arcs and helices: the centre in all its forms, R, full circles, turns, mismatch.
+//! Reads the words of arcs and helices: centre words, R, number of turns.
 
 use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
@@ -17,13 +17,13 @@ const CENTER: Letters = Letters::of("IJK");
 /// Centre letters by axis.
 const CENTER_LETTERS: [u8; 3] = *b"IJK";
 
-/// The letters of the plane's centre words.
+/// The centre letters of a plane: of its first, its second and its normal axis.
 pub(super) fn center_letters(plane: Plane) -> (u8, u8, u8) {
     let (a, b, normal) = plane.axes();
     (CENTER_LETTERS[a], CENTER_LETTERS[b], CENTER_LETTERS[normal])
 }
 
-/// Name of a plane for people, with its code.
+/// The name of a plane with its code, for messages.
 pub(super) fn plane_name(plane: Plane) -> &'static str {
     match plane {
         Plane::Xy => "G17, the XY plane",
@@ -33,7 +33,7 @@ pub(super) fn plane_name(plane: Plane) -> &'static str {
 }
 
 impl Interpreter<'_> {
-    /// The word that gives the radius: R, or R0 where R names registers.
+    /// The word that gives the radius: R, or R0 on controls where R names registers.
     pub(super) fn radius_word(&self, block: &Block) -> Option<Word> {
         if self.control.table.lexicon.registers {
             block.all(b'R').find(|word| word.register == Some(0)).copied()
@@ -42,7 +42,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A block whose motion is an arc: by centre, by radius, or a spiral of the control.
+    /// Carries out a block whose motion is an arc: by centre, by radius, or a spiral of the control.
     pub(super) fn arc_block(
         &mut self,
         block: &Block,
@@ -87,7 +87,7 @@ impl Interpreter<'_> {
                 self.line_in_arc_mode(block, target, named, explicit);
             }
             None => {
-                // Without that word nothing is left of the centre: one problem, not two.
+                // The wrong centre word was the only one and is already reported: one problem, not two.
                 if !outside {
                     self.report_no_center(block, explicit);
                 }
@@ -96,7 +96,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// P on an arc, as turns beside the arc's own.
+    /// P of an arc, as full turns in addition to the arc between start and end.
     fn extra_turns(&mut self, block: &Block, target: &Position, by_radius: bool) -> u32 {
         let rule = self.control.table.arc_turns;
         let has = self.control.parameters.build.turns;
@@ -104,7 +104,7 @@ impl Interpreter<'_> {
             return 0;
         }
         if matches!(rule, ArcTurns::Extra | ArcTurns::BeyondAngle) && by_radius {
-            // A radius fixes an arc of less than a turn.
+            // A radius determines an arc of less than a turn.
             if let Some(word) = block.word(b'P').copied() {
                 self.unused_word(&word);
             }
@@ -118,16 +118,15 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Both points are one in the plane: the arc is a full circle.
+    /// True when start and end coincide in the plane: the arc is a full circle.
     fn ends_at_its_start(&self, target: &Position) -> bool {
         let (first, second, _) = self.kernel.state.plane.axes();
         let from = &self.kernel.state.position;
         target[first] == from[first] && target[second] == from[second]
     }
 
-    /// A centre word outside the plane. Controls with cones know it as their height word: outside a cone
-    /// it is passed over, and a zero, as posts write it, says nothing.
-    /// True where it was reported as an error.
+    /// Reports a centre word outside the plane. Controls with cones read it as the height word: there it is only ignored
+    /// on other arcs, with a warning. A zero, as postprocessors write it, is accepted. True when reported as an error.
     pub(super) fn check_height_word(&mut self, block: &Block) -> bool {
         let (_, _, letter) = center_letters(self.kernel.state.plane);
         let Some(word) = block.last(letter) else { return false };
@@ -135,8 +134,8 @@ impl Interpreter<'_> {
         if !strict && self.is_zero(word) {
             return false;
         }
-        let passed_over = !strict && self.control.parameters.rules.arc.spiral != SpiralForm::None;
-        let severity = if passed_over { Severity::Warning } else { Severity::Error };
+        let is_ignored = !strict && self.control.parameters.rules.arc.spiral != SpiralForm::None;
+        let severity = if is_ignored { Severity::Warning } else { Severity::Error };
         let plane = self.kernel.state.plane;
         let (a, b, _) = center_letters(plane);
         let span = self.words_span(block, Letters(1 << (letter - b'A')));
@@ -150,10 +149,10 @@ impl Interpreter<'_> {
             .label(format!("only {} and {} here", a as char, b as char))
             .help("remove the word, or choose the plane with G17, G18 or G19"),
         );
-        !passed_over
+        !is_ignored
     }
 
-    /// Both a centre and a radius: true when R is followed.
+    /// Reports an arc with both a centre and a radius; true when R is used.
     fn center_and_radius(&mut self, block: &Block) -> bool {
         let wins = self.control.parameters.center_and_radius == CenterAndRadius::RadiusWins;
         let span = self.words_span(block, Letters::of("IJKR"));
@@ -189,7 +188,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// Fadal: G2 or G3 in a block without a centre is a line.
+    /// Fadal: reports G2 or G3 in a block without a centre, which is a line.
     pub(super) fn report_line_for_arc(&mut self, block: &Block) {
         let span = self.words_span(block, Letters::of("G"));
         let rapid = self.kernel.state.motion == ModalMotion::Rapid;
@@ -210,7 +209,7 @@ impl Interpreter<'_> {
         self.kernel.report(diagnostic);
     }
 
-    /// Fadal: a block without a code after an arc that was cut while G0 is in force.
+    /// Fadal: reports a block without a motion code after an arc that was cut while G0 is active.
     #[cold]
     fn report_rapid_after_arc(&mut self, block: &Block) {
         let span = self.span(block.range);
@@ -225,7 +224,8 @@ impl Interpreter<'_> {
         );
     }
 
-    /// Notes an arc that is cut while G0 is in force, and the block after it that goes at rapid.
+    /// Remembers an arc that is cut while G0 is active, and reports a rapid in the block after it; `meant` when that
+    /// block names its motion.
     #[inline]
     pub(super) fn watch_rapid_after_arc(&mut self, block: &Block, arc: bool, meant: bool) {
         let before = self.kernel.state.arc_over_rapid;
@@ -235,7 +235,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Fadal: a centre before any G2 or G3.
+    /// Fadal: reports a centre before any G2 or G3.
     pub(super) fn unarmed_arc(&mut self, block: &Block, target: Position, named: AxisMask) {
         let by_radius = !block.letters().meets(CENTER);
         let span = self.words_span(block, Letters::of("IJKR"));

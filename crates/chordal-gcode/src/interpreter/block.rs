@@ -1,4 +1,4 @@
-//! One block: its codes are gathered, judged, and taken in the order a control takes them.
+//! One block: its codes are collected, checked, and carried out in the order of the control.
 
 use chordal_command::AxisMask;
 use chordal_dialect::table::{LineRepeat, SubroutineForm};
@@ -10,7 +10,7 @@ use chordal_syntax::{Block, Letters, Word};
 use super::conflicts::ALWAYS;
 use super::{BlockFlow, EndReason, Interpreter};
 
-/// Letters of a block that only moves: no mode, no table, no call.
+/// Letters of a block that only moves: no mode, no offset table, no call.
 const PLAIN: Letters = Letters::of("NXYZABCFIJKG");
 
 const AXES: Letters = Letters::of(AXIS_LETTERS);
@@ -32,7 +32,7 @@ impl Interpreter<'_> {
         let mut codes = std::mem::take(&mut self.codes);
         self.gather(block, &mut codes);
         if self.shop.takes_words {
-            // The axis words are no move.
+            // The axis words belong to the custom code and do not move.
             self.take_switches(block, &codes);
             let flow = self.take_after_motion(block, &codes);
             self.codes = codes;
@@ -41,12 +41,12 @@ impl Interpreter<'_> {
         let flow = self.carry_out_codes(block, &codes);
         codes.clear();
         self.codes = codes;
-        // The block that begins it does not call.
+        // The block that starts a modal call does not make it.
         if active > 0 && self.macros.active > 0 { self.modal_call_after(block, flow) } else { flow }
     }
 
-    /// Blocks that hold nothing but a move, which is most of them. False, and nothing done,
-    /// when there is more in the block than that.
+    /// Carries out a block that contains only a move, as most blocks do. False, without any effect, when the block
+    /// contains more.
     #[inline]
     fn plain_motion(&mut self, block: &Block) -> bool {
         let letters = block.letters();
@@ -67,7 +67,7 @@ impl Interpreter<'_> {
                 let row = code.and_then(|code| self.control.g_code(code));
                 let Some(row) = row else { return false };
                 let Action::Motion(motion) = row.action else { return false };
-                // `G2.0` is judged with the codes.
+                // `G2.0` is checked with the codes.
                 if word.number().is_some_and(|number| number.scale > 0) {
                     return false;
                 }
@@ -96,7 +96,7 @@ impl Interpreter<'_> {
         true
     }
 
-    /// Finds the rows of all G and M words and judges how they go together.
+    /// Finds the rows of all G and M words and checks that they may be in one block.
     fn gather(&mut self, block: &Block, codes: &mut Vec<(&'static CodeRow, usize)>) {
         codes.clear();
         self.shop.begin_block();
@@ -130,9 +130,9 @@ impl Interpreter<'_> {
         self.check_groups(block, codes);
     }
 
-    /// The row of a feed mode that another system of the control's codes has, and this one does not (G95): said with a
-    /// warning, and carried out, since nothing else can be meant. Other codes mean something only together with their
-    /// system: G91 of system B with G90 of system A would be in force without end.
+    /// The row of a feed mode (G95) that only another code system of the control contains: carried out with a warning,
+    /// since nothing else can be meant. Other codes depend on their system: with G91 of system B, G90 of system A would
+    /// never end it.
     fn row_of_other_system(&mut self, word: &Word, code: u16) -> Option<&'static CodeRow> {
         let systems = self.control.table.systems;
         let (name, row) = systems.iter().find_map(|system| {
@@ -144,7 +144,7 @@ impl Interpreter<'_> {
         Some(row)
     }
 
-    /// The row of an M code. What the table lacks or leaves out may be the shop's own.
+    /// The row of an M code. One that the table does not contain or does not carry out may be a custom code.
     fn m_row(&mut self, block: &Block, at: usize, code: u16) -> Option<&'static CodeRow> {
         let row = self.control.m_code(code);
         match row {
@@ -153,7 +153,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Inch and millimetres may be chosen by G20 and G21, by G70 and G71, or by either.
+    /// False for a unit code that the settings disable: units by G20 and G21, by G70 and G71, or by both.
     fn has_unit_code(&self, row: &CodeRow) -> bool {
         let by_g70 = row.code >= 700;
         match self.control.parameters.unit_codes {
@@ -165,8 +165,8 @@ impl Interpreter<'_> {
     }
 
     fn carry_out_codes(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) -> BlockFlow {
-        // What an unknown code would have done with the words is not known; the tool still
-        // goes to the end point that they name.
+        // What an unknown code does with the words is not known; the tool still moves to the end point
+        // that they give.
         let code_words = block.all(b'G').count() + block.all(b'M').count();
         if codes.len() < code_words {
             self.take_reading_modes(block, codes);
@@ -190,7 +190,7 @@ impl Interpreter<'_> {
         self.block_without_repeats(block, codes)
     }
 
-    /// What a block does once; a line repeat does it again and again.
+    /// Carries out a block once; a line repeat calls this for each pass.
     pub(super) fn block_without_repeats(
         &mut self,
         block: &Block,
@@ -207,7 +207,7 @@ impl Interpreter<'_> {
         self.check_multiplied_words(block, codes);
         self.take_registers(block);
         self.take_letters(block, codes);
-        // G41 beside a pocket names its side; the cycle offsets by itself.
+        // G41 in the block of a pocket gives its side; the cycle itself offsets.
         let own_side =
             codes.iter().any(|(row, _)| row.action == Action::Once(OnceCode::GeneralPocket));
         for (row, at) in codes {
@@ -251,8 +251,7 @@ impl Interpreter<'_> {
         match one_shot {
             Some((row, at)) => {
                 self.modes_with_one_shot(block, codes, row);
-                // A code that is not carried out was reported with the modes; the axis words that it names
-                // go with it.
+                // A code that is not carried out was reported with the modes; its axis words have no effect either.
                 match row.action {
                     Action::Once(code) => self.one_shot(block, code, *at),
                     Action::NoEffect | Action::NotSimulated => {
@@ -285,7 +284,7 @@ impl Interpreter<'_> {
         self.take_after_motion(block, codes)
     }
 
-    /// L without a code that takes it: a line repeat, or on a Fadal a call.
+    /// L without a code that uses it: a line repeat, or on a Fadal a call.
     fn repeat_or_call_by_l(
         &mut self,
         block: &Block,
@@ -300,7 +299,7 @@ impl Interpreter<'_> {
         }
         let word = *block.last(b'L')?;
         let count = self.count(&word)?;
-        // Below a hundred L repeats the hole of the cycle in force.
+        // Below 100, L repeats the hole of the active cycle.
         if claims.has(b'L') && count < 100 {
             return None;
         }

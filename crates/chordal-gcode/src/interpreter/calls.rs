@@ -11,12 +11,11 @@ use chordal_syntax::{Block, BlockPosition as TextPosition, Letters, Word, is_pro
 use super::custom_codes::CustomCodeCall;
 use super::{BlockFlow, CallFrame, EndReason, Interpreter};
 
-/// Fixed subroutines of the L form: L91… to L99….
+/// Built-in subroutines of the L form: L91… to L99….
 const FIXED: std::ops::RangeInclusive<u32> = 91..=99;
 
 impl Interpreter<'_> {
-    /// The count of a repeat, cut to what the control allows.
-    /// Reads the L100, L200 … sections that stand before the main program.
+    /// Reads the L100, L200 … sections before the main program.
     pub(super) fn read_subroutine_section(&mut self) {
         if self.control.table.subroutines == SubroutineForm::None {
             return;
@@ -176,8 +175,8 @@ impl Interpreter<'_> {
         }
         let (number, repeats) = self.unpacked(written, times);
         let Some(program) = self.library.find(number, self.file) else {
-            let provided = CustomCodeCall { block: Some(block), arguments: &[] };
-            if self.shop_program(&word, number, repeats, provided).is_none() {
+            let call = CustomCodeCall { block: Some(block), arguments: &[] };
+            if self.shop_program(&word, number, repeats, call).is_none() {
                 self.report_missing_program(&word, number);
             }
             return;
@@ -198,8 +197,8 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The number of the called program and how often it runs, where P may hold both (`P50012`). A
-    /// program that has the whole number is meant as it stands.
+    /// The number of the called program and its repeats, when P may contain both (`P50012`). A program with the whole
+    /// number takes precedence.
     fn unpacked(&self, written: u32, times: u32) -> (u32, u32) {
         let packed =
             self.control.parameters.packed_calls && written > 9999 && !is_program_name(written);
@@ -213,7 +212,7 @@ impl Interpreter<'_> {
     fn report_call_without_program(&mut self, block: &Block, at: usize) {
         let span = self.span(block.words[at].range);
         let text = self.reader.text();
-        // A path, or a name with an extension; a point in a sentence names no file.
+        // A path, or a name with an extension; the full stop of a sentence is not one.
         let has_extension = |text: &[u8]| {
             text.windows(3).any(|part| {
                 part[0].is_ascii_alphanumeric() && part[1] == b'.' && part[2].is_ascii_alphabetic()
@@ -264,7 +263,7 @@ impl Interpreter<'_> {
         self.call_from_label(block, &word);
     }
 
-    /// Calls the running program from the block on whose N number a word gives.
+    /// Calls the running program from the block whose N number a word gives.
     fn call_from_label(&mut self, block: &Block, word: &Word) {
         let Some(label) = self.count(word) else { return };
         let repeats = match block.letters().has(b'L') {
@@ -282,7 +281,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Goes into a program; false when it would be too deep, which is told.
+    /// Enters a program; false when it is nested too deeply, which is reported.
     pub(super) fn enter(
         &mut self,
         word: &Word,
@@ -370,21 +369,22 @@ impl Interpreter<'_> {
         }
     }
 
-    /// M99 in a main program, or M47. One that takes no tool and starts no spindle is a subprogram whose caller is elsewhere.
+    /// Reports M99 in a main program, or M47. A program without tool and spindle is probably a subprogram of another
+    /// file.
     pub(super) fn report_repeat(&mut self, span: Span, what: &str) {
         let state = &self.kernel.state;
         let is_part = state.tool == 0 && state.spindle == SpindleState::Off && state.rpm == 0.0;
-        let stated = Diagnostic::new(
+        let diagnostic = Diagnostic::new(
             Code::EndlessLoop,
             span,
             format!("{what} starts the program again without end"),
         );
         self.kernel.report(match is_part {
-            true => stated
+            true => diagnostic
                 .label("shown once")
                 .severity(Severity::Note)
                 .help("nothing in this file calls it: if it is a subprogram, this is right"),
-            false => stated
+            false => diagnostic
                 .label("shown once")
                 .severity(Severity::Warning)
                 .help("end the program with M30, unless the repeat is intended"),
@@ -395,8 +395,8 @@ impl Interpreter<'_> {
     fn jump(&mut self, block: &Block, at: usize, label: i64) -> BlockFlow {
         let taken = self.jumps.entry(block.range.start).or_insert(0);
         *taken += 1;
-        // Nothing but positions changes between two passes, so the second one through the
-        // same jump will be followed by a third.
+        // Without macros only positions change between two passes, so a second pass through the same jump
+        // is followed by a third.
         if *taken > 1 && self.frames.is_empty() && !self.macros.used {
             let span = self.span(block.words[at].range);
             self.kernel.report(
@@ -418,7 +418,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Goes on at a place of this program. Blocks that are then met again are counted.
+    /// Continues at a position of this program; blocks that are then repeated count against the budget.
     pub(super) fn go_to(&mut self, target: TextPosition) {
         let here = self.kernel.origin.span.range;
         if target.offset <= here.start && self.frames.is_empty() {
@@ -427,8 +427,7 @@ impl Interpreter<'_> {
         self.reader.seek(target);
     }
 
-    /// Goes on at a label of the caller. A call and its return may stand in one block, which then is all that is
-    /// met again.
+    /// Continues at a label of the caller. If call and return are in one block, only that block is repeated.
     fn return_to(&mut self, target: TextPosition) {
         let resumed = self.reader.position().offset;
         if target.offset < resumed && self.frames.is_empty() {
@@ -437,7 +436,7 @@ impl Interpreter<'_> {
         self.reader.seek(target);
     }
 
-    /// Back to the caller, or once more through the called text.
+    /// Returns to the caller, or repeats the called text.
     pub(super) fn leave(&mut self, label: Option<(&Block, i64)>) {
         let Some(frame) = self.frames.last_mut() else { return };
         if frame.remaining > 0 && label.is_none() {
@@ -454,7 +453,7 @@ impl Interpreter<'_> {
         let Some(frame) = self.frames.pop() else { return };
         self.reader = frame.reader;
         self.macros.loops = frame.loops;
-        // What the called program has cancelled stays cancelled.
+        // Modal calls that the called program has cancelled stay cancelled.
         self.macros.active = frame.modal_calls.min(self.macros.modal_calls());
         self.macros.in_alias -= u32::from(frame.by_alias);
         if frame.own_locals {
@@ -478,7 +477,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The text of a called program ended without a return.
+    /// Reports that the text of a called program ends without a return, and returns.
     pub(super) fn text_ended_in_call(&mut self) {
         if self.frames.last().is_some_and(|frame| frame.of_shop) {
             return self.leave(None);
@@ -513,12 +512,12 @@ impl Interpreter<'_> {
         );
     }
 
-    /// Where the block with an N number begins. The numbers of a program are read once.
+    /// The start of the block with an N number. The numbers of a program are read once.
     pub(super) fn label(&mut self, program: usize, label: i64) -> Option<TextPosition> {
         self.labels(program, label).first().copied()
     }
 
-    /// The block with an N number that comes next below a place, else the first.
+    /// The next block with an N number below an offset, else the first.
     pub(super) fn label_below(
         &mut self,
         program: usize,
@@ -530,7 +529,7 @@ impl Interpreter<'_> {
         places.get(next).or(places.first()).copied()
     }
 
-    /// The last block with an N number above a place.
+    /// The last block with an N number above an offset.
     pub(super) fn label_above(
         &mut self,
         program: usize,
@@ -553,7 +552,7 @@ impl Interpreter<'_> {
                 if !reader.read(&mut block) {
                     return labels;
                 }
-                // N of a line of data is the number of a parameter.
+                // In a data line (after G10 L50), N is the number of a parameter.
                 is_data = is_data && block.word(b'G').is_none() && block.word(b'M').is_none();
                 let number = block.word(b'N').and_then(|word| word.number());
                 if !is_data && let Some(number) = number.and_then(|n| n.to_integer()) {
@@ -568,7 +567,7 @@ impl Interpreter<'_> {
     }
 }
 
-/// The number of a subroutine whose head this block is: `L100` alone is subroutine 1.
+/// The number of the subroutine that begins with this block: `L100` alone is subroutine 1. `None` for other blocks.
 pub fn subroutine_head(block: &Block) -> Option<u32> {
     if !block.letters().within(Letters::of("LN")) {
         return None;

@@ -1,5 +1,5 @@
-//! What a lathe does besides: a second spindle, and other channels. Each is said once of a program, and not followed.
-//! Where only the second spindle itself moves, the path of the tools goes on as written.
+//! A second spindle and further channels of a lathe. Each is reported once a program and not followed. Moves of the
+//! second spindle alone do not affect the path of the tools.
 
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_dialect::code_number;
@@ -8,7 +8,7 @@ use chordal_syntax::{Block, Word};
 use super::Interpreter;
 
 impl Interpreter<'_> {
-    /// `$2` and `!2L1`.
+    /// Reports the channel marks `$2` and `!2L1`.
     pub(super) fn check_channel(&mut self, block: &Block) {
         if let Some(range) = block.channel {
             let mark = String::from_utf8_lossy(range.slice(self.reader.text())).into_owned();
@@ -20,7 +20,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// An M code that waits for another path (Fanuc Nos. 8110 and 8111).
+    /// Reports an M code that waits for another path (Fanuc parameters 8110 and 8111); true for such a code.
     pub(super) fn waits_for_path(&mut self, word: &Word, number: i64) -> bool {
         let [first, last] = self.control.parameters.wait_codes.map(i64::from);
         let waits = last > 0 && (first..=last).contains(&number);
@@ -40,7 +40,7 @@ impl Interpreter<'_> {
         self.lose_path(range, message);
     }
 
-    /// A code of the second spindle; false for any other.
+    /// Reports a code of the second spindle; false for any other.
     pub(super) fn is_of_second_spindle(&mut self, word: &Word) -> bool {
         let code = self.literal(word).and_then(code_number);
         let codes = self.control.table.second_spindle;
@@ -52,13 +52,13 @@ impl Interpreter<'_> {
         is_one
     }
 
-    /// P of M3 and M4 that names the second spindle (Fanuc). What the tools do meanwhile is as written.
+    /// Reports P of M3 and M4 that names the second spindle (Fanuc). The path of the tools is not affected.
     pub(super) fn check_second_spindle(&mut self, block: &Block) {
         let number = self.control.parameters.second_spindle_p;
         let word = block.last(b'P').copied().filter(|_| number > 0);
         let Some(word) = word else { return };
-        let provided = self.literal(&word).map(|number| number.to_f64());
-        if provided == Some(f64::from(number)) {
+        let p = self.literal(&word).map(|number| number.to_f64());
+        if p == Some(f64::from(number)) {
             let message = format!("P{number} names the second spindle, which is not followed");
             self.note_second_spindle(
                 word.range,
@@ -68,7 +68,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// An axis of a lathe that the machine does not have, and that carries the second spindle: its moves are left out.
+    /// Reports an axis that carries the second spindle and that the machine file does not have: its moves are skipped.
     pub(super) fn is_axis_of_second_spindle(&mut self, letter: char, range: TextRange) -> bool {
         let is_one = self.control.parameters.second_spindle_axes.contains(&(letter as u8));
         if is_one {

@@ -1,4 +1,4 @@
-//! What the interpreter remembers at a checkpoint, and how a run goes on from one.
+//! What the interpreter remembers at a checkpoint, and how a run resumes from one.
 
 use std::any::Any;
 use std::collections::BTreeMap;
@@ -17,10 +17,10 @@ use super::spline::SplineMemory;
 use super::{Interpreter, ReportedOnce};
 use crate::firmware::FirmwareChecker;
 
-/// With more chains of calls a checkpoint would cost more than it saves.
+/// With more call paths, copying a checkpoint costs more than it saves.
 const MAX_CALL_PATHS: usize = 1000;
 
-/// What decides about all that follows.
+/// Everything that the rest of the run depends on.
 #[derive(Clone, Debug, PartialEq)]
 struct BlockMemory {
     kernel: KernelMemory,
@@ -67,8 +67,8 @@ impl CheckpointMemory for BlockMemory {
 }
 
 impl Interpreter<'_> {
-    /// Whether nothing is open that a checkpoint does not hold: calls, loops, jumps back, cutter
-    /// compensation, texts of the shop.
+    /// True when nothing is open that a checkpoint does not contain: calls, loops, backward jumps, cutter compensation,
+    /// texts of custom codes.
     pub(super) fn is_settled(&self) -> bool {
         self.blocks > 0
             && self.frames.is_empty()
@@ -98,7 +98,7 @@ impl Interpreter<'_> {
             missing: self.missing.clone(),
             data_lines: self.data_lines,
             sequence: self.sequence,
-            // Whoever collects keeps the first of them, so that it does not decide about what follows.
+            // The collector of the problems keeps the first one only, so the rest of the run does not depend on it.
             reported: ReportedOnce { excess_decimals: false, ..self.reported.clone() },
             lost_jump: self.lost_jump,
             units_programmed: self.units_programmed,
@@ -113,7 +113,7 @@ impl Interpreter<'_> {
         Checkpoint::new(place.offset, place.line, self.blocks, Box::new(memory))
     }
 
-    /// Goes on from a checkpoint of this language.
+    /// Resumes from a checkpoint of this language.
     pub(super) fn take_up(&mut self, checkpoint: &Checkpoint) {
         let Some(memory) = checkpoint.memory::<BlockMemory>().cloned() else { return };
         let (offset, line) = (checkpoint.offset(), checkpoint.line());
@@ -140,7 +140,7 @@ impl Interpreter<'_> {
         self.mark_values_recorded();
     }
 
-    /// Notes that a program was read, searched, or asked for a place in it.
+    /// Records that a program was read or searched for a label.
     pub(super) fn look_at(&self, program: usize) {
         let program = self.program_at(program);
         if program.file == FileId(0) {
@@ -148,15 +148,15 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Notes that something depends on the text as a whole.
+    /// Records that the run depends on the whole text.
     pub(super) fn look_at_all(&self) {
         self.look_at_range(TextRange::new(0, u32::MAX));
     }
 
-    /// Notes that a part of the first text was read; its main program stands in it.
+    /// Records that a part of the first text was read.
     pub(super) fn look_at_range(&self, range: TextRange) {
-        let inspected = self.text_read_outside.get();
+        let before = self.text_read_outside.get();
         self.text_read_outside
-            .set(Some(inspected.map_or(range, |range_read| range_read.cover(range))));
+            .set(Some(before.map_or(range, |range_read| range_read.cover(range))));
     }
 }

@@ -1,7 +1,7 @@
-//! Lines that a firmware takes as one command with its words (Marlin).
+//! Lines that a firmware reads as one command with its words (Marlin).
 //!
-//! The line is read again as that firmware reads it, and the block gets the words of its command. What else stands in the
-//! line does nothing, which is reported.
+//! The line is read again as the firmware reads it, and the block gets the words of its command. The rest of the line has
+//! no effect, which is reported.
 
 use chordal_command::Units;
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
@@ -14,29 +14,29 @@ use chordal_syntax::{Block, BlockKind, Decimal, Letters, Word, WordValue};
 
 use super::{BlockFlow, Interpreter};
 
-/// The characters of a line that count, each with its offset in the text.
+/// The characters of a line outside comments, each with its offset in the text.
 struct CommandLineText {
     characters: Vec<(u8, u32)>,
     at: usize,
     lower_case: bool,
 }
 
-/// What is read of a line.
+/// The words of a line by their effect.
 #[derive(Default)]
 struct CommandLineWords {
     /// The words of its command.
     words: Vec<Word>,
-    /// Codes after it, which do nothing.
+    /// Further commands, which have no effect.
     dropped: Vec<Word>,
-    /// Words that its command does not take.
+    /// Words that the command does not use.
     unused: Vec<Word>,
-    /// Its words are numbers, and none of them may lack one.
+    /// The command needs a number after every letter.
     are_numbers: bool,
     /// Letters without a number.
     bare: Vec<TextRange>,
-    /// Lower-case letters that do not count.
+    /// The first lower-case letter, which this build does not read.
     small: Option<TextRange>,
-    /// Where a command begins that is not there.
+    /// The letter and number of a command that the firmware does not have.
     unknown: Option<(u8, Option<Decimal>)>,
 }
 
@@ -60,7 +60,7 @@ impl CommandLineText {
         self.characters.get(self.at).map(|(byte, _)| *byte)
     }
 
-    /// The letter that stands here, as the firmware sees it.
+    /// The letter here, in upper case if the firmware reads lower-case letters.
     fn letter(&self) -> Option<u8> {
         let byte = self.peek()?;
         Some(if self.lower_case { byte.to_ascii_uppercase() } else { byte })
@@ -79,13 +79,13 @@ impl CommandLineText {
         }
     }
 
-    /// From a character to the one before this place.
+    /// The range from a character to the one before the current one.
     fn range(&self, from: usize) -> TextRange {
         let end = self.at.max(from + 1);
         TextRange::new(self.offset(from), self.offset(end - 1) + 1)
     }
 
-    /// A sign, digits and a point; nothing, and no step, where there is no digit.
+    /// Reads a sign, digits and a point; `None`, without advancing, when there is no digit.
     fn number(&mut self) -> Option<Decimal> {
         let is_of_number =
             |(byte, _): &&(u8, u32)| byte.is_ascii_digit() || matches!(byte, b'.' | b'+' | b'-');
@@ -107,7 +107,7 @@ impl CommandLineText {
         Some(number)
     }
 
-    /// The number of the line in front, which is passed over.
+    /// Reads the line number in front (N).
     fn line_number(&mut self) -> Option<Word> {
         let (from, next) = (self.at, self.characters.get(self.at + 1)?.0);
         if self.letter() != Some(b'N') || !(next.is_ascii_digit() || next == b'-') {
@@ -130,13 +130,13 @@ fn word(letter: u8, number: Decimal, range: TextRange) -> Word {
 }
 
 impl Interpreter<'_> {
-    /// Gives the block of a line the words of its command. What follows where there is none to carry out; nothing where
-    /// the block goes on.
+    /// Gives the block the words of the command of its line. Returns how to continue when there is nothing to carry out;
+    /// `None` to carry out the block.
     pub(super) fn take_command_line(&mut self, block: &mut Block) -> Option<BlockFlow> {
         let rules = self.control.table.command_line?;
         let build = self.control.parameters.build;
         let text = self.reader.text();
-        // The reader may see several blocks in a line, or an end before that of the line.
+        // The reader may divide the line into several blocks; only the first one counts here.
         let start = block.range.start as usize;
         let goes_on = start > 0 && !matches!(text[start - 1], b'\n' | b'\r');
         let rest = &text[start..];
@@ -144,7 +144,7 @@ impl Interpreter<'_> {
         let whole = TextRange::new(block.range.start, (start + length) as u32);
         let (parentheses, lower_case) = (build.parentheses, build.lower_case);
         let mut line = CommandLineText::of(whole.slice(text), whole.start, parentheses, lower_case);
-        // A slip of the finger is one, however the firmware reads it.
+        // Typing mistakes that the reader found are reported even if the firmware accepts them.
         let slips = std::mem::take(&mut block.problems);
         block.delete = None;
         block.expressions = false;
@@ -155,7 +155,7 @@ impl Interpreter<'_> {
         }
         line.skip_blanks();
         let number = line.line_number();
-        // What comes after an asterisk is the checksum.
+        // After an asterisk comes the checksum.
         if let Some(end) = line.characters.iter().position(|(byte, _)| *byte == b'*') {
             line.characters.truncate(end);
         }
@@ -175,7 +175,7 @@ impl Interpreter<'_> {
             return Some(BlockFlow::Next);
         }
         if read.are_numbers {
-            // What is no number in a comment or a checksum is none of these.
+            // Not in a comment or checksum, where no numbers are required.
             let end = line.offset(line.characters.len());
             let is_slip = |problem: &Diagnostic| {
                 let in_words = problem.primary.span.range.start < end;
@@ -192,14 +192,14 @@ impl Interpreter<'_> {
         }
         number.into_iter().chain(read.words).for_each(|word| block.push(word));
         self.report_what_does_nothing(rules, block, &read.dropped, &read.bare, read.small);
-        // With a second command its words are named with it.
+        // If there is a second command, its words are reported with it.
         if read.dropped.is_empty() {
             read.unused.iter().for_each(|word| self.unused_word(word));
         }
         None
     }
 
-    /// One command with its words.
+    /// Reads one command with its words.
     fn read_command(
         &self,
         line: &mut CommandLineText,
@@ -257,7 +257,7 @@ impl Interpreter<'_> {
         self.read_words(line, rules, Some((letter, tenths.unwrap_or(0))), read);
     }
 
-    /// A program of the caller may know M codes that no table has.
+    /// True when the caller may answer M codes that no table contains.
     fn asks_the_shop(&self) -> bool {
         self.options.shop_codes.is_some()
     }
@@ -270,18 +270,18 @@ impl Interpreter<'_> {
         read: &mut CommandLineWords,
     ) {
         let takes = self.letters_of_command(rules, code);
-        // What is not carried out has no use for its words, and they move nothing.
+        // The words of a code that is not carried out have no effect and need no report.
         let row = code.and_then(|(letter, code)| match letter {
             b'G' => self.control.g_code(code),
             _ => self.control.m_code(code),
         });
-        let is_passed_over =
+        let is_ignored =
             row.is_some_and(|row| matches!(row.action, Action::NoEffect | Action::NotSimulated));
         let has_remark = code
             .is_some_and(|(letter, code)| letter == b'M' && rules.remarks.contains(&(code / 10)));
         let bare_axes =
             code.is_some_and(|(letter, code)| letter == b'G' && rules.bare_axes.contains(&code));
-        read.are_numbers = !(is_passed_over || bare_axes || has_remark);
+        read.are_numbers = !(is_ignored || bare_axes || has_remark);
         while let Some(letter) = line.letter() {
             let from = line.at;
             line.at += 1;
@@ -298,7 +298,7 @@ impl Interpreter<'_> {
                 Some(number) if rules.commands.has(letter) && letter != b'T' => {
                     read.dropped.push(word(letter, number, line.range(from)));
                 }
-                Some(_) if takes.has(letter) && is_passed_over => {}
+                Some(_) if takes.has(letter) && is_ignored => {}
                 Some(number) if takes.has(letter) => {
                     read.words.push(word(letter, number, line.range(from)));
                 }
@@ -308,7 +308,7 @@ impl Interpreter<'_> {
                     let range = TextRange::new(line.offset(from), line.offset(from) + 1);
                     read.words.push(word(letter, Decimal::integer(0), range));
                 }
-                None if !is_passed_over => {
+                None if !is_ignored => {
                     read.bare.push(TextRange::new(line.offset(from), line.offset(from) + 1));
                 }
                 None => {}
@@ -316,7 +316,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The letters that a command takes; without a code those of the motion before it.
+    /// The letters that a command uses; without a code, those of the active motion.
     fn letters_of_command(&self, rules: &CommandLine, code: Option<(u8, u16)>) -> Letters {
         const AXES_AND_FEED: Letters = Letters::of("XYZF");
         let Some((letter, code)) = code else {
@@ -326,7 +326,7 @@ impl Interpreter<'_> {
             b'G' => self.control.g_code(code),
             _ => self.control.m_code(code),
         };
-        // What a custom code takes is not known.
+        // The words of a custom code are not known.
         let Some(row) = row else { return Letters(u32::MAX) };
         let axes = match row.action {
             Action::Motion(_) => AXES_AND_FEED,
@@ -361,8 +361,7 @@ impl Interpreter<'_> {
                 .iter()
                 .filter_map(|word| Some(format!("{}{}", char::from(word.letter), word.number()?)))
                 .collect();
-            let is_missed =
-                dropped.iter().any(|word| !self.is_in_force_without(rules, block, word));
+            let is_missed = dropped.iter().any(|word| !self.is_already_active(rules, block, word));
             let severity = if is_missed { Severity::Error } else { Severity::Note };
             let verb = if names.len() == 1 { "does" } else { "do" };
             self.kernel.report(
@@ -402,12 +401,12 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A code that would change nothing if it were carried out.
-    fn is_in_force_without(&self, rules: &CommandLine, block: &Block, word: &Word) -> bool {
+    /// True for a dropped code that would have changed nothing.
+    fn is_already_active(&self, rules: &CommandLine, block: &Block, word: &Word) -> bool {
         let Some(code) = word.number().and_then(code_number) else { return false };
         let row = self.control.row_of(word);
         let Some(row) = row else { return rules.ignored_codes.contains(&(word.letter, code)) };
-        // The command of the line may change it.
+        // The command of the line may change the same mode.
         let also = block.words.iter().filter_map(|word| self.control.row_of(word));
         if also.clone().any(|own| own.group == row.group) {
             return false;
@@ -433,7 +432,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A line whose command the firmware does not have: it answers, and goes on with the next.
+    /// Reports a line whose command the firmware does not have: it replies with an error and continues.
     #[cold]
     fn report_unknown_command(
         &mut self,
@@ -467,7 +466,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// How much is lost with an unknown command, by what it does on other controls.
+    /// The severity of an unknown command, by what it does on other controls.
     fn severity_of_unknown(
         &self,
         rules: &CommandLine,

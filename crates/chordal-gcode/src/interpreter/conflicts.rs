@@ -1,5 +1,5 @@
-//! Whether the words of a block go together: what may stand twice, what excludes each other, and
-//! which letters the codes and modes in force take.
+//! Checks that the words of a block may be combined: repeated words, codes that exclude each other, and letters that
+//! no active code or mode uses.
 
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::table::MotionModality;
@@ -11,7 +11,7 @@ use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
 
-/// Letters that every block may have.
+/// Letters that every block may contain.
 pub(super) const ALWAYS: Letters = Letters::of("NOGMFSTHDXYZABC");
 
 impl Interpreter<'_> {
@@ -36,12 +36,12 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Each code with those before it.
+    /// Compares each code with those before it.
     fn check_pairs(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
         if codes.len() < 2 {
             return;
         }
-        // The first of each code that came before: in a line of many words the same ones come again and again.
+        // Each different code once, so that long lines of repeated codes take linear time.
         let mut before: Vec<(&'static CodeRow, usize)> = Vec::new();
         for second in codes {
             let letter = block.words[second.1].letter;
@@ -70,7 +70,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Two frames in one block, or a frame with another code that takes its axis words.
+    /// Reports two frames in one block, or a frame with another code that uses its axis words.
     fn report_shared_words(
         &mut self,
         block: &Block,
@@ -85,7 +85,7 @@ impl Interpreter<'_> {
         self.kernel.report(self.two_codes(block, first.1, second.1, message, "not carried out"));
     }
 
-    /// Two codes that cannot be in one block, by their words.
+    /// The problem of two codes that cannot be in one block.
     fn two_codes(
         &self,
         block: &Block,
@@ -99,7 +99,7 @@ impl Interpreter<'_> {
             .help("write them in two blocks")
     }
 
-    /// A motion code beside another code that takes the axis words.
+    /// Reports a motion code with another code that uses the axis words.
     fn report_two_takers(
         &mut self,
         block: &Block,
@@ -110,11 +110,11 @@ impl Interpreter<'_> {
         let title = self.control.table.title;
         let (one, two) = (first.0.name(b'G'), second.0.name(b'G'));
         let message = format!("{one} and {two} in one block: both use its axis words");
-        let stated = self.two_codes(block, first.1, second.1, message, "the first");
-        self.kernel.report(stated.alarm(format!("{title}: {alarm}")));
+        let diagnostic = self.two_codes(block, first.1, second.1, message, "the first");
+        self.kernel.report(diagnostic.alarm(format!("{title}: {alarm}")));
     }
 
-    /// A probe move with a code that leaves it the axis words of the block: G4, G92.1.
+    /// True for a probe move with a code that does not use the axis words: G4, G92.1.
     fn allows_probe(&self, first: &CodeRow, second: &CodeRow) -> bool {
         let dwells = self.control.parameters.dwell_with_motion;
         let probes = |row: &CodeRow| matches!(row.action, Action::Once(OnceCode::Probe { .. }));
@@ -122,7 +122,7 @@ impl Interpreter<'_> {
         probes(first) && leaves(second) || leaves(first) && probes(second)
     }
 
-    /// Two M codes of one group, where the control has such groups.
+    /// Reports two M codes of one group, on controls with such groups.
     fn check_m_groups(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
         for group in self.control.parameters.m_groups {
             let own = |at: &usize, row: &CodeRow| {
@@ -133,14 +133,15 @@ impl Interpreter<'_> {
             let names = [first.0.name(b'M'), second.0.name(b'M')];
             let title = self.control.table.title;
             let message = format!("{} and {} cannot be in one block", names[0], names[1]);
-            let stated = self.two_codes(block, first.1, second.1, message, "the first");
+            let diagnostic = self.two_codes(block, first.1, second.1, message, "the first");
             self.kernel.report(match self.control.parameters.m_groups_alarm {
-                Some(alarm) => stated.alarm(format!("{title}: {alarm}")),
-                // More than one M code is an option there, and what two of a spindle do is not written.
+                Some(alarm) => diagnostic.alarm(format!("{title}: {alarm}")),
+                // More than one M code is an option of that control, and its manual does not say what two spindle codes
+                // do.
                 None if self.control.table.last_of_group_counts => {
-                    stated.severity(Severity::Warning)
+                    diagnostic.severity(Severity::Warning)
                 }
-                None => stated,
+                None => diagnostic,
             });
         }
     }
@@ -157,12 +158,12 @@ impl Interpreter<'_> {
     fn report_repeated_words(&mut self, block: &Block) {
         let mut seen = Letters::NONE;
         for word in &block.words {
-            // R words name registers; two of them may differ.
+            // On controls where R names registers, two R words may name different ones.
             let again = seen.has(word.letter)
                 && !matches!(word.letter, b'G' | b'M')
                 && !word.comma
                 && word.register.is_none();
-            // The words of a second return (`G28 Z0 G28 X0 Y0`) are told with the codes.
+            // The words of a second return (`G28 Z0 G28 X0 Y0`) are reported with the codes.
             if again {
                 let letter = word.letter as char;
                 let first = block.word(word.letter).map_or(word.range, |w| w.range);
@@ -181,14 +182,14 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Letters that the block's codes and modes take.
+    /// The letters that the codes of the block and the active modes use.
     pub(super) fn claims(&self, block: &Block, codes: &[(&'static CodeRow, usize)]) -> Letters {
         let parameters = &self.control.parameters;
         let mut claims = ALWAYS.without(parameters.words_of_codes);
         for (letter, _) in parameters.increments {
             claims = claims.without(Letters(1 << (letter - b'A')));
         }
-        // Codes that take the axis words for themselves name the increments that they take.
+        // Codes that use the axis words list the incremental letters they use.
         let by_increments = |row: &CodeRow| {
             !row.takes_axes()
                 || row.action.once().is_some_and(|code| {
@@ -231,7 +232,7 @@ impl Interpreter<'_> {
         if self.kernel.reads_contour_words() {
             claims = claims.union(Letters::of("ACUW"));
         }
-        // While a cycle is in force a block makes a hole, no arc.
+        // While a cycle is active, a block makes a hole, not an arc.
         let ends = |row: &CodeRow| row.action == Action::Mode(ModeCode::CancelCycle);
         let drills = self.kernel.state.cycle.is_some() && !codes.iter().any(|(row, _)| ends(row));
         let takes = |row: &CodeRow| {
@@ -241,7 +242,7 @@ impl Interpreter<'_> {
         let drills = drills || codes.iter().any(|(row, _)| takes(row));
         let own = self.control.parameters.corners_of_lines
             && codes.iter().any(|(row, _)| row.action.motion().is_some());
-        // A motion code of the block itself ends the motion in force, and the words of that.
+        // A motion code in the block ends the active motion, whose words then do not count.
         let armed = self.control.table.motion == MotionModality::Armed;
         let ended = !armed && codes.iter().any(|(row, _)| row.action.motion().is_some());
         if !drills
@@ -254,7 +255,7 @@ impl Interpreter<'_> {
         claims
     }
 
-    /// What a block without a motion code may have because of the motion in force.
+    /// The letters that a block without a motion code may contain because of the active motion; `None` for no others.
     pub(super) fn modal_arc_words(&self) -> Option<Letters> {
         let code = match self.kernel.state.motion {
             ModalMotion::Arc(_) => 20,
@@ -263,9 +264,9 @@ impl Interpreter<'_> {
             ModalMotion::Turn(_) | ModalMotion::Thread
                 if !self.control.parameters.increments.is_empty() =>
             {
-                return self.motion_in_force_words();
+                return self.active_motion_words();
             }
-            ModalMotion::ThreadPasses => return self.motion_in_force_words(),
+            ModalMotion::ThreadPasses => return self.active_motion_words(),
             ModalMotion::Thread => 330,
             ModalMotion::RigidTap => 331,
             ModalMotion::Spline(form) => {
@@ -282,15 +283,14 @@ impl Interpreter<'_> {
         self.control.g_code(code).map(|row| self.words_of(row))
     }
 
-    /// The words of the motion code in force, by its row.
-    fn motion_in_force_words(&self) -> Option<Letters> {
+    /// The letters of the active motion code.
+    fn active_motion_words(&self) -> Option<Letters> {
         let action = Action::from(self.kernel.state.motion_mode()?);
         let rows = self.control.table.g_codes;
         rows.iter().find(|row| row.action == action).map(|row| self.words_of(row))
     }
 
-    /// The letters a code takes with the parameters in force: Q and L on an arc only where
-    /// they make it a spiral.
+    /// The letters that a code uses with the active parameters: Q and L on an arc only if they make it a spiral.
     pub(super) fn words_of(&self, row: &CodeRow) -> Letters {
         let arc = matches!(
             row.action,
@@ -340,7 +340,7 @@ impl Interpreter<'_> {
     }
 }
 
-/// Codes of one group that stand in one block against the rules.
+/// True for two codes of one group that cannot be in one block.
 fn excludes(first: &CodeRow, second: &CodeRow, distance_left_to_right: bool) -> bool {
     match second.group {
         CodeGroup::Distance => !distance_left_to_right && first.code != second.code,
@@ -352,7 +352,7 @@ fn excludes(first: &CodeRow, second: &CodeRow, distance_left_to_right: bool) -> 
     }
 }
 
-/// Two codes that take the axis words of a block for themselves, one of them a frame.
+/// True for two codes that both use the axis words of a block, one of them a frame.
 fn share(first: &CodeRow, second: &CodeRow) -> bool {
     let frame = |row: &CodeRow| {
         matches!(row.group, CodeGroup::Scaling | CodeGroup::Rotation | CodeGroup::Mirror)
@@ -361,7 +361,7 @@ fn share(first: &CodeRow, second: &CodeRow) -> bool {
     takes(first) && takes(second) && (frame(first) || frame(second)) && first.group != second.group
 }
 
-/// A motion code and a code that takes the axis words for itself: G10, G28, G30, G52, G92.
+/// True for a motion code with a code that uses the axis words: G10, G28, G30, G52, G92.
 fn both_take_axes(first: &CodeRow, second: &CodeRow) -> bool {
     let moves = |row: &CodeRow| row.action.motion().is_some() || row.action.cycle().is_some();
     let takes = |row: &CodeRow| {

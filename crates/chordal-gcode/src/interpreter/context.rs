@@ -1,4 +1,4 @@
-//! The modes that a program keeps and brings back: M70 to M73 (LinuxCNC).
+//! Saving and restoring modes: M70 to M73 (LinuxCNC).
 
 use chordal_command::{
     CompensationSide, Coolant, FeedMode, Overrides, SpindleState, Units, WorkName,
@@ -13,21 +13,21 @@ use chordal_syntax::Block;
 
 use super::Interpreter;
 
-/// The modes that one level of calls has kept.
+/// The modes saved at one call level.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct KeptModes {
-    /// How many calls deep.
+    /// The call depth.
     depth: usize,
-    /// They come back at the return.
+    /// They are restored at the return (M73).
     until_return: bool,
     modes: WordModes,
 }
 
-/// What is kept. Motion code and position are not among it.
+/// The saved modes: all except motion code and position.
 #[derive(Clone, Debug, PartialEq)]
 struct WordModes {
     units: Units,
-    /// What a word of X is multiplied by.
+    /// Factor of X words: 0.5 for diameters.
     per_x: f64,
     plane: Plane,
     side: CompensationSide,
@@ -46,13 +46,13 @@ struct WordModes {
 }
 
 impl Interpreter<'_> {
-    /// M70, M71 and M73: before all other codes of their block.
+    /// M70, M71 and M73, which act before all other codes of their block.
     pub(super) fn keep_modes(&mut self, block: &Block, code: BeforeCode, at: usize) {
         let depth = self.frames.len();
         let has = self.kept_modes.iter().any(|kept| kept.depth == depth);
         match code {
             BeforeCode::SaveModes { until_return } => {
-                let modes = self.modes_in_force();
+                let modes = self.active_modes();
                 self.kept_modes.retain(|kept| kept.depth < depth);
                 self.kept_modes.push(KeptModes { depth, until_return, modes });
             }
@@ -83,7 +83,7 @@ impl Interpreter<'_> {
         }
     }
 
-    fn modes_in_force(&self) -> WordModes {
+    fn active_modes(&self) -> WordModes {
         let state = &self.kernel.state;
         let tool = state.offsets.tool_in_force();
         WordModes {
@@ -106,27 +106,27 @@ impl Interpreter<'_> {
         }
     }
 
-    /// M72: after the modes of its block, before its motion.
+    /// M72, which acts after the modes of its block and before its motion.
     pub(super) fn restore_modes(&mut self, block: &Block) {
         let depth = self.frames.len();
         let kept = self.kept_modes.iter().find(|kept| kept.depth == depth);
         if let Some(modes) = kept.map(|kept| kept.modes.clone()) {
-            self.bring_back(block, modes);
+            self.apply_modes(block, modes);
         }
     }
 
-    /// A subprogram of this depth returns: what it has kept is forgotten, and comes back after M73.
+    /// At the return from a call depth: removes its saved modes, and restores them after M73.
     pub(super) fn modes_at_return(&mut self, depth: usize) {
         while let Some(kept) = self.kept_modes.pop_if(|kept| kept.depth >= depth) {
             if kept.until_return && kept.depth == depth {
                 let mut block = Block::new();
                 block.range = self.kernel.origin.span.range;
-                self.bring_back(&block, kept.modes);
+                self.apply_modes(&block, kept.modes);
             }
         }
     }
 
-    fn bring_back(&mut self, block: &Block, modes: WordModes) {
+    fn apply_modes(&mut self, block: &Block, modes: WordModes) {
         let span = self.span(block.range);
         self.set_units(modes.units);
         self.per_word[0] = modes.per_x;
@@ -142,7 +142,7 @@ impl Interpreter<'_> {
         self.select_work(modes.work);
         let tool = self.kernel.state.tool;
         let number = (modes.length && tool > 0).then_some(tool);
-        if number.is_some() || self.modes_in_force().length {
+        if number.is_some() || self.active_modes().length {
             self.kernel.set_length(&self.at(block), LengthOffset { number, minus: false });
         }
         self.kernel.state.return_to_r = modes.return_to_r;

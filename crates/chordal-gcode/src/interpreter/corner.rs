@@ -18,7 +18,7 @@ impl Interpreter<'_> {
                 || self.kernel.reads_contour_words())
     }
 
-    /// Before the motion of a block: the corner at its end.
+    /// Requests the corner at the end of a block, before its motion.
     pub(super) fn take_corner(&mut self, block: &Block) {
         self.open_corner = false;
         if !block.commas {
@@ -54,7 +54,7 @@ impl Interpreter<'_> {
             (_, false) => (",C", CornerForm::Chamfer),
         };
         let Some(size_mm) = self.length(&first) else { return };
-        // The sign says nothing in a contour.
+        // The sign has no meaning in a contour.
         let size_mm = if in_contour { size_mm.abs() } else { size_mm };
         let word = self.span(first.range);
         if size_mm < 0.0 {
@@ -62,11 +62,11 @@ impl Interpreter<'_> {
             self.kernel
                 .report(Diagnostic::new(Code::BadWordValue, word, message).help("remove the sign"));
         } else if size_mm > 0.0 {
-            self.kernel.ask_corner(ProgrammedCorner { word, name, form, size_mm });
+            self.kernel.request_corner(ProgrammedCorner { word, name, form, size_mm });
         }
     }
 
-    /// A straight cut: by its own code, or by the one in force.
+    /// True for a block with a straight cut, by its own code or by the active one.
     pub(super) fn cuts_line(&self, block: &Block) -> bool {
         let own = block.all(b'G').find_map(|word| {
             let row = self.control.row_of(word)?;
@@ -82,7 +82,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// I, K and R of a straight cut, on lathes that have them without a comma.
+    /// Requests the corner of I, K or R of a straight cut, on lathes that write them without a comma.
     fn take_corner_of_line(&mut self, block: &Block) {
         let letters = block.letters();
         if !self.control.parameters.corners_of_lines
@@ -97,11 +97,11 @@ impl Interpreter<'_> {
             (false, false) => ("K", b'K', CornerForm::Chamfer),
         };
         let Some(word) = block.last(letter).copied() else { return };
-        // The sign says to which side the next block goes, which it does anyway.
+        // The sign repeats the direction of the next block, which is known from that block.
         let Some(size_mm) = self.length(&word).map(f64::abs).filter(|size| *size > 0.0) else {
             return;
         };
-        self.kernel.ask_corner(ProgrammedCorner {
+        self.kernel.request_corner(ProgrammedCorner {
             word: self.span(word.range),
             name,
             form,
@@ -109,7 +109,7 @@ impl Interpreter<'_> {
         });
     }
 
-    /// After a block with such words, or after one that stands between a corner and its next move.
+    /// Called after each block: reports a corner word without a move, and blocks between a corner and its next move.
     pub(super) fn end_corner_block(&mut self, block: &Block) {
         if std::mem::take(&mut self.open_corner) {
             let word = block.words.iter().find(|word| self.is_corner_word(word));
@@ -123,7 +123,7 @@ impl Interpreter<'_> {
                 .help("write it into a block that cuts a line or an arc in the active plane"),
             );
         }
-        // A line that waits for the next block moves with that.
+        // A line that ends in the next block (`,A`) moves with that block.
         if self.open_line.is_none() {
             self.kernel.corner_block_done();
         }

@@ -1,4 +1,4 @@
-//! Codes of a shop's own: who knows them is asked, and the answer is carried out.
+//! Custom M codes and programs: calls the answering hook and carries out its answer.
 
 use chordal_command::{CommandKind, SpindleState};
 use chordal_dialect::{Action, AfterCode, CallCode};
@@ -14,7 +14,7 @@ use super::literals::AXIS_OF;
 use crate::custom_codes::{CustomCode, ShopAnswer, ShopCall};
 use crate::library::Program;
 
-/// Stands for the row that the table does not have. The words that no other code takes are its own.
+/// The row of a code that the table does not contain. Letters that no other code uses are its words.
 static SHOP_CODE: CodeRow = CodeRow {
     code: 0,
     group: CodeGroup::Auxiliary,
@@ -23,20 +23,20 @@ static SHOP_CODE: CodeRow = CodeRow {
     title: "a custom M code",
 };
 
-/// What an interpreter keeps of the shop's codes.
+/// The interpreter's state of custom codes.
 pub(super) struct ShopState {
     main: usize,
     question_count: u32,
-    /// The answers for the block under way, by the place of their words.
+    /// The answers for the current block, by the index of their word.
     answers: Vec<(usize, CustomCode, ShopAnswer)>,
-    /// An unknown M code takes the words of the block under way as the arguments of a macro.
+    /// An unknown M code uses the words of the current block as macro arguments.
     pub takes_words: bool,
-    /// Texts that were answered.
+    /// Texts received as answers.
     programs: Vec<Program>,
     by_file: HashMap<FileId, usize>,
 }
 
-/// What a call hands on: the words of its block, or the arguments that they make.
+/// What is passed with a call: the words of its block, or the macro arguments.
 #[derive(Clone, Copy)]
 pub(super) struct CustomCodeCall<'g> {
     pub block: Option<&'g Block>,
@@ -55,7 +55,7 @@ impl ShopState {
         }
     }
 
-    /// The answers of the block before are no longer of use.
+    /// Forgets the answers for the previous block.
     #[inline]
     pub fn begin_block(&mut self) {
         self.answers.clear();
@@ -80,7 +80,7 @@ impl ShopState {
 }
 
 impl Interpreter<'_> {
-    /// The row of an M code that the shop knows; it is asked here, before the block moves.
+    /// The row of an M code that the hook or the machine file answers; it is called here, before the block moves.
     pub(super) fn shop_row(
         &mut self,
         block: &Block,
@@ -96,8 +96,8 @@ impl Interpreter<'_> {
         Some(&SHOP_CODE)
     }
 
-    /// The row of an M code that neither the control nor anybody else says anything about, where such a
-    /// code may be the machine builder's. It is noted once and moves nothing.
+    /// The row of an M code without any definition, on controls where it may be the machine builder's. It is reported
+    /// once and moves nothing.
     pub(super) fn open_m_code(
         &mut self,
         block: &Block,
@@ -133,8 +133,8 @@ impl Interpreter<'_> {
         Some(&SHOP_CODE)
     }
 
-    /// Whether the words after an unknown M code are the arguments of a macro that it calls. Such a code comes first and its
-    /// block has no G code, which cannot be an argument; a code of the machine's builder comes after the move of its block.
+    /// True when the words after an unknown M code are probably arguments of a macro. Then the code comes first and the
+    /// block has no G code, which cannot be an argument; a code of the machine builder comes after the axis words.
     fn calls_with_words(&self, block: &Block, at: usize) -> bool {
         let axes = self.control.axes();
         let is_axis = |word: &Word| {
@@ -147,7 +147,7 @@ impl Interpreter<'_> {
     }
 
     fn report_call_with_words(&mut self, word: &Word, number: i64) {
-        // Its words are lost at every place, so that each is reported.
+        // Reported every time, as each loses its axis words.
         self.reported.open_codes.insert(number);
         let title = self.control.table.title;
         let message = format!(
@@ -163,7 +163,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// Carries out what was answered for the code at a place of its block.
+    /// Carries out the answer for the code at a word index of its block.
     pub(super) fn carry_out_shop_code(
         &mut self,
         block: &Block,
@@ -192,8 +192,8 @@ impl Interpreter<'_> {
         self.take_shop_answer(&word, code, answer, 1);
     }
 
-    /// A called program that no text holds. `None` when the shop does not know it either, else
-    /// whether a text was gone into.
+    /// Calls the hook for a program that no text contains. `None` when it has no answer, otherwise true when a text was
+    /// entered.
     pub(super) fn shop_program(
         &mut self,
         word: &Word,
@@ -210,10 +210,10 @@ impl Interpreter<'_> {
         Some(repeats > 0 && self.take_shop_answer(word, code, answer, repeats))
     }
 
-    /// The run's own hook comes first, then what the machine file says.
-    fn ask_shop(&mut self, code: CustomCode, provided: CustomCodeCall<'_>) -> ShopAnswer {
+    /// The answer of the run's hook, else of the machine file.
+    fn ask_shop(&mut self, code: CustomCode, call: CustomCodeCall<'_>) -> ShopAnswer {
         if let Some(shop) = &self.options.shop_codes {
-            let words = self.passed_words(provided.block);
+            let words = self.passed_words(call.block);
             let sources = self.library.sources();
             let block = self.kernel.origin.span;
             let turns = matches!(self.kernel.state.spindle, SpindleState::Cw | SpindleState::Ccw);
@@ -226,7 +226,7 @@ impl Interpreter<'_> {
                 line: self.kernel.origin.line,
                 text: &sources.words(block),
                 words: &words,
-                arguments: provided.arguments,
+                arguments: call.arguments,
                 tool: self.kernel.state.tool,
                 position: self.kernel.state.position,
                 known: self.kernel.state.known,
@@ -262,7 +262,7 @@ impl Interpreter<'_> {
             .collect()
     }
 
-    /// True when a text was gone into.
+    /// True when a text was entered.
     fn take_shop_answer(
         &mut self,
         word: &Word,
@@ -310,7 +310,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// Goes into an answered text as into a subprogram.
+    /// Enters a received text as a subprogram.
     fn enter_shop_text(&mut self, word: &Word, code: CustomCode, text: &str, repeats: u32) -> bool {
         let Some(file) = self.library.sources().append(&format!("custom code {code}"), text) else {
             let why = "its blocks are more text than a run accepts (10,000 texts, 64 MiB)";
@@ -326,8 +326,7 @@ impl Interpreter<'_> {
         entered
     }
 
-    /// The place of a text among the programs of this run; each is noted once, so that its labels
-    /// are searched once.
+    /// The program index of a text in this run; each text has one, so that its labels are searched once.
     fn shop_program_index(&mut self, file: FileId, code: CustomCode, end: u32) -> usize {
         let own = self.library.programs().len();
         let programs = &mut self.shop.programs;
@@ -345,7 +344,7 @@ impl Interpreter<'_> {
     }
 }
 
-/// Codes beside which a text of the shop would not run where it should.
+/// Codes that jump or return, in whose block a custom text would not run at the right moment.
 fn leaves_block_order(action: Action) -> bool {
     matches!(
         action,

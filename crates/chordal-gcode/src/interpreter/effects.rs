@@ -1,5 +1,5 @@
-//! What a block does beside moves and modes, told for who compares programs: codes that act on what is not simulated,
-//! values of the control that are written, blocks that a switch leaves out.
+//! Effects of a block other than moves and modes, emitted for the comparison of programs: codes that act on something
+//! not simulated, values of the control that are written, blocks that a switch may skip.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -14,13 +14,13 @@ use chordal_syntax::{Block, Letters, Word};
 use super::Interpreter;
 use crate::macros::value::MacroValue;
 
-/// Letters whose value is a length where it stands beside a code that is not simulated (G22).
+/// Letters whose value is a length in the block of a code that is not simulated (G22).
 const LENGTHS: Letters = Letters::of("XYZUVWIJK");
 
-/// Words that an M code may have which no table knows.
+/// Words that belong to an M code without a row in the table.
 const WORDS_OF_OPEN_CODES: Letters = Letters::of("PQR");
 
-/// What the control holds as it was told last.
+/// The values of the control when they were last emitted.
 #[derive(Clone, Default, Debug)]
 pub(super) struct WrittenState {
     pub(super) variables: BTreeMap<u32, f64>,
@@ -28,14 +28,14 @@ pub(super) struct WrittenState {
 }
 
 impl Interpreter<'_> {
-    /// What the machine file gives is not told.
+    /// Marks the values of the machine file as emitted: they are not effects of the program.
     pub(super) fn with_values_recorded(mut self) -> Self {
         self.kernel.state.offsets.take_written();
         self.mark_values_recorded();
         self
     }
 
-    /// What the control holds now was told.
+    /// Marks the present values as emitted.
     pub(super) fn mark_values_recorded(&mut self) {
         self.recorded =
             WrittenState { variables: self.macros.kept.clone(), references: self.references };
@@ -45,12 +45,12 @@ impl Interpreter<'_> {
         self.kernel.emit(CommandKind::Effect(Arc::new(effect)));
     }
 
-    /// The program stops itself.
+    /// Emits that the program stops itself.
     pub(super) fn emit_alarm(&mut self, number: f64, text: &str) {
         self.emit_effect(Effect::Alarm { number, text: text.to_string() });
     }
 
-    /// The codes of a block that act on something which is not simulated, in their order.
+    /// Emits the codes of a block that act on something not simulated, in order.
     pub(super) fn emit_codes(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
         for (row, at) in codes {
             if acts_outside_commands(row, block) {
@@ -60,26 +60,26 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A code that the control does not have: what it would do there is not known.
+    /// Emits a code that the control does not have.
     pub(super) fn emit_unknown_code(&mut self, word: &Word) {
         let text = self.plain_word(word);
         self.emit_effect(Effect::Code(text));
     }
 
-    /// All words of a block, which are data of a code.
+    /// Emits all words of a data line.
     pub(super) fn emit_data(&mut self, block: &Block) {
         let words: Vec<String> = block.words.iter().map(|word| self.plain_word(word)).collect();
         self.emit_effect(Effect::Code(words.join(" ")));
     }
 
-    /// The block may be left out by a switch.
+    /// Emits that a switch may skip the block.
     pub(super) fn emit_block_delete(&mut self, block: &Block) {
         let Some(delete) = block.delete else { return };
         let partly = delete.from_word > 0;
         self.emit_effect(Effect::Deletable { switch: delete.switch, partly });
     }
 
-    /// What the block has written of what the control keeps.
+    /// Emits the values of the control that the block has written.
     #[inline]
     pub(super) fn emit_written(&mut self) {
         if self.kernel.state.offsets.has_written() || self.macros.used {
@@ -117,7 +117,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A work coordinate system, counted alike on every control.
+    /// The name of a work coordinate system, numbered the same for every control.
     fn work_name(&self, key: &str) -> String {
         let naming = self.control.table.work_names;
         let names = (1..=u16::from(u8::MAX)).filter_map(WorkName::counted);
@@ -126,7 +126,7 @@ impl Interpreter<'_> {
         name.map_or_else(|| key.to_string(), |name| format!("work offset {}", name.ordinal()))
     }
 
-    /// Reference points that were stored.
+    /// Emits the reference points that were stored.
     pub(super) fn emit_references(&mut self) {
         if self.references == self.recorded.references {
             return;
@@ -144,7 +144,7 @@ impl Interpreter<'_> {
         self.emit_effect(Effect::Variable { number, value });
     }
 
-    /// The variables that keep over power-off what the program has left in them.
+    /// Emits the changed variables that keep their value after power-off.
     pub(super) fn emit_retained_variables(&mut self) {
         if !self.macros.used {
             return;
@@ -156,19 +156,19 @@ impl Interpreter<'_> {
             .filter(|range| range.retention == VariableRetention::OverPowerOff);
         let own = ranges.filter(|range| range.stored == range.first);
         for number in own.flat_map(|range| range.first..=range.last) {
-            let provided = self.machine.macros.variables.get(&number).copied();
+            let initial = self.machine.macros.variables.get(&number).copied();
             let value = match self.macros.store.read(number) {
                 Ok(MacroValue::Number(value)) => Some(value),
                 Ok(MacroValue::Vacant) => None,
                 Ok(MacroValue::Unknown(_)) | Err(_) => continue,
             };
-            if value != provided {
+            if value != initial {
                 self.emit_variable(number, value);
             }
         }
     }
 
-    /// `M62 P1`: the code by its own name and its words, numbers without what does not count.
+    /// `M62 P1`: the code and its words with their numbers in the shortest form.
     fn code_with_words(&self, block: &Block, row: &CodeRow, at: usize) -> String {
         let word = &block.words[at];
         let is_open = row.action == Action::After(AfterCode::ShopCode);
@@ -199,12 +199,12 @@ fn axis_letter(axis: usize) -> char {
     char::from(AXIS_LETTERS.as_bytes()[axis])
 }
 
-/// What the code does is not in the commands of the run.
+/// True for a code whose effect is not in the commands of the run.
 fn acts_outside_commands(row: &CodeRow, block: &Block) -> bool {
     match row.action {
         Action::NoEffect | Action::NotSimulated | Action::NotFollowed => true,
         Action::After(code) => code == AfterCode::ShopCode,
-        // Without a word it stops at its mark, which the commands say.
+        // Without a word the spindle stops at its mark, which a command says.
         Action::Before(code) => {
             code == BeforeCode::SpindleOrient && block.letters().meets(row.words)
         }

@@ -1,4 +1,4 @@
-//! Engraved text (Haas G47): where it begins and what it may take, not the letters.
+//! Engraved text (Haas G47): its start and an estimate of its time, not the letters.
 
 use std::sync::Arc;
 
@@ -13,15 +13,15 @@ const Z: usize = Axis::Z as usize;
 const XY: AxisMask = AxisMask(1 << Axis::X as usize | 1 << Axis::Y as usize);
 const Z_ALONE: AxisMask = AxisMask(1 << Z);
 
-/// Length of the strokes of a letter, in heights of the letters: a mean of letters of single strokes.
+/// Length of the strokes of a letter, in letter heights: a mean of single-stroke letters.
 const STROKES_PER_LETTER: f64 = 3.0;
 
-/// Height of letters without J: 1 inch.
+/// Height of letters without J: 1 inch, mm.
 const LETTER_HEIGHT_MM: f64 = 25.4;
 
 impl Interpreter<'_> {
-    /// To the start of the text and down, the estimated time of its letters, and up to R. Where the last letter ends is not
-    /// known, so neither is X and Y until the program names them.
+    /// Moves to the start of the text and down, waits for the estimated time of its letters, and moves up to R. The end
+    /// of the last letter is not known, so X and Y are not known until the program names them.
     pub(super) fn engrave(&mut self, block: &Block, at: usize) {
         self.unused_axes(block, |axis, _| axis < 3);
         let (target, named) = self.target(block);
@@ -50,13 +50,13 @@ impl Interpreter<'_> {
         self.note_letters(block, at);
     }
 
-    /// A time by the number of letters, their height and F.
+    /// Emits a dwell by the number of letters, their height and F.
     fn wait_for_letters(&mut self, block: &Block, height: f64) {
         let feed = self.kernel.state.feed.filter(|feed| *feed > 0.0);
         let per_time = self.kernel.state.feed_mode == FeedMode::PerTime;
         let Some(feed) = feed.filter(|_| per_time) else { return };
         let is_letter = |byte: &&u8| !byte.is_ascii_whitespace() && !matches!(byte, b'(' | b')');
-        // From 32 on P is the number of one character.
+        // From 32 on, P is the code of a single character.
         let one = block.last(b'P').and_then(|word| self.literal(word));
         let text = block.comments.first().filter(|_| one.is_none_or(|p| p.to_f64() < 32.0));
         let letters = text.map_or(1, |comment| {

@@ -1,4 +1,4 @@
-//! Blocks that a firmware judges as a whole.
+//! Blocks that a firmware checks as a whole before any word acts.
 
 use chordal_command::{AxisMask, FeedMode, WorkName};
 use chordal_diagnostics::{Code, Diagnostic};
@@ -12,7 +12,7 @@ use super::{BlockFlow, Interpreter};
 use crate::firmware::{FirmwareAnswer, FirmwareChecker, LineFault};
 
 impl Interpreter<'_> {
-    /// With the firmware of the control at power-on, where it has one.
+    /// Adds the checker of the control's firmware in its state at power-on, if it has one.
     pub(super) fn with_judge(mut self) -> Self {
         let Some(firmware) = self.control.table.firmware else { return self };
         let state = &self.kernel.state;
@@ -29,7 +29,7 @@ impl Interpreter<'_> {
         self
     }
 
-    /// `$H`: to the switches, Z first.
+    /// `$H`: moves to the limit switches, Z first.
     fn home_machine(&mut self) {
         let place = self.reference(1);
         let axes = self.control.axes();
@@ -44,18 +44,19 @@ impl Interpreter<'_> {
         }
     }
 
-    /// What follows where the firmware does not let a block act; nothing where it does, with its own words.
+    /// Checks a block with the firmware. `None` when it acts, with the words the firmware has read; otherwise how to
+    /// continue.
     pub(super) fn judged_by_firmware(&mut self, block: &mut Block) -> Option<BlockFlow> {
         let firmware = self.control.table.firmware?;
         let build = self.control.parameters.build;
         let resolved = build.expressions && block.expressions;
         if build.expressions {
-            // Statements and comments that act are not words.
+            // Statements and comments with an effect contain no words to check.
             let speaks = block.words.is_empty() && !block.comments.is_empty();
             if matches!(block.kind, BlockKind::Macro(_)) || speaks {
                 return None;
             }
-            // What is left of a block says nothing of the whole.
+            // The firmware cannot check a block of which words are unknown.
             if resolved && self.resolve_words(block) {
                 return None;
             }
@@ -78,7 +79,7 @@ impl Interpreter<'_> {
                 return None;
             }
             FirmwareAnswer::Nothing => {}
-            // It begins there: the switches are its reference.
+            // Before the first block, the machine stands at the switches.
             FirmwareAnswer::Homing if !self.carried_out => {}
             FirmwareAnswer::Homing => self.home_machine(),
             FirmwareAnswer::Jog(words) => self.jog(block, words),
@@ -93,7 +94,7 @@ impl Interpreter<'_> {
         Some(BlockFlow::Next)
     }
 
-    /// A jog moves straight at its own feed, in its own units and distance mode; nothing of it stays.
+    /// A jog moves straight at its own feed, units and distance mode, which do not stay active.
     fn jog(&mut self, block: &mut Block, words: Vec<Word>) {
         let state = &self.kernel.state;
         let (units, incremental, mode) = (state.units, state.incremental, state.feed_mode);
@@ -117,7 +118,7 @@ impl Interpreter<'_> {
         (state.feed, state.feed_angular) = feed;
     }
 
-    /// Says once that a tool change is the sender's.
+    /// Reports once that the sender has to make tool changes.
     fn check_change_by_sender(&mut self, block: &Block) {
         let by_sender = self.control.parameters.tool_change == ToolChanger::Sender;
         if !by_sender || self.reported.sender_changes_tools || !block.letters().has(b'M') {

@@ -1,4 +1,4 @@
-//! Words of mirror, scaling, rotation and polar coordinates.
+//! Reads the words of mirror, scaling, rotation and polar coordinates.
 
 use chordal_command::{AxisMask, CompensationSide, Position};
 use chordal_diagnostics::{Code, Diagnostic};
@@ -13,7 +13,7 @@ use super::Interpreter;
 use super::literals::AXIS_OF;
 
 impl Interpreter<'_> {
-    /// G68: a centre on the axes of the plane, and R, the angle.
+    /// G68: a centre on the axes of the plane, and the angle R.
     pub(super) fn rotation(&mut self, block: &Block, at: usize) {
         if !self.control.parameters.rules.frames.has_rotation {
             let code = Code::RotationOption;
@@ -22,7 +22,7 @@ impl Interpreter<'_> {
         let row = block.words[at].number().and_then(code_number);
         let row = row.and_then(|code| self.control.g_code(code));
         if row.is_some_and(|row| self.is_spatial(block, row)) {
-            // Three words of direction: a rotation about any axis.
+            // Three direction words: a rotation about any axis.
             return self.not_followed(&block.words[at], "a rotation about an axis by I, J and K");
         }
         if self.control.parameters.rules.frames.rotation_center_by_ab {
@@ -45,7 +45,7 @@ impl Interpreter<'_> {
         self.kernel.rotate(&self.at(block), center, degrees);
     }
 
-    /// G51: a centre, and P for all axes or I, J and K for one each.
+    /// G51: a centre, and the factor P of all axes or I, J and K of each axis.
     pub(super) fn scaling(&mut self, block: &Block, at: usize) {
         if !self.control.parameters.rules.frames.has_scaling {
             return self.lacks_option(block, at, Code::ScalingOption, "scaling");
@@ -79,8 +79,8 @@ impl Interpreter<'_> {
         self.kernel.scale(&self.at(block), &[Some(0.0); AXES], ScaleFactors::Each(each));
     }
 
-    /// A block while words are multiplied: of lines, of arcs by their centre, and of what has no lengths it is
-    /// known what becomes of them.
+    /// Reports a block whose result under G51 of Mach3 is not known: it is known only for lines, arcs by their centre,
+    /// and blocks without lengths.
     pub(super) fn check_multiplied_words(
         &mut self,
         block: &Block,
@@ -144,7 +144,7 @@ impl Interpreter<'_> {
         self.kernel.end_mirror(&self.at(block), axes);
     }
 
-    /// A frame that the machine does not have.
+    /// Reports a frame that is an option which the machine does not have.
     fn lacks_option(&mut self, block: &Block, at: usize, code: Code, what: &str) {
         let name = self.code_text(block, at);
         let span = self.span(block.words[at].range);
@@ -155,7 +155,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// A scale factor: a number without a point counts in the control's unit.
+    /// A scale factor; a number without a point counts in the unit of the control.
     fn factor_of(&mut self, block: &Block, letter: u8) -> Option<f64> {
         let number = self.literal(block.last(letter)?)?;
         let unit = if number.has_point { 1.0 } else { self.control.table.scale_unit };
@@ -167,7 +167,7 @@ impl Interpreter<'_> {
         self.word_degrees(block.last(letter)?)
     }
 
-    /// The end point that the words give while they are a radius and an angle on the axes of the plane.
+    /// The end point when the words of the plane's axes are a radius and an angle.
     #[cold]
     pub(super) fn target_by_angle(&mut self, block: &Block) -> (Position, AxisMask) {
         let state = &self.kernel.state;
@@ -203,7 +203,7 @@ impl Interpreter<'_> {
         (target, named)
     }
 
-    /// Polar words about a place are known for straight moves of the XY plane in G90 alone.
+    /// Reports polar words about the start (Mach3) other than for straight moves of the XY plane in G90.
     fn check_polar_about_start(&mut self, block: &Block) {
         let state = &self.kernel.state;
         if state.polar.is_none_or(|polar| polar.pole.is_none()) {

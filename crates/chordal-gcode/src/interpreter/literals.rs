@@ -1,4 +1,4 @@
-//! Words into numbers: units, decimal points, registers.
+//! Converts words to numbers: units, decimal points, registers.
 
 use chordal_diagnostics::{Applicability, Code, Diagnostic, Fix};
 use chordal_dialect::{DecimalPoint, ExcessDecimals};
@@ -7,7 +7,7 @@ use chordal_syntax::{Block, Decimal, Letters, Word, WordValue};
 
 use super::Interpreter;
 
-/// Axis of a letter: 0–5 for X Y Z A B C, 255 for others.
+/// Axis index of a letter: 0–5 for X Y Z A B C, 255 for others.
 pub(super) const AXIS_OF: [u8; 256] = {
     let mut table = [255; 256];
     let letters = AXIS_LETTERS.as_bytes();
@@ -19,22 +19,22 @@ pub(super) const AXIS_OF: [u8; 256] = {
     table
 };
 
-/// Below this many least increments a number without a point is suspicious by itself.
+/// A number without a point below this many least increments is always suspicious.
 const SUSPICIOUS_INCREMENTS: u64 = 100;
 
-/// A letter and four digits: no control has a smaller largest number of blocks or programs.
+/// Length of a letter and four digits: every control accepts numbers of blocks and programs up to this length.
 const MIN_LONG_NUMBER: u32 = 5;
 
 /// The letters of numbers that name blocks and programs.
 const NUMBERS: Letters = Letters::of("NO");
 
-/// No control refuses a whole number below this for its digits.
+/// No control refuses a whole number below this for its number of digits.
 const LARGEST_OF_FEW_DIGITS: u64 = 10_000_000;
 
-/// Below this many it is when the program writes points elsewhere.
+/// A number without a point below this many least increments is suspicious if the program writes points elsewhere.
 const SUSPICIOUS_AMONG_POINTS: u64 = 10_000;
 
-/// Below this many a length of a cycle is, too: `G71 U2` for a pass of 2 mm.
+/// A length of a cycle below this many is suspicious: `G71 U2` for a pass of 2 mm.
 const SUSPICIOUS_IN_CYCLE: u64 = 10;
 
 impl Interpreter<'_> {
@@ -71,7 +71,7 @@ impl Interpreter<'_> {
             if number.scale > self.scale.decimals {
                 return Some(self.length_beyond_increment(word, number));
             }
-            // Where every decimal counts, there is no limit of them either.
+            // A control that uses every decimal has no limit of digits.
             if number.mantissa.unsigned_abs() >= LARGEST_OF_FEW_DIGITS
                 && self.control.parameters.excess_decimals != ExcessDecimals::Exact
             {
@@ -81,7 +81,7 @@ impl Interpreter<'_> {
         Some(self.scale.length(number))
     }
 
-    /// A length with more decimals than the least increment has.
+    /// A length with more decimals than the least increment, mm; reports it if they matter.
     #[cold]
     fn length_beyond_increment(&mut self, word: &Word, number: Decimal) -> f64 {
         let control = self.control;
@@ -94,7 +94,7 @@ impl Interpreter<'_> {
             return self.scale.length(number);
         }
         let kept = parameters.kept(number, self.kernel.state.units);
-        // Zeros at the end say nothing.
+        // Trailing zeros do not count.
         let says_more = match as_written {
             true => number.at_decimals(self.scale.decimals).is_some(),
             false => kept != number,
@@ -106,7 +106,7 @@ impl Interpreter<'_> {
         self.scale.length(kept)
     }
 
-    /// A whole number of so many digits that some controls refuse it.
+    /// Reports a whole number with more digits than the control accepts.
     #[cold]
     fn check_whole_digits(&mut self, word: &Word, number: Decimal) {
         let most = self.control.parameters.most_digits;
@@ -138,7 +138,7 @@ impl Interpreter<'_> {
     }
 
     fn report_too_many_digits(&mut self, word: &Word, most: u8) {
-        // As written: a literal keeps no more than eighteen.
+        // Counted in the text, as a literal stores at most eighteen digits.
         let written = word.range.slice(self.reader.text());
         let digits = written.iter().filter(|byte| byte.is_ascii_digit()).count();
         self.kernel.report(
@@ -152,8 +152,8 @@ impl Interpreter<'_> {
         );
     }
 
-    /// A length of a drilling, turning or threading cycle. Manuals give P, Q, R and the like in least increments, so one
-    /// without a point is no slip unless it is very small.
+    /// A length of a drilling, turning or threading cycle, mm. Manuals give such words in least increments, so a missing
+    /// point is no mistake unless the value is very small.
     pub(super) fn length_in_cycle(&mut self, word: &Word) -> Option<f64> {
         let number = self.literal(word)?;
         if number.has_point || number.mantissa.unsigned_abs() < SUSPICIOUS_IN_CYCLE {
@@ -162,13 +162,13 @@ impl Interpreter<'_> {
         Some(self.scale.length(number))
     }
 
-    /// The same by its letter, if it is there.
+    /// The same by its letter; `None` without the word.
     pub(super) fn cycle_length(&mut self, block: &Block, letter: u8) -> Option<f64> {
         let word = *block.last(letter)?;
         self.length_in_cycle(&word)
     }
 
-    /// A word of an axis: mm, or rad for rotary axes; half of a diameter.
+    /// The value of an axis word, mm, or rad for rotary axes; a diameter becomes a radius.
     #[inline(always)]
     pub(super) fn axis_value(&mut self, word: &Word, axis: usize) -> Option<f64> {
         if axis < 3 {
@@ -177,7 +177,7 @@ impl Interpreter<'_> {
         Some(self.scale.angle(self.literal(word)?))
     }
 
-    /// Numbers without a point are told where they are likely a slip.
+    /// Reports a number without a point that is probably a mistake.
     #[inline]
     fn check_point(&mut self, word: &Word, number: Decimal) {
         let size = number.mantissa.unsigned_abs();
@@ -200,11 +200,11 @@ impl Interpreter<'_> {
         self.report_missing_point(word, number, &meant);
     }
 
-    /// A word that is an angle, such as that of polar coordinates, in degrees.
+    /// The value of an angle word, such as that of polar coordinates, degrees.
     pub(super) fn word_degrees(&mut self, word: &Word) -> Option<f64> {
         let number = self.literal(word)?;
         let degrees = self.scale.degrees(number);
-        // Whole degrees, written without a point, where the control counts in thousandths.
+        // Probably meant as whole degrees, but the control counts in thousandths.
         if !number.has_point && self.reported.points_seen && degrees != number.to_f64() {
             let size = number.mantissa.unsigned_abs();
             if size > 0 && size < SUSPICIOUS_AMONG_POINTS {
@@ -236,7 +236,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// A whole number not below zero; anything else is told.
+    /// A whole number that is not negative; any other value is reported.
     pub(super) fn count(&mut self, word: &Word) -> Option<u32> {
         let number = self.literal(word)?;
         let whole = number.to_integer().and_then(|n| u32::try_from(n).ok());
@@ -254,7 +254,7 @@ impl Interpreter<'_> {
         whole
     }
 
-    /// The number of an offset or a tool, if it is there: not above the largest.
+    /// The number of an offset or a tool; reports one above the largest. `None` without the word.
     pub(super) fn count_up_to(&mut self, block: &Block, letter: u8, largest: u32) -> Option<u32> {
         let word = *block.last(letter)?;
         let number = self.count(&word)?;
@@ -272,7 +272,7 @@ impl Interpreter<'_> {
         Some(number)
     }
 
-    /// N and O, which stand first in their block, against the largest.
+    /// Compares N and O, which come first in their block, with the largest number.
     #[inline]
     pub(super) fn check_numbers(&mut self, block: &Block) {
         if !block.letters().meets(NUMBERS) {
@@ -298,7 +298,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A word that names a program, `<SUB_A>`.
+    /// True for a word that names a program, `<SUB_A>`.
     pub(super) fn is_name(&self, word: &Word) -> bool {
         word.range.slice(self.reader.text()).starts_with(b"<")
     }
@@ -326,19 +326,19 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The count of a letter of the block, if it is there.
+    /// The whole number of a letter of the block; `None` without the word.
     pub(super) fn count_of(&mut self, block: &Block, letter: u8) -> Option<u32> {
         let word = *block.last(letter)?;
         self.count(&word)
     }
 
-    /// The place that an axis letter of the block gives, if it is there.
+    /// The value of an axis letter of the block, mm or rad; `None` without the word.
     pub(super) fn axis_value_of(&mut self, block: &Block, axis: usize) -> Option<f64> {
         let word = *block.last(AXIS_LETTERS.as_bytes()[axis])?;
         self.axis_value(&word, axis)
     }
 
-    /// The length of a letter of the block, if it is there.
+    /// The length of a letter of the block, mm; `None` without the word.
     pub(super) fn length_of(&mut self, block: &Block, letter: u8) -> Option<f64> {
         let word = *block.last(letter)?;
         self.length(&word)

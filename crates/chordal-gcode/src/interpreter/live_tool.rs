@@ -1,4 +1,5 @@
-//! Live tools of a turret: codes of their own with P as the speed (Haas M133), or M3 with a P that names them (Fanuc).
+//! Live tools of a turret: by codes of their own with P as the speed (Haas M133), or by M3 with a P that selects them
+//! (Fanuc).
 
 use chordal_command::{SpindleState, telling_number};
 use chordal_diagnostics::{Code, Diagnostic};
@@ -8,15 +9,15 @@ use chordal_syntax::{Block, Letters};
 use super::Interpreter;
 
 impl Interpreter<'_> {
-    /// P of M3, M4 and M5 names the live tool, not the spindle.
+    /// True when P of M3, M4 or M5 selects the live tool instead of the spindle.
     pub(super) fn names_live_tool(&mut self, block: &Block) -> bool {
         let number = self.control.parameters.live_tool_p;
         let word = block.last(b'P').copied().filter(|_| number > 0);
-        let provided = word.and_then(|word| self.literal(&word));
-        provided.is_some_and(|value| value.to_f64() == f64::from(number))
+        let p = word.and_then(|word| self.literal(&word));
+        p.is_some_and(|value| value.to_f64() == f64::from(number))
     }
 
-    /// M3 and M4.
+    /// Carries out M3 or M4.
     pub(super) fn start_spindle(&mut self, block: &Block, turns: SpindleState) {
         match self.names_live_tool(block) {
             true => {
@@ -30,15 +31,15 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A code for the live tool, with its speed in P; without P it is S of the block, or the last one.
+    /// Starts the live tool with the speed P, without P with S of the block, else with its last speed.
     pub(super) fn start_live_tool(&mut self, block: &Block, at: usize, turns: SpindleState) {
-        let provided = block.last(b'P').copied();
-        let rpm = match provided {
+        let p_word = block.last(b'P').copied();
+        let rpm = match p_word {
             Some(word) => self.literal(&word).map_or(0.0, |number| number.to_f64()),
             None if block.letters().has(b'S') => self.kernel.state.rpm,
             None => self.kernel.state.live_rpm,
         };
-        if provided.is_none() && rpm <= 0.0 {
+        if p_word.is_none() && rpm <= 0.0 {
             let code = self.code_text(block, at);
             let span = self.span(block.words[at].range);
             let message = format!("{code} without P: the live tool has no speed yet");

@@ -1,9 +1,9 @@
 //! Runs a program: reads blocks, carries them out, follows calls.
 //!
-//! One file per concern: `block` gathers the codes of a block and takes them in the order a
-//! control does; `conflicts` holds its words against each other; `modes` sets what they change; `motion`, `arc`, `spiral`, `reference` and `cycle` move; `offsets` writes
-//! tables; `calls` follows subprograms; `repeats` counts them; `shop` asks about codes of a shop's own; `literals` turns words into millimetres; `report`
-//! builds the diagnostics.
+//! One file per concern: `block` collects the codes of a block and carries them out in the order of the control;
+//! `conflicts` checks which words may be combined; `modes` sets modes; `motion`, `arc`, `spiral`, `reference` and
+//! `cycle` move; `offsets` writes tables; `calls` follows subprograms; `repeats` counts them; `custom_codes` calls the
+//! hook for custom codes; `literals` converts words to millimetres; `report` builds the diagnostics.
 
 mod active_codes;
 mod angle;
@@ -50,7 +50,7 @@ mod work_offsets;
 
 pub use self::calls::subroutine_head;
 
-use active_codes::codes_in_force;
+use active_codes::active_codes;
 use chordal_command::{
     AxisMask, CallPath, CallPaths, CommandKind, CompensationSide, Origin, Units, WorkName,
 };
@@ -72,13 +72,13 @@ use crate::library::{Library, Program};
 use crate::macro_alone::missing_call;
 use crate::run_options::RunOptions;
 
-/// So often is asked whether to go on: below a millisecond of reading, and nothing beside it.
-const BLOCKS_PER_ASKING: u64 = 1024;
+/// The interrupt hook is called once per this many blocks: less than a millisecond apart, at negligible cost.
+const BLOCKS_PER_INTERRUPT_CHECK: u64 = 1024;
 
-/// Words of a block; one with more counts as several against the budget.
+/// Number of words of a usual block; a longer one counts as several against the budget.
 const USUAL_WORDS: usize = 12;
 
-/// What follows a block.
+/// How to continue after a block.
 enum BlockFlow {
     Next,
     End(EndReason),
@@ -86,29 +86,29 @@ enum BlockFlow {
 
 /// A call that has not returned.
 struct CallFrame<'a> {
-    /// Where to go on.
+    /// The reader of the caller, at the block to return to.
     reader: BlockReader<'a>,
     program: usize,
     path: CallPath,
-    /// Where the called text begins, for its repeats.
+    /// The start of the called text, for its repeats.
     start: TextPosition,
-    /// Calls still to make.
+    /// Repeats still to make.
     remaining: u32,
-    /// The called thing is an L subroutine.
+    /// The callee is an L subroutine.
     subroutine: bool,
     /// Loops of the caller.
     loops: Vec<macros::ActiveLoop>,
-    /// Modal macro calls in force in the caller.
+    /// Number of modal macro calls that are active in the caller.
     modal_calls: usize,
     /// The called program has local variables of its own.
     own_locals: bool,
     /// It was called by a code that a setting makes a call.
     by_alias: bool,
-    /// The called text is the shop's answer: its end is a return.
+    /// The called text is the answer to a custom code: its end is a return.
     of_shop: bool,
-    /// Where the tool stood at the call, X and Y.
+    /// X and Y at the call, mm.
     entry: [f64; 2],
-    /// G41 or G42 of a contour in G91 that leads in from there, where it is called once.
+    /// G41 or G42 of a contour in G91 that leads in from `entry`; `None` without one, and if called several times.
     contour: Option<Span>,
 }
 
@@ -117,13 +117,13 @@ struct Interpreter<'a> {
     control: &'a Control,
     machine: &'a Machine,
     options: &'a RunOptions,
-    /// The control at work.
+    /// The running control.
     kernel: Kernel<'a>,
-    /// How literals become millimetres in the units in force.
+    /// How literals become millimetres in the active units.
     scale: LiteralScale,
-    /// What a word of an axis is multiplied by to be a place: 1, or a half of a diameter.
+    /// Factor of axis words: 1, or 0.5 for diameters.
     per_word: PerAxis<f64>,
-    /// Registers R0 to R9 (Fadal). `None`: it holds what was in it before the program.
+    /// Registers R0 to R9 (Fadal); `None` for the unknown value from before the program.
     registers: [Option<Decimal>; 10],
     reader: BlockReader<'a>,
     program: usize,
@@ -131,7 +131,7 @@ struct Interpreter<'a> {
     frames: Vec<CallFrame<'a>>,
     /// L subroutines of the main program: number → first block.
     subroutines: BTreeMap<u32, TextPosition>,
-    /// N numbers of each program that was jumped in.
+    /// The N numbers of each program with a jump.
     labels: HashMap<usize, HashMap<i64, Vec<TextPosition>>>,
     jumps: HashMap<u32, u32>,
     missing: Vec<u32>,
@@ -143,67 +143,66 @@ struct Interpreter<'a> {
     codes: Vec<(&'static CodeRow, usize)>,
     reported: ReportedOnce,
     lost_jump: bool,
-    /// The program has said its units: they are not those of power-on.
+    /// The program has set its units: they are not those of power-on.
     units_programmed: bool,
-    /// Those of F of this block, where it changes them after it is taken.
+    /// The units of F in this block, if the block changes units after F is read; `None` otherwise.
     units_of_feed: Option<Units>,
     carried_out: bool,
-    /// The block before was a remark without its marks, or a comment left open.
+    /// The previous block was a comment without its parentheses, or with an open one.
     in_remark: bool,
     macros: macros::MacroState<'a>,
-    /// Rotation and offset in space.
+    /// Tilted work planes.
     spatial: spatial::SpatialState,
-    /// What G5 and G5.2 remember.
+    /// The state of spline blocks (G5, G5.2).
     spline: spline::SplineMemory,
-    /// Blocks of the main program before this place are repeats after a jump back; 0 when
-    /// there are none.
+    /// Blocks of the main program before this offset are repeats after a backward jump; 0 without one.
     repeat_until: u32,
-    /// The text that hugs the value of an assignment (`#3000=1(TEXT)`), while it is made.
+    /// The comment next to an assigned value (`#3000=1(TEXT)`), during the assignment.
     message: Option<TextRange>,
-    /// The block has `,R` or `,C` that no move has taken.
+    /// The block has `,R` or `,C` that no move has used.
     open_corner: bool,
-    /// A line by its angle alone waits for the next block.
+    /// A line with only an angle, which waits for the next block.
     open_line: Option<angle::OpenLine>,
-    /// A percent sign stands before its blocks.
+    /// A percent sign precedes the blocks of the program.
     begun_by_percent: bool,
-    /// A percent sign has ended it.
+    /// A percent sign has ended the program.
     ended_by_percent: bool,
-    /// Set where a statement ends the run.
+    /// Set when a statement ends the run.
     stopped: Option<EndReason>,
     shop: custom_codes::ShopState,
     /// The modes that M70 and M73 keep, outermost call first.
     kept_modes: Vec<context::KeptModes>,
     /// Reference points that the program has stored: machine position, mm and rad.
     references: [PerAxis<Option<f64>>; 2],
-    /// The firmware that judges blocks as a whole, where the control has one.
+    /// The checker of whole blocks, for controls with such a firmware.
     judge: Option<FirmwareChecker>,
-    /// What of the first text was read since the last rest beside the blocks one after the other.
+    /// The part of the first text read since the last checkpoint in addition to the blocks in their order.
     text_read_outside: Cell<Option<TextRange>>,
-    /// Values of the control as they were told last.
+    /// The values of the control as last emitted.
     recorded: effects::WrittenState,
 }
 
-/// What was reported once and is not reported for every block.
+/// Problems that are reported once, not for every block.
 #[derive(Clone, Default, Debug, PartialEq)]
 struct ReportedOnce {
     axes: AxisMask,
-    /// M codes that nothing says anything about.
+    /// M codes without any definition.
     open_codes: BTreeSet<i64>,
-    /// G codes of another system than the machine has.
+    /// G codes of another code system than that of the machine.
     other_system: BTreeSet<u16>,
     points_seen: bool,
     excess_decimals: bool,
     sender_changes_tools: bool,
-    /// A block behind block delete that decides about others.
+    /// A deletable block that affects others.
     deletable: bool,
     /// Another channel, and the second spindle of a lathe.
     channels: bool,
     second_spindle: bool,
-    /// The second spindle moves, and the tools go on as written.
+    /// A move of the second spindle that does not affect the tools.
     second_spindle_noted: bool,
 }
 
-/// Runs one program of a library and pushes its commands into a sink.
+/// Runs one program of a library and emits its commands into a sink.
 pub fn run<'a>(
     library: &'a Library<'a>,
     program: usize,
@@ -221,8 +220,7 @@ pub fn run<'a>(
     })
 }
 
-/// The same from a rest on, and what of the first text was read behind the last rest beside the
-/// blocks one after the other. Nothing when the sink has ended it at a rest.
+/// The same, from a checkpoint if there is one. `None` when the sink stopped the run at a checkpoint.
 pub fn run_from<'a>(
     library: &'a Library<'a>,
     program: usize,
@@ -239,8 +237,8 @@ pub fn run_from<'a>(
     interpreter.outcome()
 }
 
-/// What lies between program and machine coordinates before the first block: the offset
-/// (mm, rad) and the axes for which the machine file gives it.
+/// The offset between program and machine coordinates before the first block (mm, rad), and the axes for which the
+/// machine file gives it.
 pub fn initial_offset(machine: &Machine, control: &Control) -> (PerAxis<f64>, AxisMask) {
     let offsets = initial_offsets(machine, control);
     (offsets.total(), offsets.known())
@@ -266,7 +264,7 @@ fn initial_offsets(machine: &Machine, control: &Control) -> Offsets {
     offsets
 }
 
-/// The work coordinate system that is that of the machine until a preset writes it.
+/// The work coordinate system that equals machine coordinates until a preset writes it.
 const NATIVE: WorkName = WorkName::G(53);
 
 impl<'a> Interpreter<'a> {
@@ -348,7 +346,7 @@ impl<'a> Interpreter<'a> {
         Some(CompletedRun { outcome, text_read: self.text_read_outside.take() })
     }
 
-    /// Why it ended; nothing when the sink has ended it at a rest.
+    /// The reason of the end; `None` when the sink stopped the run at a checkpoint.
     fn run(&mut self) -> Option<EndReason> {
         if self.blocks == 0 {
             if self.needs_caller() {
@@ -376,13 +374,13 @@ impl<'a> Interpreter<'a> {
                 self.text_ended_in_call();
             }
             if !self.frames.is_empty() || self.is_repeat(&block) {
-                // A line of hundreds of words is more work than the blocks that people write.
+                // A line of hundreds of words takes as long as many usual blocks.
                 self.kernel.repeated += (block.words.len() / USUAL_WORDS) as u64;
                 if !self.kernel.count_repeated() {
                     return Some(EndReason::Budget);
                 }
             }
-            if self.blocks.is_multiple_of(BLOCKS_PER_ASKING) && self.is_interrupted() {
+            if self.blocks.is_multiple_of(BLOCKS_PER_INTERRUPT_CHECK) && self.is_interrupted() {
                 return Some(EndReason::Interrupted);
             }
             let flow = self.execute(&mut block);
@@ -392,7 +390,7 @@ impl<'a> Interpreter<'a> {
             }
             if wants_blocks {
                 let control = self.control;
-                self.kernel.block_done(&|state| Modal::of(state, codes_in_force(state, control)));
+                self.kernel.block_done(&|state| Modal::of(state, active_codes(state, control)));
             }
             match flow {
                 BlockFlow::Next => {}
@@ -401,11 +399,11 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// A macro without its caller is not run.
+    /// True for a macro that needs arguments of a caller, which is reported and not run.
     fn needs_caller(&mut self) -> bool {
         let program = self.program_at(self.program);
         let Some(missing) = missing_call(self.library, program, self.control) else { return false };
-        // It has blocks: the text is not empty.
+        // So that the text does not count as empty.
         self.blocks = 1;
         self.report_macro_alone(&missing);
         true
@@ -456,9 +454,9 @@ impl<'a> Interpreter<'a> {
         if block.delete.is_some() {
             self.emit_block_delete(block);
         }
-        let goes_on = std::mem::take(&mut self.in_remark);
+        let continues_remark = std::mem::take(&mut self.in_remark);
         if !block.problems.is_empty() {
-            self.report_problems_of_text(block, goes_on);
+            self.report_problems_of_text(block, continues_remark);
         }
         if !block.comments.is_empty()
             && self.rules().comments_act
@@ -522,26 +520,26 @@ impl<'a> Interpreter<'a> {
         self.carry_out(block)
     }
 
-    /// What the reader found. A remark of several lines is one problem, at its first line.
+    /// Reports the problems that the reader found; a comment of several lines is one problem, at its first line.
     #[cold]
-    fn report_problems_of_text(&mut self, block: &mut Block, goes_on: bool) {
+    fn report_problems_of_text(&mut self, block: &mut Block, continues_remark: bool) {
         for problem in std::mem::take(&mut block.problems) {
             let remark = problem.code == Code::LooksLikeRemark;
             self.in_remark |= remark || problem.code == Code::UnclosedComment;
-            if !(remark && goes_on && block.words.is_empty()) {
+            if !(remark && continues_remark && block.words.is_empty()) {
                 self.kernel.report(problem);
             }
         }
     }
 
-    /// True when block delete takes the macro statement, which is the last of its block.
+    /// True when block delete skips the macro statement, which is the last part of its block.
     fn is_deleted(&self, block: &Block) -> bool {
         block
             .delete
             .is_some_and(|delete| self.machine.switches.block_delete[delete.switch.min(9) as usize])
     }
 
-    /// True for a block of the main program that a jump back leads through again.
+    /// True for a block of the main program that is run again after a backward jump.
     #[inline]
     fn is_repeat(&mut self, block: &Block) -> bool {
         if self.repeat_until == 0 {
@@ -553,7 +551,7 @@ impl<'a> Interpreter<'a> {
         self.repeat_until != 0
     }
 
-    /// Controls count the blocks that move nothing while compensation is on.
+    /// Carries out a block while compensation is on, and emits that it did not move: controls count such blocks.
     fn carry_out_compensated(&mut self, block: &Block) -> BlockFlow {
         let before = self.kernel.state.position;
         let flow = self.carry_out(block);
@@ -563,7 +561,7 @@ impl<'a> Interpreter<'a> {
         flow
     }
 
-    /// A percent sign ends the tape, once something stood before it.
+    /// A percent sign: the end of the program after the first block, its start before.
     fn percent(&mut self, block: &Block) -> BlockFlow {
         if !self.carried_out {
             self.begun_by_percent = true;
@@ -577,7 +575,7 @@ impl<'a> Interpreter<'a> {
         BlockFlow::Next
     }
 
-    /// A program of the library, or one that the shop's answers have brought.
+    /// A program of the library, or the answer to a custom code.
     fn program_at(&self, index: usize) -> Program {
         let own = self.library.programs();
         own.get(index).copied().unwrap_or_else(|| self.shop.program(index - own.len()))

@@ -1,5 +1,5 @@
-//! The modes that a block sets: those its numbers are read by, those its motion obeys, and what
-//! comes after the motion.
+//! The modes that a block sets: those that change how its numbers are read, those that its motion uses, and what
+//! follows the motion.
 
 use chordal_command::{CommandKind, CompensationSide, FeedMode, SpindleState, Units, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
@@ -22,8 +22,8 @@ impl Interpreter<'_> {
         let Action::Reading(code) = action else { return };
         let by_place = self.control.table.distance_left_to_right;
         match code {
-            ReadingCode::Inch => self.say_units(Units::Inch),
-            ReadingCode::Millimetre => self.say_units(Units::Millimetre),
+            ReadingCode::Inch => self.set_units_by_code(Units::Inch),
+            ReadingCode::Millimetre => self.set_units_by_code(Units::Millimetre),
             ReadingCode::Absolute if by_place => {}
             ReadingCode::Incremental if by_place => {}
             ReadingCode::Absolute => self.kernel.set_incremental(false),
@@ -48,8 +48,8 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The program says its units.
-    fn say_units(&mut self, units: Units) {
+    /// Sets the units by a code of the program.
+    fn set_units_by_code(&mut self, units: Units) {
         self.units_programmed = true;
         self.set_units(units);
     }
@@ -59,7 +59,7 @@ impl Interpreter<'_> {
         self.scale = LiteralScale::new(units, &self.control.parameters);
     }
 
-    /// E, F, S, T, D, and M6, spindle and coolant on.
+    /// Carries out E, F, S, T, D, and what is switched before the motion.
     pub(super) fn take_letters(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
         let letters = block.letters();
         if letters.has(b'F') && !self.feed_is_tap_speed(codes) {
@@ -105,7 +105,7 @@ impl Interpreter<'_> {
         {
             self.kernel.state.unknown.radius_offset = false;
             let before = self.kernel.state.radius_offset.replace(number);
-            // A G41 or G42 in the same block tells it by itself.
+            // A G41 or G42 in the same block emits the offset itself.
             if self.kernel.state.side != CompensationSide::Off
                 && before != Some(number)
                 && !codes.iter().any(|(row, _)| row.group == CodeGroup::Compensation)
@@ -116,7 +116,7 @@ impl Interpreter<'_> {
         self.take_switches(block, codes);
     }
 
-    /// What is switched before the motion, in the control's order.
+    /// Carries out what is switched before the motion, in the order of the control.
     pub(super) fn take_switches(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
         let order = &self.control.table.order;
         let rank = |row: &CodeRow| Some(order.rank(BlockStep::of_switch(row.action)?));
@@ -143,7 +143,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Spindle and coolant off.
+    /// Stops spindle or coolant.
     fn switch_off(&mut self, block: &Block, code: AfterCode) {
         match code {
             AfterCode::SpindleStop if self.names_live_tool(block) => {
@@ -169,7 +169,7 @@ impl Interpreter<'_> {
         step.is_some_and(|step| order.is_before(step, BlockStep::Motion))
     }
 
-    /// The units of F, where the control takes it before the block changes them from what the program has said to others.
+    /// The previous units if the control reads F before the units that the block changes; `None` otherwise.
     fn units_of_feed(&self, block: &Block, codes: &[(&'static CodeRow, usize)]) -> Option<Units> {
         if !self.units_programmed || !block.letters().has(b'F') {
             return None;
@@ -181,7 +181,7 @@ impl Interpreter<'_> {
         (changes && order.is_before(BlockStep::Feed, BlockStep::Units)).then_some(before)
     }
 
-    /// Modes that change how the numbers of this very block are read.
+    /// Sets the modes that change how the numbers of this block are read.
     pub(super) fn take_reading_modes(
         &mut self,
         block: &Block,
@@ -193,12 +193,12 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Tool, spindle and coolant on.
+    /// Carries out a tool, spindle or coolant code.
     fn take_before_motion(&mut self, block: &Block, code: BeforeCode, at: usize) {
         match code {
             BeforeCode::ToolChange => self.tool_change(block, at),
             BeforeCode::SetToolNumber => {
-                // One below zero was reported with the words of the code.
+                // A negative number was reported with the words of the code.
                 let below_zero = block.last(b'Q').and_then(|word| self.literal(word));
                 let below_zero = below_zero.is_some_and(|number| number.mantissa < 0);
                 if block.letters().has(b'Q')
@@ -217,18 +217,18 @@ impl Interpreter<'_> {
             BeforeCode::CoolantMist => self.kernel.set_coolant(|c| c.mist = true),
             BeforeCode::CoolantFlood => self.kernel.set_coolant(|c| c.flood = true),
             BeforeCode::CoolantThroughTool => self.kernel.set_coolant(|c| c.through_tool = true),
-            // Taken first of all, or last of the modes.
+            // Carried out before all codes, or after all modes.
             BeforeCode::SaveModes { .. } | BeforeCode::ForgetModes | BeforeCode::RestoreModes => {}
         }
     }
 
-    /// Modes that the motion of this block obeys.
+    /// Sets a mode that the motion of this block uses.
     pub(super) fn take_mode(&mut self, block: &Block, row: &'static CodeRow, at: usize) {
         let code = match row.action {
             Action::Mode(code) => code,
             Action::NotSimulated => return self.not_simulated(&block.words[at], row),
             Action::NotFollowed => return self.not_followed(&block.words[at], row.title),
-            // Each in its turn.
+            // Carried out elsewhere.
             Action::Reading(_)
             | Action::Before(_)
             | Action::Length(_)
@@ -292,7 +292,7 @@ impl Interpreter<'_> {
         self.select_work(name);
     }
 
-    /// Another work coordinate system while a frame is active.
+    /// Warns of a change of the work coordinate system while a frame is active.
     pub(super) fn warn_of_work_change(&mut self, block: &Block, at: usize, name: WorkName) {
         let other = name != self.kernel.state.offsets.active();
         // A code in the same block may end the frame.
@@ -336,11 +336,11 @@ impl Interpreter<'_> {
         self.kernel.set_plane(self.span(block.words[at].range), plane);
     }
 
-    /// G43, G44, G49 and H.
+    /// Carries out G43, G44, G49 and H.
     pub(super) fn take_length(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
         let length_code = codes.iter().rev().find(|(row, _)| row.group == CodeGroup::ToolLength);
         let by_code = length_code.map(|(row, _)| row.action);
-        // On lathes H moves C by an increment.
+        // On lathes H is an increment of C.
         let moves = self.control.parameters.increments.iter().any(|(letter, _)| *letter == b'H');
         if by_code.is_none() && (moves || !block.letters().has(b'H')) {
             return;
@@ -369,18 +369,18 @@ impl Interpreter<'_> {
         if by_code == Some(Action::Length(LengthCode::Add)) {
             return self.add_tool_offsets(block);
         }
-        let in_force = self.kernel.state.offsets.length();
+        let active = self.kernel.state.offsets.length();
         let minus = match by_code {
             Some(Action::Length(LengthCode::Minus)) => true,
             Some(_) => false,
-            None => in_force.minus,
+            None => active.minus,
         };
-        // H alone changes the length where the control has it so, or where one is in force.
+        // H alone changes the length on some controls, and on all while a length is active.
         let applies = by_code.is_some()
             || self.control.parameters.length_by_h_alone
-            || in_force.number.is_some();
+            || active.number.is_some();
         if !applies {
-            // The next G43 without an H takes it.
+            // The next G43 without an H uses it.
             self.kernel.state.named_length = self.count_of(block, b'H');
             return;
         }
@@ -411,15 +411,15 @@ impl Interpreter<'_> {
         let adds = self.control.parameters.rules.length.adds_to_increment;
         let is_once = codes.iter().any(|(row, _)| matches!(row.action, Action::Once(_)));
         if adds && self.kernel.state.incremental && block.letters().has(b'Z') && !is_once {
-            // The way of Z begins at the coordinate before, and the length is added to its end: from Z0 of the
-            // machine, with a length of -4 mm, `G91 G43 Z-32. H1` ends at -36.
+            // The increment of Z starts at the previous coordinate, and the length is added to its end: from Z0 of
+            // the machine, with a length of -4 mm, `G91 G43 Z-32. H1` ends at -36.
             let mut assumed = self.kernel.state.position;
             assumed[Z] = commanded;
             self.kernel.state.control_position = Some(assumed);
         }
     }
 
-    /// The length that G43 or G44 without H brings into force.
+    /// The number of the length that G43 or G44 without H activates.
     fn length_without_number(
         &mut self,
         block: &Block,
@@ -428,8 +428,8 @@ impl Interpreter<'_> {
         if self.control.parameters.rules.length.without_number == LengthWithoutNumber::OfTool {
             return Some(self.kernel.state.tool);
         }
-        let in_force = self.kernel.state.offsets.length().number;
-        let number = in_force.or(self.kernel.state.named_length);
+        let active = self.kernel.state.offsets.length().number;
+        let number = active.or(self.kernel.state.named_length);
         if let (None, Some((_, at))) = (number, code) {
             let name = self.code_text(block, *at);
             let span = self.span(block.words[*at].range);
@@ -444,8 +444,8 @@ impl Interpreter<'_> {
         Some(number.unwrap_or(0))
     }
 
-    /// A motion code stays in force, and decides between rapid and feed, when another code
-    /// takes the axis words. G90 and G91 hold for words that are not read as a target.
+    /// Sets G90, G91 and the motion code of a block whose axis words belong to another code (`taker`): they stay active
+    /// and decide between rapid and feed.
     pub(super) fn modes_with_one_shot(
         &mut self,
         block: &Block,
@@ -464,7 +464,7 @@ impl Interpreter<'_> {
                     self.kernel.end_cycle_if(self.control.parameters.rules.cycles.cancel.by_motion);
                     self.take_motion_code(code);
                 }
-                // Nothing of the others waits for axis words.
+                // The others do not depend on axis words.
                 Action::Reading(_)
                 | Action::Before(_)
                 | Action::Mode(_)
@@ -480,7 +480,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// G2 or G3 with a centre in the block of a code that takes the axis words for itself.
+    /// Reports G2 or G3 with a centre in the block of a code that uses the axis words.
     fn arc_left_out(&mut self, block: &Block, at: usize, arc: &CodeRow, taker: &CodeRow) {
         let (arc, taker) = (arc.name(b'G'), taker.name(b'G'));
         self.kernel.report(
@@ -498,7 +498,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// Spindle and coolant off, stops, ends, calls and returns.
+    /// Carries out what follows the motion: spindle and coolant off, stops, ends, calls and returns.
     pub(super) fn take_after_motion(
         &mut self,
         block: &Block,
@@ -510,8 +510,8 @@ impl Interpreter<'_> {
         self.emit_codes(block, codes);
         for (row, at) in codes {
             match row.action {
-                // Where they act from left to right the last one stays in force, whether or
-                // not the block had axis words to act on.
+                // If they act from left to right, the last one stays active, even in a block
+                // without axis words.
                 Action::Reading(ReadingCode::Absolute) => self.kernel.set_incremental(false),
                 Action::Reading(ReadingCode::Incremental) => self.kernel.set_incremental(true),
                 Action::After(_) if self.is_switched_before(row) => {}
@@ -524,7 +524,7 @@ impl Interpreter<'_> {
                 }
                 Action::Call(CallCode::Return) => return self.return_from_program(block, *at),
                 Action::Call(code) => self.take_call(block, code, *at),
-                // Taken before the motion, or as the motion.
+                // Carried out before the motion, or as the motion.
                 Action::Reading(_)
                 | Action::Before(_)
                 | Action::Mode(_)
@@ -580,13 +580,13 @@ impl Interpreter<'_> {
             CallCode::SubroutineEnd => self.return_from_subroutine(block, at),
             // The block ends with it.
             CallCode::Return => {}
-            // Taken before the words of their block, which are arguments.
+            // Carried out before the words of their block, which are arguments.
             CallCode::MacroCall | CallCode::ModalMacroCall { .. } => {}
         }
     }
 }
 
-/// S is a word of the code itself: a time, an angle.
+/// True when S is a word of the code itself: a time or an angle.
 fn speed_is_of_code(codes: &[(&'static CodeRow, usize)]) -> bool {
     codes.iter().any(|(row, _)| {
         let takes = match row.action {

@@ -1,4 +1,4 @@
-//! Targets, straight moves, feed, and the choice between line, arc, spiral and cycle.
+//! Targets, straight moves, the F word, and the choice between line, arc, spiral and cycle.
 
 use chordal_command::{AxisMask, FeedMode, Position, Units, number_text};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
@@ -15,7 +15,7 @@ use super::literals::AXIS_OF;
 const CENTER: Letters = Letters::of("IJK");
 
 impl Interpreter<'_> {
-    /// The end point that the axis words of a block give, and the axes they name.
+    /// The end point given by the axis words of a block (mm, rad), and the axes they name.
     #[inline]
     pub(super) fn target(&mut self, block: &Block) -> (Position, AxisMask) {
         if self.kernel.state.polar.is_some() || self.kernel.state.surface.is_some() {
@@ -62,7 +62,7 @@ impl Interpreter<'_> {
         (target, named)
     }
 
-    /// The axis that a letter of its own moves by an increment (U of X).
+    /// The axis that a letter moves by an increment (U for X); `None` for other letters.
     #[inline]
     pub(super) fn increment_axis(&self, word: &Word) -> Option<usize> {
         let increments = self.increments();
@@ -73,7 +73,7 @@ impl Interpreter<'_> {
         Some(AXIS_OF[usize::from(*axis)] as usize)
     }
 
-    /// G90 and G91 where they act from left to right.
+    /// Carries out G90 and G91 on controls where they act from left to right.
     fn distance_word(&mut self, word: &Word) {
         let row = self
             .literal(word)
@@ -101,14 +101,14 @@ impl Interpreter<'_> {
             if self.is_axis_of_second_spindle(letter, span.range) {
                 continue;
             }
-            let stated = self.no_such_axis(letter, span);
-            self.kernel.report(stated);
+            let diagnostic = self.no_such_axis(letter, span);
+            self.kernel.report(diagnostic);
         }
         *named = named.and(self.control.axes());
     }
 
-    /// A machine that somebody named is as its file says. One that nobody named is a guess: the
-    /// program is right, and the guess is wrong.
+    /// The problem of an axis the machine does not have: an error for a machine that the user chose, a warning for an
+    /// assumed one, as then the assumption is wrong.
     fn no_such_axis(&self, letter: char, span: Span) -> Diagnostic {
         let machine = self.machine;
         if self.options.assumed_machine {
@@ -127,7 +127,7 @@ impl Interpreter<'_> {
             .help(format!("add `[axes.{letter}]` to the machine file, or choose a machine"))
     }
 
-    /// A block without a motion code of its own, or with one: `explicit`.
+    /// Carries out the motion or the cycle of a block; `explicit` is its own motion code.
     pub(super) fn motion_or_cycle(
         &mut self,
         block: &Block,
@@ -145,7 +145,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Takes the motion code, then moves as the words say.
+    /// Sets the motion code, then makes the motion of the words.
     pub(super) fn motion_block(&mut self, block: &Block, explicit: Option<MotionCode>) {
         let modal = self.kernel.state.motion;
         if let Some(action) = explicit {
@@ -157,7 +157,7 @@ impl Interpreter<'_> {
         }
         if let ModalMotion::Spline(form) = self.kernel.state.motion {
             self.spline_block(block, form, explicit.is_some());
-            // G5 and G5.1 hold for their block.
+            // G5 and G5.1 act in their block only.
             if form != SplineForm::Points {
                 self.kernel.state.motion = modal;
             }
@@ -185,7 +185,7 @@ impl Interpreter<'_> {
             MotionCode::Turn(pass) => ModalMotion::Turn(pass),
         };
         match motion {
-            // G2 and G3 arm a direction and leave G0 or G1 in force.
+            // G2 and G3 select a direction and leave G0 or G1 active.
             ModalMotion::Arc(direction) if armed => self.kernel.state.armed = Some(direction),
             ModalMotion::Rapid if armed && self.control.parameters.rapid_cancels_arc => {
                 (self.kernel.state.motion, self.kernel.state.armed) = (ModalMotion::Rapid, None);
@@ -230,13 +230,13 @@ impl Interpreter<'_> {
             ModalMotion::Turn(pass) => self.turn_block(block, pass, target, named, explicit),
             ModalMotion::Probe { must_hit } => self.probe_move(block, 0, must_hit),
             ModalMotion::ThreadPasses => self.turning_cycle(block, 0, TurnCycle::LineThread),
-            // Carried out before: its words are others.
+            // Carried out before, as it has other words.
             ModalMotion::Spline(_) => {}
             ModalMotion::None => self.report_no_motion(block, target, named),
         }
     }
 
-    /// Axis words after G80 where that leaves no motion in force; shown as a rapid.
+    /// Reports axis words without an active motion (after G80); shown as a rapid.
     #[cold]
     fn report_no_motion(&mut self, block: &Block, target: Position, named: AxisMask) {
         if named == AxisMask::NONE {
@@ -270,7 +270,7 @@ impl Interpreter<'_> {
                 None => self.unarmed_arc(block, target, named),
             }
         } else if named != AxisMask::NONE {
-            // A retract along the tool is meant as a rapid.
+            // A retraction along the tool is intended as a rapid.
             let (_, _, normal) = self.kernel.state.plane.axes();
             let retract = named == AxisMask(1 << normal);
             self.watch_rapid_after_arc(block, false, explicit.is_some() || retract);
@@ -291,7 +291,7 @@ impl Interpreter<'_> {
         letters.has(b'R') && self.radius_word(block).is_some()
     }
 
-    /// F.
+    /// Carries out F.
     pub(super) fn take_feed(&mut self, block: &Block) {
         let Some(word) = block.last(b'F').copied() else { return };
         let Some(number) = self.literal(&word) else { return };
@@ -341,7 +341,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// F of a block that changes the units after it: said with what it comes to.
+    /// Reports F in a block that changes the units after it, with its value.
     fn report_feed_before_units(&mut self, word: &Word, units: Units) {
         let Some(number) = self.literal(word) else { return };
         if self.kernel.state.feed_mode == FeedMode::InverseTime {

@@ -16,24 +16,24 @@ use super::Interpreter;
 use super::work_offsets::counted;
 use chordal_command::telling_number;
 
-/// Where G10 takes the offsets of a tool from.
+/// How the words of G10 give the offsets of a tool.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum ToolFrom {
     /// The words are the offsets.
     Words,
     /// The present position gets these work coordinates.
     WorkPosition,
-    /// It gets these coordinates of the ninth work offset, which belongs to the fixture.
+    /// The present position gets these coordinates of the ninth work offset, which belongs to the fixture.
     Fixture,
 }
 
 const Z: usize = Axis::Z as usize;
 
-/// The last work offset of a control that chooses them by E.
+/// The last work offset of a control that selects them by E.
 const MAX_BY_E: u32 = 48;
 
 impl Interpreter<'_> {
-    /// E.
+    /// Carries out E, which selects a work offset.
     pub(super) fn take_e_word(&mut self, block: &Block) {
         let Some(number) = self.count_of(block, b'E') else { return };
         if number > MAX_BY_E {
@@ -61,7 +61,7 @@ impl Interpreter<'_> {
         self.kernel.select_work(name);
     }
 
-    /// H of another tool than the one in the spindle.
+    /// Reports H of another tool than the one in the spindle.
     pub(super) fn check_length_number(&mut self, block: &Block, number: u32) {
         let tool = self.kernel.state.tool;
         if tool == 0 || tool == number {
@@ -85,7 +85,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// G40, G41, G42.
+    /// Carries out G40, G41 or G42.
     pub(super) fn set_compensation(&mut self, block: &Block, at: usize, side: CompensationSide) {
         let before = self.kernel.state.side;
         if side == CompensationSide::Off && before == CompensationSide::Off {
@@ -96,7 +96,7 @@ impl Interpreter<'_> {
         let number = self.compensation_number(block);
         let unknown = self.kernel.state.unknown.radius_offset;
         let without = side != CompensationSide::Off && number.is_none() && !unknown;
-        // Where that is no alarm, D0 is in force from power-on.
+        // On controls without an alarm for this, D0 is active from power-on.
         let refused = self.control.table.alarm(Code::CompensationWithoutOffset).is_some();
         if without {
             self.report_no_offset_number(span, refused);
@@ -123,7 +123,7 @@ impl Interpreter<'_> {
         self.kernel.emit_compensation(number, toward, span);
     }
 
-    /// G41.1 and G42.1: D is the tool's diameter; below zero the tool goes on the other side.
+    /// G41.1 and G42.1: D is the diameter of the tool; a negative one changes the side.
     pub(super) fn compensation_by_diameter(
         &mut self,
         block: &Block,
@@ -166,7 +166,7 @@ impl Interpreter<'_> {
         self.kernel.emit(CommandKind::Compensation { side, number, radius_mm, toward, tip });
     }
 
-    /// G43.2: the offsets of tool H are added to those in force.
+    /// G43.2: adds the offsets of tool H to the active ones.
     pub(super) fn add_tool_offsets(&mut self, block: &Block) {
         if !block.letters().has(b'H') && block.letters().meets(Letters::of(AXIS_LETTERS)) {
             let values = self.axis_words(block);
@@ -187,14 +187,14 @@ impl Interpreter<'_> {
         let values: PerAxis<Option<f64>> =
             std::array::from_fn(|axis| tool.and_then(|tool| tool.offset_of(axis)));
         if values[Z].is_none() {
-            // The sum is as little known as what is added.
+            // The sum is unknown like the added value.
             let length = LengthOffset { number: Some(number), minus: false };
             return self.kernel.set_length(&self.at(block), length);
         }
         self.kernel.set_tool_offsets(&values, true);
     }
 
-    /// A block that turns compensation on and moves the third axis alone, on a control that wants a lead-in.
+    /// Reports a block that starts compensation and moves only the third axis, on a control that needs a lead-in.
     fn check_lead_in_words(&mut self, block: &Block, span: Span) {
         let rules = &self.control.parameters.rules.compensation;
         let (a, b, normal) = self.kernel.state.plane.axes();
@@ -219,14 +219,14 @@ impl Interpreter<'_> {
         );
     }
 
-    /// D while compensation is on: the offset changes with this block.
+    /// D while compensation is on: changes the offset with this block.
     pub(super) fn change_compensation_offset(&mut self, block: &Block) {
         let number = self.compensation_number(block);
         let span = self.words_span(block, Letters::of("D"));
         self.kernel.emit_compensation(number, None, span);
     }
 
-    /// I J K beside G40, G41 or G42, on the axes of the plane.
+    /// I J K in the block of G40, G41 or G42, on the axes of the plane; `None` without them.
     fn compensation_direction(&mut self, block: &Block) -> Option<[f64; 2]> {
         if !self.control.parameters.rules.compensation.off_toward
             || !block.letters().meets(Letters::of("IJK"))
@@ -239,7 +239,7 @@ impl Interpreter<'_> {
         Some([along(self, first), along(self, second)])
     }
 
-    /// G39: the direction of what follows, by I J K, or by the axes where they are not moved.
+    /// G39: the direction of the next move, by I J K, or by axis words that then do not move.
     pub(super) fn corner_arc(&mut self, block: &Block, own_block: bool) {
         if self.kernel.state.side == CompensationSide::Off {
             if own_block {
@@ -266,18 +266,17 @@ impl Interpreter<'_> {
         self.kernel.emit(CommandKind::CornerArc { toward });
     }
 
-    /// The offset in force, or the tool in the spindle.
+    /// The number of the active offset, or of the tool in the spindle; `None` for neither.
     fn compensation_number(&mut self, block: &Block) -> Option<u32> {
         if self.control.parameters.rules.compensation.offset_of_tool {
-            let provided =
-                if block.letters().has(b'D') { self.count_of(block, b'D') } else { None };
-            return provided.filter(|number| *number > 0).or(Some(self.kernel.state.tool));
+            let d = if block.letters().has(b'D') { self.count_of(block, b'D') } else { None };
+            return d.filter(|number| *number > 0).or(Some(self.kernel.state.tool));
         }
-        self.offset_in_force()
+        self.active_radius_offset()
     }
 
-    /// The number of the radius offset in force: D, or where H brings the diameter too, H.
-    pub(super) fn offset_in_force(&self) -> Option<u32> {
+    /// The number of the active radius offset: D, or H on controls where H includes the diameter.
+    pub(super) fn active_radius_offset(&self) -> Option<u32> {
         let by_h = self.control.parameters.length_by_h_alone;
         self.kernel.state.radius_offset.or(self
             .kernel
@@ -288,9 +287,9 @@ impl Interpreter<'_> {
             .filter(|_| by_h))
     }
 
-    /// Compensation goes on and off along a straight move.
+    /// Reports that compensation starts or ends on an arc.
     fn check_compensation_move(&mut self, block: &Block, side: CompensationSide, span: Span) {
-        // A change of side is no start.
+        // A change of side is not a start.
         let on = self.kernel.state.side != CompensationSide::Off;
         let may_start = on || self.control.parameters.rules.compensation.start_on_arc;
         if (side != CompensationSide::Off && may_start) || !self.moves_on_arc(block) {
@@ -312,7 +311,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// True when the motion of this block is an arc, by its own code or the one in force.
+    /// True when the motion of this block is an arc, by its own code or the active one.
     pub(super) fn moves_on_arc(&self, block: &Block) -> bool {
         let arc_words = self.has_arc_words(block);
         if self.control.table.motion == MotionModality::Armed {
@@ -335,7 +334,7 @@ impl Interpreter<'_> {
             }
     }
 
-    /// G10.
+    /// Carries out G10.
     pub(super) fn set_data(&mut self, block: &Block, at: usize) {
         let l = self.count_of(block, b'L');
         let target = l.and_then(|l| {
@@ -352,7 +351,7 @@ impl Interpreter<'_> {
             Some(DataTarget::WorkOffsetFromPosition) => self.write_work_offset(block, true),
             Some(DataTarget::ExtendedWorkOffset) => self.write_extended(block),
             Some(DataTarget::Register) => self.write_register(block, l.unwrap_or(100) - 100),
-            // Nothing is written, and what was is in force already.
+            // Written values are active at once, so there is nothing to reload.
             Some(DataTarget::Reload) => {}
             Some(DataTarget::ToolTable) => self.write_tool_table(block, ToolFrom::Words),
             Some(DataTarget::TurningTool { wear }) => self.write_turning_tool(block, Some(wear)),
@@ -400,7 +399,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// G10 L50: the lines up to G11 are parameters of the control.
+    /// G10 L50: the lines up to G11 are parameter data.
     fn begin_data_lines(&mut self, span: Span, l: u32) {
         self.data_lines = true;
         let end = self.code_that(Action::Mode(ModeCode::DataLinesOff));
@@ -415,7 +414,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// Whether a block after G10 L50 is data. One with a code is none: it ends the data, with G11 or without.
+    /// True when a block after G10 L50 is data. A block with a code is not: it ends the data, even without G11.
     pub(super) fn is_data_line(&mut self, block: &Block) -> bool {
         let word = block.words.iter().find(|word| matches!(word.letter, b'G' | b'M'));
         let Some(word) = word else {
@@ -441,13 +440,13 @@ impl Interpreter<'_> {
         false
     }
 
-    /// The name of the G code with an action.
+    /// The name of the G code with an action; empty when there is none.
     fn code_that(&self, action: Action) -> String {
         let row = self.control.table.g_codes.iter().find(|row| row.action == action);
         row.map_or_else(String::new, |row| row.name(b'G'))
     }
 
-    /// The key of work offset P as G10 L2 counts them.
+    /// The key of the work offset P of G10 L2; `None` when there is none.
     fn work_key(&mut self, block: &Block) -> Option<String> {
         let (table, parameters) = (self.control.table, &self.control.parameters);
         let number = match block.last(b'P') {
@@ -471,8 +470,8 @@ impl Interpreter<'_> {
             let span = self.words_span(block, Letters::of("P"));
             if let Some(word) = block.last(b'P') {
                 let text = String::from_utf8_lossy(word.range.slice(self.reader.text()));
-                let stated = format!("there is no work offset {text} for G10 L2");
-                return self.kernel.report(Diagnostic::new(Code::BadWordValue, span, stated));
+                let message = format!("there is no work offset {text} for G10 L2");
+                return self.kernel.report(Diagnostic::new(Code::BadWordValue, span, message));
             }
             let message = "G10 L2 needs P, the number of the work offset".to_string();
             return self.kernel.missing_word(span, message, "P1 to P6 are G54 to G59");
@@ -531,8 +530,8 @@ impl Interpreter<'_> {
         self.kernel.store_tool_value(of, number, value, self.kernel.state.incremental);
     }
 
-    /// LinuxCNC G10 L1, L10 and L11: the axis words are the tool's offsets, or the coordinates that the
-    /// present position shall get with them; R is the radius.
+    /// LinuxCNC G10 L1, L10 and L11: the axis words are the offsets of the tool, or the coordinates that the present
+    /// position gets with them; R is the radius.
     fn write_tool_table(&mut self, block: &Block, from: ToolFrom) {
         let Some(number) = self.count_of(block, b'P') else { return };
         let mut words = self.axis_words(block);
@@ -627,7 +626,7 @@ impl Interpreter<'_> {
         self.kernel.set_speed(rpm);
     }
 
-    /// The power of the spindle in percent: of the machine's largest speed, where its file gives one.
+    /// The power of the spindle in percent: as percent of the largest speed in the machine file, if given.
     pub(super) fn take_power(&mut self, block: &Block, letter: u8) {
         let Some(word) = block.last(letter).copied() else { return };
         let Some(number) = self.literal(&word) else { return };
@@ -647,7 +646,7 @@ impl Interpreter<'_> {
             .set_speed(self.machine.spindle_max_rpm.map_or(percent, |max| max * percent / 100.0));
     }
 
-    /// T.
+    /// Carries out T.
     pub(super) fn take_tool_word(&mut self, block: &Block) {
         if let ToolWord::StationAndOffset { digits } = self.control.parameters.tool_word {
             return self.take_station(block, digits);
@@ -658,7 +657,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// M6.
+    /// Carries out M6.
     pub(super) fn tool_change(&mut self, block: &Block, at: usize) {
         self.kernel.tool_change(self.span(block.words[at].range));
     }

@@ -1,4 +1,4 @@
-//! How corners are passed: G61, G64, G9, G187, G05.1 and their like.
+//! Path modes: G61, G64, G9, G187, G05.1 and similar codes.
 
 use chordal_command::{CommandKind, PathMode};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
@@ -9,7 +9,7 @@ use chordal_syntax::Block;
 use super::Interpreter;
 
 impl Interpreter<'_> {
-    /// A code that changes how corners are passed.
+    /// Carries out a code of the path modes.
     pub(super) fn take_path_mode(
         &mut self,
         block: &Block,
@@ -44,7 +44,7 @@ impl Interpreter<'_> {
                     Some(value) if on.contains(&value) => {
                         self.kernel.state.path.set_look_ahead(&rules, true);
                     }
-                    // Another use of the code, or none that we know.
+                    // The code has another meaning with this value, or an unknown one.
                     _ => return self.not_simulated(&block.words[at], row),
                 }
             }
@@ -56,7 +56,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// G62 slows down where a compensated contour turns inwards.
+    /// Reports G62, which reduces the feed at inside corners of a compensated contour.
     fn report_no_corner_override(&mut self, block: &Block, row: &CodeRow, at: usize) {
         let name = row.name(b'G');
         self.kernel.report(
@@ -69,7 +69,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// Q of LinuxCNC's G64 lets the control make one move of lines that are nearly straight.
+    /// Reports Q of LinuxCNC's G64, with which the control joins nearly straight lines into one move.
     fn report_lines_stay(&mut self, block: &Block) {
         let Some(within) = self.length_of(block, b'Q').filter(|mm| *mm > 0.0) else { return };
         let word = block.last(b'Q').map_or(block.range, |word| word.range);
@@ -88,7 +88,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// Haas G187: P names a level, E the distance itself; without either the settings hold.
+    /// Haas G187: P selects a level, E gives the tolerance itself; without both the settings apply.
     fn smoothness(&mut self, block: &Block) {
         let rules = self.control.parameters.rules.path;
         let own = self.length_of(block, b'E').filter(|mm| *mm >= 0.0);

@@ -1,4 +1,4 @@
-//! A target by its radius and angle about the work origin: `@` and `^` (LinuxCNC).
+//! End points by radius and angle about the work origin: `@` and `^` (LinuxCNC).
 
 use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
@@ -9,7 +9,7 @@ use chordal_syntax::{Block, Letters, Word};
 use super::Interpreter;
 
 impl Interpreter<'_> {
-    /// X and Y of a block that gives them by a radius and an angle. The one that is not written stays.
+    /// Computes X and Y from radius and angle; an omitted one keeps its present value.
     #[cold]
     pub(super) fn radius_and_angle(
         &mut self,
@@ -40,8 +40,7 @@ impl Interpreter<'_> {
         named.insert(1);
     }
 
-    /// Whether the polar words of a block may stand where they do. What is refused is reported, and the
-    /// block then moves nothing.
+    /// True when the polar words of a block are permitted; otherwise this is reported and the block does not move.
     #[cold]
     pub(super) fn check_polar(
         &mut self,

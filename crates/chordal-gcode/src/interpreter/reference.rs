@@ -1,5 +1,4 @@
-//! One-shot codes that take the axis words: dwell, reference points, machine coordinates,
-//! presets and shifts.
+//! Non-modal codes that use the axis words: dwell, reference points, machine coordinates, presets and shifts.
 
 use chordal_command::{AxisMask, CommandKind, CompensationSide};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
@@ -14,8 +13,8 @@ use super::Interpreter;
 use super::literals::{AXIS_OF, trim};
 
 impl Interpreter<'_> {
-    /// A code that the table has among the motion codes stays in force, and the next block with axes repeats it.
-    fn keep_in_force(&mut self, code: OnceCode, motion: ModalMotion) {
+    /// Makes a code modal if the table lists it as a motion code: the next block with axis words repeats it.
+    fn make_modal(&mut self, code: OnceCode, motion: ModalMotion) {
         let rows = self.control.table.g_codes;
         let is = |row: &CodeRow| row.action == Action::Once(code) && row.group == CodeGroup::Motion;
         if rows.iter().any(is) {
@@ -54,7 +53,7 @@ impl Interpreter<'_> {
             OnceCode::Home => self.home(block),
             OnceCode::Pattern(pattern) => self.pattern(block, at, pattern),
             OnceCode::Probe { must_hit } => {
-                self.keep_in_force(code, ModalMotion::Probe { must_hit });
+                self.make_modal(code, ModalMotion::Probe { must_hit });
                 self.probe_move(block, at, must_hit);
             }
             OnceCode::LocalShift | OnceCode::PresetPosition if self.lacks_axes(block) => {
@@ -118,7 +117,7 @@ impl Interpreter<'_> {
             OnceCode::CornerArcAlone => self.corner_arc(block, true),
             OnceCode::Turning(cycle) => {
                 if cycle == TurnCycle::LineThread {
-                    self.keep_in_force(code, ModalMotion::ThreadPasses);
+                    self.make_modal(code, ModalMotion::ThreadPasses);
                 }
                 self.turning_cycle(block, at, cycle);
             }
@@ -127,7 +126,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// No axis word, where a code without its words stops the program.
+    /// True for a code without axis words, on controls where that stops the program.
     fn lacks_axes(&mut self, block: &Block) -> bool {
         self.control.parameters.strict_words && self.axis_words(block).iter().all(Option::is_none)
     }
@@ -138,7 +137,7 @@ impl Interpreter<'_> {
                 && self.kernel.state.cycle.is_none()
     }
 
-    /// A problem with the control's own words for this case of it.
+    /// Reports an error with the alarm text of this case.
     pub(super) fn report_refused(&mut self, diagnostic: Diagnostic, alarm: &str) {
         let title = self.control.table.title;
         let diagnostic = diagnostic.severity(Severity::Error).alarm(format!("{title}: {alarm}"));
@@ -154,7 +153,7 @@ impl Interpreter<'_> {
         }
         let Some((rule, word)) = found else {
             if self.control.table.dwell_alone_stops {
-                // An exact stop: the axes stand, for no time.
+                // An exact stop: the axes stop, without a dwell.
                 return self.kernel.emit(CommandKind::Dwell { seconds: 0.0, label: None });
             }
             let span = self.span(block.words[at].range);
@@ -201,7 +200,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// G28, G29, G30 and G53 while the tool is beside the contour.
+    /// Reports G28, G29, G30 and G53 while the tool is offset from the contour.
     fn reference_in_compensation(&mut self, block: &Block, at: usize) {
         let refused =
             self.control.parameters.rules.compensation.coordinate_change == AllowanceRule::Refused;
@@ -218,10 +217,10 @@ impl Interpreter<'_> {
         self.kernel.report(diagnostic);
     }
 
-    /// G28 and G30: over the point that the words give, then home with the axes they name.
+    /// G28 and G30: moves through the point given by the words, then to the reference point with the named axes.
     fn return_to_reference(&mut self, block: &Block, second: bool) {
         let (target, mut named) = self.target(block);
-        // An axis that the machine does not have is named all the same.
+        // An axis that the machine does not have also counts as named.
         let names_none = !block.words.iter().any(|word| {
             AXIS_OF[usize::from(word.letter)] < 6 || self.increment_axis(word).is_some()
         });
@@ -245,7 +244,7 @@ impl Interpreter<'_> {
         self.kernel.return_over(target, named, &place);
     }
 
-    /// The active work coordinate system gets an offset: so that the position has these coordinates, or these values.
+    /// Writes the active work coordinate system: the values, or (`from_position`) so that the position gets them.
     fn write_active_system(&mut self, values: &PerAxis<Option<f64>>, from_position: bool) {
         let offsets = &self.kernel.state.offsets;
         let key = offsets.key(offsets.active());
@@ -254,7 +253,7 @@ impl Interpreter<'_> {
         self.kernel.write_work_values(&key, &values, from_position);
     }
 
-    /// The named axes go to their switches, or all; their coordinates are those of the machine then.
+    /// Homes the named axes, or all; then their coordinates equal machine coordinates.
     fn home(&mut self, block: &Block) {
         let mut named = AxisMask::NONE;
         for word in &block.words {
@@ -276,7 +275,8 @@ impl Interpreter<'_> {
         self.kernel.go_to_reference(named, &self.reference(1));
     }
 
-    /// A reference point: as the program has stored it, else as the machine file has it.
+    /// A reference point by its number, machine coordinates, mm and rad: as stored by the program, else by the machine
+    /// file.
     pub(super) fn reference(&self, number: u32) -> PerAxis<Option<f64>> {
         let (of_machine, stored) = match number {
             ..=1 => (self.machine.home, Some(0)),
@@ -287,12 +287,12 @@ impl Interpreter<'_> {
         std::array::from_fn(|axis| stored[axis].or(of_machine[axis]))
     }
 
-    /// The place of a reference point on an axis where it is stored (LinuxCNC #5161 to #5186).
+    /// The stored reference point (1 or 2) of an axis, mm or rad (LinuxCNC #5161 to #5186); `None` when not stored.
     pub(super) fn stored_reference(&self, number: usize, axis: usize) -> Option<f64> {
         self.references[number - 1][axis]
     }
 
-    /// G28.1 and G30.1.
+    /// G28.1 and G30.1: stores the present position.
     pub(super) fn store_reference(&mut self, second: bool) {
         let state = &self.kernel.state;
         let place = std::array::from_fn(|axis| Some(state.machine_position(axis)));
@@ -300,7 +300,7 @@ impl Interpreter<'_> {
         self.emit_references();
     }
 
-    /// G29: back over the point of the last G28, of which the end alone is known here.
+    /// G29: moves to its end point; the intermediate point of the last G28 is not remembered.
     fn return_from_reference(&mut self, block: &Block) {
         let (target, named) = self.target(block);
         if named != AxisMask::NONE {
@@ -308,7 +308,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// G53: the words of this block are machine coordinates.
+    /// G53: moves to machine coordinates given by the words.
     fn machine_coordinates(&mut self, block: &Block, at: usize) {
         let mut place = [0.0; AXES];
         let mut named = AxisMask::NONE;
@@ -360,7 +360,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// Reports the axis words of a block, by axis and letter, that its code has no use for.
+    /// Reports the axis words of a block that its code does not use, by axis and letter.
     pub(super) fn unused_axes(&mut self, block: &Block, used: impl Fn(usize, u8) -> bool) {
         for word in &block.words {
             let axis = AXIS_OF[word.letter as usize] as usize;
@@ -370,7 +370,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The coordinates that the present position gets; a letter of increments changes them by that.
+    /// The coordinates that the present position gets by a preset; an incremental letter changes them by its value.
     fn preset_words(&mut self, block: &Block) -> PerAxis<Option<f64>> {
         let mut values = self.axis_words(block);
         for (letter, axis) in self.control.parameters.increments {
@@ -384,7 +384,7 @@ impl Interpreter<'_> {
         values
     }
 
-    /// The axis words of a block as they stand, without regard to G90 and G91.
+    /// The values of the axis words of a block, mm and rad, regardless of G90 and G91.
     pub(super) fn axis_words(&mut self, block: &Block) -> PerAxis<Option<f64>> {
         let mut values = [None; AXES];
         for word in &block.words {

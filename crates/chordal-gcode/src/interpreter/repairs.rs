@@ -1,8 +1,8 @@
-//! Which one changed word makes an arc true whose ends lie at different distances from its centre.
+//! Finds the one changed word that makes an arc with two different radii a true arc.
 //!
-//! A slip of the hand leaves all other words right: with the word that was meant the two radii agree to the least
-//! increment, which hardly any other word does. Of a number with one changed digit so many are tried that one may agree by
-//! chance; so the arc must be further off for those, and they are named where nothing simpler agrees.
+//! After a typing mistake all other words are right: with the intended word the two radii agree to the least increment,
+//! which hardly any other word achieves. With one changed digit there are so many candidates that one may agree by
+//! chance; therefore the error of the arc must be larger for those, and they are only suggested if nothing simpler fits.
 
 use chordal_command::Position;
 use chordal_diagnostics::{Applicability, Fix, TextRange};
@@ -14,32 +14,32 @@ use super::Interpreter;
 use super::arc::center_letters;
 use super::literals::AXIS_OF;
 
-/// Most changes that are named.
+/// Largest number of suggestions.
 const MAX_REPAIRS: usize = 3;
 
-/// The block before begins within so many bytes, and within so many lines.
+/// The previous block is searched within this many bytes.
 const LOOK_BACK: usize = 400;
 const MAX_LINES_BACK: usize = 3;
 
-/// What a slip of the hand does to a word; the simplest first.
+/// The kinds of typing mistakes, the simplest first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum TypingError {
-    /// A sign too many, or one that is missing.
+    /// An extra or a missing sign.
     Sign,
     /// I for J, X for Y.
     Letter,
-    /// Two digits next to each other have changed places.
+    /// Two adjacent digits are exchanged.
     Swapped,
     /// The decimal point is one place off.
     Point,
-    /// One digit is another one.
+    /// One digit is wrong.
     Digit,
-    /// A number where zero was meant.
+    /// A number instead of zero.
     Number,
 }
 
 impl TypingError {
-    /// How far off the arc must be, in least increments: the more words are tried, the further.
+    /// Smallest radius error of the arc to try this kind, in least increments; larger for kinds with more candidates.
     fn least_error(self) -> f64 {
         match self {
             TypingError::Sign | TypingError::Letter | TypingError::Number => 5.0,
@@ -48,31 +48,31 @@ impl TypingError {
         }
     }
 
-    /// How far apart the radii of a true arc may be, in least increments: each of its six words is rounded to one.
+    /// Largest radius error of a true arc, in least increments: each of its six words is rounded.
     fn most_error(self) -> f64 {
         if self == TypingError::Digit { 1.0 } else { 1.5 }
     }
 
-    /// Among so many trials that one may agree by chance.
+    /// True for a kind with so many candidates that one may fit by chance.
     fn is_last_resort(self) -> bool {
         self == TypingError::Digit
     }
 }
 
-/// A word as it might have been meant.
+/// A candidate for a mistyped word.
 #[derive(Clone, Debug)]
 struct WordVariant {
-    slip: TypingError,
-    /// Its place among the words of its block.
+    mistake: TypingError,
+    /// Its index among the words of its block.
     at: usize,
     letter: u8,
-    /// The number as it would be written.
+    /// The number as written.
     text: String,
 }
 
-/// A trial that makes a true arc.
+/// A candidate that makes a true arc.
 struct ArcRepair {
-    slip: TypingError,
+    mistake: TypingError,
     in_block_before: bool,
     error: f64,
     radius: f64,
@@ -82,7 +82,7 @@ struct ArcRepair {
 }
 
 impl Interpreter<'_> {
-    /// Reports an arc that is none, with the changed words that would make it one.
+    /// Reports an arc with two radii, with the changed words that would make it a true arc.
     #[cold]
     pub(super) fn report_misfit(&mut self, block: &Block, misfit: MisfitArc) {
         let repairs = self.repairs(block, &misfit);
@@ -111,7 +111,7 @@ impl Interpreter<'_> {
         self.kernel.report(problem);
     }
 
-    /// The changes that make it true, the simplest first.
+    /// The changes that make a true arc, the simplest first.
     fn repairs(&mut self, block: &Block, misfit: &MisfitArc) -> Vec<ArcRepair> {
         let state = &self.kernel.state;
         let is_plain = state.frames.is_plain() && state.polar.is_none() && state.surface.is_none();
@@ -125,12 +125,12 @@ impl Interpreter<'_> {
         let error = radius_error(&self.sweep_of(&words, &misfit.start, misfit));
         let mut found: Vec<ArcRepair> = Vec::new();
         let mut keep = |trial: &WordVariant, word: Word, is_before: bool, sweep: ArcSweep| {
-            let is_true = error >= trial.slip.least_error() * increment
-                && radius_error(&sweep) <= trial.slip.most_error() * increment * (1.0 + 1e-6)
+            let is_true = error >= trial.mistake.least_error() * increment
+                && radius_error(&sweep) <= trial.mistake.most_error() * increment * (1.0 + 1e-6)
                 && sweep.radius_start.min(sweep.radius_end) > 10.0 * increment;
             if is_true {
                 found.push(ArcRepair {
-                    slip: trial.slip,
+                    mistake: trial.mistake,
                     in_block_before: is_before,
                     error: radius_error(&sweep),
                     radius: sweep.radius_start,
@@ -154,11 +154,11 @@ impl Interpreter<'_> {
                 }
             }
         }
-        if found.iter().any(|repair| !repair.slip.is_last_resort()) {
-            found.retain(|repair| !repair.slip.is_last_resort());
+        if found.iter().any(|repair| !repair.mistake.is_last_resort()) {
+            found.retain(|repair| !repair.mistake.is_last_resort());
         }
         found.sort_by(|a, b| {
-            let simpler = (a.slip, a.in_block_before).cmp(&(b.slip, b.in_block_before));
+            let simpler = (a.mistake, a.in_block_before).cmp(&(b.mistake, b.in_block_before));
             simpler.then(a.error.total_cmp(&b.error)).then(a.replacement.cmp(&b.replacement))
         });
         found.dedup_by(|a, b| a.word.range == b.word.range && a.replacement == b.replacement);
@@ -166,7 +166,7 @@ impl Interpreter<'_> {
         found
     }
 
-    /// The block is nothing but these words: what they say is what the control has taken.
+    /// True when these words alone give the end and the centre of the arc.
     fn is_read_from(&self, words: &[Word], start: &Position, misfit: &MisfitArc) -> bool {
         let (a, b, _) = misfit.plane.axes();
         let (end, arc) = self.arc_of(words, start, misfit);
@@ -176,7 +176,7 @@ impl Interpreter<'_> {
             && arc.center == misfit.arc.center
     }
 
-    /// The end and the centre words that these words give.
+    /// The end and the centre words given by these words.
     fn arc_of(&self, words: &[Word], start: &Position, misfit: &MisfitArc) -> (Position, ArcWords) {
         let (mut end, mut arc) = (*start, misfit.arc);
         arc.center = [None; 2];
@@ -205,7 +205,7 @@ impl Interpreter<'_> {
         self.kernel.sweep_by_words(start, &end, &arc)
     }
 
-    /// The arc that the words make; nothing where it ends where it begins: that is true with any centre.
+    /// The arc of the words; `None` when start and end coincide, as any centre would fit.
     fn fit_of(
         &self,
         words: &[Word],
@@ -221,7 +221,8 @@ impl Interpreter<'_> {
             .then(|| self.kernel.sweep_by_words(start, &end, &arc))
     }
 
-    /// Where the arc begins if a word of the block before is another one; nothing where that word did not bring the tool there.
+    /// The start of the arc with a changed word in the previous block; `None` when that word does not determine the
+    /// start.
     fn start_after(
         &self,
         words: &[Word],
@@ -246,7 +247,7 @@ impl Interpreter<'_> {
         Some(start)
     }
 
-    /// The block that stands before one and moves straight.
+    /// The previous block, if it moves straight.
     fn block_before(&self, block: &Block) -> Option<Block> {
         let text = self.reader.text();
         let end = block.range.start as usize;
@@ -256,7 +257,7 @@ impl Interpreter<'_> {
             .rev()
             .filter(|(_, byte)| matches!(byte, b'\n' | b'\r'))
             .map(|(at, _)| end.saturating_sub(LOOK_BACK) + at + 1);
-        // The start of the block's own line, then those above.
+        // The start of the block's line, then of the lines above.
         lines.next()?;
         for start in lines.take(MAX_LINES_BACK) {
             let mut reader = BlockReader::new(&text[..end], self.file, self.control.table.lexicon);
@@ -282,7 +283,7 @@ fn radius_error(sweep: &ArcSweep) -> f64 {
     (sweep.radius_start - sweep.radius_end).abs()
 }
 
-/// The words of ends and centres that are written as numbers.
+/// The end and centre words that are written as numbers.
 fn plain_words(block: &Block) -> Vec<Word> {
     let is_plain = |word: &&Word| !word.comma && word.number().is_some();
     let letters = b"XYZUVWIJK";
@@ -295,7 +296,7 @@ fn plain_words(block: &Block) -> Vec<Word> {
         .collect()
 }
 
-/// The words with one of them changed; nothing where the text is no number.
+/// The words with one of them changed; `None` when the text is not a number.
 fn changed(words: &[Word], trial: &WordVariant) -> Option<Vec<Word>> {
     let mut words = words.to_vec();
     let number = Decimal::parse(trial.text.as_bytes())?;
@@ -304,13 +305,13 @@ fn changed(words: &[Word], trial: &WordVariant) -> Option<Vec<Word>> {
     Some(words)
 }
 
-/// Every word as it might have been meant.
+/// All candidates for all words.
 fn trials(words: &[Word], text: &[u8], plane: Plane) -> Vec<WordVariant> {
     let mut trials = Vec::new();
     for (at, word) in words.iter().enumerate() {
         let Some(number) = number_text(word, text) else { continue };
-        let mut put = |slip, letter, text: String| {
-            trials.push(WordVariant { slip, at, letter, text });
+        let mut put = |mistake, letter, text: String| {
+            trials.push(WordVariant { mistake, at, letter, text });
         };
         for letter in other_letters(word.letter, plane) {
             if words.iter().all(|other| other.letter != letter) {
@@ -326,16 +327,16 @@ fn trials(words: &[Word], text: &[u8], plane: Plane) -> Vec<WordVariant> {
         };
         let other_sign = if sign == "-" { digits.to_string() } else { format!("-{digits}") };
         put(TypingError::Sign, word.letter, other_sign);
-        for (slip, digits) in slips_of_digits(digits) {
-            put(slip, word.letter, format!("{sign}{digits}"));
+        for (mistake, digits) in digit_variants(digits) {
+            put(mistake, word.letter, format!("{sign}{digits}"));
         }
         put(TypingError::Number, word.letter, "0".into());
     }
     trials
 }
 
-/// A number with digits that have changed places, another place of its point, another digit.
-fn slips_of_digits(digits: &str) -> Vec<(TypingError, String)> {
+/// Variants of a number: exchanged digits, a moved point, another digit.
+fn digit_variants(digits: &str) -> Vec<(TypingError, String)> {
     let bytes = digits.as_bytes();
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap_or_default();
     let places: Vec<usize> = (0..bytes.len()).filter(|at| bytes[*at].is_ascii_digit()).collect();
@@ -364,7 +365,7 @@ fn slips_of_digits(digits: &str) -> Vec<(TypingError, String)> {
     found
 }
 
-/// The letters of the plane that one might have been meant to be.
+/// The letters of the plane that a letter may be mistyped for.
 fn other_letters(letter: u8, plane: Plane) -> Vec<u8> {
     let (a, b, _) = plane.axes();
     let of_plane = |letters: &[u8; 3]| vec![letters[a], letters[b]];
@@ -372,7 +373,7 @@ fn other_letters(letter: u8, plane: Plane) -> Vec<u8> {
     others.map(of_plane).unwrap_or_default().into_iter().filter(|other| *other != letter).collect()
 }
 
-/// The number of a word as it is written; nothing where blanks or more stand in it.
+/// The number of a word as written; `None` when it contains blanks or other characters.
 fn number_text(word: &Word, text: &[u8]) -> Option<String> {
     let range = TextRange::new(word.range.start + 1, word.range.end);
     let number = std::str::from_utf8(range.slice(text)).ok()?;

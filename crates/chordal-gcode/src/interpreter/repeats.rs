@@ -1,4 +1,4 @@
-//! How often a block or a call is carried out, and whether a subprogram comes back to where it began.
+//! The repeats of blocks and calls, and the check that a subprogram returns to its start.
 
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::code_number;
@@ -38,12 +38,12 @@ impl Interpreter<'_> {
         self.cut_to_limit(word, count)
     }
 
-    /// A helix that is repeated in G90: from the second time on it is at its height already.
+    /// Reports a helix repeated in G90: from the second pass on, its height is already reached.
     pub(super) fn check_repeated_height(&mut self, block: &Block, word: &Word, times: u32) {
         let (a, b, normal) = self.kernel.state.plane.axes();
         let letter = b"XYZ"[normal];
         let letters = block.letters();
-        // A full circle: only there the repeats go round the same centre.
+        // Only the repeats of a full circle have the same centre.
         let circle = letters.meets(Letters::of("IJK"))
             && !letters.has(b'R')
             && !letters.has(b"XYZ"[a])
@@ -83,8 +83,8 @@ impl Interpreter<'_> {
         1
     }
 
-    /// Whether the words of a block are increments: by its own G90 or G91, which may not have acted yet, or
-    /// by the one in force. A block with both has increments before its G90.
+    /// True when the words of a block are increments: by its own G90 or G91, which may not have acted yet, or by the
+    /// active one. A block with both has increments before its G90.
     pub(super) fn reads_incremental(&self, block: &Block) -> bool {
         let says = |action| {
             block.all(b'G').any(|word| {
@@ -97,7 +97,7 @@ impl Interpreter<'_> {
             || self.kernel.state.incremental && !says(Action::Reading(ReadingCode::Absolute))
     }
 
-    /// A contour in G91 that leads in from where the subprogram was called: it should come back there.
+    /// Remembers a contour in G91 that starts at the position of the subprogram's call: it should return there.
     pub(super) fn note_contour_of_call(&mut self, block: &Block) {
         let at = [self.kernel.state.position[0], self.kernel.state.position[1]];
         let incremental = self.reads_incremental(block);
@@ -111,7 +111,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Says where such a subprogram ends, if that is not where it began.
+    /// Reports such a subprogram if it does not end where it began.
     pub(super) fn check_contour_of_call(&mut self) {
         let Some(frame) = self.frames.last_mut() else { return };
         let Some(contour) = frame.contour.take() else { return };

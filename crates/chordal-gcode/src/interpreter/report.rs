@@ -10,7 +10,7 @@ use super::Interpreter;
 use crate::macro_alone::MissingCall;
 
 impl Interpreter<'_> {
-    /// The span of the first word of some letters, or of the whole block.
+    /// The span of the words with some letters, or of the whole block without any.
     pub(super) fn words_span(&self, block: &Block, letters: Letters) -> Span {
         self.at(block).span_of(letters)
     }
@@ -49,7 +49,7 @@ impl Interpreter<'_> {
         self.kernel.report(diagnostic);
     }
 
-    /// A code of another system of G codes (Fanuc lathes: A, B and C).
+    /// Reports a code of another G code system (Fanuc lathes: A, B and C).
     #[cold]
     pub(super) fn report_other_system(&mut self, word: &Word, row: &CodeRow, system: &str) {
         if !self.reported.other_system.insert(row.code) {
@@ -127,7 +127,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// For an L where cycles count with another letter.
+    /// The help for L on controls where cycles count with another letter; `None` otherwise.
     fn repeat_word_help(&self, letter: u8) -> Option<String> {
         let own = self.control.parameters.rules.cycles.repeat_letter;
         let field = SettingField::CYCLE_REPEAT_LETTER;
@@ -152,7 +152,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// A slash that the control does not read as block delete.
+    /// Reports a slash that the control does not read as block delete.
     pub(super) fn check_block_delete(&mut self, block: &Block) {
         let Some(delete) = block.delete.filter(|delete| delete.numbered || !delete.first) else {
             return;
@@ -176,7 +176,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// Notes the first block under block delete that changes how those after it are carried out.
+    /// Reports the first deletable block that changes a mode or value of later blocks.
     #[cold]
     pub(super) fn note_deletable(&mut self, block: &Block) {
         if self.reported.deletable {
@@ -226,7 +226,7 @@ impl Interpreter<'_> {
         })
     }
 
-    /// What the control asks of the words of its codes.
+    /// Checks the words of codes by the rules of the control.
     #[inline]
     pub(super) fn check_word_rules(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
         if !self.control.table.word_rules.is_empty() {
@@ -240,7 +240,7 @@ impl Interpreter<'_> {
             let rules = self.control.table.word_rules.iter().filter(|rule| rule.code == code);
             let value =
                 |letter: u8| block.last(letter).and_then(|w| self.literal(w)).map(|n| n.to_f64());
-            // The control stops at the first.
+            // The control stops at the first violated rule.
             let Some(broken) = rules.into_iter().find(|rule| !rule.test.holds(value)) else {
                 continue;
             };
@@ -258,7 +258,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A word that nothing uses, where that stops the program.
+    /// Reports a word that no code uses, on controls where that stops the program.
     fn refused_word(&mut self, word: &Word) {
         let letter = word.letter as char;
         let title = self.control.table.title;
@@ -280,7 +280,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// For a word that would make a spiral with another setting: how a spiral is written here.
+    /// The help for a word that would make a spiral with another setting; `None` for other words.
     fn spiral_word_help(&self, letter: u8) -> Option<String> {
         let table = self.control.table;
         let arc = table.g_code(20).filter(|row| row.words.has(letter))?;
@@ -297,7 +297,7 @@ impl Interpreter<'_> {
         Some(format!("{here}`{letter}` makes a spiral of G2 and G3 where `{name}` chooses type 2"))
     }
 
-    /// `G2.0` where spirals have a code with a decimal: an arc, and likely meant as a spiral.
+    /// Reports `G2.0` on controls whose spirals have a code with a decimal: it is an arc, but probably meant as a spiral.
     #[cold]
     pub(super) fn check_written_with_zero(&mut self, word: &Word, row: &CodeRow) {
         let spiral = self.control.table.g_code(row.code + 1);
@@ -337,7 +337,7 @@ impl Interpreter<'_> {
         ));
     }
 
-    /// A code or a word that changes the path or a place and is not carried out.
+    /// Reports a code or a word that changes the path and is not carried out.
     pub(super) fn not_followed(&mut self, word: &Word, what: &str) {
         if self.is_of_second_spindle(word) {
             return;
@@ -346,7 +346,7 @@ impl Interpreter<'_> {
         self.lose_path(word.range, format!("{name} ({what}) is not followed"));
     }
 
-    /// From here on the path is not known.
+    /// Reports that the path is not known from here on.
     pub(super) fn lose_path(&mut self, range: TextRange, message: String) {
         self.kernel.report(
             Diagnostic::new(Code::NotFollowed, self.span(range), message)
@@ -365,17 +365,17 @@ impl Interpreter<'_> {
         )
     }
 
-    /// A code as people write it.
+    /// A code as usually written.
     pub(super) fn word_text(&self, word: &Word) -> String {
         self.word_name(word)
     }
 
-    /// The code of a word as people write it.
+    /// The code of a word of the block as usually written.
     pub(super) fn code_text(&self, block: &Block, at: usize) -> String {
         self.word_name(&block.words[at])
     }
 
-    /// The program is a macro that nobody calls.
+    /// Reports a macro that is run without its caller.
     pub(super) fn report_macro_alone(&mut self, missing: &MissingCall) {
         let MissingCall { head, arguments } = missing;
         let with = match arguments.as_str() {
@@ -400,7 +400,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// `%` in a text that does not begin with one.
+    /// Reports `%` in a text that does not begin with it.
     #[cold]
     pub(super) fn report_lone_percent(&mut self, block: &Block) {
         let span = self.span(block.range);
@@ -421,7 +421,7 @@ impl Interpreter<'_> {
         if !self.carried_out || optional || refused && self.ended_by_percent {
             return;
         }
-        // Where the last block ran a called program, it is the call.
+        // If the last block is in a called program, the call is reported.
         let last = self.kernel.origin;
         let end = self.kernel.calls.resolve(last.call).last().copied().unwrap_or(last.span);
         let title = self.control.table.title;
@@ -434,7 +434,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// G41 or G42, and no offset was named before.
+    /// Reports G41 or G42 without an offset number.
     pub(super) fn report_no_offset_number(&mut self, span: Span, refused: bool) {
         let code = Code::CompensationWithoutOffset;
         let by_tool =

@@ -1,5 +1,5 @@
-//! A rotation about an axis in space (G68 with I, J and K) and an offset in space (G41 with I, J and K).
-//! Neither is followed; what the control refuses about them is reported.
+//! Three-dimensional rotation (G68 with I, J and K) and tool offset (G41 with I, J and K). Neither is followed; what the
+//! control refuses about them is reported.
 
 use chordal_command::CompensationSide;
 use chordal_diagnostics::{Code, Diagnostic};
@@ -11,21 +11,21 @@ use super::Interpreter;
 
 const VECTOR: Letters = Letters::of("IJK");
 
-/// What is active of both.
+/// The active rotations and offset.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(super) struct SpatialState {
-    /// Rotations, one in another.
+    /// Number of nested rotations.
     rotations: u32,
-    /// A length offset was on when the first of them began.
+    /// A length offset was active when the first rotation began.
     began_with_length: bool,
-    /// An offset in space is on.
+    /// A three-dimensional offset is active.
     offset: bool,
-    /// The last code of the length group that is not followed (G43.4), until G49.
+    /// The last code of the length group that is not followed (G43.4); `None` after G49.
     length_code: Option<u16>,
 }
 
 impl Interpreter<'_> {
-    /// Whether a code of this block begins a rotation in space.
+    /// True when a code of this block begins a three-dimensional rotation.
     pub(super) fn is_spatial(&self, block: &Block, row: &CodeRow) -> bool {
         self.control
             .table
@@ -33,7 +33,7 @@ impl Interpreter<'_> {
             .is_some_and(|rules| rules.begins.contains(&row.code) && block.letters().meets(VECTOR))
     }
 
-    /// The codes of a block, against what is active in space.
+    /// Checks the codes of a block against active rotations and offsets.
     #[inline]
     pub(super) fn watch_spatial(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
         if let Some(rules) = self.control.table.spatial {
@@ -161,7 +161,7 @@ impl Interpreter<'_> {
         self.spatial.rotations += 1;
     }
 
-    /// G69, which ends them all.
+    /// G69, which ends all rotations.
     fn end_spatial(&mut self, block: &Block, at: usize, rules: &SpatialRules) {
         let (before, now) = (self.spatial.began_with_length, self.has_length());
         self.spatial.rotations = 0;

@@ -1,4 +1,4 @@
-//! Blocks that are spirals: their words are read here, the kernel makes the curve.
+//! Reads the words of spiral blocks; the kernel makes the curve.
 
 use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, Diagnostic};
@@ -86,7 +86,7 @@ impl Interpreter<'_> {
             && !self.is_plain_circle(block, target)
     }
 
-    /// A full circle whose further words are zero, as posts write them, or ask for its one turn.
+    /// True for a full circle whose other words are zero, as postprocessors write them, or give its one turn.
     fn is_plain_circle(&self, block: &Block, target: &Position) -> bool {
         let zero = |letter| block.last(letter).is_none_or(|word| self.is_zero(word));
         let (a_letter, b_letter, height) = center_letters(self.kernel.state.plane);
@@ -104,7 +104,7 @@ impl Interpreter<'_> {
             && zero(height)
     }
 
-    /// Where Q, L and K may all be left out, two radii make a spiral of less than a turn, as with L1 (M700V manual
+    /// True when two different radii make a spiral of less than a turn without Q, L and K, as with L1 (M700V manual
     /// 6.13 (7)).
     fn has_two_radii(&mut self, block: &Block, target: &Position) -> bool {
         let rules = &self.control.parameters.rules.arc;

@@ -1,4 +1,4 @@
-//! Splines: G5 and G5.1 by one block, G5.2 to G5.3 by control points.
+//! Splines: G5 and G5.1 in one block, G5.2 to G5.3 by control points.
 
 use chordal_command::{AxisMask, CompensationSide, Position};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
@@ -9,15 +9,15 @@ use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
 
-/// The order of a NURBS without L, and the least with one.
+/// The order of a NURBS without L, and the smallest one with L.
 const MIN_ORDER: usize = 3;
 
-/// What splines remember from block to block.
+/// The state of splines between blocks.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct SplineMemory {
-    /// The way from the start to the first control point of a next G5 without I and J, mm.
-    go_on: [f64; 2],
-    /// The open NURBS.
+    /// The vector from the start to the first control point of the next G5 without I and J, mm.
+    continuation: [f64; 2],
+    /// The open NURBS; `None` without one.
     open: Option<OpenSpline>,
 }
 
@@ -27,17 +27,17 @@ struct OpenSpline {
     points: Vec<Vec3>,
     weights: Vec<f64>,
     order: usize,
-    /// The axes that its points name.
+    /// The axes named by its points.
     named: AxisMask,
 }
 
-/// The point of X, Y and Z of a position.
+/// X, Y and Z of a position.
 fn point(position: &Position) -> Vec3 {
     Vec3::new(position[0], position[1], position[2])
 }
 
 impl Interpreter<'_> {
-    /// A block while G5, G5.1 or G5.2 is active.
+    /// Carries out a block while G5, G5.1 or G5.2 is active.
     pub(super) fn spline_block(&mut self, block: &Block, form: SplineForm, explicit: bool) {
         let letters = block.letters();
         let words = match form {
@@ -76,7 +76,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The control points of G5 between its ends.
+    /// The inner control points of G5; `None` when words are missing, which is reported.
     fn cubic_points(&mut self, block: &Block, target: &Position) -> Option<Vec<Vec3>> {
         let [i, j, p, q] = [b'I', b'J', b'P', b'Q'].map(|letter| self.length_of(block, letter));
         let (Some(p), Some(q)) = (p, q) else {
@@ -97,7 +97,7 @@ impl Interpreter<'_> {
         };
         let [i, j] = match (i, j) {
             (Some(i), Some(j)) => [i, j],
-            (None, None) => self.spline.go_on,
+            (None, None) => self.spline.continuation,
             _ => {
                 let (has, lacks) = if i.is_some() { ("I", "J") } else { ("J", "I") };
                 self.report_spline(
@@ -109,12 +109,12 @@ impl Interpreter<'_> {
                 return None;
             }
         };
-        self.spline.go_on = [-p, -q];
+        self.spline.continuation = [-p, -q];
         let (start, end) = (self.kernel.point(), point(target));
         Some(vec![start + Vec3::new(i, j, 0.0), end + Vec3::new(p, q, 0.0)])
     }
 
-    /// The control point of G5.1 between its ends.
+    /// The inner control point of G5.1; `None` when words are missing, which is reported.
     fn quadratic_point(&mut self, block: &Block) -> Option<Vec<Vec3>> {
         let (i, j) = (self.length_of(block, b'I'), self.length_of(block, b'J'));
         let (Some(i), Some(j)) = (i, j) else {
@@ -136,7 +136,7 @@ impl Interpreter<'_> {
         Some(vec![self.kernel.point() + Vec3::new(i, j, 0.0)])
     }
 
-    /// A control point of G5.2; the first block begins the spline where the tool stands.
+    /// Adds a control point of G5.2; the first block begins the spline at the present position.
     fn control_point(&mut self, block: &Block, target: &Position, named: AxisMask) {
         let letters = block.letters();
         let span = self.span(block.range);
@@ -197,7 +197,7 @@ impl Interpreter<'_> {
         Some(self.literal(&word)?.to_f64())
     }
 
-    /// G5.3: the tool moves along the curve of its control points.
+    /// G5.3: cuts along the curve of the control points.
     pub(super) fn end_spline(&mut self, block: &Block) {
         let span = self.span(block.range);
         let open = self.spline.open.take();
@@ -254,7 +254,7 @@ impl Interpreter<'_> {
         self.kernel.straight_instead(&self.at(block), target, named);
     }
 
-    /// Plane, axes and compensation as splines need them.
+    /// True when plane, axes and compensation permit a spline; otherwise this is reported.
     fn check_spline_axes(&mut self, block: &Block, named: AxisMask) -> bool {
         let before = self.kernel.state.side;
         let others = named.without(AxisMask::XY);
@@ -294,10 +294,10 @@ impl Interpreter<'_> {
         false
     }
 
-    /// A motion code while a NURBS is open throws its points away.
+    /// Reports a motion code that discards the points of an open NURBS.
     pub(super) fn watch_open_spline(&mut self, block: &Block, code: MotionCode) {
         let is_open = self.kernel.state.motion == ModalMotion::Spline(SplineForm::Points);
-        let goes_on = match code {
+        let continues = match code {
             MotionCode::Spline(SplineForm::Points) => is_open,
             MotionCode::SplineEnd => true,
             MotionCode::Rapid
@@ -311,7 +311,7 @@ impl Interpreter<'_> {
             | MotionCode::Turn(_)
             | MotionCode::Spline(SplineForm::Cubic | SplineForm::Quadratic) => false,
         };
-        if !goes_on {
+        if !continues {
             self.drop_open_spline(block);
         }
     }
@@ -326,7 +326,7 @@ impl Interpreter<'_> {
             self.span(block.range),
             format!("G5.3 is missing: {count} control points since G5.2 are not cut"),
         )
-        // The control throws them away without a message.
+        // The control discards them without a message.
         .severity(Severity::Warning)
         .help("end the NURBS with G5.3 before this block");
         self.kernel.report(diagnostic);
@@ -335,7 +335,7 @@ impl Interpreter<'_> {
     #[cold]
     fn report_spline(&mut self, code: Code, span: Span, message: String, help: &str) {
         let diagnostic = Diagnostic::new(code, span, message).help(help);
-        // Those of a control point leave it as well as can be read.
+        // A problem of a single control point does not prevent the curve.
         let of_points = [Code::SplinePoint, Code::SplineWeight, Code::SplineOpen].contains(&code);
         self.kernel.report(match of_points {
             true => diagnostic,
@@ -343,7 +343,7 @@ impl Interpreter<'_> {
         });
     }
 
-    /// Ten times the number of the code of a spline.
+    /// Ten times the code of a spline.
     pub(super) fn spline_code(&self, form: SplineForm) -> f64 {
         let action = Action::Motion(MotionCode::Spline(form));
         let row = self.control.table.g_codes.iter().find(|row| row.action == action);

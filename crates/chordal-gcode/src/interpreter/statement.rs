@@ -1,4 +1,4 @@
-//! A block as the kernel sees it: which letters say what.
+//! A block as a statement of the kernel: the meaning of its letters.
 
 use chordal_diagnostics::{FileId, Span, TextRange};
 use chordal_geometry::Plane;
@@ -13,7 +13,7 @@ pub(super) struct BlockStatement<'b> {
     pub file: FileId,
 }
 
-/// Names of the letters, by their place in the alphabet.
+/// Names of the letters, by their position in the alphabet.
 const NAMES: [&str; 26] = [
     "A", "B", "C", "D", "E", "F", "G", "H", "I", "J", "K", "L", "M", "N", "O", "P", "Q", "R", "S",
     "T", "U", "V", "W", "X", "Y", "Z",
@@ -23,7 +23,7 @@ fn letter_of_axis(axis: usize) -> u8 {
     Axis::ALL[axis].letter() as u8
 }
 
-/// The letters that say something; the first is the one it is called by.
+/// The letters with a meaning; the first is its name in messages.
 fn letters(what: WordMeaning) -> Vec<u8> {
     match what {
         WordMeaning::Axes(axes) => axes.iter().map(|axis| axis.letter() as u8).collect(),
@@ -53,7 +53,7 @@ fn set_of(what: WordMeaning) -> Letters {
 }
 
 impl BlockStatement<'_> {
-    /// The span over the words of some letters, or of the whole block.
+    /// The span of the words with some letters, or of the whole block without any.
     pub fn span_of(&self, letters: Letters) -> Span {
         let words = self.block.words.iter().filter(|word| letters.has(word.letter));
         let range = words.map(|word| word.range).reduce(TextRange::cover);

@@ -1,4 +1,5 @@
-//! Polar and cylindrical interpolation: the codes that begin and end it, what may come meanwhile, and the words of moves.
+//! Polar and cylindrical interpolation: the codes that start and end it, what is permitted while it is active, and the
+//! words of its moves.
 
 use chordal_command::{AxisMask, CompensationSide, Position, RotarySurface, SurfaceShape};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
@@ -16,10 +17,10 @@ use super::literals::AXIS_OF;
 
 const CENTERS: Letters = Letters::of("IJK");
 
-/// What a code is on a surface.
+/// Whether a code is permitted on a surface.
 enum OnSurface {
     Allowed,
-    /// A rapid, where none is allowed: shown, and reported.
+    /// A rapid where none is permitted: reported, but shown.
     Rapid,
     /// A code of tool length.
     Length,
@@ -27,7 +28,7 @@ enum OnSurface {
 }
 
 impl Interpreter<'_> {
-    /// The surface in force, and how the control does it.
+    /// The active surface and the rules of the control for it; `None` when there is none.
     fn surface_rules(&self) -> Option<(SurfaceState, &'static SurfaceRules)> {
         let state = self.kernel.state.surface?;
         let table = self.control.table;
@@ -38,7 +39,7 @@ impl Interpreter<'_> {
         Some((state, rules?))
     }
 
-    /// The name of what is active, for people.
+    /// The name of the active interpolation, for messages.
     fn surface_name(&self) -> &'static str {
         let shape = self.kernel.state.surface.map(|state| state.run.surface.shape);
         match shape {
@@ -47,7 +48,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// G12.1, G13.1 and G7.1.
+    /// Carries out G12.1, G13.1 or G7.1.
     pub(super) fn surface_code(&mut self, block: &Block, at: usize, code: SurfaceCode) {
         let table = self.control.table;
         match code {
@@ -86,7 +87,7 @@ impl Interpreter<'_> {
         self.kernel.end_surface();
     }
 
-    /// A surface cannot begin, or end.
+    /// Reports that a surface cannot start or end here.
     fn refuse_surface(&mut self, span: Span, message: String, help: &str, alarm: Option<&str>) {
         let diagnostic = Diagnostic::new(Code::SurfaceMode, span, message).help(help);
         match alarm {
@@ -95,7 +96,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// False where it cannot be followed from here on.
+    /// Checks that a surface may start here; false when it cannot be followed.
     fn may_begin_surface(
         &mut self,
         block: &Block,
@@ -135,7 +136,7 @@ impl Interpreter<'_> {
         false
     }
 
-    /// The machine has no rotary axis for it: the surface is shown all the same.
+    /// Reports a missing rotary axis; the surface is shown nevertheless.
     fn check_rotary_axis(&mut self, span: Span, rotary: usize, rules: &SurfaceRules) {
         if self.control.axes().has(rotary) {
             return;
@@ -168,7 +169,7 @@ impl Interpreter<'_> {
         });
     }
 
-    /// G7.1 with the rotary axis and the radius, or G107 with the linear axis that it takes the place of.
+    /// G7.1 with the rotary axis and the radius, or G107 with the linear axis that it replaces.
     fn cylinder(&mut self, block: &Block, at: usize, rules: &'static SurfaceRules) {
         let span = self.span(block.words[at].range);
         let rotary = (3..6).find(|axis| block.letters().has(AXIS_LETTERS.as_bytes()[*axis]));
@@ -226,7 +227,7 @@ impl Interpreter<'_> {
         let shape = SurfaceShape::Cylinder { radius_mm };
         let surface = RotarySurface { shape, rotary, across, across_position: stationary };
         let own_plane = plane_of(axial, across);
-        let plane = lie(self.kernel.state.plane, own_plane, axial, rules);
+        let plane = plane_relation(self.kernel.state.plane, own_plane, axial, rules);
         self.kernel.begin_surface(NewSurface {
             surface,
             own_plane,
@@ -235,38 +236,38 @@ impl Interpreter<'_> {
         });
     }
 
-    /// A plane chosen on a cylinder: arcs lie in the unrolled surface all the same, and turn as they do in that plane. False where
-    /// no surface is active.
+    /// Selects a plane on a cylinder: arcs still lie in the unrolled surface, with their direction as in that plane.
+    /// False when no surface is active.
     pub(super) fn plane_on_surface(&mut self, plane: Plane) -> bool {
         let Some((mut state, rules)) = self.surface_rules() else { return false };
         let axial = state.run.surface.rotary - 3;
         let own_plane = plane_of(axial, state.run.surface.across);
         if matches!(state.run.surface.shape, SurfaceShape::Cylinder { .. }) {
-            state.plane = lie(plane, own_plane, axial, rules);
+            state.plane = plane_relation(plane, own_plane, axial, rules);
             state.plane_after = plane;
             self.kernel.state.surface = Some(state);
         }
         true
     }
 
-    /// What may not come on the surface is reported; false where the block is skipped.
+    /// Reports codes that are not permitted on the surface; false when the block is skipped.
     pub(super) fn check_surface_codes(
         &mut self,
         block: &Block,
         codes: &[(&'static CodeRow, usize)],
     ) -> bool {
         let Some((state, rules)) = self.surface_rules() else { return true };
-        let mut goes_on = true;
+        let mut is_carried_out = true;
         for (row, at) in codes.iter().filter(|(_, at)| block.words[*at].letter == b'G') {
             let alarm = match on_surface(row.action, &state, rules) {
                 OnSurface::Allowed => continue,
                 OnSurface::Rapid => rules.code,
                 OnSurface::Length => {
-                    goes_on = false;
+                    is_carried_out = false;
                     rules.length
                 }
                 OnSurface::Refused => {
-                    goes_on = false;
+                    is_carried_out = false;
                     rules.code
                 }
             };
@@ -277,9 +278,9 @@ impl Interpreter<'_> {
         if let Some(word) = block.last(b'T').copied() {
             let message = format!("a tool or its offset changes in {}", self.surface_name());
             self.refuse_on_surface(self.span(word.range), message, None);
-            goes_on = false;
+            is_carried_out = false;
         }
-        goes_on
+        is_carried_out
     }
 
     fn refuse_on_surface(&mut self, span: Span, message: String, alarm: Option<&str>) {
@@ -291,7 +292,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The move of a block by the motion in force, and the centre words of its arc.
+    /// Checks the motion of a block and the centre words of its arc.
     pub(super) fn check_surface_motion(&mut self, block: &Block, explicit: bool) {
         let Some((state, rules)) = self.surface_rules() else { return };
         let span = self.span(block.range);
@@ -333,7 +334,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// G2 for G3 where the plane of the program has the axes of the surface in the other order.
+    /// The direction of an arc: G2 and G3 are exchanged when the plane has the axes of the surface in the other order.
     pub(super) fn direction_on_surface(&self, direction: TurnDirection) -> TurnDirection {
         match (self.kernel.state.surface.map(|state| state.plane), direction) {
             (Some(SurfacePlane::Swapped), TurnDirection::Cw) => TurnDirection::Ccw,
@@ -342,7 +343,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// G41 for G42 likewise.
+    /// The side of compensation, exchanged likewise.
     pub(super) fn side_on_surface(&self, side: CompensationSide) -> CompensationSide {
         match (self.kernel.state.surface.map(|state| state.plane), side) {
             (Some(SurfacePlane::Swapped), CompensationSide::Left) => CompensationSide::Right,
@@ -351,7 +352,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The end point of a block on a surface, and the axes it names.
+    /// The end point of a block in coordinates of the surface, and the coordinates it names.
     #[cold]
     pub(super) fn target_on_surface(&mut self, block: &Block) -> (Position, AxisMask) {
         let from = self.kernel.state.position;
@@ -378,7 +379,7 @@ impl Interpreter<'_> {
         (target, named)
     }
 
-    /// A word of an axis as a coordinate of the surface.
+    /// An axis word as a coordinate of the surface: its index and value, mm; `None` when it cannot be followed.
     fn value_on_surface(
         &mut self,
         word: &Word,
@@ -436,8 +437,8 @@ fn plane_of(one: usize, other: usize) -> Plane {
     }
 }
 
-/// How the plane of the program lies to that of a cylinder.
-fn lie(plane: Plane, own: Plane, axial: usize, rules: &SurfaceRules) -> SurfacePlane {
+/// How the plane of the program relates to that of a cylinder.
+fn plane_relation(plane: Plane, own: Plane, axial: usize, rules: &SurfaceRules) -> SurfacePlane {
     let (a, b, _) = plane.axes();
     if plane == own {
         SurfacePlane::Same
@@ -448,7 +449,7 @@ fn lie(plane: Plane, own: Plane, axial: usize, rules: &SurfaceRules) -> SurfaceP
     }
 }
 
-/// Whether a code may come on a surface.
+/// Whether a code is permitted on a surface.
 fn on_surface(action: Action, state: &SurfaceState, rules: &SurfaceRules) -> OnSurface {
     let allowed = |is: bool| if is { OnSurface::Allowed } else { OnSurface::Refused };
     match action {
@@ -462,7 +463,7 @@ fn on_surface(action: Action, state: &SurfaceState, rules: &SurfaceRules) -> OnS
         Action::Mode(code) => allowed(mode_on_surface(code, state, rules)),
         Action::Reading(code) => allowed(code != ReadingCode::SurfaceSpeed),
         Action::Length(_) => OnSurface::Length,
-        // These report themselves, or are M codes.
+        // These are reported elsewhere, or are M codes.
         Action::Before(_)
         | Action::After(_)
         | Action::Call(_)

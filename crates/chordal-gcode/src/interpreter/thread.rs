@@ -1,4 +1,4 @@
-//! G33 and G33.1: straight cuts in step with the spindle.
+//! G33 and G33.1: straight cuts synchronized with the spindle.
 
 use chordal_command::{AxisMask, Position, SpindleState};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
@@ -8,8 +8,8 @@ use chordal_syntax::{Block, Letters};
 use super::Interpreter;
 
 impl Interpreter<'_> {
-    /// K is the advance per revolution, along the path. `back`: the tool comes back with the spindle
-    /// reversed, I times as fast.
+    /// Carries out G33, or G33.1 (`back`: the tool returns with the spindle reversed, I times as fast). K is the advance
+    /// per revolution along the path.
     pub(super) fn thread_block(
         &mut self,
         block: &Block,
@@ -84,7 +84,8 @@ impl Interpreter<'_> {
         }
     }
 
-    /// G34: K changes the lead by the revolution; the pass takes as long as with the lead between. Gives that and the change.
+    /// G34: K is the change of the lead per revolution. Returns the constant lead with the same time, and the change, mm;
+    /// `None` when the lead would reach zero, which is reported.
     fn mean_lead(&mut self, block: &Block, target: Position, lead: f64) -> Option<[f64; 2]> {
         if !block.letters().has(b'K') {
             return Some([lead, 0.0]);
@@ -92,7 +93,7 @@ impl Interpreter<'_> {
         let change = self.length_of(block, b'K')?;
         let from = self.kernel.state.position;
         let length = (target[0] - from[0]).abs().max((target[2] - from[2]).abs());
-        // Advance after n turns: lead n + change n² / 2.
+        // The advance after n turns is lead·n + change·n² / 2, so the last lead is √(lead² + 2·change·length).
         let last = lead * lead + 2.0 * change * length;
         if last <= 0.0 {
             let span = self.words_span(block, Letters::of("K"));
@@ -104,7 +105,7 @@ impl Interpreter<'_> {
         Some([(lead + last.sqrt()) / 2.0, change])
     }
 
-    /// A thread in one pass whose lead is F, along the axis that moves more.
+    /// Cuts a thread in one pass with the lead F, along the axis that moves more.
     fn thread_by_feed(&mut self, block: &Block, target: Position, named: AxisMask) {
         if named == AxisMask::NONE {
             return;

@@ -1,4 +1,4 @@
-//! The height of a thread and the depths of its passes, held against its lead and its diameter.
+//! Checks the height of a thread and the depth of its passes against its lead and its diameter.
 
 use chordal_command::telling_number;
 use chordal_diagnostics::{Code, Diagnostic, Span};
@@ -7,28 +7,28 @@ use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
 
-/// Below this share of its lead no thread is so low: with four starts a thread of 60° is 0.135 to 0.153 of it.
+/// Every thread is higher than this fraction of its lead: with four starts a thread of 60° is 0.135 to 0.153.
 const MIN_SHARE: f64 = 0.13;
 
-/// Above this share of its lead no thread is so high: buttress threads are 0.87 of it.
+/// Every thread is lower than this fraction of its lead: buttress threads are 0.87.
 const MAX_SHARE: f64 = 1.5;
 
-/// A whole thread of 60° is so high outside, as a share of its lead.
+/// Height of a full external thread of 60°, as a fraction of its lead.
 const USUAL_SHARE: f64 = 0.6134;
 
-/// What a block says of its thread, mm.
+/// The sizes of a thread, mm.
 pub(super) struct ThreadSizes {
     /// Its height on the radius.
     pub height: f64,
     /// The depth of the first pass.
     pub first: f64,
     pub lead: f64,
-    /// The distance of its root from the axis, where it is known.
+    /// The distance of its root from the axis; `None` when it is not known.
     pub root_radius: Option<f64>,
 }
 
 impl Interpreter<'_> {
-    /// One warning where a height is no thread's; `letters`: those of height and first depth.
+    /// Warns of a height that no thread has; `letters` are those of height and first depth.
     pub(super) fn check_thread_height(
         &mut self,
         block: &Block,
@@ -76,7 +76,7 @@ impl Interpreter<'_> {
         format!("{height} and {first} count {unit} and have no decimal point")
     }
 
-    /// Words of a thread with a decimal point, where they count least increments and have none.
+    /// Reports a decimal point in words of a thread that count in least increments.
     pub(super) fn check_thread_point(&mut self, block: &Block, letters: &[u8]) {
         if self.control.parameters.rules.turning.thread_words_take_point {
             return;
@@ -100,7 +100,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// The least depth of a pass, which the first block has said, is more than the whole thread.
+    /// Reports a minimum depth of a pass (from the first block) above the height of the thread; true in that case.
     pub(super) fn is_least_above_height(&mut self, span: Span, height: f64) -> bool {
         let least = self.kernel.state.turning.thread.least;
         if least <= height {

@@ -1,4 +1,4 @@
-//! The cycles of lathes: their words.
+//! Reads the words of turning cycles.
 
 use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
@@ -15,7 +15,7 @@ const X: usize = 0;
 const Z: usize = 2;
 
 impl Interpreter<'_> {
-    /// G90, G92 and G94: a pass of a lathe. Blocks after it repeat it with the words that they name.
+    /// G90, G92 and G94: a turning pass. Later blocks repeat it with the words that they name.
     pub(super) fn turn_block(
         &mut self,
         block: &Block,
@@ -47,7 +47,7 @@ impl Interpreter<'_> {
         self.kernel.turn_pass(&self.at(block), pass);
     }
 
-    /// The lead of a thread: F of its block, or the one in force.
+    /// The lead of a thread, mm: F of its block, or the active one; `None` without one, which is reported.
     pub(super) fn lead_by_feed(&mut self, block: &Block) -> Option<f64> {
         let lead = self.length_of(block, b'F').or(self.kernel.state.feed);
         let lead = lead.filter(|lead| *lead > 0.0);
@@ -57,7 +57,7 @@ impl Interpreter<'_> {
         lead
     }
 
-    /// A thread needs a lead.
+    /// Reports a thread without a lead.
     fn report_no_lead(&mut self, span: chordal_diagnostics::Span) {
         let message = "a thread without F, its lead";
         self.kernel.report(
@@ -67,7 +67,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// G70 to G76.
+    /// Carries out G70 to G76.
     pub(super) fn turning_cycle(&mut self, block: &Block, at: usize, cycle: TurnCycle) {
         if self.kernel.collected.is_some() {
             let name = self.code_text(block, at);
@@ -109,7 +109,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// G70: the contour as it is written, and back.
+    /// G70: cuts the programmed contour, and returns.
     fn finish_contour(&mut self, block: &Block, at: usize) {
         let Some(contour) = self.contour(block, at, true) else { return };
         let position = &self.kernel.state.position;
@@ -120,7 +120,7 @@ impl Interpreter<'_> {
         self.kernel.turn_back(start);
     }
 
-    /// G71 and G72.
+    /// G71 and G72: roughing.
     fn rough_contour(&mut self, block: &Block, at: usize, cycle: TurnCycle) {
         let along_x = cycle == TurnCycle::RoughFace;
         let letters = block.letters();
@@ -136,7 +136,7 @@ impl Interpreter<'_> {
             return;
         }
         if !letters.meets(Letters::of("PQ")) {
-            // It says what is missing.
+            // Reports what is missing.
             self.contour(block, at, false);
             return;
         }
@@ -168,21 +168,20 @@ impl Interpreter<'_> {
             retract: self.kernel.state.turning.rough_retract,
             pockets: self.cuts_pockets(block, &contour),
         };
-        if self.contour_goes_on(block, &profile, along_x) {
+        if self.check_contour_direction(block, &profile, along_x) {
             self.kernel.rough(&self.at(block), &words, &profile);
         }
         self.continue_after(&contour);
     }
 
-    /// I and K of a roughing cycle in one block: what a contour pass before the last one leaves, towards the
-    /// side of U and W.
+    /// I and K of a roughing cycle in one block: the allowance of a first contour pass, mm, on the side of U and W.
     fn rough_allowance(&mut self, block: &Block, allowance: [f64; 2]) -> [f64; 2] {
         let sign = |value: f64| if value < 0.0 { -1.0 } else { 1.0 };
         let mut along = |letter: u8| self.cycle_length(block, letter).unwrap_or(0.0).abs();
         [along(b'I') * sign(allowance[0]), along(b'K') * sign(allowance[1])]
     }
 
-    /// Type II: by the axes of the contour's first block, or by a letter.
+    /// True for type II, which cuts pockets: by the axes of the first block of the contour, or by a letter.
     fn cuts_pockets(&mut self, block: &Block, contour: &ContourBlocks) -> bool {
         let word = self.control.parameters.rules.turning.pockets_by.and_then(|by| block.last(by));
         match word.and_then(|word| self.literal(word)) {
@@ -191,7 +190,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// G73.
+    /// G73: pattern repeating.
     fn pattern_contour(&mut self, block: &Block, at: usize) {
         let letters = block.letters();
         if !letters.meets(Letters::of("PQ")) {
@@ -220,7 +219,7 @@ impl Interpreter<'_> {
         self.continue_after(&contour);
     }
 
-    /// Passes of G73, written as a whole number or with a point.
+    /// The number of passes of G73, with or without a decimal point; `None` when it is wrong, which is reported.
     fn passes_of_pattern(&mut self, block: &Block, letter: u8) -> Option<u32> {
         let word = *block.last(letter)?;
         let number = self.literal(&word)?;
@@ -236,7 +235,7 @@ impl Interpreter<'_> {
         Some(passes as u32)
     }
 
-    /// G74 and G75.
+    /// G74 and G75: pecking.
     fn peck_cycle(&mut self, block: &Block, cycle: TurnCycle) {
         let letters = block.letters();
         if !letters.meets(Letters::of("XZUW")) {
@@ -293,7 +292,7 @@ impl Interpreter<'_> {
         let taper = self.cycle_length(block, if one_line { b'I' } else { b'R' }).unwrap_or(0.0);
         let packed = self.kernel.state.turning.thread;
         if one_line {
-            // All is said here: what a first block has said does not count.
+            // All words are in this block: those of an earlier first block do not count.
             let angle = block.last(b'A').and_then(|word| self.literal(word));
             let rules = &self.control.parameters.rules.turning;
             let thread = &mut self.kernel.state.turning.thread;
@@ -350,7 +349,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// X (a radius) and Z at the end of a cycle: other letters of its block are no axes.
+    /// X (a radius) and Z at the end of a cycle, mm; other letters of its block are not axes.
     fn turned_end(&mut self, block: &Block) -> [f64; 2] {
         let increments = self.control.parameters.increments;
         [X, Z].map(|axis| {
@@ -364,7 +363,7 @@ impl Interpreter<'_> {
         })
     }
 
-    /// A length that is usually written in least increments: without a point is no slip.
+    /// A length that is usually written in least increments, mm: a missing point is not reported.
     pub(super) fn quiet_length(&mut self, block: &Block, letter: u8) -> Option<f64> {
         let number = self.literal(block.last(letter)?)?;
         Some(match number.has_point {
@@ -376,13 +375,13 @@ impl Interpreter<'_> {
         })
     }
 
-    /// U, a diameter, and W: what is left for finishing.
+    /// The finishing allowance: U on the radius, and W, mm.
     fn allowance(&mut self, block: &Block) -> [f64; 2] {
         let u = self.cycle_length(block, b'U').unwrap_or(0.0) * self.per_word[X];
         [u, self.cycle_length(block, b'W').unwrap_or(0.0)]
     }
 
-    /// A cycle that the control refuses: nothing of it is shown.
+    /// Reports a cycle that the control refuses; nothing of it is shown.
     pub(super) fn refuse_cycle(
         &mut self,
         span: chordal_diagnostics::Span,
@@ -395,7 +394,7 @@ impl Interpreter<'_> {
         self.report_turn_fault(diagnostic, fault);
     }
 
-    /// A problem of a cycle, with what this control shows for it.
+    /// Reports a problem of a cycle with the alarm of this control.
     pub(super) fn report_turn_fault(&mut self, diagnostic: Diagnostic, fault: TurnFault) {
         let table = self.control.table;
         match table.turning_alarms.iter().find(|(of, _)| *of == fault) {
@@ -404,7 +403,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// An arc code in force, and no centre in the block: the control cuts a line.
+    /// Cuts a line in a block without a centre while an arc code is active, and reports it.
     pub(super) fn line_in_arc_mode(
         &mut self,
         block: &Block,

@@ -1,4 +1,4 @@
-//! The blocks between P and Q that a cycle of a lathe takes as its contour.
+//! The blocks from P to Q that are the contour of a turning cycle.
 
 use chordal_command::CompensationSide;
 use chordal_diagnostics::{Code, Diagnostic};
@@ -14,28 +14,28 @@ const Z: usize = 2;
 
 /// The blocks of a contour.
 pub(super) struct ContourBlocks {
-    /// The first one.
+    /// The position of the first block.
     pub first: TextPosition,
-    /// It names both axes, be it by W0.
+    /// The first block names both axes, even by W0.
     pub names_both: bool,
-    /// After the last block.
+    /// The position after the last block.
     pub end: TextPosition,
 }
 
-/// A contour that ends nearer to its beginning than this share of its length comes back to it.
+/// A contour whose end is nearer to its start than this fraction of its length counts as returning to it.
 const RETURN_SHARE: f64 = 0.1;
 
 impl Interpreter<'_> {
-    /// The contour goes on along the passes without turning back.
-    pub(super) fn contour_goes_on(
+    /// True when the contour does not reverse along the passes; otherwise this is reported.
+    pub(super) fn check_contour_direction(
         &mut self,
         block: &Block,
         profile: &ContourProfile,
         along_x: bool,
     ) -> bool {
         let axis = usize::from(!along_x);
-        // The passes go towards the end of the contour; where that lies at the beginning again, to the side on which
-        // most of it lies.
+        // The passes run towards the end of the contour; if that is near the start again, towards the side of most of
+        // its points.
         let (first, last) = (profile.start[axis], profile.end()[axis]);
         let mut away: Vec<f64> = profile.edges.iter().map(|edge| edge.to[axis] - first).collect();
         away.sort_by(f64::total_cmp);
@@ -63,7 +63,8 @@ impl Interpreter<'_> {
         false
     }
 
-    /// The blocks from N P to N Q, of a cycle that roughs or finishes them.
+    /// Finds the blocks from N P to N Q for a roughing or a finishing cycle; `None` when they are missing, which is
+    /// reported.
     pub(super) fn contour(
         &mut self,
         block: &Block,
@@ -93,8 +94,8 @@ impl Interpreter<'_> {
             return None;
         };
         let here = block.range.start;
-        // The control keeps where the roughing cycle found its contour, and G70 cuts that one, as the trade knows it
-        // of a Fanuc: of several blocks of this number the last one above it.
+        // The control remembers the contour of the roughing cycle, and G70 cuts that one (common knowledge about Fanuc):
+        // of several blocks with this number, the last one above.
         let roughed = match finishes {
             true => self.label_above(self.program, i64::from(p), here),
             false => None,
@@ -124,7 +125,7 @@ impl Interpreter<'_> {
         Some(ContourBlocks { first, names_both, end })
     }
 
-    /// Carries out the blocks of a contour for its moves alone: nothing else of them stays.
+    /// Reads the moves of a contour; its blocks have no other effect. `None` without moves, which is reported.
     pub(super) fn read_contour(
         &mut self,
         block: &Block,
@@ -148,7 +149,7 @@ impl Interpreter<'_> {
         Some((contour, profile?))
     }
 
-    /// The commands of a contour that begins at `start`, where that is not the tool's place; nothing of them is carried out.
+    /// The commands of a contour, which are not carried out. It begins at `start`, or at the present position (`None`).
     pub(super) fn collect_contour(
         &mut self,
         contour: &ContourBlocks,
@@ -157,7 +158,7 @@ impl Interpreter<'_> {
     ) -> Vec<chordal_command::Command> {
         let memory = self.kernel.memory();
         self.kernel.collected = Some(Vec::new());
-        // Feed and spindle are those of the cycle's block.
+        // The cycle's block gives feed and spindle: nothing is missing here.
         self.kernel.reported.missing_feed = true;
         self.kernel.reported.spindle_for_tool = Some(self.kernel.state.tool);
         self.kernel.state.side = CompensationSide::Off;
@@ -173,14 +174,14 @@ impl Interpreter<'_> {
         commands
     }
 
-    /// A program continues after the contour, where that stands after the cycle.
+    /// Continues the program after the contour, if that follows the cycle.
     pub(super) fn continue_after(&mut self, contour: &ContourBlocks) {
         if contour.end.offset > self.reader.position().offset {
             self.reader.seek(contour.end);
         }
     }
 
-    /// Carries out the blocks of a contour, and continues after the block of the cycle.
+    /// Carries out the blocks of a contour, then returns to the block after the cycle.
     pub(super) fn run_contour(&mut self, contour: &ContourBlocks, cycle: &Block) {
         let here = self.reader.position();
         let origin = self.kernel.origin;
@@ -188,7 +189,7 @@ impl Interpreter<'_> {
         let mut block = Block::new();
         let depth = self.frames.len();
         while self.reader.position().offset < contour.end.offset && self.reader.read(&mut block) {
-            // Behind a statement, or before blanks, the reader stands before the line that ends the contour.
+            // After a statement or before blanks, the reader's position may be before the end although no block is left.
             if block.range.start >= contour.end.offset {
                 break;
             }
@@ -231,7 +232,7 @@ impl Interpreter<'_> {
         self.kernel.origin = origin;
     }
 
-    /// The letters of increments, and their axes: those of the control, or of a contour that has words of its own.
+    /// The incremental letters and their axes: those of the control, or of a contour with words of its own.
     pub(super) fn increments(&self) -> &'static [(u8, u8)] {
         match self.kernel.reads_contour_words() {
             true => &[(b'U', b'X'), (b'W', b'Z')],
@@ -239,7 +240,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Reads A and C of a contour's block as a corner, be they axes elsewhere. False where the control refuses it.
+    /// Reads A and C in a contour block as corner words, not as axes. False when the control refuses the block.
     fn read_as_contour(&mut self, block: &mut Block) -> bool {
         for (letter, axis) in self.increments() {
             let (Some(path), Some(place)) = (block.word(*letter), block.word(*axis)) else {
@@ -266,7 +267,7 @@ impl Interpreter<'_> {
         true
     }
 
-    /// The place of a word that a contour cannot have: calls, ends, further cycles.
+    /// The index of a word that is not permitted in a contour: calls, ends, other cycles; `None` without one.
     fn forbidden_in_contour(&self, block: &Block) -> Option<usize> {
         block.words.iter().position(|word| {
             let code = word.number().and_then(code_number);

@@ -1,4 +1,4 @@
-//! Cycles of lathes whose contour is a subroutine, and threads from their drive line (LinuxCNC).
+//! Turning cycles whose contour is a subroutine, and threads measured from a drive line (LinuxCNC).
 
 use chordal_command::CompensationSide;
 use chordal_diagnostics::{Code, Diagnostic};
@@ -14,11 +14,11 @@ use super::turning_contour::ContourBlocks;
 const X: usize = 0;
 const Z: usize = 2;
 
-/// Most passes of a finishing cycle.
+/// Largest number of passes of a finishing cycle.
 const MAX_FINISHES: u32 = 10_000;
 
 impl Interpreter<'_> {
-    /// G70: the contour of subroutine Q in P passes, from distance D down to distance E.
+    /// G70: finishes the contour of subroutine Q in P passes, from distance D to distance E.
     pub(super) fn finish_subroutine(&mut self, block: &Block, at: usize) {
         let Some(contour) = self.contour_of_subroutine(block, at) else { return };
         let start = self.start_of_subroutine(block);
@@ -40,7 +40,7 @@ impl Interpreter<'_> {
         self.report_descent(block, at, done);
     }
 
-    /// G71 and G72: down to the contour of subroutine Q.
+    /// G71 and G72: roughs down to the contour of subroutine Q.
     pub(super) fn rough_subroutine(
         &mut self,
         block: &Block,
@@ -83,7 +83,7 @@ impl Interpreter<'_> {
         self.report_descent(block, at, done);
     }
 
-    /// Where the cycle begins: X (a radius) and Z of its block, else where the tool is.
+    /// The start of the cycle: X (a radius) and Z of its block, else of the present position, mm.
     fn start_of_subroutine(&mut self, block: &Block) -> [f64; 2] {
         let (target, _) = self.target(block);
         [target[X], target[Z]]
@@ -111,7 +111,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The moves between `sub` and `endsub` of the label that Q names.
+    /// The moves of the subroutine that Q names; `None` when it cannot be read, which is reported.
     fn contour_of_subroutine(&mut self, block: &Block, at: usize) -> Option<Vec<ContourEdge>> {
         let name = self.code_text(block, at);
         let span = self.span(block.words[at].range);
@@ -148,7 +148,7 @@ impl Interpreter<'_> {
         Some(chordal_kernel::ContourProfile::moves(&commands))
     }
 
-    /// G76 P Z I J K.
+    /// Carries out G76 P Z I J K.
     pub(super) fn line_thread(&mut self, block: &Block, at: usize) {
         let name = self.code_text(block, at);
         let span = self.span(block.words[at].range);
@@ -174,7 +174,7 @@ impl Interpreter<'_> {
                     .help("give its end with Z");
             return self.report_refused(diagnostic, "All axes missing with motion code");
         }
-        // I, J and K are measured as X is.
+        // I, J and K are diameters if X is.
         let x = self.per_word[X];
         let lead = self.length_of(block, b'P');
         let crest = self.length_of(block, b'I').map(|value| value * x);
@@ -245,7 +245,7 @@ impl Interpreter<'_> {
         self.report_refused(diagnostic, alarm);
     }
 
-    /// D beside a cutting speed limits the spindle (LinuxCNC G96); S is required there.
+    /// D in the block of G96 limits the spindle speed (LinuxCNC); S is required there.
     pub(super) fn limit_of_surface_speed(&mut self, block: &Block, at: usize) {
         if !block.letters().has(b'S') {
             let span = self.span(block.words[at].range);

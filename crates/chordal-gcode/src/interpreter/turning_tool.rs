@@ -1,4 +1,4 @@
-//! Turning tools: stations with their offsets, and what a program writes into them.
+//! Turning tools: stations with their offsets, and the offsets that a program writes.
 
 use chordal_command::CompensationSide;
 use chordal_syntax::Block;
@@ -6,7 +6,7 @@ use chordal_syntax::Block;
 use super::Interpreter;
 
 impl Interpreter<'_> {
-    /// S in the block of the code that presets coordinates limits the spindle.
+    /// S in the block of a preset (G50 S) limits the spindle speed, rev/min.
     pub(super) fn take_speed_limit(&mut self, block: &Block) {
         let Some(number) = block.last(b'S').and_then(|word| self.literal(word)) else { return };
         if number.to_f64() >= 0.0 {
@@ -14,11 +14,11 @@ impl Interpreter<'_> {
         }
     }
 
-    /// `T0101`: station 1 with offset 1, which acts at once.
+    /// `T0101`: changes to station 1 with offset 1, which acts at once.
     pub(super) fn take_station(&mut self, block: &Block, digits: u32) {
         let Some(word) = block.last(b'T').copied() else { return };
         let Some(number) = self.count(&word) else { return };
-        // Five digits and more have three for the offset (No. 5028 = 3).
+        // With five or more digits, three belong to the offset (Fanuc parameter 5028 = 3).
         let digits = if number >= 10_000 { 3 } else { digits };
         let split = 10_u32.pow(digits);
         let (station, offset) = (number / split, number % split);
@@ -42,7 +42,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// G10 P: geometry or wear of a turning tool; where the code does not say which, P above 10000 is geometry.
+    /// G10 P: writes geometry or wear of a turning tool; without `wear`, P above 10000 means geometry.
     pub(super) fn write_turning_tool(&mut self, block: &Block, wear: Option<bool>) {
         let Some(number) = self.count_of(block, b'P') else {
             let span = self.span(block.range);

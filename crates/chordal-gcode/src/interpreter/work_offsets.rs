@@ -1,4 +1,4 @@
-//! Work offsets that a word P numbers.
+//! Work offsets selected by a number P.
 
 use chordal_command::WorkName;
 use chordal_diagnostics::{Code, Diagnostic};
@@ -8,16 +8,16 @@ use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
 
-/// The last work offset where one code counts all of them (Mach3).
+/// The last work offset on controls where one code numbers all of them (Mach3).
 const MAX_COUNTED: u32 = 254;
 
-/// The work offset that a counted P names.
+/// The work offset with a number P; `None` above the last one.
 pub(super) fn counted(number: u32) -> Option<WorkName> {
     WorkName::counted(u16::try_from(number).ok().filter(|n| u32::from(*n) <= MAX_COUNTED)?)
 }
 
 impl Interpreter<'_> {
-    /// G54.1 P, G154 P.
+    /// Carries out G54.1 P or G154 P.
     pub(super) fn select_extended_work(&mut self, block: &Block, at: usize) {
         match self.count_of(block, b'P') {
             Some(number) if (1..=300).contains(&number) => {
@@ -38,8 +38,8 @@ impl Interpreter<'_> {
         }
     }
 
-    /// G54 with P of its own is an extended work offset, where the control has it so: another code of the block may be the one
-    /// that takes P.
+    /// True for G54 with a P of its own, an extended work offset on some controls; P may also belong to another code of
+    /// the block.
     pub(super) fn numbers_by_p(&self, block: &Block, row: &CodeRow, at: usize) -> bool {
         row.words.has(b'P')
             && block.letters().has(b'P')
@@ -50,7 +50,7 @@ impl Interpreter<'_> {
             })
     }
 
-    /// G59, or G59 with P, the number of any work offset.
+    /// Carries out G59, or G59 P with the number of any work offset.
     pub(super) fn select_counted_work(&mut self, block: &Block, at: usize) {
         let number = match block.letters().has(b'P') {
             true => self.count_of(block, b'P'),
@@ -70,7 +70,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// What is added to a value that nobody gave is not known either.
+    /// Reports an increment of a work offset that the machine file does not give: the sum is not known.
     pub(super) fn check_added_values(
         &mut self,
         block: &Block,

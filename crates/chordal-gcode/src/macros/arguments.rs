@@ -5,7 +5,7 @@ use chordal_syntax::Letters;
 /// Words that belong to the call itself.
 pub(crate) const RESERVED: Letters = Letters::of("GLNOP");
 
-/// The variable of an address in type I.
+/// The variable of an address in argument type I; 0 for none.
 pub(crate) const fn type_one(letter: u8) -> u32 {
     match letter {
         b'A' => 1,
@@ -28,8 +28,7 @@ pub(crate) const fn type_one(letter: u8) -> u32 {
     }
 }
 
-/// The variable of a word that belongs to the call itself, where it is an argument too
-/// (G66.1).
+/// The variable of a word that belongs to the call itself when it is also an argument (G66.1); `None` for others.
 pub(crate) const fn reserved_variable(letter: u8) -> Option<u32> {
     match letter {
         b'G' => Some(10),
@@ -40,7 +39,7 @@ pub(crate) const fn reserved_variable(letter: u8) -> Option<u32> {
     }
 }
 
-/// The letter of an argument number: 24 is X, and of the call's own words 14 is N.
+/// The letter of an argument number: 24 is X; 14, N, is one of the words of the call itself. `None` for no argument.
 pub(crate) fn letter_of(number: u32) -> Option<u8> {
     let own = match number {
         14 => Some(b'N'),
@@ -51,15 +50,15 @@ pub(crate) fn letter_of(number: u32) -> Option<u8> {
     own.or_else(|| (b'A'..=b'Z').find(|letter| type_one(*letter) == number))
 }
 
-/// Gives each word its variable: A to Z of type I, and I, J, K in sets. A repeated I, J or K,
-/// or one out of order, starts the next set (Fanuc B-63684EN, 15.6.1).
+/// Assigns variables to words: A to Z by type I, and I, J, K in sets. A repeated I, J or K, or one out of order, starts
+/// the next set (Fanuc B-63684EN, 15.6.1).
 pub(crate) struct ArgumentAssigner {
     set: u32,
     last: u8,
     sets: bool,
 }
 
-/// Sets of I, J and K.
+/// Number of sets of I, J and K.
 const SETS: u32 = 10;
 
 impl ArgumentAssigner {

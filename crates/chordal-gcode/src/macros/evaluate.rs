@@ -1,4 +1,4 @@
-//! Runs the steps of an expression.
+//! Evaluates the steps of an expression.
 
 use chordal_diagnostics::{Code, TextRange};
 use chordal_dialect::macros::MacroRules;
@@ -7,7 +7,7 @@ use chordal_syntax::{ExpressionStep, Function, Operator, StackOp};
 use super::functions::{self, FunctionError};
 use super::value::{MacroValue, UnknownCause};
 
-/// What is read while an expression is evaluated.
+/// Reads variables while an expression is evaluated.
 pub(crate) trait VariableReader {
     /// The variable of a number.
     fn read(&mut self, number: f64, range: TextRange) -> Result<MacroValue, EvaluationError>;
@@ -22,12 +22,12 @@ pub(crate) trait VariableReader {
     /// True when a named variable is set.
     fn is_set(&mut self, name: TextRange) -> bool;
 
-    /// True when there is a variable of this number.
+    /// True when there is a variable with this number.
     fn is_number(&mut self, number: f64) -> bool {
         self.read(number, TextRange::default()).is_ok()
     }
 
-    /// A variable written with letters: its place in the grammar's list, and its number.
+    /// A variable written with letters: the index in the list of the grammar, and its number.
     fn read_letters(
         &mut self,
         letters: u8,
@@ -35,7 +35,7 @@ pub(crate) trait VariableReader {
         range: TextRange,
     ) -> Result<MacroValue, EvaluationError>;
 
-    /// Angles are radians, not degrees.
+    /// True when angles are radians, not degrees.
     fn radians(&self) -> bool {
         false
     }
@@ -60,7 +60,7 @@ impl EvaluationError {
         EvaluationError { code, range, message: message.into(), help }
     }
 
-    /// What could not be read has been told; there is nothing to tell again.
+    /// An error that was already reported by the parser.
     pub fn already_reported(range: TextRange) -> EvaluationError {
         EvaluationError::new(Code::BadExpression, range, "", "")
     }
@@ -70,12 +70,12 @@ impl EvaluationError {
     }
 }
 
-/// How a value is used.
+/// The use of a value.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct ValuePurpose {
-    /// ROUND goes to this many decimals: those of the address, inside a word.
+    /// Number of decimals of ROUND inside a word, those of its address; `None` elsewhere: whole numbers.
     pub round_digits: Option<u8>,
-    /// A comparison may be the value.
+    /// The value may be a comparison.
     pub condition: bool,
 }
 
@@ -84,7 +84,7 @@ impl ValuePurpose {
     pub const VALUE: ValuePurpose = ValuePurpose { round_digits: None, condition: false };
 }
 
-/// Evaluates; the stack is the caller's, to be used again.
+/// Evaluates the steps of an expression; the caller keeps the stack to avoid allocations.
 pub(crate) fn evaluate(
     steps: &[ExpressionStep],
     rules: &MacroRules,
@@ -118,7 +118,7 @@ pub(crate) fn evaluate(
                 let b = pop(stack);
                 let a = pop(stack);
                 check_comparison(operator, rules, purpose, step)?;
-                // Whatever is divided by zero is an alarm.
+                // Division by zero is an alarm, even of an unknown value.
                 let divides = matches!(operator, Operator::Divide | Operator::Modulo);
                 if divides && b.known() == Some(0.0) {
                     return Err(undefined_fault(FunctionError::DivisionByZero, step));
@@ -167,7 +167,7 @@ pub(crate) fn evaluate(
     Ok(pop(stack))
 }
 
-/// Why one of two values is not known, the first one first.
+/// The cause of the first unknown value of two; `None` when both are known.
 fn unknown_of(a: MacroValue, b: MacroValue) -> Option<UnknownCause> {
     a.counted().err().or(b.counted().err())
 }
@@ -176,7 +176,7 @@ fn truth(holds: bool) -> MacroValue {
     MacroValue::Number(if holds { 1.0 } else { 0.0 })
 }
 
-/// Whether EXISTS asks for the variable of a step.
+/// True when the variable of a step is the operand of EXISTS.
 fn is_exists_operand(steps: &[ExpressionStep], index: usize) -> bool {
     let next = steps.get(index + 1).map(|step| step.op);
     matches!(next, Some(StackOp::Call { function: Function::Exists, .. }))

@@ -5,13 +5,13 @@ use chordal_syntax::{Function, Operator};
 
 use super::value::{MacroValue, equal};
 
-/// Why there is no result.
+/// Why a function has no result.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) enum FunctionError {
     DivisionByZero,
-    /// The argument that the function has no value for.
+    /// The function is not defined for this argument.
     Domain(f64),
-    /// The control does not let Chordal know (PRM).
+    /// The value is not known outside the control (PRM).
     Unknown,
 }
 
@@ -37,7 +37,7 @@ pub(crate) fn round(value: f64) -> f64 {
     libm::round(value)
 }
 
-/// Rounds to decimal places.
+/// Rounds to a number of decimals.
 pub(crate) fn round_to(value: f64, digits: u8) -> f64 {
     let power = 10f64.powi(i32::from(digits));
     let scaled = value * power;
@@ -72,7 +72,7 @@ pub(crate) fn one(
         Function::Abs => Ok(x.abs()),
         Function::Bin => from_bcd(x).ok_or(FunctionError::Domain(x)),
         Function::Bcd => to_bcd(x).ok_or(FunctionError::Domain(x)),
-        // Inside a word ROUND goes to the address's increment, elsewhere to whole numbers.
+        // Inside a word ROUND rounds to the increment of the address, elsewhere to whole numbers.
         Function::Round => Ok(word_digits.map_or_else(|| round(x), |digits| round_to(x, digits))),
         Function::RoundPlaces => Ok(round_to(x, word_digits.unwrap_or(0))),
         Function::Fix => Ok(match rules.fix {
@@ -110,7 +110,7 @@ fn power(a: f64, b: f64) -> FunctionResult {
     if result.is_nan() || result.is_infinite() { Err(FunctionError::Domain(a)) } else { Ok(result) }
 }
 
-/// An operator on values that are known.
+/// An operator on known values.
 pub(crate) fn binary(
     operator: Operator,
     a: MacroValue,
@@ -134,7 +134,7 @@ pub(crate) fn binary(
         Operator::And | Operator::Or | Operator::Xor => logic(operator, x, y, rules.logic),
         Operator::Equal => truth(equal(a, b, near)),
         Operator::NotEqual => truth(!equal(a, b, near)),
-        // In these null acts as zero.
+        // In these, vacant acts as zero.
         Operator::Greater => truth(x > y),
         Operator::GreaterOrEqual => truth(x >= y),
         Operator::Less => truth(x < y),

@@ -1,8 +1,7 @@
 //! Macro languages: what a control's macro statements, variables and calls do.
 //!
-//! `rules` is the part of a control's table; `value` and `functions` compute; `evaluate` runs
-//! the steps of an expression; `variables` keeps locals and common variables, `names` named ones; `arguments`
-//! reads the words of a macro call; `output` writes the text of DPRNT.
+//! `value` and `functions` compute; `evaluate` runs the steps of an expression; `variables` stores local and common
+//! variables, `names` named ones; `arguments` reads the words of a macro call; `output` writes the text of DPRNT.
 
 pub(crate) mod arguments;
 pub(crate) mod evaluate;

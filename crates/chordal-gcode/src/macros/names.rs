@@ -4,18 +4,18 @@ use std::collections::BTreeMap;
 
 use super::value::MacroValue;
 
-/// Most named variables of a run; a program that makes names without end is stopped here.
+/// Largest number of named variables, to stop a program that creates names in an endless loop.
 const MAX_NAMES: usize = 100_000;
 
-/// Named variables by their names as [`normal`] writes them.
+/// Named variables by their [`normal`] names.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct NamedVariables {
     globals: BTreeMap<String, MacroValue>,
-    /// Those of each call that has not returned, the main program's first.
+    /// The local ones of each active call, the main program first.
     levels: Vec<BTreeMap<String, MacroValue>>,
 }
 
-/// A name without blanks, in lower case: LinuxCNC tells no more apart.
+/// A name without blanks, in lower case: LinuxCNC ignores both differences.
 pub(crate) fn normal(name: &[u8]) -> String {
     let shown = |byte: &u8| !matches!(byte, b' ' | b'\t');
     let bytes: Vec<u8> = name.iter().filter(|b| shown(b)).map(u8::to_ascii_lowercase).collect();
@@ -23,7 +23,7 @@ pub(crate) fn normal(name: &[u8]) -> String {
 }
 
 impl NamedVariables {
-    /// The value of a name, if it is set.
+    /// The value of a name; `None` when it is not set.
     pub fn get(&self, name: &str) -> Option<MacroValue> {
         let names = if name.starts_with('_') { Some(&self.globals) } else { self.levels.last() };
         names?.get(name).copied()
@@ -47,7 +47,7 @@ impl NamedVariables {
         true
     }
 
-    /// A call begins.
+    /// Begins a call.
     pub fn enter(&mut self) {
         if self.levels.is_empty() {
             self.levels.push(BTreeMap::new());
@@ -55,14 +55,14 @@ impl NamedVariables {
         self.levels.push(BTreeMap::new());
     }
 
-    /// A call is over.
+    /// Ends a call.
     pub fn leave(&mut self) {
         if self.levels.len() > 1 {
             self.levels.pop();
         }
     }
 
-    /// How many calls run.
+    /// The number of active calls.
     pub fn level(&self) -> usize {
         self.levels.len().saturating_sub(1)
     }

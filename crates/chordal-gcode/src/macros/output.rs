@@ -2,7 +2,7 @@
 
 use chordal_diagnostics::TextRange;
 
-/// Places before and behind the point.
+/// Number of digits before and after the point.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct NumberFormat {
     pub whole: u8,
@@ -13,14 +13,14 @@ pub(crate) struct NumberFormat {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum OutputPart {
     Text(u8),
-    /// A variable and its places; `None` where they cannot be read.
+    /// A variable and its format; `None` when the format cannot be read.
     Value {
         expression: TextRange,
         format: Option<NumberFormat>,
     },
 }
 
-/// The next part of the text between the brackets of DPRNT; `*` is a blank, blanks are none.
+/// The next part of the text between the brackets of DPRNT: `*` prints a blank, blanks are ignored. `None` at the end.
 pub(crate) fn next_part(text: &[u8], rest: &mut TextRange) -> Option<OutputPart> {
     loop {
         let byte = *rest.slice(text).first()?;
@@ -68,7 +68,7 @@ fn value(text: &[u8], rest: &mut TextRange) -> OutputPart {
     OutputPart::Value { expression, format }
 }
 
-/// Length of a bracket with what it holds.
+/// Length of a bracket with its content.
 fn bracket(words: &[u8]) -> usize {
     let mut depth = 0usize;
     for (at, byte) in words.iter().enumerate() {
@@ -84,8 +84,8 @@ fn bracket(words: &[u8]) -> usize {
     words.len()
 }
 
-/// Writes a number: rounded to its decimals, with zeros at the end, its whole part as wide as
-/// it needs. `blanks` fills the whole part up to its places (Fanuc); a Haas does not.
+/// Writes a number rounded to its decimals, with trailing zeros. `blanks` pads the whole part with blanks to its number
+/// of digits (Fanuc); otherwise it is as long as needed (Haas).
 pub(crate) fn write_number(line: &mut String, value: f64, format: NumberFormat, blanks: bool) {
     let decimals = usize::from(format.decimals);
     let rounded = super::functions::round_to(value, format.decimals);

@@ -1,30 +1,29 @@
-//! Values: numbers, vacant, and those that nobody knows.
+//! Values: numbers, vacant, and unknown ones.
 
 /// A value of a variable or an expression.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) enum MacroValue {
-    /// Null: the value of a variable that was never written.
+    /// Vacant (null): the value of a variable that was never written.
     Vacant,
     /// A number.
     Number(f64),
-    /// Something that neither the program nor the machine file says. Whatever is computed from it is
-    /// unknown as well.
+    /// A value that neither the program nor the machine file gives. Everything computed from it is unknown as well.
     Unknown(UnknownCause),
 }
 
-/// Where an unknown value comes from: what a user could give.
+/// The source of an unknown value, which a user could give.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) enum UnknownCause {
     /// A variable by its number.
     Variable(u32),
-    /// A variable written with letters: its place in the grammar's list, and its number.
+    /// A variable written with letters: the index in the list of the grammar, and its number.
     Letters(u8, u32),
-    /// A named variable of the control: its place among the names that the run has met.
+    /// A named variable of the control: the index among the names that the run has used.
     Name(u32),
 }
 
 impl MacroValue {
-    /// The number in arithmetic, where vacant counts as zero.
+    /// The number in arithmetic, with vacant as zero; the cause when it is unknown.
     #[inline]
     pub fn counted(self) -> Result<f64, UnknownCause> {
         match self {
@@ -34,18 +33,18 @@ impl MacroValue {
         }
     }
 
-    /// The number in arithmetic, where it is known.
+    /// The number in arithmetic, with vacant as zero; `None` when it is unknown.
     #[inline]
     pub fn known(self) -> Option<f64> {
         self.counted().ok()
     }
 
-    /// A number that only some runs know.
+    /// A number, or unknown by `cause` for `None`.
     pub fn or_unknown(number: Option<f64>, cause: UnknownCause) -> MacroValue {
         number.map_or(MacroValue::Unknown(cause), MacroValue::Number)
     }
 
-    /// The same to the bit: 0 and −0 are not one value, and NaN is itself.
+    /// Equal bit for bit: 0 differs from −0, and NaN equals itself.
     pub fn is_same(self, other: MacroValue) -> bool {
         match (self, other) {
             (MacroValue::Number(a), MacroValue::Number(b)) => a.to_bits() == b.to_bits(),
@@ -73,7 +72,7 @@ impl From<MacroValue> for Truth {
     }
 }
 
-/// EQ: null equals null and nothing else, not even zero (Mitsubishi M700V p. 389).
+/// EQ: vacant equals only vacant, not zero (Mitsubishi M700V p. 389).
 #[inline]
 pub(crate) fn equal(a: MacroValue, b: MacroValue, tolerance: f64) -> bool {
     match (a, b) {

@@ -3,17 +3,17 @@
 use super::value::{MacroValue, UnknownCause};
 use chordal_dialect::macros::{MacroRules, UnsetValue, VariableRange};
 
-/// Most local variables of a level.
+/// Largest number of local variables of a level.
 const LOCALS: usize = 64;
 
-/// The variables of a run, apart from those of the system.
+/// The variables of a run, except system variables.
 #[derive(Clone, Debug)]
 pub(crate) struct VariableStore {
     /// The locals of each macro level; index 0 is not used.
     levels: Vec<[MacroValue; LOCALS]>,
     locals: u32,
-    /// One for each range of the table, made when it is first written. `None`: it holds what was in it
-    /// before the program.
+    /// The values of each range of the table, allocated when first written; `None` for the unknown value from before the
+    /// program.
     common: Vec<Vec<Option<MacroValue>>>,
     ranges: &'static [VariableRange],
     unset: MacroValue,
@@ -38,7 +38,7 @@ impl PartialEq for VariableStore {
     }
 }
 
-/// A number that is no local or common variable.
+/// The number is not a local or common variable.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct NotHere;
 
@@ -57,12 +57,12 @@ impl VariableStore {
         }
     }
 
-    /// Level of macro calls, 0 in the main program.
+    /// The level of macro calls, 0 in the main program.
     pub fn level(&self) -> u32 {
         self.levels.len().saturating_sub(1) as u32
     }
 
-    /// A macro call: a new level with its arguments.
+    /// Begins a macro call: a new level with its arguments.
     pub fn enter(&mut self, arguments: &[(u32, MacroValue)]) {
         if self.levels.is_empty() {
             self.levels.push([self.unset; LOCALS]);
@@ -73,14 +73,14 @@ impl VariableStore {
         }
     }
 
-    /// The end of a macro call.
+    /// Ends a macro call.
     pub fn leave(&mut self) {
         if self.levels.len() > 1 {
             self.levels.pop();
         }
     }
 
-    /// All locals of this level, to hand them on or to put them back.
+    /// All local variables of the current level.
     pub fn locals(&mut self) -> &mut [MacroValue] {
         if self.levels.is_empty() {
             self.levels.push([self.unset; LOCALS]);
@@ -95,8 +95,8 @@ impl VariableStore {
         }
     }
 
-    /// The value of a local or common variable. A common one keeps what was written by another program,
-    /// some also over power-off: before this program writes it, nobody knows it.
+    /// The value of a local or common variable. A common one keeps the value of an earlier program, some even after
+    /// power-off: it is unknown until this program writes it.
     pub fn read(&self, number: u32) -> Result<MacroValue, NotHere> {
         if number == 0 {
             return Ok(self.unset);
@@ -129,7 +129,7 @@ impl VariableStore {
         Ok(())
     }
 
-    /// Range and place of a common variable, second names resolved.
+    /// The range and the index in it of a common variable; second numbers of a variable are resolved.
     fn place(&self, number: u32) -> Result<(usize, usize), NotHere> {
         let range = self.find(number)?;
         let row = self.ranges[range];

@@ -1,4 +1,4 @@
-//! All signs of all controls and languages, their patterns read once.
+//! All signs of all controls and languages, with their parsed patterns.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -10,23 +10,23 @@ use chordal_machine::ControlName;
 use super::line::bit;
 use super::pattern::Pattern;
 
-/// Whom a sign speaks for.
+/// The control or language that a sign indicates.
 #[derive(Clone, Copy, Debug)]
 pub enum SignTarget {
     /// A control whose programs are read.
     Control(ControlName),
-    /// A language that is not.
+    /// A language that is not read.
     NotRead(&'static NotRead),
 }
 
-/// A sign ready to be looked for.
+/// A sign, prepared for the search.
 #[derive(Debug)]
 pub struct SignEntry {
     pub evidence: &'static RecognitionEvidence,
     pub kind: SignMatcher,
 }
 
-/// How it is looked for.
+/// How a sign is searched for.
 #[derive(Debug)]
 pub enum SignMatcher {
     Block(Pattern),
@@ -40,7 +40,7 @@ pub enum SignMatcher {
     Form(TextForm),
 }
 
-/// The signs of one language: a range of the entries, and where those begin that are only its own.
+/// The signs of one language: a range of the entries; `own` is the index of the first that is not shared.
 #[derive(Debug)]
 pub struct LanguageSigns {
     pub language: SignTarget,
@@ -54,11 +54,11 @@ pub struct LanguageSigns {
 pub struct Catalog {
     pub languages: Vec<LanguageSigns>,
     pub entries: Vec<SignEntry>,
-    /// By the first byte of a line in capitals: signs of beginnings that it may show, and their piece.
+    /// Signs at the start of a line, by its first byte in upper case: index of the sign, and the text.
     pub beginnings: BTreeMap<u8, Vec<(usize, &'static str)>>,
 }
 
-/// Read once for all texts.
+/// The catalog, built once for all texts.
 pub static CATALOG: LazyLock<Catalog> = LazyLock::new(Catalog::new);
 
 impl Catalog {

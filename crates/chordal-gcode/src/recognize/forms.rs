@@ -1,4 +1,4 @@
-//! Forms of a line that are no pattern of words.
+//! Forms of a line that are not patterns of words.
 
 use chordal_dialect::recognition::TextForm;
 
@@ -23,7 +23,7 @@ const FLOW: &[&[u8]] = &[
     b"CONTINUE",
 ];
 
-/// The line has this form. Those of the whole text are not asked here.
+/// True when the line has this form; false for forms of the whole text.
 pub fn shows(form: TextForm, text: &[u8], line: &SampleLine) -> bool {
     let code = text[..line.code_end].trim_ascii();
     match form {
@@ -48,7 +48,7 @@ pub fn shows(form: TextForm, text: &[u8], line: &SampleLine) -> bool {
             line.comments.iter().any(|(from, to)| is_statement(&text[*from..*to]))
         }
         TextForm::CommaCoordinates => comma_coordinates(text),
-        // Of the whole text.
+        // Forms of the whole text.
         TextForm::BareText
         | TextForm::MixedNumbers
         | TextForm::TrailingPoints
@@ -57,11 +57,11 @@ pub fn shows(form: TextForm, text: &[u8], line: &SampleLine) -> bool {
     }
 }
 
-/// The text begins with the piece, whose `?` are digits, in small letters as well.
+/// True when the text begins with the piece, in upper or lower case; `?` is a digit. With `whole`, nothing may follow.
 pub fn begins(text: &[u8], piece: &str, whole: bool) -> bool {
-    let same = |(provided, target): (&u8, u8)| match target {
-        b'?' => provided.is_ascii_digit(),
-        expected => provided.to_ascii_uppercase() == expected,
+    let same = |(byte, pattern): (&u8, u8)| match pattern {
+        b'?' => byte.is_ascii_digit(),
+        letter => byte.to_ascii_uppercase() == letter,
     };
     let fits = if whole { text.len() == piece.len() } else { text.len() >= piece.len() };
     fits && text.iter().zip(piece.bytes()).all(same)
@@ -89,14 +89,14 @@ fn o_word(code: &[u8]) -> bool {
     digits > 0 && FLOW.iter().any(|word| rest[..letters].eq_ignore_ascii_case(word))
 }
 
-/// What comes after the N number of a block.
+/// The code after the N number of a block.
 fn after_n(code: &[u8]) -> &[u8] {
     let [b'N' | b'n', rest @ ..] = code else { return code };
     let digits = rest.iter().take_while(|byte| byte.is_ascii_digit() || **byte == b'.').count();
     rest[digits..].trim_ascii_start()
 }
 
-/// `L100` alone, in hundreds.
+/// `L100` alone: a multiple of 100.
 fn subroutine_head(line: &SampleLine) -> bool {
     let mut words = line.words.iter().filter(|word| word.letter != b'N');
     match (words.next(), words.next()) {
@@ -115,7 +115,7 @@ fn numbered_variable(code: &[u8]) -> bool {
     })
 }
 
-/// `R1=5`, `L0 < 5`: the letter and a number before one of these marks, not within another word.
+/// `R1=5`, `L0 < 5`: the letter and a number before one of these marks, not inside another word.
 fn parameter(code: &[u8], letter: u8, marks: &[u8]) -> bool {
     code.iter().enumerate().filter(|(_, byte)| marks.contains(byte)).any(|(at, _)| {
         let before = code[..at].trim_ascii_end();
@@ -130,7 +130,7 @@ fn parameter(code: &[u8], letter: u8, marks: &[u8]) -> bool {
     })
 }
 
-/// `P1=2`, `IF P1 EQ 2 GOTO N10`, `GOTO N10`, `CALL 5`: as some controls write them in parentheses.
+/// `P1=2`, `IF P1 EQ 2 GOTO N10`, `GOTO N10`, `CALL 5`, which some controls write in parentheses.
 fn is_statement(comment: &[u8]) -> bool {
     let comment = comment.trim_ascii();
     let after = |word: &str| begins(comment, word, false);

@@ -1,20 +1,20 @@
-//! Reads a line before it is known which control it is for: words, comments, and what is neither.
+//! Reads a line of an unknown control: words, comments, and the rest.
 //!
-//! The reader of blocks needs to know the control: what a semicolon, a star and a parenthesis mean. This one
-//! takes the common ground and remembers what is unusual.
+//! The block reader needs the control, for the meaning of semicolon, asterisk and parenthesis. This one reads what all
+//! controls share and remembers what is unusual.
 
-/// A word: a letter and its number, if it has a plain one.
+/// A word: a letter and its number, if it is a plain one.
 #[derive(Clone, Copy, Debug)]
 pub struct SampleWord {
-    /// In capitals.
+    /// In upper case.
     pub letter: u8,
     /// After a comma: `,R1`.
     pub comma: bool,
-    /// Not a number where there is an expression or nothing.
+    /// NaN for an expression or a missing number.
     pub value: f64,
-    /// Digits before and after the point.
+    /// Number of digits before and after the point.
     pub digits: u8,
-    /// Digits after the point; nothing without a point.
+    /// Number of digits after the point; `None` without a point.
     pub decimals: Option<u8>,
 }
 
@@ -25,23 +25,23 @@ pub struct SampleLine {
     pub words: Vec<SampleWord>,
     /// The letters of the words, A in the lowest bit.
     pub letters: u32,
-    /// Ranges of the comments within the line, without their marks.
+    /// Ranges of the comments in the line, without their delimiters.
     pub comments: Vec<(usize, usize)>,
-    /// A comment in parentheses was left open, or closed.
+    /// A comment in parentheses is not closed.
     pub open: bool,
-    /// Some comment was closed.
+    /// A comment in parentheses is closed.
     pub closed: bool,
     /// A comment after a semicolon has letters.
     pub semicolon: bool,
-    /// It holds more than words: names, equals signs, brackets, strings, `$`.
+    /// It contains more than words: names, equals signs, brackets, strings, `$`.
     pub odd: bool,
     /// It has `#` or brackets.
     pub macros: bool,
-    /// Where code ends and only a comment follows.
+    /// The end of the code, after which only a comment follows.
     pub code_end: usize,
 }
 
-/// The bit of a letter.
+/// The bit of an upper-case letter; 0 for other bytes.
 pub fn bit(letter: u8) -> u32 {
     if letter.is_ascii_uppercase() { 1 << (letter - b'A') } else { 0 }
 }
@@ -103,7 +103,7 @@ impl SampleLine {
         end
     }
 
-    /// Letters without numbers between. A parenthesis right after a name is a call, not a comment.
+    /// Several letters. A parenthesis right after a name is a call, not a comment.
     fn name(&mut self, line: &[u8], at: usize) -> usize {
         self.odd = true;
         let mut end = at;
@@ -131,7 +131,7 @@ impl SampleLine {
         }
     }
 
-    /// The end of a block, or a comment; nothing follows then.
+    /// A semicolon: the end of a block with another one after it, or the start of a comment (`None`).
     fn semicolon(&mut self, line: &[u8], at: usize) -> Option<usize> {
         let rest = &line[at + 1..];
         // `G0X1;G1Y2`: another block follows.
@@ -157,7 +157,7 @@ fn end_of(line: &[u8], from: usize, byte: u8) -> Option<usize> {
     memchr::memchr(byte, &line[from..]).map(|end| from + end)
 }
 
-/// The number at a place, blanks before it passed over, and where it ends. The letter is to be filled in.
+/// The number at a position after blanks, and its end. The caller fills in the letter.
 fn number(line: &[u8], from: usize) -> (SampleWord, usize) {
     let mut at = from;
     while line.get(at).is_some_and(|byte| matches!(byte, b' ' | b'\t')) {
@@ -181,7 +181,7 @@ fn number(line: &[u8], from: usize) -> (SampleWord, usize) {
     let scale = TENS[usize::from(decimals.unwrap_or(0)).min(TENS.len() - 1)];
     let sign = if negative { -1.0 } else { 1.0 };
     let value = if digits == 0 { f64::NAN } else { sign * mantissa / scale };
-    // Without a number the letter stands alone; what follows is read on its own.
+    // Without a number the letter is alone, and what follows is read separately.
     let end = if digits == 0 { from } else { at };
     (SampleWord { letter: 0, comma: false, value, digits, decimals }, end)
 }

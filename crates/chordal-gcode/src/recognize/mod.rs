@@ -1,7 +1,7 @@
-//! Which control a program was written for: signs with weights over the whole text.
+//! Recognizes the control that a program was written for, by weighted signs in the text.
 //!
-//! Every sign counts once, however often it stands there. What the signs are stands in the folders of the
-//! controls and in [`chordal_dialect::not_read`]; here they are looked for and weighed.
+//! Every sign counts once, however often it occurs. The signs are defined in the folders of the controls and in
+//! [`chordal_dialect::not_read`]; here they are searched for and weighed.
 
 mod catalog;
 mod forms;
@@ -24,59 +24,59 @@ use tally::TextTally;
 /// A sign that was found.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct FoundSign {
-    /// For people: `G154 chooses an extended work offset`.
+    /// The sign in words: `G154 chooses an extended work offset`.
     pub sign: &'static str,
     /// The first line that shows it.
     pub line: u32,
     /// Offset of that line.
     pub offset: u32,
-    /// How much it says; below zero it speaks against.
+    /// Its weight; negative when it is evidence against.
     pub weight: i32,
-    /// The built-in machine that programs with this sign are for, where it is not the usual one.
+    /// The built-in machine of programs with this sign; `None` for the usual one of the control.
     pub machine: Option<&'static str>,
 }
 
 impl ControlCandidate {
-    /// The built-in machine that its signs name, where it is not the usual one of the control.
+    /// The built-in machine named by its signs; `None` for the usual one of the control.
     pub fn machine(&self) -> Option<&'static str> {
         self.signs.iter().find_map(|sign| sign.machine)
     }
 }
 
-/// A control or a language, and what speaks for it.
+/// A control or a language with its evidence.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ControlCandidate {
     /// Its name: that of a control, or `fanuc-lathe`, `heidenhain`.
     pub name: &'static str,
-    /// Its name for people.
+    /// Its name in messages.
     pub title: &'static str,
-    /// The control that reads it, or that shows its text.
+    /// The control that reads the program, or that shows its text.
     pub control: ControlName,
-    /// It is not read.
+    /// It is a language that is not read.
     pub not_read: bool,
-    /// All its signs together.
+    /// The sum of the weights of its signs.
     pub weight: i32,
     /// Its signs, the strongest first.
     pub signs: Vec<FoundSign>,
-    /// Errors of a run on it, where it was tried.
+    /// Number of errors of a run on this control; `None` when it was not tried.
     pub errors: Option<u64>,
 }
 
-/// How much the signs say.
+/// How certain the recognition is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum EvidenceStrength {
-    /// A name or forms that nobody else has, and nothing near.
+    /// A name or forms that no other control has, and no other candidate is near.
     Sure,
     /// It leads clearly.
     Likely,
-    /// It leads by little, or by the errors of the others.
+    /// It leads by little, or because the others have errors.
     Weak,
-    /// Nothing speaks: the common default.
+    /// There is no evidence: the usual default.
     Assumed,
 }
 
 impl EvidenceStrength {
-    /// In a word.
+    /// As a word.
     pub fn as_str(self) -> &'static str {
         match self {
             EvidenceStrength::Sure => "sure",
@@ -87,43 +87,43 @@ impl EvidenceStrength {
     }
 }
 
-/// What a text was recognized as.
+/// The result of a recognition.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Recognition {
-    /// All candidates, the first chosen. Those that are read are always there.
+    /// All candidates, the chosen one first. Controls that are read are always included.
     pub ranking: Vec<ControlCandidate>,
 }
 
-/// The weight of a control whose machines are of another kind than the program is for.
+/// The weight of a control for another kind of machine (mill or lathe) than the program's.
 pub const ANOTHER_KIND: i32 = -1000;
 
-/// From this weight and lead on there is no doubt.
+/// With at least this weight and lead the recognition is certain.
 const SURE_WEIGHT: i32 = 6;
 
 impl Recognition {
-    /// What was chosen.
+    /// The chosen candidate.
     pub fn chosen(&self) -> &ControlCandidate {
         &self.ranking[0]
     }
 
-    /// The control that reads the text, or shows it.
+    /// The control that reads the program, or shows its text.
     pub fn control(&self) -> ControlName {
         self.chosen().control
     }
 
-    /// What comes next: by its signs, or by a run with no more errors than the chosen one.
+    /// The second candidate, if it has evidence or was tried by a run; `None` otherwise.
     pub fn runner_up(&self) -> Option<&ControlCandidate> {
         let speaks = |other: &&ControlCandidate| other.weight > 0 || other.errors.is_some();
         self.ranking.get(1).filter(speaks)
     }
 
-    /// What speaks for it, the strongest first; empty where nothing does.
+    /// The evidence for the chosen one, the strongest first; empty when it is assumed.
     pub fn evidence(&self) -> impl Iterator<Item = &FoundSign> {
         let assumed = self.strength() == EvidenceStrength::Assumed;
         self.chosen().signs.iter().filter(move |sign| !assumed && sign.weight > 0)
     }
 
-    /// How much the signs say.
+    /// How certain the recognition is.
     pub fn strength(&self) -> EvidenceStrength {
         let chosen = self.chosen();
         match chosen.weight {
@@ -137,27 +137,27 @@ impl Recognition {
         }
     }
 
-    /// A name, or a form that nobody else has, speaks for it, and nothing near. How a text is written says much of who
-    /// wrote it, and not for certain which control it is for.
+    /// True when a name or a form that no other control has is evidence for it, and no other is near. Several weak
+    /// signs of writing style are not enough: they indicate the author more than the control.
     pub fn is_certain(&self) -> bool {
         let strongest = self.chosen().signs.first();
         self.strength() == EvidenceStrength::Sure
             && strongest.is_some_and(|sign| sign.weight >= SURE_WEIGHT)
     }
 
-    /// The signs decide; otherwise runs may.
+    /// True when the signs decide; otherwise test runs may.
     pub fn is_decided(&self) -> bool {
         self.chosen().not_read
             || matches!(self.strength(), EvidenceStrength::Sure | EvidenceStrength::Likely)
     }
 
-    /// By how much the first leads.
+    /// The weight by which the chosen one leads.
     pub fn lead(&self) -> i32 {
         let next = self.ranking.iter().skip(1).map(|other| other.weight).max().unwrap_or(0);
         self.chosen().weight - next.max(0)
     }
 
-    /// Puts the chosen one first, by its name.
+    /// Moves the candidate with a name to the first position.
     pub fn choose(&mut self, name: &str) {
         if let Some(place) = self.ranking.iter().position(|each| each.name == name) {
             let chosen = self.ranking.remove(place);
@@ -166,7 +166,7 @@ impl Recognition {
     }
 }
 
-/// Looks for the signs of all controls and weighs them.
+/// Searches for the signs of all controls and weighs them.
 pub fn recognize(text: &[u8]) -> Recognition {
     let tally = tally(text);
     let mut lines = LineNumbers::new(text);
@@ -175,8 +175,8 @@ pub fn recognize(text: &[u8]) -> Recognition {
         .iter()
         .filter_map(|listed| candidate(listed, &tally, &mut lines))
         .collect();
-    // The sort keeps the order of those that weigh alike; the assumed one comes first then. Of the lathes
-    // one that is read does.
+    // The sort is stable for equal weights. Among these a lathe control that is read comes first, then the assumed
+    // control.
     ranking.sort_by_key(|each| {
         let is_read_lathe = !each.not_read && chordal_dialect::table(each.control).turns();
         (-each.weight, !is_read_lathe, !each.not_read, each.control != ASSUMED_CONTROL)
@@ -196,7 +196,7 @@ fn tally(text: &[u8]) -> TextTally {
         while at < part.end {
             let rest = &text[at..part.end];
             let end = memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
-            // What comes after so much of a line is no sign.
+            // The rest of a very long line is not a sign.
             let words = &rest[..end.min(MAX_LINE_BYTES)];
             line.read(words);
             tally.line(words, &line, at);
@@ -206,10 +206,10 @@ fn tally(text: &[u8]) -> TextTally {
     tally
 }
 
-/// So much of a line is looked at, bytes.
+/// The examined part of a line, bytes.
 const MAX_LINE_BYTES: usize = 512;
 
-/// What speaks for a language; nothing where it is one that is not read, and too little speaks for it.
+/// The candidate of a language; `None` for a language that is not read with too little evidence.
 fn candidate(
     listed: &LanguageSigns,
     tally: &TextTally,
@@ -232,7 +232,7 @@ fn candidate(
         return None;
     }
     signs.extend(of(listed.own..listed.end));
-    // What tells controls of a kind apart says nothing of a program that is for another kind.
+    // Signs that distinguish controls of one kind mean nothing in a program for another kind.
     let weight = if of_kind { weight(&signs) } else { ANOTHER_KIND };
     let mut signs: Vec<FoundSign> = signs
         .into_iter()
@@ -256,7 +256,7 @@ fn candidate(
     })
 }
 
-/// Signs that were found and where. Of those with the same words the strongest.
+/// The signs found and their offsets; of several with the same text only the strongest.
 fn found(
     range: std::ops::Range<usize>,
     tally: &TextTally,
@@ -278,7 +278,7 @@ fn weight(signs: &[(&'static RecognitionEvidence, usize)]) -> i32 {
     signs.iter().map(|(evidence, _)| evidence.weight).sum()
 }
 
-/// Numbers of lines by offset; places near the beginning are counted quickly.
+/// Finds line numbers of offsets; known ones are cached.
 struct LineNumbers<'a> {
     text: &'a [u8],
     end: u8,
@@ -292,7 +292,7 @@ impl<'a> LineNumbers<'a> {
         LineNumbers { text, end, known: std::iter::once((0, 1)).collect() }
     }
 
-    /// From the nearest place before that was counted already.
+    /// The line of an offset, counted from the nearest known one before it.
     fn line_of(&mut self, at: usize) -> u32 {
         let (from, line) =
             self.known.range(..=at).next_back().map_or((0, 1), |(from, line)| (*from, *line));
@@ -303,7 +303,7 @@ impl<'a> LineNumbers<'a> {
     }
 }
 
-/// The language of a name, where it is one that is not read.
+/// The language with a name that is not read; `None` for other names.
 pub fn not_read(name: &str) -> Option<&'static NotRead> {
     chordal_dialect::not_read::ALL.iter().copied().find(|language| language.name == name)
 }

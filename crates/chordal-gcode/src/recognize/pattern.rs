@@ -1,11 +1,11 @@
-//! Patterns of words: `G28|G30 U|W !Y`. How they are written stands with `Sign::Block`.
+//! Patterns of words: `G28|G30 U|W !Y`. `RecognitionSign::Block` describes their syntax.
 
 use super::line::{SampleLine, SampleWord, bit};
 
-/// A pattern, read once.
+/// A parsed pattern.
 #[derive(Debug)]
 pub struct Pattern {
-    /// Letters of which the line must have all.
+    /// The letters that the line must all contain.
     all: u32,
     terms: Vec<PatternTerm>,
 }
@@ -25,7 +25,7 @@ struct PatternAlternative {
     test: NumberTest,
 }
 
-/// What is asked of a number.
+/// The condition of a number.
 #[derive(Debug)]
 enum NumberTest {
     Any,
@@ -39,11 +39,11 @@ enum NumberTest {
     Bare(f64),
 }
 
-/// The letters of axes, for a code without any.
+/// The letters of axes, for [`NumberTest::Bare`].
 const AXES: &[u8] = b"XYZUVWABC";
 
 impl Pattern {
-    /// Reads a pattern.
+    /// Parses a pattern.
     pub fn new(text: &str) -> Pattern {
         let terms: Vec<PatternTerm> = text.split(' ').map(PatternTerm::new).collect();
         let single = terms.iter().filter(|term| !term.negated && term.letters.is_power_of_two());
@@ -51,14 +51,14 @@ impl Pattern {
         Pattern { all, terms }
     }
 
-    /// A line with words of these letters may fit.
+    /// True when a line with words of these letters may match.
     pub fn may_fit(&self, letters: u32) -> bool {
         let possible =
             |term: &PatternTerm| term.negated || term.is_comma() || letters & term.letters != 0;
         letters & self.all == self.all && self.terms.iter().all(possible)
     }
 
-    /// The line has such words.
+    /// True when the line matches.
     pub fn fits(&self, line: &SampleLine) -> bool {
         line.letters & self.all == self.all && self.terms.iter().all(|term| term.fits(line))
     }
@@ -87,7 +87,7 @@ impl PatternTerm {
         found != self.negated
     }
 
-    /// It asks for words after a comma, whose letters a line does not list.
+    /// True for words after a comma, whose letters are not in [`SampleLine::letters`].
     fn is_comma(&self) -> bool {
         self.letters == 0
     }

@@ -1,18 +1,19 @@
-//! The parts of a text that are looked at: of a huge one its head, its tail and some between.
+//! The parts of a text that are examined: of a very long one its start, its end and some parts between.
 
 use std::ops::Range;
 
-/// So much of the beginning, where most signs stand.
+/// Size of the part at the start, with most signs, bytes.
 const HEAD: usize = 192 << 10;
 
-/// So much of the end.
+/// Size of the part at the end, bytes.
 const TAIL: usize = 64 << 10;
 
-/// Parts between, and the size of each.
+/// Number of parts between.
 const BETWEEN: usize = 8;
+/// Size of each part between, bytes.
 const PART: usize = 16 << 10;
 
-/// The parts in order. Each begins and ends with a line; a line that is longer than a part is cut.
+/// The parts in order. Each starts and ends at a line; a line longer than a part is cut.
 pub fn parts(text: &[u8]) -> Vec<Range<usize>> {
     if text.len() <= HEAD + TAIL + BETWEEN * PART {
         return std::iter::once(0..text.len()).collect();
@@ -27,7 +28,7 @@ pub fn parts(text: &[u8]) -> Vec<Range<usize>> {
     parts
 }
 
-/// The beginning of the first line from there on, or the place itself in a line without end.
+/// The start of the next line after an offset, or the offset itself when the line is too long.
 fn line_start(text: &[u8], at: usize) -> usize {
     let near = &text[at..text.len().min(at + PART)];
     memchr::memchr2(b'\n', b'\r', near).map_or(at, |end| at + end + 1)

@@ -1,25 +1,25 @@
-//! How a text is written as a whole: its numbers, and what it does without.
+//! The writing style of a whole text: its numbers, and features it does not use.
 
 use super::line::{SampleLine, SampleWord, bit};
 
-/// The letters of axes whose numbers show how a post writes them.
+/// The axes whose numbers show how a postprocessor writes them.
 const AXES: &[u8] = b"XYZ";
 
-/// So many words like `X5.` are a habit.
+/// With this many words like `X5.`, they are a habit.
 const TRAILING_POINTS_NEEDED: u32 = 3;
 
-/// Whole numbers from here on are read as thousandths by whoever writes them.
+/// Whole numbers from here on are probably meant as thousandths.
 const THOUSANDTHS_FROM: f64 = 1000.0;
 
-/// What was seen of the writing of a text.
+/// The style found in a text; offsets are of the first occurrence.
 #[derive(Debug, Default)]
 pub struct TextStyle {
-    /// By axis: where a whole number without a point stands first, and where one with digits after it.
+    /// By axis: a whole number without a point.
     whole: [Option<usize>; 3],
     decimal: [Option<usize>; 3],
     trailing_points: u32,
     first_trailing_point: Option<usize>,
-    /// Something that small controls do not read.
+    /// The text contains something that simple controls do not read.
     needs_more: bool,
     first_feed: Option<usize>,
     has_tape: bool,
@@ -27,7 +27,7 @@ pub struct TextStyle {
 }
 
 impl TextStyle {
-    /// Takes a line.
+    /// Adds a line at an offset.
     pub fn line(&mut self, text: &[u8], line: &SampleLine, at: usize) {
         self.has_tape |= text.trim_ascii_start().first() == Some(&b'%');
         self.needs_more |= line.macros;
@@ -79,7 +79,7 @@ impl TextStyle {
         }
     }
 
-    /// Where a whole number stands on an axis that has decimals elsewhere.
+    /// The offset of a whole number of an axis that has decimals elsewhere; `None` without one.
     pub fn mixed_numbers(&self) -> Option<usize> {
         if self.trailing_points >= TRAILING_POINTS_NEEDED {
             return None;
@@ -88,17 +88,17 @@ impl TextStyle {
         both.filter_map(|(whole, decimal)| whole.filter(|_| decimal.is_some())).min()
     }
 
-    /// Where the first of several words like `X5.` stands.
+    /// The offset of the first of several words like `X5.`; `None` when there are too few.
     pub fn trailing_points(&self) -> Option<usize> {
         self.first_trailing_point.filter(|_| self.trailing_points >= TRAILING_POINTS_NEEDED)
     }
 
-    /// The first move in feed of a text that a small control reads.
+    /// The offset of the first feed move in a text that simple controls can read; `None` for other texts.
     pub fn small_control(&self) -> Option<usize> {
         self.first_feed.filter(|_| !self.needs_more)
     }
 
-    /// The first G43 of a text that is no tape.
+    /// The offset of the first G43 in a text without `%` and O number; `None` otherwise.
     pub fn length_without_tape(&self) -> Option<usize> {
         self.first_length.filter(|_| !self.has_tape)
     }

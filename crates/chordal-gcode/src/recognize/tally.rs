@@ -1,4 +1,4 @@
-//! Counts what the lines of a text show.
+//! Counts the signs in the lines of a text.
 
 use std::collections::BTreeMap;
 
@@ -9,38 +9,38 @@ use super::forms;
 use super::line::{SampleLine, bit};
 use super::style::TextStyle;
 
-/// Lines between two counts of the same kind: a share of fewer says nothing.
+/// Smallest number of lines for a share; a share of fewer is not significant.
 const MIN_OF_A_SHARE: u32 = 3;
 
-/// Lines with more words are not compared as a whole.
+/// Lines with more words are not compared with [`SignMatcher::Codes`], which are short.
 const WHOLE_LINE_WORDS: usize = 8;
 
-/// What was seen of one sign.
+/// The count of one sign.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SignTally {
-    /// Where it was seen first.
+    /// The offset of its first occurrence; `None` before one.
     pub at: Option<usize>,
-    /// Lines that show it, or that count for a share.
+    /// Number of lines that match, and of lines that count, for a share.
     of: u32,
     among: u32,
 }
 
-/// Everything that was seen.
+/// The counts of all signs.
 #[derive(Debug)]
 pub struct TextTally {
     seen: Vec<SignTally>,
-    /// Lines in which each letter stands, and where it stands first.
+    /// Number of lines with each letter, and the offset of the first.
     letters: [(u32, usize); 26],
     open: (u32, u32),
-    /// Signs of words that lines with these letters may show.
+    /// Indices of the word signs that lines with a set of letters may match.
     possible: BTreeMap<u32, Vec<usize>>,
-    /// A line with this letter, a tool change or G43 was there: the text is not bare.
+    /// No line so far has `%`, a program number, a tool change or a length offset.
     bare: bool,
     style: TextStyle,
     upper: Vec<u8>,
 }
 
-/// Several comments may belong to one heading: `(MACHINE)`, `(  VENDOR: HAAS)`.
+/// True when a comment contains one of the names.
 fn is_about(comment: &[u8], words: &[&str]) -> bool {
     words.iter().any(|word| names(comment, word))
 }
@@ -58,7 +58,7 @@ impl TextTally {
         }
     }
 
-    /// Takes a line that begins at an offset of the text.
+    /// Adds a line at an offset of the text.
     pub fn line(&mut self, text: &[u8], line: &SampleLine, at: usize) {
         if !line.words.is_empty() {
             self.words(line, at);
@@ -111,9 +111,9 @@ impl TextTally {
         }
     }
 
-    /// A line that is nothing but some codes.
+    /// Counts a line that consists of certain codes only.
     fn whole_line(&mut self, line: &SampleLine, at: usize) {
-        // The codes that are looked for are short.
+        // The codes of these signs are short.
         if line.words.is_empty() || line.words.len() > WHOLE_LINE_WORDS || line.odd {
             return;
         }
@@ -133,7 +133,7 @@ impl TextTally {
         }
     }
 
-    /// A line with names, brackets or the like.
+    /// Counts a line with names, brackets or similar.
     fn odd(&mut self, text: &[u8], line: &SampleLine, at: usize) {
         self.upper.clear();
         self.upper.extend(text[..line.code_end].iter().map(u8::to_ascii_uppercase));
@@ -150,7 +150,7 @@ impl TextTally {
         self.forms(text, line, at);
     }
 
-    /// What the line begins with.
+    /// Counts the start of a line.
     fn beginning(&mut self, text: &[u8], at: usize) {
         let text = text.trim_ascii();
         let Some(first) = text.first() else { return };
@@ -196,7 +196,7 @@ impl TextTally {
         self.upper = comment;
     }
 
-    /// Where a sign was seen, if it was.
+    /// The offset of the first occurrence of a sign; `None` when it was not found.
     pub fn found(&self, index: usize) -> Option<usize> {
         let seen = self.seen[index];
         match &CATALOG.entries[index].kind {
@@ -234,7 +234,7 @@ impl TextTally {
     }
 }
 
-/// The signs of words that a line with these letters may show.
+/// The indices of the word signs that a line with these letters may match.
 fn possible(letters: u32) -> Vec<usize> {
     let may = |(index, entry): (usize, &super::catalog::SignEntry)| match &entry.kind {
         SignMatcher::Block(pattern) | SignMatcher::Share { among: pattern, .. } => {
@@ -245,14 +245,15 @@ fn possible(letters: u32) -> Vec<usize> {
     CATALOG.entries.iter().enumerate().filter_map(may).collect()
 }
 
-/// What a small control would not take: `%`, a program number, a tool change, a length offset.
+/// True for what simple controls without a program memory do not read: `%`, a program number, a tool change, a length
+/// offset.
 fn shows_a_memory(text: &[u8], line: &SampleLine) -> bool {
     line.letters & (bit(b'O') | bit(b'H') | bit(b'T')) != 0
         || text.trim_ascii_start().first() == Some(&b'%')
         || line.words.iter().any(|word| word.letter == b'G' && word.value == 43.0)
 }
 
-/// The comment has the name with nothing of a word before and after it.
+/// True when the comment contains the name as a whole word.
 fn names(comment: &[u8], name: &str) -> bool {
     memchr::memmem::find_iter(comment, name.as_bytes()).any(|at| {
         let before = comment[..at].last().is_none_or(|byte| !byte.is_ascii_alphanumeric());

@@ -1,7 +1,7 @@
-//! Equations with few unknowns each, and symmetric systems whose entries stand near the diagonal.
+//! Equations with few unknowns each, and symmetric band matrices.
 
-/// The terms of an equation: unknown and factor. The most are of a joint's: the places of three joints and
-/// the bulges of two pieces.
+/// The terms of an equation: the index of an unknown and its coefficient. The equation of a joint has the most terms: two
+/// coordinates of three joints, and the bulges of two pieces.
 #[derive(Clone, Copy, Default)]
 pub(super) struct EquationTerms {
     terms: [(usize, f64); 8],
@@ -18,7 +18,7 @@ impl EquationTerms {
         self.terms[..self.count].iter().copied()
     }
 
-    /// The product of two equations' factors, each unknown with its weight.
+    /// The scalar product of the coefficients of two equations, with a weight for each unknown.
     pub(super) fn product(&self, other: &EquationTerms, weight: impl Fn(usize) -> f64) -> f64 {
         let mut sum = 0.0;
         for (one, a) in self.iter() {
@@ -32,7 +32,7 @@ impl EquationTerms {
     }
 }
 
-/// A symmetric system: of each row the diagonal and the entries after it, `W` in all.
+/// A symmetric band matrix: each row has the diagonal and the entries after it, `W` in total.
 #[derive(Clone)]
 pub(super) struct BandMatrix<const W: usize> {
     pub(super) rows: Vec<[f64; W]>,
@@ -43,7 +43,7 @@ impl<const W: usize> BandMatrix<W> {
         BandMatrix { rows: vec![[0.0; W]; unknowns] }
     }
 
-    /// Adds an equation with a weight, as for the least sum of squares.
+    /// Adds an equation with a weight to the normal equations of a least-squares problem.
     pub(super) fn add(
         &mut self,
         right: &mut [f64],
@@ -61,7 +61,7 @@ impl<const W: usize> BandMatrix<W> {
         }
     }
 
-    /// Eliminates, without exchanges, as is sound for sums of squares.
+    /// Factors the matrix without pivoting, which is stable because it is positive definite. `None` if it is not.
     pub(super) fn factored(mut self) -> Option<FactoredBand<W>> {
         let count = self.rows.len();
         for row in 0..count {
@@ -83,7 +83,7 @@ impl<const W: usize> BandMatrix<W> {
     }
 }
 
-/// A system that was eliminated.
+/// A factored band matrix.
 pub(super) struct FactoredBand<const W: usize> {
     rows: Vec<[f64; W]>,
 }

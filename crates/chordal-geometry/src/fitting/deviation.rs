@@ -1,20 +1,20 @@
-//! How far a piece is from the points that it stands for.
+//! The deviation of a piece from the points that it replaces.
 
 use crate::{Vec2, math};
 
 use super::FitMeasure;
 use super::flat::{FittedPiece, FittedShape, PlanarPoints};
 
-/// Points alone must not be further apart than this along an arc, radians: between them nothing says
-/// where the path is.
+/// With [`FitMeasure::Points`], points must not be farther apart than this along an arc, rad: between them the path is
+/// not known.
 const WIDEST_STEP: f64 = math::PI / 4.0;
 
-/// An upper bound of the Fréchet distance between a piece and its part of the path, mm; `None` where
-/// the path does not go along it, or goes further off than `limit`.
+/// An upper bound of the Fréchet distance between a piece and its part of the path, mm; `None` if the path does not
+/// follow the piece, or the bound is above `limit`.
 ///
-/// The walk: a point of the path stands for the one of the piece at its foot, or for the furthest
-/// that was reached already. Distances along it are largest at the ends of chords, or where a chord
-/// is nearest to the centre.
+/// Each point of the path is matched with its foot on the piece, or with the farthest point that was already matched, if
+/// that is later. Along this matching the distance is largest at the ends of chords, or where a chord is nearest to the
+/// centre.
 pub(super) fn deviation(
     flat: &PlanarPoints,
     piece: &FittedPiece,
@@ -23,7 +23,7 @@ pub(super) fn deviation(
 ) -> Option<f64> {
     let worst = match piece.shape {
         FittedShape::Line => along_line(flat, piece, limit),
-        // No distance from what is no number would be found.
+        // Comparisons with NaN would not find a deviation.
         FittedShape::Arc { center, sweep } if !(center.dot(center) + sweep).is_finite() => None,
         FittedShape::Arc { center, sweep } => {
             along_arc(flat, piece, (center, sweep), measure, limit)
@@ -32,7 +32,7 @@ pub(super) fn deviation(
     worst.filter(|worst| *worst <= limit && worst.is_finite())
 }
 
-/// The points of a part of the path: both its ends, and those between.
+/// The points of a part of the path: its ends, and those between.
 fn points(flat: &PlanarPoints, span: [f64; 2]) -> impl Iterator<Item = (Vec2, f64)> + '_ {
     let [from, to] = span;
     let (first, after) = (from as usize + 1, math::ceil(to) as usize);
@@ -55,7 +55,7 @@ fn along_line(flat: &PlanarPoints, piece: &FittedPiece, limit: f64) -> Option<f6
         let (off, high) = (point.0 - piece.ends[0], point.1 - piece.heights[0]);
         let t = if square > 0.0 { (off.dot(chord) + high * rise) / square } else { 0.0 };
         let fraction = t.clamp(reached, 1.0);
-        // Who waits on the line has been there when the path was at its last point, too.
+        // The start of the line is also matched with the first point.
         if index == 0 {
             worst = distance(point, at(0.0));
         }
@@ -111,7 +111,7 @@ fn along_arc(
             }
             let mut high = (point.1 - piece.heights[0] - rise * angle.min(sweep)).abs();
             if rise != 0.0 {
-                // Along a chord the angle does not change evenly; twice this is the second derivative.
+                // Along a chord the angle is not linear; twice this is the second derivative.
                 let bend = (next - arm).length() / length.min(arm_length);
                 high = high.max((last.1 - piece.heights[0] - rise * (angle - turn)).abs());
                 high += rise.abs() * 0.25 * bend * bend;
@@ -130,7 +130,7 @@ fn along_arc(
     Some(worst.max(distance(last, (piece.ends[1], piece.heights[1]))))
 }
 
-/// The angle of a direction; that of a short chord, as most are, by its series.
+/// The angle of a direction, rad; for a small angle, as that of most chords, by a series.
 fn angle(sin: f64, cos: f64) -> f64 {
     if sin.abs() > 0.03 * cos {
         return math::atan2(sin, cos);
@@ -140,7 +140,7 @@ fn angle(sin: f64, cos: f64) -> f64 {
     slope * (1.0 - square * (1.0 / 3.0 - square * (0.2 - square * (1.0 / 7.0 - square / 9.0))))
 }
 
-/// The least distance from zero of the chord between two points.
+/// The smallest distance of the chord between two points from the origin, mm.
 fn least(a: Vec2, b: Vec2) -> f64 {
     let chord = b - a;
     let square = chord.dot(chord);

@@ -1,22 +1,21 @@
-//! Points in a plane with their heights, and pieces of path among them.
+//! Points in a plane with their heights, and pieces of the path through them.
 
 use crate::{Vec2, math};
 
 use super::FitMeasure;
 
-/// A part of the points, in the coordinates of a plane. Of a closed path they go round twice, so that places
-/// may be counted on over its start.
+/// A part of the points, in the coordinates of a plane. The points of a closed path are repeated once, so that positions
+/// can continue past its start.
 pub(super) struct PlanarPoints {
     /// The last point of the path.
     last: usize,
     pub(super) at: Vec<Vec2>,
     pub(super) height: Vec<f64>,
-    /// Length of the chords up to a point, in the plane.
+    /// Length of the chords up to each point, in the plane, mm.
     pub(super) along: Vec<f64>,
-    /// For every point, the next chord from there on that no arc may take in; one after the last
-    /// chord where there is none.
+    /// For each point, the index of the next chord that cannot be part of an arc; the number of chords if there is none.
     pub(super) stiff: Vec<usize>,
-    /// Chords whose middle may lie noticeably deeper than its ends.
+    /// True for chords whose midpoint may be noticeably farther from an arc than its ends.
     pub(super) deep: Vec<bool>,
 }
 
@@ -44,12 +43,12 @@ impl PlanarPoints {
             }
             let (a, b) = (at[index] - at[index - 1], at[index + 1] - at[index]);
             let lengths = (along[index] - along[index - 1]) * (along[index + 1] - along[index]);
-            // The sine serves for the small angles that matter.
+            // The sine is accurate enough for the small angles that matter.
             if a.dot(b) > 0.0 { (a.cross(b) / lengths).abs() } else { math::PI }
         };
         let depth = |index: usize| {
             let length = along[index + 1] - along[index];
-            // The sagitta of an arc that turns as the path does at this chord.
+            // The sagitta of an arc that turns like the path at this chord.
             length * turn(index).max(turn(index + 1)) / 8.0
         };
         let depths: Vec<f64> = (0..chords).map(depth).collect();
@@ -77,7 +76,7 @@ impl PlanarPoints {
         self.along[to] - self.along[from]
     }
 
-    /// The point at a place: a whole number is a point, a fraction lies on the chord after it.
+    /// The point at a position, which is an index of a point plus a fraction of the chord after it.
     pub(super) fn point(&self, place: f64) -> (Vec2, f64) {
         let whole = (place as usize).min(self.end());
         let fraction = place - whole as f64;
@@ -89,20 +88,21 @@ impl PlanarPoints {
         (a + (b - a) * fraction, height)
     }
 
-    /// The length along the chords up to a place.
+    /// The length along the chords up to a position, mm.
     pub(super) fn length_at(&self, place: f64) -> f64 {
         let whole = (place as usize).min(self.end() - 1);
         self.along[whole] + (place - whole as f64) * self.length(whole, whole + 1)
     }
 
-    /// The place of a length along the chords.
+    /// The position at a length along the chords, mm.
     pub(super) fn place(&self, length: f64) -> f64 {
         let following = self.along.partition_point(|along| *along <= length).min(self.end());
         let (a, b) = (self.along[following - 1], self.along[following]);
         (following - 1) as f64 + part(length, a, b)
     }
 
-    /// The place, near to another, where the path crosses the line through a point square to a direction.
+    /// The position, close to `near`, where the path crosses the line through a point perpendicular to a direction;
+    /// `None` if it does not.
     pub(super) fn foot(&self, near: f64, point: Vec2, direction: Vec2) -> Option<f64> {
         let ahead = |index: usize| (self.at[index] - point).dot(direction);
         let start = (near as usize).min(self.end() - 1);
@@ -132,7 +132,8 @@ impl PlanarPoints {
         Some(low as f64 + before / (before - following))
     }
 
-    /// Places at which a piece between two others is looked at: all points, or about `count` of more.
+    /// Passes positions between two others to `see`: those of all points, or if there are more than `count`, about
+    /// `count`.
     pub(super) fn probes(&self, from: f64, to: f64, count: usize, mut see: impl FnMut(f64)) {
         let (first, last) = (math::ceil(from) as usize, to as usize);
         if first >= last {
@@ -158,12 +159,12 @@ impl PlanarPoints {
     }
 }
 
-/// The part of the way from `a` to `b` that has been gone at `level`.
+/// The fraction of the interval from `a` to `b` at `level`, 0..=1.
 pub(super) fn part(level: f64, a: f64, b: f64) -> f64 {
     if b > a { ((level - a) / (b - a)).clamp(0.0, 1.0) } else { 0.0 }
 }
 
-/// A line or an arc between two points, and the part of the points that it stands for.
+/// A line or an arc between two points, and the range of the points that it replaces.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FittedPiece {
     pub(super) ends: [Vec2; 2],
@@ -178,14 +179,13 @@ pub(super) enum FittedShape {
     Line,
     Arc {
         center: Vec2,
-        /// Positive counter-clockwise, radians.
+        /// The angle of the arc, rad, positive counter-clockwise.
         sweep: f64,
     },
 }
 
 impl FittedPiece {
-    /// The line or arc from one point of the row to another whose direction turns by twice `half`
-    /// (radians, positive counter-clockwise).
+    /// The line or arc from one point to another whose direction turns by twice `half`, rad, positive counter-clockwise.
     pub(super) fn between(flat: &PlanarPoints, from: usize, to: usize, half: f64) -> FittedPiece {
         let ends = [flat.at[from], flat.at[to]];
         FittedPiece {
@@ -201,7 +201,7 @@ impl FittedPiece {
         self.ends[1] - self.ends[0]
     }
 
-    /// Half of the angle by which the direction turns.
+    /// Half of the angle by which the direction turns, rad.
     pub(super) fn half(&self) -> f64 {
         match self.shape {
             FittedShape::Line => 0.0,
@@ -209,7 +209,7 @@ impl FittedPiece {
         }
     }
 
-    /// The direction at the start, as long as the chord.
+    /// The direction at the start, with the length of the chord.
     pub(super) fn direction(&self) -> Vec2 {
         let (sin, cos) = math::sin_cos(-self.half());
         self.chord() * cos + self.chord().turned_left() * sin
@@ -220,7 +220,7 @@ impl FittedPiece {
     }
 }
 
-/// The arc between two points that turns by twice `half`; a line where that is zero.
+/// The arc between two points that turns by twice `half`, rad; a line if that is zero.
 pub(super) fn shape(ends: [Vec2; 2], half: f64) -> FittedShape {
     if half == 0.0 {
         return FittedShape::Line;

@@ -1,9 +1,8 @@
-//! From points back to curves: lines and arcs through a row of points within a tolerance, and the
-//! same path in fewer chords.
+//! Fits lines and arcs to a sequence of points within a tolerance, and simplifies a path to fewer chords.
 //!
-//! The distance is that of Fréchet between the new path and the chords of the old: two who walk along
-//! them from end to end without going back are nowhere further apart. It is computed for every piece
-//! that is handed out, by a walk that is one such way to go, so it is a bound and not a sample.
+//! The deviation is the Fréchet distance between the new path and the chords of the old one: there is a matching of their
+//! points, monotonic along both, in which no two points are farther apart. It is computed for every piece of the result
+//! from one such matching, so it is an upper bound and not an estimate from samples.
 
 mod band;
 mod deviation;
@@ -19,36 +18,35 @@ use crate::{Curve, Plane, Vec3, math};
 
 pub use simplify::simplify;
 
-/// What the distance of a fitted path is measured from.
+/// What the deviation of a fitted path is measured from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FitMeasure {
-    /// From the chords between the points: the path as it was written.
+    /// From the chords between the points: the path as it is programmed.
     #[default]
     Chords,
-    /// From the points alone, in their order: for points that lie on the curve that is meant.
+    /// From the points only, in their order: for points on the curve that is meant.
     Points,
 }
 
-/// How arcs and lines are laid through points.
+/// How arcs and lines are fitted to points.
 #[derive(Clone, Copy, Debug)]
 pub struct FitOptions {
-    /// Largest distance of the new path from the old one, mm.
+    /// The largest deviation of the new path from the old one, mm.
     pub tolerance: f64,
-    /// What it is measured from.
+    /// What the deviation is measured from.
     pub measure: FitMeasure,
-    /// Turns of the path by more than this, radians, are corners: they stay where they are.
+    /// Turns of the path by more than this are corners, which stay where they are, rad.
     pub corner: f64,
-    /// The plane of arcs; without it, whichever of the three the points lie in, and XY for helices.
+    /// The plane of arcs; `None` for the one of the three in which the points are, and XY for helices.
     pub plane: Option<Plane>,
-    /// Pieces meet in one direction where the path has no corner.
+    /// Pieces are tangent where the path has no corner.
     pub tangent: bool,
-    /// Arcs of a larger radius are lines, mm.
+    /// Arcs with a larger radius become lines, mm.
     pub max_radius: f64,
 }
 
 impl FitOptions {
-    /// Tangent arcs in any plane within `tolerance` (mm) of the chords; turns of more than 20° are
-    /// corners.
+    /// Options for tangent arcs in any plane within `tolerance` (mm) of the chords; turns of more than 20° are corners.
     #[must_use]
     pub fn within(tolerance: f64) -> FitOptions {
         FitOptions {
@@ -62,25 +60,25 @@ impl FitOptions {
     }
 }
 
-/// A line or an arc that stands for a part of the points.
+/// A line or an arc that replaces a range of the points.
 #[derive(Clone, Copy, Debug)]
 pub struct FitPiece {
-    /// The curve; it begins exactly where the one before ends.
+    /// The curve; it begins exactly at the end of the one before it.
     pub curve: Curve,
     /// The plane of an arc.
     pub plane: Plane,
-    /// From which to which point it goes; with a fraction where an end lies between two.
+    /// The indices of the points from which and to which it goes, with a fraction if an end is between two points.
     pub span: [f64; 2],
-    /// It is nowhere further from that part, mm.
+    /// An upper bound of its deviation from that range, mm.
     pub deviation: f64,
 }
 
-/// Why points cannot be fitted.
+/// Why curves cannot be fitted to points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FitError {
-    /// The tolerance is not a number above zero.
+    /// The tolerance is not a finite number above zero.
     Tolerance(f64),
-    /// This point, counted from 0, is no point.
+    /// A coordinate of this point, counted from 0, is NaN or infinite.
     NotFinite(usize),
 }
 
@@ -99,13 +97,13 @@ impl core::fmt::Display for FitError {
 
 impl core::error::Error for FitError {}
 
-/// Lines and arcs along `points` (mm), few of them: on smooth curves about as many as any path of
-/// arcs without gaps needs, ∫(|κ′|/(72√3·e))^⅓ ds.
+/// Fits few lines and arcs to `points` (mm): on smooth curves about as many as any continuous path of arcs needs,
+/// ∫(|κ′|/(72√3·e))^⅓ ds.
 ///
-/// Chords too long for an arc within the tolerance stay lines with their ends. Where `tangent` is
-/// asked and cannot be had within the tolerance, two pieces meet at an angle; [`breaks`] says where.
-/// A path that ends where it begins, without a corner there, is tangent there, too.
-/// Points that repeat the one before count for nothing; fewer than two others give no piece.
+/// Chords that are too long for an arc within the tolerance stay lines between the same ends. If `tangent` is set but not
+/// possible within the tolerance, two pieces meet at an angle, which [`breaks`] finds. A closed path without a corner at
+/// its start is tangent there as well. Points equal to the one before them are ignored; fewer than two different points
+/// give no pieces.
 ///
 /// ```
 /// use chordal_geometry::{Arc, Curve, FitOptions, ParamCurve, Placement, Plane, Vec3, fit_path};
@@ -129,8 +127,8 @@ pub fn fit_path(points: &[Vec3], options: &FitOptions) -> Result<Vec<FitPiece>, 
     Ok(pieces)
 }
 
-/// The angles, radians, by which the direction steps where pieces meet, with the number of the piece
-/// behind. Steps above `corner` (radians) are the corners of the path.
+/// The angles between the directions of consecutive pieces, rad, each with the index of the piece after the joint. Angles
+/// above [`FitOptions::corner`] are the corners of the path.
 pub fn breaks(pieces: &[FitPiece]) -> impl Iterator<Item = (usize, f64)> + '_ {
     use crate::ParamCurve;
     pieces.windows(2).enumerate().map(|(index, pair)| {
@@ -140,10 +138,10 @@ pub fn breaks(pieces: &[FitPiece]) -> impl Iterator<Item = (usize, f64)> + '_ {
     })
 }
 
-/// Points without those that repeat the one before.
+/// Points without those that are equal to the one before them.
 struct DistinctPoints {
     at: Vec<Vec3>,
-    /// Which point of those given it is.
+    /// The index of each point in the input.
     index: Vec<usize>,
 }
 
@@ -165,12 +163,12 @@ impl DistinctPoints {
         Ok(kept)
     }
 
-    /// A place among the points kept, as one among those given.
+    /// Converts a position in these points to one in the input.
     fn place(&self, at: f64) -> f64 {
         let whole = (at as usize).min(self.index.len() - 1);
         let (here, fraction) = (self.index[whole] as f64, at - whole as f64);
         match self.index.get(whole + 1) {
-            // The chord leads from the last of the points that are one.
+            // The chord begins at the last of the equal points.
             Some(next) if fraction > 0.0 => (*next as f64 - 1.0) + fraction,
             _ => here,
         }

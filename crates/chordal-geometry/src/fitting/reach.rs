@@ -1,4 +1,4 @@
-//! The longest line or arc from a point on, and the fewest of them in a row.
+//! Finds the longest line or arc from a point, and a chain of few such pieces.
 
 use crate::math;
 
@@ -6,31 +6,32 @@ use super::FitMeasure;
 use super::deviation::deviation;
 use super::flat::{FittedPiece, PlanarPoints};
 
-/// Arcs turn by no more than this, radians: near a whole turn the ends say little about the centre.
+/// Half of the largest angle of an arc, rad: close to a full turn the ends hardly determine the centre.
 const MAX_HALF_TURN: f64 = 5.0 / 6.0 * math::PI;
 
-/// A line is taken where it comes this near to what an arc would reach.
+/// A line is preferred if it reaches at least this fraction of the length of an arc.
 const LINE_FOR_ARC: f64 = 0.85;
 
-/// As many points of a longer row are looked at while a piece is sought; and for the place of its centre when
-/// it is measured.
+/// The largest number of points that are checked during the search for a piece.
 const SAMPLES: usize = 24;
+/// The largest number of points that are checked for its angle when its deviation is computed.
 const FINE_SAMPLES: usize = 200;
 
-/// At which points a piece is looked at.
+/// Which points are checked for a piece.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum PointSampling {
     Some,
     All,
 }
 
-/// Points from one to before another: all of few, some of many.
+/// Indices from one up to another, excluding it: all, or `most` of them at equal distances.
 fn samples(from: usize, to: usize, most: usize) -> impl Iterator<Item = usize> {
     let count = (to - from).min(most);
     (0..count).map(move |sample| from + (to - from) * sample / count)
 }
 
-/// The furthest number for which there is something, and that: by steps that double, then by halving.
+/// The largest index found for which `find` returns something, with the result: first with doubling steps, then by
+/// bisection. `None` if there is none.
 fn search<T>(
     from: usize,
     last: usize,
@@ -53,7 +54,7 @@ fn search<T>(
             }
         }
     }
-    // To a sixty-fourth: the row of pieces is made even afterwards.
+    // To a 64th, which is enough because the lengths of the pieces are balanced afterwards.
     while bad - good > 1 + good / 64 {
         let next = good + (bad - good) / 2;
         match find(from + next) {
@@ -64,7 +65,7 @@ fn search<T>(
     best
 }
 
-/// Looks for pieces along a row of points.
+/// Searches for pieces along a sequence of points.
 pub(super) struct PieceFinder<'a> {
     pub(super) flat: &'a PlanarPoints,
     pub(super) tolerance: f64,
@@ -73,7 +74,7 @@ pub(super) struct PieceFinder<'a> {
 }
 
 impl PieceFinder<'_> {
-    /// Lines and arcs from a point to another, each as long as it can be.
+    /// Lines and arcs from one point to another, each as long as possible.
     pub(super) fn chain(&self, [from, to]: [usize; 2]) -> Vec<FittedPiece> {
         let mut pieces: Vec<FittedPiece> = Vec::new();
         let (mut at, mut hint) = (from, 1);
@@ -87,13 +88,13 @@ impl PieceFinder<'_> {
         pieces
     }
 
-    /// The longest line or arc from a point on.
+    /// The longest line or arc from a point.
     fn longest(&self, from: usize, last: usize, hint: usize) -> FittedPiece {
         let stiff = self.flat.stiff[from];
         let line =
             self.furthest(from, last, hint, |to, look| self.line(from, to, self.tolerance, look));
         let straight = || {
-            // Further than the straight part of the path a line only cuts into the bend after it.
+            // Beyond the straight part of the path, a line would only cut into the bend after it.
             let fine = self.tolerance / 10.0;
             let to = line.span[1] as usize;
             let near =
@@ -112,8 +113,7 @@ impl PieceFinder<'_> {
         self.flat.length(piece.span[0] as usize, piece.span[1] as usize)
     }
 
-    /// The piece to the furthest point for which there is one: looked for at some of the points, then
-    /// measured.
+    /// The piece to the farthest possible point: searched with some of the points, then with its exact deviation.
     fn furthest(
         &self,
         from: usize,
@@ -124,7 +124,7 @@ impl PieceFinder<'_> {
         let single = FittedPiece::between(self.flat, from, from + 1, 0.0);
         let found = search(from, last, hint, |to| piece(to, PointSampling::Some));
         let Some((_, to)) = found else { return single };
-        // It may be beyond between the points looked at: then mostly not by much.
+        // Between the checked points the deviation may be too large, but usually only slightly.
         let nearer = |part: usize| from + (to - from) * part / 64;
         let tried = [64, 63, 62, 60, 56].map(nearer);
         let measured = tried.into_iter().find_map(|to| piece(to, PointSampling::All));
@@ -171,12 +171,12 @@ impl PieceFinder<'_> {
         Some(FittedPiece { deviation, ..piece })
     }
 
-    /// Half of the turn of the arc between two points that keeps furthest from the limits that the
-    /// points between set; `None` where they leave nothing.
+    /// Half of the angle of the arc between two points, rad, in the middle of the range that the points between them
+    /// allow; `None` if the range is empty.
     ///
-    /// In the frame of the chord of length 2h, with (x, y) from its middle: a circle through both ends
-    /// passes within e of a point where |k/2·sin ω + y·cos ω| ≤ e, k = (x² + y² − h² − e²)/h and ω half
-    /// of the turn to the right. That is an interval about ω₀ = atan2(2y, −k).
+    /// In the frame of the chord of length 2h, with (x, y) relative to its midpoint: a circle through both ends passes
+    /// within e of a point if |k/2·sin ω + y·cos ω| ≤ e, with k = (x² + y² − h² − e²)/h and ω half of the angle to the
+    /// right. That is an interval about ω₀ = atan2(2y, −k).
     fn half_turn(&self, from: usize, to: usize, most: usize) -> Option<f64> {
         let at = &self.flat.at;
         let chord = at[to] - at[from];
@@ -189,7 +189,7 @@ impl PieceFinder<'_> {
         let mut narrow = |x: f64, y: f64| {
             let half_k = 0.5 * (x * x + y * y - h * h - e * e) / h;
             let is_within = |(sin, cos): (f64, f64)| (half_k * sin + y * cos).abs() <= e;
-            // Where both ends of a short interval are within, all of it is.
+            // If both ends of a short interval satisfy the condition, so does all of it.
             if range[1] - range[0] < 1.0 && is_within(limits[0]) && is_within(limits[1]) {
                 return true;
             }

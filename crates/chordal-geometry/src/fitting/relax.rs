@@ -1,9 +1,9 @@
-//! Relaxes a row of pieces into a strip about the path: what lies outside pulls, with the square of how far
-//! it does, and the row stays tangent.
+//! Relaxes a chain of pieces into a strip about the path: minimizes the sum of the squares of the distances by which
+//! points are outside, while the chain stays tangent.
 //!
-//! Levenberg's and Marquardt's steps: what changes of a piece touches its neighbours only, so each costs a
-//! band of nine numbers a row. The distance of a point from an arc is taken from its power by the circle, which
-//! stays sound where an arc becomes straight.
+//! The steps are those of Levenberg and Marquardt. A change of a piece affects only its neighbours, so the matrix is a
+//! band with nine numbers per row. The distance of a point from an arc is computed from its power with respect to the
+//! circle, which is also stable if the arc becomes straight.
 
 use crate::{Vec2, math};
 
@@ -11,38 +11,40 @@ use super::band::{BandMatrix, EquationTerms};
 use super::flat::PlanarPoints;
 use super::row::{EACH, JointDirections, PieceRow};
 
-/// Steps at most; a row is given up that keeps more than this part of what is outside over several of them.
+/// The largest number of steps.
 const STEPS: usize = 48;
+/// A chain that keeps more than this fraction of its excess over [`MAX_ROUNDS_WITHOUT_GAIN`] steps is given up.
 const LEFT: f64 = 0.5;
 const MAX_ROUNDS_WITHOUT_GAIN: usize = 8;
-/// Steps in which every point pulls, of a row that is not near the path yet.
+/// The number of first steps in which every point counts, for a chain that is not close to the path yet.
 const FIRST_STEPS: usize = 3;
-/// Chords of a piece after which its path is looked at; longer ones at as many points.
+/// The largest number of chords of a piece of which all points are checked; of longer pieces, this many points are
+/// checked.
 const PROBES: usize = 20;
-/// Weight of the directions' equality relative to distances.
+/// Weight of the tangency of pieces relative to distances.
 const DIRECTION: f64 = 1e5;
-/// How hard joints may slide, of what the strip's width and the pieces' length let expect.
+/// How far joints may slide, relative to what the width of the strip and the length of the pieces suggest.
 const SLIDE: f64 = 16.0;
 
-/// What holds of a row in a strip.
+/// A strip about the path, and how chains are relaxed into it.
 #[derive(Clone, Copy)]
 pub(super) struct StripRow<'a> {
     pub(super) flat: &'a PlanarPoints,
-    /// Half of its width, mm.
+    /// Half of the width of the strip, mm.
     pub(super) width: f64,
 }
 
-/// How far points are outside.
+/// How far points are outside of the strip.
 #[derive(Clone, Copy)]
 struct StripExcess {
-    /// Of the squares.
+    /// The sum of the squares, mm².
     sum: f64,
     largest: f64,
 }
 
 impl StripRow<'_> {
-    /// The row relaxed, tangent: and by how much it is outside at most, mm. `None` where that does not come
-    /// to an end.
+    /// The relaxed, tangent chain, and the largest distance by which it is outside, mm. `None` if the steps do not
+    /// converge.
     pub(super) fn relax(&self, row: &PieceRow, is_rough: bool) -> Option<(PieceRow, f64)> {
         let mut row = row.clone();
         if !row.is_sound() {
@@ -97,7 +99,7 @@ impl StripRow<'_> {
         Some((new, outside))
     }
 
-    /// Where the path is looked at: places that stay the same while joints move.
+    /// The positions at which the path is checked, which stay the same while joints move.
     fn probes(&self, row: &PieceRow) -> Vec<RowProbe> {
         let mut probes = Vec::with_capacity(row.len() * (PROBES + 1));
         for span in row.places.windows(2) {
@@ -120,7 +122,7 @@ impl StripRow<'_> {
         outside
     }
 
-    /// The step that brings points nearer which are further off than `width`.
+    /// The step that moves the chain closer to points that are farther off than `width`, mm.
     fn step(
         &self,
         row: &PieceRow,
@@ -166,13 +168,13 @@ impl StripRow<'_> {
     }
 }
 
-/// A place of the path, and where it is.
+/// A position of the path, and its point.
 struct RowProbe {
     place: f64,
     point: Vec2,
 }
 
-/// Hands on every probe with the piece that it belongs to.
+/// Passes every probe to `see`, with the piece that it belongs to.
 fn each(row: &PieceRow, probes: &[RowProbe], mut see: impl FnMut(usize, &SupportCircle, Vec2)) {
     let mut probes = probes.iter().peekable();
     for piece in 0..row.len() {
@@ -184,7 +186,7 @@ fn each(row: &PieceRow, probes: &[RowProbe], mut see: impl FnMut(usize, &Support
     }
 }
 
-/// Takes one more equation into a solution, as Sherman and Morrison do.
+/// Includes one more equation in a solution, by the formula of Sherman and Morrison.
 fn close(
     factored: &super::band::FactoredBand<9>,
     change: &mut [f64],
@@ -206,7 +208,7 @@ fn close(
     }
 }
 
-/// A piece as the circle or line that it lies on.
+/// The circle or line of a piece.
 struct SupportCircle {
     ends: [Vec2; 2],
     chord: Vec2,
@@ -223,13 +225,13 @@ impl SupportCircle {
         SupportCircle { ends, chord, length: chord.length(), sin, cos }
     }
 
-    /// How far a point is to the left: its power by the circle, over the diameter.
+    /// How far a point is to the left, mm: its power with respect to the circle, divided by the diameter.
     fn off(&self, point: Vec2) -> f64 {
         let [v, w] = self.ends.map(|end| point - end);
         (self.cos * self.chord.cross(v) - self.sin * v.dot(w)) / self.length
     }
 
-    /// How that changes with the piece.
+    /// How that distance changes with the unknowns of the piece.
     fn terms(
         &self,
         row: &PieceRow,

@@ -1,32 +1,32 @@
-//! A row of lines and arcs by what may change of it: where its joints are, and how far each piece bulges.
+//! A chain of lines and arcs, described by what may change: the positions of its joints, and the bulge of each piece.
 //!
-//! Two arcs meet tangentially where the angle between their chords is half the sum of their turns. Every
-//! tangent joint has such an equation.
+//! Two arcs are tangent if the angle between their chords is half the sum of the angles of the arcs. Every tangent joint
+//! has such an equation.
 
 use crate::{Vec2, math};
 
 use super::band::{BandMatrix, EquationTerms};
 use super::flat::{FittedPiece, PlanarPoints, part, shape};
 
-/// Unknowns of a piece: its first joint's move off the path and along it, and the change of its bulge, all in
-/// millimetres.
+/// The number of unknowns per piece: the moves of its first joint across the path and along it, and the change of its
+/// bulge, all in millimetres.
 pub(super) const EACH: usize = 3;
 /// How much more freely a joint slides along the path than it leaves it.
 const SLIDE: f64 = 16.0;
 const MAX_STEPS: usize = 8;
-/// Pieces with a shorter chord are none, mm.
+/// A piece with a shorter chord has no direction, mm.
 const MIN_CHORD_MM: f64 = 1e-9;
-/// Directions that differ by less are one, radians.
+/// Directions that differ by less are equal, rad.
 const TANGENT: f64 = 1e-11;
 
-/// What may happen to a joint.
+/// How a joint may change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum FittedJoint {
-    /// It moves, and its pieces meet in one direction.
+    /// It may move, and its pieces are tangent.
     Free,
-    /// It stays; its pieces meet in one direction.
+    /// It does not move, and its pieces are tangent.
     Pinned,
-    /// It stays, and its pieces need not meet in one direction.
+    /// It does not move, and its pieces need not be tangent.
     Corner,
 }
 
@@ -34,7 +34,7 @@ pub(super) enum FittedJoint {
 pub(super) struct JointDirections(Vec<Option<Vec2>>);
 
 impl JointDirections {
-    /// What a joint's unknowns add to an equation, for a gradient by its place.
+    /// Adds the terms of a joint to an equation, from the gradient with respect to its position.
     pub(super) fn terms(&self, joint: usize, gradient: Vec2, terms: &mut EquationTerms) {
         if let Some(along) = self.0[joint] {
             terms.push(joint * EACH, along.cross(gradient));
@@ -45,33 +45,33 @@ impl JointDirections {
 
 #[derive(Clone, Debug)]
 pub(super) struct PieceRow {
-    /// Where pieces begin; the last is the end. The outermost never move.
+    /// The points where pieces begin, and the end of the last piece, mm. The first and the last never move.
     pub(super) joints: Vec<Vec2>,
     pub(super) kinds: Vec<FittedJoint>,
-    /// The places of the path that belong to the joints.
+    /// The positions of the joints along the path.
     pub(super) places: Vec<f64>,
-    /// Half of the turn of each piece, positive counter-clockwise.
+    /// Half of the angle of each piece, rad, positive counter-clockwise.
     pub(super) halves: Vec<f64>,
     pub(super) lines: Vec<bool>,
-    /// The last piece and the first meet in one direction.
+    /// The chain is closed, and its last piece is tangent to the first.
     pub(super) is_closed: bool,
-    /// Directions in which the row has to begin and to end.
+    /// The directions at the start and at the end, if they are prescribed.
     pub(super) directions: [Option<Vec2>; 2],
 }
 
-/// The angle from one direction to another, less what it is meant to be.
+/// The angle from one direction to another, minus the intended one, rad.
 fn excess(a: Vec2, b: Vec2, meant: f64) -> f64 {
     let turn = math::atan2(a.cross(b), a.dot(b)) - meant;
     turn - math::TAU * math::round(turn / math::TAU)
 }
 
-/// How the angle of a chord changes with its end.
+/// The gradient of the angle of a chord with respect to its end, rad/mm.
 fn slope(chord: Vec2) -> Vec2 {
     chord.turned_left() * (1.0 / chord.dot(chord))
 }
 
 impl PieceRow {
-    /// A row of the pieces; those of `straight` stay lines. Joints between two of these are corners.
+    /// A chain of these pieces. Those for which `straight` is true stay lines; joints between two lines are corners.
     pub(super) fn of(pieces: &[FittedPiece], straight: impl Fn(&FittedPiece) -> bool) -> PieceRow {
         let lines: Vec<bool> = pieces.iter().map(straight).collect();
         let mut kinds: Vec<FittedJoint> = lines
@@ -95,7 +95,7 @@ impl PieceRow {
         self.joints[piece + 1] - self.joints[piece]
     }
 
-    /// The direction of a piece at its start or its end, as long as its chord.
+    /// The direction of a piece at its start or its end, with the length of its chord.
     pub(super) fn direction(&self, piece: usize, at_end: bool) -> Vec2 {
         let half = if at_end { self.halves[piece] } else { -self.halves[piece] };
         let (sin, cos) = math::sin_cos(half);
@@ -103,8 +103,8 @@ impl PieceRow {
         chord * cos + chord.turned_left() * sin
     }
 
-    /// The pieces from one joint to another, which keep the directions in which they meet the others. Joints of a
-    /// closed row are counted on over its start.
+    /// The pieces from one joint to another, with the directions at their ends prescribed. In a closed chain, the
+    /// indices of joints may continue past its start.
     pub(super) fn part(&self, from: usize, to: usize) -> PieceRow {
         let count = self.len();
         let is_closed = self.is_closed && from == 0 && to == count;
@@ -120,7 +120,7 @@ impl PieceRow {
             _ if to == count => self.directions[1],
             _ => (self.kinds[to] != FittedJoint::Corner).then(|| self.direction(to, false)),
         };
-        // What is taken once, and what after the start.
+        // The pieces up to the end of the chain, and those after its start.
         let (once, again) = (from..to.min(count), 0..to.saturating_sub(count));
         let pieces = || once.clone().chain(again.clone());
         let joints = || from..=to;
@@ -136,18 +136,18 @@ impl PieceRow {
         }
     }
 
-    /// What places of a joint counted on over the start of a closed row are larger.
+    /// By how much the position of a joint is larger if its index continues past the start of a closed chain.
     fn round(&self, joint: usize) -> f64 {
         if joint > self.len() { self.places[self.len()] - self.places[0] } else { 0.0 }
     }
 
-    /// The row with places that are smaller.
+    /// The chain with positions reduced by `by`.
     pub(super) fn moved_back(mut self, by: f64) -> PieceRow {
         self.places.iter_mut().for_each(|place| *place -= by);
         self
     }
 
-    /// Puts another row in the place of the pieces from one joint to another; it begins and ends there.
+    /// Replaces the pieces from one joint to another by another chain with the same ends.
     pub(super) fn replace(&mut self, from: usize, to: usize, new: &PieceRow) {
         let inner = 1..new.len();
         self.joints.splice(from + 1..to, new.joints[inner.clone()].iter().copied());
@@ -161,7 +161,7 @@ impl PieceRow {
         joint > 0 && joint < self.len() && self.kinds[joint] == FittedJoint::Free
     }
 
-    /// The direction of the path at every joint that is free, about.
+    /// The approximate direction of the path at every free joint.
     pub(super) fn along(&self) -> JointDirections {
         let unit = |piece: usize| self.chord(piece).normalized().unwrap_or(Vec2::ZERO);
         let units: Vec<Vec2> = (0..self.len()).map(unit).collect();
@@ -172,8 +172,8 @@ impl PieceRow {
         JointDirections((0..=self.len()).map(at).collect())
     }
 
-    /// The equation of a joint, and by how much it is not met; `None` where there is none. That of the two
-    /// ends of a closed row is the first.
+    /// The equation of a joint, and by how much it is not satisfied; `None` if it has none. The equation between the
+    /// ends of a closed chain is that of the first joint.
     pub(super) fn equation(
         &self,
         joint: usize,
@@ -188,13 +188,13 @@ impl PieceRow {
             _ if self.kinds[joint] == FittedJoint::Corner => return None,
             _ => (Some(joint - 1), Some(joint)),
         };
-        // At an end one of the directions is given.
-        let provided = self.directions[usize::from(joint == count)];
+        // At an end one of the directions is prescribed.
+        let prescribed = self.directions[usize::from(joint == count)];
         let direction =
-            |piece: Option<usize>| piece.map_or(provided, |piece| Some(self.chord(piece)));
+            |piece: Option<usize>| piece.map_or(prescribed, |piece| Some(self.chord(piece)));
         let (a, b) = (direction(before)?, direction(following)?);
         let (mut slopes, mut meant) = (Vec2::ZERO, 0.0);
-        // A piece turns by its chord, which its other joint moves, and by its bulge.
+        // The direction of a piece depends on its chord, and so on its other joint, and on its bulge.
         for (piece, other) in
             [before.map(|at| (at, at)), following.map(|at| (at, at + 1))].into_iter().flatten()
         {
@@ -210,13 +210,13 @@ impl PieceRow {
         Some((terms, excess(a, b, meant)))
     }
 
-    /// Moves joints and changes bulges; `None` where that makes no row.
+    /// Moves joints and changes bulges; `None` if the result is not a valid chain.
     pub(super) fn change(&mut self, change: &[f64]) -> Option<()> {
         let along = self.along();
         let moves: Vec<Vec2> = (1..self.len())
             .map(|joint| {
                 let Some(along) = along.0[joint] else { return Vec2::ZERO };
-                // No joint overtakes another.
+                // A joint must not pass another one.
                 let most = 0.3 * self.chord(joint - 1).length().min(self.chord(joint).length());
                 let slide = change[joint * EACH + 1].clamp(-most, most);
                 along.turned_left() * change[joint * EACH] + along * slide
@@ -233,7 +233,7 @@ impl PieceRow {
         self.is_sound().then_some(())
     }
 
-    /// Whether every piece is one: what has no length has no direction.
+    /// Whether every piece has a length, and so a direction.
     pub(super) fn is_sound(&self) -> bool {
         let has_length = |piece: usize| {
             let length = self.chord(piece).length();
@@ -243,7 +243,7 @@ impl PieceRow {
             && (0..self.len()).all(has_length)
     }
 
-    /// Makes the row tangent by the least change, in Newton's steps; `None` where they do not come to an end.
+    /// Makes the chain tangent with the smallest change, by Newton's method; `None` if it does not converge.
     pub(super) fn make_tangent(&mut self) -> Option<()> {
         let mut last = f64::INFINITY;
         for _ in 0..MAX_STEPS {
@@ -267,10 +267,10 @@ impl PieceRow {
         None
     }
 
-    /// The least change that meets the equations, as far as they are linear: W·Aᵀ·λ with A·W·Aᵀ·λ = −off.
+    /// The smallest change that satisfies the linearized equations: W·Aᵀ·λ with A·W·Aᵀ·λ = −off.
     fn least_change(&self, equations: &[Option<(EquationTerms, f64)>]) -> Option<Vec<f64>> {
         let weight = |unknown: usize| if unknown % EACH == 1 { SLIDE } else { 1.0 };
-        // The equation that closes a row stands outside the band.
+        // The equation that closes a chain is outside the band.
         let closing = equations[0].as_ref().filter(|_| self.is_closed);
         let inner =
             |joint: usize| equations[joint].as_ref().filter(|_| joint > 0 || closing.is_none());
@@ -312,7 +312,7 @@ impl PieceRow {
         Some(change)
     }
 
-    /// Makes lines of the arcs of a larger radius; whether there are any.
+    /// Replaces arcs with a radius above `max_radius`, mm, by lines; true if there were any.
     pub(super) fn flatten(&mut self, max_radius: f64) -> bool {
         let mut is_any = false;
         for piece in 0..self.len() {
@@ -328,7 +328,7 @@ impl PieceRow {
         is_any
     }
 
-    /// Finds the places of the path that belong to joints anew; `None` where they are not in order.
+    /// Finds the positions of the joints along the path again; `None` if they are not in order.
     pub(super) fn settle(&mut self, flat: &PlanarPoints) -> Option<()> {
         for (joint, along) in self.along().0.iter().enumerate() {
             if let Some(along) = *along {
@@ -338,7 +338,7 @@ impl PieceRow {
         self.places.is_sorted().then_some(())
     }
 
-    /// A piece as a curve, not measured.
+    /// A piece as a curve, without its deviation.
     pub(super) fn piece(&self, flat: &PlanarPoints, index: usize) -> FittedPiece {
         let places = [index, index + 1].map(|joint| self.places[joint]);
         let ends = [index, index + 1].map(|joint| self.joints[joint]);
@@ -352,7 +352,7 @@ impl PieceRow {
         }
     }
 
-    /// Makes two points the ends of the row; its first and last piece reach there.
+    /// Moves the ends of the chain to two points of the path.
     pub(super) fn end_at(&mut self, flat: &PlanarPoints, [from, to]: [usize; 2]) {
         let last = self.len();
         self.is_closed = false;
@@ -371,8 +371,8 @@ impl PieceRow {
         }
     }
 
-    /// Puts `count` arcs, each through three places of the path, where those between two joints were: as long
-    /// as the old joints, or a density, ask.
+    /// Replaces the arcs between two joints by `count` arcs, each through three points of the path, with lengths
+    /// according to `rule`.
     pub(super) fn spread(
         &mut self,
         flat: &PlanarPoints,
@@ -412,16 +412,17 @@ impl PieceRow {
     }
 }
 
-/// By what joints are spread.
+/// How the lengths of new arcs are chosen.
 #[derive(Clone, Copy)]
 pub(super) enum SpreadRule<'a> {
-    /// By the lengths of the pieces that there were.
+    /// In proportion to the lengths of the replaced pieces.
     Joints,
-    /// By how many arcs the path asks for, where.
+    /// By the number of arcs that the path needs at each point.
     Density(&'a ArcDensity),
 }
 
-/// How many arcs the path asks for, where: the lengths up to the joints of a row of far shorter ones.
+/// How many arcs the path needs at each point: the lengths along the path up to the joints of a chain of far shorter
+/// arcs, mm.
 pub(super) struct ArcDensity(pub(super) Vec<f64>);
 
 impl ArcDensity {
@@ -431,7 +432,7 @@ impl ArcDensity {
         self.0.extend(again);
     }
 
-    /// Sums of arcs with the lengths at which they are reached, between two lengths.
+    /// The number of arcs up to each length, between two lengths.
     fn table(&self, [start, end]: [f64; 2]) -> Vec<(f64, f64)> {
         let rank = |length: f64| {
             let following =
@@ -449,7 +450,7 @@ impl ArcDensity {
     }
 }
 
-/// Half of the turn of the arc from one point through another to a third.
+/// Half of the angle of the arc from one point through another to a third, rad.
 fn half_through(from: Vec2, through: Vec2, to: Vec2) -> f64 {
     let (v, w) = (through - from, through - to);
     math::atan2(-(to - from).cross(v), -v.dot(w))

@@ -1,4 +1,4 @@
-//! Cuts the points at corners and where their plane changes, and fits what lies between.
+//! Divides the points at corners and where their plane changes, and fits each section.
 
 use crate::{Arc, Curve, Line, Plane, Vec2, Vec3, math};
 
@@ -6,7 +6,7 @@ use super::flat::{FittedPiece, FittedShape, PlanarPoints};
 use super::smooth::{RowEnds, SectionFit};
 use super::{FitOptions, FitPiece};
 
-/// A part of the points without a corner, in one plane.
+/// A range of the points without a corner, in one plane.
 #[derive(Clone, Copy, Debug)]
 struct PlanarSection {
     from: usize,
@@ -14,7 +14,7 @@ struct PlanarSection {
     plane: Plane,
 }
 
-/// The parts between corners, each in its plane.
+/// The sections between corners, each in its plane.
 fn sections(points: &[Vec3], options: &FitOptions) -> Vec<PlanarSection> {
     let mut sections = Vec::new();
     let mut from = 0;
@@ -35,11 +35,11 @@ fn sections(points: &[Vec3], options: &FitOptions) -> Vec<PlanarSection> {
 fn is_corner(before: Vec3, at: Vec3, after: Vec3, options: &FitOptions) -> bool {
     let (a, b) = (at - before, after - at);
     let (sin, cos) = math::sin_cos(options.corner.clamp(0.0, math::PI));
-    // The sine of how much more than a corner it turns.
+    // Compares the angle with that of a corner by the sine of their difference.
     a.cross(b).length() * cos > a.dot(b) * sin
 }
 
-/// Whether the points end where they begin, and go on there without a corner.
+/// Whether the points end where they begin, without a corner there.
 fn is_closed(points: &[Vec3], options: &FitOptions) -> bool {
     let last = points.len().saturating_sub(1);
     last > 2
@@ -47,14 +47,14 @@ fn is_closed(points: &[Vec3], options: &FitOptions) -> bool {
         && !is_corner(points[last - 1], points[0], points[1], options)
 }
 
-/// Cuts a part where its plane changes. What lies in no plane is taken as turns about Z.
+/// Divides a section where its plane changes. Points in no coordinate plane are treated as turns about Z.
 fn by_plane(
     points: &[Vec3],
     [from, to]: [usize; 2],
     tolerance: f64,
     sections: &mut Vec<PlanarSection>,
 ) {
-    /// Fewer chords are not worth a plane of their own.
+    /// Fewer chords do not become a section of their own.
     const MIN_SECTION_CHORDS: usize = 4;
     let level = 1e-6 + tolerance / 1000.0;
     let reach = |start: usize, plane: Plane| {
@@ -150,7 +150,7 @@ fn curve(piece: &FittedPiece, plane: Plane) -> Curve {
     Arc { center, u: spoke / radius, w: plane.normal(), radius, sweep, rise, start, end }.into()
 }
 
-/// The whole circle, where the points go round once.
+/// The full circle, if the points follow one; otherwise `None`.
 fn circle(flat: &PlanarPoints, options: &FitOptions) -> Option<FittedPiece> {
     let last = flat.last();
     if last < 6 || flat.at[0] != flat.at[last] {

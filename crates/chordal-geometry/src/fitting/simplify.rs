@@ -1,13 +1,13 @@
-//! The same path in fewer chords.
+//! Simplifies a path to fewer chords.
 
 use crate::Vec3;
 
 use super::{DistinctPoints, FitError};
 
-/// Numbers of those of `points` (mm) that are kept so that the path of chords through them is nowhere
-/// further than `tolerance` (mm) from that through all, in the sense of Fréchet. Both ends are kept.
+/// The indices of the `points` (mm) to keep so that the Fréchet distance between the path of chords through them and that
+/// through all points is at most `tolerance` (mm). Both ends are kept.
 ///
-/// Each chord goes as far as it can: never more chords than the fewest for half of the tolerance.
+/// Each chord is as long as possible. There are never more chords than the minimum for half of the tolerance.
 ///
 /// # Errors
 /// See [`FitError`].
@@ -24,7 +24,7 @@ pub fn simplify(points: &[Vec3], tolerance: f64) -> Result<Vec<usize>, FitError>
     Ok(kept)
 }
 
-/// The furthest point, as far as doubling and halving find it, to which one chord leads.
+/// The farthest point to which one chord leads, as far as doubling and bisection find it.
 fn furthest(points: &[Vec3], from: usize, hint: usize, tolerance: f64) -> usize {
     let (mut good, mut bad) = (1, points.len() - from);
     let mut step = (hint / 2).max(1);
@@ -48,8 +48,8 @@ fn furthest(points: &[Vec3], from: usize, hint: usize, tolerance: f64) -> usize 
     from + good
 }
 
-/// Whether the chord from the first point to the last is within the tolerance of the path between
-/// them: each point against its foot, or the furthest that was reached already.
+/// Whether the chord from the first point to the last is within the tolerance of the path between them. Each point is
+/// matched with its foot on the chord, or with the farthest point that was already matched, if that is later.
 fn is_near(part: &[Vec3], tolerance: f64) -> bool {
     let (first, last) = (part[0], part[part.len() - 1]);
     let chord = last - first;

@@ -1,8 +1,8 @@
-//! From pieces through the points to tangent ones, as few as can be.
+//! Turns pieces through the points into tangent pieces, as few as possible.
 //!
-//! The row of pieces, each as long as it can be, is relaxed into the strip of the tolerance. Where it does not
-//! fit, one piece more is put in there, the joints about it spread evenly, and relaxed again; where the
-//! distances say that there is room, one is taken out. What cannot be tangent stays as it was.
+//! The chain of pieces, each as long as possible, is relaxed into a strip as wide as the tolerance. Where it does not
+//! fit, one piece is added, the joints around it are redistributed, and it is relaxed again. Where the deviations leave
+//! room, one piece is removed. Pieces that cannot be tangent are not changed.
 
 use crate::{Vec2, math};
 
@@ -13,38 +13,42 @@ use super::relax::StripRow;
 use super::row::{ArcDensity, FittedJoint, PieceRow, SpreadRule};
 use super::{FitMeasure, FitOptions};
 
-/// Halvings of the tolerance when a row is made even; that is for rows of no more pieces.
+/// The number of bisection steps for the tolerance when the lengths of pieces are balanced.
 const TOLERANCE_HALVINGS: usize = 5;
+/// The lengths of more pieces are not balanced.
 const MAX_HALVED_PIECES: usize = 100;
-/// The strip that points are relaxed into, of the tolerance: some lie between those looked at. Where these turn
-/// out to be further off, it is made so often narrower.
+/// Half the width of the strip for relaxing, as a fraction of the tolerance: points between the checked ones may be
+/// farther off.
 const STRIP: f64 = 0.985;
+/// How often the strip is made narrower if they are.
 const NARROWER: usize = 3;
-/// Rows so far out of the strip, of the tolerance, are not measured.
+/// The deviation of a chain farther out of the strip than this fraction of the tolerance is not computed.
 const HOPELESS: f64 = 0.02;
-/// Pieces relaxed at once when a row is new, and how many of them again with the next.
+/// The number of pieces of a new chain that are relaxed together.
 const BLOCK: usize = 64;
+/// How many of them are relaxed again with the next ones.
 const OVERLAP: usize = 16;
-/// Pieces on either side of a place whose joints are spread anew, and next to them those that only give way.
+/// The number of pieces on either side of a point whose joints are redistributed.
 const SPREAD: usize = 8;
+/// The number of pieces next to those on either side that only adapt.
 const GIVE: usize = 4;
-/// The most pieces spread at once.
+/// The largest number of pieces that are redistributed together.
 const WINDOW: usize = 24;
-/// How often pieces are put in.
+/// The largest number of rounds in which pieces are added.
 const ATTEMPTS: usize = 8;
-/// How often a row is cut where it cannot be tangent.
+/// The largest number of rounds in which a chain is cut where it cannot be tangent.
 const CUTS: usize = 4;
-/// A row within this part of the tolerance decides where arcs are needed.
+/// The fraction of the tolerance for the chain of short arcs that shows where arcs are needed.
 const FINE_TOLERANCE_SHARE: f64 = 0.05;
-/// Pieces are lines to stay where they are nearer than this part of the tolerance.
+/// Lines with a deviation below this fraction of the tolerance stay lines.
 const STRAIGHT_TOLERANCE_SHARE: f64 = 0.1001;
 
-/// What is asked of the ends of a row.
+/// The conditions at the ends of a chain.
 #[derive(Clone, Copy, Default)]
 pub(super) struct RowEnds {
-    /// They meet in one direction.
+    /// The chain is closed and tangent there.
     pub(super) is_closed: bool,
-    /// Directions that are given.
+    /// The prescribed directions at the start and at the end.
     pub(super) directions: [Option<Vec2>; 2],
 }
 
@@ -54,22 +58,22 @@ pub(super) struct SectionFit<'a> {
     options: &'a FitOptions,
 }
 
-/// A row with the distances of its pieces; those not measured are no numbers.
+/// A chain with the deviations of its pieces, mm; NaN where not computed yet.
 struct MeasuredRow {
     row: PieceRow,
     deviations: Vec<f64>,
 }
 
-/// A part of a row that was relaxed.
+/// A part of a chain that was relaxed.
 struct RelaxedRow {
     row: PieceRow,
     deviations: Vec<f64>,
-    /// By how much it is too far off, mm.
+    /// By how much its deviation exceeds the tolerance, mm.
     excess: f64,
 }
 
 impl MeasuredRow {
-    /// Puts a part in the place of the pieces between two joints; in a closed row these may be counted on.
+    /// Replaces the pieces between two joints, whose indices may continue past the start of a closed chain.
     fn replace(&mut self, [from, to]: [usize; 2], new: &RelaxedRow) {
         let count = self.row.len();
         if to <= count {
@@ -131,8 +135,8 @@ impl SectionFit<'_> {
         density
     }
 
-    /// As many pieces within as small a tolerance as that number allows: no last piece is left short, and
-    /// there is room for the joints to move.
+    /// The same number of pieces with the smallest tolerance that this number allows, so that the last piece is not
+    /// short and the joints have room to move.
     fn even(&self, longest: &[FittedPiece], range: [usize; 2]) -> Vec<FittedPiece> {
         let mut best = longest.to_vec();
         if longest.len() > MAX_HALVED_PIECES {
@@ -158,7 +162,7 @@ impl SectionFit<'_> {
                 || is_chord && self.flat.stiff[piece.span[0] as usize] == piece.span[0] as usize)
     }
 
-    /// A row relaxed within the tolerance, or as near as it comes.
+    /// The chain relaxed into the tolerance, or as close to it as possible.
     fn relaxed(&self, row: &PieceRow) -> Option<RelaxedRow> {
         let FitOptions { tolerance, measure, .. } = *self.options;
         let mut strip = StripRow { flat: self.flat, width: STRIP * tolerance };
@@ -188,8 +192,8 @@ impl SectionFit<'_> {
         Some(RelaxedRow { row, deviations, excess: outside.max(f64::MIN_POSITIVE) })
     }
 
-    /// Puts pieces in and takes them out until the row is within the tolerance with few; cuts it where it cannot
-    /// be tangent.
+    /// Adds and removes pieces until the chain is within the tolerance with few pieces; cuts it where it cannot be
+    /// tangent.
     fn finish(
         &self,
         mut measured: MeasuredRow,
@@ -201,7 +205,7 @@ impl SectionFit<'_> {
             if bad.is_empty() {
                 break;
             }
-            // From the end, so that numbers before stay what they are.
+            // From the end, so that earlier indices stay valid.
             for [from, to] in self.windows(&mut measured, &bad).into_iter().rev() {
                 self.widen(&mut measured, [from, to], density);
             }
@@ -214,7 +218,7 @@ impl SectionFit<'_> {
         self.pieces(&measured)
     }
 
-    /// Relaxes a new row in blocks that overlap.
+    /// Relaxes a new chain in overlapping blocks.
     fn relax_all(&self, measured: &mut MeasuredRow) {
         let count = measured.row.len();
         let mut from = 0;
@@ -222,7 +226,7 @@ impl SectionFit<'_> {
             let to = if from + BLOCK + OVERLAP >= count { count } else { from + BLOCK };
             let mut part = measured.row.part(from, to);
             if to < count {
-                // What comes after is not tangent yet.
+                // The pieces after it are not tangent yet.
                 part.directions[1] = None;
                 if from == 0 && measured.row.is_closed {
                     part.directions[0] = None;
@@ -238,7 +242,7 @@ impl SectionFit<'_> {
         }
     }
 
-    /// Measures what is not, and says which pieces are too far off or do not meet others in one direction.
+    /// Computes missing deviations, and returns the pieces that are too far off or not tangent.
     fn bad(&self, measured: &mut MeasuredRow) -> Vec<usize> {
         let FitOptions { tolerance, measure, .. } = *self.options;
         let row = &measured.row;
@@ -271,11 +275,11 @@ impl SectionFit<'_> {
         measured.filter(|_| !is_flat).unwrap_or(f64::INFINITY)
     }
 
-    /// The pieces about those that are too far off, in rows of arcs.
+    /// The ranges of arcs around the pieces that are too far off.
     fn windows(&self, measured: &mut MeasuredRow, bad: &[usize]) -> Vec<[usize; 2]> {
         let row = &mut measured.row;
         for piece in bad {
-            // A line that does not fit may bend.
+            // A line that does not fit may become an arc.
             let is_chord = row.places[piece + 1] - row.places[*piece] <= 1.0;
             if row.lines[*piece] && !is_chord {
                 row.lines[*piece] = false;
@@ -283,7 +287,7 @@ impl SectionFit<'_> {
         }
         let mut windows: Vec<[usize; 2]> = Vec::new();
         for piece in bad.iter().copied() {
-            // Next to a line that has to stay.
+            // This piece is next to a line that has to stay.
             let about = if row.lines[piece] {
                 [piece.checked_sub(1), (piece + 1 < row.len()).then_some(piece + 1)]
             } else {
@@ -316,11 +320,11 @@ impl SectionFit<'_> {
         windows
     }
 
-    /// One piece more between two joints.
+    /// Adds one piece between two joints.
     fn widen(&self, measured: &mut MeasuredRow, window: [usize; 2], density: &ArcDensity) {
         let count = window[1] - window[0] + 1;
         let chords = measured.row.places[window[1]] - measured.row.places[window[0]];
-        // Chords would do nearly as well.
+        // The chords themselves would be almost as few.
         if 3.0 * count as f64 > chords {
             return;
         }
@@ -329,8 +333,8 @@ impl SectionFit<'_> {
         }
     }
 
-    /// The part of a row about the pieces between two joints, with another number of them: the better that two ways
-    /// to begin lead to.
+    /// The part of a chain around the pieces between two joints with another number of pieces: the better of the results
+    /// from two initial distributions.
     fn spread(
         &self,
         row: &PieceRow,
@@ -358,7 +362,7 @@ impl SectionFit<'_> {
         best.map(|part| (part, [start, end]))
     }
 
-    /// Takes pieces out where the distances leave room.
+    /// Removes pieces where the deviations leave room.
     fn thin(&self, measured: &mut MeasuredRow, density: &ArcDensity) {
         let tolerance = self.options.tolerance;
         let mut from = 0;
@@ -368,7 +372,7 @@ impl SectionFit<'_> {
             while to < row.len() && to - from < WINDOW && is_inner(row, to) {
                 to += 1;
             }
-            // Distances grow with the third power of lengths.
+            // Deviations grow with the third power of the lengths.
             let room: f64 = measured.deviations[from..to]
                 .iter()
                 .map(|off| 1.0 - (off / tolerance).cbrt())
@@ -398,7 +402,7 @@ impl SectionFit<'_> {
         (0..measured.row.len()).map(with).collect()
     }
 
-    /// Cuts a row at the points next to pieces that cannot be tangent; there pieces through the points stay.
+    /// Cuts a chain at the points next to pieces that cannot be tangent, where the original pieces stay.
     fn cut(
         &self,
         row: &PieceRow,
@@ -437,7 +441,7 @@ impl SectionFit<'_> {
         pieces
     }
 
-    /// What lies of a row between two points, which become its ends.
+    /// The part of a chain between two points of the path, which become its ends.
     fn between(
         &self,
         row: &PieceRow,
@@ -447,7 +451,7 @@ impl SectionFit<'_> {
         cuts: usize,
     ) -> Vec<FittedPiece> {
         let [first, last] = range.map(|point| point as f64);
-        // A piece has a chord at least.
+        // A piece has at least one chord.
         let from = row.places.partition_point(|place| *place < first + 1.0);
         let to = row.places.partition_point(|place| *place <= last - 1.0);
         if from >= to {
@@ -468,7 +472,8 @@ impl SectionFit<'_> {
     }
 }
 
-/// The joints from which to which pieces give way to those between two others; counted on in a closed row.
+/// The range of joints whose pieces adapt to those between two joints; indices may continue past the start of a closed
+/// chain.
 fn about(row: &PieceRow, from: usize, to: usize) -> [usize; 2] {
     let count = row.len();
     if !row.is_closed {
@@ -481,12 +486,12 @@ fn about(row: &PieceRow, from: usize, to: usize) -> [usize; 2] {
     }
 }
 
-/// Whether arcs meet at a joint that may be moved.
+/// Whether a joint is between arcs and may move.
 fn is_inner(row: &PieceRow, joint: usize) -> bool {
     row.kinds[joint] == FittedJoint::Free && !row.lines[joint - 1] && !row.lines[joint]
 }
 
-/// Whether all between two joints are arcs whose joints may be moved.
+/// Whether all pieces between two joints are arcs whose joints may move.
 fn runs(row: &PieceRow, from: usize, to: usize) -> bool {
     (from + 1..to).all(|joint| is_inner(row, joint))
 }

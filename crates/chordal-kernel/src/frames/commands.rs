@@ -1,4 +1,4 @@
-//! Commands of the kernel in the work coordinate system: moves, arcs and sides through the frames in force.
+//! Commands of the kernel in the work coordinate system: moves, arcs and sides through the active frames.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -10,7 +10,7 @@ use chordal_machine::AXES;
 use super::map::{FrameMap, InPlane};
 
 impl FrameMap {
-    /// A command as the work coordinate system has it; `plane` is that of compensation.
+    /// Maps a command into the work coordinate system; `plane` is that of compensation.
     pub(crate) fn command(&self, kind: CommandKind, plane: Plane) -> CommandKind {
         match kind {
             CommandKind::Rapid { motion, path } => {
@@ -58,7 +58,7 @@ impl FrameMap {
                 let position = self.point(&position);
                 CommandKind::WorkOffset { name, offset, zero, turned, known, position }
             }
-            // Nothing of the others lies anywhere.
+            // The others have no coordinates.
             other @ (CommandKind::Dwell { .. }
             | CommandKind::Tool { .. }
             | CommandKind::ToolNumber { .. }
@@ -92,7 +92,7 @@ impl FrameMap {
         }
     }
 
-    /// An arc between mapped ends. Where the plane is tilted it was refused before.
+    /// An arc between mapped ends. A tilted plane was refused before.
     fn shape(&self, shape: &ArcShape, mapped: &Move) -> ArcShape {
         let (a, b, _) = shape.plane.axes();
         let mut place = [0.0; AXES];
@@ -117,7 +117,7 @@ impl FrameMap {
         }
     }
 
-    /// A flat arc whose plane leaves the planes of the axes: the same curve as a spline.
+    /// A flat arc whose plane is no longer one of the axis planes: the same curve as a spline.
     fn tilted_arc(&self, motion: &Move, shape: &ArcShape, feed: Feed) -> CommandKind {
         let (a, b, normal) = shape.plane.axes();
         let mut center = motion.from;
@@ -134,7 +134,7 @@ impl FrameMap {
         }
     }
 
-    /// Left and right change places in a mirror.
+    /// The side of compensation; a mirror exchanges left and right.
     pub(crate) fn side(&self, side: CompensationSide, plane: Plane) -> CompensationSide {
         match side {
             CompensationSide::Left if self.in_plane(plane).is_mirrored() => CompensationSide::Right,
@@ -152,12 +152,11 @@ impl FrameMap {
     }
 }
 
-/// Whole turns of an arc in addition to its own.
+/// Full turns that an arc makes before its last, partial or full, turn.
 fn full_turns(sweep: f64) -> u32 {
     ((sweep.abs() - 1e-9) / TAU).floor().max(0.0) as u32
 }
 
-/// The arc about a centre from one place to another.
 fn arc_between(
     plane: Plane,
     from: &Position,
@@ -177,7 +176,7 @@ fn arc_between(
     }
 }
 
-/// The spatial part of a position.
+/// X, Y and Z of a position.
 fn point(position: &Position) -> Vec3 {
     Vec3::new(position[0], position[1], position[2])
 }

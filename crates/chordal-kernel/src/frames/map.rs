@@ -4,11 +4,11 @@ use chordal_command::{AxisMask, Position};
 use chordal_geometry::Plane;
 use chordal_machine::AXES;
 
-/// How many axes are lengths; the others turn.
+/// Number of linear axes; the others are rotary.
 const LINEAR: usize = 3;
 
-/// Takes the coordinates that words give to those of the work coordinate system: X Y Z by a
-/// matrix, each rotary axis by a factor, and all by an offset.
+/// Maps program coordinates to the work coordinate system: X Y Z by a matrix, each rotary axis by a
+/// factor, and all by an offset.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct FrameMap {
     /// Rows of the matrix of X, Y and Z.
@@ -27,7 +27,7 @@ impl FrameMap {
         offset: [0.0; AXES],
     };
 
-    /// Each axis by its own factor about a centre.
+    /// Scales each axis by its own factor about a centre.
     pub fn scaling(center: &Position, factors: &Position) -> FrameMap {
         let mut map = FrameMap::IDENTITY;
         for axis in 0..AXES {
@@ -42,7 +42,7 @@ impl FrameMap {
         map
     }
 
-    /// A turn in a plane about a centre on its axes, degrees from the first axis to the second.
+    /// Rotates in a plane about a centre on its two axes, degrees from the first axis to the second.
     pub fn rotation(plane: Plane, center: [f64; 2], degrees: f64) -> FrameMap {
         let (a, b, _) = plane.axes();
         let (sin, cos) = sin_cos_degrees(degrees);
@@ -68,7 +68,7 @@ impl FrameMap {
         FrameMap { rows, factors, offset: next.point(&self.offset) }
     }
 
-    /// The map that undoes it; every factor is other than zero.
+    /// The inverse map; no factor may be zero.
     pub fn inverse(&self) -> FrameMap {
         let m = &self.rows;
         // The cofactors, column by column.
@@ -97,14 +97,14 @@ impl FrameMap {
             + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0])
     }
 
-    /// Where a place goes.
+    /// Maps a point.
     pub fn point(&self, place: &Position) -> Position {
         std::array::from_fn(|axis| self.turned(place, axis) + self.offset[axis])
     }
 
-    /// What becomes of the difference of two places.
-    pub fn vector(&self, path: &Position) -> Position {
-        std::array::from_fn(|axis| self.turned(path, axis))
+    /// Maps a difference of two points: without the offset.
+    pub fn vector(&self, difference: &Position) -> Position {
+        std::array::from_fn(|axis| self.turned(difference, axis))
     }
 
     fn turned(&self, place: &Position, axis: usize) -> f64 {
@@ -119,7 +119,7 @@ impl FrameMap {
         self.factors[rotary] * place[axis]
     }
 
-    /// The axes of the result that hang on any of these.
+    /// The axes of the result that depend on any of these.
     pub fn reached(&self, axes: AxisMask) -> AxisMask {
         let mut reached = axes.without(AxisMask::LINEAR);
         for (axis, row) in self.rows.iter().enumerate() {
@@ -130,12 +130,12 @@ impl FrameMap {
         reached
     }
 
-    /// The axes of the result that are known where these are.
+    /// The axes of the result that are known when these axes are.
     pub fn known(&self, axes: AxisMask) -> AxisMask {
         AxisMask::ALL.without(self.reached(AxisMask::ALL.without(axes)))
     }
 
-    /// What it does to the plane of arcs.
+    /// What it does to the circles of a plane.
     pub fn in_plane(&self, plane: Plane) -> InPlane {
         let (a, b, normal) = plane.axes();
         let m = &self.rows;
@@ -156,7 +156,7 @@ impl FrameMap {
         }
     }
 
-    /// How lengths along an axis change.
+    /// Factor by which a length along an axis is multiplied.
     pub fn factor_along(&self, axis: usize) -> f64 {
         match axis.checked_sub(LINEAR) {
             Some(rotary) => self.factors[rotary].abs(),
@@ -165,29 +165,29 @@ impl FrameMap {
     }
 }
 
-/// What a map does to a plane.
+/// What a map does to the circles of a plane.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum InPlane {
-    /// Circles stay circles.
+    /// Circles remain circles.
     Similar {
         /// Ratio of lengths.
         factor: f64,
-        /// Left and right change places.
+        /// Left and right are exchanged.
         mirrored: bool,
     },
-    /// Circles do not.
+    /// Circles become ellipses.
     Unequal {
         /// The larger of the two factors.
         largest: f64,
-        /// Left and right change places.
+        /// Left and right are exchanged.
         mirrored: bool,
     },
-    /// The plane does not stay what it is.
+    /// The plane is no longer a plane of two axes.
     Tilted,
 }
 
 impl InPlane {
-    /// Left and right change places.
+    /// Left and right are exchanged.
     pub const fn is_mirrored(self) -> bool {
         match self {
             InPlane::Similar { mirrored, .. } | InPlane::Unequal { mirrored, .. } => mirrored,
@@ -196,7 +196,7 @@ impl InPlane {
     }
 }
 
-/// Exact where the angle is a whole number of quarter turns.
+/// Sine and cosine, exact for whole quarter turns.
 pub(crate) fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
     let turned = degrees.rem_euclid(360.0);
     match turned {

@@ -1,10 +1,9 @@
 //! Frames of coordinates: mirror, scaling, rotation, and the rotation of a work coordinate system.
 //!
-//! The words of a program give places in the innermost frame. `F = rotation · scaling · mirror`,
-//! the rightmost first, takes them to the work coordinate system, in which commands are pushed and
-//! cutter compensation works. A frame moves nothing: the machine stands still, and the program
-//! coordinates of its place change. The centre of a frame goes through the frames inside it that
-//! are in force when it comes into force.
+//! The words of a program are points of the innermost frame. `F = rotation · scaling · mirror`, the rightmost
+//! first, maps them to the work coordinate system, in which commands are emitted and cutter compensation
+//! works. Starting a frame moves nothing: only the program coordinates of the machine's position change. The
+//! centre of a frame is mapped by the frames inside it that are active when it starts.
 
 mod commands;
 mod map;
@@ -18,38 +17,38 @@ pub(crate) use map::sin_cos_degrees;
 pub use map::{FrameMap, InPlane};
 pub use polar::{PolarReading, PolarWords};
 
-/// Each axis by its own factor.
+/// Scaling of each axis by its own factor.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct AxisScaling {
-    /// What stays where it is.
+    /// The point that does not move.
     pub center: Position,
-    /// Of each axis; a negative one mirrors.
+    /// Factor of each axis; a negative one mirrors.
     pub factors: Position,
 }
 
-/// The factors of a scaling as the words give them.
+/// The factors of a scaling as programmed.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum ScaleFactors {
     /// One for all axes.
     Common(f64),
     /// Of X, Y and Z; an axis without one is not scaled.
     Each([Option<f64>; 3]),
-    /// None is given.
+    /// The program gives none.
     Omitted,
 }
 
-/// A turn in a plane.
+/// Rotation in a plane.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PlaneRotation {
     /// The plane.
     pub plane: Plane,
-    /// What stays where it is, on the two axes of the plane.
+    /// The point that does not move, on the two axes of the plane, mm.
     pub center: [f64; 2],
-    /// From the first axis to the second.
+    /// Positive from the first axis to the second.
     pub degrees: f64,
 }
 
-/// Which kinds of frames are in force.
+/// Which kinds of frames are active.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct FrameKinds {
     /// Axes are mirrored.
@@ -73,13 +72,13 @@ impl FrameKinds {
     }
 }
 
-/// The frames in force.
+/// The active frames.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Frames {
     mirror: PerAxis<Option<f64>>,
     scaling: Option<AxisScaling>,
     rotation: Option<PlaneRotation>,
-    /// Of the work coordinate system, about the point where its own X0 Y0 lies.
+    /// Rotation of the work coordinate system about its own X0 Y0.
     work: Option<PlaneRotation>,
     map: FrameMap,
     inverse: FrameMap,
@@ -101,13 +100,13 @@ impl Default for Frames {
 }
 
 impl Frames {
-    /// None is in force.
+    /// True when none changes coordinates.
     #[inline]
     pub fn is_plain(&self) -> bool {
         self.plain
     }
 
-    /// They act inside presets and shifts; the turn of a work coordinate system acts outside of them.
+    /// True when the frames act inside presets and shifts; the rotation of a work coordinate system acts outside.
     pub fn are_inside_presets(&self) -> bool {
         !self.plain && self.work.is_none()
     }
@@ -122,7 +121,7 @@ impl Frames {
         &self.inverse
     }
 
-    /// What they do to the plane of arcs.
+    /// What they do to the circles of a plane.
     #[inline]
     pub fn in_plane(&self, plane: Plane) -> InPlane {
         match self.plain {
@@ -131,17 +130,17 @@ impl Frames {
         }
     }
 
-    /// The rotation in force.
+    /// The active rotation.
     pub fn rotation(&self) -> Option<&PlaneRotation> {
         self.rotation.as_ref()
     }
 
-    /// The scaling in force.
+    /// The active scaling.
     pub fn scaling(&self) -> Option<&AxisScaling> {
         self.scaling.as_ref()
     }
 
-    /// Which kinds are in force; polar reading is not known here.
+    /// Which kinds are active; `polar` and `surface` are filled in by the state.
     pub fn kinds(&self) -> FrameKinds {
         FrameKinds {
             mirror: self.mirrored() != AxisMask::NONE,
@@ -153,7 +152,7 @@ impl Frames {
         }
     }
 
-    /// The angle by which the work coordinate system is turned, degrees.
+    /// The angle by which the work coordinate system is rotated, degrees.
     pub fn work_rotation_deg(&self) -> f64 {
         self.work.map_or(0.0, |rotation| rotation.degrees)
     }
@@ -163,7 +162,7 @@ impl Frames {
         AxisMask::with_values(&self.mirror)
     }
 
-    /// What is in force, for people.
+    /// The active frames in words, for messages.
     pub fn names(&self) -> String {
         let mut names = Vec::new();
         if self.mirrored() != AxisMask::NONE {
@@ -178,13 +177,13 @@ impl Frames {
         names.join(" and ")
     }
 
-    /// Mirrors axes at a line each; `None` takes the mirror of an axis away.
+    /// Mirrors an axis at a coordinate, mm; `None` ends its mirror image.
     pub fn set_mirror(&mut self, axis: usize, line: Option<f64>) {
         self.mirror[axis] = line;
         self.update();
     }
 
-    /// Scales, with the centre where the mirror takes it.
+    /// Sets the scaling; its centre is mapped by the mirror image.
     pub fn set_scaling(&mut self, scaling: Option<AxisScaling>) {
         self.scaling = scaling.map(|scaling| AxisScaling {
             center: self.mirror_map().point(&scaling.center),
@@ -193,7 +192,7 @@ impl Frames {
         self.update();
     }
 
-    /// Turns, with the centre where mirror and scaling take it, and the other way round in a mirror.
+    /// Sets the rotation; its centre is mapped by mirror image and scaling, and a mirror image reverses it.
     pub fn set_rotation(&mut self, rotation: Option<PlaneRotation>) {
         self.rotation = rotation.map(|rotation| {
             let (a, b, _) = rotation.plane.axes();
@@ -217,21 +216,21 @@ impl Frames {
         self.update();
     }
 
-    /// A turn as the program gives it: in a mirror it counts the other way.
+    /// The angle of the rotation as programmed: a mirror image reverses it. `None` without a rotation.
     pub fn programmed_degrees(&self) -> Option<f64> {
         let rotation = self.rotation?;
         let mirrored = self.inside_rotation().in_plane(rotation.plane).is_mirrored();
         Some(if mirrored { -rotation.degrees } else { rotation.degrees })
     }
 
-    /// The turn of the work coordinate system about its own zero, which lies at `zero`.
+    /// Rotates the work coordinate system about its own zero, which lies at `zero`.
     pub fn set_work_rotation(&mut self, degrees: f64, zero: [f64; 2]) {
         let turns = degrees != 0.0;
         self.work = turns.then_some(PlaneRotation { plane: Plane::Xy, center: zero, degrees });
         self.update();
     }
 
-    /// Ends them all, but for the turn of the work coordinate system.
+    /// Ends all frames except the rotation of the work coordinate system.
     pub fn clear(&mut self) {
         *self = Frames { work: self.work, ..Frames::default() };
         self.update();

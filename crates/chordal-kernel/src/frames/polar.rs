@@ -5,12 +5,12 @@ use chordal_geometry::Plane;
 
 use super::map::sin_cos_degrees;
 
-/// Polar reading is in force, and what the last words were.
+/// What active polar coordinates (G16) remember from the last words.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct PolarReading {
-    /// The last angle that was given, degrees.
+    /// The last programmed angle, degrees; `None` before one.
     pub angle: Option<f64>,
-    /// The place that radius and angle are counted from, where it is not the work origin.
+    /// The point that radius and angle are measured from, mm; `None` for the work origin.
     pub pole: Option<[f64; 2]>,
 }
 
@@ -24,8 +24,8 @@ pub struct PolarWords {
 }
 
 impl PolarReading {
-    /// The end point on the plane's axes that the words give. A radius in G91 is counted from where
-    /// the tool stands, and an angle in G91 from the last one.
+    /// The end point on the axes of the plane, mm. In G91 a radius is measured from the present position, and
+    /// an angle from the last one.
     pub fn target(
         &mut self,
         words: PolarWords,

@@ -1,4 +1,4 @@
-//! Arcs, helices and full circles: by centre or by radius, with the mismatch that a control allows.
+//! Arcs, helices and full circles: by centre or by radius, with the radius error that a control allows.
 
 use chordal_command::{
     ArcShape, AxisMask, CommandKind, CompensationSide, Feed, FeedAlong, FeedMode, Move, Position,
@@ -15,48 +15,48 @@ use crate::rules::{ArcCenter, ArcMismatch, FullCircleByRadius, OmittedCenter};
 use crate::state::ModalMotion;
 use crate::statement::{Statement, WordMeaning};
 
-/// The spatial part of a position.
+/// X, Y and Z of a position.
 #[inline]
 pub(crate) fn point(position: &Position) -> Vec3 {
     Vec3::new(position[0], position[1], position[2])
 }
 
-/// What a statement says of an arc, but for its end.
+/// The words of an arc, except its end point.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ArcWords {
-    /// Which way it goes.
+    /// Clockwise or counterclockwise.
     pub direction: TurnDirection,
-    /// The centre words on the two axes of the plane, mm; how they are read is a mode.
+    /// The centre words on the two axes of the plane, mm, `None` when omitted; [`ArcCenter`] says how they are read.
     pub center: [Option<f64>; 2],
-    /// Full turns in addition to the arc's own.
+    /// Full turns in addition to the arc between start and end.
     pub turns: u32,
 }
 
-/// An arc whose ends lie at different distances from its centre: what is said of it, and what it was read from.
+/// An arc whose ends lie at different distances from its centre: the problem, and the words it comes from.
 #[derive(Clone, PartialEq, Debug)]
 pub struct MisfitArc {
     /// The problem, not reported yet.
     pub problem: Diagnostic,
     /// The plane.
     pub plane: Plane,
-    /// Where it begins, program coordinates, mm.
+    /// Start point, program coordinates, mm.
     pub start: Position,
-    /// Where it ends.
+    /// End point, program coordinates, mm.
     pub end: Position,
-    /// What the statement says of it.
+    /// Its words.
     pub arc: ArcWords,
 }
 
 impl Kernel<'_> {
-    /// The centre on the plane's axes, by a rule for its words.
+    /// The centre on the axes of the plane, mm, when its words are read by `rule`.
     pub fn center(&self, words: [Option<f64>; 2], rule: ArcCenter) -> (f64, f64) {
         let (a, b, _) = self.state.plane.axes();
         let from = self.state.control_position.as_ref().unwrap_or(&self.state.position);
-        self.center_seen_from((from[a], from[b]), words, rule)
+        self.center_from_start((from[a], from[b]), words, rule)
     }
 
-    /// The same of an arc that begins elsewhere.
-    fn center_seen_from(
+    /// The same for an arc that begins at `start`.
+    fn center_from_start(
         &self,
         start: (f64, f64),
         words: [Option<f64>; 2],
@@ -71,32 +71,33 @@ impl Kernel<'_> {
                 (start.0 - first.unwrap_or(0.0), start.1 - second.unwrap_or(0.0))
             }
             ArcCenter::Absolute => {
-                // A zero elsewhere is the start's own coordinate; whether it is here is not known.
-                let left_out = match self.rules.arc.omitted_center {
+                // An omitted absolute centre word is the start's coordinate on one control and zero on another.
+                let omitted = match self.rules.arc.omitted_center {
                     OmittedCenter::Start => start,
                     OmittedCenter::Zero => (0.0, 0.0),
                 };
-                (first.unwrap_or(left_out.0), second.unwrap_or(left_out.1))
+                (first.unwrap_or(omitted.0), second.unwrap_or(omitted.1))
             }
         }
     }
 
-    /// The distances of the present place and of the end from a centre, in the plane, mm.
+    /// The distances of the present position and of the end from a centre, in the plane, mm.
     pub fn radii(&self, center: [Option<f64>; 2], target: &Position) -> [f64; 2] {
         let (a, b, _) = self.state.plane.axes();
         let center = self.center(center, self.state.arc_center);
         [&self.state.position, target].map(|place| (place[a] - center.0).hypot(place[b] - center.1))
     }
 
-    /// The arc from one place to another about a centre by its words, read by the rule in force.
+    /// The arc between two points; its centre words are read by the active rule.
     pub fn sweep_by_words(&self, start: &Position, end: &Position, arc: &ArcWords) -> ArcSweep {
         let plane = self.state.plane;
         let (a, b, _) = plane.axes();
-        let center = self.center_seen_from((start[a], start[b]), arc.center, self.state.arc_center);
+        let center =
+            self.center_from_start((start[a], start[b]), arc.center, self.state.arc_center);
         arc_sweep(plane, point(start), point(end), center, arc.direction, arc.turns)
     }
 
-    /// An arc, a helix or a full circle about a centre.
+    /// Cuts an arc, a helix or a full circle about a centre.
     pub fn arc_by_center(
         &mut self,
         at: &dyn Statement,
@@ -109,7 +110,8 @@ impl Kernel<'_> {
         }
     }
 
-    /// The same for a language that has more to say where the arc is none: the problem is left to it.
+    /// The same, but an arc whose radii differ is returned, for a language that can add to the problem before
+    /// it reports it; `None` when the radii agree.
     pub fn arc_about_center(
         &mut self,
         at: &dyn Statement,
@@ -131,7 +133,7 @@ impl Kernel<'_> {
             self.straight_instead(at, target, named);
             return None;
         }
-        // The control judges the arc from where it takes the tool to be.
+        // The control checks the arc from where it assumes the tool to be.
         let judged = match self.state.control_position {
             None => self.fit_in_work(&fit, center, arc, &target),
             Some(place) => arc_sweep(plane, point(&place), end, center, arc.direction, arc.turns),
@@ -143,7 +145,7 @@ impl Kernel<'_> {
         misfit
     }
 
-    /// An arc by its radius; negative for more than half a circle.
+    /// Cuts an arc by its radius, mm; negative for more than half a circle.
     pub fn arc_by_radius(
         &mut self,
         at: &dyn Statement,
@@ -158,13 +160,13 @@ impl Kernel<'_> {
         }
         let plane = self.state.plane;
         let (start, end) = (point(&self.state.position), point(&target));
-        // A difference of rounding must not decide at the tolerance itself.
+        // Rounding must not decide when the error equals the tolerance.
         let tolerance = self.rules.half_circle_tolerance(self.state.units);
         let found = match self.state.frames.in_plane(plane) {
             InPlane::Unequal { largest, mirrored } => {
                 self.unequal_center(&target, radius * largest, arc.direction, mirrored, tolerance)
             }
-            // The control judges the arc in the work coordinate system.
+            // The control checks the arc in the work coordinate system.
             InPlane::Similar { factor, .. } => {
                 let tolerance = tolerance.scaled(1.0 / factor);
                 center_from_radius(plane, start, end, radius, arc.direction, tolerance)
@@ -205,7 +207,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// The arc as the work coordinate system has it: what the control judges.
+    /// The arc in the work coordinate system, where the control checks it.
     fn fit_in_work(
         &self,
         fit: &ArcSweep,
@@ -231,8 +233,8 @@ impl Kernel<'_> {
         arc_sweep(plane, point(&from), point(&to), center, direction, arc.turns)
     }
 
-    /// The centre of an arc by its radius where the plane is scaled unequally: the ends go by their
-    /// own factors and the radius by the larger one. In program coordinates.
+    /// The centre, in program coordinates, of an arc by its radius when the axes of the plane are scaled
+    /// differently: the ends are scaled by their own factors, the radius by the larger one.
     fn unequal_center(
         &self,
         target: &Position,
@@ -283,7 +285,8 @@ impl Kernel<'_> {
         }
     }
 
-    /// Emits the arc, or the arc and the straight rest where the control does that.
+    /// Emits the arc; with [`ArcMismatch::ArcThenLine`] and a radius error, an arc of the start's radius and then a
+    /// line to the end.
     pub fn emit_arc(
         &mut self,
         at: &dyn Statement,
@@ -309,7 +312,7 @@ impl Kernel<'_> {
         };
         let mut arc_end = target;
         if rest {
-            // Where the arc with the start's radius meets the ray of the programmed end.
+            // The intersection of the arc of the start's radius with the ray from the centre to the programmed end.
             let (a, b, _) = plane.axes();
             let scale = fit.radius_start / fit.radius_end;
             arc_end[a] = center.0 + (target[a] - center.0) * scale;
@@ -342,7 +345,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// Inverse time on a control that cuts arcs into segments: F times their number is their speed in mm/min.
+    /// Inverse time on a control that divides arcs into segments: F times their number becomes mm/min (GRBL).
     fn take_speed_of_segments(&mut self, at: &dyn Statement, shape: &ArcShape, feed: &mut Feed) {
         let Some(junctions) = self.rules.path.junctions else { return };
         if feed.mode != FeedMode::InverseTime || feed.value.is_nan() || feed.value <= 0.0 {
@@ -372,7 +375,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// F of a helix; a flat arc is the same either way.
+    /// What F measures on a helix; on a flat arc both are the same.
     pub fn feed_along(&self, motion: &Move, plane: Plane) -> FeedAlong {
         let (_, _, normal) = plane.axes();
         if motion.from[normal] == motion.to[normal] {
@@ -382,7 +385,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// An end that misses the start by rounding only is the start: a full circle.
+    /// Moves an end that misses the start by rounding only onto the start: a full circle.
     #[inline]
     pub fn snap_to_start(&self, target: &mut Position) {
         let (a, b, _) = self.state.plane.axes();
@@ -395,7 +398,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// An arc that cannot be made still brings the tool to its end.
+    /// Moves straight to the end of an arc that cannot be made.
     pub fn straight_instead(&mut self, at: &dyn Statement, target: Position, named: AxisMask) {
         if target == self.state.position {
             return;
@@ -416,7 +419,7 @@ impl Kernel<'_> {
     ) -> Option<Box<MisfitArc>> {
         let p = &self.rules.arc;
         let error = fit.radius_error().abs();
-        // A difference of rounding must not decide at the tolerance itself.
+        // Rounding must not decide when the error equals the tolerance.
         let factor = p.radius_error_factor(self.state.units);
         if p.judged_before || error <= factor * p.radius_error_tolerance_mm * (1.0 + 1e-9) {
             return None;
@@ -466,8 +469,8 @@ impl Kernel<'_> {
         })
     }
 
-    /// Says that the same words make a true arc under another rule for the centre; with the setting, at the
-    /// first arc that has the same.
+    /// Adds the note that the same words make a true arc under another rule for the centre, and at the first such
+    /// arc the setting for it.
     fn with_other_center(
         &mut self,
         diagnostic: Diagnostic,
@@ -491,7 +494,8 @@ impl Kernel<'_> {
         ))
     }
 
-    /// The other rule for the centre under which the same words make a true arc, and its radius, mm.
+    /// Another rule for the centre under which the same words make a true arc (radii agree to 1 % of the present
+    /// error), and its radius, mm; `None` when there is none.
     fn other_center(
         &self,
         fit: &ArcSweep,
@@ -499,11 +503,11 @@ impl Kernel<'_> {
         target: &Position,
     ) -> Option<(ArcCenter, f64)> {
         let (a, b, _) = self.state.plane.axes();
-        let in_force = self.state.arc_center;
+        let active = self.state.arc_center;
         let (start, end) =
             ((self.state.position[a], self.state.position[b]), (target[a], target[b]));
         let rules = [ArcCenter::FromStart, ArcCenter::Absolute, ArcCenter::FromCenter];
-        rules.into_iter().filter(|rule| *rule != in_force).find_map(|rule| {
+        rules.into_iter().filter(|rule| *rule != active).find_map(|rule| {
             let center = self.center(arc.center, rule);
             let radius =
                 |p: (f64, f64)| ((p.0 - center.0).powi(2) + (p.1 - center.1).powi(2)).sqrt();
@@ -557,7 +561,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// A rotary axis in the block of an arc, on a control that does not turn it there.
+    /// Reports a rotary axis in an arc block, on a control that does not move it there.
     pub fn check_rotary_in_arc(&mut self, at: &dyn Statement, target: &Position) {
         let turns = target[3..] != self.state.position[3..];
         if self.rules.arc.rotary_in_arc || !turns {

@@ -25,7 +25,7 @@ use crate::state::ModalMotion;
 use crate::statement::{Statement, WordMeaning};
 
 impl Kernel<'_> {
-    /// A straight move by the motion in force.
+    /// Makes a straight move in the active motion mode: a rapid under G0, else a cut.
     pub fn straight(&mut self, at: &dyn Statement, target: Position, named: AxisMask) {
         let motion = self.moved_to(target, named);
         if self.state.motion == ModalMotion::Rapid {
@@ -44,7 +44,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// How a G0 goes, with the speed that it is given.
+    /// The path of a G0, with its speed on controls where G0 has one.
     pub(crate) fn path_of_rapid(&self) -> RapidPath {
         let speed = match self.rules.rapid_feed {
             RapidFeed::OfMachine => None,
@@ -57,13 +57,15 @@ impl Kernel<'_> {
         }
     }
 
-    /// A rapid of Z alone in G91 by as much as Z was when G91 came into force, away from there: the height
-    /// itself, in G90, was likely meant.
+    /// Reports a rapid of Z alone in G91 by the height at which G91 became active: that height, in G90, was
+    /// probably meant.
+    /// Reports a rapid of Z alone in G91 by the height at which G91 became active: that height, in G90, was
+    /// probably meant.
     #[cold]
     fn check_clearance_in_incremental(&mut self, at: &dyn Statement, motion: &Move) {
         let begun = self.state.incremental_from[2];
         let lift = motion.to[2] - motion.from[2];
-        // From below it ends where a program in G91 may mean to end.
+        // From below that height, the end may be intended in G91.
         if begun <= 0.0 || (lift - begun).abs() > 1e-9 || motion.to[2] < begun + 1e-9 {
             return;
         }
@@ -82,14 +84,15 @@ impl Kernel<'_> {
         );
     }
 
-    /// Moves the state to a point of program coordinates.
+    /// Moves the state to a point of program coordinates and returns the move; `named` are the axes whose target
+    /// is known.
     #[inline]
     pub fn moved_to(&mut self, target: Position, named: AxisMask) -> Move {
         let from_known = self.state.known;
         let offset_known = self.state.offsets.known();
         self.state.known = from_known.or(named).without(self.state.astray);
-        // An axis that was placed in program coordinates stands at a known machine place
-        // only where the offset is known.
+        // An axis that was moved in program coordinates has a known machine position only if the
+        // offset is known.
         let machine = self.state.machine_known;
         let (moved, placed) = match self.state.frames.is_plain() {
             true => (named, named),
@@ -108,7 +111,7 @@ impl Kernel<'_> {
         Move { from, to: target, from_known, to_known: self.state.known }
     }
 
-    /// The feed of a cutting move, with its checks.
+    /// The feed of a cutting move; checks F and the spindle.
     #[inline(always)]
     pub fn feed_for(
         &mut self,
@@ -119,7 +122,7 @@ impl Kernel<'_> {
         let state = &self.state;
         let angular = state.feed_mode == FeedMode::PerTime && motion.only_turns(shape);
         let value = if angular { state.feed_angular } else { state.feed };
-        // No F at all is a NaN, which is not above zero either.
+        // A missing F becomes NaN, which fails `> 0` like zero.
         let value = value.unwrap_or(f64::NAN);
         let (spindle_rev_per_s, surface) = self.spindle_of_feed(motion.from[0]);
         let (value, along) = match motion.from[3..] == motion.to[3..] || shape.is_some() {
@@ -151,7 +154,7 @@ impl Kernel<'_> {
         feed
     }
 
-    /// The spindle was started, and no S has said how fast.
+    /// True when the spindle was started without an S, on a control where the operator does not set the speed.
     #[cold]
     pub(crate) fn turns_without_speed(&self) -> bool {
         let state = &self.state;
@@ -180,7 +183,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// A cut while the spindle stands; once for each tool.
+    /// Reports a cut with the spindle stopped, once for each tool.
     #[cold]
     pub fn report_spindle_stopped(&mut self, at: &dyn Statement) {
         if self.rules.spindle_by_hand || self.reported.spindle_for_tool == Some(self.state.tool) {
@@ -230,7 +233,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// Holds a feed that is too large for lengths or for angles against the move that is made with it.
+    /// Compares a feed that may be too large with the limit that applies to the move: of lengths or of angles.
     #[cold]
     fn check_feed_limit(
         &mut self,
@@ -251,7 +254,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// A feed above a limit of the machine.
+    /// Reports a feed above a limit of the machine, both in mm/s or rad/s.
     #[cold]
     pub fn report_feed_over(&mut self, word: Span, feed: f64, max: f64, angular: bool) {
         let shown = |per_s: f64| match self.state.units {
@@ -277,14 +280,14 @@ impl Kernel<'_> {
         );
     }
 
-    /// A rapid, whatever motion is in force.
+    /// Makes a rapid, whatever motion is active.
     pub fn rapid(&mut self, target: Position, named: AxisMask) {
         let motion = self.moved_to(target, named);
         let path = self.rules.rapid;
         self.emit(CommandKind::Rapid { motion, path });
     }
 
-    /// A rapid, where it goes anywhere.
+    /// Makes a rapid unless the position is already reached.
     pub fn rapid_to(&mut self, target: Position, named: AxisMask) {
         if target == self.state.position {
             self.state.control_position = None;
@@ -294,20 +297,20 @@ impl Kernel<'_> {
         self.rapid(target, named);
     }
 
-    /// A straight cut at the feed in force, whatever motion is.
+    /// Makes a straight cut at the active feed, whatever motion is active.
     pub fn line(&mut self, at: &dyn Statement, target: Position, named: AxisMask) {
         let motion = self.moved_to(target, named);
         let feed = self.feed_for(at, &motion, None);
         self.emit(CommandKind::Line { motion, feed });
     }
 
-    /// F of a value that is not known.
+    /// An F whose value is not known.
     pub fn set_unknown_feed(&mut self) {
         (self.state.feed, self.state.feed_angular) = (None, None);
         (self.state.feed_over, self.state.unknown.feed) = (None, true);
     }
 
-    /// Axes go to a place that is not known.
+    /// Axes move to a position that is not known.
     pub fn go_astray(&mut self, axes: AxisMask) {
         let state = &mut self.state;
         state.known = state.known.without(axes);
@@ -315,7 +318,8 @@ impl Kernel<'_> {
         state.astray = state.astray.or(axes);
     }
 
-    /// F: in the unit of the mode in force, and as an angle per time.
+    /// Sets F: in the unit of the active feed mode (mm/s, mm per revolution, 1/s), and as rad/s for moves of
+    /// rotary axes alone.
     pub fn set_feed(&mut self, word: Span, feed: f64, angular: f64) {
         self.state.feed = Some(feed);
         self.state.feed_angular = Some(angular);
@@ -329,7 +333,7 @@ impl Kernel<'_> {
             FeedMode::PerTime => {
                 is_over(feed, limits.max_mm_per_s) || is_over(angular, limits.max_rad_per_s)
             }
-            // Whether it is depends on the spindle at the next cut.
+            // Only known with the spindle speed of the next cut.
             FeedMode::PerRevolution => true,
             FeedMode::InverseTime => false,
         };
@@ -337,7 +341,7 @@ impl Kernel<'_> {
     }
 }
 
-/// Above a limit, which rounding does not make it.
+/// True above a limit by more than rounding; false without a limit.
 pub fn is_over(feed: f64, max: Option<f64>) -> bool {
     max.is_some_and(|max| feed > max * (1.0 + 1e-9))
 }

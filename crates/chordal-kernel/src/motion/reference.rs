@@ -10,7 +10,8 @@ use crate::statement::Statement;
 const Z: usize = Axis::Z as usize;
 
 impl Kernel<'_> {
-    /// Over a point to a reference point, with the axes named. Axes that it does not know go to zero.
+    /// Moves the named axes to a reference point through `target` (G28, G30). An axis without a reference
+    /// position goes to machine zero.
     pub fn return_over(
         &mut self,
         target: Position,
@@ -23,7 +24,7 @@ impl Kernel<'_> {
         self.go_to_reference(named, reference);
     }
 
-    /// Straight to a reference point.
+    /// Moves the named axes directly to a reference point.
     pub fn go_to_reference(&mut self, named: AxisMask, reference: &PerAxis<Option<f64>>) {
         let home = reference.map(|place| place.unwrap_or(0.0));
         if self.rules.frames.work_rotation && !self.state.frames.is_plain() {
@@ -34,8 +35,8 @@ impl Kernel<'_> {
         self.end_length_if(named.has(Z) && self.rules.length.ended_by.reference_return);
     }
 
-    /// To the coordinates that the point has in the turned system: an axis that is not named keeps
-    /// its program coordinate.
+    /// Moves to the coordinates that the point has in the rotated system: an axis that is not named keeps its
+    /// program coordinate.
     fn rapid_to_turned_reference(&mut self, named: AxisMask, home: &Position) {
         let state = &mut self.state;
         let total = state.offsets.total();
@@ -53,7 +54,7 @@ impl Kernel<'_> {
         self.emit(CommandKind::Rapid { motion, path: self.rules.rapid });
     }
 
-    /// G53: to a point of machine coordinates, by a rapid or at the feed in force.
+    /// G53: moves to a point of machine coordinates, by a rapid or at the active feed.
     pub fn to_machine_point(&mut self, at: &dyn Statement, place: Position, named: AxisMask) {
         self.end_length_if(named.has(Z) && self.rules.length.ended_by.machine_move);
         let rapid = self.state.motion == ModalMotion::Rapid;
@@ -73,13 +74,13 @@ impl Kernel<'_> {
         self.emit(CommandKind::Rapid { motion, path });
     }
 
-    /// The move to a point of machine coordinates, as program coordinates see it. Frames do not act
-    /// on the point; an axis that is not named keeps its machine coordinate.
+    /// The move, in program coordinates, to a point of machine coordinates. Frames do not act on the point; an
+    /// axis that is not named keeps its machine coordinate.
     fn machine_move(&mut self, place: Position, named: AxisMask) -> Move {
         let total = self.state.offsets.total();
         let offset_known = self.state.offsets.known();
         let (from, from_known) = (self.state.position, self.state.known);
-        // In turned coordinates a control that is off where the machine stands moves the other axes as well.
+        // In rotated coordinates, a control whose position differs from the machine's also moves the other axes.
         let assumed = self.state.control_position.take().filter(|_| !self.state.frames.is_plain());
         let mut work = match assumed {
             Some(place) => self.state.frames.map().point(&place),

@@ -10,8 +10,8 @@ use crate::statement::Statement;
 const ORDINALS: [&str; 2] = ["4th", "5th"];
 
 impl Kernel<'_> {
-    /// The feed of a straight cut that turns rotary axes, from the one in force (mm/s, or rad/s where they move
-    /// alone), and along what it is measured.
+    /// The feed of a straight cut with rotary axes, from the active one (mm/s, or rad/s when only they move), and
+    /// the path along which it is measured.
     #[cold]
     pub(super) fn rotary_feed(
         &mut self,
@@ -32,7 +32,7 @@ impl Kernel<'_> {
             }
         };
         match (rotary, is_per_time && turns_alone) {
-            // Degrees per minute either way.
+            // Degrees per minute under both rules.
             (RotaryLength::DegreeAsUnit(_), true) => (value, FeedAlong::Path),
             (RotaryLength::ArcOnCylinder { .. }, true) => {
                 let feed = self.state.feed.unwrap_or(f64::NAN);
@@ -43,7 +43,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// F counts a length on a diameter that the control keeps in a setting, and nobody gave it.
+    /// Reports that F depends on a diameter in the control's settings that the machine file does not give.
     fn report_rotary_diameter(&mut self, at: &dyn Statement, ordinal: usize) {
         if std::mem::replace(&mut self.reported.rotary_diameter, true) {
             return;

@@ -1,9 +1,9 @@
 //! Spirals and cones: Mitsubishi type 1 and type 2, Fanuc's L and Q.
 //!
-//! With r0 and r1 the distances of start and end from the centre and θ the directed angle
-//! from start to end in [0, 2π), the angle of a spiral is θ plus whole turns; the radius
-//! goes linearly with the angle. Where the end is the start, G2 and G3 make a full circle, as they
-//! do without Q, K or L; G2.1 and G3.1 count every turn in P.
+//! With r0 and r1 the distances of start and end from the centre and θ the directed angle from start to end in
+//! [0, 2π), the angle of a spiral is θ plus full turns; the radius changes linearly with the angle from r0 to
+//! r1. When the end is the start, G2 and G3 make a full circle, as they do without Q, K or L; for G2.1 and
+//! G3.1, P counts every turn.
 
 use std::f64::consts::{PI, TAU};
 
@@ -16,30 +16,31 @@ use crate::kernel::Kernel;
 use crate::rules::{SpiralForm, SpiralOnRay};
 use crate::statement::{Statement, WordMeaning};
 
-/// What a statement says of a spiral, but for its end.
+/// The words of a spiral, except its end point.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SpiralWords {
-    /// Which way it goes.
+    /// Clockwise or counterclockwise.
     pub direction: TurnDirection,
-    /// It has a centre word, and no radius.
+    /// It has a centre word and no radius.
     pub centered: bool,
     /// It has a radius.
     pub by_radius: bool,
-    /// The centre words on the two axes of the plane, mm; how they are read is a mode.
+    /// The centre words on the two axes of the plane, mm, `None` when omitted; [`ArcCenter`](crate::rules::ArcCenter)
+    /// says how they are read.
     pub center: [Option<f64>; 2],
-    /// The change of the radius in a turn, mm.
+    /// The change of the radius per turn, mm (Q).
     pub increment: Option<f64>,
-    /// The height of a turn, mm, where it counts.
+    /// The height of a turn, mm (I, J or K normal to the plane); `None` where the control does not use it.
     pub height: Option<f64>,
-    /// Turns begun.
+    /// The number of turns, a begun one included (L).
     pub count: Option<u32>,
 }
 
-/// Most turns of a spiral (the manuals' 0 to 99).
+/// Largest number of turns (the manuals give 0 to 99).
 const MAX_TURNS: u32 = 99;
 
-/// So many least increments off the ray of the start are rounding: half of one for each of the words of
-/// the end and of the centre.
+/// An end may miss the ray of the start by this many least increments through rounding: half of one for each of
+/// the words of the end and of the centre.
 const ROUNDED_INCREMENTS: f64 = 1.5;
 
 /// Ends, centre and θ of a spiral block.
@@ -49,7 +50,7 @@ struct SpiralEnds {
     radius_to: f64,
     /// Directed angle from start to end in [0, 2π).
     angle: f64,
-    /// The end is on the ray of the start, but for the rounding of coordinates to the least increment.
+    /// The end is on the ray from the centre through the start, within the rounding of coordinates.
     on_ray: bool,
     /// The end is the start, on the axes of the plane.
     closed: bool,
@@ -57,8 +58,8 @@ struct SpiralEnds {
 }
 
 impl SpiralEnds {
-    /// The angle with so many whole turns. Rounded coordinates that put the end a little before the ray
-    /// of the start do not make a turn more of it.
+    /// The angle with this many full turns added. An end that rounding puts slightly before the ray of the start
+    /// does not add a turn.
     fn with_turns(&self, turns: u32) -> f64 {
         let before_ray = self.on_ray && self.angle > PI;
         let beyond = if turns > 0 && before_ray { self.angle - TAU } else { self.angle };
@@ -67,7 +68,7 @@ impl SpiralEnds {
 }
 
 impl Kernel<'_> {
-    /// A spiral by its further turns (G2.1 and G3.1 with P): the angle is θ + 2πP.
+    /// Cuts a spiral by its additional turns (G2.1 and G3.1 with P): the angle is θ + 2πP.
     pub fn spiral_by_pitches(
         &mut self,
         at: &dyn Statement,
@@ -86,7 +87,7 @@ impl Kernel<'_> {
         self.emit_spiral(at, &ends, angle, target, named, WordMeaning::Pitches);
     }
 
-    /// A spiral by its increment, height or count (G2 and G3 with Q, K or L).
+    /// Cuts a spiral by its increment, height or count (G2 and G3 with Q, K or L).
     pub fn spiral_by_increment(
         &mut self,
         at: &dyn Statement,
@@ -131,7 +132,7 @@ impl Kernel<'_> {
         let direction = spiral.direction;
         let from = point(&self.state.position);
         let fit = arc_sweep(self.state.plane, from, point(target), center, direction, 0);
-        // The fit calls an end on the start's ray a full turn; here it is none.
+        // `arc_sweep` makes a full turn of an end on the ray of the start; here it is no turn.
         let full = fit.sweep.abs();
         let radius = fit.radius_start.min(fit.radius_end);
         let short_of_ray = (TAU - full) * radius;
@@ -165,7 +166,7 @@ impl Kernel<'_> {
         })
     }
 
-    /// The whole angle by increment, height or count, in this precedence.
+    /// The whole angle, rad, by increment, height or count, in this precedence.
     fn spiral_angle(
         &mut self,
         at: &dyn Statement,
@@ -212,7 +213,7 @@ impl Kernel<'_> {
         ends.with_turns(if full_turn { count } else { count - 1 })
     }
 
-    /// Q, the height word or L of zero, in a block that they make a spiral.
+    /// Reports Q, the height word or L of zero, when it makes the block a spiral.
     fn report_zero_count(&mut self, at: &dyn Statement, spiral: &SpiralWords, ends: &SpiralEnds) {
         let zero = match spiral.count {
             _ if ends.closed => None,
@@ -250,7 +251,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// An increment per turn of something that does not change, on a full circle.
+    /// Reports an increment of a radius or height that does not change, on a full circle.
     fn report_no_increment(&mut self, at: &dyn Statement, letter: WordMeaning, why: &str) {
         let span = at.words(letter);
         let letter = at.name(letter);
@@ -265,7 +266,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// A spiral that begins or ends on its centre.
+    /// Reports a spiral that begins or ends on its centre.
     fn report_end_on_center(&mut self, at: &dyn Statement, start: bool) {
         let span = at.words(WordMeaning::Center);
         let (end, other) = if start { ("start", "end") } else { ("end", "start") };
@@ -284,8 +285,8 @@ impl Kernel<'_> {
         );
     }
 
-    /// Whole turns so that the angle ends exactly at the programmed end, and a problem when
-    /// the given increment means another angle.
+    /// The angle with the number of full turns that ends exactly at the programmed end; reports an increment that
+    /// gives another angle.
     fn congruent(
         &mut self,
         at: &dyn Statement,
@@ -316,7 +317,7 @@ impl Kernel<'_> {
         let off = (turns - whole - fraction).abs() * per_turn;
         if off > self.rules.arc.spiral_end_tolerance_mm * (1.0 + 1e-9) {
             let span = at.words(letter);
-            let provided = turns_text(turns);
+            let programmed = turns_text(turns);
             let fits = turns_text(whole + fraction);
             let off = self.length_text(off);
             let allowed = self.length_text(self.rules.arc.spiral_end_tolerance_mm);
@@ -325,7 +326,7 @@ impl Kernel<'_> {
                     Code::SpiralTurns,
                     span,
                     format!(
-                        "{} asks for {provided} turns, and start, end and centre allow {fits}",
+                        "{} asks for {programmed} turns, and start, end and centre allow {fits}",
                         at.name(letter)
                     ),
                 )
@@ -388,7 +389,7 @@ impl Kernel<'_> {
         MAX_TURNS
     }
 
-    /// `letter` is the one that counts turns.
+    /// Emits the spiral; `letter` is the word that counts turns.
     fn emit_spiral(
         &mut self,
         at: &dyn Statement,
@@ -413,7 +414,7 @@ impl Kernel<'_> {
         self.check_rotary_in_arc(at, &target);
         let motion = self.moved_to(target, named);
         let feed = self.feed_for(at, &motion, Some(&shape));
-        // One turn back to the start is a circle or a helix, whatever words say so.
+        // One turn back to the start is a circle or a helix, whichever words program it.
         let circle = ends.closed && angle == TAU;
         self.emit(match circle {
             true => CommandKind::Arc { motion, shape, feed },
@@ -421,7 +422,7 @@ impl Kernel<'_> {
         });
     }
 
-    /// Start and end on one ray from the centre, and a count that adds no turn.
+    /// Reports start and end on one ray from the centre with a count that adds no turn.
     fn report_no_turn(
         &mut self,
         at: &dyn Statement,
@@ -430,7 +431,7 @@ impl Kernel<'_> {
         letter: WordMeaning,
     ) {
         let height = WordMeaning::Height(self.state.plane);
-        // Without a count the word is named that makes the statement a spiral.
+        // Without a count, the message names the word that makes the statement a spiral.
         let letter = match letter {
             WordMeaning::Count if !at.has(WordMeaning::Count) && at.has(WordMeaning::Increment) => {
                 WordMeaning::Increment
@@ -451,7 +452,7 @@ impl Kernel<'_> {
         let counts = matches!(letter, WordMeaning::Pitches | WordMeaning::Count);
         let count = match at.number(letter) {
             Some(number) if !counts || whole(&number) => format!("with {name}{number}"),
-            // What is wrong with the word was reported.
+            // The wrong word was already reported.
             Some(_) => return,
             None => format!("without {name}"),
         };

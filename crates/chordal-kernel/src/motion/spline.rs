@@ -9,13 +9,13 @@ use crate::kernel::Kernel;
 use crate::statement::Statement;
 
 impl Kernel<'_> {
-    /// Where X, Y and Z stand, in program coordinates.
+    /// X, Y and Z of the present position, program coordinates, mm.
     pub fn point(&self) -> Vec3 {
         let [x, y, z, ..] = self.state.position;
         Vec3::new(x, y, z)
     }
 
-    /// A cut along a spline from where the tool stands; `named` are the axes that the program places.
+    /// Cuts along a spline from the present position; `named` are the axes whose end the program gives.
     pub fn spline(&mut self, at: &dyn Statement, curve: Spline, named: AxisMask) {
         let mut target: Position = self.state.position;
         target[..3].copy_from_slice(&curve.end().to_array());

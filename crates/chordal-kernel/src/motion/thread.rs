@@ -1,4 +1,4 @@
-//! Cuts in step with the spindle: their feed is the lead, and no override acts.
+//! Cuts synchronized with the spindle: their feed is the lead, and no override acts.
 
 use chordal_command::{AxisMask, CommandKind, Feed, FeedAlong, FeedMode, Position, SpindleState};
 
@@ -6,12 +6,12 @@ use crate::kernel::Kernel;
 use crate::statement::Statement;
 
 impl Kernel<'_> {
-    /// A straight cut that advances by `lead_mm` along its path in a revolution of the spindle.
+    /// Makes a straight cut that advances by `lead_mm` along its path per revolution of the spindle.
     pub fn thread(&mut self, target: Position, named: AxisMask, lead_mm: f64) {
         self.changing_thread(target, named, [lead_mm, 0.0]);
     }
 
-    /// The same with a lead that changes: its mean along the path, and by how much it changes in a revolution, mm.
+    /// The same with a changing lead: its mean along the path, mm, and its change per revolution, mm.
     pub(crate) fn changing_thread(
         &mut self,
         target: Position,
@@ -24,7 +24,7 @@ impl Kernel<'_> {
         self.set_in_tap(false);
     }
 
-    /// The same, and back to its start with the spindle reversed, `out_factor` times as fast.
+    /// Cuts a thread in and returns to its start with the spindle reversed, `out_factor` times as fast.
     pub fn rigid_tap(&mut self, target: Position, named: AxisMask, lead_mm: f64, out_factor: f64) {
         let start = self.state.position;
         let (inward, rpm) = (self.state.spindle, self.state.rpm);
@@ -38,7 +38,7 @@ impl Kernel<'_> {
         self.set_in_tap(false);
     }
 
-    /// A cut in step with the spindle needs one that turns.
+    /// Reports a synchronized cut without a running spindle.
     pub(crate) fn require_spindle(&mut self, at: &dyn Statement) {
         let turns = matches!(self.state.spindle, SpindleState::Cw | SpindleState::Ccw);
         if !turns {

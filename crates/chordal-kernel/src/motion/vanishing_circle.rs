@@ -1,4 +1,4 @@
-//! Circles that an increment between start and end makes vanish.
+//! Full circles that shrink to almost nothing because start and end differ by an increment.
 
 use chordal_command::telling_number;
 use chordal_diagnostics::{Code, Diagnostic};
@@ -7,14 +7,15 @@ use chordal_geometry::ArcSweep;
 use crate::kernel::Kernel;
 use crate::statement::Statement;
 
-/// An arc of less may be a circle that an increment made vanish, rad.
+/// A shorter arc may be meant as a full circle, rad.
 const VANISHING_SWEEP_RAD: f64 = 0.01;
 
-/// So many least increments between start and end are rounding: one for each word, and half for a sum.
+/// Start and end may differ by this many least increments through rounding: half of one for each of two words,
+/// and half for a sum.
 const VANISHING_INCREMENTS: f64 = 1.5;
 
 impl Kernel<'_> {
-    /// An arc of almost nothing, whose end misses the start by an increment. Said once.
+    /// Reports, once a run, a very short arc whose end misses the start by an increment.
     #[inline]
     pub(super) fn check_vanishing_circle(&mut self, at: &dyn Statement, fit: &ArcSweep) {
         let is_short = fit.sweep.abs() < VANISHING_SWEEP_RAD;

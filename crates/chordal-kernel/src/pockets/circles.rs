@@ -9,22 +9,22 @@ use super::shapes::{Step, rings};
 use crate::kernel::Kernel;
 use crate::statement::{Statement, WordMeaning};
 
-/// What a statement says of a circular pocket about the place where the tool stands.
+/// The words of a circular pocket about the present position.
 #[derive(Clone, Debug)]
 pub struct CirclesWords<'w> {
     /// The word that mills it.
     pub word: Span,
     /// Its name, for people.
     pub name: &'w str,
-    /// Which way the circles go.
+    /// Clockwise or counterclockwise.
     pub direction: TurnDirection,
     /// The radius of the tool, mm.
     pub tool: f64,
-    /// The radii of the walls that the circles leave, mm, growing.
+    /// The radii of the walls that the circles cut, mm, increasing.
     pub radii: &'w [f64],
-    /// The level, where the statement names one.
+    /// Z of the first pass, mm; `None` to stay at the present height.
     pub level: Option<f64>,
-    /// Passes; in G91 each goes down by as much as the first.
+    /// Number of passes; in G91 each goes down by the same amount as the first.
     pub passes: u32,
 }
 
@@ -64,7 +64,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// Out along X by a radius, once round the present place, and back.
+    /// Cuts one full circle about the present position: out along X by the radius, round, and back.
     pub fn mill_circle(&mut self, at: &dyn Statement, radius: f64, direction: TurnDirection) {
         let center = Vec2::new(self.state.position[0], self.state.position[1]);
         let out = Vec2::new(center.a + radius, center.b);
@@ -83,9 +83,9 @@ impl Kernel<'_> {
         self.follow(&steps, feed, AxisMask::NONE);
     }
 
-    /// Warns of rings further apart than the tool is wide, or of a core in the middle.
+    /// Warns of rings that lie further apart than the tool diameter, or that leave a core in the middle.
     pub fn note_ridges(&mut self, at: &dyn Statement, radii: &[f64], tool: f64) {
-        // One circle alone finishes a bore that is there; D0 says nothing of the tool.
+        // A single circle finishes an existing bore; with D0 the tool radius is not known.
         let &[first, second, ..] = radii else { return };
         if tool == 0.0 {
             return;

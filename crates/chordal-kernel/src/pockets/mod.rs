@@ -14,12 +14,12 @@ use shapes::Step;
 
 use crate::kernel::Kernel;
 
-/// Most rings or rows of one pocket: more is a slip in the stepover.
+/// Largest number of rings or rows of one pocket; more comes from a mistake in the stepover.
 pub const MAX_RINGS: u32 = 10_000;
 
 impl Kernel<'_> {
-    /// Moves along a path of the XY plane, at the height where the tool stands. `named` are the
-    /// axes that the program itself placed.
+    /// Moves along a path in XY at the present height. `named` are the axes whose position the program
+    /// itself gives.
     pub fn follow(&mut self, steps: &[Step], feed: Feed, named: AxisMask) {
         let cycle = std::mem::replace(&mut self.origin.cycle, true);
         for step in steps {
@@ -46,7 +46,7 @@ impl Kernel<'_> {
         self.origin.cycle = cycle;
     }
 
-    /// A straight cut of a routine.
+    /// Makes a straight cut of a built-in routine.
     pub fn routine_line(&mut self, target: Position, named: AxisMask, feed: Feed) {
         let cycle = std::mem::replace(&mut self.origin.cycle, true);
         let motion = self.moved_to(target, named);
@@ -54,7 +54,7 @@ impl Kernel<'_> {
         self.origin.cycle = cycle;
     }
 
-    /// A rapid of a routine, where it goes anywhere.
+    /// Makes a rapid of a built-in routine, unless the position is already reached.
     pub fn routine_rapid(&mut self, target: Position, named: AxisMask) {
         if target == self.state.position && self.state.known.covers(named) {
             return;
@@ -64,7 +64,7 @@ impl Kernel<'_> {
         self.origin.cycle = cycle;
     }
 
-    /// A feed of length per time that a routine has for itself, mm/s.
+    /// A feed per time of a built-in routine itself, mm/s.
     pub fn routine_feed(&self, value: f64) -> Feed {
         Feed {
             value,
@@ -76,7 +76,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// Says once in a run that a routine's path is a choice, and which.
+    /// Reports once a run that the path of a built-in routine is assumed, and which path.
     pub fn note_assumed_path(&mut self, span: Span, name: &str, choice: &str, text: String) {
         if self.reported.assumed_paths.iter().any(|known| known == name) {
             return;
@@ -93,7 +93,7 @@ impl Kernel<'_> {
         );
     }
 
-    /// More rings, rows or levels than any pocket has.
+    /// Reports more than [`MAX_RINGS`] rings, rows or levels.
     pub fn report_too_many_passes(&mut self, span: Span, what: &str) {
         self.report(
             Diagnostic::new(

@@ -1,4 +1,5 @@
-//! A pocket of any outline: at each level a pass that leaves an allowance, then rows; after the last level one pass round the walls.
+//! A pocket of any outline: at each level a pass along the wall that leaves the allowance, then rows; after the
+//! last level one finishing pass along the walls.
 
 use chordal_command::{AxisMask, Feed, Move, Position};
 use chordal_diagnostics::{Code, Diagnostic, Span};
@@ -12,15 +13,15 @@ use crate::statement::{Statement, WordMeaning};
 /// A depth that misses the last level by less than this, mm, is that level.
 const LEVEL_EPSILON_MM: f64 = 1e-9;
 
-/// A wall further away than this, mm, is not reached.
+/// A wall further than this from the tool, mm, is not reached.
 const UNREACHED_MM: f64 = 1e-3;
 
-/// Most moves of one pocket.
+/// Largest number of moves of one pocket, to bound memory.
 const MAX_POCKET_MOVES: usize = 2_000_000;
 
 const Z: AxisMask = AxisMask(0b100);
 
-/// What a statement says of a pocket with an outline; lengths are mm.
+/// The words of a pocket with an outline; lengths in mm.
 #[derive(Clone, Debug)]
 pub struct RegionWords<'w> {
     /// The word that mills it.
@@ -33,21 +34,21 @@ pub struct RegionWords<'w> {
     pub tool: f64,
     /// The start hole.
     pub start: Position,
-    /// The axes that the statement names of it.
+    /// The axes of the start hole that the statement names.
     pub named: AxisMask,
-    /// Where the feed begins.
+    /// Z where the feed begins.
     pub r: f64,
-    /// The levels, downwards.
+    /// Z of each level, downwards.
     pub levels: Vec<f64>,
-    /// Along which axis the rows lie side by side.
+    /// The axis along which the rows step.
     pub along: RasterAlong,
-    /// From row to row.
+    /// Distance between rows.
     pub step: f64,
-    /// What the rows leave at the walls.
+    /// Finishing allowance at the walls.
     pub allowance: f64,
 }
 
-/// R − Q, R − 2Q, …, Z; `None` where these would be more than any pocket has.
+/// The levels R − Q, R − 2Q, …, Z, mm; `None` for more than [`MAX_RINGS`].
 pub fn rings_to_depth(r: f64, z: f64, q: f64) -> Option<Vec<f64>> {
     let count = ((r - z - LEVEL_EPSILON_MM) / q).ceil().max(1.0);
     if count > f64::from(MAX_RINGS) {
@@ -98,7 +99,7 @@ impl Kernel<'_> {
         self.feed_for(at, &motion, None)
     }
 
-    /// The path of a level and the one of the walls; `None` when the tool finds no room.
+    /// The path of a level and the finishing path; `None` when the tool does not fit, which is reported.
     fn region_paths(
         &mut self,
         at: &dyn Statement,
@@ -155,7 +156,7 @@ impl Kernel<'_> {
         self.report(diagnostic.label("not carried out"));
     }
 
-    /// Walls that the tool does not come to.
+    /// Reports a wall that the tool does not reach.
     fn note_unreached(&mut self, words: &RegionWords<'_>, reached: &PocketRegion<'_>) {
         let (outline, tool) = (words.outline, words.tool);
         let farthest = outline

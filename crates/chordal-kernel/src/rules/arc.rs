@@ -1,22 +1,22 @@
-//! What a control does with arcs and spirals, as data.
+//! The rules of a control for arcs and spirals, as data.
 
 use chordal_command::{FeedAlong, Units};
 
-/// What I, J and K say.
+/// The meaning of I, J and K.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum ArcCenter {
-    /// The way from the start to the centre, in G90 and G91.
+    /// The vector from the start to the centre, in G90 and G91.
     FromStart,
     /// The centre in program coordinates.
     Absolute,
-    /// The way from the centre to the start.
+    /// The vector from the centre to the start.
     FromCenter,
 }
 
 /// What happens when the end is off the arc by less than the tolerance.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum ArcMismatch {
-    /// The radius goes linearly with the angle, so that the end is met.
+    /// The radius changes linearly with the angle, so that the arc meets the end.
     Spiral,
     /// The arc keeps its radius to the angle of the end; a straight move follows.
     ArcThenLine,
@@ -35,7 +35,7 @@ pub enum SpiralForm {
     IncrementCount,
 }
 
-/// How an end on the ray from the centre through the start counts, where L gives the turns.
+/// How an end on the ray from the centre through the start counts when L gives the turns.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum SpiralOnRay {
     /// As no turn: L1 is a straight line, L2 one turn.
@@ -44,7 +44,7 @@ pub enum SpiralOnRay {
     FullTurn,
 }
 
-/// What a centre word left out is, where centre words are coordinates.
+/// The value of an omitted centre word when centre words are coordinates.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum OmittedCenter {
     /// The coordinate of the start.
@@ -53,10 +53,10 @@ pub enum OmittedCenter {
     Zero,
 }
 
-/// What happens to a full circle given by R.
+/// What happens to a full circle programmed by R.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum FullCircleByRadius {
-    /// The control alarms.
+    /// The control stops with an alarm.
     Refused,
     /// Nothing moves.
     NoMotion,
@@ -67,30 +67,29 @@ pub enum FullCircleByRadius {
 /// The rules of arcs, helices and spirals.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ArcRules {
-    /// What I, J and K say.
+    /// The meaning of I, J and K.
     pub arc_center: ArcCenter,
     /// Largest difference of the radii at start and end of an arc, mm.
     pub radius_error_tolerance_mm: f64,
-    /// Above the tolerance a difference is still accepted up to this part of the radius
-    /// (LinuxCNC 0.001), and never above the limit. 0 where the control has no such rule.
+    /// Above the tolerance, a difference is still accepted up to this fraction of the radius
+    /// (LinuxCNC 0.001), but never above the limit. 0 when the control has no such rule.
     pub radius_error_relative: f64,
     /// See `radius_error_relative`, mm.
     pub radius_error_limit_mm: f64,
-    /// A firmware judges each arc in its own arithmetic before it is made (GRBL): nothing judges it again.
+    /// The firmware checks each arc in its own arithmetic before (GRBL): the radii are not checked again.
     pub judged_before: bool,
-    /// In a program in inch tolerance and limit are so many times as large.
+    /// Factor of tolerance and limit in inch programs.
     pub radius_error_inch_factor: f64,
-    /// What happens within the tolerance.
+    /// What happens to a difference within the tolerance.
     pub arc_mismatch: ArcMismatch,
-    /// `|2R − chord|` up to here makes the middle of the chord the centre, mm; `None` for two least
-    /// increments of the units in force.
+    /// Up to this `|2R − chord|` the centre is the middle of the chord, mm; `None` for two least
+    /// increments of the active units.
     pub semicircle_tolerance_mm: Option<f64>,
-    /// That is so where the radius is too long, too; otherwise such a centre is computed.
+    /// This also applies to a radius that is too long; otherwise its centre is computed.
     pub semicircle_of_long_radius: bool,
-    /// Points closer than this are one point, mm: far below any least increment, far above
-    /// rounding.
+    /// Points closer than this coincide, mm: far below any least increment, far above rounding.
     pub coincidence_mm: f64,
-    /// Along what F is measured on a helix.
+    /// What F measures on a helix.
     pub helix_feed: FeedAlong,
     /// Spiral commands.
     pub spiral: SpiralForm,
@@ -98,20 +97,20 @@ pub struct ArcRules {
     pub spiral_on_ray: SpiralOnRay,
     /// Rotary axes may turn with an arc.
     pub rotary_in_arc: bool,
-    /// A centre word left out, where they are the centre's coordinates.
+    /// The value of an omitted centre word when centre words are coordinates.
     pub omitted_center: OmittedCenter,
     /// Largest distance of a computed spiral end from the programmed one, mm.
     pub spiral_end_tolerance_mm: f64,
-    /// Full circle by R.
+    /// What happens to a full circle programmed by R.
     pub full_circle_by_radius: FullCircleByRadius,
-    /// Largest radius, mm.
+    /// Largest radius of an arc, mm.
     pub max_radius_mm: f64,
-    /// Largest radius with compensation, mm.
+    /// Largest radius of an arc with cutter compensation, mm.
     pub max_radius_compensated_mm: f64,
 }
 
 impl ArcRules {
-    /// What the tolerance of radii is multiplied by in a program of these units.
+    /// The factor of the radius error tolerance in programs of these units.
     pub fn radius_error_factor(&self, units: Units) -> f64 {
         match units {
             Units::Inch => self.radius_error_inch_factor,
@@ -119,7 +118,7 @@ impl ArcRules {
         }
     }
 
-    /// What most controls share; a table names only what it has otherwise.
+    /// The rules most controls share; a table names only its differences.
     pub const COMMON: ArcRules = ArcRules {
         arc_center: ArcCenter::FromStart,
         radius_error_tolerance_mm: 0.0127,

@@ -1,9 +1,9 @@
-//! What a control does in cutter radius compensation, as data.
+//! The rules of a control for cutter radius compensation, as data.
 //!
-//! The words "inside" and "outside" are those of the manuals: inside is a corner whose
-//! work-side angle is above 180 degrees.
+//! "Inside" and "outside" are used as in the manuals: a corner is inside when its angle on the side of the
+//! workpiece is above 180 degrees.
 
-/// What counts when a radius value is in the offset table.
+/// What the values of the offset table mean.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum OffsetKind {
     /// The table holds diameters.
@@ -12,10 +12,10 @@ pub enum OffsetKind {
     Radius,
 }
 
-/// How compensation goes round an outside corner.
+/// The path of compensation round an outside corner.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum OutsideCorner {
-    /// Straight on to the intersection, with a further line where that is far away.
+    /// Straight to the intersection of the offset moves, cut off by another line when that is far away.
     Linear,
     /// An arc about the corner.
     Arc,
@@ -24,43 +24,43 @@ pub enum OutsideCorner {
 /// How compensation starts and ends.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum CompensationEntry {
-    /// Perpendicular to the first block of the contour.
+    /// To the point perpendicular to the start of the first block of the contour.
     A,
-    /// By the intersection, or round the corner with a further line.
+    /// Through the intersection, or round the corner with an additional line.
     B,
     /// As if the first move were already part of the contour.
     Contour,
 }
 
-/// What is done with a thing that a control may allow, pass over or refuse.
+/// Whether a control allows, ignores or refuses something.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum AllowanceRule {
-    /// It is done.
+    /// It is carried out.
     Allowed,
-    /// It is passed over.
+    /// It has no effect.
     Ignored,
-    /// The control alarms.
+    /// The control stops with an alarm.
     Refused,
 }
 
-/// What G41 or G40 does in a block that does not move.
+/// What G41 or G40 does in a block without a move.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum AloneAction {
     /// It waits for the next move in the plane.
     Waits,
-    /// The tool moves aside, or back, by the offset (start-up type C).
+    /// The tool moves sideways by the offset, or back (start-up type C).
     Perpendicular,
 }
 
 /// A change from G41 to G42 or back without G40 between.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum SideChange {
-    /// The left and the right offset cross; where they do not, the vector stands on the new
-    /// block at its start.
+    /// Through the intersection of the left and the right offset path; if there is none, the offset vector is
+    /// perpendicular to the start of the new block.
     Crossing,
-    /// The block with the new code goes from one side to the other; refused on an arc.
+    /// The block with the new code moves from one side to the other; refused on an arc.
     Along,
-    /// Refused on a line, done on an arc.
+    /// Refused on a line, carried out on an arc.
     RefusedOnLine,
     /// Refused.
     Refused,
@@ -77,7 +77,7 @@ pub enum CompensationPlanes {
     XyOnly,
 }
 
-/// How long the first move must be.
+/// Minimum length of the first move.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum LeadLength {
     /// No rule.
@@ -88,120 +88,119 @@ pub enum LeadLength {
     AboveOffset,
 }
 
-/// How a control looks for places where the offset does not fit.
+/// How a control detects that the offset path does not fit (interference).
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum InterferenceSearch {
-    /// The compensated move goes against the programmed one, or an arc turns by more than
-    /// 180 degrees otherwise.
+    /// The compensated move runs opposite to the programmed one, or an arc differs in angle by more than
+    /// 180 degrees.
     Direction,
-    /// An arc turns by more than 180 degrees otherwise (Fanuc 5008#1).
+    /// An arc differs in angle by more than 180 degrees (Fanuc 5008#1).
     ArcAngle,
     /// The offset vectors at both ends of a block cross.
     Vectors,
-    /// Inside radii, reversed moves, and arcs that come out longer than programmed by more
-    /// than a small angle.
+    /// Inside radii, reversed moves, and arcs that become longer than programmed by more than a small angle.
     Strict,
 }
 
-/// What is done where interference was found.
+/// What follows from interference.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum InterferenceRemedy {
-    /// The control alarms.
+    /// The control stops with an alarm.
     Alarm,
-    /// The block is left out where its neighbours cross, else the control alarms.
+    /// The block is skipped if its neighbours cross; otherwise the control stops with an alarm.
     Avoid,
 }
 
 /// Spirals while compensation is on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum SpiralCompensation {
-    /// The control alarms.
+    /// The control stops with an alarm.
     Refused,
-    /// Done by circles through the ends.
+    /// Replaced by circles through the ends.
     ByCircles,
 }
 
 /// The rules of a control for cutter radius compensation.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CompensationRules {
-    /// An offset joint closer than this is tangent, mm.
+    /// Offset moves whose ends are closer than this join tangentially, mm.
     pub tangent_mm: f64,
-    /// A kink up to here counts as tangent and is not trimmed, rad (LinuxCNC 0.05).
+    /// A corner up to this angle counts as tangent and is not trimmed, rad (LinuxCNC 0.05).
     pub tangent_rad: f64,
-    /// The later of two corner points is dropped when it is not further than this on either
-    /// axis, mm; 0 keeps all.
+    /// The second of two corner points is dropped if it differs by at most this on both axes, mm; 0 keeps all.
     pub drop_link_mm: f64,
-    /// Most blocks without motion in the plane between two that move; `None` for no limit.
+    /// Largest number of blocks without motion in the plane between two moves; `None` for no limit.
     pub idle_blocks: Option<u32>,
-    /// A block that goes nowhere counts as so many blocks without motion.
+    /// A block whose move has no length counts as this many blocks without motion.
     pub zero_move_counts: u32,
     /// M0 and M1 end the look-ahead.
     pub stops_end_look_ahead: bool,
-    /// G41 or G42 in a block that does not move.
+    /// G41 or G42 in a block without a move.
     pub on_alone: AloneAction,
-    /// G40 in a block that does not move.
+    /// G40 in a block without a move.
     pub off_alone: AloneAction,
     /// G40 acts at once: the next move of any axis ends on its programmed point.
     pub off_at_once: bool,
-    /// A path that turns back by 180 degrees, give or take the kink of a tangent, is an outside corner;
-    /// into an arc, or out of one into a line, with the tool outside of it an inside one.
+    /// A reversal by 180 degrees (within `tangent_rad`) is an outside corner; into an arc, or from an arc into a
+    /// line, with the tool outside the arc, an inside corner.
     pub cusps_meet: bool,
-    /// F of G93 is for the programmed length, and its speed holds for the path of the tool.
+    /// F of G93 gives the speed on the programmed length, and the tool path has the same speed.
     pub inverse_time_as_speed: bool,
-    /// The arc round a corner belongs to the block after it: its feed, or straight at its rapid.
+    /// The arc round a corner belongs to the next block and has its feed; before a rapid it is a straight rapid.
     pub corner_of_next: bool,
-    /// G40 with I J ends the last block at the crossing with that direction.
+    /// G40 with I J ends the last block at the intersection with that direction.
     pub off_toward: bool,
     /// Compensation may start on an arc.
     pub start_on_arc: bool,
     /// The same G41 or G42 again, alone in its block.
     pub repeated: RepeatedCodeRule,
-    /// G41 to G42.
+    /// A change from G41 to G42 or back.
     pub side_change: SideChange,
     /// Another D while compensation is on.
     pub new_offset: AllowanceRule,
     /// Another D in the block of an arc.
     pub new_offset_on_arc: AllowanceRule,
-    /// Length of the first move.
+    /// Minimum length of the first move.
     pub lead: LeadLength,
-    /// The first move after G41 or G42 is the lead-in, whatever it moves.
+    /// The first move after G41 or G42 is the lead-in, whichever axes it moves.
     pub lead_follows_code: bool,
-    /// Where it works.
+    /// The planes it works in.
     pub planes: CompensationPlanes,
-    /// The control's own check.
+    /// How the control detects interference.
     pub interference: InterferenceSearch,
-    /// It is looked for.
+    /// The control checks for interference.
     pub checks: bool,
-    /// What follows from it.
+    /// What follows from interference.
     pub remedy: InterferenceRemedy,
     /// An inside arc of exactly the offset's radius is refused.
     pub equal_radius_refused: bool,
-    /// An arc may come out longer than programmed by so much, rad: in mm and in inch
-    /// (for [`InterferenceSearch::Strict`]).
+    /// An arc may become longer than programmed by this angle, rad, in mm and in inch programs (for
+    /// [`InterferenceSearch::Strict`]).
     pub longer_arc_rad: [f64; 2],
     /// Spirals.
     pub spirals: SpiralCompensation,
-    /// Shift of coordinates, reference point and machine coordinates while it is on.
+    /// Coordinate shifts, reference returns and machine coordinates while it is on.
     pub coordinate_change: AllowanceRule,
-    /// G40, or G41 without D, takes the tool in the spindle as the offset's number.
+    /// G40, and G41 without D, use the number of the tool in the spindle as the offset number.
     pub offset_of_tool: bool,
-    /// Inside arcs are fed at F·(R−r)/R, but not below this part of F; 1 for F as it is.
+    /// The feed of inside arcs is F·(R−r)/R, so that the contour is cut at F, but at least this fraction of F; 1
+    /// for an unchanged F.
     pub inside_feed_least: f64,
 }
 
-/// What the same code again does.
+/// The effect of the same code again.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum RepeatedCodeRule {
     /// Nothing.
     Ignored,
-    /// The vector stands perpendicular on the end of the block before.
+    /// The offset vector becomes perpendicular to the end of the previous block.
     Perpendicular,
-    /// The control alarms.
+    /// The control stops with an alarm.
     Refused,
 }
 
 impl CompensationRules {
-    /// What most controls share.
+    /// The rules most controls share.
     pub const COMMON: CompensationRules = CompensationRules {
         tangent_mm: 0.002,
         tangent_rad: 0.0,

@@ -1,6 +1,6 @@
-//! Roundings and chamfers that a block asks for at its end.
+//! The rules of a control for roundings and chamfers at the end of a block.
 
-/// Between which moves a control puts them.
+/// The moves between which a control makes them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum CornerMoves {
     /// It has none.
@@ -14,16 +14,16 @@ pub enum CornerMoves {
 /// The rules of roundings and chamfers.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RoundingRules {
-    /// Between which moves.
+    /// The moves between which it makes them.
     pub moves: CornerMoves,
-    /// So many dwells may stand between the two moves.
+    /// Largest number of dwells between the two moves.
     pub dwells_between: u32,
-    /// A corner that turns by no more than this gets nothing, degrees.
+    /// Up to this angle, degrees, the moves count as straight and get no corner.
     pub straight_deg: f64,
 }
 
 impl RoundingRules {
-    /// None; a table names what its control has.
+    /// No corners; a table names what its control has.
     pub const COMMON: RoundingRules =
         RoundingRules { moves: CornerMoves::None, dwells_between: 0, straight_deg: 0.0 };
 }

@@ -1,45 +1,45 @@
-//! How a control takes mirror, scaling and rotation of its coordinates.
+//! The rules of a control for mirror, scaling and rotation of coordinates, as data.
 
 /// The rules of frames.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct FrameRules {
-    /// In G91 the angle of a rotation is added to the one in force.
+    /// In G91 the angle of a rotation is added to the active one.
     pub angle_adds: bool,
-    /// The angle of a rotation whose block gives none, degrees.
+    /// The angle of a rotation without an angle word, degrees.
     pub omitted_angle_deg: f64,
-    /// The angle of a rotation is modal: one that is left out is the last.
+    /// The angle of a rotation is modal: an omitted one is the last one.
     pub angle_is_kept: bool,
     /// A and B are the centre of a rotation, in X and Y of the XY plane (Mach3).
     pub rotation_center_by_ab: bool,
-    /// The words of the axes are the factors of a scaling about the work zero, and only lines and arcs with
-    /// I, J, K are known to be scaled (Mach3).
+    /// The axis words are the factors of a scaling about the work zero; only for lines and arcs with I, J, K is
+    /// it known that they are scaled (Mach3).
     pub factors_by_axes: bool,
-    /// Polar end points are counted from where the tool stood when they came into force, and only straight
-    /// moves of the XY plane in G90 are known to have them (Mach3).
+    /// Polar end points are measured from the position at which they came into force, and only straight
+    /// moves of the XY plane in G90 are known to use them (Mach3).
     pub polar_about_start: bool,
-    /// The centre of a scaling is counted from the present place in G91.
+    /// In G91 the centre of a scaling is relative to the present position.
     pub center_by_mode: bool,
-    /// Scaling without a centre on an axis leaves that axis alone; otherwise its centre is the present place.
+    /// Scaling does not act on an axis without a centre; otherwise its centre is the present position.
     pub scales_named_axes: bool,
     /// Rotary axes are scaled with the others.
     pub scales_rotary: bool,
-    /// The factors of X, Y and Z where the block gives none.
+    /// The factors of X, Y and Z when the block gives none.
     pub omitted_factors: [f64; 3],
-    /// I, J and K give a factor of an axis each.
+    /// I, J and K give the factors of X, Y and Z.
     pub factors_by_vector: bool,
-    /// The smallest and the largest factor, without sign.
+    /// The limits of the absolute value of a factor; the limits themselves are refused.
     pub factor_range: [f64; 2],
-    /// An arc while the axes of its plane have different factors.
+    /// What happens to an arc when the axes of its plane have different factors.
     pub unequal_arcs: UnequalArcs,
     /// Spirals and cones are refused while coordinates are mirrored or scaled.
     pub refuses_spirals: bool,
-    /// The plane may change while a rotation is in force.
+    /// The plane may change while a rotation is active.
     pub plane_change: bool,
-    /// Another work coordinate system leaves the centre of a rotation where it is on the machine.
+    /// A change of the work coordinate system leaves the centre of a rotation at its machine position.
     pub rotation_stays: bool,
-    /// G10 L2 R turns a work coordinate system, and arcs of the other planes turn with it.
+    /// G10 L2 R rotates a work coordinate system, and arcs of the other planes with it.
     pub work_rotation: bool,
-    /// A frame may come into force while compensation is on.
+    /// A frame may become active while compensation is on.
     pub in_compensation: bool,
     /// A rotation may end while compensation is on.
     pub rotation_ends_in_compensation: bool,
@@ -49,7 +49,7 @@ pub struct FrameRules {
     pub has_scaling: bool,
     /// The control has the option of rotation.
     pub has_rotation: bool,
-    /// The largest angle of a rotation, without sign, degrees.
+    /// The largest absolute angle of a rotation, degrees.
     pub largest_angle_deg: f64,
     /// The largest coordinate that a scaling may give, in least increments; 0 for no limit.
     pub largest_scaled_increments: f64,
@@ -59,17 +59,17 @@ pub struct FrameRules {
     pub work_change: bool,
 }
 
-/// What becomes of an arc whose plane is scaled unequally.
+/// What happens to an arc when the axes of its plane have different factors.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum UnequalArcs {
-    /// Ends and centre go by their own factors, a radius by the larger one; the end is judged as always.
+    /// Ends and centre are scaled by their own factors, a radius by the larger one; the radii are checked as usual.
     Judged,
     /// The control refuses it.
     Refused,
 }
 
 impl FrameRules {
-    /// What most controls share; a table names only what it has otherwise.
+    /// The rules most controls share; a table names only its differences.
     pub const COMMON: FrameRules = FrameRules {
         angle_adds: false,
         omitted_angle_deg: 0.0,

@@ -1,7 +1,7 @@
-//! What a control may do one way or another, as plain data: a number or a choice for each rule.
+//! What differs between controls, as plain data: a number or a choice for each rule.
 //!
-//! A dialect gives each rule its value, and a machine file may change it. The kernel asks the rule;
-//! it never asks which control it is.
+//! A dialect gives each rule its value, and a machine file may change it. The kernel uses the rule and
+//! never the name of the control.
 
 mod arc;
 mod compensation;
@@ -26,14 +26,14 @@ pub use rotary_feed::*;
 pub use tool_lengths::*;
 pub use turning::*;
 
-/// How fast G0 moves.
+/// The speed of G0.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum RapidFeed {
-    /// As fast as the axes can.
+    /// The rapid speed of the axes.
     OfMachine,
-    /// At the F in force, as G1 does (Marlin).
+    /// At the active F, as G1 does (Marlin).
     Programmed,
-    /// At this speed, mm/s, and F is for the other moves.
+    /// This speed, mm/s; F is for the other moves.
     Fixed(f64),
 }
 
@@ -50,66 +50,67 @@ pub struct Rules {
     pub starts_incremental: bool,
     /// The plane of arcs at power-on.
     pub starts_in: Plane,
-    /// F counts per revolution, not per minute, at power-on.
+    /// Feed per revolution, not per minute, at power-on.
     pub starts_per_revolution: bool,
-    /// Digits behind the point that a number without one has, in inch (4: 0.0001 in).
+    /// Decimal digits of the least increment in inch (4: 0.0001 in).
     pub increment_digits_inch: u8,
     /// The same in millimetres (3: 0.001 mm).
     pub increment_digits_mm: u8,
-    /// A move in machine coordinates (G53) is a rapid, whatever motion is in force.
+    /// A move in machine coordinates (G53) is a rapid, whatever motion is active.
     pub machine_move_is_rapid: bool,
-    /// In G91 it is ignored: its block does not move.
+    /// G53 is ignored in G91: its block does not move.
     pub machine_move_needs_absolute: bool,
-    /// Rapids.
+    /// The path of rapids.
     pub rapid: RapidPath,
-    /// How fast G0 moves.
+    /// The speed of G0.
     pub rapid_feed: RapidFeed,
-    /// F at power-on, mm/s, where there is one without a word.
+    /// F at power-on, mm/s; `None` when a program must give one.
     pub starting_feed_mm_s: Option<f64>,
-    /// Largest turn of a rotary axis in a block, rad.
+    /// Largest rotation of a rotary axis in a block, rad.
     pub max_rotary_per_block_rad: f64,
-    /// A code of the feed mode ends F, also where that mode is in force (RS274/NGC: G94 behind F100 needs an F again).
+    /// A code of the feed mode ends F, also where that mode is active (RS274/NGC: G94 after F100 needs an F again).
     pub feed_mode_code_ends_feed: bool,
-    /// F of straight cuts with rotary axes.
+    /// What F measures on straight cuts with rotary axes.
     pub rotary_feed: RotaryFeedRules,
-    /// What the radius offsets of the table are.
+    /// Whether the offset table contains radii or diameters.
     pub radius_offsets: OffsetKind,
-    /// Many of its machines have a spindle that is switched by hand, or none: a pen, a knife (GRBL).
+    /// Many machines with this control have a spindle switched by hand, or none (pen, knife; GRBL): a cut without
+    /// M3 is not reported.
     pub spindle_by_hand: bool,
-    /// A tool change stops the spindle by itself.
+    /// A tool change stops the spindle.
     pub spindle_stops_at_tool_change: bool,
-    /// M3 without an S turns the spindle at the speed that was set by hand.
+    /// M3 without S turns the spindle at a speed set by hand.
     pub speed_by_hand: bool,
-    /// Outside corners with compensation.
+    /// The path of compensation round outside corners.
     pub outside_corner: OutsideCorner,
-    /// Start and end of compensation.
+    /// How compensation starts and ends.
     pub compensation_entry: CompensationEntry,
-    /// All else of compensation.
+    /// All other rules of compensation.
     pub compensation: CompensationRules,
     /// Lift of a chip-breaking peck (G73), mm.
     pub chip_break_mm: f64,
     /// Clearance of a full-retract peck (G83), mm.
     pub peck_clearance_mm: f64,
-    /// G92 takes G52 back on the axes it names.
+    /// G92 ends G52 on the axes it names.
     pub preset_clears_shift: bool,
     /// G10 L2 in G91 adds to the work offset.
     pub work_values_add: bool,
-    /// G52 writes the values of G92, and G92 of the others stays (LinuxCNC).
+    /// G52 writes the values of G92; those of other axes stay (LinuxCNC).
     pub shift_is_preset: bool,
-    /// G43 takes a copy of the tool's offsets: what is written into the table later acts at the next G43.
+    /// G43 copies the offsets of the tool: later changes of the table act at the next G43.
     pub length_is_copied: bool,
-    /// How tools of different length are made to work on the same part.
+    /// Tool lengths.
     pub length: LengthRules,
     /// G28 without axis words sends all axes home.
     pub bare_home_moves_all: bool,
-    /// A circular pocket is one circle about the present place: out along X by I, round and back, without the
+    /// A circular pocket is one circle about the present position: out along X by I, round and back, without the
     /// radius of a tool (Mach3).
     pub pocket_is_one_circle: bool,
-    /// Largest stepover of fixed pocket routines, mm; never more than leaves nothing standing.
+    /// Largest stepover of fixed pocket routines, mm; limited to what leaves no ridges.
     pub pocket_stepover_mm: f64,
     /// Canned cycles.
     pub cycles: CycleRules,
-    /// How ends of moves are passed.
+    /// Path modes.
     pub path: PathRules,
     /// Arcs and spirals.
     pub arc: ArcRules,
@@ -121,11 +122,11 @@ pub struct Rules {
     pub turning: TurningRules,
 }
 
-/// What arithmetic makes of a radius that is half the chord, mm.
+/// Rounding of a radius that is exactly half the chord, mm.
 const HALF_CIRCLE_ROUNDING_MM: f64 = 1e-9;
 
 impl Rules {
-    /// Up to which difference of 2R and the chord the middle of the chord is the centre.
+    /// The difference of 2R and the chord up to which the centre is the middle of the chord.
     pub fn half_circle_tolerance(&self, units: Units) -> HalfCircleTolerance {
         let own = self.arc.semicircle_tolerance_mm;
         let mm = own.unwrap_or(2.0 * self.least_increment(units)) + HALF_CIRCLE_ROUNDING_MM;
@@ -139,7 +140,7 @@ impl Rules {
         }
     }
 
-    /// What F counts at power-on.
+    /// The unit of F at power-on.
     pub fn starting_feed_mode(&self) -> FeedMode {
         match self.starts_per_revolution {
             true => FeedMode::PerRevolution,
@@ -147,7 +148,7 @@ impl Rules {
         }
     }
 
-    /// The smallest length that a word can give, mm.
+    /// The least increment of a length word, mm.
     pub fn least_increment(&self, units: Units) -> f64 {
         let (unit, digits) = match units {
             Units::Inch => (25.4, self.increment_digits_inch),
@@ -156,7 +157,7 @@ impl Rules {
         unit / 10f64.powi(i32::from(digits))
     }
 
-    /// What most controls share; a table names only what it has otherwise.
+    /// The rules most controls share; a table names only its differences.
     pub const COMMON: Rules = Rules {
         units: Units::Inch,
         starts_linear: false,

@@ -1,5 +1,5 @@
-//! What a control does at the ends of moves, as data: the mode it starts with, the tolerances
-//! of the modes that round corners, and where it comes to rest whatever the mode.
+//! The rules of a control for the ends of moves, as data: the mode at power-on, the tolerances of the modes that
+//! round corners, and where it stops in every mode.
 
 use chordal_command::PathMode;
 
@@ -8,7 +8,7 @@ use chordal_command::PathMode;
 pub enum StartMode {
     /// Corners are rounded.
     Continuous,
-    /// Exact path.
+    /// Corners are exact, without a stop where the direction does not change.
     ExactPath,
     /// A stop at the end of every block.
     ExactStop,
@@ -17,7 +17,7 @@ pub enum StartMode {
 /// Where a control joins many short blocks into one smooth curve.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum ShortBlocks {
-    /// Nowhere: each corner is passed by itself.
+    /// Never: each corner is planned by itself.
     Separate,
     /// In its look-ahead and high-accuracy modes only.
     LookAhead,
@@ -25,67 +25,67 @@ pub enum ShortBlocks {
     Joined,
 }
 
-/// How a control cuts an arc into segments by their length, not by how far they are from it (Marlin).
+/// How a control divides an arc into segments by their length, not by a tolerance (Marlin).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ArcSegments {
-    /// The shortest, mm.
+    /// Shortest segment, mm.
     pub least_mm: f64,
-    /// The longest, mm.
+    /// Longest segment, mm.
     pub most_mm: f64,
-    /// A full circle has so many at least, where they do not become too short.
+    /// Minimum number of segments of a full circle, unless they become shorter than `least_mm`.
     pub of_circle: u32,
 }
 
 /// How a control without jerk limits passes from one straight segment to the next (GRBL).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct JunctionRules {
-    /// How far a detour at a junction would be from it, mm.
+    /// Junction deviation: the distance of an imagined rounding from the corner, mm.
     pub deviation_mm: f64,
-    /// Blocks that it knows, with the one under way.
+    /// Blocks of look-ahead, including the current one.
     pub blocks: u32,
-    /// How far the segments of an arc are from it, mm.
+    /// Largest distance of the segments of an arc from it, mm.
     pub arc_tolerance_mm: f64,
-    /// Arcs are cut by the length of segments instead.
+    /// Arcs are divided by segment length instead; `None` by `arc_tolerance_mm`.
     pub arc_segments: Option<ArcSegments>,
-    /// By how much X, Y and Z may change their speed at a junction at once, mm/s, where that counts and not the
-    /// deviation.
+    /// Largest step of the speed of X, Y and Z at a junction (classic jerk), mm/s; `None` when the junction deviation
+    /// limits the speed.
     pub speed_steps_mm_s: Option<[f64; 3]>,
-    /// Segments end on whole steps of X, Y and Z, so many a mm.
+    /// Motor steps per mm of X, Y and Z; segments end on whole steps.
     pub steps_per_mm: [f64; 3],
-    /// A segment is accelerated less, as a jerk limit would do it (grblHAL).
+    /// The acceleration of a segment is reduced as a jerk limit would reduce it (grblHAL).
     pub limited_jerk: bool,
 }
 
-/// How a control passes the ends of moves. Lengths are mm.
+/// The rules for the ends of moves; lengths in mm.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PathRules {
     /// The path mode at power-on and after the program's end.
     pub start: StartMode,
-    /// A rapid ends at rest before a cut (in-position check).
+    /// A rapid stops before a cut (in-position check).
     pub stop_before_cut: bool,
-    /// A rapid ends at rest before another rapid.
+    /// A rapid stops before another rapid.
     pub stop_between_rapids: bool,
-    /// A cut ends at rest before a rapid.
+    /// A cut stops before a rapid.
     pub stop_after_cut: bool,
-    /// Largest distance from a corner where no code names one; `None`: the control knows no
-    /// such figure, and the machine file's `[motion] corner_tolerance` holds.
+    /// Largest distance from a corner when no code gives one; `None` when the control has no such value and the
+    /// machine file's `[motion] corner_tolerance` applies.
     pub rounding_mm: Option<f64>,
-    /// Levels of smoothness (Haas G187 P1 to P3): the part of `rounding_mm` that each allows.
+    /// Levels of smoothness (Haas G187 P1 to P3): the fraction of `rounding_mm` that each allows.
     pub level_parts: [f64; 3],
-    /// The level in force when no code names one, 1 to 3.
+    /// The active level when no code names one, 1 to 3.
     pub level: u8,
-    /// The same distance in high-accuracy and look-ahead modes.
+    /// The same distance in high-accuracy and look-ahead modes; `None` for `rounding_mm`.
     pub look_ahead_mm: Option<f64>,
-    /// Where short blocks become one curve.
+    /// When short blocks become one curve.
     pub short_blocks: ShortBlocks,
-    /// Trapezoids with junction deviation, where the control moves like that and not with limited jerk.
+    /// Trapezoidal profiles with junction deviation; `None` for a control with limited jerk.
     pub junctions: Option<JunctionRules>,
     /// The spindle output drives a laser (GRBL's `$32=1`): another S in the block of a motion does not stop the axes.
     pub laser_mode: bool,
 }
 
 impl PathRules {
-    /// Rapids with an in-position check, cuts that run into each other.
+    /// Rapids stop (in-position check), consecutive cuts do not.
     pub const COMMON: PathRules = PathRules {
         start: StartMode::Continuous,
         stop_before_cut: true,
@@ -100,7 +100,7 @@ impl PathRules {
         laser_mode: false,
     };
 
-    /// The distance that a level of smoothness allows, mm.
+    /// The tolerance of a level of smoothness, mm; `None` when the control has no value.
     pub fn of_level(&self, level: u8) -> Option<f64> {
         let part = self.level_parts[usize::from(level.clamp(1, 3)) - 1];
         self.rounding_mm.map(|mm| mm * part)

@@ -1,11 +1,11 @@
-//! How F counts rotary axes.
+//! What F measures when rotary axes move, as data.
 
 use chordal_command::{Move, RotaryLength, Units};
 
-/// What F counts in a straight cut in which rotary axes turn.
+/// What F measures on a straight cut with rotary axes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum RotaryFeed {
-    /// X, Y and Z alone, and the rotary axes arrive with them; degrees per minute where nothing else moves (LinuxCNC).
+    /// X, Y and Z only; the rotary axes arrive with them. Degrees per minute when only rotary axes move (LinuxCNC).
     LinearAxes,
     /// The vector of all axes, a degree counted as one unit of length, mm or inch (Fanuc B-63174EN 4.2).
     DegreesAsUnits,
@@ -18,18 +18,18 @@ pub enum RotaryFeed {
 /// The rules of feeds with rotary axes.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RotaryFeedRules {
-    /// What F counts.
+    /// What F measures.
     pub measure: RotaryFeed,
-    /// The diameters of the 4th and of the 5th axis for [`RotaryFeed::OnDiameter`], mm; `None` where nobody gave it.
+    /// The diameters of the 4th and 5th axis for [`RotaryFeed::OnDiameter`], mm; `None` when the machine file gives none.
     pub diameters_mm: [Option<f64>; 2],
     /// B is the 5th axis, because the machine has an A.
     pub has_a: bool,
-    /// What the settings of these diameters are called in a machine file.
+    /// The names of the settings of these diameters in a machine file.
     pub diameter_names: [&'static str; 2],
 }
 
 impl RotaryFeedRules {
-    /// What a control has whose manual says nothing else.
+    /// The rules of a control whose manual says nothing about it.
     pub const COMMON: RotaryFeedRules = RotaryFeedRules {
         measure: RotaryFeed::LinearAxes,
         diameters_mm: [None; 2],
@@ -37,8 +37,8 @@ impl RotaryFeedRules {
         diameter_names: ["rotary_diameter_4th", "rotary_diameter_5th"],
     };
 
-    /// What the angles of a move count for, in a program of these units; `None` where they do not count. The error is
-    /// the axis whose diameter nobody gave, 0 for the 4th.
+    /// How the angles of a move become lengths in a program of these units; `None` when they do not count. The error
+    /// is the axis without a diameter: 0 for the 4th, 1 for the 5th.
     pub fn length_of(&self, motion: &Move, units: Units) -> Result<Option<RotaryLength>, usize> {
         let by_degrees = |units| Ok(Some(RotaryLength::DegreeAsUnit(units)));
         match self.measure {
@@ -60,7 +60,7 @@ impl RotaryFeedRules {
         Ok(Some(RotaryLength::ArcOnCylinder { diameters_nm }))
     }
 
-    /// These with another measure.
+    /// The common rules with another measure.
     pub const fn measured(measure: RotaryFeed) -> RotaryFeedRules {
         RotaryFeedRules { measure, ..RotaryFeedRules::COMMON }
     }

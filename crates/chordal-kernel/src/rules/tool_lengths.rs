@@ -1,22 +1,22 @@
-//! How tools of different length are made to work on the same part.
+//! The rules of a control for tool lengths, as data.
 
-/// What brings a length into force and what takes it away.
+/// What activates a tool length and what ends it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct LengthRules {
     /// Where the length of a tool comes from.
     pub source: ToolLengths,
-    /// Which length G43 without H brings into force.
+    /// The length that G43 without H activates.
     pub without_number: LengthWithoutNumber,
-    /// `G43 H0` brings the length of the tool in the spindle into force; otherwise it ends the one in force.
+    /// `G43 H0` activates the length of the tool in the spindle; otherwise it ends the active one.
     pub zero_is_of_tool: bool,
-    /// In G91 a block that brings a length into force adds it to the way of its own axis word.
+    /// In G91 a block that activates a length adds it to the distance of its own axis word.
     pub adds_to_increment: bool,
-    /// What ends a length beside its own codes.
+    /// What ends a length in addition to its own codes.
     pub ended_by: LengthEnds,
 }
 
 impl LengthRules {
-    /// What most controls do.
+    /// The rules most controls share.
     pub const COMMON: LengthRules = LengthRules {
         source: ToolLengths::Table,
         without_number: LengthWithoutNumber::InForce,
@@ -26,7 +26,7 @@ impl LengthRules {
     };
 }
 
-/// What ends the length in force.
+/// What ends the active length.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct LengthEnds {
     /// A change of tools (M6).
@@ -40,21 +40,20 @@ pub struct LengthEnds {
 /// Where the length of a tool comes from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ToolLengths {
-    /// From the offset table, by a code of the program. A program of one tool may have its work offset set with
-    /// that tool.
+    /// From the offset table, by a code of the program. For a program with one tool, the work offset may be set with
+    /// that tool instead.
     Table,
-    /// From the table where the program says so; otherwise the work offset is set anew with each tool.
+    /// From the table if the program says so; otherwise the operator sets the work offset again with each tool.
     TouchedOff,
     /// The control has no tool lengths.
     Absent,
 }
 
-/// Which length G43 or G44 without H brings into force.
+/// The length that G43 or G44 without H activates.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum LengthWithoutNumber {
-    /// The one that is in force, and none where none is (an Allen-Bradley 9 Series manual prints it so of the same
-    /// codes).
+    /// The active one, and none if there is none (an Allen-Bradley 9 Series manual says so of the same codes).
     InForce,
-    /// That of the tool in the spindle.
+    /// The length of the tool in the spindle.
     OfTool,
 }

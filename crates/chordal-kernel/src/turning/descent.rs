@@ -1,5 +1,6 @@
-//! Roughing that goes down the contour itself (LinuxCNC G71, G72): it follows a falling piece to the next level, cuts along the
-//! level, and where the contour rises again follows it up to the next pocket.
+//! Roughing that descends along the contour itself (LinuxCNC G71, G72): it follows a falling piece to the next level,
+//! cuts along the level, and where the contour rises again follows it up to the next pocket. Coordinates of pieces
+//! are (along the passes, across them).
 
 use chordal_diagnostics::{Code, Diagnostic};
 
@@ -9,46 +10,46 @@ use crate::statement::Statement;
 use crate::turning::offset::{OffsetPiece, offset};
 use crate::turning::profile::{ContourEdge, CycleView};
 
-/// Nearer levels and places are one, in units of the program.
+/// Levels and positions that differ by less are equal, in units of the program (as in LinuxCNC).
 const EQUAL_LEVEL: f64 = 1e-6;
 
-/// Ends of arcs nearer than this are reached.
+/// The end of an arc counts as reached within this distance, in units of the program.
 const ARC_END: f64 = 1e-3;
 
-/// Most passes of one cycle.
+/// Largest number of passes of one cycle.
 const MAX_PASSES: u32 = 100_000;
 
-/// Words of a roughing cycle by the contour of a subroutine, mm on the radius.
+/// The words of a roughing cycle with its contour in a subroutine, mm on the radius.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct DescentWords {
     /// Passes along X (G72), not along Z.
     pub along_x: bool,
-    /// Where it begins: X (a radius) and Z.
+    /// Start point: X (a radius) and Z.
     pub start: [f64; 2],
-    /// What is left on the contour, along its normal.
+    /// Allowance on the contour, along its normal.
     pub left: f64,
     /// Depth of a pass.
     pub depth: f64,
-    /// How far a pass backs off.
+    /// Retraction after a pass.
     pub retract: f64,
-    /// What becomes of pockets.
+    /// Whether pockets are cut.
     pub pockets: PocketHandling,
 }
 
-/// Why a contour is not cut.
+/// Why a contour cannot be cut.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum DescentFault {
     /// It has no moves.
     Empty,
-    /// It turns back.
+    /// It reverses its direction along the passes, at this block.
     TurnsBack(chordal_command::Origin),
 }
 
-/// A contour with the moves to it, and the levels down to it.
+/// A contour with the move to its start, and the data of its levels.
 struct ContourDescent {
     view: CycleView,
     pieces: Vec<OffsetPiece>,
-    /// The unit of the program, mm: what is near is measured in it.
+    /// The unit of the program, mm, for the tolerances above.
     unit: f64,
     depth: f64,
     retract: f64,
@@ -56,7 +57,7 @@ struct ContourDescent {
 }
 
 impl Kernel<'_> {
-    /// Roughs down to a contour, and ends with it.
+    /// Roughs down to a contour, and follows it at the end.
     pub fn rough_descent(
         &mut self,
         at: &dyn Statement,
@@ -64,7 +65,7 @@ impl Kernel<'_> {
         contour: &[ContourEdge],
     ) -> Result<(), DescentFault> {
         let (view, mut pieces) = seen(words.along_x, words.start, contour)?;
-        // From the far side the contour is reached across its first point.
+        // From the other side, the start of the contour is reached across its first point.
         pieces[0].from[0] = pieces[0].from[0].max(pieces[0].to[0]);
         let unit = self.state.units.mm();
         if let Some(back) = pieces.iter().skip(1).find(|piece| !piece.goes_on(unit)) {
@@ -94,7 +95,7 @@ impl Kernel<'_> {
         Ok(())
     }
 
-    /// Finishes a contour in passes, each at its distance, and ends with the last one.
+    /// Finishes a contour in passes, each at one of the distances, mm; the last one usually zero.
     pub fn finish_passes(
         &mut self,
         at: &dyn Statement,
@@ -127,14 +128,14 @@ impl Kernel<'_> {
         Ok(())
     }
 
-    /// Level by level; false where there are too many.
+    /// Cuts level by level; false when there are more than [`MAX_PASSES`].
     fn descend(&mut self, at: &dyn Statement, job: &ContourDescent) -> bool {
         let pieces = &job.pieces;
         let top = pieces[0].from[1];
         let (mut level, mut here, mut now) = (top, pieces[0].from, 0);
         let mut pockets = job.pockets;
         if pockets == PocketHandling::Only {
-            // Down to the bottom of the first descent, which the cycle without pockets has cut.
+            // Follow the first descent to its bottom; the cycle without pockets has cut it.
             while now < pieces.len() && self.fall_along(at, job, now, &mut here, f64::NEG_INFINITY)
             {
                 now += 1;
@@ -142,7 +143,7 @@ impl Kernel<'_> {
             pockets = PocketHandling::Cut;
             level = here[1];
         }
-        let (mut passes, mut stands) = (0, false);
+        let (mut passes, mut retried) = (0, false);
         while now < pieces.len() {
             if passes > MAX_PASSES {
                 return false;
@@ -164,7 +165,7 @@ impl Kernel<'_> {
                 while now < pieces.len() && self.climb_piece(at, job, &pieces[now], &mut here) {
                     now += 1;
                 }
-                // Pockets that alone are cut begin at their own edges.
+                // When only pockets are cut, they begin at their own edges.
                 level = if job.pockets == PocketHandling::Only { here[1] } else { top };
                 continue;
             }
@@ -173,17 +174,17 @@ impl Kernel<'_> {
                 continue;
             }
             match self.cut_level(at, job, now, here) {
-                LevelCut::Done => (level, stands) = (level - job.depth, false),
+                LevelCut::Done => (level, retried) = (level - job.depth, false),
                 LevelCut::NextPiece => now += 1,
-                // The piece may rise from here; what does not is left after a second look.
-                LevelCut::NotMet if stands => (now, stands) = (now + 1, false),
-                LevelCut::NotMet => stands = true,
+                // The piece may rise from here; if not, the second attempt skips it.
+                LevelCut::NotMet if retried => (now, retried) = (now + 1, false),
+                LevelCut::NotMet => retried = true,
             }
         }
         true
     }
 
-    /// Along the level to where the contour rises, and back.
+    /// Cuts along the level to where the contour rises, and returns.
     fn cut_level(
         &mut self,
         at: &dyn Statement,
@@ -193,7 +194,7 @@ impl Kernel<'_> {
     ) -> LevelCut {
         for (index, piece) in job.pieces.iter().enumerate().skip(now) {
             let met = along_at(piece, here[1], job.unit);
-            // A falling arc itself may be met again.
+            // A falling arc may itself meet the level again.
             let Some(end) = (if index == now { met.last() } else { met.first() }) else { continue };
             let length = (end - here[0]).abs();
             if length < EQUAL_LEVEL * job.unit {
@@ -213,7 +214,7 @@ impl Kernel<'_> {
         LevelCut::NotMet
     }
 
-    /// A straight move on a falling piece: the move to the contour is a rapid.
+    /// A straight move down a piece; on the first one, which leads to the contour, it is a rapid.
     fn approach_contour(
         &mut self,
         at: &dyn Statement,
@@ -227,7 +228,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// Down a piece to the level or its end; false where it does not fall.
+    /// Moves down a piece to the level or its end; false when it does not fall.
     fn fall_along(
         &mut self,
         at: &dyn Statement,
@@ -266,7 +267,7 @@ impl Kernel<'_> {
         true
     }
 
-    /// Up a whole piece; false where it does not rise to its end.
+    /// Moves up a whole piece; false when it does not rise to its end.
     fn climb_piece(
         &mut self,
         at: &dyn Statement,
@@ -295,7 +296,7 @@ impl Kernel<'_> {
         false
     }
 
-    /// Along the level to a rising piece, and up it.
+    /// Cuts along the level to a rising piece, and up it.
     fn climb_from_level(
         &mut self,
         at: &dyn Statement,
@@ -321,7 +322,7 @@ impl Kernel<'_> {
         self.turn_round(at, job, piece, here, to);
     }
 
-    /// Along an arc to a place of it.
+    /// Cuts along an arc to one of its points.
     fn turn_round(
         &mut self,
         at: &dyn Statement,
@@ -338,21 +339,22 @@ impl Kernel<'_> {
     }
 }
 
-/// A start from which the contour begins towards +Z: it is reached across its first point.
+/// The start moved in +Z at least to the first point, which is then reached across.
 fn start_across(start: [f64; 2], contour: &[ContourEdge]) -> [f64; 2] {
     [start[0], contour.first().map_or(start[1], |edge| start[1].max(edge.to[1]))]
 }
 
-/// What came of a level.
+/// Result of a cut along a level.
 enum LevelCut {
     Done,
-    /// The contour goes on from here.
+    /// The next piece begins here.
     NextPiece,
-    /// Nothing of the contour is as high.
+    /// No piece reaches this level.
     NotMet,
 }
 
-/// The contour as a cycle sees it, from the start on: it goes to smaller numbers along the passes, and rises.
+/// The contour in coordinates of the cycle, with the move from the start: along the passes the numbers decrease, and
+/// the contour rises.
 fn seen(
     along_x: bool,
     start: [f64; 2],
@@ -363,7 +365,7 @@ fn seen(
     };
     let (axis, cross) = if along_x { (0, 1) } else { (1, 0) };
     let along = if first.to[axis] < last.to[axis] { -1.0 } else { 1.0 };
-    // Of a contour that ends as high as it begins passes along X see −Z as up.
+    // If a contour ends at the height of its start, −Z is up for passes along X.
     let across = match first.to[cross] - last.to[cross] {
         fall if fall > 0.0 => -1.0,
         fall if fall == 0.0 && along_x => -1.0,
@@ -376,7 +378,7 @@ fn seen(
     Ok((view, pieces))
 }
 
-/// Where along a piece it has a height, in the order of LinuxCNC: of an arc the greater first.
+/// The positions along a piece at a level, in the order of LinuxCNC: on an arc the greater first.
 fn along_at(piece: &OffsetPiece, level: f64, unit: f64) -> Vec<f64> {
     let same = EQUAL_LEVEL * unit;
     let Some((center, ccw)) = piece.arc else {
@@ -407,7 +409,7 @@ fn along_at(piece: &OffsetPiece, level: f64, unit: f64) -> Vec<f64> {
     [center[0] + half, center[0] - half].into_iter().filter(on).collect()
 }
 
-/// The highest place of an arc that first rises.
+/// The highest point of an arc that rises at its start.
 fn summit(piece: &OffsetPiece, center: [f64; 2]) -> [f64; 2] {
     if piece.to[0] >= center[0] {
         return piece.to;

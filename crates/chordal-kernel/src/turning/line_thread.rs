@@ -6,36 +6,36 @@ use crate::kernel::Kernel;
 use crate::statement::Statement;
 use crate::turning::XZ;
 
-/// Most passes of one thread.
+/// Largest number of passes of one thread.
 const MAX_PASSES: u32 = 10_000;
 
-/// Words of a thread from its drive line, mm on the radius.
+/// The words of a thread measured from its drive line, mm on the radius.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct LineThreadWords {
     /// Z at its end.
     pub end_z: f64,
     /// Advance per revolution.
     pub lead: f64,
-    /// From the drive line to the crest; above zero for a bore.
+    /// From the drive line to the crest; positive for an internal thread.
     pub crest: f64,
     /// Depth of the first pass.
     pub first: f64,
     /// Height of the thread.
     pub height: f64,
-    /// How the depth grows: the root of the pass number; 1 for equal steps.
+    /// Degression: the depth of pass n is `first` times this root of n; 1 for equal steps.
     pub root: f64,
-    /// Half angle of the infeed, degrees.
+    /// Infeed angle (compound slide), degrees.
     pub angle_deg: f64,
-    /// Passes at the whole height after the first one there.
+    /// Spring passes: repetitions at full depth.
     pub spring: u32,
     /// Length of a taper at the ends along Z.
     pub taper: f64,
-    /// It is at the start, at the end.
+    /// The taper is at the start, at the end.
     pub tapered: (bool, bool),
 }
 
 impl Kernel<'_> {
-    /// Cuts the thread, and ends on the drive line at its end.
+    /// Cuts the thread, and ends on the drive line at the end of the thread.
     pub fn line_thread(&mut self, at: &dyn Statement, words: &LineThreadWords) {
         let start = self.turned_place();
         let forth = if words.end_z > start[1] { -1.0 } else { 1.0 };
@@ -74,7 +74,7 @@ impl Kernel<'_> {
     ) {
         let inward = if words.crest > 0.0 { 1.0 } else { -1.0 };
         let x = |depth: f64| start[0] + inward * (words.crest.abs() + depth);
-        // The deeper, the less the tool is out of the line while it comes and goes.
+        // The clearance from the drive line decreases with the depth, as in LinuxCNC.
         let clear = start[0] - inward * (words.height - depth);
         let z = start[1] - depth * slope;
         let end = words.end_z + (words.height - depth) * slope;
@@ -97,7 +97,7 @@ impl Kernel<'_> {
         self.turn_rapid([clear, end]);
     }
 
-    /// A cut in step with the spindle, the lead along its path.
+    /// A synchronized cut with the lead along its path.
     fn in_lead(&mut self, to: [f64; 2], lead: f64) {
         let target = self.place_at(to);
         if target != self.state.position {

@@ -1,7 +1,8 @@
-//! The cycles of lathes, each as the moves that the control makes.
+//! Turning cycles, each as the moves that the control makes.
 //!
-//! Lengths are millimetres, X is a radius. `profile` is the contour that a cycle cuts, `rough` cuts down to it in
-//! levels, `pattern` repeats it, `passes` are the cycles of one block, `peck` and `thread` what they say.
+//! Lengths are millimetres, X is a radius. `profile` is the contour that a cycle cuts; `rough` and `descent` cut down to
+//! it in levels, `pattern` repeats it (G73), `offset` computes its allowance; `passes` are the cycles of one block;
+//! `peck`, `thread` and `line_thread` are grooving and threading cycles.
 
 mod descent;
 mod line_thread;
@@ -32,7 +33,7 @@ const Z: usize = Axis::Z as usize;
 const XZ: AxisMask = AxisMask(1 << X | 1 << Z);
 
 impl Kernel<'_> {
-    /// X (a radius) and Z of the tool.
+    /// X (a radius) and Z of the tool, mm.
     fn turned_place(&self) -> [f64; 2] {
         [self.state.position[X], self.state.position[Z]]
     }
@@ -43,7 +44,7 @@ impl Kernel<'_> {
         target
     }
 
-    /// A rapid of X and Z, where it goes anywhere.
+    /// A rapid of X and Z, unless the position is already reached.
     fn turn_rapid(&mut self, to: [f64; 2]) {
         let target = self.place_at(to);
         if target != self.state.position {
@@ -52,7 +53,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// A cut of X and Z, where it goes anywhere.
+    /// A cut of X and Z, unless the position is already reached.
     fn turn_cut(&mut self, at: &dyn Statement, to: [f64; 2]) {
         let target = self.place_at(to);
         if target != self.state.position {
@@ -60,13 +61,13 @@ impl Kernel<'_> {
         }
     }
 
-    /// A thread in one pass: its mean lead, and by how much it changes in a revolution, mm.
+    /// Cuts a thread in one pass: `lead_mm` is its mean lead, and the change per revolution, mm.
     pub fn turned_thread(&mut self, at: &dyn Statement, target: Position, lead_mm: [f64; 2]) {
         self.require_spindle(at);
         self.turn_changing_thread([target[X], target[Z]], lead_mm);
     }
 
-    /// A cut in step with the spindle, where it goes anywhere.
+    /// A synchronized cut, unless the position is already reached.
     fn turn_thread(&mut self, to: [f64; 2], lead_mm: f64) {
         self.turn_changing_thread(to, [lead_mm, 0.0]);
     }
@@ -74,7 +75,7 @@ impl Kernel<'_> {
     fn turn_changing_thread(&mut self, to: [f64; 2], lead_mm: [f64; 2]) {
         let target = self.place_at(to);
         let [x, z] = self.turned_place();
-        // The lead is along the axis that moves more, and F along the path.
+        // The lead is measured along the axis that moves more, F along the path.
         let (dx, dz) = ((to[0] - x).abs(), (to[1] - z).abs());
         let longer = dx.max(dz);
         if longer > 0.0 {

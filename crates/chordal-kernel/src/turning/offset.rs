@@ -1,43 +1,43 @@
-//! A contour moved sideways: each line and arc by its normal, arcs round outside corners, intersections at inside
-//! ones (LinuxCNC). Coordinates are (along, across) of a cycle.
+//! The offset of a contour, as LinuxCNC computes it: each line and arc along its normal, arcs round outside corners,
+//! intersections at inside ones. Coordinates are (along the passes, across them).
 
 use chordal_command::Origin;
 
 use crate::turning::profile::ContourEdge;
 
-/// Shorter pieces, and arcs of less radius, are gone, in units of the program.
+/// Shorter pieces, and arcs of a smaller radius, are dropped, in units of the program.
 const GONE: f64 = 1e-3;
 
-/// Ends nearer than this need no intersection.
+/// Ends closer than this need no intersection, in units of the program.
 const MEETS: f64 = 1e-6;
 
-/// A gap along the contour from which on an arc goes round the corner.
+/// Larger gaps along the contour are closed by an arc round the corner, in units of the program.
 const MIN_CORNER_GAP_MM: f64 = 1e-2;
 
-/// Most steps of one offset.
+/// Largest number of steps of one offset.
 const MAX_STEPS: usize = 10_000;
 
-/// A line or an arc by its ends: its angle follows from them.
+/// A line or an arc; the angle of an arc follows from its ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct OffsetPiece {
-    /// Where it begins.
+    /// Its start.
     pub from: [f64; 2],
-    /// Where it ends.
+    /// Its end.
     pub to: [f64; 2],
-    /// Centre of an arc, and whether it turns from the first axis to the second.
+    /// Centre of an arc, and whether it turns from the first axis to the second; `None` for a line.
     pub arc: Option<([f64; 2], bool)>,
     /// Its block.
     pub origin: Origin,
 }
 
 impl OffsetPiece {
-    /// Of an edge in the same coordinates.
+    /// The piece of an edge in the same coordinates.
     pub fn of(edge: &ContourEdge) -> OffsetPiece {
         let arc = edge.arc.map(|(center, sweep)| (center, sweep > 0.0));
         OffsetPiece { from: edge.from, to: edge.to, arc, origin: edge.origin }
     }
 
-    /// As an edge.
+    /// The piece as an edge.
     pub fn edge(&self) -> ContourEdge {
         let arc = self.arc.map(|(center, ccw)| {
             let angle = |at: [f64; 2]| libm::atan2(at[1] - center[1], at[0] - center[0]);
@@ -48,13 +48,13 @@ impl OffsetPiece {
         ContourEdge { from: self.from, to: self.to, arc, origin: self.origin }
     }
 
-    /// How much it can be moved: its length, of an arc no more than its radius.
+    /// Its chord, and for an arc at most its radius; half of it is the largest step of an offset.
     fn size(&self) -> f64 {
         let chord = distance(self.from, self.to);
         self.arc.map_or(chord, |(center, _)| chord.min(distance(self.from, center)))
     }
 
-    /// Goes on along the passes: to smaller numbers, an arc without turning back.
+    /// True when it continues along the passes: to smaller numbers, an arc without reversing.
     pub fn goes_on(&self, unit: f64) -> bool {
         let along = self.to[0] - self.from[0];
         let Some((center, ccw)) = self.arc else { return along <= GONE * unit };
@@ -82,8 +82,8 @@ impl OffsetPiece {
     }
 }
 
-/// The contour after its first move, moved to the side of that move's start; the first move ends where it begins then.
-/// What is near is measured in the unit of the program, mm.
+/// Offsets the contour, without its first move, to the side where that move starts; the first move then ends at the
+/// offset contour. `unit` is the unit of the program, mm, for the tolerances above.
 pub(super) fn offset(pieces: &mut Vec<OffsetPiece>, by: f64, unit: f64) {
     let (Some(first), Some(last)) = (pieces.first().copied(), pieces.last()) else { return };
     if by == 0.0 || pieces.len() < 2 {
@@ -118,7 +118,7 @@ pub(super) fn offset(pieces: &mut Vec<OffsetPiece>, by: f64, unit: f64) {
     pieces.append(&mut rest);
 }
 
-/// Arcs where two neighbours have come apart.
+/// Inserts arcs where the offset opens a gap between two neighbours.
 fn round_corners(rest: &mut Vec<OffsetPiece>, step: f64, ccw: bool, unit: f64) {
     let mut index = 0;
     while index + 1 < rest.len() {
@@ -137,7 +137,7 @@ fn round_corners(rest: &mut Vec<OffsetPiece>, step: f64, ccw: bool, unit: f64) {
     }
 }
 
-/// Intersects neighbours, and removes what has turned round.
+/// Intersects neighbours, and removes pieces that the offset has reversed.
 fn drop_turned(rest: &mut Vec<OffsetPiece>, unit: f64) {
     let mut index = 0;
     while index + 1 < rest.len() {
@@ -158,7 +158,7 @@ fn drop_turned(rest: &mut Vec<OffsetPiece>, unit: f64) {
     }
 }
 
-/// Two neighbours end and begin where they intersect.
+/// Moves the end and start of two neighbours to their intersection.
 fn meet(one: &mut OffsetPiece, next: &mut OffsetPiece, unit: f64) {
     if distance(one.to, next.from) < MEETS * unit {
         return;
@@ -189,7 +189,7 @@ fn lines_meet(one: &OffsetPiece, next: &OffsetPiece) -> Option<[f64; 2]> {
     (det != 0.0).then(|| [0, 1].map(|i| one.from[i] + u[i] * share))
 }
 
-/// Where a line meets a circle, the place nearer to `near`.
+/// The intersection of a line with a circle that is nearer to `near`.
 fn line_meets(
     line: &OffsetPiece,
     center: [f64; 2],

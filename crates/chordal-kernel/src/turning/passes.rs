@@ -1,4 +1,4 @@
-//! Cycles of one block: out to a diameter, along, back out, and back to the start.
+//! Cycles of one block: to a diameter, along it, away from it, and back to the start.
 
 use crate::kernel::Kernel;
 use crate::state::TurnPass;
@@ -6,7 +6,7 @@ use crate::statement::Statement;
 use crate::turning::COINCIDENT_MM;
 
 impl Kernel<'_> {
-    /// One pass by the words that are remembered, and back to its start.
+    /// Makes one pass with the remembered words, and returns to its start.
     pub fn turn_pass(&mut self, at: &dyn Statement, pass: TurnPass) {
         let [ax, az] = self.turned_place();
         let memory = self.state.turning;
@@ -33,7 +33,7 @@ impl Kernel<'_> {
         self.origin.cycle = false;
     }
 
-    /// Along a thread to its end, and out of it at 45 degrees towards the start `from`.
+    /// Cuts a thread to its end, and leaves it at 45 degrees towards the start `from`.
     pub(super) fn thread_to(
         &mut self,
         at: &dyn Statement,
@@ -51,12 +51,12 @@ impl Kernel<'_> {
         let length = (start_z - z).abs();
         let back = if start_z >= z { 1.0 } else { -1.0 };
         let out = if from[0] >= x { 1.0 } else { -1.0 };
-        // Out no further than the start of the cycle, and no longer than the thread.
+        // The exit ends at the diameter of the cycle's start and is not longer than the thread.
         let exit = full.min((from[0] - x).abs()).min(length);
         if exit <= COINCIDENT_MM {
             return self.turn_thread([x, z], lead);
         }
-        // It begins where it would without ending at the start's diameter.
+        // It begins at the same point as an exit that is not limited by that diameter.
         let begins = full.min(length);
         let share = if length > 0.0 { begins / length } else { 0.0 };
         let turn = [x + (start_x - x) * share, z + back * begins];

@@ -1,11 +1,11 @@
-//! The contour again and again, ever nearer (G73), and the end of a finishing cycle (G70).
+//! Pattern repeating (G73): the contour in several passes, each nearer; and the end of a finishing cycle (G70).
 
 use crate::kernel::Kernel;
 use crate::statement::Statement;
 use crate::turning::profile::ContourProfile;
 
 impl Kernel<'_> {
-    /// Runs the contour in so many passes, each nearer than the one before, and comes back to the start.
+    /// Cuts the contour in the remembered number of passes, each nearer than the previous one, and returns to the start.
     pub fn turn_pattern(
         &mut self,
         at: &dyn Statement,
@@ -35,7 +35,7 @@ impl Kernel<'_> {
         self.origin.cycle = false;
     }
 
-    /// After the contour of a finishing cycle: back to where it began.
+    /// Returns to the start after the contour of a finishing cycle.
     pub fn turn_back(&mut self, start: [f64; 2]) {
         self.origin.cycle = true;
         self.turn_rapid(start);

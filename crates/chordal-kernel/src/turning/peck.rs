@@ -1,4 +1,4 @@
-//! Pecks along Z (G74) or X (G75), plunge after plunge.
+//! Pecking along Z (G74) or X (G75), in one or several plunges.
 
 use chordal_diagnostics::{Code, Diagnostic};
 
@@ -6,26 +6,26 @@ use crate::kernel::Kernel;
 use crate::statement::Statement;
 use crate::turning::COINCIDENT_MM;
 
-/// Most pecks of one cycle.
+/// Largest number of pecks of one cycle.
 const MAX_PECKS: f64 = 100_000.0;
 
-/// Words of a pecking cycle; steps are above zero, mm.
+/// The words of a pecking cycle, mm; steps are positive.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PeckWords {
     /// Pecks along X, not along Z.
     pub along_x: bool,
     /// The end: X (a radius) and Z.
     pub end: [f64; 2],
-    /// How far a peck goes; `None`: in one.
+    /// Depth of a peck; `None` to cut each plunge in one move.
     pub peck: Option<f64>,
-    /// How far from one plunge to the next; `None`: one plunge.
+    /// Distance between plunges; `None` for a single plunge.
     pub step: Option<f64>,
-    /// How far the tool goes aside at the bottom, from the second plunge on.
+    /// Relief: how far the tool moves aside at the bottom, from the second plunge on.
     pub aside: f64,
 }
 
 impl Kernel<'_> {
-    /// Plunges until the end is reached, and comes back to the start.
+    /// Plunges until the end is reached, and returns to the start.
     pub fn peck(&mut self, at: &dyn Statement, words: &PeckWords) {
         let start = self.turned_place();
         let (deep, cross) = if words.along_x { (0, 1) } else { (1, 0) };
@@ -73,7 +73,7 @@ impl Kernel<'_> {
         self.origin.cycle = false;
     }
 
-    /// One plunge: cut and back off, until the end.
+    /// One plunge: pecks with a retraction after each, to the end.
     fn plunge(
         &mut self,
         at: &dyn Statement,

@@ -1,4 +1,5 @@
-//! The contour that a cycle of a lathe cuts: lines and arcs of X and Z, seen so that the cut goes down.
+//! The contour that a turning cycle cuts: lines and arcs of X and Z, and the coordinates (along the passes, across
+//! them) in which every cycle cuts downwards.
 
 use chordal_command::{ArcShape, Command, CommandKind, Origin};
 use chordal_geometry::Plane;
@@ -7,10 +8,10 @@ use crate::kernel::Kernel;
 use crate::statement::Statement;
 use crate::turning::{COINCIDENT_MM, XZ};
 
-/// A contour as its blocks cut it.
+/// A contour as its blocks program it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContourProfile {
-    /// Where its first block ends: X (a radius) and Z.
+    /// The end of its first block: X (a radius) and Z, mm.
     pub start: [f64; 2],
     /// Its first block is a rapid.
     pub first_is_rapid: bool,
@@ -18,21 +19,21 @@ pub struct ContourProfile {
     pub edges: Vec<ContourEdge>,
 }
 
-/// A line or an arc of a contour, in (along, down) coordinates or in (x, z).
+/// A line or an arc of a contour, mm, in (x, z) or in (along, across) coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContourEdge {
-    /// Where it begins.
+    /// Its start.
     pub from: [f64; 2],
-    /// Where it ends.
+    /// Its end.
     pub to: [f64; 2],
-    /// Centre and angle of an arc, positive from the first axis to the second.
+    /// Centre and angle (rad) of an arc, positive from the first axis to the second; `None` for a line.
     pub arc: Option<([f64; 2], f64)>,
     /// Its block.
     pub origin: Origin,
 }
 
 impl ContourProfile {
-    /// The contour of the commands of its blocks; `None` where they move nothing.
+    /// The contour of the commands of its blocks; `None` when they contain no move.
     pub fn of(commands: &[Command]) -> Option<ContourProfile> {
         let mut moves = commands.iter().filter(|command| command.kind.motion().is_some());
         let first = moves.next()?;
@@ -46,13 +47,13 @@ impl ContourProfile {
         })
     }
 
-    /// All moves of commands, the first included.
+    /// All moves of commands, including the first.
     pub fn moves(commands: &[Command]) -> Vec<ContourEdge> {
         commands.iter().filter_map(ContourEdge::of).collect()
     }
 
-    /// Leaves out what comes at the end of the contour outside the stock, from its first edge back towards the start of the
-    /// cycle on: it brings the tool back, and cuts nothing.
+    /// Removes the end of the contour that lies outside the stock, from the first edge that leads back towards the start
+    /// of the cycle: it only returns the tool.
     pub fn without_return(&mut self, along_x: bool, start: [f64; 2]) {
         let axis = usize::from(!along_x);
         let cross = 1 - axis;
@@ -72,7 +73,7 @@ impl ContourProfile {
         }
     }
 
-    /// Where it ends.
+    /// Its end, mm.
     pub fn end(&self) -> [f64; 2] {
         self.edges.last().map_or(self.start, |edge| edge.to)
     }
@@ -86,24 +87,24 @@ impl ContourEdge {
     fn of(command: &Command) -> Option<ContourEdge> {
         let motion = command.kind.motion()?;
         let (from, to) = (place(&motion.from), place(&motion.to));
-        // In the plane of Z and X angles go from Z to X: from the second coordinate here to the first.
+        // In the ZX plane angles are positive from Z to X: from the second coordinate here to the first.
         let arc =
             command.kind.shape().map(|shape| ([shape.center[1], shape.center[0]], -shape.sweep));
         (from != to).then_some(ContourEdge { from, to, arc, origin: command.origin })
     }
 
-    /// A straight one.
+    /// A straight edge.
     pub fn line(from: [f64; 2], to: [f64; 2], origin: Origin) -> ContourEdge {
         ContourEdge { from, to, arc: None, origin }
     }
 
-    /// The edge in other coordinates; `turns` where they turn the other way round.
+    /// The edge in other coordinates; `turns` when these have the opposite orientation.
     pub(super) fn mapped(&self, map: impl Fn([f64; 2]) -> [f64; 2], turns: bool) -> ContourEdge {
         let arc = self.arc.map(|(center, sweep)| (map(center), if turns { -sweep } else { sweep }));
         ContourEdge { from: map(self.from), to: map(self.to), arc, origin: self.origin }
     }
 
-    /// The piece between two places of it, from 0 to 1.
+    /// The piece between two fractions of its length, 0 to 1.
     pub fn piece(&self, first: f64, last: f64) -> ContourEdge {
         let from = if first <= 0.0 { self.from } else { self.at(first) };
         let to = if last >= 1.0 { self.to } else { self.at(last) };
@@ -111,7 +112,7 @@ impl ContourEdge {
         ContourEdge { from, to, arc, origin: self.origin }
     }
 
-    /// A place of it.
+    /// The point at a fraction of its length, 0 to 1.
     pub fn at(&self, share: f64) -> [f64; 2] {
         match self.arc {
             None => [0, 1].map(|i| self.from[i] + (self.to[i] - self.from[i]) * share),
@@ -126,7 +127,7 @@ impl ContourEdge {
         }
     }
 
-    /// Where its second coordinate is `level`, in order, the ends left out.
+    /// The fractions at which its second coordinate is `level`, sorted, without its ends.
     pub fn crossings(&self, level: f64) -> Vec<f64> {
         let inside = |share: &f64| *share > 1e-12 && *share < 1.0 - 1e-12;
         let Some((center, sweep)) = self.arc else {
@@ -157,7 +158,7 @@ impl ContourEdge {
         shares
     }
 
-    /// The least value of its second coordinate.
+    /// The smallest value of its second coordinate.
     pub fn lowest(&self) -> f64 {
         let ends = self.from[1].min(self.to[1]);
         match self.arc {
@@ -165,7 +166,7 @@ impl ContourEdge {
             Some((center, _)) => {
                 let radius = libm::hypot(self.from[0] - center[0], self.from[1] - center[1]);
                 let bottom = center[1] - radius;
-                // Its lowest point is on it where a level just above is crossed.
+                // The arc contains its lowest point if it crosses a level just above twice.
                 let reached = self.crossings(bottom + radius * 1e-12).len() >= 2;
                 if reached { bottom } else { ends }
             }
@@ -173,24 +174,24 @@ impl ContourEdge {
     }
 }
 
-/// How a cycle sees X and Z: along the passes, which go down to smaller numbers, and across them, where the
-/// part lies below.
+/// The coordinates of a cycle: along the passes, which run towards smaller numbers, and across them, with the part
+/// below.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CycleView {
-    /// The passes go along X.
+    /// The passes run along X.
     along_x: bool,
     along: f64,
     across: f64,
 }
 
 impl CycleView {
-    /// From the start of the cycle to its contour.
+    /// The view of a cycle by its start and its contour.
     pub fn new(along_x: bool, start: [f64; 2], profile: &ContourProfile) -> CycleView {
         let (end, first) = (profile.end(), profile.start);
         let axis = usize::from(!along_x);
         let cross = 1 - axis;
         let sign = |value: f64| if value < 0.0 { -1.0 } else { 1.0 };
-        // The passes begin on the side of the start; the part lies where the contour begins.
+        // The passes begin on the side of the start; the part lies on the side where the contour begins.
         let along = sign(first[axis].max(start[axis]) - end[axis]);
         let along = if end[axis] == first[axis] { sign(start[axis] - end[axis]) } else { along };
         let across = if first[cross] == start[cross] {
@@ -204,12 +205,12 @@ impl CycleView {
         CycleView { along_x, along, across }
     }
 
-    /// By the signs of the two.
+    /// The view with the given signs of both coordinates.
     pub fn by_signs(along_x: bool, along: f64, across: f64) -> CycleView {
         CycleView { along_x, along, across }
     }
 
-    /// An edge of X and Z as this view has it.
+    /// An edge of X and Z in these coordinates.
     pub fn of(&self, edge: &ContourEdge) -> ContourEdge {
         edge.mapped(|at| self.seen(at), self.turns())
     }
@@ -231,11 +232,11 @@ impl CycleView {
     }
 
     fn turns(&self) -> bool {
-        // (x, z) to (z, x) turns the sense once more.
+        // Exchanging (x, z) to (z, x) reverses the orientation once more.
         (self.along * self.across < 0.0) == self.along_x
     }
 
-    /// The edges of a contour, moved by a vector of (along, across).
+    /// The edges of a contour in these coordinates, moved by a vector of (along, across).
     pub fn edges(&self, profile: &ContourProfile, by: [f64; 2]) -> Vec<ContourEdge> {
         let map = |at: [f64; 2]| {
             let [along, across] = self.seen(at);
@@ -244,14 +245,14 @@ impl CycleView {
         profile.edges.iter().map(|edge| edge.mapped(map, self.turns())).collect()
     }
 
-    /// An edge of this view as X and Z.
+    /// An edge of these coordinates in X and Z.
     pub fn placed(&self, edge: &ContourEdge) -> ContourEdge {
         edge.mapped(|at| self.place(at), self.turns())
     }
 }
 
 impl Kernel<'_> {
-    /// Cuts edges of X and Z, each as its own block.
+    /// Cuts edges of X and Z, each reported with its own block.
     pub(super) fn turn_contour(
         &mut self,
         at: &dyn Statement,
@@ -265,7 +266,7 @@ impl Kernel<'_> {
         self.origin = cycle;
     }
 
-    /// Cuts an edge of X and Z from where the tool is.
+    /// Cuts an edge of X and Z from the present position.
     pub(super) fn turn_edge(&mut self, at: &dyn Statement, edge: &ContourEdge) {
         let Some((center, sweep)) = edge.arc else {
             return self.turn_cut(at, edge.to);

@@ -1,4 +1,4 @@
-//! Roughing: level by level down to the contour, then once along it (G71 along Z, G72 along X).
+//! Roughing: level by level down to the contour, then once along it (G71 in passes along Z, G72 along X).
 
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 
@@ -8,31 +8,31 @@ use crate::statement::Statement;
 use crate::turning::COINCIDENT_MM;
 use crate::turning::profile::{ContourEdge, ContourProfile, CycleView};
 
-/// Most passes of one cycle: a depth of a micron is a slip.
+/// Largest number of passes of one cycle: a depth of a micrometre is a mistake.
 const MAX_PASSES: u32 = 100_000;
 
-/// Words of a roughing cycle.
+/// The words of a roughing cycle.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RoughWords {
     /// Passes along X (G72), not along Z.
     pub along_x: bool,
-    /// What is left for finishing: on the radius, and along Z, mm.
+    /// Finishing allowance, on the radius and along Z, mm.
     pub allowance: [f64; 2],
     /// Depth of a pass, mm.
     pub depth: f64,
-    /// How far a pass backs off, mm.
+    /// Retraction after a pass, mm.
     pub retract: f64,
-    /// What a contour pass before the last one leaves beyond that: on the radius, and along Z, mm.
+    /// Additional allowance of a first contour pass, on the radius and along Z, mm; zero for a single contour pass.
     pub rough_allowance: [f64; 2],
-    /// Pockets are cut, too (type II).
+    /// Pockets are cut as well (type II).
     pub pockets: bool,
 }
 
-/// What one cycle needs to know of its contour.
+/// The contour of a cycle and its data, in (along, across) coordinates.
 struct RoughingJob<'e> {
     view: CycleView,
     edges: &'e [ContourEdge],
-    /// Where the passes begin, (along, across).
+    /// The start of the passes.
     begin: [f64; 2],
     /// The end of the contour's first block, moved by the allowance.
     first: [f64; 2],
@@ -41,7 +41,7 @@ struct RoughingJob<'e> {
 }
 
 impl Kernel<'_> {
-    /// Roughs down to a contour, and comes back to the start.
+    /// Roughs down to a contour, and returns to the start.
     pub fn rough(&mut self, at: &dyn Statement, words: &RoughWords, profile: &ContourProfile) {
         let start = self.turned_place();
         let view = CycleView::new(words.along_x, start, profile);
@@ -87,7 +87,7 @@ impl Kernel<'_> {
         self.origin.cycle = false;
     }
 
-    /// A second pass along the contour, with what is left for finishing alone.
+    /// A second pass along the contour, with the finishing allowance only.
     fn contour_nearer(
         &mut self,
         at: &dyn Statement,
@@ -116,7 +116,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// Type I: from the beginning to the contour, and back out at 45 degrees.
+    /// Type I: each pass from the start to the contour, and away from it at 45 degrees.
     fn rough_levels(
         &mut self,
         at: &dyn Statement,
@@ -142,7 +142,7 @@ impl Kernel<'_> {
         }
     }
 
-    /// Type II: along the contour where it lies above the level, pocket after pocket.
+    /// Type II: each pass follows the contour where it lies above the level, pocket after pocket.
     fn rough_pockets(
         &mut self,
         at: &dyn Statement,
@@ -159,7 +159,7 @@ impl Kernel<'_> {
             let level = (top - depth * pass).max(lowest);
             for run in runs(job.first, job.edges, level, above) {
                 let Some(first) = run.first() else { continue };
-                // Over what stands between the pockets.
+                // Over the contour between the pockets.
                 let here = view.seen(self.turned_place())[0];
                 let over = highest_between(job.edges, here, first.from[0]) + job.retract;
                 if over > height + COINCIDENT_MM && over <= job.begin[1] {
@@ -181,7 +181,7 @@ impl Kernel<'_> {
             above = level;
             pass += 1.0;
         }
-        // Out of the last pocket first, over what stands between it and the start.
+        // First out of the last pocket, over the contour between it and the start.
         let here = view.seen(self.turned_place())[0];
         let over = highest_between(job.edges, here, job.begin[0]) + job.retract;
         if over > height + COINCIDENT_MM && over <= job.begin[1] {
@@ -191,7 +191,7 @@ impl Kernel<'_> {
         self.turn_rapid(view.place([job.begin[0], height]));
     }
 
-    /// An allowance that moves the contour into the part.
+    /// Reports an allowance that moves the contour into the part.
     fn check_allowance(&mut self, at: &dyn Statement, by: [f64; 2]) {
         if by[1] >= 0.0 && by[0] >= 0.0 {
             return;
@@ -221,7 +221,7 @@ impl Kernel<'_> {
     }
 }
 
-/// How far along a level goes before the contour is met.
+/// The position along a level at which it meets the contour.
 fn hit(first: [f64; 2], edges: &[ContourEdge], level: f64) -> f64 {
     if first[1] > level {
         return first[0];
@@ -237,7 +237,7 @@ fn hit(first: [f64; 2], edges: &[ContourEdge], level: f64) -> f64 {
     edges.last().map_or(first[0], |edge| edge.to[0])
 }
 
-/// The contour where it lies below `above`, lifted to `level`, in connected runs.
+/// The connected runs of the contour below `above`, raised to at least `level`.
 fn runs(first: [f64; 2], edges: &[ContourEdge], level: f64, above: f64) -> Vec<Vec<ContourEdge>> {
     let mut runs: Vec<Vec<ContourEdge>> = Vec::new();
     let mut run: Vec<ContourEdge> = Vec::new();
@@ -276,12 +276,12 @@ fn runs(first: [f64; 2], edges: &[ContourEdge], level: f64, above: f64) -> Vec<V
     if !run.is_empty() {
         runs.push(run);
     }
-    // What only touches the level removes nothing.
+    // A run without a length only touches the level.
     runs.retain(|run| run.iter().any(|edge| edge.from != edge.to));
     runs
 }
 
-/// Adds a piece to a run; pieces along the level become one.
+/// Adds a piece to a run; consecutive pieces along the level are merged.
 fn join(run: &mut Vec<ContourEdge>, at: [f64; 2], piece: ContourEdge) {
     if piece.from == piece.to {
         return;
@@ -301,7 +301,7 @@ fn join(run: &mut Vec<ContourEdge>, at: [f64; 2], piece: ContourEdge) {
     }
 }
 
-/// The highest end of the contour between two places along it.
+/// The highest end of an edge between two positions along the passes.
 fn highest_between(edges: &[ContourEdge], one: f64, other: f64) -> f64 {
     let (low, high) = (one.min(other), one.max(other));
     edges

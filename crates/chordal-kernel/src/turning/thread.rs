@@ -1,4 +1,4 @@
-//! A thread in many passes (G76): each cuts the same area, or the least depth that is allowed.
+//! A thread in several passes (G76): each cuts the same area, but at least the minimum depth.
 
 use chordal_diagnostics::{Code, Diagnostic};
 
@@ -6,15 +6,15 @@ use crate::kernel::Kernel;
 use crate::statement::Statement;
 use crate::turning::COINCIDENT_MM;
 
-/// Most passes of one thread.
+/// Largest number of passes of one thread.
 const MAX_PASSES: usize = 10_000;
 
-/// Words of a thread cycle, mm; what its first block said is remembered.
+/// The words of the second block of a threading cycle, mm; those of the first block are remembered.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ThreadWords {
     /// X at the root of the thread (a radius), and Z at its end.
     pub end: [f64; 2],
-    /// How much its start is farther out than its end.
+    /// Taper: X of the start minus X of the end, on the radius.
     pub taper: f64,
     /// Height of the thread on the radius.
     pub height: f64,
@@ -25,7 +25,7 @@ pub struct ThreadWords {
 }
 
 impl Kernel<'_> {
-    /// Cuts a thread in passes, and comes back to the start.
+    /// Cuts a thread in passes, and returns to the start.
     pub fn thread_passes(&mut self, at: &dyn Statement, words: &ThreadWords) {
         let start = self.turned_place();
         let memory = self.state.turning.thread;
@@ -57,7 +57,8 @@ impl Kernel<'_> {
     }
 }
 
-/// The depth of every pass on the radius; `None` where there are too many.
+/// The depth of every pass on the radius, mm; `None` for more than [`MAX_PASSES`]. Pass n reaches `first`·√n: with
+/// the flanks of a thread, equal steps of n are equal areas.
 fn depths(words: &ThreadWords, least: f64, finish: f64, finish_passes: u32) -> Option<Vec<f64>> {
     let rough = words.height - finish;
     let mut depths: Vec<f64> = Vec::new();
@@ -71,7 +72,7 @@ fn depths(words: &ThreadWords, least: f64, finish: f64, finish_passes: u32) -> O
             return None;
         }
     }
-    // Without an allowance the last roughing pass is at the whole height already.
+    // Without a finishing allowance the last roughing pass already reaches the full height.
     depths.extend((0..finish_passes.min(99)).map(|_| words.height));
     Some(depths)
 }

@@ -1,4 +1,4 @@
-//! The values of keys that take a designation.
+//! Reads the values of keys for designations.
 
 use super::CheckedValue;
 use crate::designation::{
@@ -9,7 +9,7 @@ use crate::machine::Machine;
 use crate::schema;
 
 impl CheckedValue<'_> {
-    /// A letter, or the whole designation of an insert.
+    /// Stores the letter or the whole designation of an insert.
     pub(super) fn take_insert(&self, machine: &mut Machine) -> Result<(), MachineError> {
         let text = self.text(self.value)?;
         let alone = text.trim();
@@ -49,10 +49,10 @@ impl CheckedValue<'_> {
         WrittenDesignation { text, value, location }
     }
 
-    /// The error, with the letters or digits underlined that are wrong.
+    /// An error with the wrong letters or digits underlined.
     fn no_designation(&self, text: &str, what: &str, error: DesignationError) -> MachineError {
         let span = self.value.span();
-        // Within quotes the text begins one byte later.
+        // The text begins one byte later if it is in quotes.
         let quote = usize::from(span.len() == text.len() + 2);
         let DesignationError { message, part, help } = error;
         let within = if part.is_empty() || span.len() > text.len() + 2 {

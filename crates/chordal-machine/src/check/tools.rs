@@ -1,4 +1,4 @@
-//! The values of keys of tools and of diameter axes.
+//! Reads the values of keys of tools and of diameter axes.
 
 use std::ops::RangeInclusive;
 
@@ -16,10 +16,10 @@ use crate::suggest;
 use crate::tool::{HolderSegment, ToolShape};
 
 impl CheckedValue<'_> {
-    /// What the number of a place is divided by: 2 on an axis that is programmed as a diameter.
+    /// The divisor of a written position: 2 on an axis that is programmed as a diameter, otherwise 1.
     pub(super) fn written_factor(&self, machine: &Machine) -> f64 {
         let keys = &self.at.keys;
-        // `length` of a tool names no axis: it is Z.
+        // `length` of a tool names no axis: it is along Z.
         machine.written_factor(keys.axis.unwrap_or(Axis::Z) as usize)
     }
 
@@ -39,7 +39,8 @@ impl CheckedValue<'_> {
         Ok(())
     }
 
-    /// The old key: told where it names no shape, since nothing that needs one knows this tool.
+    /// Reads the old key `kind`. If it names no shape there is a notice, because functions that need one do not know
+    /// this tool.
     pub(super) fn take_kind(&self, machine: &mut Machine) -> Result<(), MachineError> {
         let text = self.text(self.value)?;
         if !schema::tool(machine, &self.at.keys).take_kind(&text) {
@@ -63,7 +64,7 @@ impl CheckedValue<'_> {
         })
     }
 
-    /// A list of lists of so many lengths.
+    /// A list of lists with this number of lengths each.
     fn lengths(
         &self,
         counts: RangeInclusive<usize>,

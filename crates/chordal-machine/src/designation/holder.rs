@@ -5,30 +5,30 @@ use super::letters::InsertLetter;
 use super::letters::{HolderStyle, is_clamping, is_clearance, shape_of, style_of};
 use super::{DesignationError, DesignationReader};
 
-/// Which side a holder cuts on.
+/// The hand of a holder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ToolHand {
     /// R.
     Right,
     /// L.
     Left,
-    /// N: both.
+    /// N: cuts on both sides.
     Neutral,
 }
 
-/// What the shank of a holder is.
+/// The kind of a holder, by its shank.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HolderKind {
     /// Rectangular, across the spindle.
     Square,
-    /// A round bar along the spindle, of this diameter, mm.
+    /// A round bar along the spindle.
     Bar {
-        /// The diameter of its shank.
+        /// The diameter of its shank, mm.
         diameter_mm: f64,
     },
 }
 
-/// What the designation of a holder says.
+/// The data in the designation of a holder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HolderDesignation {
     /// Its shank.
@@ -41,11 +41,11 @@ pub struct HolderDesignation {
     pub style: char,
     /// Its hand.
     pub hand: ToolHand,
-    /// How long the edges of its inserts are, mm; `None` where it does not say it.
+    /// The length of the edges of its inserts, mm; `None` if the designation does not give it.
     pub edge_mm: Option<f64>,
 }
 
-/// Makers round entering angles: two of 62.5° are given as 63°, degrees.
+/// Entering angles that differ by less are equal, degrees: manufacturers round them, for example 62.5° to 63°.
 const ANGLE_TOLERANCE_DEG: f64 = 2.0;
 
 const HEAD_HELP: &str = "the letters are clamping, shape of the insert, style, clearance and hand, as in `PCLNR2525M12`";
@@ -53,10 +53,10 @@ const BAR_HELP: &str = "a boring bar has type, diameter and length first, as in 
 const SHANK_HELP: &str = "after the letters come height, width, length and insert size: `2525M12`";
 
 impl HolderDesignation {
-    /// Reads a designation. What follows the hand may be missing.
+    /// Reads a designation. The part after the hand may be missing.
     ///
     /// # Errors
-    /// When it is none, with what is wrong.
+    /// If the text is not a designation, with the reason.
     pub fn parse(text: &str) -> Result<HolderDesignation, DesignationError> {
         let mut reader = DesignationReader::new(text);
         reader.skip_gaps();
@@ -74,10 +74,10 @@ impl HolderDesignation {
         Ok(HolderDesignation { kind, letter, clearance, style, hand, edge_mm })
     }
 
-    /// The angle between the main edge of the insert and the feed along Z, degrees: κ of the model of a turned
-    /// part. `None` where the letter does not say it.
+    /// The angle κ between the main edge of the insert and the feed along Z, degrees. `None` if the letter of the style
+    /// does not determine it.
     pub fn approach_degrees(&self) -> Option<f64> {
-        // Makers differ: 107.5° and 117.5°.
+        // Manufacturers use different angles: 107.5° and 117.5°.
         if self.style == 'Q' && self.letter != InsertLetter::D {
             return None;
         }
@@ -85,15 +85,14 @@ impl HolderDesignation {
         if !style.end_cutting || self.kind != HolderKind::Square {
             return Some(style.entering_degrees);
         }
-        // The main edge is at the end: the angle is that of the other edge, where it still cuts along Z.
+        // The main edge is at the end: the angle is that of the other edge, if that can cut along Z.
         let corner = self.letter.corner_degrees()?;
         let other = 270.0 - style.entering_degrees - corner;
         (other + corner <= 180.0).then_some(other)
     }
 
-    /// The number of the tip as Fanuc counts it, in the usual mounting: a right-hand holder feeds towards the
-    /// chuck, a bar is in a bore, and a neutral holder stands square to the spindle. `None` where more than one
-    /// mounting is usual.
+    /// The tip number of Fanuc for the usual mounting: a right-hand holder feeds towards the chuck, a bar is in a bore,
+    /// and a neutral holder is perpendicular to the spindle. `None` if more than one mounting is usual.
     pub fn usual_tip(&self) -> Option<u32> {
         let style = self.style_row()?;
         match (self.kind, self.hand) {
@@ -104,7 +103,7 @@ impl HolderDesignation {
         }
     }
 
-    /// Both edges of its inserts stand at one angle to the shank.
+    /// Whether both edges of its inserts have the same angle to the shank.
     fn is_symmetrical(&self, style: HolderStyle) -> bool {
         let other =
             self.letter.corner_degrees().map(|corner| 180.0 - corner - style.entering_degrees);
@@ -116,7 +115,7 @@ impl HolderDesignation {
     }
 }
 
-/// Type, diameter and length of a boring bar, if it begins so.
+/// Reads type, diameter and length of a boring bar, if the text begins with them.
 fn bar(reader: &mut DesignationReader<'_>) -> Result<HolderKind, DesignationError> {
     let mut look = reader.clone();
     if look.letter().is_none() || !look.rest().starts_with(|c: char| c.is_ascii_digit()) {
@@ -143,7 +142,7 @@ fn bar(reader: &mut DesignationReader<'_>) -> Result<HolderKind, DesignationErro
     Ok(HolderKind::Bar { diameter_mm: f64::from(diameter) })
 }
 
-/// Clamping, shape, style, clearance and hand.
+/// Reads clamping, shape, style, clearance and hand.
 fn head(
     reader: &mut DesignationReader<'_>,
 ) -> Result<(InsertLetter, char, char, ToolHand), DesignationError> {
@@ -166,14 +165,14 @@ fn head(
         'L' => ToolHand::Left,
         _ => ToolHand::Neutral,
     };
-    // The check before has found it.
+    // This was checked before.
     let Some(shape) = shape_of(shape) else {
         return Err(reader.wrong(1, String::new(), HEAD_HELP));
     };
     Ok((shape, style, clearance, hand))
 }
 
-/// `2525M12`, `16-4D`, or nothing: the length of the edges.
+/// Reads `2525M12`, `16-4D`, or nothing: the length of the edges, mm.
 fn shank(
     reader: &mut DesignationReader<'_>,
     letter: InsertLetter,
@@ -183,7 +182,7 @@ fn shank(
     match digits.len() {
         0 => Ok(None),
         4 => {
-            // A dash stands for a length of the maker's.
+            // A dash replaces the letter of a special length.
             reader.run(|c| c == ' ');
             let dash = reader.run(|c| c == '-');
             if dash.is_empty() {
@@ -192,7 +191,7 @@ fn shank(
             reader.skip_gaps();
             size(reader, letter)
         }
-        // Sixteenths of an inch, then the size in eighths and a letter of length.
+        // Sixteenths of an inch, then the size in eighths and the letter of the length.
         2 | 3 => {
             let size = match digits.len() {
                 3 => &digits[2..],
@@ -210,7 +209,7 @@ fn shank(
     }
 }
 
-/// The symbol of the size of the insert, or nothing.
+/// Reads the symbol of the size of the insert, or nothing.
 fn size(
     reader: &mut DesignationReader<'_>,
     letter: InsertLetter,

@@ -5,18 +5,18 @@ use super::letters::InsertLetter;
 use super::letters::{is_clearance, is_fixing, is_tolerance, shape_of};
 use super::{DesignationError, DesignationReader};
 
-/// What the designation of an insert says, lengths in mm.
+/// The data in the designation of an insert.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InsertDesignation {
-    /// Its shape, and with it the angle of its corner.
+    /// Its shape, which determines the angle of its corner.
     pub letter: InsertLetter,
     /// The letter of its normal clearance.
     pub clearance: char,
-    /// The diameter of its inscribed circle; `None` for a size that is not in the table.
+    /// The diameter of its inscribed circle, mm; `None` for a size that is not in the table.
     pub circle_mm: Option<f64>,
-    /// How long its edges are; `None` where that is not known.
+    /// The length of its edges, mm; `None` if it is not known.
     pub edge_mm: Option<f64>,
-    /// The radius of its nose; of a round insert, that of the insert.
+    /// The radius of its nose, mm; that of the insert if it is round.
     pub nose_mm: f64,
 }
 
@@ -37,10 +37,10 @@ const LETTERS_HELP: &str =
 const SIZE_HELP: &str = "after the letters come size, thickness and nose radius: `120408` in millimetres, `432` in inches";
 
 impl InsertDesignation {
-    /// Reads a designation; what a maker adds after it, such as a chip breaker and a grade, is passed over.
+    /// Reads a designation. Text after it, such as a chip breaker and a grade of the manufacturer, is ignored.
     ///
     /// # Errors
-    /// When it is none, with what is wrong.
+    /// If the text is not a designation, with the reason.
     pub fn parse(text: &str) -> Result<InsertDesignation, DesignationError> {
         let mut reader = DesignationReader::new(text);
         reader.skip_gaps();
@@ -73,7 +73,7 @@ impl InsertDesignation {
         })
     }
 
-    /// The four letters: shape and clearance of them.
+    /// Reads the four letters, and returns shape and clearance.
     fn letters(
         reader: &mut DesignationReader<'_>,
     ) -> Result<(InsertLetter, char), DesignationError> {
@@ -112,7 +112,7 @@ impl InsertDesignation {
     }
 }
 
-/// `16ER AG60` cuts threads: its size, side and hand come first.
+/// Refuses the designation of a threading insert (`16ER AG60`): its size, side and hand come first.
 fn refuse_threading(reader: &DesignationReader<'_>) -> Result<(), DesignationError> {
     let mut look = reader.clone();
     let digits = look.run(|c| c.is_ascii_digit()).len();
@@ -127,7 +127,7 @@ fn refuse_threading(reader: &DesignationReader<'_>) -> Result<(), DesignationErr
     Ok(())
 }
 
-/// Inscribed circle and nose radius of `120408`; nothing where the digits have another form.
+/// Inscribed circle and nose radius of `120408`, mm; `None` if the digits have another form.
 #[allow(clippy::type_complexity, reason = "two lengths, of which one may be unknown")]
 fn metric(
     reader: &mut DesignationReader<'_>,
@@ -137,7 +137,7 @@ fn metric(
     let mut places = [start; 3];
     let mut upper = String::new();
     for place in &mut places {
-        // `12 04 08` is written as well.
+        // `12 04 08` is also usual.
         reader.run(|c| c == ' ');
         *place = reader.at;
         let Some(symbol) = reader.take(2) else {
@@ -179,10 +179,10 @@ fn metric(
     Ok(Some((circle_of_symbol(shape, symbol, is_metric_round), nose_mm)))
 }
 
-/// Inscribed circle and nose radius of `432`.
+/// Inscribed circle and nose radius of `432`, mm; `None` if the digits have another form.
 fn inch(reader: &mut DesignationReader<'_>, shape: InsertLetter) -> Option<(Option<f64>, f64)> {
     use InsertLetter as Letter;
-    // Of these two digits say the size, in other units.
+    // These have two digits for the size, in other units.
     if matches!(shape, Letter::A | Letter::B | Letter::K | Letter::L) {
         return None;
     }

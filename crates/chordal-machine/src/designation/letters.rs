@@ -1,6 +1,6 @@
-//! What the letters of designations mean (ISO 1832, ISO 5608).
+//! The meaning of the letters in designations (ISO 1832, ISO 5608).
 
-/// The letters of inserts (ISO 1832).
+/// The shapes of inserts, by their letter (ISO 1832).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "the letters are their names")]
 pub enum InsertLetter {
@@ -65,7 +65,7 @@ impl InsertLetter {
         }
     }
 
-    /// The angle of the corner, degrees; `None` of a round insert.
+    /// The angle of the corner, degrees; `None` for a round insert.
     pub const fn corner_degrees(self) -> Option<f64> {
         Some(match self {
             InsertLetter::A => 85.0,
@@ -84,18 +84,18 @@ impl InsertLetter {
         })
     }
 
-    /// Three edges instead of four.
+    /// Whether the insert has three corners.
     pub const fn is_triangle(self) -> bool {
         matches!(self, InsertLetter::T)
     }
 }
 
-/// The letter of an insert's shape.
+/// The shape with a letter; `None` if there is none.
 pub(super) fn shape_of(letter: char) -> Option<InsertLetter> {
     InsertLetter::ALL.into_iter().find(|shape| shape.as_str().starts_with(letter))
 }
 
-/// The normal clearance of an insert, degrees; `None` for a letter that has none. `O` is a clearance of its own.
+/// The normal clearance angle of an insert, degrees; `None` for a letter without one. `O` is a special clearance.
 pub fn clearance_degrees(letter: char) -> Option<f64> {
     Some(match letter {
         'A' => 3.0,
@@ -111,37 +111,37 @@ pub fn clearance_degrees(letter: char) -> Option<f64> {
     })
 }
 
-/// Whether the letter stands for a clearance.
+/// Whether the letter is one of a clearance.
 pub(super) fn is_clearance(letter: char) -> bool {
     letter == 'O' || clearance_degrees(letter).is_some()
 }
 
-/// Whether the letter stands for a tolerance class.
+/// Whether the letter is one of a tolerance class.
 pub(super) fn is_tolerance(letter: char) -> bool {
     "AFCHEGJKLMNU".contains(letter)
 }
 
-/// Whether the letter stands for hole and chip breaker.
+/// Whether the letter is one for hole and chip breaker.
 pub(super) fn is_fixing(letter: char) -> bool {
     "NRFAMGWTQUBHCJX".contains(letter)
 }
 
-/// Whether the letter says how a holder clamps its insert.
+/// Whether the letter is one for the clamping of a holder.
 pub(super) fn is_clamping(letter: char) -> bool {
     "CDMPSWN".contains(letter)
 }
 
-/// The style of a holder: its entering angle, and whether it is that of a feed along the shank.
+/// The style of a holder: its entering angle, and the direction of the feed that it is for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct HolderStyle {
     /// The angle between the main edge and the feed, degrees.
     pub entering_degrees: f64,
-    /// The main edge lies at the end of the shank: the feed is square to it for a square shank held across
-    /// the spindle, that is along X.
+    /// The main edge is at the end of the shank: for a square shank across the spindle, the entering angle is that of a
+    /// feed along X.
     pub end_cutting: bool,
 }
 
-/// The style of a letter; `None` for one that has none of its own (`X`, `Z` are the maker's).
+/// The style with a letter; `None` if there is none (`X` and `Z` are defined by the manufacturer).
 pub(super) fn style_of(letter: char) -> Option<HolderStyle> {
     let side = |entering_degrees| HolderStyle { entering_degrees, end_cutting: false };
     let end = |entering_degrees| HolderStyle { end_cutting: true, ..side(entering_degrees) };

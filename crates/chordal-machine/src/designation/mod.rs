@@ -1,5 +1,5 @@
-//! Designations of turning tools as catalogues and boxes have them: inserts (ISO 1832, ANSI B212.4),
-//! holders with a square shank (ISO 5608) and boring bars (ISO 6261).
+//! Designations of turning tools, as in catalogues: inserts (ISO 1832, ANSI B212.4), holders with a square shank (ISO
+//! 5608) and boring bars (ISO 6261).
 
 mod edge;
 mod holder;
@@ -14,29 +14,29 @@ pub use self::holder::{HolderDesignation, HolderKind, ToolHand};
 pub use self::insert::InsertDesignation;
 pub use self::letters::{InsertLetter, clearance_degrees};
 
-/// A designation as written.
+/// A designation in a file.
 #[derive(Clone, Debug)]
 pub struct WrittenDesignation<T> {
     /// Its text.
     pub text: String,
-    /// What it says.
+    /// The data in it.
     pub value: T,
-    /// Where it was written.
+    /// Its position in the file.
     pub location: Option<ValueLocation>,
 }
 
 impl<T: PartialEq> PartialEq for WrittenDesignation<T> {
-    /// Designations that say the same are equal, wherever they were written.
+    /// The position does not matter for equality.
     fn eq(&self, other: &Self) -> bool {
         self.text == other.text && self.value == other.value
     }
 }
 
-/// Why a text is no designation.
+/// Why a text is not a designation.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{message}")]
 pub struct DesignationError {
-    /// What is wrong.
+    /// The problem, for users.
     pub message: String,
     /// The bytes of the text that are wrong.
     pub part: Range<usize>,
@@ -50,7 +50,7 @@ impl DesignationError {
     }
 }
 
-/// A designation read from left to right, upper case, over spaces and dashes between its parts.
+/// Reads a designation from left to right, in upper case, and skips spaces and dashes between its parts.
 #[derive(Clone)]
 struct DesignationReader<'t> {
     text: &'t str,
@@ -71,7 +71,7 @@ impl<'t> DesignationReader<'t> {
         self.at += rest.len() - rest.trim_start_matches([' ', '-']).len();
     }
 
-    /// The next character, upper case, if it is a letter.
+    /// Consumes the next character if it is a letter, in upper case.
     fn letter(&mut self) -> Option<char> {
         let letter = self.rest().chars().next()?;
         if !letter.is_ascii_alphabetic() {
@@ -81,7 +81,7 @@ impl<'t> DesignationReader<'t> {
         Some(letter.to_ascii_uppercase())
     }
 
-    /// The next characters that pass.
+    /// Consumes the next characters for which `passes` is true.
     fn run(&mut self, passes: impl Fn(char) -> bool) -> &'t str {
         let rest = self.rest();
         let length = rest.find(|c: char| !passes(c)).unwrap_or(rest.len());
@@ -89,14 +89,14 @@ impl<'t> DesignationReader<'t> {
         &rest[..length]
     }
 
-    /// So many ASCII characters.
+    /// Consumes this number of ASCII characters; `None` if there are fewer.
     fn take(&mut self, count: usize) -> Option<&'t str> {
         let taken = self.rest().get(..count).filter(|taken| taken.is_ascii())?;
         self.at += count;
         Some(taken)
     }
 
-    /// What is wrong with the last `count` bytes that were read.
+    /// An error for the last `count` bytes that were read.
     fn wrong(&self, count: usize, message: String, help: impl Into<String>) -> DesignationError {
         DesignationError::new(message, self.at.saturating_sub(count)..self.at, help)
     }

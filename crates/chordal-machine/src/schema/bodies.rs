@@ -1,4 +1,4 @@
-//! The rows of stock, fixtures and target: the same keys in each table.
+//! The rows of stock, fixtures and target, which have the same keys.
 
 use super::rows::{length, word, words};
 use super::{PlaceholderKeys, SchemaRow, SchemaSlot, SignRule};
@@ -25,7 +25,7 @@ fn along<'b>(values: &'b mut [Option<f64>; 3], keys: &PlaceholderKeys) -> &'b mu
     &mut values[keys.axis.map_or(2, |axis| axis as usize % 3)]
 }
 
-/// The place of an end that is given by its coordinate on the body's axis alone.
+/// The field of an end that is given only by its coordinate on the axis of the body.
 fn end_on_axis(
     body: &mut Body,
     end: impl FnOnce(&mut Body) -> &mut [Option<f64>; 3],

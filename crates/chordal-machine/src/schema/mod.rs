@@ -1,6 +1,5 @@
-//! The one table of the keys of a machine file: where each is, what it takes, what it means and
-//! where its value goes. Checking, suggestions, assignments, the reference and the writer of machine
-//! files read it.
+//! The table of the keys of a machine file: the path of each key, its values, its meaning and the field for its value.
+//! The checks, suggestions, assignments, the reference and the writer of machine files use it.
 
 mod bodies;
 mod rows;
@@ -23,7 +22,7 @@ use crate::tool::HolderSegment;
 /// The field of a machine that a key fills.
 pub(crate) type MachineField<T> = for<'m, 'k> fn(&'m mut Machine, &'k PlaceholderKeys) -> &'m mut T;
 
-/// What the `<placeholders>` of a path stand for in a certain key.
+/// The values of the `<placeholders>` in the path of a key.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PlaceholderKeys {
     pub(crate) axis: Option<Axis>,
@@ -32,42 +31,42 @@ pub(crate) struct PlaceholderKeys {
     pub(crate) name: String,
 }
 
-/// A key, or a table with a meaning of its own.
+/// A key, or a table that has a meaning without keys.
 pub(crate) struct SchemaRow {
-    /// Where it is; `<axis>`, `<rotary>`, `<tool>`, `<offset>`, `<point>`, `<code>` and `<setting>` vary.
+    /// Its path, with the placeholders `<axis>`, `<rotary>`, `<tool>`, `<offset>`, `<point>`, `<code>` and `<setting>`.
     pub(crate) path: &'static str,
-    /// What it takes and where that goes.
+    /// The kind of its value, and the field for it.
     pub(crate) slot: SchemaSlot,
-    /// What it means.
+    /// Its meaning.
     pub(crate) doc: &'static str,
 }
 
-/// What a key takes and where that goes.
+/// The kind of the value of a key, and the field for it.
 pub(crate) enum SchemaSlot {
     Quantity {
         dimension: QuantityDimension,
         sign: SignRule,
         place: MachineField<Option<f64>>,
     },
-    /// A place of an axis, which is halved where the axis is programmed as a diameter.
+    /// A position of an axis, which is halved if the axis is programmed as a diameter.
     Position(MachineField<Option<f64>>),
-    /// Two places of an axis, the same.
+    /// Two positions of an axis, halved in the same case.
     Range(MachineField<Option<(f64, f64)>>),
-    /// A whole number of a range.
+    /// A whole number in a range.
     Count {
         from: u32,
         to: u32,
         place: MachineField<Option<u32>>,
     },
-    /// Cylinders and cones, one above the other.
+    /// Cylinders and cones, from bottom to top.
     Solids(MachineField<Vec<HolderSegment>>),
     /// Points: height and radius.
     Profile(MachineField<Vec<[f64; 2]>>),
-    /// Corners of a holder: distances along X and Z, of either sign.
+    /// Corners of a holder: signed distances along X and Z.
     Outline(MachineField<Vec<[f64; 2]>>),
     /// Points of a contour: X as a diameter, Z, and the radius of an arc to the point.
     Contour(MachineField<Vec<ContourPoint>>),
-    /// What a tool is, in words of old files.
+    /// The kind of a tool, in the words of old files.
     Kind,
     /// Whether the words of an axis are radii or diameters.
     Programmed,
@@ -86,7 +85,7 @@ pub(crate) enum SchemaSlot {
     Flag(MachineField<bool>),
     /// A number without a unit.
     Number(MachineField<f64>),
-    /// A quantity, or a number where there is no dimension, within bounds; `usual` are such values, for people.
+    /// A quantity, or a number if there is no dimension, within bounds; `usual` are usual values, for messages.
     Within {
         dimension: Option<QuantityDimension>,
         from: f64,
@@ -96,7 +95,7 @@ pub(crate) enum SchemaSlot {
     },
     /// Numbers without a unit.
     NumberList(MachineField<Vec<f64>>),
-    /// A date or a time, kept as its digits.
+    /// A date or a time, stored as its digits.
     Stamp {
         stamp: DateOrTime,
         place: MachineField<Option<u32>>,
@@ -105,19 +104,19 @@ pub(crate) enum SchemaSlot {
     Switches,
     /// An override: `"80 %"` or the fraction 0.8.
     Override(MachineField<Option<f64>>),
-    /// A file by its name, relative to the one that says it.
+    /// The name of a file, relative to the file with the key.
     File(MachineField<Option<String>>),
-    /// A setting of the control, kept raw.
+    /// A setting of the control, stored as written.
     Setting,
-    /// Read before all other keys.
+    /// The file to inherit from, which is read before all other keys.
     Inherits,
-    /// A table that exists by being named, empty or not.
+    /// A table that has a meaning even if it is empty.
     Table(fn(&mut Machine, &PlaceholderKeys)),
-    /// The same for a custom code, whose place is kept.
+    /// The same for a custom code, whose position in the file is stored.
     ShopCode,
-    /// The same for stock, a fixture or a target, whose place is kept.
+    /// The same for stock, a fixture or a target, whose position in the file is stored.
     Body(MachineField<Body>),
-    /// The same for an axis, which `false` takes away.
+    /// The same for an axis, which `false` removes.
     Axis,
 }
 
@@ -129,7 +128,7 @@ pub(crate) enum DateOrTime {
 }
 
 impl DateOrTime {
-    /// What it is called, and how it is written.
+    /// Its name and its format, for messages.
     pub(crate) const fn words(self) -> (&'static str, &'static str) {
         match self {
             DateOrTime::Date => ("a date", "2024-05-17"),
@@ -137,7 +136,7 @@ impl DateOrTime {
         }
     }
 
-    /// Its digits as one number; `None` when the text is no such thing.
+    /// Its digits as one number; `None` if the text has another format.
     pub(crate) fn parse(self, text: &str) -> Option<u32> {
         let (separator, widths, limits) = match self {
             DateOrTime::Date => ('-', [4, 2, 2], [(0, 9999), (1, 12), (1, 31)]),
@@ -173,12 +172,12 @@ pub(crate) fn rows() -> impl Iterator<Item = &'static SchemaRow> {
     tools.iter().chain(&turning::ROWS).chain(others).chain(bodies.into_iter().flatten())
 }
 
-/// The row of a path, placeholders and all.
+/// The row with a path, including its placeholders.
 pub(crate) fn row(path: &str) -> Option<&'static SchemaRow> {
     rows().find(|row| row.path == path)
 }
 
-/// The names that may follow a path, or its one placeholder.
+/// The names that may follow a path, or its placeholder.
 pub(crate) fn children(path: &str) -> Vec<&'static str> {
     let mut names: Vec<&'static str> = Vec::new();
     for row in rows() {
@@ -195,7 +194,7 @@ pub(crate) fn children(path: &str) -> Vec<&'static str> {
     names
 }
 
-/// Takes a key for a placeholder; the error says what the placeholder takes, and how to write it.
+/// Uses a key as the value of a placeholder. The error has the expected values and their format.
 pub(crate) fn bind(
     placeholder: &str,
     key: &str,
@@ -268,17 +267,17 @@ pub(crate) fn bind(
     Ok(())
 }
 
-/// The name of a variable written in angle brackets, as controls compare names: in lower case, without blanks.
+/// The name of a variable in angle brackets, in lower case without blanks, as controls compare names.
 fn variable_name(key: &str) -> Option<String> {
     let name = key.strip_prefix('<')?.strip_suffix('>')?;
     let name: String = name.chars().filter(|letter| !letter.is_whitespace()).collect();
     (!name.is_empty()).then(|| name.to_lowercase())
 }
 
-/// No control has M codes of more than four digits, and ten times the number fits 16 bits.
+/// The largest number of a custom M code: ten times it fits into 16 bits, and controls have at most four digits.
 const MAX_M_CODE: u16 = 6553;
 
-/// What a table of `shop_codes` is about.
+/// What a table of `shop_codes` describes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum ShopName {
     M(u16),
@@ -292,7 +291,7 @@ impl Default for ShopName {
 }
 
 impl ShopName {
-    /// `M120`, `O9810`, and as the call is written: `G65 P9810`.
+    /// Reads `M120`, `O9810`, or a call: `G65 P9810`. `None` for other keys.
     fn of(key: &str) -> Option<ShopName> {
         let key = key.trim().to_ascii_uppercase();
         if let Some(number) = ["G65", "G66", "G66.1", "M98"]
@@ -312,7 +311,7 @@ impl ShopName {
         }
     }
 
-    /// Its place in a machine.
+    /// Its entry in a machine, which is created if missing.
     pub(crate) fn place(self, machine: &mut Machine) -> &mut CustomCodeSpec {
         match self {
             ShopName::M(number) => machine.shop_codes.entry(number).or_default(),
@@ -327,7 +326,7 @@ fn whole(text: &str) -> Option<u32> {
 }
 
 impl SchemaSlot {
-    /// A table with keys of its own, not a value.
+    /// Whether it is a table with keys, not a value.
     fn is_table(&self) -> bool {
         matches!(
             self,
@@ -337,12 +336,12 @@ impl SchemaSlot {
 }
 
 impl SchemaRow {
-    /// The key's own name, or the one before a placeholder.
+    /// The name of the key, or the name before its placeholder.
     pub(crate) fn name(&self) -> &'static str {
         self.path.rsplit('.').find(|name| !name.starts_with('<')).unwrap_or(self.path)
     }
 
-    /// What it takes, in words, with an example.
+    /// Its values in words, with an example.
     fn takes(&self) -> String {
         let by_axis = self.path.contains("<axis>");
         let kind = |dimension: QuantityDimension| {
@@ -424,18 +423,18 @@ const fn example(dimension: QuantityDimension) -> &'static str {
     }
 }
 
-/// A key of a machine file, for a reference.
+/// A key of a machine file, for the reference.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct SchemaKey {
-    /// Where it is; names in angle brackets vary: `axes.<axis>.travel`.
+    /// Its path, with placeholders in angle brackets: `axes.<axis>.travel`.
     pub path: &'static str,
-    /// What it takes, in words, with an example.
+    /// Its values in words, with an example.
     pub takes: String,
-    /// What it means.
+    /// Its meaning.
     pub meaning: &'static str,
-    /// What holds without it, where its row says so.
+    /// Its default; `None` if its row gives none.
     pub default: Option<&'static str>,
-    /// It is a table with keys of its own, not a value.
+    /// It is a table with keys, not a value.
     pub is_table: bool,
 }
 

@@ -47,7 +47,7 @@ pub(super) const fn word(
     SchemaRow { path, slot: SchemaSlot::Word { what, words, place }, doc }
 }
 
-/// The words of an enum that has `ALL` and `as_str`.
+/// The slot for the words of an enum that has `ALL` and `as_str`.
 macro_rules! words {
     ($kind:ty) => {{
         const WORDS: [&str; <$kind>::ALL.len()] = {
@@ -64,7 +64,7 @@ macro_rules! words {
 }
 pub(super) use words;
 
-/// Where the rows of tools end.
+/// The index after the rows of tools.
 pub(super) const AFTER_TOOLS: usize = {
     let mut at = 0;
     while at < ROWS.len() && ROWS[at].path.as_bytes()[0] != b'w' {

@@ -1,16 +1,16 @@
-//! The tables and keys of a machine's file, in the order in which they are written.
+//! The tables and keys of a machine file, in the order in which they are written.
 
 use super::{PlaceholderKeys, SchemaRow, SchemaSlot, bind, children, rows};
 use crate::axis::Axis;
 use crate::machine::Machine;
 use crate::toml_text::key_text;
 
-/// The tables in the order of a written file, after the keys that are in none.
+/// The tables in the order of a written file, after the keys that are in no table.
 const TABLE_ORDER: &str = "axes.<axis> rotary.<rotary> feed rapid spindle home reference_points.<point> \
      switches program motion times shop_codes.<code> macros macros.variables probe probe.hit \
      tools.<tool> stock fixtures.<name> target materials.<name> work_offsets.<offset> settings";
 
-/// The keys that come first in a table; the others follow in the order of the schema.
+/// The keys that are first in a table; the others follow in the order of the schema.
 const FIRST_KEYS: [(&str, &str); 5] = [
     ("axes.<axis>", "programmed"),
     (
@@ -31,10 +31,10 @@ pub(crate) fn tables() -> impl Iterator<Item = &'static str> {
     std::iter::once("").chain(TABLE_ORDER.split(' '))
 }
 
-/// A key that a table may have: its text, and where it leads.
+/// A possible key of a table: its text, its row, and the values of its placeholders.
 pub(crate) type TableKey = (String, &'static SchemaRow, PlaceholderKeys);
 
-/// The tables of a machine that a path with a placeholder stands for, each with the keys that it may have.
+/// The tables of a machine for a path with a placeholder, each with its possible keys.
 pub(crate) fn written_tables(machine: &Machine, table: &str) -> Vec<(String, Vec<TableKey>)> {
     let rows = rows_of(table);
     let keys_of = |keys: &PlaceholderKeys| {
@@ -70,8 +70,7 @@ pub(crate) fn rows_of(table: &str) -> Vec<(&'static str, &'static SchemaRow)> {
     rows
 }
 
-/// A path within its table as a file writes it, once for each key that the machine has where the path
-/// ends with a placeholder.
+/// The text of a path in its table; if it ends with a placeholder, one for each key that the machine has.
 fn written_keys(
     machine: &Machine,
     table: &str,
@@ -88,7 +87,7 @@ fn written_keys(
     names(machine, table, path).into_iter().filter_map(bound).collect()
 }
 
-/// The keys that a machine has in the place of the placeholder at the end of a path.
+/// The keys that a machine has for the placeholder at the end of a path.
 fn names(machine: &Machine, table: &str, path: &str) -> Vec<String> {
     fn texts(names: impl Iterator<Item = impl ToString>) -> Vec<String> {
         names.map(|name| name.to_string()).collect()
@@ -113,7 +112,7 @@ fn names(machine: &Machine, table: &str, path: &str) -> Vec<String> {
             texts(numbers.chain(macros.named_variables.keys().map(|name| format!("<{name}>"))))
         }
         ("settings", _) => texts(machine.settings.keys()),
-        // A word in the place of the planes: the keys of the planes would take it away.
+        // `hit` is set instead of the planes; writing keys of planes would remove it.
         ("probe.hit", _) if machine.probe.hit.is_some() => Vec::new(),
         (_, "from.<axis>" | "to.<axis>" | "center.<axis>") => texts(Axis::ALL[..3].iter()),
         _ => texts(Axis::ALL.iter()),
@@ -121,7 +120,7 @@ fn names(machine: &Machine, table: &str, path: &str) -> Vec<String> {
 }
 
 impl SchemaRow {
-    /// A key of its own: no table, and not another spelling of keys that another row has.
+    /// Whether the key is written: it is no table, and no alternative to the key of another row.
     fn is_written(&self) -> bool {
         match self.slot {
             SchemaSlot::Kind | SchemaSlot::Inherits => false,

@@ -1,4 +1,4 @@
-//! The values of a machine as its file writes them.
+//! The text of the values of a machine in its file.
 
 use super::{DateOrTime, PlaceholderKeys, SchemaSlot, tool};
 use crate::axis::Axis;
@@ -9,9 +9,9 @@ use crate::toml_text::string_text;
 use crate::value::SettingValue;
 
 impl SchemaSlot {
-    /// The value of the key in a machine as its file writes it, in millimetres, seconds and radians;
-    /// `None` where the file needs no such key. The places are those that reading fills, so the machine
-    /// is a copy whose empty places may be made.
+    /// The text of the value of the key in a machine, in millimetres, seconds and radians; `None` if the file does not
+    /// need the key. It uses the same accessors as reading, which may create missing entries, so `machine` is a mutable
+    /// copy.
     pub(crate) fn written(&self, machine: &mut Machine, keys: &PlaceholderKeys) -> Option<String> {
         let is_rotary = keys.axis.is_some_and(Axis::is_rotary);
         let factor = keys.axis.map_or(1.0, |axis| machine.written_factor(axis as usize));
@@ -33,7 +33,7 @@ impl SchemaSlot {
             SchemaSlot::Within { dimension: None, place, .. } => {
                 place(machine, keys).map(|number| number.to_string())
             }
-            // `1.0`, not `1`, so that it stays a number with a fraction.
+            // `1.0`, not `1`, so that it remains a number with a fraction.
             SchemaSlot::Override(place) => place(machine, keys).map(|number| format!("{number:?}")),
             SchemaSlot::Number(place) => Some(format!("{:?}", place(machine, keys))),
             SchemaSlot::NumberList(place) => {
@@ -99,7 +99,7 @@ impl SchemaSlot {
 }
 
 impl DateOrTime {
-    /// The text whose digits make the number.
+    /// The text with the digits of the number.
     fn written(self, number: u32) -> String {
         let (first, second, third) = (number / 10_000, number / 100 % 100, number % 100);
         match self {
@@ -118,7 +118,7 @@ fn list(items: impl IntoIterator<Item = impl ToString>) -> String {
     format!("[{}]", items.join(", "))
 }
 
-/// A list that is left out when it is empty.
+/// The text of a list; `None` if it is empty.
 fn some_list(items: impl Iterator<Item = impl ToString>) -> Option<String> {
     let mut items = items.peekable();
     items.peek().is_some().then(|| list(items))

@@ -1,4 +1,4 @@
-//! The fields that keys with a word fill: how a word is set, and read back.
+//! Fields whose values are words: how a word is set, and how it is written.
 
 use crate::axis::{AXIS_NAMES, Axis};
 use crate::control::ControlName;
@@ -9,10 +9,10 @@ use crate::turning::ToolFacing;
 
 /// A field that holds one of the words of its key.
 pub(crate) trait WordField {
-    /// The word that a file needs for the value; `None` where it needs no key.
+    /// The word for the value in a file; `None` if the file needs no key.
     fn word(&self) -> Option<&'static str>;
 
-    /// Takes one of the words of the key.
+    /// Sets the value to one of the words of the key.
     fn set_word(&mut self, word: &str);
 }
 
@@ -68,7 +68,7 @@ impl WordField for Probe {
         self.hit.map(ProbeHit::as_str)
     }
 
-    /// A word takes the planes away, as a plane does the word.
+    /// A word removes the planes, as a plane removes the word.
     fn set_word(&mut self, word: &str) {
         let hit = ProbeHit::ALL.into_iter().find(|hit| hit.as_str() == word);
         *self = Probe { hit, ..Probe::default() };

@@ -1,4 +1,4 @@
-//! Cutting speeds (G96): how fast the spindle comes to turn towards the centre, and holes in the centre.
+//! Constant cutting speed (G96): spindle speeds near the centre, and holes in the centre.
 
 use std::f64::consts::PI;
 
@@ -13,38 +13,38 @@ use chordal_kernel::hole_at_surface_speed;
 use super::RunChecks;
 use crate::segment::curve_of;
 
-/// X nearer to zero is the centre, mm.
+/// A position with |X| up to this is in the centre, mm.
 const CENTER_MM: f64 = 1e-6;
 
 const X: usize = 0;
 const Z: usize = 2;
 
-/// What is remembered of cuts at a cutting speed.
+/// What is remembered for the checks of a constant cutting speed.
 #[derive(Clone, Debug, Default)]
 pub(super) struct CuttingSpeedMemory {
     /// The spindle turns.
     turns: bool,
     /// The last motion was a rapid.
     after_rapid: bool,
-    /// The tool whose speed was reported.
+    /// The tool for which a missing speed limit was reported last.
     reported_limit: Option<u32>,
-    /// The tool whose hole was reported.
+    /// The tool for which a hole was reported last.
     reported_hole: Option<u32>,
-    /// The first cut along Z in the centre since the tool came to it at rapid speed.
+    /// The first cut along Z in the centre after a rapid to it.
     in_center: Option<CenterCut>,
 }
 
-/// A cut along Z in the centre, which is a hole if the tool comes back the same way.
+/// A cut along Z in the centre: a hole, if the tool moves back along Z after it.
 #[derive(Clone, Copy, Debug)]
 struct CenterCut {
     origin: Origin,
-    /// Towards plus, along Z.
+    /// The cut goes in the direction of Z plus.
     is_up: bool,
     surface: SurfaceSpeed,
 }
 
 impl CuttingSpeedMemory {
-    /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
+    /// Moves the positions in the text after an edit of other text; `None` if one of them was in the edited text.
     pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         if let Some(cut) = &mut self.in_center {
             cut.origin = cut.origin.shifted(shift)?;
@@ -54,7 +54,7 @@ impl CuttingSpeedMemory {
 }
 
 impl RunChecks<'_> {
-    /// Follows the spindle, and what moves.
+    /// Follows the spindle and the motion of a command.
     pub(super) fn cutting_speed(&mut self, command: &Command, report: &mut impl FnMut(Diagnostic)) {
         if let CommandKind::Spindle { state, .. } = &command.kind {
             self.now.cutting_speed.turns = matches!(state, SpindleState::Cw | SpindleState::Ccw);
@@ -68,7 +68,7 @@ impl RunChecks<'_> {
         }
     }
 
-    /// A cut so near to the centre that only the machine limits the speed.
+    /// Reports a cut so close to the centre that only the machine limits the spindle speed.
     #[cold]
     fn speed_without_limit(
         &mut self,
@@ -88,7 +88,7 @@ impl RunChecks<'_> {
         let has_maximum = most.is_finite() && !self.assumed;
         let is_over = match has_maximum {
             true => free > most * (1.0 + ROUNDING_SHARE),
-            // Whatever the machine's maximum is.
+            // In the centre the speed exceeds any maximum.
             false => least <= CENTER_MM && surface.mm_per_s > 0.0,
         };
         if !is_over {
@@ -128,7 +128,7 @@ impl RunChecks<'_> {
         );
     }
 
-    /// A cut along Z in the centre and back out again: a drill, a tap or a reamer.
+    /// Finds a cut along Z in the centre and back out again: a drill, a tap or a reamer.
     fn hole_in_center(
         &mut self,
         command: &Command,
@@ -155,7 +155,7 @@ impl RunChecks<'_> {
         } else if let Some(surface) = surface
             && memory.turns
             && memory.after_rapid
-            // The cycles of holes say it themselves.
+            // The drilling cycles report this themselves.
             && !command.origin.cycle
             && matches!(command.kind, CommandKind::Line { .. })
         {
@@ -176,7 +176,7 @@ impl RunChecks<'_> {
     }
 }
 
-/// The smallest distance of a cut from the axis, mm.
+/// The smallest distance of a cut from the spindle axis, mm.
 fn least_radius(command: &Command, motion: &Move) -> f64 {
     let Some(shape) = command.kind.shape() else { return motion.least_radius() };
     let bounds = curve_of(motion, Some(shape)).bounds();

@@ -1,4 +1,4 @@
-//! Joints that are nearly tangent.
+//! Joints between a line and an arc, or between arcs, that are almost tangent.
 
 use chordal_command::{Move, Origin, number_text};
 use chordal_diagnostics::{Code, Diagnostic};
@@ -10,7 +10,7 @@ use crate::segment::point;
 /// Joints that turn by less are tangent within rounding of coordinates, rad (0.1°).
 const TANGENT_RAD: f64 = 0.001_745;
 
-/// Joints that turn by more are corners on purpose, rad (2°).
+/// Joints that turn by more are intended corners, rad (2°).
 const CORNER_RAD: f64 = 0.034_9;
 
 impl RunChecks<'_> {
@@ -27,7 +27,7 @@ impl RunChecks<'_> {
         {
             self.joint(plane, before, course, origin, report);
         }
-        // The direction is needed only when an arc follows; it is cheaper kept as it is.
+        // The direction is needed only when an arc follows, so it is not normalized here.
         if course != Vec3::ZERO {
             self.now.last = Some((course, to, None));
         }
@@ -48,7 +48,7 @@ impl RunChecks<'_> {
         self.now.last = Some((curve.tangent_at(curve.length()), curve.end(), Some(plane)));
     }
 
-    /// The turn is judged in the plane of the arc: the slope of a helix is meant.
+    /// Checks a joint, in the plane of the arc: the slope of a helix is intended.
     fn joint(
         &self,
         plane: Plane,
@@ -57,7 +57,7 @@ impl RunChecks<'_> {
         origin: Origin,
         report: &mut impl FnMut(Diagnostic),
     ) {
-        // The joints within a cycle are the control's, not the programmer's.
+        // The control makes the joints within a cycle.
         if origin.cycle {
             return;
         }
@@ -66,7 +66,7 @@ impl RunChecks<'_> {
             direction - normal * direction.dot(normal)
         };
         let (before, after) = (flat(before), flat(after));
-        // Squares of the sine and of what it is a share of: most joints need no root.
+        // Compares the square of the sine, so that most joints need no square root.
         let across = before.cross(after).length_squared();
         let whole = before.length_squared() * after.length_squared();
         let turns =
@@ -91,12 +91,13 @@ impl RunChecks<'_> {
     }
 }
 
-trait CosineOfDegrees {
+trait ArcsineInDegrees {
     fn asin_degrees(self) -> f64;
 }
 
-impl CosineOfDegrees for f64 {
-    /// Of a small sine; the series is exact to 1e-9 at two degrees, and the same everywhere.
+impl ArcsineInDegrees for f64 {
+    /// The arcsine of a small value, in degrees: a series that is exact to 1e-9 at two degrees and gives the same result
+    /// on every platform.
     fn asin_degrees(self) -> f64 {
         let s = self;
         (s + s * s * s / 6.0 + 3.0 * s.powi(5) / 40.0).to_degrees()

@@ -1,4 +1,4 @@
-//! Moves on a surface that turns with a rotary axis: the travel of the axes themselves, and a rotary axis that cannot keep up.
+//! Checks of moves on a surface that turns with a rotary axis: travel, and the speed of the rotary axis.
 
 use chordal_command::{CommandKind, Feed, Move, Origin, RotarySurface, number_text};
 use chordal_diagnostics::{Code, Diagnostic};
@@ -13,8 +13,8 @@ use crate::rotary_extremes::places_on_axes;
 use crate::segment::curve_of;
 
 impl RunChecks<'_> {
-    /// Follows a command on a surface that turns with a rotary axis: travel is that of the axes themselves, and the rotary
-    /// one may have to turn too fast.
+    /// Follows a command on a surface that turns with a rotary axis: checks the travel of the real axes and the speed of
+    /// the rotary one.
     #[cold]
     pub(super) fn on_surface(
         &mut self,
@@ -43,7 +43,7 @@ impl RunChecks<'_> {
         }
     }
 
-    /// The rotary axis cannot turn as fast as the feed asks for.
+    /// Reports a feed for which the rotary axis would have to turn faster than it can.
     fn rotary_speed(
         &mut self,
         surface: &RotarySurface,

@@ -1,4 +1,4 @@
-//! The first move that goes near the part while the tip is not where the program means it to be.
+//! Finds the first move near the part for which the tip is not where the program assumes it to be.
 
 use chordal_command::{Command, CommandKind};
 use chordal_diagnostics::{Code, Diagnostic, Severity};
@@ -10,11 +10,11 @@ use crate::tip::{TipDoubt, TipPlace};
 
 const Z: usize = Axis::Z as usize;
 
-/// Radii that differ by less are the same, mm.
+/// Radii that differ by less are equal, mm.
 const EQUAL_RADIUS_MM: f64 = 1e-5;
 
 impl RunChecks<'_> {
-    /// Reports each tool and length offset once.
+    /// Checks the position of the tip; each pair of tool and length offset is reported once.
     #[cold]
     pub(super) fn tip(&mut self, command: &Command, report: &mut impl FnMut(Diagnostic)) {
         let place = self.now.tip.place();
@@ -25,24 +25,24 @@ impl RunChecks<'_> {
         self.now.tip.set_reported();
         let span = command.origin.span;
         let (tool, number) = pair;
-        let in_force = match number {
+        let active = match number {
             Some(number) => format!("length offset {number} is in force"),
             None => "no length offset is in force".to_string(),
         };
         let diagnostic = match place {
             TipPlace::Shifted(by) => {
                 let message =
-                    format!("the tip of tool {tool} is {}: {in_force}", self.deviation_text(by));
+                    format!("the tip of tool {tool} is {}: {active}", self.deviation_text(by));
                 Diagnostic::new(Code::TipDisplaced, span, message)
                     .label(self.tip_label(&command.kind, by))
                     .help(self.lengths_help(tool, number))
             }
             TipPlace::Unknown(doubt) => {
                 let why = match doubt {
-                    TipDoubt::NoLength => in_force,
-                    TipDoubt::OtherTool => format!("{in_force}, which is that of another tool"),
+                    TipDoubt::NoLength => active,
+                    TipDoubt::OtherTool => format!("{active}, which is that of another tool"),
                     TipDoubt::OtherSign => {
-                        format!("{in_force} with the other sign than lengths before (G43, G44)")
+                        format!("{active} with the other sign than lengths before (G43, G44)")
                     }
                 };
                 let message = format!("where the tip of tool {tool} is is not known: {why}");
@@ -68,7 +68,7 @@ impl RunChecks<'_> {
         report(diagnostic);
     }
 
-    /// Reports a radius offset that is that of another tool.
+    /// Reports a radius offset that belongs to another tool.
     #[cold]
     pub(super) fn radius_of_other_tool(
         &mut self,
@@ -78,7 +78,7 @@ impl RunChecks<'_> {
         report: &mut impl FnMut(Diagnostic),
     ) {
         let (tool, _) = self.now.tip.tool_and_offset();
-        // Numbers of tools that the program does not use may be further offsets of this one, for passes.
+        // A number of no tool in the program may be another offset of this tool, for example for a roughing pass.
         let is_other = offset != tool && self.now.tip.has_used(offset);
         if tool == 0 || !is_other || self.machine.turns() {
             return;
@@ -103,7 +103,7 @@ impl RunChecks<'_> {
         );
     }
 
-    /// A cut, or a rapid that does not go up and after which the tip is below the clearance plane.
+    /// True for a cut, and for a rapid that is not a retract and ends with the tip below the clearance plane.
     fn is_near_part(&self, kind: &CommandKind, place: TipPlace) -> bool {
         let Some(motion) = kind.motion() else { return false };
         if kind.feed().is_some() {
@@ -117,7 +117,7 @@ impl RunChecks<'_> {
         !is_retract && motion.to_known.has(Z) && motion.to[Z] + by < self.depth_mm()
     }
 
-    /// `200 mm below the programmed point`.
+    /// The deviation of the tip as text: `200 mm below the programmed point`.
     fn deviation_text(&self, by: Vec3) -> String {
         let units = self.now.units;
         if by.z != 0.0 && !self.machine.turns() {
@@ -141,7 +141,7 @@ impl RunChecks<'_> {
         }
     }
 
-    /// What is known of the lengths, and what to do.
+    /// A help text with the known lengths and what to change.
     fn lengths_help(&self, tool: u32, number: Option<u32>) -> String {
         let length =
             |number: u32| length_of(self.machine, number).map(|mm| self.now.units.length_text(mm));

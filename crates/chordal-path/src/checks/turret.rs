@@ -1,4 +1,4 @@
-//! The turret of a lathe: where it stands when it turns, and what the program cuts.
+//! The turret of a lathe: whether it indexes too close to what the program cuts.
 
 use chordal_command::{Command, CommandKind, Move, Position};
 use chordal_diagnostics::{Code, Diagnostic, TextShift};
@@ -10,25 +10,25 @@ use crate::turret_log::{NearTurn, TurnedCut, TurretSystem, TurretTurn};
 const X: usize = Axis::X as usize;
 const Z: usize = Axis::Z as usize;
 
-/// What is remembered of the turret.
+/// What is remembered about the turret.
 #[derive(Clone, Debug, Default)]
 pub(super) struct TurretMemory {
     tool: u32,
-    /// Where the tip of the tool is (X as a radius, Z), where that is known.
+    /// The position of the tool tip (X as a radius, Z), mm; `None` if it is not known.
     tip: Option<[f64; 2]>,
-    /// What the offset in force adds to X and Z, where its values are known.
+    /// What the active offset adds to X and Z, mm; `None` if its values are not known.
     offset: Option<[f64; 2]>,
-    /// That of the tool before.
+    /// The offset of the previous tool.
     offset_before: Option<[f64; 2]>,
-    /// Offsets of tools are in force, and were before: without one, coordinates are not those of the tip.
+    /// A tool offset has been active: from then on, coordinates without one are not those of the tip.
     has_offsets: bool,
     is_without_offset: bool,
-    /// The turret has turned, and the offset of the new tool is not in force yet.
+    /// The turret has indexed, and the offset of the new tool is not active yet.
     waiting: Option<TurretTurn>,
 }
 
 impl TurretMemory {
-    /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
+    /// Moves the positions in the text after an edit of other text; `None` if one of them was in the edited text.
     pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         if let Some(turn) = &mut self.waiting {
             turn.origin = turn.origin.shifted(shift)?;
@@ -75,12 +75,12 @@ impl RunChecks<'_> {
                 if let (Some(turn), Some(before), Some(next)) =
                     (&mut memory.waiting, memory.offset_before, next)
                 {
-                    // The slide stands: what the offsets differ by is how the tips differ.
+                    // The slide does not move, so the tips differ by the difference of the offsets.
                     let old = turn.from.1;
                     let tip = [old[0] + before[0] - next[0], old[1] + before[1] - next[1]];
                     (turn.to.1, memory.tip) = (Some(tip), Some(tip));
                 }
-                // Where the offset is taken back the tool is still the one that it was for.
+                // If the offset is cancelled, the tool is still the one it belonged to.
                 if number.is_some() {
                     (memory.offset, memory.has_offsets) = (next, true);
                 }
@@ -109,13 +109,13 @@ impl RunChecks<'_> {
     fn cut_of_turret(&mut self, motion: &Move) {
         let known = motion.from_known.and(motion.to_known);
         if known.has(X) && known.has(Z) {
-            // Of an arc its chord: what it cuts farther out is left out.
+            // For an arc, its chord: the cut outside the chord is ignored.
             let cut = TurnedCut::new(place_of(&motion.from), place_of(&motion.to));
             self.seen.turret.cut(self.turret_system(), cut);
         }
     }
 
-    /// At the end: where the turret has turned in the part or near it.
+    /// Reports, at the end of a program, where the turret indexed inside the part or close to it.
     pub(super) fn judge_turret(&mut self, report: &mut impl FnMut(Diagnostic)) {
         self.end_turn();
         let log = std::mem::take(&mut self.seen.turret);

@@ -9,7 +9,8 @@ use super::queue::QueuedBlock;
 use super::{Compensator, PathSink};
 
 impl Compensator {
-    /// Reports a problem with what the control shows; `{n}` stays for who knows the N word.
+    /// Reports a problem with the alarm that the control shows. `{n}` stays in the text: the caller replaces it with the
+    /// block number.
     fn report(&self, diagnostic: Diagnostic, origin: &Origin, out: &mut dyn PathSink) {
         self.report_with(diagnostic, false, origin, out);
     }
@@ -25,7 +26,7 @@ impl Compensator {
             && let Some(text) = self.alarms.text(diagnostic.code)
         {
             let moved = if arc { "Arc move" } else { "Straight feed" };
-            // Two texts: for an arc and for a line.
+            // A text with ` / ` has one version for an arc and one for a line.
             let text = match text.split_once(" / ") {
                 Some((of_arc, of_line)) => {
                     if arc {
@@ -67,7 +68,7 @@ impl Compensator {
         self.report_with(diagnostic, true, origin, out);
     }
 
-    /// An inside arc as large as the offset, on a control that takes it.
+    /// Reports an inside arc whose radius equals the offset, on a control that accepts it.
     pub(super) fn inside_arc_vanishes(
         &self,
         block: &QueuedBlock,
@@ -157,7 +158,7 @@ impl Compensator {
         self.report(diagnostic, origin, out);
     }
 
-    /// G40 in a block that moves nothing in the plane.
+    /// Reports G40 in a block that does not move in the plane.
     pub(super) fn no_lead_out(&self, origin: &Origin, out: &mut dyn PathSink) {
         let diagnostic = Diagnostic::new(
             Code::LeadInTooShort,
@@ -178,7 +179,8 @@ impl Compensator {
         self.on_arc("ends", "put G40 on a straight move away from the contour", origin, out);
     }
 
-    /// In the block of the code itself this was reported when the block was read.
+    /// Reports an arc on which compensation starts or ends. In the block of the code itself this was already reported
+    /// when the block was interpreted.
     fn on_arc(&self, what: &str, help: &str, origin: &Origin, out: &mut dyn PathSink) {
         if self.code.span == origin.span {
             return;
@@ -231,12 +233,12 @@ impl Compensator {
         let limit = self.rules.compensation.idle_blocks.unwrap_or(0);
         let idle = before.idle;
         let blocks = if idle == 1 { "block" } else { "blocks" };
-        let stated = if idle >= 1000 {
+        let message = if idle >= 1000 {
             "a stop follows this move".to_string()
         } else {
             format!("{idle} {blocks} without motion follow this move; the control allows {limit}")
         };
-        let diagnostic = Diagnostic::new(Code::LookAheadLost, origin.span, stated)
+        let diagnostic = Diagnostic::new(Code::LookAheadLost, origin.span, message)
             .label("the tool ends square to this move")
             .help("put the blocks without motion elsewhere");
         self.report(diagnostic, origin, out);

@@ -1,4 +1,4 @@
-//! The points of the tool centre at a corner of the contour.
+//! The path of the tool centre at a corner of the contour.
 
 use std::f64::consts::TAU;
 
@@ -6,16 +6,16 @@ use chordal_geometry::Vec2;
 
 use super::plane::{CompensationCurve, NEGLIGIBLE_MM, OffsetEdge, meeting};
 
-/// How the tool goes round a corner: points joined by straight links, or an arc between two.
+/// The path of the tool centre at a corner: points joined by straight links, or an arc between two points.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct CornerPath {
     points: [Vec2; 4],
     count: usize,
-    /// The link from the first point to the last is an arc about this centre by this angle.
+    /// If the first and the last point are joined by an arc: its centre, mm, and its sweep, rad.
     pub arc: Option<(Vec2, f64)>,
-    /// The offsets do not meet.
+    /// The offset curves do not intersect.
     pub missed: bool,
-    /// It is an inside corner, where the blocks lose length.
+    /// It is an inside corner: the offset blocks are shorter.
     pub inside: bool,
 }
 
@@ -44,24 +44,24 @@ impl CornerPath {
         &self.points[..self.count]
     }
 
-    /// Where the block before ends.
+    /// Where the offset block before the corner ends.
     pub fn first(&self) -> Vec2 {
         self.points[0]
     }
 
-    /// Where the block after begins.
+    /// Where the offset block after the corner begins.
     pub fn last(&self) -> Vec2 {
         self.points[self.count.max(1) - 1]
     }
 
-    /// Takes the last point away; false when it is the only one.
+    /// Removes the last point; does nothing and returns false if it is the only one.
     pub fn drop_last(&mut self) -> bool {
         let may = self.count > 1;
         self.count -= usize::from(may);
         may
     }
 
-    /// Takes the first point away; false when it is the only one.
+    /// Removes the first point; does nothing and returns false if it is the only one.
     pub fn drop_first(&mut self) -> bool {
         let may = self.count > 1;
         if may {
@@ -71,7 +71,7 @@ impl CornerPath {
         may
     }
 
-    /// Leaves out the later of two points that lie close on both axes.
+    /// Removes the later of two points that are at most `limit` apart along both axes, mm.
     pub fn drop_short_links(&mut self, limit: f64) {
         let mut kept = 1;
         for index in 1..self.count {
@@ -85,18 +85,18 @@ impl CornerPath {
     }
 }
 
-/// What of the control's rules a corner needs.
+/// The rules of the control that a corner needs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CornerRuleSet {
     pub tangent_mm: f64,
-    /// Sine of the largest kink that is left as it is.
+    /// Sine of the largest turn that is treated as tangent.
     pub tangent_sine: f64,
     pub round: bool,
-    /// A path that turns back into or out of an arc, with the tool outside of it, is an inside corner.
+    /// A path that reverses into or out of an arc, with the tool outside of it, has an inside corner there.
     pub cusps_meet: bool,
 }
 
-/// A corner between two blocks of the contour on the same side.
+/// The corner between two blocks of the contour with the tool on the same side.
 pub(super) fn corner(
     at: Vec2,
     end: &OffsetEdge,
@@ -116,10 +116,10 @@ pub(super) fn corner(
     {
         return CornerPath::at(at + middle * r);
     }
-    // An exact reversal is the sharpest outside corner; with cusps also one that turns a little further.
+    // An exact reversal is the sharpest outside corner; with `cusps_meet`, so is one that turns slightly further.
     let largest = if rules.cusps_meet { rules.tangent_sine.max(1e-9) } else { 1e-9 };
     let reversal = ahead < 0.0 && turn.abs() < largest;
-    // The arc that follows decides, or before a line the arc that ends.
+    // The arc that follows decides; if a line follows, the arc that ends there.
     let decides = if start.curve.is_arc() { start } else { end };
     let cusp = rules.cusps_meet
         && ahead < 0.0
@@ -144,7 +144,7 @@ pub(super) fn corner(
     outside(at, end, start, ahead)
 }
 
-/// An outside corner of straight links; arcs are extended by their tangents.
+/// An outside corner with straight links; arcs are extended by their tangents.
 pub(super) fn outside(at: Vec2, end: &OffsetEdge, start: &OffsetEdge, ahead: f64) -> CornerPath {
     let r = end.radius;
     let (n1, n2, t1, t2) = (end.normal, start.normal, end.tangent, start.tangent);
@@ -164,8 +164,7 @@ pub(super) fn outside(at: Vec2, end: &OffsetEdge, start: &OffsetEdge, ahead: f64
     corner
 }
 
-/// An arc about the corner whatever the angle asks (G39): only outside there is something to
-/// round.
+/// A corner with G39: an outside corner gets an arc about the programmed point.
 pub(super) fn rounded(
     at: Vec2,
     end: &OffsetEdge,

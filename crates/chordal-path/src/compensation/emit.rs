@@ -1,4 +1,4 @@
-//! Blocks whose corners are known, as commands of the tool centre.
+//! Emits blocks whose corners are known as commands of the tool centre.
 
 use chordal_command::{ArcShape, Command, CommandKind, CompensationSide, Feed, Move};
 use chordal_geometry::Vec2;
@@ -10,11 +10,11 @@ use super::plane::{CompensationCurve, NEGLIGIBLE_MM, offset_between};
 use super::queue::QueuedBlock;
 use super::{BlockRole, Compensator, ContourPiece, PathCommand, PathSink};
 
-/// A compensated arc may come out longer than a turn by so much from rounding, rad.
+/// A compensated arc may exceed a full turn by this much because of rounding, rad.
 const TURN_SLACK_RAD: f64 = 0.01;
 
 impl Compensator {
-    /// A command that is not offset itself: its place in the plane is that of the tool centre.
+    /// Emits a command that is not offset itself: its position in the plane is that of the tool centre.
     pub(super) fn put(&mut self, command: &Command, out: &mut dyn PathSink) {
         let (side, radius) =
             (self.side, if self.side == CompensationSide::Off { 0.0 } else { self.radius });
@@ -33,7 +33,7 @@ impl Compensator {
         }
     }
 
-    /// Puts a move to a place of the tool centre; a turning tool goes by its imaginary tip.
+    /// Sets the position in the plane to that of the tool centre; for a turning tool, to that of its imaginary tip.
     fn place(&self, position: &mut PerAxis<f64>, at: Vec2) {
         let (a, b, _) = self.plane.axes();
         let at = self.tip_at(at);
@@ -41,12 +41,13 @@ impl Compensator {
         position[b] = at.b;
     }
 
-    /// What the control moves when the tool centre is at a place.
+    /// The position that the control programs when the tool centre is at `centre`, mm: the imaginary tip of a turning
+    /// tool.
     fn tip_at(&self, centre: Vec2) -> Vec2 {
         centre + self.tip
     }
 
-    /// A block and what stands after it.
+    /// Emits a block, its corner and the commands after it.
     pub(super) fn emit(&mut self, block: Box<QueuedBlock>, out: &mut dyn PathSink) {
         let corner = block.corner.unwrap_or_else(|| CornerPath::at(block.square_end()));
         let mut centre = Vec::with_capacity(1 + corner.points().len());
@@ -68,7 +69,7 @@ impl Compensator {
         (self.side, self.radius) = (side, radius);
     }
 
-    /// An arc that begins beside its offset circle is reached by a straight move.
+    /// Adds a straight move to the start of the offset arc, if the tool is not there yet.
     fn reach_arc(
         &mut self,
         block: &QueuedBlock,
@@ -108,7 +109,7 @@ impl Compensator {
             let turn = std::f64::consts::TAU;
             let strict = self.rules.compensation.interference == InterferenceSearch::Strict;
             if strict && *sweep * programmed < 0.0 {
-                // LinuxCNC keeps the direction and goes round.
+                // LinuxCNC keeps the direction and makes a full turn.
                 *sweep += turn * programmed.signum();
             }
             if programmed.abs() <= turn + 1e-9 && sweep.abs() > turn + TURN_SLACK_RAD {
@@ -169,7 +170,7 @@ impl Compensator {
         });
     }
 
-    /// Inside arcs may be fed more slowly, so that the cutting edge keeps the feed.
+    /// The feed of a block: lower on inside arcs if the control keeps the feed at the cutting edge.
     fn inside_feed(&self, block: &QueuedBlock, feed: Feed, radius: f64) -> Feed {
         let least = self.rules.compensation.inside_feed_least;
         let CompensationCurve::Arc { radius_to, sweep, .. } = block.curve else { return feed };
@@ -210,7 +211,7 @@ impl Compensator {
         }
     }
 
-    /// A link belongs to the block and moves in the plane alone.
+    /// Emits a link of a corner: it belongs to the block and moves only in the plane.
     fn put_link(
         &mut self,
         block: &QueuedBlock,
@@ -228,7 +229,7 @@ impl Compensator {
         };
         self.place(&mut motion.from, link.from());
         self.place(&mut motion.to, link.to());
-        // The way to a rapid is one, where the corner belongs to the block that follows.
+        // The link to a rapid is a rapid if the corner belongs to the block that follows.
         let of_next = self.rules.compensation.corner_of_next;
         let to_rapid = block.next_rapid.filter(|_| of_next);
         let to_rapid = to_rapid.filter(|_| link.is_arc());
@@ -241,7 +242,7 @@ impl Compensator {
                 CommandKind::Rapid { motion, path: *path }
             }
             (None, kind, CompensationCurve::Arc { center, sweep, radius_from, radius_to, .. }) => {
-                // After a rapid the arc is cut at the feed of the block that follows.
+                // After a rapid, the arc is cut at the feed of the block that follows.
                 let next = block.next_feed.as_ref();
                 let feed = if of_next { next.or(kind.feed()) } else { kind.feed().or(next) };
                 let Some(feed) = feed else { return };
@@ -268,7 +269,7 @@ impl Compensator {
         });
     }
 
-    /// G40 alone, type C: the tool comes back to the end of the contour.
+    /// Emits the move of a G40 without motion, type C: the tool moves to the programmed end of the contour.
     pub(super) fn move_back(&mut self, command: &Command, to: Vec2, out: &mut dyn PathSink) {
         let (Some(at), Some(motion)) = (self.at, command.kind.motion()) else { return };
         let to = to - self.tip;
@@ -291,7 +292,7 @@ impl Compensator {
         self.at = Some(to);
     }
 
-    /// The last move: from beside the contour straight to its programmed end.
+    /// Emits the move that ends compensation: from the tool centre straight to the programmed end.
     pub(super) fn emit_cancel(
         &mut self,
         command: &Command,
@@ -357,7 +358,7 @@ fn is_rapid(command: &Command) -> bool {
     matches!(command.kind, CommandKind::Rapid { .. })
 }
 
-/// True where the tool is on the other side than the code says.
+/// True if the tool is on the side opposite to the code, because the radius is negative.
 fn is_negative(side: CompensationSide, sign: f64) -> bool {
     match side {
         CompensationSide::Left => sign < 0.0,
@@ -366,8 +367,8 @@ fn is_negative(side: CompensationSide, sign: f64) -> bool {
     }
 }
 
-/// The arc on which compensation starts: from where the tool stands, with the direction of the
-/// programmed arc at the end.
+/// The arc on which compensation starts: from the position of the tool, with the direction of the programmed arc at its
+/// end.
 fn entry_arc(curve: &CompensationCurve, from: Vec2, to: Vec2) -> CompensationCurve {
     let straight = CompensationCurve::Line { from, to };
     let (CompensationCurve::Arc { sweep, .. }, Some((_, tangent))) = (curve, curve.tangents())

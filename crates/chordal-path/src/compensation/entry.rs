@@ -1,4 +1,4 @@
-//! The first and the last corner of a compensated contour.
+//! The first and the last corner of a compensated contour, and changes of side.
 
 use chordal_geometry::Vec2;
 use chordal_kernel::rules::CompensationEntry;
@@ -6,7 +6,7 @@ use chordal_kernel::rules::CompensationEntry;
 use super::corner::{CornerPath, CornerRuleSet, corner, outside};
 use super::plane::{OffsetEdge, meeting};
 
-/// Cosine of 179 degrees: sharper corners than this start and end as type A does.
+/// Cosine of 179 degrees: compensation of type B starts and ends as type A at sharper corners.
 const NEARLY_REVERSED: f64 = -0.999_847_695_156_391_3;
 
 /// The corner between the move that starts compensation and the first block of the contour.
@@ -53,8 +53,8 @@ pub(super) fn cancel(
     }
 }
 
-/// G40 with I J: the last point is where the last block's offset meets the offset of a line
-/// from the corner along that direction.
+/// The last corner of a G40 with I J: where the offset of the last block intersects the offset of a line from the
+/// corner in that direction. `None` if they do not intersect.
 pub(super) fn toward(
     at: Vec2,
     last: &OffsetEdge,
@@ -66,7 +66,7 @@ pub(super) fn toward(
     meeting(at, last, &start, tolerance).map(CornerPath::at)
 }
 
-/// A change of side: where the old and the new offset cross.
+/// The corner of a change of side: where the old and the new offset curve intersect.
 pub(super) fn side_change(
     at: Vec2,
     end: &OffsetEdge,

@@ -1,5 +1,5 @@
-//! The control's own checks of a block between two corners. They look at neighbours only;
-//! the whole contour is another check.
+//! The interference check that a control makes for a block between two corners. It compares neighbours only; the module
+//! `gouge` checks the whole contour.
 
 use chordal_command::Units;
 use chordal_geometry::Vec2;
@@ -12,22 +12,22 @@ use super::{BlockRole, Compensator, PathSink};
 /// A move reversed by less than this is a rounding error, mm.
 const REVERSED_MM: f64 = 1e-6;
 
-/// An arc turned by less than this otherwise is a rounding error, rad.
+/// An arc reversed by less than this is a rounding error, rad.
 const TURNED_RAD: f64 = 1e-6;
 
-/// What does not fit.
+/// Why a block does not fit.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum InterferenceKind {
-    /// A straight move of this length loses so much at its corners, mm.
+    /// A straight move is reversed: its length and what it loses at its corners, mm.
     Reversed { length: f64, lost: f64 },
-    /// The arc turns otherwise than programmed, rad.
+    /// The sweep of the arc differs from the programmed one, rad.
     Turned { programmed: f64, becomes: f64 },
     /// The offset vectors at its ends cross.
     Crossing,
 }
 
 impl Compensator {
-    /// An inside arc that the tool does not fit into; reported at once.
+    /// Reports an inside arc that the tool does not fit into; true if it does not.
     pub(super) fn inside_arc_too_small(&self, block: &QueuedBlock, out: &mut dyn PathSink) -> bool {
         let CompensationCurve::Arc { sweep, radius_from, radius_to, .. } = block.curve else {
             return false;
@@ -53,7 +53,7 @@ impl Compensator {
         too_small
     }
 
-    /// The check of this control; first it leaves out the corner points that face each other.
+    /// Makes the check that this control makes. Some controls first drop corner points of the two corners that interfere.
     pub(super) fn interferes(
         &mut self,
         block: &mut QueuedBlock,
@@ -101,7 +101,7 @@ impl Compensator {
         match block.curve {
             CompensationCurve::Line { .. } => direction(block, start, end, 0.0),
             CompensationCurve::Arc { sweep, .. } => {
-                // The first arc of a contour is looked at only where its own end moves.
+                // The first arc of a contour is checked only if its own end moves.
                 let first =
                     self.queue.back().is_some_and(|before| before.role == BlockRole::StartUp);
                 let moved = block.corner.as_ref().is_some_and(|corner| corner.inside);
@@ -120,8 +120,8 @@ impl Compensator {
     }
 }
 
-/// Compensated against programmed direction, and for an arc its angle too. An inside arc that
-/// has shrunk to a point has neither.
+/// Compares the compensated direction with the programmed one, and the sweep of an arc. An inside arc that has shrunk to
+/// a point is not checked.
 fn direction(
     block: &QueuedBlock,
     start: Vec2,
@@ -152,7 +152,7 @@ fn direction(
     }
 }
 
-/// Fanuc 5008#1: only arcs that come out more than 180 degrees otherwise.
+/// Fanuc 5008#1: reports only arcs whose sweep differs from the programmed one by more than 180 degrees.
 fn arc_angle(block: &QueuedBlock, start: Vec2, end: Vec2) -> Option<InterferenceKind> {
     let CompensationCurve::Arc { sweep, .. } = block.curve else { return None };
     let becomes = swept(block, start, end);
@@ -167,7 +167,7 @@ fn swept(block: &QueuedBlock, start: Vec2, end: Vec2) -> f64 {
     }
 }
 
-/// True when the way from `a` to `b` and the way from `c` to `d` cross between their ends.
+/// True if the segment from `a` to `b` and the segment from `c` to `d` cross between their ends.
 fn crossing(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool {
     let side = |p: Vec2, q: Vec2, r: Vec2| (q - p).cross(r - p);
     let separate = |one: f64, other: f64| {

@@ -1,13 +1,11 @@
-//! Cutter radius compensation: from the programmed path to the path of the tool centre, by
-//! the rules of the control.
+//! Cutter radius compensation: turns the programmed path into the path of the tool centre, by the rules of the control.
 //!
-//! [`Compensator`] takes the commands of a run and gives commands: the same ones, with the
-//! moves between G41 and G40 replaced, and the links that compensation inserts. It looks two
-//! moves ahead and keeps no more than that.
+//! [`Compensator`] takes the commands of a run and emits the same commands, with the moves between G41 and G40
+//! replaced, and the links that compensation inserts. It looks two moves ahead and buffers no more than that.
 //!
-//! One file per concern: `plane` has blocks and offsets in the two coordinates of the plane,
-//! `corner` the points at a corner, `entry` the first and the last corner, `interference` the
-//! control's own checks, `queue` what waits for the next move, `alarms` the diagnostics.
+//! The modules: `plane` has blocks and offsets in the two coordinates of the plane, `corner` the path at a corner,
+//! `entry` the first and the last corner, `interference` the checks of the control, `queue` the blocks that wait for the
+//! next move, `emit` the commands that are produced, `alarms` the diagnostics.
 
 mod alarms;
 mod corner;
@@ -36,13 +34,13 @@ pub struct PathCommand<'a> {
     pub command: &'a Command,
     /// The side the tool is on.
     pub side: CompensationSide,
-    /// By how much, mm; 0 without compensation.
+    /// The offset, mm; 0 without compensation.
     pub cutter_radius_mm: f64,
-    /// A link or a corner arc that compensation made, with the origin of the block before.
+    /// True for a link or a corner arc that compensation inserted; it has the origin of the block before it.
     pub inserted: bool,
 }
 
-/// What a block is to its contour.
+/// The role of a block in a compensated contour.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum BlockRole {
     /// The move on which compensation starts.
@@ -53,57 +51,57 @@ pub enum BlockRole {
     Cancel,
 }
 
-/// A block of a compensated contour and what the tool centre does for it.
+/// A block of a compensated contour with its path of the tool centre.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContourPiece {
-    /// Counts the stretches from G41 or G42 to G40, from 1.
+    /// The number of the contour in the run, from 1: a contour goes from G41 or G42 to G40.
     pub contour_number: u32,
-    /// What the block is to the contour.
+    /// The role of the block in the contour.
     pub role: BlockRole,
     /// The plane of the coordinates.
     pub plane: Plane,
-    /// The programmed curve; `None` where the control only moves aside.
+    /// The programmed curve; `None` where only compensation moves the tool.
     pub programmed: Option<CompensationCurve>,
-    /// The path of the tool centre, links after the block included.
+    /// The path of the tool centre, including the links after the block.
     pub centre: Vec<CompensationCurve>,
     /// +1: the tool is left of the contour; −1: right.
     pub sign: f64,
     /// The offset, mm.
     pub radius_mm: f64,
-    /// The offset of the table is negative: the wear of a program for the tool centre, or the
-    /// other side on purpose.
+    /// The offset in the table is negative: the program already gives the tool centre and the offset is a wear, or the
+    /// tool is meant to be on the other side.
     pub negative: bool,
-    /// A rapid, which cuts no wall of its own.
+    /// The block is a rapid, which cuts no wall.
     pub rapid: bool,
-    /// The third axis at start and end, mm.
+    /// Coordinates of the axis normal to the plane at the start and at the end, mm.
     pub height: (f64, f64),
     /// Units of the program at this block.
     pub units: Units,
-    /// The block.
+    /// The position of the block in the program.
     pub origin: Origin,
 }
 
-/// Takes the tool-centre path as it is produced.
+/// Receives the tool-centre path as it is produced.
 pub trait PathSink {
-    /// A command as programmed, before anything of it reaches the tool centre.
+    /// A command as programmed; it comes before the commands of the tool centre that it leads to.
     fn programmed(&mut self, _command: &Command) {}
-    /// A command.
+    /// A command of the tool centre.
     fn command(&mut self, command: PathCommand<'_>);
     /// A problem at a block.
     fn diagnostic(&mut self, diagnostic: Diagnostic, origin: &Origin);
     /// A block of a compensated contour.
     fn contour(&mut self, _piece: &ContourPiece) {}
-    /// A program has ended; `head` is where its number stands, if others are run with it.
+    /// A program has ended; `head` is the position of its number in the text, if several programs are run together.
     fn ended(&mut self, _head: Span) {}
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum CompensationPhase {
     Off,
-    /// G41 or G42 stands, the first move is to come.
+    /// G41 or G42 was programmed; the first move is still to come.
     Starting,
     On,
-    /// G40 stands, the last move is to come.
+    /// G40 was programmed; the last move is still to come.
     Cancelling,
 }
 
@@ -144,19 +142,20 @@ pub struct Compensator {
     /// The block of the last G40, G41, G42 or D.
     code: Origin,
     toward: Option<Vec2>,
-    /// The same code stands again; the block before ends square if it stands alone.
+    /// The active code was programmed again: if it is in a block without motion, the block before ends perpendicular to
+    /// its offset point.
     again: bool,
-    /// G39 with the next move.
+    /// The block of a G39 that applies to the next corner.
     round_next: Option<Origin>,
     queue: VecDeque<Box<QueuedBlock>>,
-    /// The programmed point of a turning tool as seen from the centre of its nose, mm.
+    /// The programmed point of a turning tool relative to the centre of its nose, mm.
     tip: Vec2,
-    /// The tool centre, if it is away from the programmed point.
+    /// The tool centre, mm, if it differs from the programmed point.
     at: Option<Vec2>,
     contour_number: u32,
 }
 
-/// What a [`Compensator`] remembers where compensation is off.
+/// What a [`Compensator`] remembers while compensation is off.
 #[derive(Clone, Copy, Debug)]
 pub struct CompensatorMemory {
     plane: Plane,
@@ -171,7 +170,7 @@ pub struct CompensatorMemory {
 }
 
 impl CompensatorMemory {
-    /// Makes it that of a text that has changed elsewhere; `None` where it speaks of what went.
+    /// Moves the positions in the text after an edit of other text; `None` if one of them was in the edited text.
     pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         self.code = self.code.shifted(shift)?;
         Some(())
@@ -179,7 +178,7 @@ impl CompensatorMemory {
 }
 
 impl Compensator {
-    /// A compensator for one run on a control.
+    /// A compensator for one run on a control with these rules and alarm texts.
     pub fn new(rules: &Rules, alarms: Alarms) -> Compensator {
         Compensator {
             rules: *rules,
@@ -202,14 +201,14 @@ impl Compensator {
         }
     }
 
-    /// Takes this radius, mm, instead of the offset table's.
+    /// Uses this radius, mm, instead of those in the offset table.
     #[must_use]
     pub fn with_radius(mut self, radius_mm: f64) -> Compensator {
         self.radius_override = Some(radius_mm);
         self
     }
 
-    /// Whether compensation is off and nothing waits.
+    /// Whether compensation is off and no block is queued.
     pub fn is_settled(&self) -> bool {
         self.phase == CompensationPhase::Off
             && self.queue.is_empty()
@@ -217,7 +216,7 @@ impl Compensator {
             && self.round_next.is_none()
     }
 
-    /// What is left of it where it [is settled](Self::is_settled).
+    /// The memory of a compensator that [is settled](Self::is_settled).
     pub fn memory(&self) -> CompensatorMemory {
         CompensatorMemory {
             plane: self.plane,
@@ -232,7 +231,7 @@ impl Compensator {
         }
     }
 
-    /// Goes on from there.
+    /// Restores a memory, to continue from that point of the run.
     pub fn recall(&mut self, memory: &CompensatorMemory) {
         let CompensatorMemory { plane, units, side, sign, radius, code, toward, again, tip } =
             *memory;
@@ -255,7 +254,7 @@ impl Compensator {
         self.follow(command, out);
     }
 
-    /// Ends what waits, as the end of a program does.
+    /// Emits the queued blocks and switches compensation off, as at the end of a program.
     pub fn finish(&mut self, out: &mut dyn PathSink) {
         self.end_square(out);
         self.phase = CompensationPhase::Off;
@@ -309,7 +308,7 @@ impl Compensator {
         }
     }
 
-    /// A command that moves nothing: after what waits.
+    /// Emits a command without motion after the queued blocks.
     fn pass_on(&mut self, command: &Command, out: &mut dyn PathSink) {
         if self.queue.is_empty() {
             return self.put(command, out);
@@ -322,7 +321,7 @@ impl Compensator {
         }
     }
 
-    /// G40, G41, G42, or another D.
+    /// Applies G40, G41, G42, or a new offset number.
     fn switch(
         &mut self,
         side: CompensationSide,
@@ -387,7 +386,7 @@ impl Compensator {
         }
     }
 
-    /// A block without motion; with G39 in it the corner before it is rounded.
+    /// Follows a block without motion; with G39 in it, the corner before it is rounded.
     fn idle(&mut self, origin: &Origin) {
         let rounds = self.round_next.take_if(|code| code.span == origin.span).is_some();
         if let (true, Some(last)) = (rounds, self.queue.back_mut()) {
@@ -401,8 +400,8 @@ impl Compensator {
         }
     }
 
-    /// The program coordinates move against the machine: the tool stands still, and the
-    /// contour goes on from there.
+    /// Follows a shift of the program coordinates: the tool does not move, and the contour continues from its position in
+    /// the new coordinates.
     fn shift(&mut self, command: &Command, position: &PerAxis<f64>, out: &mut dyn PathSink) {
         let before = self.queue.back().map(|block| block.curve.to());
         if matches!(self.phase, CompensationPhase::On | CompensationPhase::Cancelling) {
@@ -420,7 +419,7 @@ impl Compensator {
     }
 }
 
-/// The commands that matter while compensation is off.
+/// True for the commands that matter while compensation is off.
 #[inline]
 fn concerns(kind: &CommandKind) -> bool {
     matches!(

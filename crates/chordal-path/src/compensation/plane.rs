@@ -1,4 +1,4 @@
-//! Blocks in the two coordinates of the plane, and their offsets.
+//! Blocks in the two coordinates of the compensation plane, and their offset curves.
 
 use chordal_command::{ArcShape, Move};
 use chordal_geometry::{
@@ -9,22 +9,22 @@ use chordal_machine::PerAxis;
 /// A line or an arc in the plane of compensation, mm.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum CompensationCurve {
-    /// A straight piece.
+    /// A straight line.
     Line {
-        /// Where it begins.
+        /// The start, mm.
         from: Vec2,
-        /// Where it ends.
+        /// The end, mm.
         to: Vec2,
     },
-    /// An arc, or where the radii differ a spiral.
+    /// An arc, or a spiral if the radii differ.
     Arc {
-        /// Where it begins.
+        /// The start, mm.
         from: Vec2,
-        /// Where it ends.
+        /// The end, mm.
         to: Vec2,
-        /// Its centre.
+        /// The centre, mm.
         center: Vec2,
-        /// Directed angle, rad: positive from the first axis to the second.
+        /// The angle from start to end, rad: positive from the first axis of the plane to the second.
         sweep: f64,
         /// Radius at the start, mm.
         radius_from: f64,
@@ -33,11 +33,11 @@ pub enum CompensationCurve {
     },
 }
 
-/// Below this a length is nothing, mm: far below any least increment, far above rounding.
+/// A length up to this counts as zero, mm: far below any least increment, far above rounding.
 pub(super) const NEGLIGIBLE_MM: f64 = 1e-9;
 
 impl CompensationCurve {
-    /// The curve of a motion command, seen in the plane.
+    /// The projection of a motion command onto the plane; a line if its arc is in another plane.
     pub(super) fn of(motion: &Move, shape: Option<&ArcShape>, plane: Plane) -> CompensationCurve {
         let (from, to) = (ab(&motion.from, plane), ab(&motion.to, plane));
         match shape {
@@ -53,14 +53,14 @@ impl CompensationCurve {
         }
     }
 
-    /// Where it begins.
+    /// The start, mm.
     pub fn from(&self) -> Vec2 {
         match *self {
             CompensationCurve::Line { from, .. } | CompensationCurve::Arc { from, .. } => from,
         }
     }
 
-    /// Where it ends.
+    /// The end, mm.
     pub fn to(&self) -> Vec2 {
         match *self {
             CompensationCurve::Line { to, .. } | CompensationCurve::Arc { to, .. } => to,
@@ -72,7 +72,7 @@ impl CompensationCurve {
         matches!(self, CompensationCurve::Arc { .. })
     }
 
-    /// True when it goes somewhere.
+    /// True if it has a length.
     pub(super) fn moves(&self) -> bool {
         match *self {
             CompensationCurve::Line { from, to } => from.distance(to) > NEGLIGIBLE_MM,
@@ -82,7 +82,7 @@ impl CompensationCurve {
         }
     }
 
-    /// Unit tangents at the start and at the end; on an arc from the centre, not the chord.
+    /// Unit tangents at the start and at the end; those of an arc are normal to the radius. `None` without a direction.
     pub(crate) fn tangents(&self) -> Option<(Vec2, Vec2)> {
         match *self {
             CompensationCurve::Line { from, to } => {
@@ -104,7 +104,7 @@ pub(super) fn ab(position: &PerAxis<f64>, plane: Plane) -> Vec2 {
     Vec2::new(position[a], position[b])
 }
 
-/// A block's curve and its offset: `sign` +1 left, −1 right, by `radius` at the corner asked.
+/// The curve of a block and its offset at one of its ends.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct OffsetEdge {
     pub curve: CompensationCurve,
@@ -112,23 +112,25 @@ pub(super) struct OffsetEdge {
     pub tangent: Vec2,
     /// Unit normal at the corner, to the tool's side.
     pub normal: Vec2,
+    /// +1: the tool is on the left; −1: on the right.
     pub sign: f64,
+    /// The offset at the corner, mm.
     pub radius: f64,
 }
 
 impl OffsetEdge {
-    /// A corner of a curve, with the unit tangent there.
+    /// An end of a curve, with the unit tangent there.
     pub fn along(curve: CompensationCurve, tangent: Vec2, sign: f64, radius: f64) -> OffsetEdge {
         OffsetEdge { curve, tangent, normal: tangent.turned_left() * sign, sign, radius }
     }
 
-    /// The start of a curve.
+    /// The start of a curve; `None` if it has no direction there.
     pub fn start(curve: CompensationCurve, sign: f64, radius: f64) -> Option<OffsetEdge> {
         let (tangent, _) = curve.tangents()?;
         Some(OffsetEdge::along(curve, tangent, sign, radius))
     }
 
-    /// Radius of the offset arc; negative where the offset is larger than an inside radius.
+    /// Radius of the offset arc, mm: negative if the offset is larger than an inside radius. Infinite for a line.
     pub fn offset_radius(&self, radius: f64) -> f64 {
         match self.curve {
             CompensationCurve::Arc { sweep, .. } => {
@@ -139,8 +141,8 @@ impl OffsetEdge {
     }
 }
 
-/// Where the offsets of two blocks meet, nearest to their corner; `at_end` is the end of the
-/// first, `at_start` the start of the second.
+/// The intersection of the offsets of two blocks that is nearest to their corner; `end` is the end of the first block,
+/// `start` the start of the second. `None` if they do not intersect within `tolerance`, mm.
 pub(super) fn meeting(
     corner: Vec2,
     end: &OffsetEdge,
@@ -173,7 +175,7 @@ fn nearest(meeting: Meeting) -> Option<Vec2> {
     meeting.nearest_to(Vec2::ZERO)
 }
 
-/// The offset of a block between two points of the tool centre: an arc keeps its turns.
+/// The offset curve of a block between two points of the tool centre; an arc keeps its number of turns.
 pub(super) fn offset_between(
     curve: &CompensationCurve,
     sign: f64,
@@ -188,7 +190,7 @@ pub(super) fn offset_between(
     };
     let toward = sign * sweep.signum();
     let (rho_from, rho_to) = (radius_from - toward * radii.0, radius_to - toward * radii.1);
-    // Beyond the centre the offset point lies opposite to the programmed one.
+    // With a negative radius the offset point lies opposite to the programmed one.
     let arm = |p: Vec2, rho: f64| if rho < 0.0 { center - p } else { p - center };
     let turned = |programmed: Vec2, point: Vec2, rho: f64| {
         if rho.abs() <= NEGLIGIBLE_MM { 0.0 } else { angle(programmed - center, arm(point, rho)) }

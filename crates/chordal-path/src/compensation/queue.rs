@@ -1,4 +1,4 @@
-//! Blocks that wait for the next move: each corner needs both of its blocks.
+//! The queue of blocks that wait for the next move: a corner needs both of its blocks.
 
 use chordal_command::{Command, CommandKind, Feed, FeedMode, RapidPath};
 use chordal_diagnostics::Span;
@@ -14,7 +14,7 @@ use super::corner::{CornerPath, CornerRuleSet, corner, rounded};
 use super::plane::{CompensationCurve, OffsetEdge};
 use super::{BlockRole, CompensationPhase, Compensator, PathSink, entry};
 
-/// Most commands without motion that wait after a block.
+/// The largest number of commands without motion that are queued after a block.
 pub(super) const MAX_TRAILING: usize = 4096;
 
 /// A move that waits for the corner at its end.
@@ -27,29 +27,30 @@ pub(super) struct QueuedBlock {
     pub role: BlockRole,
     pub side: chordal_command::CompensationSide,
     pub sign: f64,
-    /// Offset at the start and at the end.
+    /// The offset at the start and at the end, mm.
     pub radii: (f64, f64),
-    /// Where the tool centre begins; the end of the corner before.
+    /// Where the tool centre begins: the end of the corner before it, mm.
     pub start: Vec2,
-    /// It begins where the block before was left, not on its own offset.
+    /// The tool centre does not begin on the offset of this block, but where the block before it ended.
     pub loose: bool,
-    /// It stands for a G41 or G40 without a move.
+    /// It represents a G41 or G40 in a block without motion.
     pub made_up: bool,
-    /// Round the corner at its end by an arc.
+    /// The corner at its end is rounded by an arc.
     pub round: bool,
-    /// Its corner is an error that was reported.
+    /// An error of this block or of its corner was already reported.
     pub is_reported: bool,
-    /// An arc that goes straight, since its corner points were left out.
+    /// The tool centre moves straight, because points of the corners were dropped.
     pub straight: bool,
-    /// Set square to its end whatever follows.
+    /// It ends perpendicular to its last direction, whatever follows.
     pub square: bool,
     pub corner: Option<CornerPath>,
-    /// Feed of the block after its corner.
+    /// The feed of the block after its corner.
     pub next_feed: Option<Feed>,
-    /// The block after its corner is a rapid.
+    /// The path of the block after its corner, if that is a rapid.
     pub next_rapid: Option<RapidPath>,
-    /// Blocks without motion after it.
+    /// The number of blocks without motion after it.
     pub idle: u32,
+    /// The last block after it that did not move in the plane.
     pub zero_move: Option<Span>,
     /// The commands between it and the next move.
     pub trailing: Vec<Command>,
@@ -66,7 +67,7 @@ impl QueuedBlock {
         Some(OffsetEdge::along(self.curve, tangent, self.sign, radius))
     }
 
-    /// The point square to its end.
+    /// The point at its end, offset perpendicular to its direction there, mm.
     pub fn square_end(&self) -> Vec2 {
         match self.end_edge() {
             Some(edge) => self.curve.to() + edge.normal * edge.radius,
@@ -76,7 +77,7 @@ impl QueuedBlock {
 }
 
 impl Compensator {
-    /// A move while compensation is on, starts or ends.
+    /// Follows a move.
     pub(super) fn motion(&mut self, command: &Command, out: &mut dyn PathSink) {
         let Some(motion) = command.kind.motion() else { return };
         let ends =
@@ -114,7 +115,8 @@ impl Compensator {
         }
     }
 
-    /// A cut in inverse time as one at a speed, where that speed holds for the path of the tool.
+    /// A cut with an inverse-time feed as a cut at a speed, on a control that computes the speed from the programmed path
+    /// and keeps it for the path of the tool. `None` otherwise.
     fn as_speed(&self, command: &Command) -> Option<Command> {
         if self.phase == CompensationPhase::Off || !self.rules.compensation.inverse_time_as_speed {
             return None;
@@ -133,7 +135,7 @@ impl Compensator {
         Some(command)
     }
 
-    /// Only the third axis moves, or nothing.
+    /// Follows a move that does not move in the plane.
     fn still_in_plane(&mut self, command: &Command, out: &mut dyn PathSink) {
         let rules = &self.rules.compensation;
         let zero = command.kind.motion().is_some_and(|motion| motion.from == motion.to);
@@ -224,7 +226,8 @@ impl Compensator {
         self.queue.push_back(block);
     }
 
-    /// G41 alone, type C: the tool moves aside first, then the block runs on the contour.
+    /// Starts compensation after a G41 in a block without motion, type C: the tool first moves perpendicular to the
+    /// contour.
     fn start_square(
         &mut self,
         command: &Command,
@@ -232,15 +235,15 @@ impl Compensator {
         out: &mut dyn PathSink,
     ) {
         let here = curve.from();
-        let mut aside = self.block(
+        let mut lead = self.block(
             command,
             CompensationCurve::Line { from: here, to: here },
             BlockRole::StartUp,
         );
-        aside.made_up = true;
-        aside.command.origin = self.code;
-        aside.command.kind = aside_move(&command.kind);
-        self.queue.push_back(aside);
+        lead.made_up = true;
+        lead.command.origin = self.code;
+        lead.command.kind = perpendicular_move(&command.kind);
+        self.queue.push_back(lead);
         self.contour_block(command, curve, out);
     }
 
@@ -274,7 +277,7 @@ impl Compensator {
         }
     }
 
-    /// Another side or another offset in a block where the control refuses it.
+    /// Reports another side or another offset in a block where the control refuses it.
     fn changes_allowed(&self, new: &QueuedBlock, out: &mut dyn PathSink) {
         let Some(before) = self.queue.back() else { return };
         let rules = &self.rules.compensation;
@@ -296,8 +299,7 @@ impl Compensator {
         }
     }
 
-    /// Finds the corner between two blocks, looks whether the first still fits, and puts both
-    /// back into the queue.
+    /// Finds the corner between two blocks, checks whether the first block still fits, and puts both back into the queue.
     fn join(
         &mut self,
         mut before: Box<QueuedBlock>,
@@ -327,7 +329,8 @@ impl Compensator {
         self.queue.push_back(new);
     }
 
-    /// The control's check of a block whose corners are both known; then it waits again.
+    /// Makes the interference check of the control for a block whose corners are both known, and puts it back into the
+    /// queue.
     fn settle(
         &mut self,
         mut block: Box<QueuedBlock>,
@@ -357,14 +360,14 @@ impl Compensator {
         self.queue.push_back(block);
     }
 
-    /// Leaves a block out: its neighbours meet instead.
+    /// Tries to skip a block that does not fit: its neighbours are joined instead. `None` if that is not possible.
     fn avoid(&mut self, block: &QueuedBlock, new: &mut QueuedBlock) -> Option<()> {
         let before = self.queue.back_mut().filter(|b| b.role == BlockRole::Contour)?;
         let end = before.end_edge()?;
         let start = new.start_edge(block.radii.1)?;
         let at = before.curve.to();
         let point = super::plane::meeting(at, &end, &start, 0.0)?;
-        // Vectors that meet at more than a right angle: the control does not dare.
+        // The control does not skip a block if the offset vectors differ by more than a right angle.
         let (one, other) = (point - at, point - new.curve.from());
         if one.dot(other) < 0.0 {
             return None;
@@ -423,7 +426,7 @@ impl Compensator {
         if before.round { rounded(at, &end, &first, &how) } else { corner(at, &end, &first, &how) }
     }
 
-    /// The move on which compensation ends: everything that waits can go.
+    /// Follows the move on which compensation ends: all queued blocks are emitted.
     fn cancel_block(
         &mut self,
         command: &Command,
@@ -453,7 +456,7 @@ impl Compensator {
         let at = last.curve.to();
         let end = last.end_edge()?;
         if last.role == BlockRole::StartUp {
-            // G40 follows G41 at once: there was no contour.
+            // G40 follows directly on G41: there was no contour.
             return Some(CornerPath::at(at + end.normal * end.radius));
         }
         if let Some(direction) = self.toward {
@@ -466,7 +469,7 @@ impl Compensator {
         Some(entry::cancel(self.rules.compensation_entry, at, &end, &lead))
     }
 
-    /// Ends what waits square to the last move; the tool stays beside the contour.
+    /// Emits the queued blocks; the last ends perpendicular to its direction, and the tool stays offset.
     pub(super) fn end_square(&mut self, out: &mut dyn PathSink) {
         if let Some(mut last) = self.queue.pop_back() {
             last.corner = Some(CornerPath::at(last.square_end()));
@@ -477,7 +480,7 @@ impl Compensator {
         }
     }
 
-    /// Ends what waits and starts anew with the next move.
+    /// Emits the queued blocks, and starts compensation again with the next move.
     pub(super) fn leave(&mut self, out: &mut dyn PathSink) {
         self.end_square(out);
         if self.phase == CompensationPhase::On {
@@ -485,7 +488,7 @@ impl Compensator {
         }
     }
 
-    /// Cycles are not offset: the tool goes as programmed, the contour goes on from there.
+    /// Follows a move of a cycle, which is not offset: the contour continues from its end.
     fn cycle_move(&mut self, command: &Command, out: &mut dyn PathSink) {
         self.end_square(out);
         if let Some(motion) = command.kind.motion() {
@@ -497,8 +500,8 @@ impl Compensator {
     }
 }
 
-/// The move aside of a G41 alone, at the feed of the block after it.
-fn aside_move(kind: &CommandKind) -> CommandKind {
+/// The move perpendicular to the contour for a G41 without motion, at the feed of the block after it.
+fn perpendicular_move(kind: &CommandKind) -> CommandKind {
     let still = |motion: &chordal_command::Move| {
         let mut motion = *motion;
         motion.to = motion.from;

@@ -1,4 +1,4 @@
-//! Blocks one after the other: how they join, and those of them that are walls.
+//! Chains of consecutive blocks: how they join, and which of them are walls.
 
 use chordal_geometry::Vec2;
 
@@ -8,11 +8,11 @@ use super::shape::{GougeCurve, wrapped};
 /// The walls of a chain.
 #[derive(Debug, Default)]
 pub(super) struct ChainWalls {
-    /// Their blocks, in the order of the chain.
+    /// The blocks that are walls, in the order of the chain.
     pub(super) blocks: Vec<ContourBlock>,
-    /// They close on themselves.
+    /// The walls are closed.
     pub(super) closed: bool,
-    /// Arcs that lead to an open wall and away.
+    /// Arcs that lead to an open wall and away from it.
     pub(super) lead_arcs: Vec<ContourBlock>,
 }
 
@@ -21,7 +21,7 @@ pub(super) fn turn(before: &GougeCurve, after: &GougeCurve) -> f64 {
     wrapped(after.tangent_angles().0 - before.tangent_angles().1)
 }
 
-/// Whether a chain ends where it begins; an empty one does.
+/// Whether a chain ends where it begins, within `vertex`, mm; true for an empty one.
 pub(super) fn closes(chain: &[ContourBlock], vertex: f64) -> bool {
     match (chain.first(), chain.last()) {
         (Some(first), Some(last)) => first.curve.from().distance(last.curve.to()) <= vertex,
@@ -29,7 +29,7 @@ pub(super) fn closes(chain: &[ContourBlock], vertex: f64) -> bool {
     }
 }
 
-/// Whether two curves lie on one line or circle and run the same way.
+/// Whether two curves lie on one line or circle, within `grain`, mm, and have the same direction.
 pub(super) fn same_course(first: &GougeCurve, second: &GougeCurve, grain: f64) -> bool {
     match (first, second) {
         (GougeCurve::Line { from, to }, GougeCurve::Line { from: start, to: end }) => {

@@ -1,24 +1,24 @@
-//! Where a chain of blocks closes, and on which side of the closed contour its leads lie.
+//! Finds where a chain of blocks closes, and on which side of the closed contour its leads are.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 use super::shape::GougeCurve;
 use super::{ContourBlock, GougeOptions};
 
-/// So many blocks at either end of a chain may lead to the contour and away.
+/// The largest number of blocks at either end of a chain that may be leads.
 pub(super) const MAX_LEAD: usize = 3;
 
-/// Directions that differ by less do not tell on which side a lead lies: its course does, rad.
+/// Directions that differ by less do not show on which side a lead is: then a point farther along it decides, rad.
 const AMBIGUOUS_DIRECTION_RAD: f64 = 0.2;
 
-/// How a block lies that meets a closed contour at its closing point.
+/// On which side of a closed contour a block is that meets it at its closing point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ClosingSide {
-    /// Where the tool is.
+    /// On the side of the tool.
     ToolSide,
     /// Along the contour.
     Along,
-    /// Where the material stays.
+    /// On the side of the material.
     FarSide,
 }
 
@@ -29,17 +29,17 @@ pub(super) struct ClosingPoint<'a> {
     pub(super) first: &'a GougeCurve,
     /// Its last curve.
     pub(super) last: &'a GougeCurve,
-    /// +1 with the tool on the left.
+    /// +1 if the tool is on the left, −1 on the right.
     pub(super) side: f64,
-    /// What differs by less is the same place, mm.
+    /// Points nearer than this are equal, mm.
     pub(super) grain: f64,
 }
 
 impl ClosingPoint<'_> {
-    /// How a block lies that begins at the closing point. One that ends there is given reversed.
+    /// On which side a block is that begins at the closing point. A block that ends there is passed reversed.
     ///
-    /// The tool has the directions from the contour's first, turned towards the tool, to the way back
-    /// along its last. A block that sets out along one of the two is judged by where it comes to.
+    /// The side of the tool has the directions from the first of the contour, turning towards the tool, to the reverse of
+    /// its last. For a block that starts along one of these two, a point farther along it decides.
     pub(super) fn lies(&self, lead: &GougeCurve) -> ClosingSide {
         let out = self.first.tangent_angles().0;
         let back = self.last.reversed().tangent_angles().0;
@@ -56,7 +56,7 @@ impl ClosingPoint<'_> {
         if angle < open { ClosingSide::ToolSide } else { ClosingSide::FarSide }
     }
 
-    /// On which side of a curve of the contour a block comes that sets out along it.
+    /// The side of a block that starts along a curve of the contour.
     fn side_of(&self, lead: &GougeCurve, curve: &GougeCurve) -> ClosingSide {
         let path = reach(lead).min(reach(curve));
         let left = curve.left_of(lead.at((path / lead.length()).min(1.0))) * self.side;
@@ -70,7 +70,7 @@ impl ClosingPoint<'_> {
     }
 }
 
-/// So far along a curve it is judged, mm: of an arc a quarter turn at most.
+/// How far along a curve the side is decided, mm: its length, for an arc at most that of a quarter turn.
 fn reach(curve: &GougeCurve) -> f64 {
     match *curve {
         GougeCurve::Line { .. } => curve.length(),
@@ -78,8 +78,8 @@ fn reach(curve: &GougeCurve) -> f64 {
     }
 }
 
-/// The stretch of a chain, first and end, that is a closed contour beyond doubt: few blocks lead to
-/// it and away, and these lie where the tool is.
+/// The range of a chain (first block, end) that is certainly a closed contour: few blocks lead to it and away from it,
+/// and they are on the side of the tool. `None` if there is none, or more than one possible.
 pub(super) fn at_ends(
     chain: &[ContourBlock],
     side: f64,
@@ -101,8 +101,8 @@ pub(super) fn at_ends(
     (alone && plain(&chain[..best.0]) && plain(&chain[best.1..])).then_some((best.0, best.1))
 }
 
-/// Whether a stretch is closed and what comes before and after it lies where the tool is, or along
-/// it: how many of the two surely lie where the tool is.
+/// For a range of a chain that is closed and whose neighbours are not on the side of the material: how many of the two
+/// neighbours are certainly on the side of the tool. `None` for any other range.
 fn led_to(
     chain: &[ContourBlock],
     first: usize,
@@ -130,7 +130,7 @@ fn led_to(
     Some(leads)
 }
 
-/// Whether a few blocks have a closed contour among them.
+/// Whether a range of these blocks is a closed contour.
 fn closes_within(blocks: &[ContourBlock], grain: f64) -> bool {
     (0..blocks.len()).any(|first| {
         let from = blocks[first].curve.from();

@@ -1,7 +1,7 @@
-//! The distance of two curves of the plane, exact.
+//! The exact distance between two curves in the plane.
 //!
-//! The least distance lies at a crossing, at an end of either curve, or where the joining chord is
-//! normal to both. Each kind of pair has few such places, so all are tried.
+//! The smallest distance is at a crossing, at an end of either curve, or where the joining line is normal to both. Each
+//! kind of pair has few such points, so all are tried.
 
 use chordal_geometry::Vec2;
 
@@ -92,7 +92,7 @@ fn line_arc(from: Vec2, to: Vec2, line: &GougeCurve, arc: &GougeCurve) -> Neares
     let out = foot - center;
     let d = out.length();
     if (0.0..=1.0).contains(&t) {
-        // Through the centre every direction of the normal is as good: the line's own.
+        // If the line goes through the centre, any normal direction will do: this takes the normal of the line.
         let normal =
             if d > 0.0 { out * (1.0 / d) } else { along.turned_left() * (1.0 / square.sqrt()) };
         for towards in [normal, -normal] {
@@ -125,7 +125,7 @@ fn arc_arc(first: &GougeCurve, second: &GougeCurve) -> NearestPair {
     let between = e - c;
     let d = between.length();
     if d <= 0.0 {
-        // Concentric: an end of one faces the other wherever they face each other at all.
+        // Concentric arcs: the smallest distance also occurs at an end of one of them.
         return best;
     }
     let angle = angle_of(between);
@@ -142,7 +142,7 @@ fn arc_arc(first: &GougeCurve, second: &GougeCurve) -> NearestPair {
         }
     }
     if d <= r + q && d >= (r - q).abs() && r > 0.0 && q > 0.0 {
-        // The triangle of the centres and a crossing, by its angle at the first centre.
+        // A crossing and the centres form a triangle; `half` is its angle at the first centre.
         let cos = ((d * d + (r - q) * (r + q)) / (2.0 * d * r)).clamp(-1.0, 1.0);
         let half = libm::acos(cos);
         for a in [angle + half, angle - half] {

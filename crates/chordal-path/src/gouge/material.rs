@@ -1,4 +1,4 @@
-//! Which of the programmed blocks are the contour of the part.
+//! Finds which of the programmed blocks are the contour of the part.
 
 use core::f64::consts::TAU;
 
@@ -8,34 +8,34 @@ use super::chain::closes;
 use super::shape::GougeCurve;
 use super::{Contour, ContourBlock, GougeOptions, GougeRole, closing, walls};
 
-/// The contour of the part, and what was taken away to find it.
+/// The contour of the part, and the blocks that were found not to belong to it.
 #[derive(Clone, Debug, Default)]
 pub struct PartContour {
-    /// The curves in the order of the chain, each once.
+    /// The curves in the order of the chain, without repetitions.
     pub curves: Vec<GougeCurve>,
-    /// The block of each curve.
+    /// The tag of the block of each curve.
     pub tags: Vec<u32>,
-    /// Whether the curve does not begin where the one before it ends.
+    /// True for a curve that does not begin where the one before it ends.
     pub breaks: Vec<bool>,
-    /// The ends of an open chain, mm; none when it closes.
+    /// The ends of an open chain, mm; empty if it closes.
     pub open_ends: Vec<Vec2>,
-    /// Pairs of blocks that run along the same curve in opposite directions: a slit, of which no
-    /// side is the part.
+    /// Pairs of tags of blocks that follow the same curve in opposite directions: neither side of it is known to be the
+    /// part.
     pub ambiguous: Vec<(u32, u32)>,
-    /// Arcs at the ends that only lead the tool to the contour and away.
+    /// Arcs at the ends that only lead the tool to the contour and away from it.
     pub lead_arcs: Vec<ContourBlock>,
-    /// Every block of the part with the curve that stands for it, in the order of tags; repeats
-    /// of a curve name its first place.
+    /// For the tag of every block of the part the index of its curve, in the order of tags. Blocks that repeat a curve
+    /// have the same index.
     places: Vec<(u32, u32)>,
 }
 
-/// No curve stands for the tag, or several do.
+/// The tag has no curve, or more than one.
 const NOWHERE: u32 = u32::MAX;
 
 impl PartContour {
-    /// Takes the contour of the part out of the programmed blocks: see [`walls`].
+    /// Finds the contour of the part in the programmed blocks: see [`walls`].
     ///
-    /// Blocks marked [`GougeRole::Part`] are the part and nothing else is.
+    /// If there are blocks marked [`GougeRole::Part`], only they are the part.
     #[must_use]
     pub fn of(contour: &Contour, options: &GougeOptions) -> PartContour {
         if let Some(marked) = PartContour::marked(contour, options) {
@@ -53,8 +53,8 @@ impl PartContour {
         material
     }
 
-    /// All that could be the contour, found from the ends of the chain alone: what is taken away is
-    /// a lead beyond doubt. Where nothing cuts into this, nothing cuts into the part.
+    /// All blocks that could be the contour: only those at the ends of the chain that are certainly leads are dropped. If
+    /// nothing cuts into this contour, nothing cuts into the part.
     #[must_use]
     pub fn at_most(contour: &Contour, options: &GougeOptions) -> PartContour {
         if let Some(marked) = PartContour::marked(contour, options) {
@@ -75,7 +75,7 @@ impl PartContour {
         material
     }
 
-    /// The part by the user's own marks, if there are any.
+    /// The blocks that the user marked as the part; `None` without marks.
     fn marked(contour: &Contour, options: &GougeOptions) -> Option<PartContour> {
         let chain = chain(contour, GougeRole::Part);
         let mut material = PartContour::default();
@@ -86,8 +86,8 @@ impl PartContour {
         (!chain.is_empty()).then_some(material)
     }
 
-    /// Enters the curves once each, and notes those that are run both ways. Blocks of `again` that
-    /// are not in the chain but run along one of its curves stand for that curve.
+    /// Enters each curve once, and records those that are followed in both directions. Blocks of `again` that are not in
+    /// the chain but follow one of its curves get the index of that curve.
     fn enter(&mut self, chain: &[ContourBlock], again: &[ContourBlock], grain: f64) {
         let mut seen = CurveSet::with_room(chain.len());
         let mut places = Vec::with_capacity(chain.len());
@@ -143,8 +143,7 @@ impl PartContour {
         self.places = places;
     }
 
-    /// The curve that stands for a block, tried first at `guess` and after it: the tags of a path
-    /// come in order.
+    /// The index of the curve of a block. The search starts at `guess`, because the tags of a path are mostly in order.
     pub(super) fn place(&self, tag: u32, guess: &mut usize) -> Option<usize> {
         for at in [*guess, *guess + 1] {
             if let Some(&(found, place)) = self.places.get(at)
@@ -163,26 +162,26 @@ impl PartContour {
         (place != NOWHERE).then_some(place as usize)
     }
 
-    /// Whether the block is of the part's contour.
+    /// Whether the block belongs to the contour of the part.
     #[must_use]
     pub fn has(&self, tag: u32) -> bool {
         self.places.binary_search_by_key(&tag, |p| p.0).is_ok()
     }
 
-    /// Whether the chain closes on itself.
+    /// Whether the chain is closed.
     #[must_use]
     pub fn is_closed(&self) -> bool {
         self.open_ends.is_empty()
     }
 }
 
-/// The blocks of a role that have a length, in their order.
+/// The blocks of a role that have a length, in order.
 fn chain(contour: &Contour, role: GougeRole) -> Vec<ContourBlock> {
     let usable = |b: &&ContourBlock| b.curve.is_finite() && b.curve.length() > 0.0;
     contour.blocks.iter().filter(usable).filter(|b| b.role == role).copied().collect()
 }
 
-/// A curve by its quantised ends and centre, the same for both directions.
+/// Identifies a curve by its quantised ends and centre; apart from `forward`, it is the same for both directions.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct CurveKey {
     low: (i64, i64),
@@ -193,7 +192,7 @@ struct CurveKey {
 
 impl CurveKey {
     fn of(curve: &GougeCurve, from: Vec2, to: Vec2, grain: f64) -> CurveKey {
-        // Off the round numbers, at which two roundings of one point would part.
+        // The offset keeps cell borders away from round numbers, where roundings of one point could fall into two cells.
         let cells = 1.0 / grain;
         let cell = |p: Vec2| ((p.a * cells + 0.37) as i64, (p.b * cells + 0.37) as i64);
         let (first, second) = (cell(from), cell(to));
@@ -208,8 +207,8 @@ impl CurveKey {
             _ => None,
         };
         let forward = whole.unwrap_or(first <= second);
-        // The two arcs of one circle between the same ends differ in their way round: put it into
-        // the key as seen from the lower end.
+        // The two arcs of one circle between the same ends differ in direction, seen from the lower end: this goes into
+        // the key.
         let round = arc_path.map_or(0, |left| if left == forward { 1 } else { 2 });
         let center = (center.0, center.1.wrapping_mul(3).wrapping_add(round));
         let (low, high) = if first <= second { (first, second) } else { (second, first) };
@@ -225,13 +224,13 @@ impl CurveKey {
     }
 }
 
-/// The curves entered so far: a table by hash, filled to one half at most. A slot holds the upper half
-/// of the hash and the place; the key itself is made again from the curve when these agree.
+/// The curves entered so far: a hash table, at most half full. A slot holds the upper half of the hash and the index of
+/// the curve; if the hash matches, the key is computed from the curve again.
 struct CurveSet {
     slots: Vec<u64>,
 }
 
-/// No curve in the slot.
+/// An empty slot.
 const FREE: u64 = u64::MAX;
 
 impl CurveSet {
@@ -239,7 +238,7 @@ impl CurveSet {
         CurveSet { slots: vec![FREE; (2 * count + 2).next_power_of_two()] }
     }
 
-    /// The place of an equal curve and whether it runs the same way, or enters this one.
+    /// The index of an equal curve and whether it has the same direction; if there is none, enters this one.
     fn find_or_enter(
         &mut self,
         key: CurveKey,
@@ -253,12 +252,12 @@ impl CurveSet {
         found.ok()
     }
 
-    /// The place of an equal curve and whether it runs the same way.
+    /// The index of an equal curve and whether it has the same direction.
     fn find(&self, key: CurveKey, key_at: impl Fn(u32) -> CurveKey) -> Option<(u32, bool)> {
         self.slot_of(key, key_at).ok()
     }
 
-    /// The equal curve, or the free slot where it would stand.
+    /// The equal curve, or else the free slot for it.
     #[inline]
     fn slot_of(
         &self,

@@ -1,9 +1,9 @@
-//! The geometric truth of cutter compensation: where the tool would cut into the programmed
-//! contour, and up to which radius it would not.
+//! Finds where a tool would really cut into the programmed contour, and up to which radius it would not, by geometry
+//! alone.
 //!
-//! Nothing here knows a control. The programmed blocks and the path of the tool centre come in as
-//! lines and arcs of the compensation plane; the tool centre gouges where it comes nearer to the
-//! contour of the part than its radius, anywhere on the whole path, links and leads included.
+//! This module is independent of the control. It takes the programmed blocks and the path of the tool centre as lines
+//! and arcs in the compensation plane. The tool gouges where its centre comes nearer to the contour of the part than
+//! its radius, anywhere on the path, including links and leads.
 
 mod chain;
 mod closing;
@@ -30,7 +30,7 @@ pub use range::{
 use search::{GougeCluster, GougeHit, GougeSearch, SearchAim};
 pub use shape::GougeCurve;
 
-/// On which side of the programmed blocks the tool is, looking along them.
+/// On which side of the programmed blocks the tool is, seen in their direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ToolSide {
     /// The tool is left of the contour (G41 with a positive offset).
@@ -50,18 +50,18 @@ impl ToolSide {
     }
 }
 
-/// What a block is to its contour.
+/// The role of a block in its contour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GougeRole {
-    /// Turns compensation on: brings the tool to the contour.
+    /// Compensation starts in it: it brings the tool to the contour.
     LeadIn,
-    /// Runs in offset mode. Which of these bound the part is found by [`PartContour::of`].
+    /// It runs with compensation. [`PartContour::of`] finds which of these blocks bound the part.
     Offset,
-    /// Bounds the part because the user says so; with one such mark nothing else does.
+    /// The user marked it as a boundary of the part; if there is one such block, no unmarked block is one.
     Part,
-    /// Bounds nothing here: a rapid, or the neighbour of this chain at another height.
+    /// It is no boundary here: a rapid, or the neighbour of this chain at another height.
     Passing,
-    /// Turns compensation off: takes the tool away.
+    /// Compensation ends in it: it moves the tool away.
     LeadOut,
 }
 
@@ -70,13 +70,13 @@ pub enum GougeRole {
 pub struct ContourBlock {
     /// Its curve.
     pub curve: GougeCurve,
-    /// The caller's number of the block. Tags that rise along the chain make the search fast.
+    /// A number that the caller gives the block. The search is faster if tags increase along the chain.
     pub tag: u32,
-    /// What it is to the contour.
+    /// Its role in the contour.
     pub role: GougeRole,
 }
 
-/// Programmed blocks between compensation on and off, in the order they run.
+/// Programmed blocks between compensation on and off, in the order in which they run.
 #[derive(Clone, Debug)]
 pub struct Contour {
     /// The blocks.
@@ -87,7 +87,7 @@ pub struct Contour {
     pub radius: f64,
 }
 
-/// A move of the tool centre. Links belong to the block before them.
+/// A move of the tool centre. A link has the tag of the block before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CenterMove {
     /// Its curve.
@@ -96,19 +96,19 @@ pub struct CenterMove {
     pub tag: u32,
 }
 
-/// Tolerances and bounds of the check.
+/// Tolerances and limits of the check.
 #[derive(Clone, Copy, Debug)]
 pub struct GougeOptions {
-    /// Depth that is not yet a gouge, mm: the largest of 2 µm, the largest difference of an arc's
-    /// start and end radius, and two least increments.
+    /// A depth up to this is not a gouge, mm: the maximum of 2 µm, the largest difference between the start and end
+    /// radius of an arc, and two least increments.
     pub epsilon: f64,
     /// Points nearer than this are one vertex, mm.
     pub vertex: f64,
     /// Turns smaller than this are tangent joints, rad.
     pub tangent: f64,
-    /// So many gouges are reported, the deepest first.
+    /// The largest number of gouges that are reported.
     pub most: usize,
-    /// So many pairs of nodes and curves are looked at before the search gives up and says so.
+    /// The largest number of pairs of nodes and curves that the search compares before it ends incomplete.
     pub budget: u64,
 }
 
@@ -118,54 +118,55 @@ impl Default for GougeOptions {
     }
 }
 
-/// Where a gouge is made.
+/// Where a gouge is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GougeKind {
-    /// Into the contour of the part.
+    /// In the contour of the part.
     Contour,
-    /// By a lead, within a tool radius of an open end of the contour. Programs often begin and end
-    /// off the part, where this cuts nothing.
+    /// Made by a lead, within a tool radius of an open end of the contour. Contours often begin and end outside of the
+    /// part, where this cuts nothing.
     AtLead,
 }
 
-/// A place where the tool cuts into the contour.
+/// A point where the tool cuts into the contour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gouge {
-    /// How far the contour lies inside the tool, mm; the whole radius where the centre crosses it.
+    /// How far the contour is inside the tool, mm; the radius if the tool centre crosses it.
     pub depth: f64,
     /// The tool centre, mm.
     pub center: Vec2,
     /// The point of the contour that is cut into deepest, mm.
     pub point: Vec2,
-    /// The block that cuts.
+    /// The tag of the block that cuts.
     pub cutting: u32,
-    /// The block that is cut into.
+    /// The tag of the block that is cut into.
     pub cut: u32,
-    /// Into the part, or at a lead only.
+    /// Whether it is in the part or made by a lead at an open end.
     pub kind: GougeKind,
 }
 
-/// What the check found.
+/// The result of the check.
 #[derive(Clone, Debug, Default)]
 pub struct GougeReport {
-    /// The gouges, the deepest of all first. Those within a tool diameter of each other along path
-    /// and contour are one. With more than were asked for, the others are any of them.
+    /// The gouges, the deepest first. Gouges within a tool diameter of each other along path and contour are one. If
+    /// there are more than requested, the deepest is among these, and the others are an arbitrary selection.
     pub gouges: Vec<Gouge>,
-    /// There are more than were reported.
+    /// There are more gouges than reported.
     pub more: bool,
-    /// The budget sufficed: what is not reported is not there.
+    /// The search was completed within its budget, so there are no other gouges unless `more` is set.
     pub complete: bool,
-    /// Pairs of blocks that run along one curve in opposite directions.
+    /// Pairs of tags of blocks that follow one curve in opposite directions.
     pub ambiguous: Vec<(u32, u32)>,
 }
 
-/// Of a contour of so few blocks leads are told from walls at once: to check it twice costs more.
+/// For a contour of at most this many blocks leads and walls are distinguished at once, which is cheaper than checking
+/// twice.
 const SMALL_CONTOUR_BLOCKS: usize = 64;
 
 /// Checks the path of the tool centre against the contour of the part.
 ///
-/// A long one first against all that could be the part, which costs little to know. Only what is found there
-/// makes it worth while to tell leads from walls block by block.
+/// A long contour is checked first against all blocks that could be the part, which are cheap to find. Only if that
+/// finds a gouge, leads and walls are distinguished block by block.
 #[must_use]
 pub fn check(contour: &Contour, path: &[CenterMove], options: &GougeOptions) -> GougeReport {
     if contour.blocks.len() <= SMALL_CONTOUR_BLOCKS {
@@ -208,16 +209,16 @@ pub fn check_against(
             report.more = true;
             break;
         }
-        // What was found first is somewhere in its gouge: the deepest place of it is looked for.
+        // The first hit is somewhere in its gouge: this finds the deepest point of it.
         let deepest = match aim {
             SearchAim::Any => search.nearest(limit, &clusters, SearchAim::DeepestIn(around(&hit))),
             _ => Some(hit),
         };
         let hit = deepest.unwrap_or(hit);
-        let noted = gouge(&hit, material, contour, path);
-        // The lead at the mouth of a slot may hide that the slot itself is too narrow, or that the lead cuts
-        // its other wall.
-        if noted.kind == GougeKind::AtLead {
+        let found = gouge(&hit, material, contour, path);
+        // A gouge of the lead at the open end of a slot may hide that the slot itself is too narrow, or that the lead
+        // cuts the opposite wall.
+        if found.kind == GougeKind::AtLead {
             for aim in [SearchAim::DeepestOfPart, SearchAim::DeepestOffEnds] {
                 let Some(hit) = search.nearest(limit, &clusters, aim(around(&hit))) else {
                     continue;
@@ -227,7 +228,7 @@ pub fn check_against(
             }
         }
         clusters.push(around(&hit));
-        report.gouges.push(noted);
+        report.gouges.push(found);
         aim = SearchAim::Any;
     }
     report.gouges.sort_by(|a, b| b.depth.total_cmp(&a.depth));
@@ -250,18 +251,18 @@ fn gouge(hit: &GougeHit, material: &PartContour, contour: &Contour, path: &[Cent
     }
 }
 
-/// The nearest that the tool centre comes to the contour.
+/// The smallest clearance between tool and contour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clearance {
-    /// Distance less the radius, mm: negative is the depth of a gouge.
+    /// The distance of the tool centre minus the radius, mm: negative for a gouge.
     pub clearance: f64,
     /// The tool centre, mm.
     pub center: Vec2,
-    /// The block of the contour.
+    /// The tag of the block of the contour.
     pub block: u32,
 }
 
-/// The least clearance between tool and contour over the whole path; none without path or contour.
+/// The smallest clearance between tool and contour over the whole path; `None` without a path or a contour.
 #[must_use]
 pub fn clearance(
     contour: &Contour,

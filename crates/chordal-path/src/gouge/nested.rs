@@ -1,4 +1,4 @@
-//! Closed walls inside one another: the rough pass beside the finished contour.
+//! Nested closed walls: a roughing pass along the finished contour.
 
 use core::f64::consts::PI;
 
@@ -7,15 +7,14 @@ use chordal_geometry::Vec2;
 use super::ContourBlock;
 use super::shape::{GougeCurve, angle_of, wrapped};
 
-/// With more closed walls than this none is compared with the others.
+/// If there are more closed walls than this, they are not compared.
 const MAX_WALLS: usize = 2000;
 
-/// Areas that differ by less, in parts of the larger, are those of one contour run again.
+/// Areas that differ by less than this fraction of the larger are those of one contour that is repeated.
 const EQUAL_AREA_SHARE: f64 = 1e-6;
 
-/// Leaves out the walls beyond which the tool of another wall cuts. With the tool inside both, the larger of
-/// two nested contours is what remains; with the tool outside both, the smaller. An island in a pocket
-/// has the tool on the other side, and stays.
+/// Drops the walls that another wall cuts away. If the tool is inside both of two nested contours, the larger one
+/// remains; if it is outside both, the smaller one. An island in a pocket has the tool on the other side, and remains.
 pub(super) fn drop_rough_passes(walls: &mut Vec<Vec<usize>>, chain: &[ContourBlock], side: f64) {
     if walls.len() < 2 || walls.len() > MAX_WALLS {
         return;
@@ -45,7 +44,7 @@ fn curves<'a>(
     wall.iter().map(|at| &chain[*at].curve)
 }
 
-/// Whether one closed contour lies within another, judged by the middles of its blocks.
+/// Whether one closed contour is inside another, decided by the midpoints of its blocks.
 fn holds(outer: &[usize], inner: &[usize], chain: &[ContourBlock]) -> bool {
     let (low, high) = corners(curves(outer, chain));
     let middles = || curves(inner, chain).map(|curve| curve.at(0.5));
@@ -63,7 +62,7 @@ fn corners<'a>(curves: impl Iterator<Item = &'a GougeCurve>) -> (Vec2, Vec2) {
     (low, high)
 }
 
-/// The area of a closed contour, mm², positive when it is run counter-clockwise.
+/// The area of a closed contour, mm², positive if it is counter-clockwise.
 fn area<'a>(curves: impl Iterator<Item = &'a GougeCurve>) -> f64 {
     let twice: f64 = curves
         .map(|curve| {
@@ -79,20 +78,19 @@ fn area<'a>(curves: impl Iterator<Item = &'a GougeCurve>) -> f64 {
     0.5 * twice
 }
 
-/// Whether a closed contour runs round a point: the angles under which the point sees its curves make a
-/// full turn.
+/// Whether a point is inside a closed contour: the angles that its curves subtend at the point add up to a full turn.
 fn is_inside<'a>(p: Vec2, curves: impl Iterator<Item = &'a GougeCurve>) -> bool {
-    let seen: f64 = curves.map(|curve| seen_from(p, curve)).sum();
+    let seen: f64 = curves.map(|curve| subtended_angle(p, curve)).sum();
     seen.abs() > PI
 }
 
-fn seen_from(p: Vec2, curve: &GougeCurve) -> f64 {
+fn subtended_angle(p: Vec2, curve: &GougeCurve) -> f64 {
     let chord = |from: Vec2, to: Vec2| wrapped(angle_of(to - p) - angle_of(from - p));
     match *curve {
         GougeCurve::Line { from, to } => chord(from, to),
         GougeCurve::Arc { sweep, .. } => {
-            // In pieces of less than a right angle: a point between chord and arc sees the piece the
-            // long way round.
+            // In pieces of less than a right angle: at a point between chord and arc, the piece subtends the angle of the
+            // chord plus a full turn.
             let pieces = libm::ceil(sweep.abs() / 1.5).max(1.0);
             (0..pieces as u32)
                 .map(|k| {

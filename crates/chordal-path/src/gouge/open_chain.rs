@@ -1,5 +1,4 @@
-//! The wall of a chain that comes back to no place of its own: cut where it overlaps or crosses
-//! itself, or open.
+//! The wall of a chain that returns to none of its vertices: it is cut where it overlaps or crosses itself, or is open.
 
 use core::f64::consts::PI;
 
@@ -8,7 +7,7 @@ use super::closing::{ClosingPoint, ClosingSide, MAX_LEAD};
 use super::shape::GougeCurve;
 use super::{Contour, ContourBlock, GougeOptions, GougeRole, distance};
 
-/// The wall of a chain without a closed stretch.
+/// The wall of a chain that has no closed range.
 pub(super) fn walls(
     contour: &Contour,
     mut chain: Vec<ContourBlock>,
@@ -26,15 +25,15 @@ pub(super) fn walls(
     ChainWalls { blocks: chain, closed, lead_arcs }
 }
 
-/// The pairs of a block near the start and one near the end, the longest stretch first.
+/// The pairs of a block near the start and one near the end, those with the longest range between them first.
 fn ends(count: usize) -> impl Iterator<Item = (usize, usize)> {
     let least = count.saturating_sub(MAX_LEAD + 1);
     (0..count.min(MAX_LEAD + 1))
         .flat_map(move |first| (least.max(first + 1)..count).rev().map(move |last| (first, last)))
 }
 
-/// Keeps a chain from the start of a block to where a later one passes that start along the same
-/// line or circle: the contour is run a little past its start.
+/// Cuts a chain to the part from the start of a block to where a later block passes that start along the same line or
+/// circle: the program continues slightly past the start of the contour. False if there is no such block.
 pub(super) fn cut_at_overlap(chain: &mut Vec<ContourBlock>, options: &GougeOptions) -> bool {
     let grain = options.vertex;
     let found = ends(chain.len()).find_map(|(first, last)| {
@@ -53,15 +52,15 @@ pub(super) fn cut_at_overlap(chain: &mut Vec<ContourBlock>, options: &GougeOptio
     true
 }
 
-/// Keeps a chain from where it crosses itself to where it crosses itself, if what lies beyond on both
-/// ends is where the tool is: a run up to the first wall and off the last.
+/// Cuts a chain to the part between the two passes of the point where it crosses itself, if both ends beyond it are on
+/// the side of the tool: there the tool approaches the first wall and leaves the last. False if there is no crossing.
 fn cut_at_crossing(chain: &mut Vec<ContourBlock>, side: f64, options: &GougeOptions) -> bool {
     let grain = options.vertex;
     let found = ends(chain.len()).find_map(|(first, last)| {
         let (head, tail) = (chain[first].curve, chain[last].curve);
         let near = distance::nearest(&head, &tail);
         let at = near.first;
-        // Neighbours meet at their joint, which is no crossing.
+        // The joint of neighbours is no crossing.
         let joint = last == first + 1 && at.distance(head.to()) <= grain;
         if near.square > grain * grain || joint {
             return None;
@@ -87,21 +86,21 @@ fn cut_at_crossing(chain: &mut Vec<ContourBlock>, side: f64, options: &GougeOpti
     true
 }
 
-/// Takes a first and last arc off an open chain that are tangent to their neighbour, have the tool inside
-/// and sweep no more than half a turn: they only lead to the wall and away.
+/// Removes the first and the last arc of an open chain if they are tangent to their neighbour, have the tool inside and
+/// make at most half a turn: such arcs only lead to the wall and away from it. Returns the removed arcs.
 fn strip_lead_arcs(
     chain: &mut Vec<ContourBlock>,
     contour: &Contour,
     options: &GougeOptions,
 ) -> Vec<ContourBlock> {
-    // An arc smaller than the tool inside it leads nowhere: what it cuts is to be found.
+    // The tool does not fit into a smaller arc: that is no lead, so that its gouge is reported.
     let holds_tool = |block: &ContourBlock| match block.curve {
         GougeCurve::Arc { radius, .. } => radius >= contour.radius - options.epsilon,
         GougeCurve::Line { .. } => false,
     };
     let leads =
         |block: &ContourBlock| is_lead_arc(&block.curve, contour.side.sign()) && holds_tool(block);
-    // Tangent to the wall, and not the wall's own circle, which goes on in another block.
+    // Tangent to the wall, but not on the circle of the wall: then the wall continues in the next block.
     let smooth = |before: &ContourBlock, after: &ContourBlock| {
         turn(&before.curve, &after.curve).abs() <= options.tangent
             && !same_course(&before.curve, &after.curve, options.vertex)
@@ -125,7 +124,7 @@ fn strip_lead_arcs(
     lead_arcs
 }
 
-/// An arc with the tool inside that makes no more than half a turn.
+/// Whether a curve is an arc with the tool inside that makes at most half a turn.
 pub(super) fn is_lead_arc(curve: &GougeCurve, side: f64) -> bool {
     match *curve {
         GougeCurve::Arc { sweep, .. } => sweep * side > 0.0 && sweep.abs() <= PI + 1e-6,
@@ -133,15 +132,15 @@ pub(super) fn is_lead_arc(curve: &GougeCurve, side: f64) -> bool {
     }
 }
 
-/// The blocks at another height that come right before and after the chain.
+/// The blocks at another height directly before and after the chain.
 fn passing(contour: &Contour) -> [Option<ContourBlock>; 2] {
     let passes =
         |block: Option<&ContourBlock>| block.filter(|b| b.role == GougeRole::Passing).copied();
     [passes(contour.blocks.first()), passes(contour.blocks.last())]
 }
 
-/// Cuts an open chain where its first and last line cross, each prolonged by the tool radius: what
-/// lies beyond only takes the tool off the part.
+/// Cuts an open chain where its first and last line cross, each extended by the tool radius: the ends beyond only move
+/// the tool off the part.
 fn strip_run_off(chain: &mut [ContourBlock], radius: f64) {
     let count = chain.len();
     if count < 3 {
@@ -160,16 +159,16 @@ fn strip_run_off(chain: &mut [ContourBlock], radius: f64) {
         return;
     }
     let cross = near.first;
-    let runs_on = (d - cross).dot(u);
+    let past_crossing_mm = (d - cross).dot(u);
     let begins_before = (cross - a).dot(t);
-    // One of the two must really pass the crossing; two walls that stop short have no run-off.
-    if runs_on <= 0.0 && begins_before <= 0.0 {
+    // At least one of the two must pass the crossing without being extended.
+    if past_crossing_mm <= 0.0 && begins_before <= 0.0 {
         return;
     }
     if begins_before > 0.0 {
         chain[0].curve = GougeCurve::line(cross, b);
     }
-    if runs_on > 0.0 {
+    if past_crossing_mm > 0.0 {
         chain[count - 1].curve = GougeCurve::line(c, cross);
     }
 }

@@ -1,10 +1,10 @@
-//! The parts of a curve that lie outside of circles.
+//! The parts of a curve that are outside of circles.
 
 use chordal_geometry::{Circle2, Line2, Vec2, circle_circle, fractions_at_angle, line_circle};
 
 use super::shape::{GougeCurve, angle_of};
 
-/// Cuts a curve where it crosses circles of one radius (mm), and keeps what lies outside of all of them.
+/// The parts of a curve that are outside of all circles with these centres and this radius, mm.
 pub(super) fn outside(curve: &GougeCurve, centers: &[Vec2], radius: f64) -> Vec<GougeCurve> {
     let mut cuts = vec![0.0, 1.0];
     for center in centers {
@@ -57,7 +57,7 @@ mod tests {
         assert!(outside(&line, &ends, 5.0).is_empty());
     }
 
-    /// Against points of the arc, counted.
+    /// Compares with a count of points on the arc.
     #[test]
     fn an_arc_is_cut_whichever_way_it_runs() {
         let centers = [Vec2::new(0.0, 3.0), Vec2::new(3.0, -1.0)];

@@ -1,4 +1,4 @@
-//! The radii for which a contour can be run without a gouge, and what limits them.
+//! The tool radii for which a contour can be cut without a gouge, and what limits them.
 
 use chordal_geometry::{Circle2, Line2, Vec2, circle_circle, line_circle, line_line};
 
@@ -8,37 +8,36 @@ use super::throat::ThroatWalls;
 use super::tree::unwrapped_tangents;
 use super::{CenterMove, Contour, GougeOptions, GougeRole, check_against};
 
-/// Lines that turn by less have no corner between them, rad.
+/// There is no corner between lines that turn by less, rad.
 const STRAIGHT_RAD: f64 = 1e-9;
 
 /// How the tool goes round an outside corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OutsideCornerRule {
-    /// Along the prolonged offsets: a vertex, or two where the corner is acute.
+    /// Along the extended offsets: one vertex, or two if the corner is acute.
     Linear,
     /// On an arc about the corner.
     Circular,
 }
 
-/// What keeps the radius from being larger.
+/// Why the radius cannot be larger.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LimitReason {
-    /// Nothing: every radius will do.
+    /// There is no limit.
     Unlimited,
-    /// An arc with the tool inside; the tool cannot be larger than it.
+    /// The tool is inside an arc of this radius.
     InsideArc,
-    /// A block between inside corners is used up by the offsets of its neighbours.
+    /// A block between inside corners is too short: the offsets of its neighbours leave nothing of it.
     ShortBlock,
-    /// Two walls of the contour face each other at twice this radius.
+    /// Two opposite walls of the contour are twice this radius apart.
     Throat,
-    /// A sharp inside corner, which no tool touches to the bottom.
+    /// A sharp inside corner, which no tool can cut completely.
     InsideCorner,
-    /// An arc that leads in or out with the tool inside it.
+    /// The tool is inside a lead-in or lead-out arc of this radius.
     LeadArc,
-    /// The lead-in is a line of this length.
+    /// The lead-in has this length.
     LeadLength,
-    /// The lead-in begins only so far away from the first wall: a larger tool cuts into it on
-    /// the way.
+    /// The lead-in begins at this distance from the first wall: a larger tool would cut into it.
     LeadIntoWall,
 }
 
@@ -47,11 +46,11 @@ pub enum LimitReason {
 pub struct RadiusLimit {
     /// The radius, mm; infinite without a limit.
     pub radius: f64,
-    /// Why.
+    /// What limits it.
     pub reason: LimitReason,
-    /// The blocks that make it so, in the order of the chain.
+    /// The tags of the blocks that limit it, in the order of the chain.
     pub blocks: Vec<u32>,
-    /// Where, mm.
+    /// The point where it is limited, mm.
     pub at: Vec2,
 }
 
@@ -71,57 +70,56 @@ impl RadiusLimit {
         }
     }
 
-    /// The stricter of two.
+    /// The smaller of two limits.
     #[must_use]
     pub fn min(self, o: RadiusLimit) -> RadiusLimit {
         if o.radius < self.radius { o } else { self }
     }
 }
 
-/// The arc that leads to the contour, and how near the lead line passes its centre.
+/// The arc that leads to the contour, and how close the line before it passes its centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeadArc {
-    /// The block.
+    /// The tag of its block.
     pub block: u32,
-    /// Its radius, mm: the arc vanishes at this radius of the tool.
+    /// Its radius, mm: for a tool of this radius, the arc of the tool centre shrinks to a point.
     pub radius: f64,
-    /// Distance of its centre from the line that leads to it, mm, if a line does.
+    /// The distance of its centre from the line before it, mm; `None` if no line is before it.
     pub line_distance: Option<f64>,
 }
 
-/// The radii for which a contour can be run.
+/// The tool radii for which a contour can be cut. The smallest is always zero: a tool that touches without cutting into
+/// the part contains every smaller tool that touches at the same point.
 #[derive(Clone, Debug)]
 pub struct OffsetRange {
-    /// Up to here no block of the part is cut into. Zero is the smallest radius: a disc that
-    /// touches without cutting contains every smaller one that touches there.
+    /// Up to this radius no block of the part is cut into.
     pub no_gouge: RadiusLimit,
-    /// Up to here every point of the part is touched too.
+    /// Up to this radius every point of the part is also cut completely.
     pub every_edge: RadiusLimit,
-    /// Up to here the leads can be run: their arcs keep a radius, their lines are long enough.
+    /// Up to this radius the leads are possible: their offset arcs keep a radius, their lines are long enough.
     pub leads: RadiusLimit,
-    /// Up to here the lead-in stays clear of the first wall; zero or less where it never does.
+    /// Up to this radius the lead-in does not cut into the first wall; zero or less if it always does.
     pub lead_clear: RadiusLimit,
-    /// The lead arc that limits, if one does.
+    /// The lead arc with the smallest radius, if there is one.
     pub lead_arc: Option<LeadArc>,
-    /// Every radius at which something of the contour or its leads changes, the least of each
-    /// kind, in rising order: the places to test between where the range may have gaps.
+    /// The smallest radius of each kind at which the contour or its leads change, mm, in ascending order. If the range
+    /// may have gaps, [`intervals`] tests a radius between each two of them.
     pub events: Vec<f64>,
-    /// The contour is one chain. Otherwise radii above a forbidden one may be allowed again: see
-    /// [`intervals`].
+    /// The contour is one chain. If it is not, radii above an impossible one may be possible again: see [`intervals`].
     pub simple: bool,
-    /// The search for facing walls came to its end.
+    /// The search for opposite walls was completed within its budget.
     pub complete: bool,
 }
 
 impl OffsetRange {
-    /// The condition that limits first, gouges and leads together.
+    /// The smallest limit by gouges and by leads.
     #[must_use]
     pub fn largest(&self) -> RadiusLimit {
         self.no_gouge.clone().min(self.leads.clone())
     }
 }
 
-/// Finds the radii for which the contour has no gouge, from its own radius only the side.
+/// Finds the tool radii for which the contour has no gouge. The radius in `contour` is ignored.
 #[must_use]
 pub fn range(contour: &Contour, corners: OutsideCornerRule, options: &GougeOptions) -> OffsetRange {
     let material = PartContour::of(contour, options);
@@ -165,7 +163,7 @@ fn throat(material: &PartContour, walls: &mut ThroatWalls, limit: f64) -> Radius
     found
 }
 
-/// The contour of the part with its turns.
+/// The contour of the part with its tangents.
 struct ContourChain<'a> {
     material: &'a PartContour,
     tangents: &'a [(f64, f64)],
@@ -189,7 +187,7 @@ impl ContourChain<'_> {
         self.neighbour_before(next).map(|_| next)
     }
 
-    /// The turn between two curves towards the tool, rad: positive inside.
+    /// The turn towards the tool between two curves, rad: positive at an inside corner.
     fn inward(&self, before: usize, after: usize) -> f64 {
         self.side * wrapped(self.tangents[after].0 - self.tangents[before].1)
     }
@@ -250,7 +248,7 @@ impl ContourChain<'_> {
         limit
     }
 
-    /// The radius at which the offset of a block has no length left, if below `below`.
+    /// The radius at which the offset of a block has no length left, mm; infinite if it is not below `below`.
     fn vanishes(&self, k: usize, before: Option<usize>, after: Option<usize>, below: f64) -> f64 {
         let is_line = |k: Option<usize>| {
             k.is_none_or(|k| matches!(self.material.curves[k], GougeCurve::Line { .. }))
@@ -262,7 +260,7 @@ impl ContourChain<'_> {
             return if lost > 1e-12 { length / lost } else { f64::INFINITY };
         }
         let left = |r: f64| self.left_over(k, before, after, r);
-        // No inside corner of a finite contour takes more than this of a block.
+        // A radius above every limit that can occur in practice.
         let mut high = below.min(1e3 * self.material.curves[k].length());
         if left(high) >= 0.0 {
             return f64::INFINITY;
@@ -279,7 +277,7 @@ impl ContourChain<'_> {
         low
     }
 
-    /// How much of a line is lost at a corner for each mm of radius; outside something is gained.
+    /// How much shorter a line gets at a corner per mm of radius; negative at an outside corner that makes it longer.
     fn lost_per_radius(&self, inward: f64) -> f64 {
         if inward.abs() <= STRAIGHT_RAD {
             0.0
@@ -293,7 +291,7 @@ impl ContourChain<'_> {
         }
     }
 
-    /// What is left of a block in addition to the corners at both ends: a length, or a sweep in rad.
+    /// What the corners at both ends leave of a block: a length in mm, or a sweep in rad.
     fn left_over(&self, k: usize, before: Option<usize>, after: Option<usize>, r: f64) -> f64 {
         let curve = &self.material.curves[k];
         let whole = match *curve {
@@ -313,7 +311,7 @@ impl ContourChain<'_> {
         }
     }
 
-    /// What a block loses at its end to the next; `None` when the offsets do not meet.
+    /// What a block loses at the corner at its end, mm or rad; `None` if the offsets do not intersect.
     fn lost(
         &self,
         curve: &GougeCurve,
@@ -329,7 +327,7 @@ impl ContourChain<'_> {
                 GougeCurve::Arc { .. } => Some(0.0),
             };
         }
-        // The offsets of a tangent joint with an arc may miss each other by rounding alone.
+        // At a tangent joint with an arc the offsets may miss each other only because of rounding.
         if inward <= self.options.tangent {
             return Some(0.0);
         }
@@ -346,7 +344,7 @@ impl ContourChain<'_> {
             GougeCurve::Arc { center, start, sweep, .. } => {
                 let course = sweep.signum();
                 let angle = angle_of(meet - center);
-                // Inside its own sweep the meeting point leaves the rest; beyond, nothing.
+                // An intersection within its sweep shortens the arc; one outside leaves nothing of it.
                 within(start, sweep, angle).then(|| {
                     wrapped((start + sweep - angle) * course).rem_euclid(core::f64::consts::TAU)
                 })
@@ -355,7 +353,7 @@ impl ContourChain<'_> {
     }
 }
 
-/// The line or circle of an offset.
+/// The line or circle on which an offset curve lies.
 enum OffsetSupport {
     Line(Line2),
     Circle(Circle2),
@@ -377,7 +375,7 @@ fn offset_support(curve: &GougeCurve, signed: f64) -> Option<OffsetSupport> {
     })
 }
 
-/// The meeting point of two offsets nearest to the corner.
+/// The intersection of two offsets that is nearest to the corner.
 fn meeting(first: &OffsetSupport, second: &OffsetSupport, corner: Vec2) -> Option<Vec2> {
     let met = match (first, second) {
         (OffsetSupport::Line(a), OffsetSupport::Line(b)) => {
@@ -392,7 +390,8 @@ fn meeting(first: &OffsetSupport, second: &OffsetSupport, corner: Vec2) -> Optio
     met.nearest_to(corner)
 }
 
-/// What the blocks off the part allow: lead arcs and lengths, and the way past the first wall.
+/// The limits by the blocks that are not part of the contour: by lead arcs and lead lengths, and by the distance from
+/// the first wall. Also the smallest lead arc.
 fn leads(contour: &Contour, material: &PartContour) -> (RadiusLimit, RadiusLimit, Option<LeadArc>) {
     let side = contour.side.sign();
     let mut leads = RadiusLimit::none();
@@ -429,25 +428,25 @@ fn leads(contour: &Contour, material: &PartContour) -> (RadiusLimit, RadiusLimit
     (leads, clear, lead_arc)
 }
 
-/// The distance of a point from the line that a block runs along.
+/// The distance of a point from the line of a block, mm; `None` for an arc.
 fn line_distance(curve: &GougeCurve, p: Vec2) -> Option<f64> {
     let GougeCurve::Line { from, to } = *curve else { return None };
     Some((to - from).normalized()?.cross(p - from).abs())
 }
 
-/// A stretch of radii in which a path was tried.
+/// An interval of radii in which a path was tried.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RadiusInterval {
-    /// Above this radius, mm.
+    /// The lower end, mm; the interval does not include it.
     pub from: f64,
-    /// Up to this radius, mm; infinite for the last.
+    /// The upper end, mm; infinite for the last interval.
     pub to: f64,
-    /// The path could be made and has no gouge but at a lead.
+    /// There is a path for these radii, and it has no gouges except at a lead.
     pub clear: bool,
 }
 
-/// Tries a radius in every gap between events, for contours where a forbidden radius may be followed
-/// by allowed ones. `path_of` makes the path of a radius in mm, or `None` when the control alarms.
+/// Tries one radius between each two events, for contours where a radius above an impossible one may be possible again.
+/// `path_of` returns the path of the tool centre for a radius in mm, or `None` if the control stops with an alarm.
 pub fn intervals(
     contour: &Contour,
     events: &[f64],

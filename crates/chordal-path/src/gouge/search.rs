@@ -1,4 +1,4 @@
-//! The deepest gouge by branch and bound over both trees.
+//! Finds the deepest gouge by branch and bound over the trees of the path and of the contour.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -10,14 +10,15 @@ use super::shape::GougeCurve;
 use super::tree::{BlockHull, BoxTree, TreeBox, TurnTree, hulls, unwrapped_tangents};
 use super::{CenterMove, Contour};
 
-/// Tangents that span no more than this cannot bring the path back to its own contour.
+/// If the tangents of a part of the contour span no more than this angle, its offset path cannot come closer to it than
+/// the radius.
 ///
-/// Of a path at distance r from its contour, for u after s, (p(u) − c(s))·t(u) is the integral
-/// of (1 − κr) t(v)·t(u) dv, not negative while no block is reversed and the tangents lie within a
-/// right angle: the distance never falls below r.
+/// Proof: for a path p at distance r from its contour c, and u after s, (p(u) − c(s))·t(u) is the integral of
+/// (1 − κr) t(v)·t(u) dv. It is not negative as long as no block is reversed and the tangents span at most a right angle,
+/// so the distance never falls below r.
 const CONE: f64 = FRAC_PI_2 + 1e-9;
 
-/// A place of the path nearer to the contour than allowed.
+/// A pair of curves of path and contour that are closer than allowed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct GougeHit {
     pub(super) of_path: usize,
@@ -25,7 +26,7 @@ pub(super) struct GougeHit {
     pub(super) near: NearestPair,
 }
 
-/// A gouge already reported: the stretches of path and contour it takes up, first and last.
+/// A gouge that is already reported: the ranges of path and contour that belong to it, as first and last index.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct GougeCluster {
     path: (usize, usize),
@@ -33,7 +34,7 @@ pub(super) struct GougeCluster {
 }
 
 impl GougeCluster {
-    /// The stretch of `reach` mm to both sides of the hit, on the path and on the contour.
+    /// The ranges of `reach` mm on both sides of the hit, on the path and on the contour.
     pub(super) fn around(
         hit: &GougeHit,
         path: &[CenterMove],
@@ -48,7 +49,7 @@ impl GougeCluster {
         }
     }
 
-    /// Whether a pair of stretches has any part in this one.
+    /// Whether a pair of ranges overlaps this one.
     fn meets(&self, path: (usize, usize), contour: (usize, usize)) -> bool {
         let meet = |part: (usize, usize), all: (usize, usize)| part.0 <= all.1 && part.1 >= all.0;
         meet(path, self.path) && meet(contour, self.contour)
@@ -77,21 +78,21 @@ fn indices_within(at: usize, reach: f64, length: impl Fn(usize) -> Option<f64>) 
     (first, last)
 }
 
-/// Which hit a search is after.
+/// Which hit a search looks for.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum SearchAim {
-    /// The nearest of all, whatever the lemma of the cone says.
+    /// The smallest distance, also within the parts of the contour that [`CONE`] excludes.
     Clearance,
     /// The deepest gouge.
     Deepest,
-    /// Any gouge: the first that is found.
+    /// Any gouge.
     Any,
-    /// The deepest gouge of a stretch.
+    /// The deepest gouge in a cluster.
     DeepestIn(GougeCluster),
-    /// The deepest gouge of a stretch that a block of the part makes, not a lead.
+    /// The deepest gouge in a cluster that is made by a block of the part, not by a lead.
     DeepestOfPart(GougeCluster),
-    /// The deepest that a lead makes in it, farther from the open ends than the diameter: nearer it is part of what
-    /// it does at the end.
+    /// The deepest gouge in a cluster that is made by a lead and is farther from the open ends than the tool diameter:
+    /// nearer ones belong to the gouge at the end.
     DeepestOffEnds(GougeCluster),
 }
 
@@ -103,9 +104,9 @@ pub(super) struct GougeSearch<'a> {
     path_boxes: BoxTree,
     hulls: Vec<BlockHull>,
     turns: TurnTree,
-    /// Of the tool, mm.
+    /// The radius of the tool, mm.
     radius: f64,
-    /// Pairs of nodes and of curves that may still be looked at.
+    /// How many pairs of nodes or curves may still be compared.
     pub(super) budget: u64,
 }
 
@@ -135,7 +136,7 @@ impl<'a> GougeSearch<'a> {
         }
     }
 
-    /// A place of the path nearer to the contour than `limit` mm, in no cluster.
+    /// A hit with a distance below `limit`, mm, that is in none of the clusters.
     pub(super) fn nearest(
         &mut self,
         limit: f64,
@@ -170,7 +171,7 @@ impl<'a> GougeSearch<'a> {
         self.budget == 0
     }
 
-    /// Whether nothing new can be found in the pair of nodes, however near they are.
+    /// Whether a pair of nodes needs no search, whatever its distance.
     fn is_settled(
         &self,
         of_path: usize,
@@ -202,7 +203,7 @@ impl<'a> GougeSearch<'a> {
         clusters.iter().any(|c| c.holds(path_span, span))
     }
 
-    /// Replaces the larger of two nodes by its halves, the nearer one on top.
+    /// Replaces the larger of two nodes by its halves, with the nearer one on top of the stack.
     fn split(
         &self,
         of_path: usize,
@@ -281,15 +282,16 @@ impl<'a> GougeSearch<'a> {
 }
 
 impl GougeSearch<'_> {
-    /// The nearest of a curve of the path and what of a wall is farther from the open ends than the diameter.
+    /// The nearest points of a curve of the path and the part of a wall that is farther from the open ends than the tool
+    /// diameter.
     fn nearest_off_ends(&self, curve: &GougeCurve, wall: &GougeCurve) -> Option<NearestPair> {
         let parts = outside(wall, &self.material.open_ends, 2.0 * self.radius);
         parts.iter().map(|part| nearest(curve, part)).min_by(|a, b| a.square.total_cmp(&b.square))
     }
 }
 
-/// Whether the circle around a box is farther from a curve than the root of `limit`. Of a slanting
-/// curve this is sharper than its own box.
+/// Whether the circle around a box is farther from a curve than the square root of `limit`. For a slanting curve this is
+/// more exact than a comparison of boxes.
 fn is_beyond(curve: &GougeCurve, bounds: &TreeBox, limit: f64) -> bool {
     let center = (bounds.min + bounds.max) * 0.5;
     let distance = match *curve {
@@ -297,12 +299,12 @@ fn is_beyond(curve: &GougeCurve, bounds: &TreeBox, limit: f64) -> bool {
         GougeCurve::Arc { center: about, radius, .. } => (center.distance(about) - radius).abs(),
     };
     let gap = distance - 0.5 * bounds.min.distance(bounds.max);
-    // The last digits of the sum must not hide a hit.
+    // Rounding must not hide a hit.
     gap > 0.0 && gap * gap * (1.0 - 1e-12) >= limit
 }
 
-/// Finds for each move of the path the blocks it runs along. Clears `broken` of the blocks that have
-/// a move which is their true offset, in their own direction, and no move that is anything else.
+/// Finds the blocks that each move of the path follows. Clears `broken` for the blocks that have a move which is their
+/// exact offset, in the same direction, and no other moves.
 fn offsets(
     contour: &Contour,
     material: &PartContour,
@@ -335,7 +337,7 @@ fn offsets(
     hulls
 }
 
-/// Whether a move runs next to a block, at the distance `signed` to its left, in its direction.
+/// Whether a move is the offset of a block by `signed` to its left, mm, in the same direction.
 fn is_offset(step: &GougeCurve, block: &GougeCurve, signed: f64, slack: f64) -> bool {
     match (step, block) {
         (GougeCurve::Line { from, to }, GougeCurve::Line { from: start, to: end }) => {
@@ -358,9 +360,8 @@ fn is_offset(step: &GougeCurve, block: &GougeCurve, signed: f64, slack: f64) -> 
     }
 }
 
-/// The blocks around the outside corner at the end of block `at`, if the move links their offsets and
-/// comes nowhere nearer to it than the radius. An inside corner has no links: the offsets meet
-/// there, or they are not trimmed.
+/// The blocks at the outside corner at the end of block `at`, if the move links their offsets and comes nowhere closer
+/// to the corner than the radius. An inside corner has no links: the offsets intersect there, or they are not trimmed.
 fn around_corner(
     step: &GougeCurve,
     material: &PartContour,
@@ -376,7 +377,7 @@ fn around_corner(
     let (before, after) = (&material.curves[at], &material.curves[next]);
     let (corner, radius) = (before.to(), signed.abs());
     let links = match *step {
-        // The farthest vertex of a linear corner lies √2 radii from it.
+        // The farthest vertex of a linear corner is √2 radii from it.
         GougeCurve::Line { from, to } => {
             let farthest = 1.5 * radius;
             from.distance(corner) <= farthest

@@ -1,4 +1,4 @@
-//! Lines and arcs of the compensation plane.
+//! Lines and arcs in the compensation plane.
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -9,20 +9,20 @@ use chordal_geometry::Vec2;
 pub enum GougeCurve {
     /// A straight line.
     Line {
-        /// Where it begins, mm.
+        /// The start, mm.
         from: Vec2,
-        /// Where it ends, mm.
+        /// The end, mm.
         to: Vec2,
     },
-    /// An arc about a centre, of any sweep, a full turn and more among them.
+    /// An arc, also of a full turn or more.
     Arc {
         /// Centre, mm.
         center: Vec2,
         /// Radius, mm, not negative.
         radius: f64,
-        /// Angle of the first point as seen from the centre, rad.
+        /// The direction from the centre to the first point, rad.
         start: f64,
-        /// Angle swept, rad, positive counter-clockwise.
+        /// The angle from the first point to the last, rad, positive counter-clockwise.
         sweep: f64,
     },
 }
@@ -38,7 +38,7 @@ pub(super) fn angle_of(v: Vec2) -> f64 {
     libm::atan2(v.b, v.a)
 }
 
-/// The angle brought into −π..=π, rad.
+/// The same angle in −π..=π, rad.
 pub(super) fn wrapped(angle: f64) -> f64 {
     let turned = angle - TAU * libm::round(angle / TAU);
     turned.clamp(-PI, PI)
@@ -51,8 +51,8 @@ impl GougeCurve {
         GougeCurve::Line { from, to }
     }
 
-    /// The arc about `center` from one point to another (mm), counter-clockwise or not; equal points
-    /// make a full turn. The radius is the distance of `from`.
+    /// The arc about `center` from one point to another, mm, counter-clockwise or clockwise; a full turn if the points
+    /// are equal. The radius is the distance of `from` from the centre.
     #[must_use]
     pub fn arc(center: Vec2, from: Vec2, to: Vec2, counter_clockwise: bool) -> Self {
         let start = angle_of(from - center);
@@ -60,7 +60,7 @@ impl GougeCurve {
         let path = if counter_clockwise { 1.0 } else { -1.0 };
         let mut turn = raw * path;
         turn -= TAU * libm::floor(turn / TAU);
-        // A turn of nothing, and a turn that is whole but for rounding, both mean the full circle.
+        // A turn of zero, and a full turn that differs only by rounding, both mean the full circle.
         if from.distance(to) <= 1e-9 || turn <= 0.0 {
             turn = TAU;
         }
@@ -79,7 +79,7 @@ impl GougeCurve {
         self.at(1.0)
     }
 
-    /// The point at a fraction of the way, 0..=1, mm.
+    /// The point at a fraction of the length, 0..=1, mm.
     #[must_use]
     pub fn at(&self, fraction: f64) -> Vec2 {
         match *self {
@@ -99,8 +99,8 @@ impl GougeCurve {
         }
     }
 
-    /// Angles of the tangent at both ends, rad, not unwrapped against any neighbour; the second is
-    /// the first plus the sweep.
+    /// The angles of the tangents at both ends, rad, not unwrapped relative to a neighbour; the second is the first
+    /// plus the sweep.
     pub(super) fn tangent_angles(&self) -> (f64, f64) {
         match *self {
             GougeCurve::Line { from, to } => {
@@ -114,7 +114,7 @@ impl GougeCurve {
         }
     }
 
-    /// The same curve run the other way.
+    /// The same curve in the opposite direction.
     #[must_use]
     pub fn reversed(&self) -> Self {
         match *self {
@@ -125,7 +125,7 @@ impl GougeCurve {
         }
     }
 
-    /// The piece between two fractions of the way, 0..=1.
+    /// The piece between two fractions of the length, 0..=1.
     #[must_use]
     pub(super) fn piece(&self, first: f64, last: f64) -> GougeCurve {
         match *self {
@@ -139,7 +139,7 @@ impl GougeCurve {
         }
     }
 
-    /// How far along the curve a point lies that is on it, as a fraction of the way, 0..=1.
+    /// The position of a point that is on the curve, as a fraction of the length, 0..=1.
     pub(super) fn fraction(&self, p: Vec2) -> f64 {
         match *self {
             GougeCurve::Line { from, to } => {
@@ -149,14 +149,13 @@ impl GougeCurve {
             GougeCurve::Arc { center, start, sweep, .. } => {
                 let turned = (angle_of(p - center) - start) * sweep.signum();
                 let turned = turned - TAU * libm::floor(turned / TAU);
-                // Rounding may put the first point a full turn ahead of itself.
+                // Because of rounding, the first point may appear to be at a full turn.
                 if TAU - turned < 1e-9 { 0.0 } else { (turned / sweep.abs()).min(1.0) }
             }
         }
     }
 
-    /// How far a point lies to the left of the curve, which is thought of as going on at both ends
-    /// along its line or circle, mm.
+    /// The distance of a point to the left of the curve extended at both ends along its line or circle, mm.
     pub(super) fn left_of(&self, p: Vec2) -> f64 {
         match *self {
             GougeCurve::Line { from, to } => {
@@ -169,7 +168,7 @@ impl GougeCurve {
         }
     }
 
-    /// Whether every number of it is finite.
+    /// Whether all of its numbers are finite.
     #[must_use]
     pub fn is_finite(&self) -> bool {
         match *self {
@@ -205,7 +204,7 @@ impl GougeCurve {
         }
     }
 
-    /// Whether an arc passes the angle; a line passes none.
+    /// Whether an arc passes the direction `angle`, rad; false for a line.
     pub(super) fn passes(&self, angle: f64) -> bool {
         match *self {
             GougeCurve::Line { .. } => false,
@@ -214,7 +213,7 @@ impl GougeCurve {
     }
 }
 
-/// Whether a sweep from `start` passes `angle`, rad.
+/// Whether a sweep from the direction `start` passes the direction `angle`, rad.
 pub(super) fn within(start: f64, sweep: f64, angle: f64) -> bool {
     let turned = if sweep < 0.0 { start - angle } else { angle - start };
     turned - TAU * libm::floor(turned / TAU) <= sweep.abs()

@@ -1,7 +1,7 @@
-//! The narrowest passage of a contour on the side of the tool.
+//! Finds the narrowest passage of a contour on the side of the tool.
 //!
-//! A tool fits between two walls up to half the shortest chord that stands normal on both of them.
-//! A corner that points at the tool is normal to every direction between those of its blocks.
+//! The largest tool that fits between two walls has the diameter of the shortest chord that is normal to both. At an
+//! outside corner, every direction between the normals of its two blocks counts as normal.
 
 use core::f64::consts::{PI, TAU};
 
@@ -12,10 +12,10 @@ use super::material::PartContour;
 use super::shape::{GougeCurve, unit, wrapped};
 use super::tree::{BoxTree, LEAF};
 
-/// Directions that differ by less than this are the same, rad.
+/// Directions that differ by less are equal, rad.
 const EQUAL_DIRECTION_RAD: f64 = 1e-6;
 
-/// A passage: the two curves and the chord across.
+/// A passage: the indices of the two curves, and the chord across.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NarrowPassage {
     pub(super) first: usize,
@@ -37,7 +37,7 @@ impl TangentFan {
         TangentFan { least: self.least.min(o.least), most: self.most.max(o.most) }
     }
 
-    /// Whether a direction of one is opposite to a direction of the other.
+    /// Whether some direction of one is opposite to some direction of the other.
     fn opposes(self, o: TangentFan) -> bool {
         let (low, high) =
             (self.least - o.most - EQUAL_DIRECTION_RAD, self.most - o.least + EQUAL_DIRECTION_RAD);
@@ -45,7 +45,7 @@ impl TangentFan {
     }
 }
 
-/// The contour as a wall: boxes, fans of directions, and the normals at every joint.
+/// The contour with the boxes and the ranges of directions for the search.
 pub(super) struct ThroatWalls<'a> {
     material: &'a PartContour,
     tangents: &'a [(f64, f64)],
@@ -81,7 +81,7 @@ impl<'a> ThroatWalls<'a> {
         walls
     }
 
-    /// The directions of a curve and of the corners at both its ends.
+    /// The directions of a curve and of the corners at its ends.
     fn fan(&self, k: usize) -> TangentFan {
         let (start, end) = self.tangents[k];
         let mut fan = TangentFan { least: start.min(end), most: start.max(end) };
@@ -92,7 +92,7 @@ impl<'a> ThroatWalls<'a> {
         fan
     }
 
-    /// The turn into a curve from the one before it, rad.
+    /// The turn from the curve before it into a curve, rad; `None` if there is none.
     fn before(&self, k: usize) -> Option<f64> {
         let last = self.tangents.len() - 1;
         let from = match k {
@@ -104,13 +104,13 @@ impl<'a> ThroatWalls<'a> {
         Some(wrapped(self.tangents[k].0 - self.tangents[from].1))
     }
 
-    /// The turn out of a curve into the one after it, rad.
+    /// The turn from a curve into the one after it, rad; `None` if there is none.
     fn after(&self, k: usize) -> Option<f64> {
         let next = if k + 1 < self.tangents.len() { k + 1 } else { 0 };
         self.before(next)
     }
 
-    /// The narrowest passage below `limit` mm.
+    /// The narrowest passage with a chord below `limit`, mm.
     pub(super) fn narrowest(&mut self, limit: f64) -> Option<NarrowPassage> {
         let mut limit = limit * limit;
         let mut best = None;
@@ -160,7 +160,10 @@ impl<'a> ThroatWalls<'a> {
                     continue;
                 }
                 for near in chords(&self.material.curves[i], &self.material.curves[j]) {
-                    if near.square < *limit && near.square > 0.0 && self.stands_on(i, j, &near) {
+                    if near.square < *limit
+                        && near.square > 0.0
+                        && self.is_normal_to_both(i, j, &near)
+                    {
                         *limit = near.square;
                         *best = Some(NarrowPassage { first: i, second: j, near });
                     }
@@ -169,8 +172,8 @@ impl<'a> ThroatWalls<'a> {
         }
     }
 
-    /// Whether the chord leaves both curves on the tool's side at a right angle.
-    fn stands_on(&self, i: usize, j: usize, near: &NearestPair) -> bool {
+    /// Whether the chord is normal to both curves and on their tool side.
+    fn is_normal_to_both(&self, i: usize, j: usize, near: &NearestPair) -> bool {
         let Some(across) = (near.second - near.first).normalized() else { return false };
         self.is_normal(i, near.first, across) && self.is_normal(j, near.second, -across)
     }
@@ -195,7 +198,7 @@ impl<'a> ThroatWalls<'a> {
                 return false;
             }
             if inside < -EQUAL_DIRECTION_RAD {
-                // Between the normals of both curves, in the order of the turn.
+                // The direction must be between the normals of both curves, in the order of the turn.
                 let (mine, other) = (normal(angle), normal(angle + path * turn));
                 let sense = -self.side * path;
                 return mine.cross(direction) * sense >= -EQUAL_DIRECTION_RAD
@@ -214,7 +217,7 @@ impl<'a> ThroatWalls<'a> {
     }
 }
 
-/// The chords between two curves that may be normal to both.
+/// The chords between two curves that could be normal to both.
 fn chords(first: &GougeCurve, second: &GougeCurve) -> Vec<NearestPair> {
     let between = |p: Vec2, q: Vec2| {
         let d = q - p;
@@ -229,7 +232,7 @@ fn chords(first: &GougeCurve, second: &GougeCurve) -> Vec<NearestPair> {
     }
     match (first, second) {
         (GougeCurve::Line { .. }, GougeCurve::Line { .. }) => {
-            // Along parallel walls also from the middle: their ends may lie in inside corners.
+            // For parallel walls, also a chord in the middle: their ends may be in inside corners.
             let (p, q) = (all[2].first, all[3].first);
             let middle = (p + q) * 0.5;
             all.push(between(middle, second.nearest(middle)));

@@ -1,7 +1,7 @@
 //! Implicit binary trees over a chain, in the order of the chain.
 //!
-//! A chain is its own index: neighbours in order are neighbours in space. A tree is one array in
-//! which node `k` has the children `2k` and `2k + 1`; nothing is sorted.
+//! Neighbours in the chain are also neighbours in space, so nothing needs to be sorted. A tree is one array in which node
+//! `k` has the children `2k` and `2k + 1`.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -9,10 +9,10 @@ use chordal_geometry::Vec2;
 
 use super::shape::{GougeCurve, within, wrapped};
 
-/// Elements in one leaf.
+/// The number of elements in one leaf.
 pub(super) const LEAF: usize = 8;
 
-/// An axis-parallel box, mm. Empty when `min` lies above `max`.
+/// An axis-parallel box, mm. It is empty if `min` is above `max`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TreeBox {
     pub(super) min: Vec2,
@@ -58,14 +58,14 @@ impl TreeBox {
         bounds
     }
 
-    /// Square of the least distance of two boxes, mm²; infinite when one is empty.
+    /// The square of the distance between two boxes, mm²; infinite if one is empty.
     pub(super) fn gap_square(&self, o: &TreeBox) -> f64 {
         let a = (self.min.a - o.max.a).max(o.min.a - self.max.a).max(0.0);
         let b = (self.min.b - o.max.b).max(o.min.b - self.max.b).max(0.0);
         a * a + b * b
     }
 
-    /// Half the way round the box, mm: which of two is the larger.
+    /// Half the perimeter of the box, mm: a measure of its size.
     pub(super) fn size(&self) -> f64 {
         (self.max.a - self.min.a) + (self.max.b - self.min.b)
     }
@@ -77,11 +77,11 @@ pub(super) struct BoxTree {
     pub(super) elements: Vec<TreeBox>,
     /// Box of each node; node 1 is the root.
     pub(super) nodes: Vec<TreeBox>,
-    /// How many leaves there are, a power of two: the first leaf's node.
+    /// The number of leaves, a power of two; also the index of the first leaf in `nodes`.
     pub(super) leaves: usize,
 }
 
-/// The number of leaves over so many elements.
+/// The number of leaves for this number of elements.
 fn leaves_over(count: usize) -> usize {
     count.div_ceil(LEAF).max(1).next_power_of_two()
 }
@@ -109,7 +109,7 @@ impl BoxTree {
         node >= self.leaves
     }
 
-    /// The elements under a node, first and one past the last.
+    /// The range of the elements under a node: the first, and one past the last.
     pub(super) fn range(&self, node: usize) -> (usize, usize) {
         let depth = node.ilog2();
         let span = (self.leaves >> depth) * LEAF;
@@ -119,12 +119,12 @@ impl BoxTree {
     }
 }
 
-/// The tangents of a stretch of the contour, unwrapped along the chain, rad.
+/// The range of the tangents in a part of the contour, unwrapped along the chain, rad.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TangentSpan {
     pub(super) least: f64,
     pub(super) most: f64,
-    /// The chain is broken in it, or a block of it has no true offset in the path.
+    /// The chain is interrupted in it, or one of its blocks has no exact offset in the path.
     pub(super) broken: bool,
 }
 
@@ -147,7 +147,7 @@ pub(super) struct TurnTree {
     leaves: usize,
 }
 
-/// The unwrapped tangent angles of a chain at both ends of each element, rad.
+/// The tangent angles at both ends of each element of a chain, unwrapped along the chain, rad.
 pub(super) fn unwrapped_tangents<'a>(
     curves: impl Iterator<Item = &'a GougeCurve>,
 ) -> Vec<(f64, f64)> {
@@ -176,8 +176,7 @@ impl TurnTree {
         TurnTree { nodes, leaves }
     }
 
-    /// Whether the leaves over the elements `first..=last` are unbroken and their tangents span no
-    /// more than `cone`.
+    /// Whether no leaf over the elements `first..=last` is broken and their tangents span at most `cone`, rad.
     pub(super) fn is_within(&self, first: usize, last: usize, cone: f64) -> bool {
         let (mut low, mut high) = (self.leaves + first / LEAF, self.leaves + last / LEAF + 1);
         let mut all = TangentSpan::EMPTY;
@@ -200,12 +199,12 @@ impl TurnTree {
     }
 }
 
-/// Which blocks of the contour the moves of a stretch of the path belong to.
+/// The range of the blocks of the contour to which the moves in a part of the path belong.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BlockHull {
     pub(super) first: u32,
     pub(super) last: u32,
-    /// One of the moves belongs to no block of the contour, or is not its true offset.
+    /// One of the moves belongs to no block of the contour, or is not its exact offset.
     pub(super) foreign: bool,
 }
 
@@ -221,7 +220,7 @@ impl BlockHull {
     }
 }
 
-/// The index hulls of the path's nodes, numbered as those of its [`BoxTree`].
+/// The block ranges of the nodes of the path, with the indices of its [`BoxTree`].
 pub(super) fn hulls(of_moves: &[BlockHull]) -> Vec<BlockHull> {
     let leaves = leaves_over(of_moves.len());
     let mut nodes = vec![BlockHull::EMPTY; 2 * leaves];

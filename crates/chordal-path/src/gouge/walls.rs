@@ -1,11 +1,10 @@
-//! What of a programmed chain is wall, and what only leads the tool to it and away.
+//! Finds which blocks of a programmed chain are walls, and which only lead the tool to a wall and away from it.
 //!
-//! 1. Where the chain comes back to a point, the stretch between is closed. It is a wall if the blocks
-//!    before and after it lie on the tool's side there: these are leads, and what closes through
-//!    a lead is none. A loop that goes straight on beyond an outside corner and comes back for
-//!    the next wall is an excursion.
-//! 2. A closed wall beyond which another wall of the same kind is cut is a rough pass.
-//! 3. A chain that closes nowhere is the wall, less its lead arcs: see [`open_chain`].
+//! 1. Where the chain returns to a point, the range between is closed. It is a wall if the blocks before and after it
+//!    are on the side of the tool there: then these are leads. A range that contains a lead is no wall. A loop that
+//!    continues straight beyond an outside corner and returns for the next wall is an excursion, and no wall.
+//! 2. A closed wall that another wall of the same kind cuts away is a roughing pass.
+//! 3. A chain without a closed range is the wall, without its lead arcs: see [`open_chain`].
 
 use std::collections::BTreeMap;
 
@@ -15,7 +14,7 @@ use super::chain::{ChainWalls, turn};
 use super::closing::{ClosingPoint, ClosingSide, MAX_LEAD};
 use super::{Contour, ContourBlock, GougeOptions, nested, open_chain};
 
-/// A closed stretch is longer than so many grains.
+/// A closed range is longer than this many vertex tolerances.
 const MIN_LOOP_GRAINS: f64 = 4.0;
 
 /// Finds the walls.
@@ -30,7 +29,7 @@ pub(super) fn of(
         return open_chain::walls(contour, rest, options);
     }
     if let ([only], true) = (&loops.closed[..], loops.rest.is_empty()) {
-        // Leads that meet, say in the centre of a bore, close even what is run past its own start.
+        // Leads that meet, for example in the centre of a bore, close even a chain that continues past its own start.
         let mut blocks: Vec<ContourBlock> = only.iter().map(|at| loops.chain[*at]).collect();
         if open_chain::cut_at_overlap(&mut blocks, options) {
             return ChainWalls { blocks, closed: true, lead_arcs: Vec::new() };
@@ -43,32 +42,32 @@ pub(super) fn of(
     ChainWalls { blocks, closed: true, lead_arcs: Vec::new() }
 }
 
-/// What a closed stretch is.
+/// What a closed range is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum WallVerdict {
-    /// A wall, with leads at its closing point.
+    /// A wall, whose neighbours at its closing point are leads.
     Wall,
     /// Neither a wall nor a part of one.
     Nothing,
-    /// A stretch of something larger that touches itself here.
+    /// A part of something larger that touches itself here.
     Partial,
 }
 
-/// The closed stretches of a chain.
+/// The closed ranges of a chain.
 struct ChainLoops {
     chain: Vec<ContourBlock>,
-    /// The number of the place where each block begins and where it ends: equal places, equal numbers.
+    /// The numbers of the points where each block begins and ends: equal points have equal numbers.
     places: Vec<(usize, usize)>,
     side: f64,
     grain: f64,
     tangent: f64,
-    /// Of the whole chain, mm.
+    /// The length of the whole chain, mm.
     length: f64,
-    /// Blocks that lead to a wall or away.
+    /// True for blocks that lead to a wall or away from it.
     lead: Vec<bool>,
     /// The walls, each with its blocks.
     closed: Vec<Vec<usize>>,
-    /// What belongs to no closed stretch.
+    /// The blocks that belong to no closed range.
     rest: Vec<usize>,
 }
 
@@ -89,7 +88,7 @@ impl ChainLoops {
         loops
     }
 
-    /// Follows the chain. Whenever it comes back to a place, what lies between is taken off.
+    /// Follows the chain. Whenever it returns to a point, the closed range is classified and taken off.
     fn unwind(&mut self) {
         let mut stack: Vec<usize> = Vec::new();
         let mut depth: Vec<usize> = vec![usize::MAX; 2 * self.chain.len()];
@@ -97,7 +96,7 @@ impl ChainLoops {
             let (from, to) = self.places[at];
             depth[from] = stack.len();
             stack.push(at);
-            // Of a place that was taken off since, the depth is that of another.
+            // If the point was taken off in the meantime, its depth may belong to another point.
             let Some(&below) = stack.get(depth[to]) else { continue };
             if self.places[below].0 != to {
                 continue;
@@ -115,7 +114,7 @@ impl ChainLoops {
         self.rest = stack;
     }
 
-    /// The blocks that meet a closed stretch at its closing point.
+    /// The blocks that meet a closed range at its closing point.
     fn neighbours(&self, stack: &[usize], body: &[usize], next: usize) -> [Option<usize>; 2] {
         let place = self.places[body[0]].0;
         let before = stack.last().copied().filter(|at| self.places[*at].1 == place);
@@ -140,7 +139,7 @@ impl ChainLoops {
         if body.iter().any(|at| self.lead[*at]) {
             return WallVerdict::Nothing;
         }
-        // A block as short as the grain ends where it begins, and closes nothing.
+        // A block as short as the tolerance ends where it begins, but is not closed.
         if self.length_of(body) <= MIN_LOOP_GRAINS * self.grain {
             return WallVerdict::Partial;
         }
@@ -153,22 +152,22 @@ impl ChainLoops {
         {
             return WallVerdict::Nothing;
         }
-        // Leads of few blocks are leads even where they cross the wall; that is reported then.
+        // If there are only few blocks outside of it, these are leads, even if they cross the wall, which is reported.
         let again = self.run_again(body, next);
         let after = self.chain.len() - next - again;
         let short = stack.len() <= MAX_LEAD && after <= MAX_LEAD + again.min(1);
         if short { WallVerdict::Wall } else { WallVerdict::Partial }
     }
 
-    /// So many of the next blocks are those of a closed stretch once more.
+    /// How many of the next blocks repeat a closed range.
     fn run_again(&self, body: &[usize], next: usize) -> usize {
         let same = |(at, first): &(usize, &usize)| self.places[*at] == self.places[**first];
         (next..self.chain.len()).zip(body).take_while(same).count()
     }
 
-    /// Whether a loop goes straight on beyond an outside corner and comes back straight into the
-    /// next wall. A pocket that is entered and left through its corner looks the same, but is more of the
-    /// chain than its leads, and these may be arcs with the tool inside.
+    /// Whether a loop continues straight beyond an outside corner and returns straight into the next wall. A pocket
+    /// that is entered and left through its corner looks the same, but is longer than the rest of the chain, or its
+    /// leads are arcs with the tool inside.
     fn is_excursion(&self, before: usize, body: &[usize], after: usize) -> bool {
         let curve = |at: usize| &self.chain[at].curve;
         let (first, last) = (curve(body[0]), curve(body[body.len() - 1]));
@@ -196,15 +195,15 @@ impl ChainLoops {
     }
 }
 
-/// Width of a cell of places, in grains. So wide that most places lie farther than a grain from
-/// the cell's edges, and few lie in one.
+/// Width of a cell, in vertex tolerances: so wide that most points are farther than the tolerance from its edges, and so
+/// narrow that few points are in one cell.
 const CELL: f64 = 64.0;
 
-/// Numbers the places where blocks begin and end: those nearer than the grain are one.
+/// Numbers the points where blocks begin and end. Points nearer than `grain`, mm, have one number.
 fn places(chain: &[ContourBlock], grain: f64) -> Vec<(usize, usize)> {
     let mut known: BTreeMap<(i64, i64), Vec<(Vec2, usize)>> = BTreeMap::new();
     let mut count = 0;
-    // The cell of a coordinate, and the next one where its edge is within a grain.
+    // The cell of a coordinate, and the next one if its edge is within the tolerance.
     let cells = |x: f64| {
         let at = x / (CELL * grain);
         let cell = libm::floor(at) as i64;
@@ -236,7 +235,7 @@ fn places(chain: &[ContourBlock], grain: f64) -> Vec<(usize, usize)> {
         count += 1;
         count - 1
     };
-    // Most blocks begin exactly where the one before them ends: that place has its number.
+    // Most blocks begin exactly where the one before them ends: that point already has a number.
     let mut last: Option<(Vec2, usize)> = None;
     chain
         .iter()

@@ -1,4 +1,4 @@
-//! How a control writes expressions: brackets, operators, functions.
+//! The grammar of expressions of a control: brackets, operators, functions.
 
 use super::{Function, Operator};
 
@@ -11,18 +11,18 @@ pub enum BracketStyle {
     Round,
 }
 
-/// An operator as a control writes it.
+/// An operator in the grammar of a control.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct OperatorRow {
-    /// Upper case (`AND`, `+`, `<|>`). A longer one stands before one that begins it.
+    /// Its text in upper case (`AND`, `+`, `<|>`). In a table, a longer text comes before one that is its beginning.
     pub text: &'static str,
-    /// What it does.
+    /// The operation.
     pub operator: Operator,
-    /// A higher level binds tighter.
+    /// Its precedence: a higher level binds more tightly.
     pub level: u8,
 }
 
-/// How a control writes expressions and macro statements. Part of its [`Lexicon`].
+/// The grammar of expressions and macro statements of a control. Part of its [`Lexicon`].
 ///
 /// [`Lexicon`]: crate::Lexicon
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -33,29 +33,29 @@ pub struct MacroGrammar {
     pub operators: &'static [OperatorRow],
     /// The functions by name, upper case.
     pub functions: &'static [(&'static str, Function)],
-    /// Functions may be cut to two letters (`RO`, `FI`, `FU`), WHILE and GOTO too.
+    /// Functions may be abbreviated to two letters (`RO`, `FI`, `FU`), and so may WHILE and GOTO.
     pub abbreviations: bool,
-    /// `##1` is the variable whose number stands in #1.
+    /// `##1` is the variable whose number is the value of #1.
     pub chained: bool,
-    /// `#<name>`.
+    /// There are named variables (`#<name>`).
     pub names: bool,
-    /// Operators stand inside brackets only (LinuxCNC).
+    /// Operators are allowed only inside brackets (LinuxCNC).
     pub operators_in_brackets_only: bool,
-    /// Variables written as letters and a number (Fadal `V1`, `FX(V10)`); a longer one stands
-    /// before one that begins it. The place in the list is [`StackOp::Letters`](super::StackOp)'s number.
+    /// Variables written as letters and a number (Fadal `V1`, `FX(V10)`); longer letters come before those that are their
+    /// beginning. The index in the list is the number of [`StackOp::Letters`](super::StackOp).
     pub letter_variables: &'static [&'static str],
-    /// Deepest nesting of brackets, those of functions and conditions counted; more is an
-    /// alarm. `None` where no limit is known.
+    /// The deepest nesting of brackets, including those of functions and conditions; more is an alarm. `None` if no
+    /// limit is known.
     pub bracket_limit: Option<u8>,
 }
 
-/// Writes a row of a table of operators.
+/// A row of a table of operators.
 pub const fn operator(text: &'static str, operator: Operator, level: u8) -> OperatorRow {
     OperatorRow { text, operator, level }
 }
 
-/// AND binds like `*`, OR and XOR like `+`: `IF[#120AND4EQ4]` is `[#120 AND 4] EQ 4`, as a
-/// probe maker's programs for Fanuc use it.
+/// AND has the precedence of `*`, OR and XOR that of `+`: `IF[#120AND4EQ4]` is `[#120 AND 4] EQ 4`, as in the Fanuc
+/// programs of a probe manufacturer.
 const MACRO_B_OPERATORS: &[OperatorRow] = &[
     operator("MOD", Operator::Modulo, 3),
     operator("AND", Operator::And, 3),
@@ -97,7 +97,7 @@ const MACRO_B_FUNCTIONS: &[(&str, Function)] = &[
 ];
 
 impl MacroGrammar {
-    /// Custom macro B, from which the others differ.
+    /// Custom macro B, on which the other grammars are based.
     pub const MACRO_B: MacroGrammar = MacroGrammar {
         brackets: BracketStyle::Square,
         operators: MACRO_B_OPERATORS,

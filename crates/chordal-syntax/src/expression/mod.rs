@@ -1,9 +1,8 @@
-//! Expressions of macro languages: text → steps for a stack, with spans.
+//! Expressions of macro languages: compiles text to steps for a stack machine, with spans.
 //!
-//! An expression becomes a list of steps in the order in which a stack machine takes them
-//! (`#1+2*3` is `1, read, 2, 3, ×, +`), so that carrying it out needs no recursion and no
-//! memory of its own, however long the line is. Reading never fails: what cannot be read is a
-//! problem with the steps.
+//! An expression becomes a list of steps in the order in which a stack machine executes them (`#1+2*3` is `1, read, 2,
+//! 3, ×, +`), so that evaluating it needs no recursion and no additional memory, even for a long line. Reading never
+//! fails: unreadable text gives a diagnostic and a step without a known value.
 
 mod grammar;
 mod parse;
@@ -13,7 +12,7 @@ pub use parse::ExpressionParser;
 
 use chordal_diagnostics::TextRange;
 
-/// An operator between two values.
+/// A binary operator.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 #[allow(missing_docs, reason = "the names say it")]
 pub enum Operator {
@@ -58,16 +57,16 @@ pub enum Function {
     Tan,
     Asin,
     Acos,
-    /// Of one argument, or of two (`ATAN[y]/[x]`).
+    /// The arc tangent of one argument, or of two (`ATAN[y]/[x]`).
     Atan,
     Sqrt,
     Abs,
-    /// BCD digits to a number.
+    /// Converts BCD to binary.
     Bin,
-    /// A number to BCD digits.
+    /// Converts binary to BCD.
     Bcd,
     Round,
-    /// Rounds to the places that a setting of the control gives (Fadal RND).
+    /// Rounds to the number of decimals in a setting of the control (Fadal RND).
     RoundPlaces,
     Fix,
     Fup,
@@ -78,49 +77,49 @@ pub enum Function {
     Power,
     /// A parameter of the control: `PRM[no]`, `PRM[no]/[axis]`.
     Parameter,
-    /// -1 or +1.
+    /// The sign, -1 or +1.
     Sign,
     Not,
-    /// True when a named variable is set.
+    /// True if a named variable is defined.
     Exists,
 }
 
-/// What a step does with the stack.
+/// The operation of a step on the stack.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum StackOp {
     /// Pushes a literal.
     Number(f64),
-    /// Pushes what could not be read: the value is not known.
+    /// Pushes an unknown value for text that could not be read.
     Unreadable,
-    /// Takes a number and pushes the variable of that number.
+    /// Pops a number and pushes the variable with that number.
     Read,
     /// Pushes the named variable (`#<name>`); the range is the name.
     ReadNamed(TextRange),
-    /// Takes a number and pushes the letter variable of that place in the grammar's list.
+    /// Pops a number and pushes the letter variable with this index in the list of the grammar.
     Letters(u8),
-    /// Takes a value and pushes its negative.
+    /// Pops a value and pushes its negative.
     Negate,
-    /// Takes two values.
+    /// Pops two values and pushes the result.
     Binary(Operator),
-    /// Takes one value, or two where `two` is set.
+    /// Pops one value, or two if `two` is set, and pushes the result.
     Call {
         /// The function.
         function: Function,
-        /// Two arguments.
+        /// It has two arguments.
         two: bool,
     },
 }
 
-/// One step.
+/// One step of an expression.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ExpressionStep {
-    /// What it does.
+    /// The operation.
     pub op: StackOp,
-    /// The text that it comes from, operands included.
+    /// The text that it comes from, including its operands.
     pub range: TextRange,
 }
 
-/// An expression: some steps of an [`ExpressionParser`].
+/// An expression: a range of the steps of an [`ExpressionParser`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Expression {
     pub(crate) first: u32,
@@ -130,7 +129,7 @@ pub struct Expression {
 }
 
 impl Expression {
-    /// True where nothing was there to read.
+    /// True if there was no text to read.
     pub fn is_empty(&self) -> bool {
         self.first == self.end
     }

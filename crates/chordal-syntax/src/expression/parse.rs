@@ -1,17 +1,17 @@
-//! Expressions of one line into steps.
+//! Compiles the expressions of a line to steps.
 
 use chordal_diagnostics::{Code, Diagnostic, FileId, TextRange};
 
 use super::{BracketStyle, Expression, ExpressionStep, Function, MacroGrammar, StackOp};
 use crate::decimal;
 
-/// Brackets deeper than this are not read on any control, so that reading cannot overflow.
+/// The deepest nesting of brackets on any control, so that the recursion of the parser is bounded.
 const HARD_DEPTH: u32 = 64;
 
-/// How many problems of one line are reported.
+/// The largest number of problems that are reported in one line.
 const PROBLEMS_PER_LINE: usize = 4;
 
-/// Reads expressions of one line into steps. Its memory is used again for the next line.
+/// Compiles expressions of one line to steps. Its memory is reused for the next line.
 #[derive(Clone, Debug)]
 pub struct ExpressionParser<'a> {
     pub(crate) text: &'a [u8],
@@ -22,12 +22,12 @@ pub struct ExpressionParser<'a> {
     steps: Vec<ExpressionStep>,
     depth: u32,
     deepest: u32,
-    /// What could not be read.
+    /// Diagnostics for text that could not be read.
     pub problems: Vec<Diagnostic>,
 }
 
 impl<'a> ExpressionParser<'a> {
-    /// A parser of a text.
+    /// A parser for a text.
     pub fn new(text: &'a [u8], file: FileId, grammar: &'static MacroGrammar) -> Self {
         ExpressionParser {
             text,
@@ -42,7 +42,7 @@ impl<'a> ExpressionParser<'a> {
         }
     }
 
-    /// Forgets the steps and begins to read at `range`.
+    /// Discards the steps and begins to read at `range`.
     pub fn start(&mut self, text: &'a [u8], file: FileId, range: TextRange) {
         self.text = text;
         self.file = file;
@@ -51,7 +51,7 @@ impl<'a> ExpressionParser<'a> {
         self.go_to(range);
     }
 
-    /// Goes on at `range` and keeps the steps.
+    /// Continues to read at `range` and keeps the steps.
     pub fn go_to(&mut self, range: TextRange) {
         self.end = (range.end as usize).min(self.text.len());
         self.at = (range.start as usize).min(self.end);
@@ -59,17 +59,17 @@ impl<'a> ExpressionParser<'a> {
         self.deepest = 0;
     }
 
-    /// How the control writes expressions.
+    /// The grammar of the control.
     pub fn grammar(&self) -> &'static MacroGrammar {
         self.grammar
     }
 
-    /// The file of the text.
+    /// The file that the text is in.
     pub fn file(&self) -> FileId {
         self.file
     }
 
-    /// Where reading stands.
+    /// The current position in the text, in bytes.
     pub fn position(&self) -> u32 {
         self.at as u32
     }
@@ -79,7 +79,7 @@ impl<'a> ExpressionParser<'a> {
         &self.steps[expression.first as usize..expression.end as usize]
     }
 
-    /// What is left of the line.
+    /// The rest of the line.
     pub fn rest(&self) -> TextRange {
         TextRange::new(self.at as u32, self.end as u32)
     }
@@ -88,7 +88,7 @@ impl<'a> ExpressionParser<'a> {
         if self.at < self.end { self.text[self.at] } else { b'\n' }
     }
 
-    /// The next byte that is not a blank.
+    /// The next byte that is not a blank, which is not consumed.
     pub fn next_mark(&mut self) -> u8 {
         while matches!(self.peek(), b' ' | b'\t' | 0 | 0x0b | 0x0c | 0x11..=0x14 | 0x1a | 0x7f)
             && self.at < self.end
@@ -98,14 +98,14 @@ impl<'a> ExpressionParser<'a> {
         self.peek()
     }
 
-    /// True when the next mark is `byte`, which is then passed.
+    /// True if the next byte that is not a blank is `byte`, which is then consumed.
     pub fn take(&mut self, byte: u8) -> bool {
         let found = self.next_mark() == byte && self.at < self.end;
         self.at += usize::from(found);
         found
     }
 
-    /// True when the text goes on with `word`, without regard to case; it is then passed.
+    /// True if the text continues with `word` in any case, which is then consumed.
     pub fn take_text(&mut self, word: &str) -> bool {
         self.next_mark();
         let found = self.begins_with(word);
@@ -115,7 +115,7 @@ impl<'a> ExpressionParser<'a> {
         found
     }
 
-    /// The same with blanks between the letters of `word`.
+    /// The same, also with blanks between the letters of `word`.
     pub(crate) fn take_spread(&mut self, word: &str) -> bool {
         self.next_mark();
         let mut at = self.at;
@@ -132,7 +132,7 @@ impl<'a> ExpressionParser<'a> {
         true
     }
 
-    /// The next mark that is not in a comment.
+    /// The next byte that is neither a blank nor in a comment.
     pub fn next_mark_after_comments(&mut self) -> u8 {
         while self.next_mark() == b'(' && self.at < self.end {
             let rest = &self.text[self.at..self.end];
@@ -146,12 +146,12 @@ impl<'a> ExpressionParser<'a> {
         rest.get(..word.len()).is_some_and(|head| head.eq_ignore_ascii_case(word.as_bytes()))
     }
 
-    /// Reads a whole expression, operators and all.
+    /// Reads a whole expression with its operators.
     pub fn expression(&mut self) -> Expression {
         self.begin(|parser| parser.binary(0))
     }
 
-    /// Reads one value: a number, a variable, a bracket, a function, with its signs.
+    /// Reads one value: a number, a variable, a bracket or a function, with its signs.
     pub fn value(&mut self) -> Expression {
         self.begin(Self::unary)
     }
@@ -177,9 +177,8 @@ impl<'a> ExpressionParser<'a> {
         Expression { first, end: self.steps.len() as u32, range }
     }
 
-    /// Reads `#…` up to the number of the variable, without reading its value: the target of
-    /// an assignment. The last step says what kind of variable it is: it is left out for a
-    /// numbered one.
+    /// Reads the target of an assignment: the number of the variable, without the step that reads its value. That step is
+    /// returned separately and shows the kind of the variable; `None` if there is no variable.
     pub fn variable(&mut self) -> (Expression, Option<StackOp>) {
         let mut whole = self.begin(Self::primary);
         let last = self.steps.last().map(|step| step.op).filter(|_| !whole.is_empty());
@@ -198,8 +197,8 @@ impl<'a> ExpressionParser<'a> {
         self.steps.push(ExpressionStep { op, range });
     }
 
-    /// Operands joined by operators of at least a level. The loop takes operators of equal
-    /// level from the left, so a long sum needs no depth.
+    /// Reads operands joined by operators of at least a level. The loop takes operators of equal level from the left,
+    /// so a long sum needs no recursion.
     fn binary(&mut self, level: u8) {
         self.next_mark();
         let start = self.at;
@@ -304,7 +303,7 @@ impl<'a> ExpressionParser<'a> {
                 .also(at.in_file(file), "reading stopped here")
                 .help(format!("close it with `{mark}`"))
         });
-        // What could not be read inside would be reported again after it.
+        // Continues after the bracket, so that unreadable text in it is not reported again.
         if let Some(found) = self.text[self.at..self.end].iter().position(|b| *b == close) {
             self.at += found + 1;
         }
@@ -328,7 +327,7 @@ impl<'a> ExpressionParser<'a> {
                 let digits_at = self.at;
                 let rest = &self.text[self.at..self.end];
                 let digits = rest.iter().take_while(|b| b.is_ascii_digit()).count();
-                // Decimals are read too, so that `#1.5` is no variable instead of #1.
+                // Decimals are read too, so that `#1.5` is not read as #1.
                 let decimals = match rest.get(digits) {
                     Some(b'.') => {
                         rest[digits + 1..].iter().take_while(|b| b.is_ascii_digit()).count()
@@ -383,7 +382,7 @@ impl<'a> ExpressionParser<'a> {
         }
     }
 
-    /// A function, or a variable that is written with letters.
+    /// Reads a function, or a variable that is written with letters.
     fn name(&mut self, start: usize) {
         let letters = self.text[self.at..self.end].iter().take_while(|b| b.is_ascii_alphabetic());
         let length = letters.count();
@@ -405,7 +404,7 @@ impl<'a> ExpressionParser<'a> {
         self.problem(Code::UnsupportedMacro, range, |d| {
             d.label("not a function of this control").help(format!("it has {}", known.join(", ")))
         });
-        // The arguments of what is not known would only be reported as further problems.
+        // The arguments of an unknown function would only give further problems.
         if self.next_mark() == self.grammar.bracket_bytes().0 {
             let problems = self.problems.len();
             let steps = self.steps.len();
@@ -434,12 +433,12 @@ impl<'a> ExpressionParser<'a> {
         let (open, close) = self.grammar.bracket_bytes();
         let mut two = false;
         if function == Function::Not {
-            // NOT binds looser than a comparison: `NOT V1=2`.
+            // NOT binds less tightly than a comparison: `NOT V1=2`.
             self.within_limit(start, |parser| parser.binary(1));
             return self.push(StackOp::Call { function, two }, start);
         }
         if self.next_mark() != open {
-            // `SIN#1`: some writers leave the brackets out, and most controls read it.
+            // `SIN#1`: some programs omit the brackets, and most controls accept that.
             self.within_limit(start, Self::unary);
             return self.push(StackOp::Call { function, two }, start);
         }
@@ -490,7 +489,7 @@ impl<'a> ExpressionParser<'a> {
         match self.next_mark() {
             b'0'..=b'9' => self.number(self.at),
             mark if mark == open => self.bracket(),
-            // `VF`, `AX`: there is only one.
+            // `VF`, `AX`: there is only one such variable.
             _ => self.push(StackOp::Number(0.0), start),
         }
         self.push(StackOp::Letters(index as u8), start);

@@ -1,11 +1,10 @@
-//! Expressions and statements of macro languages within a block: where they begin and end.
+//! Finds the beginning and the end of expressions and statements of macro languages in a block.
 
 use super::*;
 use crate::program_name::scan_program_name;
 
 impl BlockReader<'_> {
-    /// The letter O at `self.at` begins flow control: a number, a name or a bracket, and then
-    /// a word.
+    /// Whether the letter O at `self.at` begins flow control: a number, a name or a bracket, and then a word.
     #[cold]
     pub(super) fn flow_control(&self) -> bool {
         let line = &self.text[self.at + 1..self.end];
@@ -36,7 +35,7 @@ impl BlockReader<'_> {
         line[at..].iter().find(|b| !blank(b)).is_some_and(u8::is_ascii_alphabetic)
     }
 
-    /// `<NAME>`: the head of a program where nothing but N stands before it, and behind a call what P says elsewhere.
+    /// Reads `<NAME>`: the head of a program if only an N number is before it; in a call, the program that is called.
     #[cold]
     pub(super) fn program_name(&mut self, block: &mut Block) {
         let Some((number, length)) = scan_program_name(&self.text[self.at..self.end]) else {
@@ -50,8 +49,8 @@ impl BlockReader<'_> {
         block.push(Word { letter, register: None, comma: false, value, range });
     }
 
-    /// The number of an N word with a statement or the head of a program right after it:
-    /// `N900#3000=1`, `N10[#1EQ2]M99`, `N1O75(BOX)`.
+    /// The number of an N word that is directly followed by a statement or the head of a program: `N900#3000=1`,
+    /// `N10[#1EQ2]M99`, `N1O75(BOX)`.
     #[cold]
     pub(super) fn number_of_packed_block(&mut self) -> Option<Decimal> {
         let rest = &self.text[self.at..self.end];
@@ -59,7 +58,7 @@ impl BlockReader<'_> {
         let number = Decimal::parse(&rest[..digits])?;
         let packed = match rest.get(digits)? {
             b'#' | b'[' => true,
-            // With words after it, `N1O0 G1` is a slip of the finger.
+            // `N1O0 G1`, with words after it, is a typing mistake.
             b'O' | b'o' => {
                 let after = &rest[digits + 1..];
                 let head = after.iter().take_while(|b| b.is_ascii_digit()).count();
@@ -74,7 +73,7 @@ impl BlockReader<'_> {
         })
     }
 
-    /// Keywords of macro languages, by the letters from `start`.
+    /// Whether the letters from `start` are a keyword of a macro language.
     pub(super) fn keyword(&self, start: usize) -> bool {
         const KEYWORDS: [&str; 27] = [
             "IF", "WHILE", "WH", "GOTO", "GO", "END", "DO", "THEN", "ELSE", "DPRNT", "BPRNT",
@@ -87,8 +86,8 @@ impl BlockReader<'_> {
         KEYWORDS.iter().any(|keyword| word == *keyword)
     }
 
-    /// Goes to the end of a macro statement: the end of the line, or a semicolon outside
-    /// brackets and comments where that ends a block.
+    /// Goes to the end of a macro statement: the end of the line, or a semicolon outside of brackets and comments if
+    /// that ends a block.
     pub(super) fn skip_statement(&mut self) {
         if self.lexicon.semicolon == Semicolon::Comment {
             return self.skip_to_line_end();
@@ -106,7 +105,7 @@ impl BlockReader<'_> {
         }
     }
 
-    /// A function of the control with its bracket (`SIN[30.]`) stands at a place.
+    /// Whether there is a function of the control with its bracket (`SIN[30.]`) at `at`.
     pub(super) fn function_at(&self, at: usize) -> bool {
         let rest = &self.text[at..self.end];
         let letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
@@ -116,8 +115,8 @@ impl BlockReader<'_> {
         following == Some(&open) && self.lexicon.grammar.functions.iter().any(known)
     }
 
-    /// `#12`, `#[…]`, `[…]`, `SIN[…]`, with a sign; brackets are matched, the line end closes
-    /// all. What is inside is read when the block is carried out.
+    /// Finds the end of `#12`, `#[…]`, `[…]` or `SIN[…]`, with a sign. Brackets are matched; the end of the line closes
+    /// all. The expression itself is read when the block is executed.
     pub(super) fn expression(&mut self) -> WordValue {
         let start = self.at;
         self.operand();
@@ -166,7 +165,7 @@ impl BlockReader<'_> {
         }
     }
 
-    /// From an opening bracket to the one that closes it.
+    /// Goes from an opening bracket past the one that closes it.
     pub(super) fn brackets(&mut self) {
         let mut depth = 0usize;
         while self.at < self.end && !matches!(self.text[self.at], b'\n' | b'\r') {

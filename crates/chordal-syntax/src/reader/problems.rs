@@ -1,9 +1,9 @@
-//! Text that is not a word, and its diagnostics.
+//! Diagnostics for text that is not a word.
 
 use super::*;
 
 impl BlockReader<'_> {
-    /// `X1O.5`, `XO`, `Xl.5`: the letter O for a zero, a small l for a one.
+    /// Reports `X1O.5`, `XO` or `Xl.5`: the letter O instead of a zero, or a lower-case l instead of a one.
     #[cold]
     pub(super) fn letter_for_digit(
         &mut self,
@@ -18,7 +18,7 @@ impl BlockReader<'_> {
             .take_while(|b| numeric(b) || matches!(b, b'O' | b'o' | b'l'))
             .collect();
         let mut letters = token.iter().filter(|b| b.is_ascii_alphabetic());
-        // A keyword or an O word after a blank is not a slip of the finger.
+        // A keyword or an O word after a blank is no typing mistake.
         let next = rest.get(token.len()).copied().unwrap_or(b'\n');
         let in_packed_words = next.is_ascii_alphabetic() && is_packed_slip(&token);
         if letters.next().is_none() || next.is_ascii_alphabetic() && !in_packed_words {
@@ -52,7 +52,8 @@ impl BlockReader<'_> {
         Some(WordValue::Number(number))
     }
 
-    /// `(cut) o100 repeat [2]`: the interpreter reads the O as a letter like any other, and has none.
+    /// Reports `(cut) o100 repeat [2]`: after a comment, the interpreter reads the O as a word, and there is no such
+    /// word.
     #[cold]
     pub(super) fn o_word_after_comment(&self, block: &mut Block, start: usize) {
         self.problem(block, || {
@@ -91,7 +92,7 @@ impl BlockReader<'_> {
         });
     }
 
-    /// A number without a letter: a lost letter, or an `I` typed as `1` (`12. J2.`).
+    /// Reports a number without a letter: the letter is missing, or an `I` was typed as `1` (`12. J2.`).
     #[cold]
     pub(super) fn lone_number(&mut self, block: &mut Block) {
         let start = self.at;
@@ -102,7 +103,7 @@ impl BlockReader<'_> {
         let token = rest.iter().take_while(|b| CLASSES[**b as usize] == CharClass::Digit).count();
         self.at += token.max(1);
         let words = &rest[..token];
-        // The words after it, not a comment's.
+        // Only the words after it, not those of a comment.
         let line_end = memchr::memchr3(b'\n', b'\r', b'(', rest).unwrap_or(rest.len());
         let following = &rest[token..line_end.min(token + 200)];
         let has = |letter: u8| {
@@ -169,8 +170,8 @@ impl BlockReader<'_> {
     }
 }
 
-/// `1O.` in `X1O.Y5.`, `.O0` in `X4.O00F90.`, `-O.` in `Z-O.5F30.`: the letter O before a point or a digit, at the
-/// begin before a point alone.
+/// Whether a token has the letter O instead of a zero: `1O.` in `X1O.Y5.`, `.O0` in `X4.O00F90.`, `-O.` in `Z-O.5F30.`.
+/// The O is before a point or a digit; at the start of the token, only before a point.
 fn is_packed_slip(token: &[u8]) -> bool {
     let is_within = |part: &[u8]| {
         matches!(part[0], b'0'..=b'9' | b'.' | b'+' | b'-')

@@ -1,25 +1,25 @@
-//! Prose between the words of a program: a remark whose marks were lost, or that was wrapped at the end
-//! of its line.
+//! Finds prose between the words of a program: a comment without its parentheses, or one that was wrapped at the end of
+//! its line.
 
 use super::*;
 
-/// How many bytes of a line are looked at to separate prose from words.
+/// The largest number of bytes of a line that are examined to distinguish prose from words.
 const MAX_INSPECTED_BYTES: usize = 400;
 
-/// What the text to the end of a line holds.
+/// Counts of the tokens up to the end of a line.
 #[derive(Default)]
 struct CommentTokens {
-    /// Letters alone, two or more of them.
+    /// Tokens of two or more letters only.
     prose: usize,
-    /// Prose of three letters and more.
+    /// Those with three or more letters.
     long: usize,
-    /// All else: numbers, words of a program.
+    /// All other tokens: numbers, words of a program.
     other: usize,
-    /// A mark of expressions and statements.
+    /// There is a character of expressions or statements.
     marks: bool,
-    /// Letters of the longest word of prose.
+    /// The number of letters of the longest prose token.
     longest: usize,
-    /// The last of them closes a parenthesis that this line does not open.
+    /// The last token closes a parenthesis that was not opened on this line.
     closes: bool,
 }
 
@@ -45,8 +45,8 @@ impl CommentTokens {
         tokens
     }
 
-    /// Words of a language, as many as there is anything else: two of them, one that closes a parenthesis
-    /// opened on another line, or one long one that is alone.
+    /// Whether the text is prose: at least as many prose tokens as others, and two of them, or one that closes a
+    /// parenthesis from another line, or a single one of four or more letters.
     fn is_prose(&self) -> bool {
         let alone = self.prose == 1 && self.other == 0 && self.longest >= 4;
         (self.prose >= 2 || alone || self.closes)
@@ -61,7 +61,7 @@ fn prose_of(line: &[u8]) -> &[u8] {
     &line[..memchr::memchr(b'(', line).unwrap_or(line.len())]
 }
 
-/// A letter and a number: `X5.`, `G1`.
+/// Whether a token is a letter and a number: `X5.`, `G1`.
 fn is_word(token: &[u8]) -> bool {
     let [letter, number @ ..] = token else { return false };
     letter.is_ascii_alphabetic()
@@ -69,7 +69,7 @@ fn is_word(token: &[u8]) -> bool {
         && number.iter().all(|byte| CLASSES[*byte as usize] == CharClass::Digit)
 }
 
-/// A token without the marks of a sentence after it.
+/// A token without the punctuation after it.
 fn without_marks(token: &[u8]) -> &[u8] {
     let mark = |byte: &u8| matches!(byte, b',' | b'.' | b':' | b'!' | b')');
     let kept = token.iter().rposition(|byte| !mark(byte)).map_or(0, |last| last + 1);
@@ -77,11 +77,11 @@ fn without_marks(token: &[u8]) -> &[u8] {
 }
 
 impl BlockReader<'_> {
-    /// Takes prose from `start` to the end of its line or a comment in it, as one problem. False, and
-    /// nothing taken, where the text is none.
+    /// Reports the prose from `start` to the end of its line or the next comment as one problem, and skips it. False if
+    /// the text is not prose.
     #[cold]
     pub(super) fn remark(&mut self, block: &mut Block, start: usize) -> bool {
-        // A megabyte on one line must not be searched for its end again and again.
+        // A line of a megabyte must not be searched for its end repeatedly.
         let head = prose_of(self.line_from(start, MAX_INSPECTED_BYTES));
         let tokens = CommentTokens::of(head);
         // A keyword alone is a statement of a macro language.
@@ -102,7 +102,7 @@ impl BlockReader<'_> {
             false => format!("{} in it is skipped, too", passed.join(" ")),
         };
         self.at = end;
-        // What was found on the way to it is a part of it.
+        // Other problems found before are part of the prose.
         block.problems.retain(|problem| problem.code == Code::UnclosedComment);
         block.comments.push(range);
         self.problem(block, || {
@@ -117,7 +117,7 @@ impl BlockReader<'_> {
         true
     }
 
-    /// The text from a place to the end of its line, or so many bytes of it.
+    /// The text from `start` to the end of its line, at most `most` bytes.
     fn line_from(&self, start: usize, most: usize) -> &[u8] {
         let rest = &self.text[start..self.end.min(start.saturating_add(most))];
         &rest[..memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len())]

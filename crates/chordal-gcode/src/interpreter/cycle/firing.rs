@@ -1,4 +1,4 @@
-//! When a block makes holes, how many, and what ends a cycle.
+//! Decides when a block makes holes, and how many.
 
 use chordal_command::AxisMask;
 use chordal_diagnostics::{Code, Diagnostic};
@@ -9,7 +9,7 @@ use chordal_syntax::Block;
 use super::super::Interpreter;
 
 impl Interpreter<'_> {
-    /// A block with a cycle code; `radial`: one that drills along X.
+    /// Carries out a block with a cycle code; `radial` for a code that drills along X.
     pub(in super::super) fn start_cycle(&mut self, block: &Block, kind: CycleKind, radial: bool) {
         let axis = match self.control.parameters.rules.cycles.axis {
             DrillingAxis::OfCode if radial => 0,
@@ -17,7 +17,7 @@ impl Interpreter<'_> {
             DrillingAxis::AlwaysZ | DrillingAxis::PlaneNormal => self.kernel.drilling_axis(),
         };
         let before = self.kernel.state.cycle.filter(|cycle| cycle.axis == axis);
-        // The initial level stays while one cycle follows another.
+        // The initial level is kept when one cycle follows another.
         let initial = before.map_or(self.kernel.state.position[axis], |cycle| cycle.initial);
         let keeps = self.control.parameters.rules.cycles.keeps_words;
         let kept = before.filter(|cycle| keeps || cycle.kind == kind);
@@ -30,12 +30,12 @@ impl Interpreter<'_> {
         self.cycle_block(block, true);
     }
 
-    /// A block while a cycle is in force: a hole where it names a place.
+    /// Carries out a block while a cycle is active: a hole if it gives a position.
     pub(in super::super) fn next_hole(&mut self, block: &Block) {
         self.cycle_block(block, false);
     }
 
-    /// Takes the words of a block and makes the holes that it asks for.
+    /// Reads the words of a block and makes its holes.
     fn cycle_block(&mut self, block: &Block, definition: bool) {
         let Some(mut cycle) = self.kernel.state.cycle else { return };
         self.take_cycle_words(block, &mut cycle);
@@ -99,7 +99,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A block that makes no hole although it looks as if it should.
+    /// Reports a block that makes no hole although it seems to.
     fn check_idle_block(&mut self, block: &Block, named: AxisMask, definition: bool) {
         let any_axis = self.control.parameters.rules.cycles.fires_on == FiringWords::AnyAxis;
         if !any_axis || named != AxisMask::NONE {
@@ -118,7 +118,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A count in a block that makes no hole.
+    /// Reports a repeat count in a block that makes no hole.
     fn check_idle_count(&mut self, block: &Block, repeats: u32, definition: bool) {
         let letter = self.control.parameters.rules.cycles.repeat_letter;
         if !definition
@@ -143,7 +143,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Q where I, J and K give the steps of pecks.
+    /// Reports Q when I, J and K give the peck depths.
     fn check_unused_peck(&mut self, block: &Block, words: &CycleState) {
         let decreasing = self.control.parameters.rules.cycles.peck.decreasing;
         let by_steps = words.vector[0].is_some_and(|first| first != 0.0);
@@ -157,7 +157,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// How often the block makes its hole; `None` where the control refuses it.
+    /// The number of holes of the block; `None` when the control refuses it.
     fn cycle_repeats(&mut self, block: &Block) -> Option<u32> {
         let rules = self.control.parameters.rules.cycles;
         let letter = rules.repeat_letter;
@@ -180,7 +180,7 @@ impl Interpreter<'_> {
         Some(self.cut_to_limit(&word, count))
     }
 
-    /// M45: the cycle in force, or the routine of G66, where the tool stands.
+    /// M45: runs the active cycle, or the subroutine of G66, at the present position.
     pub(in super::super) fn run_cycle_here(&mut self, block: &Block, at: usize) {
         if self.kernel.state.cycle.is_some_and(|cycle| cycle.fired) {
             return;

@@ -1,4 +1,4 @@
-//! The words of a cycle, and the levels they give.
+//! Reads the words of a cycle into its levels and other data.
 
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::{Action, ReadingCode};
@@ -9,8 +9,8 @@ use chordal_syntax::{Block, Letters};
 use super::super::Interpreter;
 
 impl Interpreter<'_> {
-    /// Whether a word of this block is read in G91; where G90 and G91 act from left to right
-    /// that is a matter of its place.
+    /// True when a word of this block is read in G91; if G90 and G91 act from left to right, this depends on its
+    /// position in the block.
     fn incremental_at(&self, block: &Block, letter: u8) -> bool {
         if !self.control.table.distance_left_to_right {
             return self.kernel.state.incremental;
@@ -32,7 +32,7 @@ impl Interpreter<'_> {
         incremental
     }
 
-    /// Takes the words of a block into the cycle in force.
+    /// Reads the words of a block into the active cycle.
     pub(super) fn take_cycle_words(&mut self, block: &Block, cycle: &mut CycleState) {
         let rules = self.control.parameters.rules.cycles;
         let letters = block.letters();
@@ -73,7 +73,7 @@ impl Interpreter<'_> {
             cycle.z = Some(cycle.r.unwrap_or(cycle.initial) + value);
         }
         if letters.has(b'Q') {
-            // On lathes it is usually written in least increments.
+            // On lathes Q is usually written in least increments: no report without a decimal point.
             let step = match rules.axis {
                 DrillingAxis::OfCode => self.quiet_length(block, b'Q'),
                 DrillingAxis::AlwaysZ | DrillingAxis::PlaneNormal => self.cycle_length(block, b'Q'),
@@ -98,7 +98,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// I, J and K: a shift, the steps of pecks, the top of a bore, or how fast a tap leaves.
+    /// Reads I, J and K: a shift, peck depths, the top of a bore, or the retraction factor of a tap.
     fn take_vector(&mut self, block: &Block, cycle: &mut CycleState) {
         let rules = &self.control.parameters.rules.cycles;
         let repeat_letter = rules.repeat_letter;
@@ -118,7 +118,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// P: a time, or on some controls a distance.
+    /// Reads P: a dwell, or on some controls a distance.
     fn take_cycle_p(&mut self, block: &Block, cycle: &mut CycleState) {
         let rules = &self.control.parameters.rules.cycles;
         let is_distance = match cycle.kind {

@@ -1,4 +1,4 @@
-//! Canned cycles: their words are read here, the kernel drills.
+//! Canned cycles: reads their words; the kernel makes the holes.
 
 mod firing;
 mod levels;

@@ -1,5 +1,5 @@
-//! What a Fadal's L and F words mean beside a cycle: calls, bolt circles, speeds of taps, and
-//! the subroutine that G66 runs at every position.
+//! Words with another meaning while a cycle is active: on a Fadal L for calls and bolt circles and F for tap speeds;
+//! and the modal subroutine of G66.
 
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_dialect::{Action, CodeGroup, CodeRow, ModeCode};
@@ -13,14 +13,14 @@ use super::super::Interpreter;
 const AXIS_WORDS: Letters = Letters::of(AXIS_LETTERS);
 
 impl Interpreter<'_> {
-    /// Codes of two groups that this control holds for one.
+    /// True for two groups that are one group on this control.
     pub(in super::super) fn one_group(&self, first: CodeGroup, second: CodeGroup) -> bool {
         let motion = |group| matches!(group, CodeGroup::Motion | CodeGroup::Cycle);
         let joined = self.control.parameters.rules.cycles.one_group_with_motion;
         first == second || joined && motion(first) && motion(second)
     }
 
-    /// G80 and a motion or a cycle in one block, where they are one group: the other one counts.
+    /// True for G80 with a motion or a cycle in one block, on controls where they are one group: G80 is then ignored.
     pub(in super::super) fn is_cycle_cancel_with_motion(
         &self,
         first: &CodeRow,
@@ -30,7 +30,7 @@ impl Interpreter<'_> {
         self.control.parameters.rules.cycles.one_group_with_motion && off(first) != off(second)
     }
 
-    /// The cycle that this block is about: its own, or the one in force.
+    /// True when the cycle of this block, or else the active one, is a tap.
     fn is_about_tap(&self, codes: &[(&'static CodeRow, usize)]) -> bool {
         let own = codes.iter().rev().find(|(row, _)| row.group == CodeGroup::Cycle);
         match own.map(|(row, _)| row.action) {
@@ -40,13 +40,13 @@ impl Interpreter<'_> {
         }
     }
 
-    /// F of this block is the speed of a tap (Fadal Format 1), not a feed.
+    /// True when F of this block is the speed of a tap (Fadal Format 1), not a feed.
     pub(in super::super) fn feed_is_tap_speed(&self, codes: &[(&'static CodeRow, usize)]) -> bool {
         let by_lead = self.control.parameters.rules.cycles.tap.feed == TapFeed::SpeedWithLeadQ;
         by_lead && self.is_about_tap(codes)
     }
 
-    /// `,R` of this block says whether a tap is synchronous.
+    /// True when `,R` of this block belongs to a tap (synchronous or not), not to a rounding.
     pub(in super::super) fn tap_stands_in(&self, block: &Block) -> bool {
         let own = block.all(b'G').find_map(|word| {
             let code = word.number().and_then(chordal_dialect::code_number)?;
@@ -55,7 +55,7 @@ impl Interpreter<'_> {
         own.unwrap_or_else(|| self.kernel.state.cycle.is_some_and(|cycle| cycle.kind.is_tap()))
     }
 
-    /// L in a block with a cycle repeats holes; it may still be a call.
+    /// True when L in this block repeats holes of the cycle; it may still be a call.
     pub(in super::super) fn cycle_counts_in_l(
         &self,
         block: &Block,
@@ -65,7 +65,7 @@ impl Interpreter<'_> {
         block.letters().has(b'L') && !codes.iter().any(|(row, _)| takes(row))
     }
 
-    /// The hole of a block that also calls a subroutine: L is not its repeat.
+    /// Makes the hole of a block that also calls a subroutine: L is then not its repeat count.
     pub(in super::super) fn next_hole_with_call(&mut self, block: &Block) {
         if block.letters().meets(AXIS_WORDS) {
             let (target, _) = self.target(block);
@@ -73,7 +73,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// L93NN: the cycle in force at NN places on a circle about the present one.
+    /// L93NN: the active cycle at NN positions on a circle about the present one.
     pub(in super::super) fn bolt_circle(&mut self, block: &Block, word: &Word, count: u32) {
         let span = self.span(word.range);
         if self.kernel.state.cycle.is_none() {
@@ -110,7 +110,7 @@ impl Interpreter<'_> {
         });
     }
 
-    /// A repeated line under G66 would run the routine between its passes.
+    /// Warns of a repeated line under G66, where the control would run the subroutine after each pass.
     pub(in super::super) fn warn_of_repeated_modal_subroutine(
         &mut self,
         block: &Block,

@@ -1,4 +1,4 @@
-//! Holes on a circle, an arc or a line: the cycle in force at computed places.
+//! Holes on a circle, an arc or a line: the active cycle at computed positions.
 
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_kernel::rules::HolePattern;
@@ -7,7 +7,7 @@ use chordal_syntax::Block;
 use super::super::Interpreter;
 
 impl Interpreter<'_> {
-    /// G70, G71, G72 of a Haas: I, J, K and L about the place where the tool stands.
+    /// G70, G71, G72 of a Haas: I, J, K and L about the present position.
     pub(in super::super) fn pattern(&mut self, block: &Block, at: usize, pattern: HolePattern) {
         let span = self.span(block.words[at].range);
         if self.kernel.state.cycle.is_none() {
@@ -37,12 +37,12 @@ impl Interpreter<'_> {
         });
     }
 
-    /// J and K of a pattern are degrees, with or without a point.
+    /// J or K of a pattern, degrees, with or without a decimal point.
     fn angle_word(&self, block: &Block, letter: u8) -> Option<f64> {
         block.last(letter).and_then(|word| self.literal(word)).map(|number| number.to_f64())
     }
 
-    /// L; negative goes clockwise.
+    /// L, the number of holes; negative for clockwise.
     fn pattern_count(&mut self, block: &Block) -> Option<i64> {
         let word = *block.last(b'L')?;
         let count = self.literal(&word)?.to_integer()?;

@@ -1,4 +1,4 @@
-//! What a program shows the operator by variables: alarms (#3000) and messages (#3006).
+//! Alarms (#3000) and messages (#3006) that a program shows to the operator.
 
 use chordal_command::CommandKind;
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
@@ -54,7 +54,7 @@ impl Interpreter<'_> {
         self.kernel.emit(CommandKind::Stop { optional: false });
     }
 
-    /// The text that hugs the value being assigned.
+    /// The comment next to the assigned value.
     fn message_text(&self) -> String {
         let range = self.message.unwrap_or_default();
         String::from_utf8_lossy(range.slice(self.reader.text())).trim().to_string()

@@ -1,6 +1,6 @@
-//! Lines of LinuxCNC with assignments in them. All values of a line are computed with what the
-//! variables held before it, the assignments are made, and then its words are carried out
-//! ("Numbered Parameters": `#3=6 G1 X#3` uses the old #3).
+//! Lines with assignments of LinuxCNC. First all values of a line are computed with the variables as they were
+//! before it, then the assignments are made, then its words are carried out ("Numbered Parameters":
+//! `#3=6 G1 X#3` uses the old #3).
 
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_syntax::{
@@ -12,10 +12,10 @@ use super::super::{BlockFlow, Interpreter};
 use crate::macros::evaluate::ValuePurpose;
 use crate::macros::value::MacroValue;
 
-/// Most assignments of a line; the control's lines are 255 characters long.
+/// Largest number of assignments of a line; the control's lines have up to 255 characters.
 const MAX_ASSIGNMENTS: usize = 200;
 
-/// An assignment that is still to be made.
+/// A computed assignment that is not made yet.
 struct PendingAssignment {
     target: AssignTarget,
     index: f64,
@@ -23,7 +23,7 @@ struct PendingAssignment {
 }
 
 impl Interpreter<'_> {
-    /// A line with a statement in it: assignments and words in any order, or an O word.
+    /// Carries out a line with a statement: assignments and words in any order, or an O word.
     pub(in super::super) fn parameter_line(
         &mut self,
         block: &mut Block,
@@ -58,7 +58,7 @@ impl Interpreter<'_> {
                 break;
             }
             let Some(rest) = self.assignment(range, &mut pending) else { break };
-            // The rest is read as a block of its own. It is shorter every time.
+            // The rest is read as a block of its own; it gets shorter each time, so the loop ends.
             let lexicon = self.control.table.lexicon;
             let mut reader = BlockReader::new(self.reader.text(), self.file, lexicon);
             reader.seek(TextPosition { offset: rest.start, line });
@@ -70,8 +70,8 @@ impl Interpreter<'_> {
                 self.report_once(problem);
             }
         }
-        for made in pending {
-            self.make(&made);
+        for assignment in pending {
+            self.make(&assignment);
         }
         if !comments.is_empty()
             && let Some(flow) = self.acting_comment(&comments)
@@ -103,7 +103,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// Reads an assignment and computes it; what is left of the line comes back.
+    /// Reads an assignment and computes it. Returns the rest of the line; `None` when it cannot be read.
     fn assignment(
         &mut self,
         range: TextRange,
@@ -126,7 +126,7 @@ impl Interpreter<'_> {
                 if let (Some(index), Some(value)) = (index, value) {
                     pending.push(PendingAssignment { target, index, value });
                 }
-                // The comment behind it is one of the line's.
+                // The comment after it is a comment of the line.
                 if let Some(text) = text {
                     rest = rest.map(|rest| TextRange::new(text.start - 1, rest.end));
                 }
@@ -150,10 +150,13 @@ impl Interpreter<'_> {
         rest
     }
 
-    fn make(&mut self, made: &PendingAssignment) {
-        if let Err(fault) =
-            self.write_target(made.target.kind, made.index, made.value, made.target.range)
-        {
+    fn make(&mut self, assignment: &PendingAssignment) {
+        if let Err(fault) = self.write_target(
+            assignment.target.kind,
+            assignment.index,
+            assignment.value,
+            assignment.target.range,
+        ) {
             self.report_fault(fault);
         }
     }

@@ -14,27 +14,27 @@ use crate::macros::arguments::{ArgumentAssigner, reserved_variable};
 use crate::macros::evaluate::ValuePurpose;
 use crate::macros::value::MacroValue;
 
-/// A modal call in force.
+/// An active modal call.
 #[derive(Clone, Debug)]
 pub(in super::super) struct ModalCall {
-    /// The word that names the program, for what is told later.
+    /// The word that names the program, for later messages.
     word: Word,
     program: u32,
     repeats: u32,
     arguments: Vec<(u32, MacroValue)>,
-    /// G66.1: every block calls, its words are the arguments.
+    /// G66.1: every block calls, with its words as arguments.
     every_block: bool,
     /// An L word calls a subroutine, not a program.
     subroutine: bool,
 }
 
-/// What a block calls.
+/// The kind of call of a block.
 enum BlockCall {
     Once,
     Modal {
         every_block: bool,
     },
-    /// A code that a setting makes a call: the program, and whether it takes arguments.
+    /// A code that a setting makes a call: the program, and whether it gets arguments.
     Alias {
         program: u32,
         arguments: bool,
@@ -82,8 +82,8 @@ impl Interpreter<'_> {
         })
     }
 
-    /// The program that a setting gives to a code. Inside a program that was called so the
-    /// code acts by itself.
+    /// The program that a setting assigns to a code. Inside a program that was called this way the code has its
+    /// own meaning.
     fn alias(&self, letter: u8, code: u16) -> Option<BlockCall> {
         let aliases = &self.control.parameters.aliases;
         if !aliases.any || self.macros.in_alias > 0 || code == 0 {
@@ -106,7 +106,7 @@ impl Interpreter<'_> {
         Some(BlockCall::Alias { program: FIRST_ALIAS_SUBPROGRAM + at, arguments: false })
     }
 
-    /// Carries out a block that calls a macro; `None` when it is another sort of block.
+    /// Carries out a block that calls a macro; `None` for another kind of block.
     pub(in super::super) fn macro_call(&mut self, block: &Block) -> Option<BlockFlow> {
         if !self.rules().macro_b {
             return None;
@@ -123,8 +123,8 @@ impl Interpreter<'_> {
         Some(BlockFlow::Next)
     }
 
-    /// Whether a word of a block that calls acts before the call: a code that stays in force, and F, M, S and T. The control
-    /// takes as arguments what comes after the code that calls.
+    /// True for a word that acts before the call of its block: a modal code, F, M, S or T in front of the calling code.
+    /// Words after that code are arguments.
     fn acts_before_call(&self, block: &Block, call: Option<usize>, at: usize) -> bool {
         let word = &block.words[at];
         if call.is_none_or(|call| at >= call) {
@@ -155,7 +155,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Carries out the codes that stand before a call in its block.
+    /// Carries out the codes in front of a call in its block.
     fn codes_before_call(&mut self, block: &Block, at: usize) {
         let mut before = Block::new();
         (before.range, before.line) = (block.range, block.line);
@@ -175,7 +175,7 @@ impl Interpreter<'_> {
         self.enter_macro(&word, program, repeats, &arguments);
     }
 
-    /// P and L of a call.
+    /// P and L of a call: the word, the program and its repeats.
     fn called_program(&mut self, block: &Block, at: usize) -> Option<(Word, u32, u32)> {
         let Some(word) = block.last(b'P').copied() else {
             let code = block.words[at];
@@ -213,7 +213,7 @@ impl Interpreter<'_> {
         self.macros.active = active + 1;
     }
 
-    /// Fadal G66 L: a subroutine after every move; there is one such call at most.
+    /// Fadal G66 L: a subroutine after every move; only one such call can be active.
     pub(in super::super) fn begin_modal_subroutine(&mut self, block: &Block, at: usize) {
         let Some(word) = block.last(b'L').copied() else {
             let span = self.span(block.words[at].range);
@@ -237,14 +237,14 @@ impl Interpreter<'_> {
         self.macros.active = 1;
     }
 
-    /// G67: the last modal call is over.
+    /// G67: ends the last modal call.
     pub(in super::super) fn end_modal_call(&mut self) {
         let active = self.macros.active.saturating_sub(1);
         self.macros.modal.truncate(active);
         self.macros.active = active;
     }
 
-    /// A block while a modal call is in force: G66.1 takes it for itself.
+    /// Carries out a block under G66.1, whose words are arguments; `None` for a block that is not a call.
     fn block_in_modal_call(&mut self, block: &Block) -> Option<BlockFlow> {
         if !self.calls_every_block() || self.ends_modal_call(block) {
             return None;
@@ -266,7 +266,7 @@ impl Interpreter<'_> {
                 b'G' => code
                     .and_then(|code| self.control.g_code(code))
                     .is_some_and(|row| row.action == Action::Mode(ModeCode::ModalCallOff)),
-                // A return or an end is no argument of a call that goes on.
+                // A return or program end is not an argument.
                 b'M' => code.and_then(|code| self.control.m_code(code)).is_some_and(|row| {
                     matches!(row.group, CodeGroup::Calling | CodeGroup::Stopping)
                 }),
@@ -275,7 +275,7 @@ impl Interpreter<'_> {
         })
     }
 
-    /// After a block that moved: the call in force.
+    /// Makes the active modal call after a block that moved.
     pub(in super::super) fn modal_call_after(
         &mut self,
         block: &Block,
@@ -291,7 +291,7 @@ impl Interpreter<'_> {
         flow
     }
 
-    /// True when the axis words are no move: G10, G52, G92, G4.
+    /// True when the axis words do not move: G10, G52, G92, G4.
     fn takes_axes_alone(&self, block: &Block) -> bool {
         block.all(b'G').any(|word| {
             let row = word.number().and_then(code_number).and_then(|c| self.control.g_code(c));
@@ -307,7 +307,7 @@ impl Interpreter<'_> {
         })
     }
 
-    /// M45: the modal call in force, where the tool stands; false where there is none.
+    /// M45: makes the active modal call at the present position; false when there is none.
     pub(in super::super) fn run_modal_call_here(&mut self) -> bool {
         let Some(outer) = self.macros.active.checked_sub(1) else { return false };
         let call = self.macros.modal[outer].clone();
@@ -326,7 +326,7 @@ impl Interpreter<'_> {
             return;
         }
         if self.enter_macro(&call.word, call.program, call.repeats, arguments) {
-            // Moves inside trigger the call that was in force before this one.
+            // Moves inside make the call that was active before this one.
             self.macros.active = outer;
         }
     }
@@ -341,8 +341,8 @@ impl Interpreter<'_> {
             let arguments = self.arguments(block, Some(at), false);
             self.enter_macro(&word, program, 1, &arguments)
         } else {
-            let provided = CustomCodeCall { block: Some(block), arguments: &[] };
-            self.enter_program(&word, program, 1, provided)
+            let call = CustomCodeCall { block: Some(block), arguments: &[] };
+            self.enter_program(&word, program, 1, call)
         };
         if entered {
             self.macros.in_alias += 1;
@@ -352,7 +352,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The words of a block as variables. Type I and II may be mixed; the later one counts.
+    /// The words of a block as arguments: variable and value. Argument types I and II may be mixed; the later counts.
     fn arguments(
         &mut self,
         block: &Block,
@@ -381,7 +381,7 @@ impl Interpreter<'_> {
                     .literal(word)
                     .map(|number| MacroValue::Number(self.argument(word.letter, number))),
             };
-            // A null argument arrives as null; what was there before is overwritten.
+            // A vacant argument stays vacant and replaces an earlier value of the variable.
             arguments.retain(|(earlier, _)| *earlier != variable);
             if let Some(value) = value.filter(|value| *value != MacroValue::Vacant) {
                 arguments.push((variable, value));
@@ -403,7 +403,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// A literal argument: without a point it counts the least increments of its address.
+    /// The value of a literal argument; without a point it counts in least increments of its address.
     fn argument(&self, letter: u8, number: Decimal) -> f64 {
         let rules = self.rules();
         let parameters = &self.control.parameters;
@@ -423,7 +423,7 @@ impl Interpreter<'_> {
         number.times(1, digits)
     }
 
-    /// Goes into a macro with locals of its own. False when that was not possible.
+    /// Enters a macro with its own local variables; false when that was not possible.
     fn enter_macro(
         &mut self,
         word: &Word,
@@ -437,12 +437,12 @@ impl Interpreter<'_> {
             self.report_macro_nesting(word, depth, limit);
             return false;
         }
-        let provided: Vec<(u32, f64)> = arguments
+        let known: Vec<(u32, f64)> = arguments
             .iter()
             .filter_map(|(number, value)| Some((*number, value.known()?)))
             .collect();
-        let provided = CustomCodeCall { block: None, arguments: &provided };
-        if !self.enter_program(word, program, repeats, provided) {
+        let call = CustomCodeCall { block: None, arguments: &known };
+        if !self.enter_program(word, program, repeats, call) {
             return false;
         }
         self.macros.store.enter(arguments);

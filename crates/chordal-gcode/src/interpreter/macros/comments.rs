@@ -1,5 +1,5 @@
-//! Comments that act: `(MSG, …)`, `(PRINT, …)`, `(DEBUG, …)`, `(LOG, …)`, `(ABORT, …)`
-//! (LinuxCNC "Comments"). Only the last comment of a line does.
+//! Active comments: `(MSG, …)`, `(PRINT, …)`, `(DEBUG, …)`, `(LOG, …)`, `(ABORT, …)`
+//! (LinuxCNC "Comments"). Only the last comment of a line acts.
 
 use chordal_command::CommandKind;
 use std::fmt::Write;
@@ -17,7 +17,7 @@ enum CommentAction {
 }
 
 impl Interpreter<'_> {
-    /// Carries out the last of a line's comments; a flow where it ends the run.
+    /// Carries out the last comment of a line; `Some` when it ends the run.
     #[cold]
     pub(in super::super) fn acting_comment(&mut self, comments: &[TextRange]) -> Option<BlockFlow> {
         let text = self.reader.text();
@@ -49,8 +49,8 @@ impl Interpreter<'_> {
         None
     }
 
-    /// The text with the values of its parameters, with six decimals; `%d`, `%f` (four) and
-    /// `%.3f` say otherwise from there on.
+    /// The text with the values of its parameters, with six decimals; `%d` (none), `%f` (four) and `%.3f` change
+    /// the number of decimals from there on.
     fn expanded(&mut self, range: TextRange) -> String {
         let text = self.reader.text();
         let bytes = range.slice(text);
@@ -99,7 +99,7 @@ impl Interpreter<'_> {
     }
 }
 
-/// What a comment does, and the text behind its word.
+/// The action of a comment, and the text after its keyword; `None` for an ordinary comment.
 fn act_of(text: &[u8], comment: TextRange) -> Option<(CommentAction, TextRange)> {
     let bytes = comment.slice(text);
     let comma = bytes.iter().take(16).position(|b| *b == b',')?;
@@ -116,8 +116,8 @@ fn act_of(text: &[u8], comment: TextRange) -> Option<(CommentAction, TextRange)>
     Some((act, TextRange::new(start, end.max(start))))
 }
 
-/// `d`, `f`, `.3f` behind a percent sign: the decimals, and how long it is. A point that goes
-/// on otherwise loses its percent sign and changes nothing, as LinuxCNC 2.9 has it.
+/// `d`, `f` or `.3f` after a percent sign: the number of decimals, and the length of the format. With any other
+/// text after a point only the percent sign is removed, as in LinuxCNC 2.9.
 fn format_of(text: &[u8], decimals: usize) -> Option<(usize, usize)> {
     match text {
         [b'd', ..] => Some((0, 1)),

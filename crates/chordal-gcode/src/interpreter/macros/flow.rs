@@ -10,11 +10,11 @@ use super::super::{BlockFlow, EndReason, Interpreter};
 use super::{ActiveLoop, LoopEnds};
 use crate::macros::evaluate::ValuePurpose;
 
-/// DO and END by their numbers stay in a list of this many at most.
+/// Largest number of running loops that are remembered.
 const MAX_LOOPS: usize = 127;
 
 impl<'a> Interpreter<'a> {
-    /// The number of a GOTO.
+    /// The block number of a GOTO; `None` when it is not known.
     pub(super) fn label_of(
         &mut self,
         parser: &ExpressionParser<'a>,
@@ -23,7 +23,7 @@ impl<'a> Interpreter<'a> {
         self.number_of(parser, label, ValuePurpose::VALUE, "the block that GOTO means")
     }
 
-    /// GOTO: the block of that number nearest below, else the first from the top.
+    /// GOTO: jumps to the next block below with that number, else to the first from the top.
     pub(super) fn goto(&mut self, range: TextRange, label: Option<f64>) -> BlockFlow {
         let Some(label) = label else { return BlockFlow::Next };
         let number = libm::round(label);
@@ -49,7 +49,7 @@ impl<'a> Interpreter<'a> {
         BlockFlow::Next
     }
 
-    /// Loops that a jump leaves are over.
+    /// Ends the loops that a jump leaves.
     fn leave_loops(&mut self, target: TextPosition) {
         while let Some(last) = self.macros.loops.last().copied() {
             let end = self.loop_end(last.head, last.number);
@@ -109,7 +109,7 @@ impl<'a> Interpreter<'a> {
             let help = "put the inner loops into a subprogram";
             self.report_loop(Code::BadLoopNumber, range, message, help);
         }
-        // Also where the condition holds and the end would never be looked for.
+        // Also when the condition holds, so that the end is not needed yet.
         if self.loop_end(entry.head, number).is_none() {
             self.report_open_loop(range, number);
         }
@@ -148,11 +148,12 @@ impl<'a> Interpreter<'a> {
         self.report_once(Diagnostic::new(code, self.span(range), message).help(help));
     }
 
-    /// Where the block behind the END of a loop begins. The text is searched once, however many loops there are.
+    /// The start of the block after the END of a loop; `None` when there is none. The text is searched once for all
+    /// loops.
     fn loop_end(&mut self, head: TextPosition, number: u32) -> Option<TextPosition> {
         let mut reader = self.reader_of(self.program);
         let ends = self.macros.loop_ends.entry((self.file, self.program)).or_default();
-        // A jump back may lead to a loop before all that was searched.
+        // A backward jump may lead to a loop before the searched part.
         if ends.from.is_none_or(|from| head.offset < from) {
             *ends = LoopEnds { from: Some(head.offset), next: Some(head), found: Vec::new() };
         }

@@ -145,7 +145,7 @@ impl Interpreter<'_> {
         names.get(letters as usize).copied().unwrap_or("V")
     }
 
-    /// The number of a variable, if it exists.
+    /// The whole number of a variable; an error when there is no such variable.
     fn letters_number(
         &self,
         name: &str,

@@ -1,4 +1,4 @@
-//! Macro lines: one statement behind `#`, in the manner of BASIC (Fadal manual, section 18).
+//! Macro lines: one statement after `#`, similar to BASIC (Fadal manual, section 18).
 
 use chordal_command::{CallPath, CommandKind};
 use chordal_dialect::macros::MAX_MACRO_LINE_CHARS;
@@ -17,25 +17,25 @@ use crate::macros::evaluate::ValuePurpose;
 use crate::macros::names::normal;
 use crate::macros::value::MacroValue;
 
-/// Most places of RND.
+/// Largest number of decimals of RND.
 const MAX_PLACES: f64 = 5.0;
 
 /// Smallest number that is not zero; smaller ones are out of range.
 const SMALLEST_NUMBER: f64 = 1e-4;
 
-/// From here on a number has too many digits.
+/// Numbers from here on have too many digits.
 const NUMBER_LIMIT: f64 = 1e12;
 
-/// Most programs that a run starts.
+/// Largest number of programs that a run starts by START.
 const MAX_STARTS: u32 = 1000;
 
 /// Decimals that PRINT shows.
 const PRINTED_DECIMALS: usize = 4;
 
-/// What macro lines keep.
+/// The state of macro lines.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct MacroLineState {
-    /// V1, V2, …; empty before the first is written. `None`: it holds what was in it before the program.
+    /// V1, V2, …; empty before the first is written. `None`: the unknown value from before the program.
     pub variables: Vec<Option<MacroValue>>,
     /// Variables of the machine that the program wrote, by name and number.
     pub written: BTreeMap<(u8, u32), MacroValue>,
@@ -43,20 +43,20 @@ pub(super) struct MacroLineState {
     pub radians: bool,
     /// SET RND.
     places: u8,
-    /// What PRINT holds back for the next one.
+    /// Text that PRINT keeps for the next PRINT.
     pending_print: String,
-    /// Answers to INPUT that were used.
+    /// Number of answers to INPUT that were used.
     answered: usize,
     /// Labels of each program.
     labels: HashMap<usize, HashMap<String, TextPosition>>,
     /// Programs that START has left.
     left: BTreeSet<usize>,
-    /// How often it has.
+    /// Number of STARTs so far.
     starts: u32,
 }
 
 impl MacroLineState {
-    /// All but what was found in the text, which is found again.
+    /// The part to store in a checkpoint: all except labels, which are found again in the text.
     pub fn lasting(&self) -> MacroLineState {
         MacroLineState {
             variables: self.variables.clone(),
@@ -68,14 +68,14 @@ impl MacroLineState {
         }
     }
 
-    /// Whether no line is held back and no program was left.
+    /// True when no text waits for the next PRINT and no program was left.
     pub fn is_settled(&self) -> bool {
         self.pending_print.is_empty() && self.left.is_empty() && self.starts == 0
     }
 }
 
 impl<'a> Interpreter<'a> {
-    /// A block with a macro line in it.
+    /// Carries out a block with a macro line.
     pub(in super::super) fn macro_line(
         &mut self,
         block: &mut Block,
@@ -139,7 +139,7 @@ impl<'a> Interpreter<'a> {
         ValuePurpose { round_digits: Some(self.macros.lines.places), condition: false }
     }
 
-    /// A value, with the limits of the control.
+    /// The value of an expression; one outside the limits of the control is reported.
     fn line_value(
         &mut self,
         parser: &ExpressionParser<'a>,
@@ -261,7 +261,7 @@ impl<'a> Interpreter<'a> {
         labels
     }
 
-    /// START: another program, without a return.
+    /// START: continues with another program, without a return.
     fn start_program(&mut self, range: TextRange, number: f64) -> BlockFlow {
         let number = libm::round(number).clamp(0.0, 99_999.0) as u32;
         let Some(program) = self.library.find(number, self.file) else {
@@ -284,7 +284,7 @@ impl<'a> Interpreter<'a> {
         }
         self.macros.lines.left.insert(self.program);
         if self.macros.lines.left.contains(&program) {
-            // From here on every block may be a repeat.
+            // The program was started before: every block from here on counts as repeated.
             self.repeat_until = u32::MAX;
         }
         self.frames.clear();
@@ -328,15 +328,15 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// What PRINT has held back when the program ends.
+    /// At the end of the program: prints text that waits for another PRINT.
     pub(in super::super) fn print_pending(&mut self) {
-        let retained = std::mem::take(&mut self.macros.lines.pending_print);
-        if !retained.is_empty() {
-            self.kernel.emit(CommandKind::Output { text: retained });
+        let pending = std::mem::take(&mut self.macros.lines.pending_print);
+        if !pending.is_empty() {
+            self.kernel.emit(CommandKind::Output { text: pending });
         }
     }
 
-    /// INPUT: the next answer of the machine file.
+    /// INPUT: uses the next answer of the machine file.
     fn input(&mut self, parser: &ExpressionParser<'a>, range: TextRange, targets: &[AssignTarget]) {
         for target in targets {
             let answer = self.machine.macros.inputs.get(self.macros.lines.answered).copied();
@@ -344,8 +344,8 @@ impl<'a> Interpreter<'a> {
             if answer.is_none() {
                 let name = String::from_utf8_lossy(target.range.slice(self.reader.text()));
                 let message = format!("the program asks for {name}, and no answer is given");
-                let provided = self.machine.macros.inputs.len();
-                let note = format!("the machine file has {provided} answers; 0 is used");
+                let count = self.machine.macros.inputs.len();
+                let note = format!("the machine file has {count} answers; 0 is used");
                 self.report_once(
                     Diagnostic::new(Code::InputNotAnswered, self.span(range), message)
                         .label("the operator would type a number here")
@@ -380,7 +380,7 @@ impl<'a> Interpreter<'a> {
             );
             return;
         }
-        // The first number that does not exist ends the row, which is told.
+        // The first number that does not exist is reported and ends the range.
         for number in from..=to {
             let zero = MacroValue::Number(0.0);
             let written = self.write_target(first.kind, f64::from(number), zero, first.range);

@@ -1,4 +1,4 @@
-//! What macro statements leave for those that follow.
+//! What macro statements remember at a checkpoint.
 
 use chordal_command::Position;
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,10 +14,10 @@ use crate::macros::names::NamedVariables;
 use crate::macros::value::MacroValue;
 use crate::macros::variables::VariableStore;
 
-/// With more problems told a rest would cost more than it saves.
+/// With more reported problems, copying a checkpoint costs more than it saves.
 const MAX_REPORTED_PROBLEMS: usize = 1000;
 
-/// The part of [`MacroState`] that lasts; what was found in the text is found again.
+/// The part of [`MacroState`] that is stored; what was found in the text is found again.
 #[derive(Clone, Debug, PartialEq)]
 pub(in super::super) struct MacroMemory {
     store: VariableStore,
@@ -37,12 +37,12 @@ pub(in super::super) struct MacroMemory {
 }
 
 impl MacroState<'_> {
-    /// How many modal calls were begun and not cancelled.
+    /// The number of modal calls that are not cancelled.
     pub fn modal_calls(&self) -> usize {
         self.modal.len()
     }
 
-    /// Whether no loop, modal call, START or held line is open.
+    /// True when no loop, modal call, START or printed line is open.
     pub fn is_settled(&self) -> bool {
         self.loops.is_empty()
             && self.modal.is_empty()
@@ -91,10 +91,10 @@ impl MacroState<'_> {
 }
 
 impl MacroMemory {
-    /// Moves its places to those of a text that has changed elsewhere.
+    /// Moves its positions to those of a text that was changed elsewhere; `None` when one of them was deleted.
     pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
-        let noted = std::mem::take(&mut self.reported);
-        for (file, at, code) in noted {
+        let reported = std::mem::take(&mut self.reported);
+        for (file, at, code) in reported {
             let at = if file == FileId(0) { shift.offset(at)? } else { at };
             self.reported.insert((file, at, code));
         }

@@ -1,7 +1,7 @@
 //! Macro programs: words with expressions, statements, loops, calls, output.
 //!
-//! `words` puts numbers in the place of expressions; `statements` carries out what stands in a
-//! macro statement; `flow` jumps and loops; `system` reads and writes system variables.
+//! `words` replaces expressions by numbers; `statements` carries out macro statements; `flow` jumps and loops;
+//! `system` reads and writes system variables.
 
 mod alarms;
 mod assignments;
@@ -42,29 +42,29 @@ use crate::macros::names::NamedVariables;
 use crate::macros::value::{MacroValue, Truth};
 use crate::macros::variables::VariableStore;
 
-/// What depends on a condition.
+/// The kind of statement that has a condition.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum ConditionOf {
     /// IF.
     Branch,
-    /// WHILE: it is met again after each pass.
+    /// WHILE: evaluated again after each pass.
     Loop,
 }
 
-/// The ENDs of a text between two places.
+/// The END statements found in a part of a text.
 #[derive(Debug, Default)]
 struct LoopEnds {
-    /// From here on they were looked for; `None`: not yet.
+    /// Start of the searched part; `None` before a search.
     from: Option<u32>,
-    /// Here the search goes on; `None`: at the end.
+    /// Where the search continues; `None` at the end of the text.
     next: Option<TextPosition>,
-    /// Where each begins, its number, and where the block behind it begins; in order.
+    /// Offset and number of each END, and the start of the block after it; sorted.
     found: Vec<(u32, u32, TextPosition)>,
 }
 
-/// What a run keeps for its macro statements.
+/// The state of a run's macro statements.
 pub(super) struct MacroState<'a> {
-    /// Reads statements and expressions; taken out while its steps are carried out.
+    /// Reads statements and expressions; taken out of the state while its steps are evaluated.
     parser: ExpressionParser<'a>,
     stack: Vec<MacroValue>,
     words: Vec<Word>,
@@ -73,23 +73,23 @@ pub(super) struct MacroState<'a> {
     pub(super) kept: BTreeMap<u32, f64>,
     /// Loops that run in this program, outermost first.
     pub(super) loops: Vec<ActiveLoop>,
-    /// The ENDs of each program of each file, as far as they were looked for.
+    /// The END statements of each program of each file, as far as searched.
     loop_ends: HashMap<(FileId, usize), LoopEnds>,
-    /// Places of which a problem was told: a loop would tell it again and again.
+    /// Positions and codes of reported problems, so that a loop does not repeat them.
     reported: BTreeSet<(FileId, u32, Code)>,
-    /// A macro statement was carried out: what comes is no longer the text alone.
+    /// A macro statement was carried out: the run no longer depends on the text alone.
     pub(super) used: bool,
-    /// Modal calls, the first one first.
+    /// Modal calls, in the order they were started.
     modal: Vec<calls::ModalCall>,
-    /// How many of them are in force here.
+    /// How many of them are active here.
     pub(super) active: usize,
-    /// Running programs that were called by a code that a setting makes a call.
+    /// Number of running programs that were called by a code of a setting.
     pub(super) in_alias: u32,
     /// The words of the last such call.
     last_words: [Option<f64>; 26],
-    /// Where the last skip move stopped, as #5061 shows it: mm, rad.
+    /// End of the last skip move, as #5061 shows it, mm and rad.
     skip: Position,
-    /// POPEN.
+    /// POPEN was carried out, and PCLOS not since.
     port_open: bool,
     /// Bytes printed.
     printed: usize,
@@ -101,11 +101,11 @@ pub(super) struct MacroState<'a> {
     lines: lines::MacroLineState,
     /// Probe moves.
     pub(super) probe: probe::ProbeResults,
-    /// Values that the run met and nobody knows.
+    /// Unknown values that the run has used.
     pub(super) unknown: unknown::UnknownValues,
 }
 
-/// A loop that runs.
+/// A running loop.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct ActiveLoop {
     /// n of DOn.
@@ -158,13 +158,13 @@ impl<'a> Interpreter<'a> {
         &control.macros
     }
 
-    /// Takes the parser out, so that its steps can be carried out; to be given back.
+    /// Takes the parser out of the state, so that its steps can be evaluated; the caller puts it back.
     fn take_parser(&mut self) -> ExpressionParser<'a> {
         let grammar = self.control.table.lexicon.grammar;
         std::mem::replace(&mut self.macros.parser, ExpressionParser::new(&[], self.file, grammar))
     }
 
-    /// The value of an expression; `None` when it has none, which is told.
+    /// The value of an expression; `None` when it has none, which is reported.
     fn value_of(
         &mut self,
         parser: &ExpressionParser<'a>,
@@ -178,8 +178,8 @@ impl<'a> Interpreter<'a> {
         result.map_err(|fault| self.report_fault(fault)).ok()
     }
 
-    /// The value of an expression as a number, where vacant counts as zero. `None` when it has none or when
-    /// nobody knows it; both are told, the latter with what the value is for: "N of GOTO".
+    /// The value of an expression as a number; vacant counts as zero. `None` when it has none or is unknown, which is
+    /// reported, with the use of the value (`what`) for an unknown one.
     fn number_of(
         &mut self,
         parser: &ExpressionParser<'a>,
@@ -196,7 +196,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Whether a condition holds. One that depends on an unknown value is assumed.
+    /// True when a condition holds. One that depends on an unknown value is assumed.
     fn holds(
         &mut self,
         parser: &ExpressionParser<'a>,
@@ -209,7 +209,7 @@ impl<'a> Interpreter<'a> {
         self.is_true(value, condition.range, of)
     }
 
-    /// The same of a value that is there already.
+    /// The same for a computed value.
     fn is_true(&mut self, value: MacroValue, range: TextRange, of: ConditionOf) -> bool {
         match Truth::from(value) {
             Truth::Holds => true,
@@ -261,7 +261,7 @@ impl<'a> Interpreter<'a> {
         self.report_once(diagnostic);
     }
 
-    /// Reports a problem the first time that its place shows one.
+    /// Reports a problem the first time it occurs at its position.
     pub(super) fn report_once(&mut self, diagnostic: Diagnostic) {
         let span = diagnostic.primary.span;
         if self.macros.reported.insert((span.file, span.range.start, diagnostic.code)) {
@@ -275,7 +275,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The whole number of a variable, where the value is near enough to one.
+    /// The number of a variable, if the value is near enough to a whole number.
     fn variable_number(&self, number: f64, range: TextRange) -> Result<u32, EvaluationError> {
         let whole = libm::round(number);
         let near = (number - whole).abs() <= self.rules().index_tolerance;

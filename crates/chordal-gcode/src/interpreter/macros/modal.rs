@@ -1,4 +1,4 @@
-//! What macro programs read of words and codes in force.
+//! The values of active words and codes that macro programs can read.
 
 use chordal_command::{CompensationSide, FeedMode, Units, WorkName};
 use chordal_dialect::Action;
@@ -10,7 +10,7 @@ use chordal_kernel::rules::CycleKind;
 use super::super::Interpreter;
 
 impl Interpreter<'_> {
-    /// The last word of a letter, where the program has one.
+    /// The last value of a letter; `None` when the program has none.
     pub(super) fn modal_word(&self, letter: u8) -> Option<f64> {
         let state = &self.kernel.state;
         match letter {
@@ -31,7 +31,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// F as the program wrote it; none before it.
+    /// F in the unit of the program; `None` before an F.
     pub(super) fn feed_word(&self) -> Option<f64> {
         let state = &self.kernel.state;
         let feed = state.feed?;
@@ -42,14 +42,14 @@ impl Interpreter<'_> {
         })
     }
 
-    /// Ten times the code of the motion in force, by its row.
+    /// Ten times the code of the active motion.
     pub(super) fn motion_row_code(&self) -> f64 {
         let action = self.kernel.state.motion_mode().map(Action::from);
         let row = self.control.table.g_codes.iter().find(|row| Some(row.action) == action);
         row.map_or(0.0, |row| f64::from(row.code))
     }
 
-    /// The code in force of a group.
+    /// The active code of a group.
     pub(super) fn modal_code(&self, group: ModalGroup) -> f64 {
         let state = &self.kernel.state;
         match group {
@@ -119,7 +119,7 @@ impl Interpreter<'_> {
         row.map_or(80.0, |row| f64::from(row.code) / 10.0)
     }
 
-    /// 54.1 or 154.
+    /// The code of extended work offsets: 54.1 or 154.
     fn extended_code(&self) -> f64 {
         let code = self.control.table.work_names.extended;
         code.trim_start_matches('G').parse().unwrap_or(54.0)

@@ -28,9 +28,9 @@ impl Interpreter<'_> {
             return Ok(value);
         }
         if let Some(value) = self.predefined(&name) {
-            let provided = || self.machine.macros.named_variables.get(&name).copied();
+            let by_machine_file = || self.machine.macros.named_variables.get(&name).copied();
             let cause = self.cause_of_name(&name);
-            let value = MacroValue::or_unknown(value.or_else(provided), cause);
+            let value = MacroValue::or_unknown(value.or_else(by_machine_file), cause);
             self.note_unknown(value, range);
             return Ok(value);
         }
@@ -42,7 +42,7 @@ impl Interpreter<'_> {
         ))
     }
 
-    /// EXISTS.
+    /// EXISTS: true for a variable that is set or predefined.
     pub(super) fn is_named(&self, name: TextRange) -> bool {
         let name = normal(name.slice(self.reader.text()));
         self.macros.names.get(&name).is_some() || self.predefined(&name).is_some()
@@ -74,7 +74,8 @@ impl Interpreter<'_> {
         ))
     }
 
-    /// What a variable of the control shows; `Some(None)` where neither the program nor the machine file says it.
+    /// The value of a predefined variable; `Some(None)` when the program does not determine it, `None` for no such
+    /// variable.
     fn predefined(&self, name: &str) -> Option<Option<f64>> {
         let name = name.strip_prefix('_')?;
         let state = &self.kernel.state;
@@ -98,13 +99,13 @@ impl Interpreter<'_> {
             "rpm" => self.speed_word(),
             "current_tool" => self.tool_in_spindle(),
             "current_pocket" | "selected_pocket" => None,
-            // Pins and keys of the machine's own configuration.
+            // Pins and keys of the machine's configuration.
             _ if name.starts_with("hal[") || name.starts_with("ini[") => None,
             _ => Some(self.predefined_state(name)?),
         })
     }
 
-    /// Whether the tool offsets in force are anything but zero, where they are known.
+    /// True when an active tool offset is not zero; `None` when they are not known.
     fn has_tool_offset(&self) -> Option<bool> {
         let offsets = &self.kernel.state.offsets;
         let mut has = false;
@@ -114,7 +115,7 @@ impl Interpreter<'_> {
         Some(has)
     }
 
-    /// A variable of the control that shows its modes.
+    /// The value of a predefined variable that shows a mode.
     fn predefined_state(&self, name: &str) -> Option<f64> {
         let state = &self.kernel.state;
         let flag = |value: bool| if value { 1.0 } else { 0.0 };
@@ -155,7 +156,7 @@ impl Interpreter<'_> {
             "spindle_rpm_mode" => 1.0,
             "spindle_css_mode" | "lathe_diameter_mode" | "lathe_radius_mode" => 0.0,
             "adaptive_feed" | "remap_level" => 0.0,
-            // The interpreter of the machine runs, not that of a preview.
+            // 1 on the machine, 0 in a preview.
             "task" => 1.0,
             "speed_override" | "feed_override" | "feed_hold" => 1.0,
             "ijk_absolute_mode" => flag(state.arc_center == ArcCenter::Absolute),
@@ -164,7 +165,7 @@ impl Interpreter<'_> {
             "mist" => flag(state.coolant.mist),
             "flood" => flag(state.coolant.flood),
             "selected_tool" => state.selected_tool.map_or(-1.0, f64::from),
-            // Read before, as it may be unknown.
+            // `named` reads it before, as it may be unknown.
             "value" => 0.0,
             "value_returned" => flag(self.macros.owords.value_returned),
             "call_level" => self.macros.names.level() as f64,
@@ -172,7 +173,7 @@ impl Interpreter<'_> {
         })
     }
 
-    /// The motion code in force, times ten.
+    /// Ten times the active motion code.
     fn motion_mode(&self) -> f64 {
         if let Some(cycle) = self.kernel.state.cycle {
             let rows = self.control.table.g_codes;

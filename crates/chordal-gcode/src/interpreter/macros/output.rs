@@ -8,7 +8,7 @@ use super::super::Interpreter;
 use crate::macros::evaluate::ValuePurpose;
 use crate::macros::output::{NumberFormat, OutputPart, next_part, write_number};
 
-/// Most bytes that a run prints.
+/// Largest number of bytes that a run prints.
 const MAX_OUTPUT: usize = 1 << 20;
 
 impl Interpreter<'_> {
@@ -44,7 +44,7 @@ impl Interpreter<'_> {
         self.print_text(range, line);
     }
 
-    /// Prints a line, as long as there is room for it.
+    /// Prints a line, up to the limit of output.
     pub(super) fn print_text(&mut self, range: TextRange, line: String) {
         if self.macros.printed + line.len() > MAX_OUTPUT {
             let kept = MAX_OUTPUT >> 20;
@@ -62,7 +62,7 @@ impl Interpreter<'_> {
         self.kernel.emit(CommandKind::Output { text: line });
     }
 
-    /// The line with its values; `None` when it cannot be read, which is told.
+    /// The line with its values; `None` when it cannot be read, which is reported.
     fn format_line(&mut self, text: TextRange) -> Option<String> {
         let whole = self.reader.text();
         let blanks = self.rules().output_blanks;
@@ -70,7 +70,7 @@ impl Interpreter<'_> {
         let mut rest = text;
         while let Some(part) = next_part(whole, &mut rest) {
             match part {
-                // What would steer a terminal is no text.
+                // Terminal control characters are dropped.
                 OutputPart::Text(byte) if byte < b' ' => {}
                 OutputPart::Text(byte) => line.push(byte as char),
                 OutputPart::Value { expression, format } => {

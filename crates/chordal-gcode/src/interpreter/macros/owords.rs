@@ -1,8 +1,7 @@
 //! Flow control by O words (LinuxCNC "O Codes").
 //!
-//! The lines of flow control of a program are found in one pass when the first of them is met,
-//! and each is joined with those of its structure: a jump is then a look into a table. Labels
-//! are local to their subroutine.
+//! One pass finds the flow-control lines of a program when the first of them is reached, and links each with the
+//! lines of its structure, so that a jump is a table lookup. Labels are local to their subroutine.
 
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
@@ -21,31 +20,31 @@ use crate::macros::evaluate::ValuePurpose;
 use crate::macros::names::normal;
 use crate::macros::value::MacroValue;
 
-/// Most arguments of a call.
+/// Largest number of arguments of a call.
 const MAX_ARGUMENTS: usize = 30;
 
-/// No line.
+/// Index of no line.
 const NONE: usize = usize::MAX;
 
 /// A line of flow control.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct FlowLine {
-    /// Where it begins.
+    /// Its start.
     at: TextPosition,
-    /// Where the next line begins.
+    /// The start of the next line.
     after: TextPosition,
     word: FlowWord,
-    /// The first line of its structure; itself, where it is that.
+    /// Index of the first line of its structure, or its own.
     open: usize,
-    /// The next line of its structure.
+    /// Index of the next line of its structure.
     next: usize,
-    /// The last.
+    /// Index of the last line of its structure.
     close: usize,
-    /// A line before it whose structure has the same label.
+    /// Index of an earlier line with the same label.
     same: usize,
 }
 
-/// The lines of flow control of a program.
+/// The flow-control lines of a program.
 #[derive(Debug, Default)]
 struct FlowIndex {
     lines: Vec<FlowLine>,
@@ -53,29 +52,29 @@ struct FlowIndex {
     subs: HashMap<String, usize>,
 }
 
-/// A `repeat` that runs.
+/// A running `repeat`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct ActiveRepeat {
-    /// How many calls deep.
+    /// The call depth.
     depth: usize,
     line: usize,
     remaining: u64,
 }
 
-/// What O words keep.
+/// The state of O words.
 #[derive(Debug)]
 pub(super) struct OWords {
     indexes: HashMap<usize, Rc<FlowIndex>>,
-    /// Lines with nothing but a label (`O5`) of each program.
+    /// Lines of each program that contain only a label (`O5`).
     heads: HashMap<usize, Vec<(u32, TextPosition)>>,
-    /// The first program of each file by the file's name.
+    /// The first program of each file, by the name of the file.
     files: Option<HashMap<String, usize>>,
     repeats: Vec<ActiveRepeat>,
     /// Labels that calls have found, by program and number.
     pub called: BTreeMap<(usize, u32), TextPosition>,
-    /// What the last subroutine returned.
+    /// The value that the last subroutine returned.
     pub value: MacroValue,
-    /// It returned something.
+    /// The last subroutine returned a value.
     pub value_returned: bool,
 }
 
@@ -94,13 +93,13 @@ impl Default for OWords {
 }
 
 impl OWords {
-    /// Whether no repeat runs.
+    /// True when no `repeat` is running.
     pub fn is_settled(&self) -> bool {
         self.repeats.is_empty()
     }
 }
 
-/// The label as it is compared: numbers without zeros before them.
+/// The label in the form for comparison: numbers without leading zeros.
 fn label_text(text: &[u8]) -> String {
     let name = normal(text);
     let name = name.trim();
@@ -113,7 +112,7 @@ fn label_text(text: &[u8]) -> String {
 impl FlowIndex {
     fn of<'a>(mut reader: BlockReader<'a>, mut parser: ExpressionParser<'a>) -> FlowIndex {
         let mut index = FlowIndex::default();
-        // Lines of structures that are not closed, by subroutine and label.
+        // Lines of open structures, by subroutine and label.
         let mut open: HashMap<(usize, String), Vec<usize>> = HashMap::new();
         let mut labels: HashMap<(usize, String), usize> = HashMap::new();
         let mut sub = NONE;
@@ -156,7 +155,7 @@ impl FlowIndex {
                 FlowWord::Call | FlowWord::Return => continue,
                 _ => sub,
             };
-            // A subroutine may have the name of a loop or a branch that stands outside of it.
+            // A subroutine may have the same label as a loop or branch outside of it.
             if !matches!(word, FlowWord::Sub | FlowWord::EndSub) {
                 let first = *labels.entry((scope, label.clone())).or_insert(here);
                 index.lines[here].same = if first == here { NONE } else { first };
@@ -166,7 +165,7 @@ impl FlowIndex {
         index
     }
 
-    /// Joins a line with the open structure of its label.
+    /// Links a line with the open structure of its label.
     fn join(&mut self, open: &mut Vec<usize>, here: usize) {
         let first = open.first().map(|first| self.lines[*first].word);
         let word = self.lines[here].word;
@@ -239,14 +238,14 @@ impl<'a> Interpreter<'a> {
         index
     }
 
-    /// True when the value behind the word is not zero.
+    /// True when the value after the word is not zero.
     fn bracket_holds(&mut self, parser: &mut ExpressionParser<'a>, of: ConditionOf) -> bool {
         let start = parser.rest();
         let value = self.bracket(parser, ValuePurpose::CONDITION);
         value.is_some_and(|value| self.is_true(value, start, of))
     }
 
-    /// The value of the bracket that is due here.
+    /// The value of the required bracket here; `None` when it has none, which is reported.
     fn bracket(
         &mut self,
         parser: &mut ExpressionParser<'a>,
@@ -285,7 +284,7 @@ impl<'a> Interpreter<'a> {
             FlowWord::Sub => self.after(&index, line, row.close),
             FlowWord::If if holds => BlockFlow::Next,
             FlowWord::If => self.next_branch(parser, &index, line, row.next),
-            // Reached from above: the branch before it was taken.
+            // Reached from above: the previous branch was taken.
             FlowWord::ElseIf | FlowWord::Else => self.after(&index, line, row.close),
             FlowWord::Do => BlockFlow::Next,
             FlowWord::EndIf if row.open != here => BlockFlow::Next,
@@ -313,7 +312,7 @@ impl<'a> Interpreter<'a> {
                 if index.lines[row.open].word == FlowWord::Repeat {
                     self.report_structure(line, "continue belongs in while and do, not in repeat");
                 }
-                // On its way to the end of a `do` the control carries out a break that it passes.
+                // On its way to the end of a `do`, the control carries out a break that it passes.
                 let breaks = |line: &usize| index.lines[*line].word == FlowWord::Break;
                 let ahead = |line: &usize| Some(index.lines[*line].next).filter(|n| *n != NONE);
                 let mut passed = std::iter::successors(ahead(&here), ahead);
@@ -331,7 +330,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Goes on behind a line.
+    /// Continues after a line.
     fn after(&mut self, index: &FlowIndex, line: &OWord, to: usize) -> BlockFlow {
         match index.lines.get(to) {
             Some(row) => {
@@ -345,7 +344,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The condition of IF does not hold: on to the branch that does.
+    /// Continues with the next branch of an IF whose condition holds.
     fn next_branch(
         &mut self,
         parser: &mut ExpressionParser<'a>,
@@ -397,7 +396,7 @@ impl<'a> Interpreter<'a> {
             None => 0.0,
         };
         self.drop_repeat(here);
-        // Half goes to the even number.
+        // Half is rounded to the even number.
         let times = libm::rint(times);
         if times < 1.0 {
             return self.after(index, line, index.lines[here].close);
@@ -422,7 +421,7 @@ impl<'a> Interpreter<'a> {
         self.after(index, line, open)
     }
 
-    /// A repeat is over, and those inside it.
+    /// Ends a repeat, and those inside it.
     fn drop_repeat(&mut self, line: usize) {
         let depth = self.frames.len();
         let repeats = &mut self.macros.owords.repeats;
@@ -496,8 +495,7 @@ impl<'a> Interpreter<'a> {
         BlockFlow::Next
     }
 
-    /// The program and the first line of a subroutine: of this file, else of the file that is
-    /// called like it.
+    /// The program and the first line of a subroutine: in this file, else in the file with its name.
     fn find_sub(&mut self, label: &str) -> Option<(usize, TextPosition)> {
         let here = self.program;
         if let Some(start) = self.sub_of(here, label) {
@@ -509,7 +507,7 @@ impl<'a> Interpreter<'a> {
         self.sub_of(other, label).map(|start| (other, start))
     }
 
-    /// The lines of a subroutine of this file: the first, and the one that ends it.
+    /// The first line and the last line of a subroutine of this file.
     pub(in super::super) fn lines_of_sub(
         &mut self,
         label: &str,

@@ -1,4 +1,4 @@
-//! Probe and skip moves: G31, G38.2 to G38.5. Where they touch is what the machine file says.
+//! Probe and skip moves: G31, G38.2 to G38.5. The machine file gives where they touch.
 
 use chordal_command::{
     AxisMask, CommandKind, CompensationSide, Feed, FeedAlong, FeedMode, Position, Units,
@@ -10,29 +10,29 @@ use chordal_syntax::Block;
 use super::super::Interpreter;
 use super::super::literals::trim;
 
-/// What the probe moves found.
+/// The results of probe moves.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub(in super::super) struct ProbeResults {
-    /// There was one.
+    /// There was a probe move.
     pub skipped: bool,
     /// The last one touched something.
     pub found: bool,
-    /// Points that the program can read: the last touch is the first of them, mm and rad.
+    /// Points that the program can read, mm and rad; the first is the last touch.
     pub points: [Position; 3],
-    /// What is assumed has been told.
+    /// The assumption about the touch has been reported.
     is_reported: bool,
 }
 
-/// A probe move of less is none, mm and rad.
+/// A shorter probe move is refused, mm and rad.
 const MIN_PROBE_MM: f64 = 1e-6;
 
 impl Interpreter<'_> {
-    /// A move that ends where the probe touches. `must_hit`: without a touch the control stops.
+    /// Makes a move that ends where the probe touches; with `must_hit` the control stops without a touch.
     pub(in super::super) fn probe_move(&mut self, block: &Block, at: usize, must_hit: bool) {
         let span = self.span(block.words[at].range);
         let (target, named) = self.target(block);
         if named == AxisMask::NONE {
-            // G31 alone only makes the control wait; a program that shall probe needs a point.
+            // G31 alone only waits; a probe move needs an end point.
             if must_hit || !self.rules().macro_b {
                 self.report_probe(span, "a probe move without an end point");
             }
@@ -95,7 +95,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Where the move ends, and whether it touches.
+    /// The end of the move, and whether it touches.
     fn probe_end(&self, target: Position) -> (Position, bool) {
         let probe = &self.machine.probe;
         match probe.hit {
@@ -110,7 +110,7 @@ impl Interpreter<'_> {
             let Some(plane) = probe.planes[axis] else { continue };
             let course = target[axis] - from[axis];
             let part = (plane - from[axis]) / course;
-            // A move along the plane does not meet it.
+            // A move parallel to the plane does not touch it.
             if course != 0.0 && (0.0..=1.0).contains(&part) {
                 nearest = nearest.min(part);
             }
@@ -121,7 +121,7 @@ impl Interpreter<'_> {
         let mut end = target;
         for axis in 0..AXES {
             end[axis] = match probe.planes[axis] {
-                // Exactly on the plane that is touched, not beside it by a rounding.
+                // Exactly the coordinate of the touched plane, without rounding.
                 Some(plane) if plane == from[axis] + nearest * (target[axis] - from[axis]) => plane,
                 _ => from[axis] + nearest * (target[axis] - from[axis]),
             };
@@ -129,7 +129,7 @@ impl Interpreter<'_> {
         (end, true)
     }
 
-    /// The feed in force; the spindle need not turn.
+    /// The active feed; the spindle may be stopped.
     fn probe_feed(&self, motion: &chordal_command::Move) -> Feed {
         let state = &self.kernel.state;
         let angular = motion.only_turns(None) && state.feed_mode == FeedMode::PerTime;
@@ -143,7 +143,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// What probe and skip moves touch: as the machine file says, or assumed.
+    /// Reports where probe and skip moves touch: by the machine file, or assumed.
     fn report_skip(&mut self, span: chordal_diagnostics::Span) {
         let probe = &self.machine.probe;
         let planes: Vec<String> = (0..AXES)

@@ -11,19 +11,18 @@ use super::super::{BlockFlow, Interpreter};
 use super::ConditionOf;
 use crate::macros::evaluate::ValuePurpose;
 
-/// What follows a statement.
+/// How to continue after a statement.
 enum StatementFlow {
-    /// What is left of the line.
+    /// With the rest of the line.
     Rest(TextRange),
-    /// What is left of it and belongs to a condition.
+    /// With the rest of the line, which belongs to a condition.
     Then(TextRange),
-    /// The next block.
+    /// With the next block or the end.
     Over(BlockFlow),
 }
 
 impl Interpreter<'_> {
-    /// A block with a macro statement in it: its words, the statement, and what is left of the
-    /// line, in this order.
+    /// Carries out a block with a macro statement: its words, the statement, and the rest of the line, in this order.
     pub(in super::super) fn macro_block(&mut self, block: &mut Block) -> BlockFlow {
         self.carried_out = true;
         self.macros.used = true;
@@ -60,7 +59,7 @@ impl Interpreter<'_> {
                 }
                 StatementFlow::Over(flow) => return flow,
             };
-            // The rest is read as a block of its own. It is shorter every time.
+            // The rest is read as a block of its own; it gets shorter each time, so the loop ends.
             let lexicon = self.control.table.lexicon;
             let mut reader = BlockReader::new(self.reader.text(), self.file, lexicon);
             reader.seek(TextPosition { offset: rest.start, line });
@@ -149,7 +148,7 @@ impl Interpreter<'_> {
         next
     }
 
-    /// What may stand behind THEN.
+    /// Reports words after THEN, on controls that only allow a statement there.
     fn check_then(&mut self, rest: TextRange) {
         let text = rest.slice(self.reader.text());
         let first = text.iter().find(|byte| !byte.is_ascii_whitespace()).copied();

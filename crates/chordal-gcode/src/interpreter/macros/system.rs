@@ -14,7 +14,7 @@ use crate::macros::arguments::letter_of;
 use crate::macros::evaluate::EvaluationError;
 use crate::macros::value::{MacroValue, UnknownCause};
 
-/// From here on variables are those of the system.
+/// The first number of system variables.
 const FIRST_OF_SYSTEM: f64 = 1000.0;
 
 pub(super) fn no_variable(number: f64, range: TextRange) -> EvaluationError {
@@ -43,7 +43,7 @@ pub(super) fn read_only(number: u32, range: TextRange) -> EvaluationError {
     )
 }
 
-/// The reference points that the variables of the machine file give: machine position, mm and rad.
+/// The reference points that variables in the machine file give: machine coordinates, mm and rad.
 pub(in super::super) fn initial_references(
     machine: &Machine,
     control: &Control,
@@ -60,21 +60,21 @@ pub(in super::super) fn initial_references(
     references
 }
 
-/// A coordinate, mm or rad, from a number of the tables of a control.
+/// A coordinate, mm or rad, from a number in the tables of a control.
 fn stored_place(control: &Control, axis: usize, written: f64) -> f64 {
     if axis >= 3 { written.to_radians() } else { written * machine_unit(control) }
 }
 
-/// mm in one unit of the machine, as the tables of its control count.
+/// The unit of the control's tables, mm.
 fn machine_unit(control: &Control) -> f64 {
     control.parameters.rules.units.mm()
 }
 
-/// So many tool offsets have old numbers.
+/// Number of tool offsets with the old variable numbers (#2001 to #2200).
 const OFFSETS_OF_MEMORY: u32 = 200;
 
 impl Interpreter<'_> {
-    /// What a variable of the system shows on this machine.
+    /// The meaning of a system variable on this machine, and its index; `None` for no such variable.
     pub(super) fn system_at(&self, number: u32) -> Option<(SystemVariable, u32)> {
         let (what, at) = self.rules().system_at(number)?;
         if what != SystemVariable::ToolOffsetByMemory {
@@ -89,16 +89,16 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The value of a variable of the system: of the state of the run, else what the program or the machine file has
-    /// written there. Neither of them: it is not known.
+    /// The value of a system variable: by the state of the run, else the value that the program or the machine file
+    /// gave it; otherwise it is unknown.
     pub(super) fn read_system(
         &mut self,
         index: u32,
         range: TextRange,
     ) -> Result<MacroValue, EvaluationError> {
-        let provided = self.macros.kept.get(&index).copied();
+        let stored = self.macros.kept.get(&index).copied();
         let Some((what, at)) = self.system_at(index) else {
-            return provided
+            return stored
                 .map(MacroValue::Number)
                 .ok_or_else(|| no_variable(f64::from(index), range));
         };
@@ -108,13 +108,13 @@ impl Interpreter<'_> {
         let value = match what {
             SystemVariable::WorkSystem
             | SystemVariable::WorkTable
-            | SystemVariable::ProbeResult => provided.or_else(|| self.system_value(what, at)),
-            _ => self.system_value(what, at).or(provided),
+            | SystemVariable::ProbeResult => stored.or_else(|| self.system_value(what, at)),
+            _ => self.system_value(what, at).or(stored),
         };
         Ok(MacroValue::or_unknown(value, UnknownCause::Variable(index)))
     }
 
-    /// What a variable of the system shows where that follows from the program and the machine file.
+    /// The value of a system variable, if it follows from the program and the machine file.
     fn system_value(&self, what: SystemVariable, at: u32) -> Option<f64> {
         let axis = at as usize;
         let state = &self.kernel.state;
@@ -145,7 +145,7 @@ impl Interpreter<'_> {
             | SystemVariable::WorkOffsets
             | SystemVariable::ExtendedOffsets
             | SystemVariable::WorkOffsetsOfAxis(_) => {
-                // Of an axis that Chordal does not have: none.
+                // `None` for an axis that Chordal does not have.
                 let (key, axis) = self.offset_place(what, at)?;
                 Some(self.axis_out(axis, state.offsets.known_work_value(&key, axis)?))
             }
@@ -196,8 +196,8 @@ impl Interpreter<'_> {
         range: TextRange,
     ) -> Result<(), EvaluationError> {
         let Some((what, at)) = self.system_at(index) else {
-            let provided = self.macros.kept.get_mut(&index);
-            let place = provided.ok_or_else(|| no_variable(f64::from(index), range))?;
+            let stored = self.macros.kept.get_mut(&index);
+            let place = stored.ok_or_else(|| no_variable(f64::from(index), range))?;
             match value.known() {
                 Some(value) => *place = value,
                 None => {
@@ -220,7 +220,7 @@ impl Interpreter<'_> {
             | SystemVariable::ToolOffsetByMemory => {
                 self.macros.kept.insert(index, value);
             }
-            // It runs on from what was written.
+            // A timer continues from the written value, so its value is then unknown.
             SystemVariable::Timer => {
                 self.macros.kept.remove(&index);
             }
@@ -278,18 +278,18 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// mm in one unit of the program.
+    /// The unit of the program, mm.
     pub(in super::super) fn unit(&self) -> f64 {
         self.kernel.state.units.mm()
     }
 
-    /// A coordinate as a variable shows it.
+    /// A coordinate (mm or rad) as a variable shows it.
     pub(super) fn axis_out(&self, axis: usize, value: f64) -> f64 {
         let written = value / self.per_word[axis];
         if axis < 3 { written / self.unit() } else { written.to_degrees() }
     }
 
-    /// A coordinate as the tables of a control show it: in the units of the machine.
+    /// A coordinate (mm or rad) in the unit of the control's tables.
     fn stored_out(&self, axis: usize, value: f64) -> f64 {
         if axis >= 3 { value.to_degrees() } else { value / machine_unit(self.control) }
     }
@@ -298,7 +298,7 @@ impl Interpreter<'_> {
         stored_place(self.control, axis, written)
     }
 
-    /// The result of a probe move takes the place of what the program has written.
+    /// Forgets values that the program wrote into probe results, after a probe move.
     pub(super) fn forget_probe_result(&mut self) {
         let rules = self.rules();
         self.macros.kept.retain(|number, _| {
@@ -306,7 +306,7 @@ impl Interpreter<'_> {
         });
     }
 
-    /// Writes the number of a work offset, if it is one that acts.
+    /// Writes a value of the work offset table; false for an entry without an effect here.
     fn write_work_table(&mut self, at: u32, value: f64) -> bool {
         let turn = self.work_turn(at);
         let place = self.work_place(at).map(|(key, axis)| (key, axis, self.stored_in(axis, value)));
@@ -324,8 +324,8 @@ impl Interpreter<'_> {
         true
     }
 
-    /// The numbers of the work offset in force that the program has written as variables: they act
-    /// when this system is written by a code, and else from when another one is selected.
+    /// Activates the values of the active work offset that the program has written as variables: they act once a code
+    /// writes this system, or once another system is selected.
     pub(in super::super) fn take_written_offsets(&mut self) {
         let rules = self.rules();
         let is_work = |number: u32| match rules.system_at(number) {
@@ -351,13 +351,13 @@ impl Interpreter<'_> {
         self.kernel.emit_work_offset();
     }
 
-    /// Key and axis of a value of the table of work offsets.
+    /// Key and axis of an entry of the work offset table; `None` for an entry that is not a coordinate.
     fn work_place(&self, at: u32) -> Option<(String, usize)> {
         let axis = (at % OFFSET_STEP) as usize;
         (axis < AXES).then(|| (self.key_of_work_table(at), axis))
     }
 
-    /// Key of the work offset whose turn a variable holds.
+    /// Key of the work offset whose rotation a variable holds; `None` for other variables.
     fn work_turn(&self, at: u32) -> Option<String> {
         let turned = self.control.parameters.rules.frames.work_rotation;
         (turned && at % OFFSET_STEP == ROTATION_INDEX).then(|| self.key_of_work_table(at))
@@ -369,13 +369,13 @@ impl Interpreter<'_> {
         self.kernel.state.offsets.key(name)
     }
 
-    /// A coordinate from the number that a variable got.
+    /// A coordinate (mm or rad) from a number assigned to a variable.
     fn axis_in(&self, axis: usize, written: f64) -> f64 {
         let value = if axis < 3 { written * self.unit() } else { written.to_radians() };
         value * self.per_word[axis]
     }
 
-    /// Key and axis of a work offset's variable.
+    /// Key and axis of a work offset variable.
     fn offset_place(&self, what: SystemVariable, at: u32) -> Option<(String, usize)> {
         let (system, axis) = (at / OFFSET_STEP, (at % OFFSET_STEP) as usize);
         let name = match what {
@@ -401,7 +401,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A value of the tables of the nine work offsets, in the units of the machine.
+    /// A value of the table of nine work offsets, in the unit of the control's tables.
     fn work_table(&self, at: u32) -> Option<f64> {
         if let Some(key) = self.work_turn(at) {
             return self.kernel.state.offsets.known_rotation(&key);
@@ -411,7 +411,7 @@ impl Interpreter<'_> {
         Some(self.stored_out(axis, value))
     }
 
-    /// A value of the table of tools. A tool of which the size is known and no wear has none.
+    /// A value of the tool table in the unit of the program. A tool with a known size and no wear value has no wear.
     fn tool_value(&self, what: SystemVariable, number: u32) -> Option<f64> {
         let tool = self.kernel.state.offsets.tool(number)?;
         let per_radius = match self.control.parameters.rules.radius_offsets {
@@ -427,13 +427,13 @@ impl Interpreter<'_> {
         Some(mm / self.unit())
     }
 
-    /// The tool in the spindle, where the program has changed it.
+    /// The number of the tool in the spindle; `None` before a tool change.
     pub(super) fn tool_in_spindle(&self) -> Option<f64> {
         let tool = self.kernel.state.tool;
         (tool != 0 && !self.kernel.state.unknown.tool).then(|| f64::from(tool))
     }
 
-    /// S as the program wrote it, rev/min; none before it, and while a cutting speed is kept.
+    /// S, rev/min; `None` before an S and during G96.
     pub(super) fn speed_word(&self) -> Option<f64> {
         let state = &self.kernel.state;
         let is_known = state.rpm != 0.0 && state.surface_speed.is_none() && !state.unknown.speed;
@@ -449,7 +449,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A value that is not known is written into a variable of the system.
+    /// Writes an unknown value into a system variable.
     fn write_unknown(
         &mut self,
         index: u32,

@@ -1,8 +1,8 @@
-//! Values that nobody knows: what the run notes of them, and what a block does whose words have such values.
+//! Unknown values: how a run records them, and what a block with such values does.
 //!
-//! A variable that the program reads before it sets it holds what another program left there. The value is
-//! unknown, and so is what is computed from it (`macros/value.rs`). Here is what follows from that: a feed of
-//! which the time is not known, axes of which the place is not known, branches that are assumed.
+//! A variable that the program reads before it sets it contains a value from an earlier program. It is unknown, and
+//! so is every value computed from it (`macros/value.rs`). This module draws the consequences: feeds with unknown
+//! time, axes with unknown position, assumed branches.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -18,53 +18,53 @@ use super::super::Interpreter;
 use super::ConditionOf;
 use crate::macros::value::{MacroValue, UnknownCause};
 
-/// Most variables that are noted.
+/// Largest number of unknown variables that are recorded.
 const MAX_NOTED: usize = 1000;
 
-/// How often an IF is taken as fulfilled.
+/// How often an IF is assumed to be fulfilled; a limit, so that a backward jump ends.
 const MAX_FULFILLED: u32 = 100;
 
-/// Most variables that a message names.
+/// Largest number of variables in a message.
 const MAX_NAMED: usize = 20;
 
-/// Words of a block that stay where the others are left out: they change no place.
+/// Words that stay when the motion of a block is dropped: they do not change the position.
 const KEPT_WORDS: Letters = Letters::of("GMNFSTDH");
 
-/// What the run has met that nobody knows.
+/// The unknown values that a run has used.
 #[derive(Clone, Default, Debug, PartialEq)]
 pub(in super::super) struct UnknownValues {
     /// Variables that were read.
     read: BTreeSet<UnknownCause>,
-    /// Where the first of the program's own was read.
+    /// The first read of an unknown variable of programs; `None` before one.
     first: Option<Span>,
-    /// Where the first of the control's was.
+    /// The first read of an unknown system variable; `None` before one.
     first_of_system: Option<Span>,
-    /// From here on the path is not known, which has been told.
+    /// It was reported that the path is not known.
     path_lost: bool,
-    /// The time of some moves is not known, which has been told.
+    /// It was reported that the time of some moves is not known.
     time_lost: bool,
     /// A branch was assumed.
     branch_assumed: bool,
-    /// How often conditions were met that this run takes as fulfilled.
+    /// How often each condition that this run assumes to be fulfilled was evaluated.
     assumed: BTreeMap<(FileId, u32), u32>,
     /// The names of [`UnknownCause::Name`].
     names: Vec<String>,
-    /// Why registers R0 to R9 that the program has set are not known.
+    /// The causes why R0 to R9 are unknown after an assignment; `None` otherwise.
     registers: [Option<UnknownCause>; 10],
 }
 
 impl UnknownValues {
-    /// Whether a condition holds was assumed, and nobody knows.
+    /// True when a condition with an unknown value was assumed.
     pub fn branch_assumed(&self) -> bool {
         self.branch_assumed
     }
 
-    /// A register got an unknown value.
+    /// Records that a register got an unknown value.
     pub fn lose_register(&mut self, index: usize, cause: UnknownCause) {
         self.registers[index] = Some(cause);
     }
 
-    /// Moves its places to those of a text that has changed elsewhere.
+    /// Moves its spans to a text that was changed elsewhere; `None` when one of them was deleted.
     pub fn shift(&mut self, shift: &TextShift) -> Option<()> {
         for span in [&mut self.first, &mut self.first_of_system].into_iter().flatten() {
             if span.file == FileId(0) {
@@ -75,7 +75,7 @@ impl UnknownValues {
     }
 }
 
-/// What a word of an unknown value says.
+/// The role of a word with an unknown value.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum WordRole {
     Feed,
@@ -98,10 +98,10 @@ enum WordRole {
 }
 
 impl Interpreter<'_> {
-    /// A variable was read.
+    /// Records the read of an unknown variable.
     pub(super) fn note_unknown(&mut self, value: MacroValue, range: TextRange) {
         let MacroValue::Unknown(cause) = value else { return };
-        // Of date and time their own note is told.
+        // Date and time have a message of their own.
         if let UnknownCause::Variable(number) = cause
             && let Some((SystemVariable::Date | SystemVariable::Time, _)) =
                 self.rules().system_at(number)
@@ -118,7 +118,7 @@ impl Interpreter<'_> {
         first.get_or_insert(span);
     }
 
-    /// A variable of programs, not one that shows something of the control.
+    /// True for a variable of programs, false for a system variable.
     fn is_own(&self, cause: UnknownCause) -> bool {
         match cause {
             UnknownCause::Variable(number) => self.rules().common_range(number).is_some(),
@@ -127,7 +127,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The cause that a named variable of the control is not known.
+    /// The cause for a named variable of the control.
     pub(super) fn cause_of_name(&mut self, name: &str) -> UnknownCause {
         let names = &mut self.macros.unknown.names;
         let at = names.iter().position(|known| known == name).unwrap_or_else(|| {
@@ -149,7 +149,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// From here on the path is not known, because something (`what`) is an unknown value. Told once.
+    /// Reports once that the path is not known from here on, because `what` has an unknown value.
     pub(super) fn lose_path_by(&mut self, range: TextRange, what: &str, cause: UnknownCause) {
         if self.macros.unknown.path_lost {
             return;
@@ -160,7 +160,7 @@ impl Interpreter<'_> {
         self.lose_path_once(self.span(range), message, help);
     }
 
-    /// From here on the path is not known, which is told once in a run.
+    /// Reports once a run that the path is not known from here on.
     pub(in super::super) fn lose_path_once(&mut self, span: Span, message: String, help: String) {
         if std::mem::replace(&mut self.macros.unknown.path_lost, true) {
             return;
@@ -172,7 +172,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// The time of what follows is not known. Told once.
+    /// Reports once that the time of following moves is not known.
     fn lose_time_by(&mut self, range: TextRange, letter: u8, cause: UnknownCause) {
         if std::mem::replace(&mut self.macros.unknown.time_lost, true) {
             return;
@@ -189,8 +189,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// Whether a condition that depends on an unknown value is taken as fulfilled: not, unless the run is one that
-    /// takes this side of it.
+    /// Assumes a condition that depends on an unknown value: not fulfilled, unless the run options name it as fulfilled.
     pub(super) fn assume(
         &mut self,
         range: TextRange,
@@ -221,14 +220,14 @@ impl Interpreter<'_> {
         let times = self.macros.unknown.assumed.entry(place).or_insert(0);
         *times += 1;
         match of {
-            // Every loop makes one pass.
+            // Each loop makes one pass.
             ConditionOf::Loop => *times % 2 == 1,
-            // A jump back must end.
+            // A backward jump must end.
             ConditionOf::Branch => *times <= MAX_FULFILLED,
         }
     }
 
-    /// Names the variables that the run has read and nobody knows.
+    /// Reports the unknown variables that the run has read.
     pub(in super::super) fn report_unknown_variables(&mut self) {
         let unknown = &self.macros.unknown;
         let (own, others): (Vec<UnknownCause>, Vec<UnknownCause>) =
@@ -278,7 +277,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// How a user gives a value, in short.
+    /// The help for giving a value, in short.
     fn give_it(&self, cause: UnknownCause, name: &str) -> String {
         match cause {
             UnknownCause::Letters(letters, number) => self.give_letters(letters, number, name),
@@ -290,7 +289,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// All the ways in which a user gives a value.
+    /// The help with all ways of giving a value.
     fn give(&self, cause: UnknownCause, name: &str) -> String {
         let UnknownCause::Variable(number) = cause else { return self.give_it(cause, name) };
         if let Some(place) = self.place_of(number) {
@@ -312,7 +311,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// What a user gives in place of the value of a variable that shows something else.
+    /// The help for a system variable whose value follows from other data; `None` for other variables.
     fn place_of(&self, number: u32) -> Option<String> {
         let (what, _) = self.system_at(number)?;
         Some(match what {
@@ -361,7 +360,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A word that names a register which nobody has set, in no word before it.
+    /// The cause for a word that names an unset register; `None` if it is set, also by a word before it.
     pub(super) fn unset_register(&self, word: &Word, before: &[Word]) -> Option<UnknownCause> {
         let chordal_syntax::WordValue::Register { index, .. } = word.value else { return None };
         let is_set = self.registers[index as usize].is_some()
@@ -374,14 +373,14 @@ impl Interpreter<'_> {
         Some(self.cause_of_register(letters as u8, u32::from(index)))
     }
 
-    /// Why a register is not known: what was written into it, or that nothing was.
+    /// The cause why a register is unknown: an unknown value was assigned, or none.
     pub(super) fn cause_of_register(&self, letters: u8, index: u32) -> UnknownCause {
         let written = self.macros.unknown.registers.get(index as usize).copied().flatten();
         written.unwrap_or(UnknownCause::Letters(letters, index))
     }
 
-    /// Takes the words of a block that have unknown values, which are not in it any more, and leaves out of the
-    /// block what cannot be carried out without them.
+    /// Applies the words with unknown values, which are already removed from the block, and removes from it what cannot
+    /// be carried out without them.
     pub(super) fn take_unknown_words(
         &mut self,
         block: &mut Block,
@@ -477,7 +476,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A rapid or a straight cut, where an axis that is left out changes nothing of the others.
+    /// True for a rapid or a straight cut, where a missing axis does not affect the others.
     fn goes_straight(&self, block: &Block, actions: &[Action]) -> bool {
         let own = actions.iter().rev().find_map(|action| action.motion());
         let straight = match own {
@@ -502,8 +501,8 @@ impl Interpreter<'_> {
             && block.polar.is_empty()
     }
 
-    /// The axes whose place is not known where the shape of a motion is not: those that the block names, of an
-    /// arc those of its plane, of a cycle that along which it goes.
+    /// The axes whose position is unknown when the shape of a motion is: those that the block names, for an arc those of
+    /// its plane, for a cycle also the drilling axis.
     fn axes_of_shape(&self, block: &Block, actions: &[Action]) -> AxisMask {
         let mut axes = AxisMask::NONE;
         for word in &block.words {
@@ -546,18 +545,18 @@ impl Interpreter<'_> {
                 _ => matches!(word.letter, b'P' | b'Q' | b'L'),
             };
             let is_length = matches!(action, Some(Action::Length(_)));
-            let left_out = drops.motion && is_motion
+            let is_dropped = drops.motion && is_motion
                 || drops.once && is_wait
                 || drops.call && is_call
                 || drops.length && is_length;
-            if !left_out {
+            if !is_dropped {
                 block.push_any(word);
             }
         }
     }
 }
 
-/// What of a block is left out.
+/// The parts of a block that are dropped.
 #[derive(Clone, Copy, Default, PartialEq, Debug)]
 struct DroppedWords {
     /// The words of its motion.

@@ -1,4 +1,4 @@
-//! Numbers in the place of expressions behind address letters.
+//! Replaces expressions after address letters by numbers.
 
 use chordal_command::Units;
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
@@ -12,14 +12,14 @@ use crate::macros::value::{MacroValue, UnknownCause};
 /// Addresses that take whole numbers.
 const WHOLE: Letters = Letters::of("NOLMSTHD");
 
-/// Those of them where decimals are likely a slip.
+/// Those of them where decimals are probably a mistake.
 const REPORTED_WHEN_ROUNDED: Letters = Letters::of("LMTHD");
 
-/// Largest value behind an address, in units of its last digit.
+/// Largest value after an address, in units of its last digit: a double is exact up to 9e15.
 const MAX_ADDRESS_VALUE: f64 = 1e15;
 
 impl Interpreter<'_> {
-    /// Whether a block has a word with a register that holds what nobody knows.
+    /// True when a word of the block uses a register with an unknown value.
     pub(in super::super) fn has_unset_register(&self, block: &Block) -> bool {
         let is_unset = |word: &Word| match word.value {
             Written::Register { index, .. } => self.registers[index as usize].is_none(),
@@ -28,9 +28,9 @@ impl Interpreter<'_> {
         self.control.table.lexicon.registers && block.words.iter().any(is_unset)
     }
 
-    /// Puts the values of a block's expressions in their places. A word whose value is null is
-    /// dropped, address and all. The words of a macro call stay: its arguments are not rounded.
-    /// True when words of unknown values were left out that are more than a feed.
+    /// Replaces the expressions of a block by their values. A word with a vacant value is removed with its address. The
+    /// words of a macro call stay, since its arguments are not rounded. True when words with unknown values other than F
+    /// were removed.
     pub(in super::super) fn resolve_words(&mut self, block: &mut Block) -> bool {
         block.expressions = false;
         let units = self.units_of(block);
@@ -79,7 +79,7 @@ impl Interpreter<'_> {
         unknown.iter().any(|(word, _)| word.letter != b'F')
     }
 
-    /// Units that hold for the block's own words.
+    /// The units of the words of the block.
     fn units_of(&self, block: &Block) -> Units {
         let own = block.all(b'G').filter_map(|word| {
             let code = chordal_dialect::code_number(word.number()?)?;
@@ -88,7 +88,7 @@ impl Interpreter<'_> {
         own.last().unwrap_or(self.kernel.state.units)
     }
 
-    /// The value of the expression at a place of the text.
+    /// The value of the expression in a range of the text; `None` when it has none, which is reported.
     pub(super) fn word_value(
         &mut self,
         range: TextRange,
@@ -107,7 +107,7 @@ impl Interpreter<'_> {
         value
     }
 
-    /// Decimals of an address.
+    /// Number of decimals of an address.
     fn digits_of(&self, letter: u8, units: Units) -> u8 {
         let parameters = &self.control.parameters;
         match letter {
@@ -123,7 +123,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A value as if it had been written behind its address.
+    /// A value as if it were written after its address; `None` when it is too large, which is reported.
     fn decimal_of(&mut self, word: &Word, value: f64, digits: u8) -> Option<Decimal> {
         let whole = round(value);
         let is_whole = (value - whole).abs() < 1e-4 && whole.abs() < MAX_ADDRESS_VALUE;
@@ -168,7 +168,7 @@ impl Interpreter<'_> {
     }
 }
 
-/// As many decimals as a double holds.
+/// As many decimals as a double can represent exactly.
 fn exact_digits(value: f64) -> u8 {
     let mut digits = 12;
     while digits > 0 && value.abs() * 10f64.powi(i32::from(digits)) > MAX_ADDRESS_VALUE {
@@ -177,14 +177,14 @@ fn exact_digits(value: f64) -> u8 {
     digits
 }
 
-/// A value with all its decimals; `None` where it is too large.
+/// A value with all its decimals; `None` when it is too large.
 pub(super) fn decimal(value: f64) -> Option<Decimal> {
     let digits = exact_digits(value);
     let scaled = round(value * 10f64.powi(i32::from(digits)));
     (scaled.abs() <= MAX_ADDRESS_VALUE).then(|| shortest(scaled as i64, digits))
 }
 
-/// The number without zeros at its end.
+/// The number without trailing zeros.
 fn shortest(mut mantissa: i64, mut scale: u8) -> Decimal {
     while scale > 0 && mantissa % 10 == 0 {
         mantissa /= 10;

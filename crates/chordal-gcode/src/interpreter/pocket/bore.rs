@@ -1,4 +1,4 @@
-//! Fadal's bore milling: L94NN counter-clockwise, L95NN clockwise, NN passes.
+//! Bore milling of Fadal: L94NN counter-clockwise, L95NN clockwise, NN passes.
 
 use chordal_command::AxisMask;
 use chordal_geometry::{TurnDirection, Vec2};
@@ -8,8 +8,8 @@ use chordal_syntax::{Block, Word};
 use crate::interpreter::Interpreter;
 
 impl Interpreter<'_> {
-    /// By a half circle from the centre to the wall, `count` full circles, by a half circle
-    /// back. R0 is the feed; which word has the diameter is a setting, because no text was found.
+    /// From the centre to the wall by a half circle, `count` full circles, and back by a half circle. R0 is the feed; the
+    /// word of the diameter is a setting, because no manual text was found.
     pub(super) fn bore_routine(
         &mut self,
         block: &Block,

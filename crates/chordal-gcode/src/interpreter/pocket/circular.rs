@@ -1,7 +1,7 @@
-//! Circular pockets by one block (Haas G12, G13): I alone, or I, K and Q.
+//! Circular pockets in one block (Haas G12, G13): with I, or with I, K and Q.
 //!
-//! Haas Mill Operator's Manual (1999 and NGC): the offset is applied by the cycle itself, all
-//! cutting is circular; the arcs between the circles are a model, tangent and of one sense.
+//! Haas Mill Operator's Manual (1999 and NGC): the cycle itself applies the offset, and all cuts are circular. The arcs
+//! between the circles are assumed: tangent and in one direction.
 
 use chordal_command::{AxisMask, CompensationSide};
 use chordal_diagnostics::{Code, Diagnostic};
@@ -14,7 +14,7 @@ use crate::interpreter::Interpreter;
 use chordal_kernel::{CirclesWords, MAX_RINGS};
 
 impl Interpreter<'_> {
-    /// G12 and G13.
+    /// Carries out G12 or G13.
     pub(in crate::interpreter) fn circular_pocket(
         &mut self,
         block: &Block,
@@ -46,7 +46,7 @@ impl Interpreter<'_> {
         self.kernel.mill_circles(&self.at(block), &pocket);
     }
 
-    /// G12 and G13 of Mach3: I alone is how far the centre of the tool goes out.
+    /// G12 and G13 of Mach3: I is the radius of the path of the tool centre.
     fn one_circle(&mut self, block: &Block, at: usize, direction: TurnDirection) {
         self.unused_axes(block, |_, _| false);
         if !self.may_have_pocket(block, at) {
@@ -61,7 +61,7 @@ impl Interpreter<'_> {
         self.kernel.mill_circle(&self.at(block), radius, direction);
     }
 
-    /// Pockets are milled in the XY plane without compensation.
+    /// True in the XY plane without compensation, as pockets require; otherwise it is reported.
     fn may_have_pocket(&mut self, block: &Block, at: usize) -> bool {
         if self.kernel.state.plane != Plane::Xy {
             self.refuse_pocket(block, at, "pockets are milled only in G17", "choose G17 before");
@@ -75,7 +75,7 @@ impl Interpreter<'_> {
         true
     }
 
-    /// What all pockets of one block ask for; the radius of the tool, mm.
+    /// Checks what all pockets of one block need. The radius of the tool, mm; `None` when the pocket cannot be milled.
     pub(super) fn pocket_start(&mut self, block: &Block, at: usize) -> Option<f64> {
         let span = self.span(block.words[at].range);
         if !self.may_have_pocket(block, at) {
@@ -105,7 +105,7 @@ impl Interpreter<'_> {
         radius
     }
 
-    /// The radii of the circles, mm, when tool radius, I and K grow in this order.
+    /// The radii of the circles, mm; `None` unless tool radius, I and K increase in this order, which is reported.
     fn circular_radii(&mut self, block: &Block, at: usize, tool: f64) -> Option<Vec<f64>> {
         let Some(first) = self.length_of(block, b'I') else {
             let message = "a circular pocket without I, the radius of its first circle";
@@ -152,7 +152,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// Moves to X and Y of the block, where the pocket is; the level that Z names.
+    /// Moves to X and Y of the block, the centre of the pocket. Returns the level Z; `None` without Z.
     fn place_of_pocket(&mut self, block: &Block) -> Option<f64> {
         let (mut target, named) = self.target(block);
         let z = named.has(2).then_some(target[2]);
@@ -193,7 +193,7 @@ impl Interpreter<'_> {
         repeats
     }
 
-    /// A pocket cycle that the control would not run.
+    /// Reports a pocket cycle that the control would not run.
     pub(super) fn refuse_pocket(&mut self, block: &Block, at: usize, message: &str, help: &str) {
         self.kernel.report(
             Diagnostic::new(Code::PocketRefused, self.span(block.words[at].range), message)

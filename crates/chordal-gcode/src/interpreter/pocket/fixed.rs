@@ -1,4 +1,4 @@
-//! Fadal's fixed routines that clear pockets: L96 and L97 rectangles, L98 and L99 circles.
+//! Fixed routines of Fadal that clear pockets: L96 and L97 rectangles, L98 and L99 circles.
 //!
 //! Fadal User Manual, sections 6 and 18 (messages), and the programs of section 13.
 
@@ -15,18 +15,18 @@ use crate::interpreter::Interpreter;
 use chordal_kernel::MAX_RINGS;
 use chordal_kernel::is_over;
 
-/// What a pocket routine was called with.
+/// The data of a pocket routine's call.
 struct PocketCall {
     /// Its feed, mm/s.
     feed: f64,
     /// Radius of the tool, mm.
     tool: f64,
-    /// Radius of the flat of the tool's end: the tool's without the corner, mm.
+    /// Radius of the flat end of the tool: its radius minus the corner radius, mm.
     flat: f64,
 }
 
 impl Interpreter<'_> {
-    /// A call of a fixed routine; false when the control has none of this number.
+    /// Carries out a fixed routine; false when the control has none with this number.
     pub(in crate::interpreter) fn fixed_routine(
         &mut self,
         block: &Block,
@@ -84,7 +84,7 @@ impl Interpreter<'_> {
         self.run_pocket(word, &rings(&radii, 1, direction), &call);
     }
 
-    /// Runs the path as often as the count of the call says, and tells what was assumed.
+    /// Runs the path as often as the count of the call, and reports what is assumed.
     fn run_pocket(&mut self, word: &Word, steps: &[Step], call: &PocketCall) {
         let count = self.literal(word).and_then(|n| n.to_integer()).unwrap_or(1).rem_euclid(100);
         if count == 0 {
@@ -110,12 +110,12 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Number of the routine that an L word calls: 96 for L9601.
+    /// The number of the routine that an L word calls: 96 for L9601.
     pub(super) fn routine_number(&self, word: &Word) -> i64 {
         self.literal(word).and_then(|n| n.to_integer()).unwrap_or(0) / 100
     }
 
-    /// L9600: no pass at all.
+    /// Reports a call without a pass (L9600).
     pub(super) fn report_no_passes(&mut self, word: &Word) {
         let number = self.routine_number(word);
         self.kernel.report(
@@ -128,7 +128,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// Judges what all pocket routines ask for. `None` when the control would not run it.
+    /// Checks what all pocket routines need. `None` when the control would not run the routine.
     fn pocket_call(&mut self, block: &Block, word: &Word, registers: &[u8]) -> Option<PocketCall> {
         let feed = self.routine_start(block, word, registers)?;
         let tool = self.routine_tool(word)?;
@@ -153,8 +153,8 @@ impl Interpreter<'_> {
         Some(PocketCall { feed, tool, flat })
     }
 
-    /// The words of a routine, no cycle, no compensation; then the block's own move. The feed of
-    /// R0, mm/s; `None` when the control would not run the routine.
+    /// Checks the words of a routine and that no cycle or compensation is active, then makes the block's own move.
+    /// Returns the feed R0, mm/s; `None` when the control would not run the routine.
     pub(super) fn routine_start(
         &mut self,
         block: &Block,
@@ -187,7 +187,7 @@ impl Interpreter<'_> {
         self.register_feed(block)
     }
 
-    /// True when neither a cycle nor compensation is in force.
+    /// True when neither a cycle nor compensation is active.
     pub(super) fn routine_allowed(&mut self, word: &Word) -> bool {
         if self.kernel.state.cycle.is_some() {
             let message = "a fixed routine while a drilling cycle is active".to_string();
@@ -206,9 +206,9 @@ impl Interpreter<'_> {
         true
     }
 
-    /// The radius of the tool, mm, from the offset in force.
+    /// The radius of the tool by the active offset, mm; `None` when it is not known, which is reported.
     pub(super) fn routine_tool(&mut self, word: &Word) -> Option<f64> {
-        let Some(number) = self.offset_in_force().filter(|number| *number > 0) else {
+        let Some(number) = self.active_radius_offset().filter(|number| *number > 0) else {
             let message = "no tool offset is active, so the routine has no diameter".to_string();
             self.improper(word, message, "call the offset with H or D before it");
             return None;
@@ -227,7 +227,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The machine file gives no diameter, so no path can be shown.
+    /// Reports a missing diameter in the machine file, without which no path can be shown.
     pub(super) fn report_diameter_unknown(&mut self, span: chordal_diagnostics::Span, number: u32) {
         self.kernel.report(
             Diagnostic::new(
@@ -240,7 +240,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// A rule of the fixed routines is broken.
+    /// Reports that a rule of the fixed routines is violated.
     pub(super) fn improper(&mut self, word: &Word, message: String, help: &str) {
         self.kernel.report(
             Diagnostic::new(Code::ImproperFixedRoutine, self.span(word.range), message)
@@ -249,7 +249,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// True when the tool goes into the pocket.
+    /// True when the tool fits into the pocket; otherwise it is reported.
     pub(super) fn fits(
         &mut self,
         block: &Block,
@@ -291,7 +291,7 @@ impl Interpreter<'_> {
         self.length(&word)
     }
 
-    /// R0 as a feed, mm/s.
+    /// R0 as a feed, mm/s; `None` when it is not positive.
     fn register_feed(&mut self, block: &Block) -> Option<f64> {
         let word = self.register_word(block, 0)?;
         let feed = self.scale.length(self.literal(&word)?) / 60.0;

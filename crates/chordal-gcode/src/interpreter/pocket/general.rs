@@ -1,8 +1,7 @@
-//! A pocket of any outline by one block (Haas G150).
+//! A pocket of any outline in one block (Haas G150).
 //!
-//! Haas Mill Operator's Manual, G150: at each level Q, a pass round the outline that leaves K,
-//! then rows by I or J; after the last level one pass round the walls. The order of the rows
-//! and the ways between them are a choice.
+//! Haas Mill Operator's Manual, G150: at each level Q, a pass along the outline that leaves K, then rows by I or J;
+//! after the last level one pass along the walls. The order of the rows and the moves between them are assumed.
 
 use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, Diagnostic};
@@ -15,7 +14,7 @@ use chordal_syntax::{Block, Letters};
 use crate::interpreter::Interpreter;
 use chordal_kernel::{RegionWords, rings_to_depth};
 
-/// The numbers of the block, mm.
+/// The values of the block, mm.
 struct PocketWords {
     tool: f64,
     start: Position,
@@ -28,7 +27,7 @@ struct PocketWords {
 }
 
 impl Interpreter<'_> {
-    /// G150.
+    /// Carries out G150.
     pub(in crate::interpreter) fn general_pocket(&mut self, block: &Block, at: usize) {
         let Some(tool) = self.pocket_start(block, at) else { return };
         let Some(words) = self.general_words(block, at, tool) else { return };
@@ -53,7 +52,7 @@ impl Interpreter<'_> {
         self.kernel.mill_region(&self.at(block), &pocket);
     }
 
-    /// Reads and judges the words of the block.
+    /// Reads and checks the words of the block; `None` when the control would refuse them, which is reported.
     fn general_words(&mut self, block: &Block, at: usize, tool: f64) -> Option<PocketWords> {
         let (target, named) = self.target(block);
         let (r, z) = (self.length_of(block, b'R'), named.has(2).then_some(target[2]));
@@ -62,7 +61,7 @@ impl Interpreter<'_> {
             self.refuse_pocket(block, at, message, "give the plane R and the depth Z");
             return None;
         };
-        // In G91, R counts from where the tool stands and Z from R, as in drilling cycles.
+        // In G91, R is relative to the present position and Z to R, as in drilling cycles.
         let relative = self.kernel.state.incremental;
         let z_word = z - self.kernel.state.position[2];
         let r = if relative { self.kernel.state.position[2] + r } else { r };
@@ -93,7 +92,7 @@ impl Interpreter<'_> {
         Some(PocketWords { tool, start: target, named, r, levels, along, step, allowance })
     }
 
-    /// R − Q, R − 2Q, …, Z; without Q, Z alone.
+    /// The levels R − Q, R − 2Q, …, Z, mm; without Q only Z.
     fn pocket_levels(&mut self, block: &Block, at: usize, r: f64, z: f64) -> Option<Vec<f64>> {
         let Some(q) = self.length_of(block, b'Q') else { return Some(vec![z]) };
         if q <= 0.0 {
@@ -108,8 +107,8 @@ impl Interpreter<'_> {
         levels
     }
 
-    /// G41 has the inside of a counter-clockwise outline on its left, G42 that of a clockwise
-    /// one on its right.
+    /// True when the side is inside: G41 with a counter-clockwise outline, G42 with a clockwise one. Otherwise it is
+    /// reported.
     fn side_is_inside(&mut self, block: &Block, outline: &Outline) -> bool {
         let side = block.all(b'G').find_map(|word| {
             let row = self.control.g_code(self.literal(word).and_then(code_number)?)?;

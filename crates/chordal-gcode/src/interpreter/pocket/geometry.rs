@@ -1,4 +1,4 @@
-//! The outline that P of a general pocket names: its blocks are read, not carried out.
+//! Reads the outline that P of a general pocket names; its blocks are not carried out.
 
 use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_dialect::code_number;
@@ -9,30 +9,30 @@ use chordal_syntax::{Block, BlockKind, BlockReader, WordValue};
 
 use crate::interpreter::Interpreter;
 
-/// Most moves of an outline (Haas, G150).
+/// Largest number of moves of an outline (Haas, G150).
 const MAX_MOVES: usize = 40;
 
-/// Most blocks that are read in search of its end.
+/// Largest number of blocks read to find its end.
 const MAX_BLOCKS: usize = 1_000;
 
-/// What stays in force from block to block of an outline.
+/// The modal state within an outline.
 struct OutlineState {
     place: Vec2,
     motion: Action,
     incremental: bool,
 }
 
-/// What a block of an outline is.
+/// The meaning of a block of an outline.
 enum OutlineBlock {
     Move(OutlineElement),
     Nothing,
     End,
-    /// It was told why the outline is no good.
+    /// The outline is wrong, which was reported.
     Wrong,
 }
 
 impl Interpreter<'_> {
-    /// The outline of a pocket whose start hole is `start`. `None` when it was told why not.
+    /// The outline of a pocket with its start hole at `start`; `None` when there is none, which is reported.
     pub(super) fn pocket_outline(
         &mut self,
         block: &Block,
@@ -68,7 +68,7 @@ impl Interpreter<'_> {
         if let Some(position) = start_of_text {
             reader.seek(position);
         }
-        // Spans belong to the text that is read.
+        // Spans refer to the file that is read.
         let file = self.program_at(program).file;
         let file = std::mem::replace(&mut self.file, file);
         let moves = self.read_outline(&mut reader, named, start);
@@ -248,7 +248,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The first move leads from the start hole to the outline, the others are the outline.
+    /// Closes the outline: the first move leads to it from the start hole, the others are its elements.
     fn close_outline(
         &mut self,
         moves: Vec<OutlineElement>,

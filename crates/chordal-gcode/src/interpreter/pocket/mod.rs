@@ -1,5 +1,4 @@
-//! Pockets and fixed routines: their words are judged here, their paths come from
-//! `crate::pocket`, and go out as ordinary commands.
+//! Pockets and fixed routines: checks their words; the kernel computes their paths and emits them as ordinary commands.
 
 mod bore;
 mod circular;

@@ -1,4 +1,4 @@
-//! Fadal's probing (L91) and engraving (L92): their words are judged, their motion is not shown.
+//! Probing (L91) and engraving (L92) of Fadal: their words are checked, their motion is not shown.
 
 use chordal_command::AxisMask;
 use chordal_diagnostics::{Code, Diagnostic};
@@ -6,7 +6,7 @@ use chordal_syntax::{Block, Word};
 
 use crate::interpreter::Interpreter;
 
-/// Deepest engraving below R0 and highest letters (section 6): 2.5 in.
+/// Largest depth of engraving below R0 and largest height of letters (section 6): 2.5 in, mm.
 const ENGRAVING_LIMIT_MM: f64 = 63.5;
 
 impl Interpreter<'_> {
@@ -37,11 +37,11 @@ impl Interpreter<'_> {
         self.motion_missing(word, &format!("{what} moves and measures"));
     }
 
-    /// L9201: Z the depth, R0 the clearance plane, R1 the kind of letters, R2 their height, R3
-    /// the angle, R4 the step of a serial number, the text behind a parenthesis.
+    /// L9201: Z is the depth, R0 the clearance plane, R1 the kind of letters, R2 their height, R3 the angle, R4 the
+    /// step of a serial number; the text follows a parenthesis.
     pub(super) fn engrave_routine(&mut self, block: &Block, word: &Word) {
         self.routine_allowed(word);
-        if self.offset_in_force().is_none_or(|number| number == 0) {
+        if self.active_radius_offset().is_none_or(|number| number == 0) {
             let message = "engraving without an active tool offset".to_string();
             self.improper(word, message, "call the offset with H or D before it");
         }
@@ -127,7 +127,7 @@ impl Interpreter<'_> {
         );
     }
 
-    /// The warning that stands for the motion.
+    /// Warns that the motion is missing.
     fn motion_missing(&mut self, word: &Word, what: &str) {
         let value = self.literal(word).map_or(String::new(), |number| number.to_string());
         self.kernel.report(

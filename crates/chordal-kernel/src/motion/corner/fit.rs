@@ -5,13 +5,13 @@ use std::f64::consts::TAU;
 
 type CornerPoint = [f64; 2];
 
-/// A length that only rounding has made longer than its move, mm.
+/// A length may exceed its move by this much through rounding, mm.
 const ROUNDING_MM: f64 = 1e-6;
 
-/// A turn that only rounding has made, rad.
+/// A smaller angle comes from rounding, rad.
 const ROUNDING_RAD: f64 = 1e-9;
 
-/// A move in its plane; with the centre and the directed angle where it is an arc.
+/// A move in its plane, mm; an arc has its centre and directed angle (rad).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CornerLeg {
     pub from: CornerPoint,
@@ -19,23 +19,23 @@ pub(super) struct CornerLeg {
     pub arc: Option<(CornerPoint, f64)>,
 }
 
-/// What stands in the corner, and what the moves lose.
+/// The piece that replaces the corner, and how much of the moves it removes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CornerFit {
     pub start: CornerPoint,
     pub end: CornerPoint,
-    /// Centre and directed angle of a rounding.
+    /// Centre and directed angle (rad) of a rounding; `None` for a line.
     pub arc: Option<(CornerPoint, f64)>,
-    /// Lengths that the first and the second move lose; angles, on arcs.
+    /// What the first and the second move lose: a length (mm) of a line, an angle (rad) of an arc.
     pub lost: [f64; 2],
 }
 
-/// Nothing can stand there.
+/// Why no rounding or chamfer fits.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum CornerMisfit {
     /// The second move goes back over the first.
     Reversal,
-    /// It is too large; so much has room, mm.
+    /// It is too large; the largest that fits, mm.
     TooLarge(f64),
 }
 
@@ -43,7 +43,7 @@ fn minus(a: CornerPoint, b: CornerPoint) -> CornerPoint {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-/// From a point along a direction.
+/// The point at a distance from another in a direction.
 fn along(a: CornerPoint, direction: CornerPoint, length: f64) -> CornerPoint {
     [a[0] + direction[0] * length, a[1] + direction[1] * length]
 }
@@ -64,7 +64,7 @@ fn left_of(direction: CornerPoint) -> CornerPoint {
     [-direction[1], direction[0]]
 }
 
-/// The angle from one direction to another in a sense (1 to the left), from 0 to a turn.
+/// The angle from one direction to another in a sense (1 counterclockwise, −1 clockwise), in [0, 2π).
 fn turn(from: CornerPoint, to: CornerPoint, sense: f64) -> f64 {
     let angle = sense * libm::atan2(cross(from, to), dot(from, to));
     let angle = if angle < 0.0 { angle + TAU } else { angle };
@@ -80,7 +80,7 @@ impl CornerLeg {
         }
     }
 
-    /// Its direction at a point of it.
+    /// Its unit tangent at one of its points.
     fn direction_at(&self, place: CornerPoint) -> CornerPoint {
         match self.arc {
             None => {
@@ -97,7 +97,7 @@ impl CornerLeg {
         }
     }
 
-    /// What lies at a distance to its left, seen from a point of it.
+    /// Its parallel at a distance to the left; `None` when an arc has no radius left. `place` is one of its points.
     fn parallel_at(&self, place: CornerPoint, distance: f64) -> Option<OffsetShape> {
         match self.arc {
             None => {
@@ -112,8 +112,8 @@ impl CornerLeg {
         }
     }
 
-    /// Where a circle about `center` touches it, and how far that is from its corner: before it
-    /// on the first move, after it on the second. `corner` is a point of the move.
+    /// Where a circle about `center` touches the move, and how far that is from the corner: before it
+    /// on the first move, after it on the second.
     fn touch(
         &self,
         center: CornerPoint,
@@ -154,7 +154,7 @@ enum OffsetShape {
     Circle { center: CornerPoint, radius: f64 },
 }
 
-/// Where two of them meet.
+/// The intersections of two parallels.
 fn meetings(first: OffsetShape, second: OffsetShape) -> [Option<CornerPoint>; 2] {
     match (first, second) {
         (
@@ -200,13 +200,13 @@ fn meetings(first: OffsetShape, second: OffsetShape) -> [Option<CornerPoint>; 2]
     }
 }
 
-/// The directed angle between two moves, rad, and whether the second goes back over the first.
+/// The directed angle between two moves, rad.
 fn angle_between(first: &CornerLeg, second: &CornerLeg) -> f64 {
     let (into, out) = (first.direction_at(first.to), second.direction_at(second.from));
     libm::atan2(cross(into, out), dot(into, out))
 }
 
-/// The angle of a corner; nothing where the two go on straight.
+/// The angle of a corner, rad; `None` when it is at most `straight`, so that there is no corner.
 fn corner_angle(
     first: &CornerLeg,
     second: &CornerLeg,
@@ -219,7 +219,7 @@ fn corner_angle(
     Ok((angle.abs() > straight.max(ROUNDING_RAD)).then_some(angle))
 }
 
-/// An arc of a radius that touches both; nothing where they go on straight.
+/// The arc of a radius that touches both moves; `None` when there is no corner.
 pub(super) fn rounding(
     first: &CornerLeg,
     second: &CornerLeg,
@@ -230,6 +230,7 @@ pub(super) fn rounding(
     if let Some(fit) = tangent_arc(first, second, radius, angle.signum()) {
         return Ok(Some(fit));
     }
+    // Bisection for the largest radius that fits; 60 halvings exhaust the precision of a double.
     let (mut fits, mut large) = (0.0, radius);
     for _ in 0..60 {
         let middle = 0.5 * (fits + large);
@@ -277,7 +278,7 @@ fn tangent_arc(
     best.map(|(_, fit)| fit)
 }
 
-/// A line from a distance before the corner of two lines to the same distance after it.
+/// The line that cuts off the same length of both moves; `None` when there is no corner.
 pub(super) fn chamfer(
     first: &CornerLeg,
     second: &CornerLeg,

@@ -1,5 +1,5 @@
-//! Roundings and chamfers at the end of a block: its move is held until the next one is known, then both
-//! are shortened and what stands between them is put in. In program coordinates.
+//! Roundings and chamfers at the end of a block: its move waits until the next one is known, then both are
+//! shortened and the rounding or chamfer is inserted between them. In program coordinates.
 
 mod fit;
 
@@ -18,20 +18,20 @@ use crate::modal::Modal;
 use crate::rules::CornerMoves;
 use crate::state::State;
 
-/// A move that is shorter than this is gone, mm.
+/// A shorter remainder of a move is not emitted, mm.
 const LEFT_MM: f64 = 1e-6;
 
-/// An arc whose radii differ by more is no circle, mm.
+/// An arc whose radii differ by more cannot be rounded as a circle, mm.
 const CIRCLE_MM: f64 = 0.05;
 
-/// Two moves with what stands between them; a move may be gone whole.
+/// Two shortened moves and the piece between them; `None` for a move that the corner replaces completely.
 struct JoinedMoves {
     first: Option<CommandKind>,
     corner: CommandKind,
     next: Option<CommandKind>,
 }
 
-/// Why nothing stands in a corner.
+/// Why a corner is not rounded or chamfered.
 struct CornerRefusal {
     code: Code,
     what: String,
@@ -43,12 +43,12 @@ fn refusal(code: Code, what: impl Into<String>, help: &str) -> CornerRefusal {
 }
 
 impl Kernel<'_> {
-    /// The blocks at work are those of a contour that has words of its own, in a subroutine.
+    /// True while a cycle reads a contour whose blocks have corner words of their own (RS274/NGC G71 to G73).
     pub fn reads_contour_words(&self) -> bool {
         self.rules.turning.contour_words && self.collected.is_some()
     }
 
-    /// A corner of a contour that is shorter is none (rs274 2.9: a thousandth of the program's unit), mm.
+    /// A shorter corner of a contour is ignored, mm (rs274 2.9: a thousandth of the program's unit).
     fn least_corner_of_contour(&self) -> f64 {
         match self.state.units {
             Units::Inch => 0.0254,
@@ -56,37 +56,37 @@ impl Kernel<'_> {
         }
     }
 
-    /// A contour ends: a corner at the end of its last move is none.
+    /// Ends a contour: a corner word at its last move has no effect.
     pub fn end_corners_of_contour(&mut self) {
         self.corners.request = None;
-        if let Some(retained) = self.corners.queued.take() {
-            self.pass_on(*retained);
+        if let Some(queued) = self.corners.queued.take() {
+            self.pass_on(*queued);
         }
     }
 
-    /// Takes back what was asked, where the move of the block comes later.
+    /// Takes back the requested corner when the move of the block comes later; `None` when there is none.
     pub fn take_requested_corner(&mut self) -> Option<ProgrammedCorner> {
         self.corners.request.take()
     }
 
-    /// The corner that waits is at the end of the last move: what comes is the move after it, in this block or the next.
+    /// Says that the waiting move is complete: the next move, in this block or another, is the one after its corner.
     pub fn corner_move_done(&mut self) {
-        if let Some(retained) = &mut self.corners.queued {
-            retained.is_open = false;
+        if let Some(queued) = &mut self.corners.queued {
+            queued.is_open = false;
         }
     }
 
-    /// The next move of this block ends in a corner.
-    pub fn ask_corner(&mut self, corner: ProgrammedCorner) {
+    /// Requests a corner at the end of the next move of this block.
+    pub fn request_corner(&mut self, corner: ProgrammedCorner) {
         self.corners.request = Some(corner);
     }
 
-    /// A move waits for the next one, so that what has come so far is not all.
+    /// True when a move waits for the next one, so that not all commands are emitted yet.
     pub fn waits_at_corner(&self) -> bool {
         self.corners.wait()
     }
 
-    /// Pushes a command, or keeps it until the corner before it is known.
+    /// Emits a command, or keeps it until the corner before it is known.
     #[cold]
     pub(crate) fn emit_at_corner(&mut self, kind: CommandKind) {
         if kind.motion().is_none() {
@@ -98,7 +98,7 @@ impl Kernel<'_> {
             return;
         }
         let kind = match self.corners.queued.take() {
-            // Several moves of one block: the corner is at the end of the last.
+            // When one block makes several moves, the corner is at the end of the last.
             Some(queued) if queued.is_open && self.corners.request.is_none() => {
                 self.corners.request = Some(queued.corner);
                 self.pass_on(*queued);
@@ -124,7 +124,7 @@ impl Kernel<'_> {
         self.hand_over(&command);
     }
 
-    /// Keeps a move until the next one is known, if it can end in a corner.
+    /// Keeps a move until the next one is known, or emits it if it cannot end in a corner.
     fn hold(&mut self, corner: ProgrammedCorner, kind: CommandKind) {
         if let Err(refusal) = self.may_end_in_corner(&corner, &kind) {
             self.refuse(&corner, refusal, None);
@@ -140,7 +140,7 @@ impl Kernel<'_> {
             frames: self.state.frames.clone(),
             is_open: true,
             waiting: Vec::new(),
-            judged: 0,
+            checked: 0,
             dwells: 0,
         }));
     }
@@ -168,7 +168,8 @@ impl Kernel<'_> {
         self.leg(corner, kind, [Code::CornerBlock; 2]).map(drop)
     }
 
-    /// A cut in the plane, or why it is none: the codes for no move and for another move.
+    /// A move as a leg of the corner, or why it cannot be one; the codes are those of a move outside the plane
+    /// (`nothing`) and of another kind of move (`other`).
     fn leg(
         &self,
         corner: &ProgrammedCorner,
@@ -237,29 +238,29 @@ impl Kernel<'_> {
         Ok(leg)
     }
 
-    /// The move that was held, its corner, and what came after; gives what is left of the next move.
-    fn join(&mut self, retained: QueuedMove, next: CommandKind) -> Option<CommandKind> {
-        match self.corner_between(&retained, &next) {
+    /// Emits the waiting move, its corner, and what came after; returns what is left of the next move.
+    fn join(&mut self, queued: QueuedMove, next: CommandKind) -> Option<CommandKind> {
+        match self.corner_between(&queued, &next) {
             Ok(Some(JoinedMoves { first, corner, next })) => {
                 for part in first.into_iter().chain([corner]) {
-                    let command = self.in_work(part, retained.origin);
+                    let command = self.in_work(part, queued.origin);
                     self.hand_over(&command);
                 }
-                self.push_waiting(retained.waiting);
+                self.push_waiting(queued.waiting);
                 next
             }
             Ok(None) => {
-                self.pass_on(retained);
+                self.pass_on(queued);
                 Some(next)
             }
             Err(refusal) => {
-                self.give_up(retained, refusal);
+                self.give_up(queued, refusal);
                 Some(next)
             }
         }
     }
 
-    /// The first move and the corner; the second move.
+    /// The shortened moves and the corner between them; `None` when the moves continue straight.
     fn corner_between(
         &self,
         queued: &QueuedMove,
@@ -297,7 +298,7 @@ impl Kernel<'_> {
         let fit = match fit {
             Ok(Some(fit)) => fit,
             Ok(None) => return Ok(None),
-            // Moves that go on into one another leave no room for one, and need none.
+            // Nearly tangent moves have no room for a corner and need none.
             Err(CornerMisfit::TooLarge(room))
                 if self.reads_contour_words() && room < self.least_corner_of_contour() =>
             {
@@ -311,7 +312,7 @@ impl Kernel<'_> {
         }
         let (a, b, _) = queued.plane.axes();
         let plane_axes = AxisMask(1 << a | 1 << b);
-        // Where the first move begins elsewhere than is known, so does the corner.
+        // When the start of the first move is not known, neither is the corner.
         let known = match first.from_known.covers(plane_axes) {
             true => first.to_known,
             false => first.to_known.without(plane_axes),
@@ -370,7 +371,7 @@ impl Kernel<'_> {
             }
             CornerMisfit::TooLarge(room) => room,
         };
-        // Rounded down, so that what is named has room; bisection ends a little below it.
+        // Rounded down, so that the size in the message fits; 1e-4, as bisection ends slightly below the limit.
         let increment = self.rules.least_increment(self.state.units);
         let room = ((room / increment + 1e-4).floor()) * increment;
         let [first, second] = legs.map(|leg| self.length_text(leg.length()));
@@ -384,26 +385,26 @@ impl Kernel<'_> {
         }
     }
 
-    /// A block has been carried out: whether the corner before it still may wait.
+    /// After a block: decides whether a waiting corner may wait for another block.
     pub fn corner_block_done(&mut self) {
         if let Some(corner) = self.corners.request.take().filter(|_| !self.reads_contour_words()) {
             let help = "write it into a block that cuts a line or an arc in the active plane";
             let refusal = refusal(Code::CornerBlock, "this block makes no move", help);
             self.refuse(&corner, refusal, None);
         }
-        let Some(retained) = &mut self.corners.queued else { return };
-        let own = std::mem::take(&mut retained.is_open);
-        let fresh = retained.judged;
-        retained.judged = retained.waiting.len();
+        let Some(queued) = &mut self.corners.queued else { return };
+        let own = std::mem::take(&mut queued.is_open);
+        let first_new = queued.checked;
+        queued.checked = queued.waiting.len();
         if own {
             return;
         }
         let mut between = None;
-        for waiting in &retained.waiting[fresh..] {
+        for waiting in &queued.waiting[first_new..] {
             let QueuedItem::Command(command) = waiting else { continue };
             match command.kind {
                 CommandKind::Idle => {}
-                CommandKind::Dwell { .. } => retained.dwells += 1,
+                CommandKind::Dwell { .. } => queued.dwells += 1,
                 CommandKind::End => between = Some("the program ends before the next move"),
                 CommandKind::Plane(_) => between = Some("the plane changes before the next move"),
                 _ => {
@@ -411,38 +412,38 @@ impl Kernel<'_> {
                 }
             }
         }
-        if retained.dwells > self.rules.corner.dwells_between {
+        if queued.dwells > self.rules.corner.dwells_between {
             between = between.or(Some("a dwell comes before the next move"));
         }
         if let Some(what) = between
-            && let Some(retained) = self.corners.queued.take()
+            && let Some(queued) = self.corners.queued.take()
         {
             let help = "write the next move into the block after it";
-            self.give_up(*retained, refusal(Code::CornerNext, what, help));
+            self.give_up(*queued, refusal(Code::CornerNext, what, help));
         }
     }
 
-    /// Nothing more comes.
+    /// Ends the program: a waiting corner has no next move.
     pub fn end_corners(&mut self) {
         self.end_corner_before("the program ends before the next move");
     }
 
-    /// A corner that waits is given up: no move comes before what happens now.
+    /// Drops a waiting corner, with the reason `what`: the next move comes too late.
     pub(crate) fn end_corner_before(&mut self, what: &'static str) {
         self.corner_block_done();
-        if let Some(retained) = self.corners.queued.take() {
+        if let Some(queued) = self.corners.queued.take() {
             let help = "write the next move after it, or remove the word";
-            self.give_up(*retained, refusal(Code::CornerNext, what, help));
+            self.give_up(*queued, refusal(Code::CornerNext, what, help));
         }
     }
 
-    /// Says that a block has been carried out; after the move that is held.
+    /// Passes on that a block is complete, in order with the waiting move.
     pub fn block_done(&mut self, modal: &dyn Fn(&State) -> Modal) {
         if self.corners.queued.is_some() {
             let modal = Box::new(modal(&self.state));
             let origin = self.origin;
-            if let Some(retained) = &mut self.corners.queued {
-                retained.waiting.push(QueuedItem::BlockDone(origin, modal));
+            if let Some(queued) = &mut self.corners.queued {
+                queued.waiting.push(QueuedItem::BlockDone(origin, modal));
             }
             return;
         }
@@ -450,18 +451,18 @@ impl Kernel<'_> {
         sink.block_done(origin, &|| modal(state));
     }
 
-    fn give_up(&mut self, retained: QueuedMove, refusal: CornerRefusal) {
-        let corner = retained.corner;
-        let reached = (retained.call, retained.block_number);
-        self.pass_on(retained);
+    fn give_up(&mut self, queued: QueuedMove, refusal: CornerRefusal) {
+        let corner = queued.corner;
+        let reached = (queued.call, queued.block_number);
+        self.pass_on(queued);
         self.refuse(&corner, refusal, Some(reached));
     }
 
-    /// The move as it was written, and what came after.
-    fn pass_on(&mut self, retained: QueuedMove) {
-        let kind = retained.frames.map().command(retained.kind, retained.plane);
-        self.hand_over(&Command { kind, origin: retained.origin });
-        self.push_waiting(retained.waiting);
+    /// Emits the waiting move unchanged, and what came after.
+    fn pass_on(&mut self, queued: QueuedMove) {
+        let kind = queued.frames.map().command(queued.kind, queued.plane);
+        self.hand_over(&Command { kind, origin: queued.origin });
+        self.push_waiting(queued.waiting);
     }
 
     fn push_waiting(&mut self, waiting: Vec<QueuedItem>) {
@@ -523,7 +524,7 @@ fn fit_length(leg: &CornerLeg, lost: f64) -> f64 {
     }
 }
 
-/// A line or an arc that has lost a part at its end or at its beginning.
+/// A line or an arc shortened at its end or at its beginning.
 fn trimmed(kind: &CommandKind, motion: Move, lost: f64, at_end: bool) -> CommandKind {
     match kind {
         CommandKind::Line { feed, .. } => CommandKind::Line { motion, feed: *feed },

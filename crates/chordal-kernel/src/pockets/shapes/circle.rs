@@ -1,4 +1,4 @@
-//! Round pockets: full circles joined by half circles, tangent throughout and of one sense.
+//! Circular pockets: full circles joined by tangent half circles, all in one direction.
 
 use core::f64::consts::{PI, TAU};
 

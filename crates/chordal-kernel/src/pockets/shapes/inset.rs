@@ -1,9 +1,9 @@
 //! The inward offset of an outline: the border of the points that a tool's centre may reach.
 //!
-//! Every line moves in by the distance, every arc changes its radius by it, every corner gets a
-//! circle. These candidates are cut where they meet, the parts that are nearer to the outline
-//! than the distance are dropped, and what stays closes into loops. Nothing is guessed from the
-//! order of the outline, so throats, arms and short segments need no cases of their own.
+//! Every line is offset by the distance, every arc's radius changes by it, every corner gets a circle. These
+//! candidates are split where they meet, parts nearer to the outline than the distance are dropped, and the
+//! rest is chained into loops. The order of the outline is not used, so narrow passages, arms and short
+//! segments need no special cases.
 
 use core::f64::consts::TAU;
 
@@ -14,14 +14,15 @@ use super::outline::{COINCIDENT_POINT_MM, Outline, OutlineElement};
 /// Parts whose middle comes nearer than the distance by more than this, mm, are dropped.
 const NEARER_MM: f64 = 1e-9;
 
-/// A loop shorter than this, mm, is what tangent candidates leave, and no room for a tool.
+/// A shorter loop, mm, is an artefact of tangent candidates and not room for a tool.
 const SHORT_LOOP_MM: f64 = 1e-2;
 
-/// Loose ends closer than this, mm, join: tangent candidates cross at shallow angles.
+/// Ends closer than this, mm, are joined: tangent candidates cross at shallow angles, where the crossing is
+/// poorly conditioned.
 const JOIN_MM: f64 = 5e-4;
 
-/// The border of what a tool's centre may reach, `distance` (zero or more, mm) inside an
-/// outline: one counter-clockwise loop for each connected part.
+/// The border of the region of a tool centre, `distance` (zero or more, mm) inside an outline: one
+/// counter-clockwise loop for each connected part.
 pub fn inset(outline: &Outline, distance: f64) -> Vec<Outline> {
     if distance <= COINCIDENT_POINT_MM {
         return vec![outline.clone()];
@@ -41,7 +42,7 @@ pub fn inset(outline: &Outline, distance: f64) -> Vec<Outline> {
     chain(kept)
 }
 
-/// Moved lines, arcs of another radius, and a circle about every corner.
+/// The offset lines and arcs, and a circle about every corner.
 fn candidates(outline: &Outline, distance: f64) -> Vec<OutlineElement> {
     let mut candidates = Vec::new();
     for element in outline.elements() {
@@ -54,7 +55,7 @@ fn candidates(outline: &Outline, distance: f64) -> Vec<OutlineElement> {
             OutlineElement::Arc { from, to, center, sweep } => {
                 let radius = element.radius();
                 let moved = radius - distance * sweep.signum();
-                // An arc of no radius is its centre, which no loop passes as an arc.
+                // An arc without a radius is a point, which no loop contains as an arc.
                 if moved > COINCIDENT_POINT_MM {
                     let scale = moved / radius;
                     candidates.push(OutlineElement::Arc {
@@ -75,7 +76,7 @@ fn candidates(outline: &Outline, distance: f64) -> Vec<OutlineElement> {
     candidates
 }
 
-/// Where a candidate meets the others, as fractions in order, its ends among them.
+/// Where a candidate meets the others, as sorted fractions of its length, including 0 and 1.
 fn cuts(candidate: &OutlineElement, index: usize, all: &[OutlineElement]) -> Vec<f64> {
     let mut at = Vec::new();
     for (other_index, other) in all.iter().enumerate() {
@@ -85,7 +86,7 @@ fn cuts(candidate: &OutlineElement, index: usize, all: &[OutlineElement]) -> Vec
         for point in candidate.crossings(other, COINCIDENT_POINT_MM) {
             at.extend(candidate.fraction(point, COINCIDENT_POINT_MM));
         }
-        // Where one ends on the other, and where two lie on each other.
+        // Also where the other ends on this one, or overlaps it.
         for end in [other.from(), other.to()] {
             if candidate.distance(end) < COINCIDENT_POINT_MM {
                 at.extend(candidate.fraction(end, COINCIDENT_POINT_MM));
@@ -96,7 +97,7 @@ fn cuts(candidate: &OutlineElement, index: usize, all: &[OutlineElement]) -> Vec
     let short = COINCIDENT_POINT_MM / candidate.length();
     let mut cuts = vec![0.0];
     for t in at {
-        // A touch is found twice, or just beside an end.
+        // A touching point is found twice, or very near an end.
         if t - cuts[cuts.len() - 1] > short && 1.0 - t > short {
             cuts.push(t);
         }
@@ -105,7 +106,7 @@ fn cuts(candidate: &OutlineElement, index: usize, all: &[OutlineElement]) -> Vec
     cuts
 }
 
-/// The ranges between cuts that are far enough from the outline; neighbours make one.
+/// The ranges between cuts that are far enough from the outline; adjacent ones are merged.
 fn kept_ranges(
     outline: &Outline,
     distance: f64,
@@ -131,13 +132,13 @@ fn kept_ranges(
     ranges
 }
 
-/// Two parts that are one: same ends, same middle.
+/// True for equal parts: same ends, same middle.
 fn same(a: &OutlineElement, b: &OutlineElement) -> bool {
     let near = |p: Vec2, q: Vec2| p.distance(q) < 10.0 * COINCIDENT_POINT_MM;
     near(a.from(), b.from()) && near(a.to(), b.to()) && near(a.point(0.5), b.point(0.5))
 }
 
-/// Closes parts into loops, each joined to the nearest beginning.
+/// Chains parts into loops: each end is joined to the nearest start.
 fn chain(mut parts: Vec<OutlineElement>) -> Vec<Outline> {
     let mut loops = Vec::new();
     while let Some(first) = parts.pop() {
@@ -161,7 +162,7 @@ fn chain(mut parts: Vec<OutlineElement>) -> Vec<Outline> {
         }
         let end = chain.last().map_or(start, OutlineElement::to);
         if end.distance(start) > JOIN_MM {
-            // A loose part is a touch of two candidates and borders nothing.
+            // An open chain comes from two touching candidates and bounds no region.
             continue;
         }
         if let Some(OutlineElement::Line { to, .. } | OutlineElement::Arc { to, .. }) =

@@ -1,4 +1,4 @@
-//! A closed outline of lines and arcs: distance, inside, orientation.
+//! A closed outline of lines and arcs: distance, point-in-outline test, orientation.
 
 use core::f64::consts::TAU;
 
@@ -31,14 +31,14 @@ pub enum OutlineElement {
 }
 
 impl OutlineElement {
-    /// Where it begins.
+    /// Its start, mm.
     pub fn from(&self) -> Vec2 {
         match *self {
             OutlineElement::Line { from, .. } | OutlineElement::Arc { from, .. } => from,
         }
     }
 
-    /// Where it ends.
+    /// Its end, mm.
     pub fn to(&self) -> Vec2 {
         match *self {
             OutlineElement::Line { to, .. } | OutlineElement::Arc { to, .. } => to,
@@ -83,7 +83,7 @@ impl OutlineElement {
         }
     }
 
-    /// The same the other way.
+    /// The same element in the opposite direction.
     pub(super) fn reversed(&self) -> OutlineElement {
         match *self {
             OutlineElement::Line { from, to } => OutlineElement::Line { from: to, to: from },
@@ -93,8 +93,8 @@ impl OutlineElement {
         }
     }
 
-    /// The fraction at which a point that lies on its line or circle lies; `None` beyond its
-    /// ends by more than `tolerance`, mm.
+    /// The fraction of the length at a point of its line or circle; `None` when the point is beyond an end by
+    /// more than `tolerance`, mm.
     pub(super) fn fraction(&self, p: Vec2, tolerance: f64) -> Option<f64> {
         let length = self.length();
         if length <= 0.0 {
@@ -107,7 +107,7 @@ impl OutlineElement {
                 let (u, v) = (from - center, p - center);
                 let angle = libm::atan2(u.cross(v), u.dot(v)) * sweep.signum();
                 let t = angle / sweep.abs();
-                // An angle just before the start is that of the start, not a turn later.
+                // A point just before the start counts as the start, not as nearly a full turn.
                 let before = angle < 0.0 && -t > slack;
                 if before { (angle + TAU) / sweep.abs() } else { t }
             }
@@ -115,7 +115,7 @@ impl OutlineElement {
         (t >= -slack && t <= 1.0 + slack).then(|| t.clamp(0.0, 1.0))
     }
 
-    /// Distance of a point, mm.
+    /// Distance to a point, mm.
     pub(super) fn distance(&self, p: Vec2) -> f64 {
         let ends = p.distance(self.from()).min(p.distance(self.to()));
         match *self {
@@ -173,7 +173,7 @@ impl OutlineElement {
         points
     }
 
-    /// Corners of chords that stay within `tolerance` mm of it, without the start.
+    /// Appends the ends of chords that deviate by at most `tolerance` mm.
     fn chords(&self, tolerance: f64, into: &mut Vec<Vec2>) {
         let count = match *self {
             OutlineElement::Line { .. } => 1.0,
@@ -193,14 +193,14 @@ fn turned(v: Vec2, angle: f64) -> Vec2 {
     Vec2::new(v.a * cos - v.b * sin, v.a * sin + v.b * cos)
 }
 
-/// Why a chain of elements is no outline.
+/// Why a chain of elements is not an outline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum OutlineError {
-    /// It does not end where it began; the gap in mm.
+    /// End and start differ; the gap, mm.
     Open(f64),
-    /// It crosses or touches itself, or goes back on itself, at a point.
+    /// It crosses, touches or reverses onto itself at a point.
     CrossesItself(Vec2),
-    /// It has no inside.
+    /// It encloses no area.
     Empty,
 }
 
@@ -208,7 +208,7 @@ pub enum OutlineError {
 #[derive(Clone, Debug)]
 pub struct Outline {
     elements: Vec<OutlineElement>,
-    /// Fine chords, to tell inside from outside.
+    /// Chords within 0.001 mm, for the inside test.
     polygon: Vec<Vec2>,
     clockwise: bool,
 }
@@ -216,7 +216,7 @@ pub struct Outline {
 impl Outline {
     /// Checks that the elements close (within `tolerance`, mm) and do not cross.
     pub fn new(elements: Vec<OutlineElement>, tolerance: f64) -> Result<Outline, OutlineError> {
-        let mut elements: Vec<OutlineElement> = elements.iter().filter_map(settled).collect();
+        let mut elements: Vec<OutlineElement> = elements.iter().filter_map(through_ends).collect();
         let (Some(first), Some(last)) = (elements.first().copied(), elements.last().copied())
         else {
             return Err(OutlineError::Empty);
@@ -245,18 +245,18 @@ impl Outline {
         Ok(Outline { elements, polygon, clockwise })
     }
 
-    /// A loop that is known to be closed and simple.
+    /// An outline of a loop that is known to be closed, simple and counter-clockwise.
     pub(super) fn of_loop(elements: Vec<OutlineElement>) -> Outline {
         let polygon = polygon(&elements);
         Outline { elements, polygon, clockwise: false }
     }
 
-    /// Counter-clockwise, in order.
+    /// The elements in order, counter-clockwise.
     pub fn elements(&self) -> &[OutlineElement] {
         &self.elements
     }
 
-    /// It was given clockwise.
+    /// True when the elements passed to [`Outline::new`] were clockwise.
     pub fn was_clockwise(&self) -> bool {
         self.clockwise
     }
@@ -271,7 +271,7 @@ impl Outline {
         self.elements.iter().map(|element| element.distance(p)).fold(f64::INFINITY, f64::min)
     }
 
-    /// Inside or not; for points that are clear of the outline by more than its chords are.
+    /// True for a point inside; exact only for points further from the outline than its chords (0.001 mm).
     pub fn contains(&self, p: Vec2) -> bool {
         let corners = &self.polygon;
         let mut inside = false;
@@ -286,9 +286,9 @@ impl Outline {
     }
 }
 
-/// An element whose arc goes exactly through both of its ends; `None` where it has no length.
-fn settled(element: &OutlineElement) -> Option<OutlineElement> {
-    let settled = match *element {
+/// The element with the centre of an arc adjusted to pass exactly through both ends; `None` without a length.
+fn through_ends(element: &OutlineElement) -> Option<OutlineElement> {
+    let adjusted = match *element {
         OutlineElement::Line { .. } => *element,
         OutlineElement::Arc { from, to, center, sweep } => {
             let chord = to - from;
@@ -307,10 +307,10 @@ fn settled(element: &OutlineElement) -> Option<OutlineElement> {
             }
         }
     };
-    (settled.length() > COINCIDENT_POINT_MM).then_some(settled)
+    (adjusted.length() > COINCIDENT_POINT_MM).then_some(adjusted)
 }
 
-/// Makes the ends of neighbours the same doubles.
+/// Makes each end bitwise equal to the next start.
 fn close(elements: &mut [OutlineElement]) {
     let count = elements.len();
     for index in 0..count {
@@ -321,7 +321,7 @@ fn close(elements: &mut [OutlineElement]) {
     }
 }
 
-/// A place where the chain meets itself elsewhere than at the ends of neighbours.
+/// A point where the chain meets itself, other than the joints of neighbours; `None` when there is none.
 fn self_crossing(elements: &[OutlineElement]) -> Option<Vec2> {
     let count = elements.len();
     for (i, first) in elements.iter().enumerate() {

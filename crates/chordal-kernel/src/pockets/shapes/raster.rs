@@ -1,19 +1,19 @@
-//! Clears a region: once round its border, then row by row, never leaving it.
+//! Clears a region: once round its border, then row by row, without leaving it.
 
 use chordal_geometry::Vec2;
 
 use super::Step;
 use super::outline::{COINCIDENT_POINT_MM, Outline, OutlineElement};
 
-/// Rows and links shorter than this, mm, are nothing.
+/// Shorter rows and links, mm, are ignored.
 const MIN_ROW_MM: f64 = 1e-3;
 
-/// Along which axis the rows step.
+/// The axis along which rows step.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum RasterAlong {
-    /// Rows stand along the second axis and step along the first.
+    /// Rows run parallel to the second axis and step along the first.
     First,
-    /// Rows lie along the first axis and step along the second.
+    /// Rows run parallel to the first axis and step along the second.
     Second,
 }
 
@@ -24,7 +24,7 @@ pub enum ClearError {
     TooManyRows,
 }
 
-/// One connected part of what a tool's centre may reach, with a place in it to begin.
+/// One connected part of the region of a tool centre, with a start point in it.
 #[derive(Clone, Debug)]
 pub struct PocketRegion<'a> {
     outline: &'a Outline,
@@ -34,7 +34,7 @@ pub struct PocketRegion<'a> {
     start: Vec2,
     /// Length of the border before each element, and of all.
     before: Vec<f64>,
-    /// Where the border is nearest to the start, mm along it.
+    /// The point of the border nearest to the start, mm along it.
     entry: f64,
 }
 
@@ -42,12 +42,12 @@ pub struct PocketRegion<'a> {
 #[derive(Clone, Copy, Debug)]
 struct RasterRow {
     line: usize,
-    /// Places on the border, mm along it, and their points.
+    /// Positions on the border, mm along it, and their points.
     ends: [(f64, Vec2); 2],
 }
 
 impl<'a> PocketRegion<'a> {
-    /// The part in which the start lies; `None` when it lies in no part.
+    /// The part that contains the start; `None` when no part does.
     pub fn around(
         outline: &'a Outline,
         borders: &'a [Outline],
@@ -118,8 +118,8 @@ impl<'a> PocketRegion<'a> {
         Ok(steps)
     }
 
-    /// The row to go on with and its end: the first line, then the nearest end, so that an arm
-    /// is finished before the next one.
+    /// The next row and the end to enter it at: first a row of the first line, then always the nearest end, so that
+    /// an arm is finished before the next one.
     fn next_row(&self, rows: &[RasterRow], first: bool, place: f64) -> (usize, usize) {
         let here = self.point(place);
         let mut best = (usize::MAX, f64::INFINITY, 0, 0);
@@ -135,7 +135,6 @@ impl<'a> PocketRegion<'a> {
         (best.2, best.3)
     }
 
-    /// The rows of the region.
     fn rows(
         &self,
         along: RasterAlong,
@@ -196,12 +195,12 @@ impl<'a> PocketRegion<'a> {
         }
     }
 
-    /// True for points of this part.
+    /// True for points inside this part.
     fn holds(&self, p: Vec2) -> bool {
         self.outline.distance(p) >= self.distance - COINCIDENT_POINT_MM && self.border.contains(p)
     }
 
-    /// True when the straight way stays in the region.
+    /// True when the straight line stays in the region.
     fn is_clear(&self, from: Vec2, to: Vec2) -> bool {
         let path = OutlineElement::Line { from, to };
         if path.length() < MIN_ROW_MM {
@@ -223,7 +222,7 @@ impl<'a> PocketRegion<'a> {
         self.border.contains(p) || self.border.distance(p) < COINCIDENT_POINT_MM
     }
 
-    /// To the end of a row: straight where that stays inside, along the border otherwise.
+    /// Moves to the end of a row: straight if that stays inside, otherwise along the border.
     fn link(&self, steps: &mut Vec<Step>, place: f64, end: (f64, Vec2)) {
         let here = self.point(place);
         if self.is_clear(here, end.1) {
@@ -240,7 +239,7 @@ impl<'a> PocketRegion<'a> {
         }
     }
 
-    /// The whole border in the sense in which the outline was given, mm.
+    /// The length of the border, mm, negative when the outline was given clockwise.
     fn once_round(&self) -> f64 {
         if self.outline.was_clockwise() { -self.total() } else { self.total() }
     }
@@ -249,7 +248,7 @@ impl<'a> PocketRegion<'a> {
         self.before[self.before.len() - 1]
     }
 
-    /// The element of a place of the border and the fraction on it.
+    /// The element at a position of the border (mm along it), and the fraction on it.
     fn locate(&self, place: f64) -> (usize, f64) {
         let place = place.clamp(0.0, self.total());
         let index = self.before.partition_point(|b| *b <= place).saturating_sub(1);
@@ -263,7 +262,7 @@ impl<'a> PocketRegion<'a> {
         self.border.elements()[index].point(t)
     }
 
-    /// The place of the border nearest to a point, mm along it.
+    /// The position on the border nearest to a point, mm along it.
     fn nearest_place(&self, p: Vec2) -> f64 {
         let mut best = (f64::INFINITY, 0.0);
         for (index, element) in self.border.elements().iter().enumerate() {
@@ -282,7 +281,7 @@ impl<'a> PocketRegion<'a> {
         best.1
     }
 
-    /// Along the border by the shorter way.
+    /// Follows the border in the shorter direction.
     fn walk_to(&self, from: f64, to: f64, steps: &mut Vec<Step>) {
         let total = self.total();
         let ahead = (to - from).rem_euclid(total);
@@ -293,12 +292,12 @@ impl<'a> PocketRegion<'a> {
         }
     }
 
-    /// Along the border by a directed length, mm.
+    /// Follows the border by a signed length, mm.
     fn walk(&self, from: f64, by: f64, steps: &mut Vec<Step>) {
         let elements = self.border.elements();
         let (mut index, mut t) = self.locate(from);
         let mut rest = by.abs();
-        // Once round passes every element once, and the first one twice.
+        // One full round passes every element once, and the first one twice.
         for _ in 0..=elements.len() + 1 {
             if rest <= COINCIDENT_POINT_MM {
                 return;
@@ -328,7 +327,7 @@ impl<'a> PocketRegion<'a> {
     }
 }
 
-/// Links run along the border itself, whose points are as near as rounding has them.
+/// Links may run along the border itself, whose points are off by rounding, mm.
 const ON_BORDER_MM: f64 = 1e-7;
 
 fn step_of(element: &OutlineElement) -> Step {

@@ -1,18 +1,17 @@
-//! Rectangular pockets: square-cornered rings from the middle line outwards.
+//! Rectangular pockets: rings with sharp corners from the middle line outwards.
 
 use chordal_geometry::{TurnDirection, Vec2};
 
 use super::Step;
 
-/// Largest distance of two square-cornered rings, in radii of the tool, that leaves nothing
-/// between their corners: `1 + 1/√2`. The outside of the inner ring's corner is round, so the
-/// corner of the next ring must come nearer than a tool's diameter.
+/// Largest distance of two rings, in tool radii, that leaves no material between their corners: `1 + 1/√2`.
+/// The tool cuts a round outside at the corner of the inner ring, so the corner of the next ring must be
+/// nearer than a tool diameter.
 pub const CORNER_STEP: f64 = 1.0 + core::f64::consts::FRAC_1_SQRT_2;
 
-/// From the centre (the origin) along the middle line of the longer side, then ring by ring to
-/// the walls, then straight back to the centre. `half` are the half sizes (mm) that the tool
-/// centre may reach, `step` (mm) the largest distance of two rings. `None` when there would be
-/// more than `limit` rings.
+/// From the centre (the origin) along the middle line of the longer side, then ring by ring to the walls, then
+/// straight back to the centre. `half` is half the size (mm) of the region of the tool centre, `step` (mm) the
+/// largest distance of two rings. `None` when there would be more than `limit` rings.
 pub fn rectangle(half: Vec2, step: f64, direction: TurnDirection, limit: u32) -> Option<Vec<Step>> {
     let upright = half.b > half.a;
     let (long, short) = if upright { (half.b, half.a) } else { (half.a, half.b) };
@@ -21,7 +20,7 @@ pub fn rectangle(half: Vec2, step: f64, direction: TurnDirection, limit: u32) ->
         return None;
     }
     let middle = long - short;
-    // The long side along the first axis, counter-clockwise; turned and mirrored to what it is.
+    // Computed with the long side along the first axis, counter-clockwise; then rotated and mirrored.
     let sign = direction.sign();
     let place = |u: f64, v: f64| {
         let v = sign * v;

@@ -7,7 +7,7 @@ use chordal_geometry::{TurnDirection, Vec2};
 use super::outline::OutlineElement;
 use super::*;
 
-/// Rounding, mm; far below the 1e-6 that is promised.
+/// Permitted rounding, mm; far below the documented 1e-6.
 const EXACT_MM: f64 = 1e-7;
 
 /// A path as elements, to measure distances with.
@@ -33,7 +33,7 @@ fn distance(path: &[OutlineElement], p: Vec2) -> f64 {
     path.iter().map(|element| element.distance(p)).fold(f64::INFINITY, f64::min)
 }
 
-/// Points of the path, closely.
+/// Closely spaced points of the path.
 fn samples(path: &[OutlineElement]) -> impl Iterator<Item = Vec2> + '_ {
     path.iter().flat_map(|element| (0..=40).map(|i| element.point(f64::from(i) / 40.0)))
 }
@@ -75,7 +75,7 @@ fn a_rectangle_is_cut_wall_to_wall_without_islands() {
 
 #[test]
 fn a_wider_step_leaves_islands_between_the_corners() {
-    // What the limit is for: with 1.9 radii the point between two corners is left.
+    // The reason for the limit: with 1.9 radii the point between two corners is not cut.
     let steps = rectangle(Vec2::new(1.9, 1.9), 1.9, TurnDirection::Ccw, 10).unwrap();
     let path = elements(Vec2::ZERO, &steps);
     assert!(distance(&path, Vec2::new(0.8, 0.8)) > 1.0);
@@ -267,15 +267,15 @@ fn bent_star(seed: u64) -> Option<Outline> {
     Outline::new(elements, 1e-3).ok()
 }
 
-/// Everything within `tool` of a place that the centre may take, in the part of the start, is
-/// cut, and the centre stays where it may be. True when the start had a part.
+/// Checks that everything within `tool` of a permitted centre, in the part of the start, is cut, and that the
+/// centre stays in its region. True when the start lies in a part.
 fn check_cleared(outline: &Outline, tool: f64, start: Vec2, along: RasterAlong, step: f64) -> bool {
     let border = inset(outline, tool);
     for part in &border {
         for element in part.elements() {
             for i in 0..=20 {
                 let away = outline.distance(element.point(f64::from(i) / 20.0));
-                // Never nearer than rounding; farther by the arcs that are too short to keep.
+                // Nearer only by rounding; further by arcs that are too short to keep.
                 let touches = (-1e-6..1e-5).contains(&(away - tool));
                 assert!(touches, "the border is {away} away, not {tool}");
             }
@@ -289,7 +289,7 @@ fn check_cleared(outline: &Outline, tool: f64, start: Vec2, along: RasterAlong, 
         let away = outline.distance(p);
         assert!(away >= tool - 1e-6 && outline.contains(p), "{p:?} is {away} from the wall");
     }
-    // Centres that may be taken: all of them are within a tool of the path, or in another part.
+    // Every permitted centre is within a tool radius of the path, or in another part.
     let part = |p: Vec2| border.iter().position(|border| border.contains(p));
     let home = part(start);
     let reach = 60.0;
@@ -304,7 +304,7 @@ fn check_cleared(outline: &Outline, tool: f64, start: Vec2, along: RasterAlong, 
         }
         let away = distance(&path, p);
         assert!(away <= tool + 1e-6, "{p:?} is left: the tool passes at {away}");
-        // And so is what the tool would cut there, towards every side.
+        // So is everything that the tool would cut from there, in every direction.
         for i in 0..8 {
             let angle = TAU * f64::from(i) / 8.0;
             let q = p + Vec2::new(libm::cos(angle), libm::sin(angle)) * tool;

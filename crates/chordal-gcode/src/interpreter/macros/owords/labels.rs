@@ -1,4 +1,4 @@
-//! What the labels of O words must keep to, and the labels that M98 calls.
+//! Checks of the labels of O words, and the labels that M98 calls.
 
 use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_syntax::{
@@ -8,7 +8,7 @@ use chordal_syntax::{
 use super::{FlowIndex, Interpreter, NONE, label_text};
 
 impl<'a> Interpreter<'a> {
-    /// `continue` in a `do` with a `break` below it.
+    /// Reports a `continue` in a `do` with a `break` below it.
     pub(super) fn report_passed_break(&mut self, line: &OWord) {
         self.report_once(
             Diagnostic::new(
@@ -22,7 +22,7 @@ impl<'a> Interpreter<'a> {
         );
     }
 
-    /// A label that names two structures, and a subroutine within another.
+    /// Reports a label of two structures, and a subroutine inside another.
     pub(super) fn check_label(&mut self, index: &FlowIndex, line: &OWord, here: usize) {
         let row = index.lines[here];
         let title = self.control.table.title;
@@ -56,7 +56,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// A subroutine that was defined before in its file.
+    /// Reports and skips a subroutine that is already defined in its file; false for any other.
     pub(super) fn is_again(&mut self, index: &FlowIndex, line: &OWord, here: usize) -> bool {
         let OLabel::Text(range) = line.label else { return false };
         let label = label_text(range.slice(self.reader.text()));
@@ -81,7 +81,7 @@ impl<'a> Interpreter<'a> {
         true
     }
 
-    /// Nothing but a comment may follow on the line of an O word.
+    /// Reports text after an O word other than a comment.
     pub(super) fn check_line_end(&mut self, parser: &mut ExpressionParser<'a>) {
         let mark = parser.next_mark_after_comments();
         let rest = parser.rest();
@@ -101,8 +101,8 @@ impl<'a> Interpreter<'a> {
         );
     }
 
-    /// The line `O5` of a program that M98 P5 calls: the one that a call before has found, else the next
-    /// one from here on.
+    /// The line `O5` of the program that M98 P5 calls: the one found by an earlier call, else the next one below;
+    /// `None` when there is none.
     pub(in super::super::super) fn label_ahead(&mut self, number: u32) -> Option<TextPosition> {
         self.look_at(self.program);
         let program = self.program;
