@@ -449,6 +449,12 @@ impl Action {
         if let Action::Mode(code) = self { Some(code) } else { None }
     }
 
+    /// G91 or G90, where the code is one of them.
+    pub fn incremental(self) -> Option<bool> {
+        let is_incremental = self == Action::Reading(ReadingCode::Incremental);
+        (is_incremental || self == Action::Reading(ReadingCode::Absolute)).then_some(is_incremental)
+    }
+
     /// The cycle of a lathe, where the code is one.
     pub const fn turning_cycle(self) -> Option<TurnCycle> {
         if let Action::Once(OnceCode::Turning(cycle)) = self { Some(cycle) } else { None }

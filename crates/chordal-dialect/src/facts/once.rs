@@ -184,12 +184,8 @@ fn circular_pocket(parameters: &Parameters) -> CodeFacts {
 
 fn holes(pattern: HolePattern) -> &'static [(&'static str, &'static str)] {
     match pattern {
-        HolePattern::Circle => &[
-            ("I", "radius of the circle"),
-            ("J", "angle of the first hole, from X+ counter-clockwise"),
-            ("L", "number of holes"),
-        ],
-        HolePattern::Arc => &[
+        // A circle has no K.
+        HolePattern::Circle | HolePattern::Arc => &[
             ("I", "radius of the circle"),
             ("J", "angle of the first hole, from X+ counter-clockwise"),
             ("K", "angle from one hole to the next"),

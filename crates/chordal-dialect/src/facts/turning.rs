@@ -52,6 +52,25 @@ macro_rules! rows_of_contour {
     };
 }
 
+/// The words of pecks: what P and Q, along X and along Z, are.
+macro_rules! rows_of_pecks {
+    ($p:expr, $q:expr) => {
+        &[
+            ("P", [CountedLength; 2], $p),
+            ("Q", [CountedLength; 2], $q),
+            (
+                "R",
+                [Length; 2],
+                "how far a peck backs off; with X or Z how far the tool goes aside at the bottom",
+            ),
+            ("IKD", [Length; 2], ""),
+            ("XZUW", [Move; 2], ""),
+            ("F", [Move; 2], "feed of the cycle"),
+            ("S", [Move; 2], "spindle speed of the cycle"),
+        ]
+    };
+}
+
 /// The words of a contour in a subroutine, and what passes down to it say in addition.
 macro_rules! rows_of_subroutine {
     ($($own:expr),* $(,)?) => {
@@ -105,24 +124,12 @@ pub fn turn_facts(cycle: TurnCycle) -> TurnFacts {
             ("I", [Distance(0); 2], ""),
             ("K", [Distance(2); 2], ""),
         ],
-        TurnCycle::PeckZ => &[
-            ("P", [CountedLength; 2], "distance of the plunges, on the radius"),
-            ("Q", [CountedLength; 2], "depth of a peck"),
-            ("R", [Length; 2], PECK_RETRACT),
-            ("IKD", [Length; 2], ""),
-            ("XZUW", [Move; 2], ""),
-            ("F", [Move; 2], "feed of the cycle"),
-            ("S", [Move; 2], "spindle speed of the cycle"),
-        ],
-        TurnCycle::PeckX => &[
-            ("P", [CountedLength; 2], "depth of a peck, on the radius"),
-            ("Q", [CountedLength; 2], "distance of the plunges along Z"),
-            ("R", [Length; 2], PECK_RETRACT),
-            ("IKD", [Length; 2], ""),
-            ("XZUW", [Move; 2], ""),
-            ("F", [Move; 2], "feed of the cycle"),
-            ("S", [Move; 2], "spindle speed of the cycle"),
-        ],
+        TurnCycle::PeckZ => {
+            rows_of_pecks!["distance of the plunges, on the radius", "depth of a peck"]
+        }
+        TurnCycle::PeckX => {
+            rows_of_pecks!["depth of a peck, on the radius", "distance of the plunges along Z"]
+        }
         TurnCycle::Thread => &[
             (
                 "P",
@@ -180,54 +187,45 @@ pub fn turn_facts(cycle: TurnCycle) -> TurnFacts {
             ("XZFS", [Move; 2], ""),
         ],
     };
-    TurnFacts { words, example: example(cycle), ..of_family(cycle.family()) }
+    TurnFacts { words, ..of_family(cycle) }
 }
 
-/// R of pecks on a lathe.
-const PECK_RETRACT: &str =
-    "how far a peck backs off; with X or Z how far the tool goes aside at the bottom";
-
-fn example(cycle: TurnCycle) -> &'static str {
-    match cycle {
-        TurnCycle::PeckZ => "{} Z-40. Q12000 F0.15",
-        TurnCycle::PeckX => "{} X40. Z-30. P3000 Q2500 F0.1",
-        TurnCycle::Thread => "{} X20.376 Z-25. P1812 Q500 F3.",
-        TurnCycle::LineThread => "{} P1.5 Z-20. I-1. J0.2 K0.92",
-        // The contour stands in blocks of its own.
-        TurnCycle::Finish
-        | TurnCycle::Rough
-        | TurnCycle::RoughFace
-        | TurnCycle::Pattern
-        | TurnCycle::FinishSubroutine
-        | TurnCycle::RoughSubroutine(_)
-        | TurnCycle::RoughFaceSubroutine(_) => "",
-    }
-}
-
-/// What the cycles of a family share.
-fn of_family(family: TurnFamily) -> TurnFacts {
-    let (ends, settings): (_, &'static [SettingField]) = match family {
-        TurnFamily::Rough => (
-            "PQ",
-            &[
+/// What the cycles of a family share; an example where no contour in blocks of its own belongs to it.
+fn of_family(cycle: TurnCycle) -> TurnFacts {
+    let facts = TurnFacts { words: &[], ends: "", settings: &[], example: "" };
+    match cycle.family() {
+        TurnFamily::Finish | TurnFamily::Subroutine => facts,
+        TurnFamily::LineThread => TurnFacts { example: "{} P1.5 Z-20. I-1. J0.2 K0.92", ..facts },
+        TurnFamily::Pattern => TurnFacts { ends: "PQ", ..facts },
+        TurnFamily::Rough => TurnFacts {
+            ends: "PQ",
+            settings: &[
                 SettingField::TURNING_ROUGH_DEPTH,
                 SettingField::TURNING_ROUGH_RETRACT,
                 SettingField::TURNING_FIRST_LEVEL,
             ],
-        ),
-        TurnFamily::Pattern => ("PQ", &[]),
-        TurnFamily::Peck => ("XZUW", &[SettingField::TURNING_PECK_RETRACT]),
-        TurnFamily::Thread => (
-            "XZUW",
-            &[
+            ..facts
+        },
+        TurnFamily::Peck => TurnFacts {
+            ends: "XZUW",
+            settings: &[SettingField::TURNING_PECK_RETRACT],
+            example: match cycle == TurnCycle::PeckX {
+                true => "{} X40. Z-30. P3000 Q2500 F0.1",
+                false => "{} Z-40. Q12000 F0.15",
+            },
+            ..facts
+        },
+        TurnFamily::Thread => TurnFacts {
+            ends: "XZUW",
+            settings: &[
                 SettingField::TURNING_THREAD_EXIT,
                 SettingField::TURNING_THREAD_LEAST,
                 SettingField::TURNING_THREAD_FINISH,
                 SettingField::TURNING_THREAD_FINISH_PASSES,
                 SettingField::TURNING_THREAD_ANGLE,
             ],
-        ),
-        TurnFamily::Finish | TurnFamily::Subroutine | TurnFamily::LineThread => ("", &[]),
-    };
-    TurnFacts { words: &[], ends, settings, example: "" }
+            example: "{} X20.376 Z-25. P1812 Q500 F3.",
+            ..facts
+        },
+    }
 }

@@ -253,19 +253,10 @@ impl Interpreter<'_> {
                 self.modes_with_one_shot(block, codes, row);
                 // A code that is not carried out was reported with the modes; the axis words that it names
                 // go with it.
-                match row.action {
-                    Action::Once(code) => self.one_shot(block, code, *at),
-                    Action::NoEffect | Action::NotSimulated => {
-                        self.unused_axes(block, |_, letter| row.words.has(letter));
-                    }
-                    Action::Length(_) | Action::NotFollowed => {}
-                    Action::Reading(_)
-                    | Action::Before(_)
-                    | Action::Mode(_)
-                    | Action::Motion(_)
-                    | Action::Cycle(_)
-                    | Action::After(_)
-                    | Action::Call(_) => {}
+                if let Some(code) = row.action.once() {
+                    self.one_shot(block, code, *at);
+                } else if matches!(row.action, Action::NoEffect | Action::NotSimulated) {
+                    self.unused_axes(block, |_, letter| row.words.has(letter));
                 }
             }
             None => {
