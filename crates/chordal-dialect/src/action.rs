@@ -7,7 +7,7 @@
 //! not compile until every such place answers for it. Where controls differ,
 //! [`BlockOrder`](crate::BlockOrder) says how.
 
-use chordal_command::Units;
+use chordal_command::{Units, WorkName};
 use chordal_geometry::TurnDirection;
 use chordal_kernel::rules::{CycleKind, HolePattern, TurnCycle};
 use chordal_kernel::{MotionMode, SplineForm, TurnPass};
@@ -336,6 +336,20 @@ impl ModeCode {
         matches!(self, ModeCode::PlaneZx | ModeCode::PlaneYz)
     }
 
+    /// The work offset that the code names by itself; `None` where P names it, and where it chooses none.
+    pub const fn work_name(self) -> Option<WorkName> {
+        if let ModeCode::WorkOffset(number) = self {
+            return Some(WorkName::G(number));
+        }
+        if let ModeCode::WorkOffsetPoint(number) = self {
+            return Some(WorkName::G59(number));
+        }
+        if let ModeCode::WorkOffsetNumbered(number) = self {
+            return Some(WorkName::Extended(number));
+        }
+        None
+    }
+
     /// Chooses a work offset.
     pub const fn is_work_offset(self) -> bool {
         matches!(
@@ -428,6 +442,22 @@ impl Action {
     /// The canned cycle, where the code is one.
     pub const fn cycle(self) -> Option<CycleKind> {
         if let Action::Cycle(kind) = self { Some(kind) } else { None }
+    }
+
+    /// The mode, where the code is one.
+    pub const fn mode(self) -> Option<ModeCode> {
+        if let Action::Mode(code) = self { Some(code) } else { None }
+    }
+
+    /// G91 or G90, where the code is one of them.
+    pub fn incremental(self) -> Option<bool> {
+        let is_incremental = self == Action::Reading(ReadingCode::Incremental);
+        (is_incremental || self == Action::Reading(ReadingCode::Absolute)).then_some(is_incremental)
+    }
+
+    /// The cycle of a lathe, where the code is one.
+    pub const fn turning_cycle(self) -> Option<TurnCycle> {
+        if let Action::Once(OnceCode::Turning(cycle)) = self { Some(cycle) } else { None }
     }
 
     /// What the code takes the axis words for.

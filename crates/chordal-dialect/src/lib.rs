@@ -24,6 +24,7 @@ mod command_line;
 mod control;
 mod controls;
 pub mod dump;
+mod facts;
 pub mod firmware;
 mod lathe_signs;
 pub mod macros;
@@ -47,6 +48,10 @@ pub use block_order::{BlockOrder, BlockStep};
 pub use command_line::CommandLine;
 pub use control::{Control, FIRST_ALIAS_SUBPROGRAM, table};
 pub use controls::ALL as CONTROLS;
+pub use facts::{
+    BlockSort, CodeFacts, CycleWordRole, TurnFacts, WordMeanings, cycle_word_role, dwell_text,
+    turn_facts,
+};
 pub use parameters::*;
 pub use post::PostTemplate;
 pub use scale::LiteralScale;

@@ -71,18 +71,10 @@ impl CodeRow {
     /// Whether it uses the axis words of its block itself. A code without effect or that is not simulated does so
     /// if its row names the axes; other axis words of its block are a move.
     pub const fn takes_axes(&self) -> bool {
-        match self.action {
-            Action::NoEffect | Action::NotSimulated => self.words.has(b'X'),
-            Action::Once(_) | Action::NotFollowed => true,
-            Action::Length(code) => matches!(code, LengthCode::FromAxes),
-            Action::Reading(_)
-            | Action::Before(_)
-            | Action::Mode(_)
-            | Action::Motion(_)
-            | Action::Cycle(_)
-            | Action::After(_)
-            | Action::Call(_) => false,
-        }
+        matches!(
+            self.action,
+            Action::Once(_) | Action::NotFollowed | Action::Length(LengthCode::FromAxes)
+        ) || matches!(self.action, Action::NoEffect | Action::NotSimulated) && self.words.has(b'X')
     }
 
     /// Whether it ends the program.

@@ -321,22 +321,15 @@ impl<'a> NameFinder<'a> {
     fn call_of(&self, block: &Block) -> Option<CallName> {
         let control = self.program.control();
         let rows = block.words.iter().filter_map(|word| control.row_of(word));
-        rows.into_iter().find_map(|row| match row.action {
-            Action::Call(code) => code.called().map(|called| match called {
+        rows.into_iter().find_map(|row| {
+            if row.action == Action::Once(OnceCode::GeneralPocket) {
+                return Some(CallName::Program);
+            }
+            let Action::Call(code) = row.action else { return None };
+            Some(match code.called()? {
                 CallTarget::Program => CallName::Program,
                 CallTarget::Label => CallName::Label,
-            }),
-            Action::Once(code) => (code == OnceCode::GeneralPocket).then_some(CallName::Program),
-            Action::Reading(_)
-            | Action::Before(_)
-            | Action::Mode(_)
-            | Action::Length(_)
-            | Action::Motion(_)
-            | Action::Cycle(_)
-            | Action::After(_)
-            | Action::NoEffect
-            | Action::NotSimulated
-            | Action::NotFollowed => None,
+            })
         })
     }
 

@@ -5,12 +5,12 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use chordal::control::{Control, RunOptions};
+use chordal::control::{CodeRow, Control, RunOptions};
 use chordal::diagnostics::{Code, FileId};
 use chordal::syntax::{Block, BlockReader};
 use chordal::{Job, Machine, Source, SourceMap};
 use chordal_editor::explain::explain;
-use chordal_editor::meaning::{ControlView, code_name};
+use chordal_editor::meaning::{ControlView, code_name, code_of, code_text};
 
 fn view(machine: &str) -> ControlView {
     ControlView::of(&Control::of(&Machine::from_builtin(machine).unwrap()).0)
@@ -69,6 +69,57 @@ fn codes_have_the_alarms_of_what_they_do() {
     says("linuxcnc-mill", "G55", &["CH517"]);
     says("fadal-4020", "G28", &["CH522", "CANCEL CRC"]);
     says("grbl", "G38.2", &["CH744", "ALARM:5"]);
+}
+
+/// The codes that an alarm names, `G02` as 20, and the letters of words; neither the number of the alarm itself nor `a`.
+fn names_in(alarm: &str) -> (Vec<(u8, u16)>, Vec<u8>) {
+    let parts = alarm.split(|c: char| !c.is_ascii_alphanumeric() && c != '.');
+    let parts = parts.map(|part| part.trim_matches('.').to_ascii_uppercase());
+    let (mut codes, mut letters) = (Vec::new(), Vec::new());
+    for part in parts {
+        match part.as_bytes() {
+            [letter] if b"DEHIJKLPQR".contains(letter) => letters.push(*letter),
+            [b'G' | b'M', b'0'..=b'9', ..] => codes.extend(code_of(&part)),
+            _ => {}
+        }
+    }
+    (codes, letters)
+}
+
+#[test]
+fn an_alarm_that_names_a_code_or_a_word_is_on_its_page() {
+    let (mut met, mut missing) = (0, BTreeSet::new());
+    for view in ControlView::all() {
+        let table = view.table;
+        for (code, alarm) in table.alarms {
+            let says = |letter: u8, row: &CodeRow| {
+                let text = code_text(letter, row.code, std::slice::from_ref(&view));
+                text.is_some_and(|text| text.contains(code.id()))
+            };
+            let (names, letters) = names_in(alarm);
+            for (letter, number) in names {
+                let rows = if letter == b'G' { table.g_codes } else { table.m_codes };
+                let Some(row) = rows.iter().find(|row| row.code == number) else { continue };
+                met += 1;
+                if !says(letter, row) {
+                    missing.insert(format!(
+                        "{} {}: {alarm}",
+                        table.name,
+                        code_name(letter, number)
+                    ));
+                }
+            }
+            for letter in letters {
+                met += 1;
+                let mut rows = table.g_codes.iter().filter(|row| row.words.has(letter));
+                if !rows.any(|row| says(b'G', row)) {
+                    missing.insert(format!("{} {}: {alarm}", table.name, char::from(letter)));
+                }
+            }
+        }
+    }
+    assert!(met > 40, "{met}");
+    assert!(missing.is_empty(), "{missing:#?}");
 }
 
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {

@@ -1,6 +1,6 @@
 //! The old text as blocks, and which part of it each belongs to.
 
-use chordal::control::{Action, AfterCode, BeforeCode, CallCode, OnceCode, TurnCycle};
+use chordal::control::{Action, AfterCode, BeforeCode, CallCode, TurnCycle, turn_facts};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -298,23 +298,10 @@ pub(crate) fn code_action(word: &Word, control: &Control) -> Option<Action> {
     control.row_of(word).map(|row| row.action)
 }
 
-/// The cycle of a lathe that a code calls.
-pub(crate) fn turning_cycle(code: OnceCode) -> Option<TurnCycle> {
-    if let OnceCode::Turning(cycle) = code { Some(cycle) } else { None }
-}
-
 /// The block has none of the words that end a cycle of two blocks: P and Q, or X and Z.
 pub(crate) fn lacks_ends(cycle: TurnCycle, block: &Block) -> bool {
-    let ends = match cycle {
-        TurnCycle::Rough | TurnCycle::RoughFace | TurnCycle::Pattern => Letters::of("PQ"),
-        TurnCycle::PeckZ | TurnCycle::PeckX | TurnCycle::Thread => Letters::of("XZUW"),
-        TurnCycle::Finish
-        | TurnCycle::FinishSubroutine
-        | TurnCycle::RoughSubroutine(_)
-        | TurnCycle::RoughFaceSubroutine(_)
-        | TurnCycle::LineThread => return false,
-    };
-    !block.letters().meets(ends)
+    let ends = turn_facts(cycle).ends;
+    !ends.is_empty() && !block.letters().meets(Letters::of(ends))
 }
 
 /// It is the first of two blocks of a cycle, where the control has them in two.

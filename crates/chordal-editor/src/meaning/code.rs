@@ -1,16 +1,16 @@
 //! What a G or M code does on a control, from its row of the table.
 
+use std::collections::BTreeMap;
+
+use chordal::Code;
 use chordal::control::table::{
     ArcTurns, CodeGroup, CodeRow, ControlTable, DataTarget, MotionModality, code_name,
 };
-use chordal::control::{Action, CallCode, LengthCode, ModeCode, MotionCode, OnceCode, ReadingCode};
-use chordal::control::{Certainty, SettingField, SurfaceCode, SurfaceWord};
-use chordal::control::{CycleKind, ToolValue, TurnCycle, TurnPass};
+use chordal::control::{Action, MotionCode, OnceCode, SurfaceCode};
+use chordal::control::{Certainty, SurfaceWord, ToolValue, dwell_text};
 use chordal::syntax::Letters;
 
-use crate::meaning::alarm_codes::alarms;
 use crate::meaning::form::{example, word_rows};
-use crate::meaning::word::dwell_text;
 use crate::meaning::{ControlView, FactLines, own_value, sections, settings, some, without_places};
 
 /// The codes of a table under a letter.
@@ -94,32 +94,33 @@ fn row_text(letter: u8, row: &CodeRow, view: &ControlView, several: bool) -> Str
         }
     }
     facts_of_action(row.action, view, several, &mut facts);
-    for setting in settings(view.table, fields_of(row.action)) {
+    let known = row.action.facts(view.table, &view.parameters);
+    for setting in settings(view.table, known.settings) {
         let value = own_value(setting, &view.parameters);
         let meaning = if several { String::new() } else { format!(": {}", setting.text) };
         facts.add("settings", &format!("{} = {value}{meaning}", setting.name));
     }
     if !several {
-        for (code, alarm) in alarms(row.action, view.table) {
-            facts.add("alarms", &format!("{} {}", code.id(), without_places(alarm)));
+        for (code, alarm) in alarms(known.problems, view.table) {
+            facts.add("alarms", &format!("{code} {}", without_places(alarm)));
         }
     }
     facts.text
 }
 
+/// What the control shows for problems, by their codes.
+fn alarms(problems: &[Code], table: &ControlTable) -> BTreeMap<&'static str, &'static str> {
+    problems.iter().filter_map(|code| Some((code.id(), table.alarm(*code)?))).collect()
+}
+
 /// What stands in the block in addition to a code's own words.
 fn extra_words(action: Action) -> &'static str {
-    match action {
-        Action::Motion(_) | Action::Cycle(_) => ", with the axes and F",
-        Action::Mode(_) | Action::Length(_) => ", with the axes",
-        Action::Once(_)
-        | Action::Reading(_)
-        | Action::Call(_)
-        | Action::Before(_)
-        | Action::After(_)
-        | Action::NoEffect
-        | Action::NotSimulated
-        | Action::NotFollowed => "",
+    if action.motion().is_some() || action.cycle().is_some() {
+        ", with the axes and F"
+    } else if matches!(action, Action::Mode(_) | Action::Length(_)) {
+        ", with the axes"
+    } else {
+        ""
     }
 }
 
@@ -220,130 +221,6 @@ pub(crate) fn target_name(target: DataTarget) -> &'static str {
         DataTarget::Other => "not carried out",
         DataTarget::IntoRegister => "a register R, with a value of the control: not followed",
         DataTarget::Lines => "parameters of the control, by the lines up to G11: not carried out",
-    }
-}
-
-/// The settings that change what an action does.
-fn fields_of(action: Action) -> &'static [SettingField] {
-    match action {
-        Action::Motion(code) => match code {
-            MotionCode::Rapid => &[SettingField::RAPID],
-            MotionCode::Linear
-            | MotionCode::Thread
-            | MotionCode::RigidTap
-            | MotionCode::Turn(TurnPass::Turning | TurnPass::Facing) => &[],
-            MotionCode::Turn(TurnPass::Thread) => &[SettingField::TURNING_THREAD_EXIT],
-            MotionCode::ArcCw | MotionCode::ArcCcw => &[
-                SettingField::ARC_CENTER,
-                SettingField::RADIUS_ERROR_TOLERANCE,
-                SettingField::ARC_MISMATCH,
-                SettingField::SEMICIRCLE_TOLERANCE,
-                SettingField::CENTER_AND_RADIUS,
-                SettingField::FULL_CIRCLE_BY_RADIUS,
-                SettingField::HELIX_FEED,
-                SettingField::MAX_RADIUS,
-                SettingField::SPIRAL,
-            ],
-            MotionCode::SpiralCw | MotionCode::SpiralCcw => {
-                &[SettingField::SPIRAL, SettingField::SPIRAL_END_TOLERANCE]
-            }
-            MotionCode::Spline(_) | MotionCode::SplineEnd => &[],
-        },
-        Action::Reading(code) => match code {
-            ReadingCode::Inch | ReadingCode::Millimetre => {
-                &[SettingField::UNITS, SettingField::UNIT_CODES]
-            }
-            ReadingCode::Absolute | ReadingCode::Incremental => &[SettingField::START_DISTANCE],
-            ReadingCode::ArcCenterAbsolute
-            | ReadingCode::ArcCenterIncremental
-            | ReadingCode::FeedPerTime
-            | ReadingCode::FeedInverseTime
-            | ReadingCode::FeedPerRevolution
-            | ReadingCode::Diameters
-            | ReadingCode::Radii
-            | ReadingCode::SurfaceSpeed
-            | ReadingCode::SpindleRpm => &[],
-        },
-        Action::Mode(code) => settings_of_mode(code),
-        Action::Length(code) => match code {
-            LengthCode::Plus | LengthCode::Minus => {
-                &[SettingField::LENGTH_MUST_MATCH_TOOL, SettingField::LENGTH_BY_H_ALONE]
-            }
-            LengthCode::Cancel | LengthCode::FromAxes | LengthCode::Add => &[],
-        },
-        Action::Cycle(CycleKind::ChipBreak) => &[SettingField::CHIP_BREAK],
-        Action::Cycle(CycleKind::Peck) => &[SettingField::PECK_CLEARANCE],
-        Action::Cycle(_) => &[],
-        Action::Call(code) => match code {
-            CallCode::CallProgram | CallCode::CallLabel => {
-                &[SettingField::NESTING, SettingField::PACKED_CALLS]
-            }
-            CallCode::Return => &[SettingField::RETURN_LABEL_IN_CALLEE],
-            CallCode::SubroutineEnd | CallCode::MacroCall | CallCode::ModalMacroCall { .. } => &[],
-        },
-        Action::Once(OnceCode::Turning(cycle)) => settings_of_turning(cycle),
-        Action::Before(_)
-        | Action::Once(_)
-        | Action::After(_)
-        | Action::NoEffect
-        | Action::NotSimulated
-        | Action::NotFollowed => &[],
-    }
-}
-
-fn settings_of_turning(cycle: TurnCycle) -> &'static [SettingField] {
-    match cycle {
-        TurnCycle::Finish
-        | TurnCycle::Pattern
-        | TurnCycle::FinishSubroutine
-        | TurnCycle::RoughSubroutine(_)
-        | TurnCycle::RoughFaceSubroutine(_)
-        | TurnCycle::LineThread => &[],
-        TurnCycle::Rough | TurnCycle::RoughFace => &[
-            SettingField::TURNING_ROUGH_DEPTH,
-            SettingField::TURNING_ROUGH_RETRACT,
-            SettingField::TURNING_FIRST_LEVEL,
-        ],
-        TurnCycle::PeckZ | TurnCycle::PeckX => &[SettingField::TURNING_PECK_RETRACT],
-        TurnCycle::Thread => &[
-            SettingField::TURNING_THREAD_EXIT,
-            SettingField::TURNING_THREAD_LEAST,
-            SettingField::TURNING_THREAD_FINISH,
-            SettingField::TURNING_THREAD_FINISH_PASSES,
-            SettingField::TURNING_THREAD_ANGLE,
-        ],
-    }
-}
-
-fn settings_of_mode(code: ModeCode) -> &'static [SettingField] {
-    match code {
-        ModeCode::PlaneXy | ModeCode::PlaneZx | ModeCode::PlaneYz => &[SettingField::PLANE_CODES],
-        ModeCode::CompensationLeft | ModeCode::CompensationRight => {
-            &[SettingField::RADIUS_OFFSETS, SettingField::MAX_RADIUS_COMPENSATED]
-        }
-        ModeCode::CompensationOff
-        | ModeCode::CompensationLeftBy
-        | ModeCode::CompensationRightBy
-        | ModeCode::StoreReference { .. }
-        | ModeCode::CornerArc
-        | ModeCode::WorkOffset(_)
-        | ModeCode::WorkOffsetPoint(_)
-        | ModeCode::WorkOffsetExtended
-        | ModeCode::WorkOffsetCounted
-        | ModeCode::WorkOffsetNumbered(_)
-        | ModeCode::ReturnInitial
-        | ModeCode::ReturnToR
-        | ModeCode::CancelCycle
-        | ModeCode::Path(_)
-        | ModeCode::Overrides { .. }
-        | ModeCode::OverridesByP
-        | ModeCode::RotationOff
-        | ModeCode::ScalingOff
-        | ModeCode::Polar { .. }
-        | ModeCode::ModalSubroutine
-        | ModeCode::ModalCallOff
-        | ModeCode::DataLinesOff => &[],
-        ModeCode::ThreadExit { .. } => &[SettingField::TURNING_THREAD_EXIT],
     }
 }
 

@@ -1,11 +1,10 @@
 //! What an address letter means on a control, gathered from its table.
 
-use chordal::control::Action;
-use chordal::control::SettingField;
 use chordal::control::table::{ArcTurns, CodeRow, LineRepeat, SubroutineForm, code_name};
+use chordal::control::{Action, SettingField, dwell_text};
 
 use crate::meaning::code::codes;
-use crate::meaning::word::{dwell_text, word_meaning};
+use crate::meaning::word::word_meaning;
 use crate::meaning::{ControlView, own_value, sections, settings, some};
 
 /// The letter on each control; `None` when it has a meaning nowhere.

@@ -2,7 +2,6 @@
 //! that it is what the interpreter itself goes by.
 
 mod alarm;
-mod alarm_codes;
 mod code;
 mod form;
 mod letter;

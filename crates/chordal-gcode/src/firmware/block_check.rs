@@ -352,29 +352,15 @@ impl BlockCheck<'_> {
     /// M70 to M73.
     fn keep_modes(&self, after: &mut FirmwareMemory) {
         for (_, row) in &self.codes {
-            let Action::Before(code) = row.action else { continue };
-            match code {
-                BeforeCode::SaveModes { .. } => {
-                    after.kept = Some((self.before.modes, self.before.feed))
-                }
-                BeforeCode::ForgetModes => after.kept = None,
-                BeforeCode::RestoreModes => {
-                    if let Some((modes, feed)) = after.kept {
-                        after.modes = FirmwareModes { motion: after.modes.motion, ..modes };
-                        after.feed = feed;
-                    }
-                }
-                BeforeCode::ToolChange
-                | BeforeCode::SetToolNumber
-                | BeforeCode::SpindleCw
-                | BeforeCode::SpindleCcw
-                | BeforeCode::SpindleOrient
-                | BeforeCode::LiveToolCw
-                | BeforeCode::LiveToolCcw
-                | BeforeCode::CAxisOn
-                | BeforeCode::CoolantMist
-                | BeforeCode::CoolantFlood
-                | BeforeCode::CoolantThroughTool => {}
+            if let Action::Before(BeforeCode::SaveModes { .. }) = row.action {
+                after.kept = Some((self.before.modes, self.before.feed));
+            } else if row.action == Action::Before(BeforeCode::ForgetModes) {
+                after.kept = None;
+            } else if row.action == Action::Before(BeforeCode::RestoreModes)
+                && let Some((modes, feed)) = after.kept
+            {
+                after.modes = FirmwareModes { motion: after.modes.motion, ..modes };
+                after.feed = feed;
             }
         }
     }

@@ -51,22 +51,15 @@ pub(super) fn byte(value: f32) -> u8 {
 
 /// What a code takes the axis words for.
 pub(super) fn axis_use(row: &'static CodeRow) -> Option<AxisUse> {
-    match row.action {
-        Action::Motion(_) | Action::Cycle(_) | Action::Once(OnceCode::Probe { .. }) => {
-            Some(AxisUse::Motion)
-        }
-        Action::Length(code) => length_axes(code),
-        Action::Once(_) if takes_axes(row) => Some(AxisUse::Once),
-        Action::NotFollowed => Some(AxisUse::Once),
-        Action::Once(_)
-        | Action::Reading(_)
-        | Action::Before(_)
-        | Action::Mode(_)
-        | Action::After(_)
-        | Action::Call(_)
-        | Action::NoEffect
-        | Action::NotSimulated => None,
+    let action = row.action;
+    let is_probe = matches!(action.once(), Some(OnceCode::Probe { .. }));
+    if action.motion().is_some() || action.cycle().is_some() || is_probe {
+        return Some(AxisUse::Motion);
     }
+    if let Action::Length(code) = action {
+        return length_axes(code);
+    }
+    (takes_axes(row) || action == Action::NotFollowed).then_some(AxisUse::Once)
 }
 
 /// G43.1 and G49 ask for the axis words, whether they have them or not; G43 H does not.

@@ -2,7 +2,6 @@
 
 use chordal_dialect::firmware::FirmwareError;
 use chordal_dialect::table::ArcTurns;
-use chordal_kernel::rules::CycleKind;
 use chordal_syntax::Letters;
 
 use super::block_check::{BlockCheck, MM_PER_INCH};
@@ -157,18 +156,10 @@ impl BlockCheck<'_> {
         let Some(kind) = self.codes.iter().find_map(|(_, row)| row.action.cycle()) else {
             return Ok(());
         };
-        let needed = match kind {
-            CycleKind::Peck | CycleKind::ChipBreak => "Q",
-            CycleKind::DrillDwell | CycleKind::BoreStop | CycleKind::BoreDwell => "P",
-            CycleKind::Drill
-            | CycleKind::LeftTap
-            | CycleKind::Tap
-            | CycleKind::FineBore
-            | CycleKind::BoreFeedOut
-            | CycleKind::BackBore
-            | CycleKind::BoreManual
-            | CycleKind::SelfReversingTap
-            | CycleKind::BoreInOut => "",
+        let needed = match (kind.is_peck(), kind.dwells()) {
+            (true, _) => "Q",
+            (false, true) => "P",
+            (false, false) => "",
         };
         if needed == "Q" && self.number(b'Q').is_some_and(|q| q <= 0.0) {
             return self.refuse(FirmwareError::NotPositive, "Q");

@@ -252,19 +252,10 @@ impl Interpreter<'_> {
             Some((row, at)) => {
                 self.modes_with_one_shot(block, codes, row);
                 // A code that is not carried out was reported with the modes; its axis words have no effect either.
-                match row.action {
-                    Action::Once(code) => self.one_shot(block, code, *at),
-                    Action::NoEffect | Action::NotSimulated => {
-                        self.unused_axes(block, |_, letter| row.words.has(letter));
-                    }
-                    Action::Length(_) | Action::NotFollowed => {}
-                    Action::Reading(_)
-                    | Action::Before(_)
-                    | Action::Mode(_)
-                    | Action::Motion(_)
-                    | Action::Cycle(_)
-                    | Action::After(_)
-                    | Action::Call(_) => {}
+                if let Some(code) = row.action.once() {
+                    self.one_shot(block, code, *at);
+                } else if matches!(row.action, Action::NoEffect | Action::NotSimulated) {
+                    self.unused_axes(block, |_, letter| row.words.has(letter));
                 }
             }
             None => {

@@ -3,11 +3,10 @@
 //! The line is read again as the firmware reads it, and the block gets the words of its command. The rest of the line has
 //! no effect, which is reported.
 
-use chordal_command::Units;
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_dialect::firmware::BuildOption;
 use chordal_dialect::{Action, BeforeCode, CallCode, CodeRow, CommandLine};
-use chordal_dialect::{ModeCode, OnceCode, ReadingCode, code_number};
+use chordal_dialect::{ModeCode, OnceCode, code_number};
 use chordal_geometry::Plane;
 use chordal_machine::AXIS_LETTERS;
 use chordal_syntax::{Block, BlockKind, Decimal, Letters, Word, WordValue};
@@ -328,21 +327,11 @@ impl Interpreter<'_> {
         };
         // The words of a custom code are not known.
         let Some(row) = row else { return Letters(u32::MAX) };
-        let axes = match row.action {
-            Action::Motion(_) => AXES_AND_FEED,
-            Action::Once(OnceCode::Probe { .. }) => AXES_AND_FEED,
-            Action::Once(OnceCode::Dwell | OnceCode::ClearPreset { .. }) => Letters::NONE,
-            Action::Once(_) => Letters::of("XYZ"),
-            Action::Reading(_)
-            | Action::Before(_)
-            | Action::Mode(_)
-            | Action::Length(_)
-            | Action::Cycle(_)
-            | Action::After(_)
-            | Action::Call(_)
-            | Action::NoEffect
-            | Action::NotSimulated
-            | Action::NotFollowed => Letters::NONE,
+        let axes = match row.action.once() {
+            None if row.action.motion().is_some() => AXES_AND_FEED,
+            Some(OnceCode::Probe { .. }) => AXES_AND_FEED,
+            Some(OnceCode::Dwell | OnceCode::ClearPreset { .. }) | None => Letters::NONE,
+            Some(_) => Letters::of("XYZ"),
         };
         row.words.union(axes)
     }
@@ -412,24 +401,11 @@ impl Interpreter<'_> {
             return false;
         }
         let state = &self.kernel.state;
-        match row.action {
-            Action::NoEffect => true,
-            Action::Reading(ReadingCode::Absolute) => !state.incremental,
-            Action::Reading(ReadingCode::Incremental) => state.incremental,
-            Action::Reading(ReadingCode::Millimetre) => state.units == Units::Millimetre,
-            Action::Reading(ReadingCode::Inch) => state.units == Units::Inch,
-            Action::Mode(mode) => mode == ModeCode::PlaneXy && state.plane == Plane::Xy,
-            Action::Reading(_)
-            | Action::Before(_)
-            | Action::Length(_)
-            | Action::Motion(_)
-            | Action::Cycle(_)
-            | Action::Once(_)
-            | Action::After(_)
-            | Action::Call(_)
-            | Action::NotSimulated
-            | Action::NotFollowed => false,
-        }
+        let action = row.action;
+        action == Action::NoEffect
+            || action.incremental() == Some(state.incremental)
+            || action.units() == Some(state.units)
+            || action == Action::Mode(ModeCode::PlaneXy) && state.plane == Plane::Xy
     }
 
     /// Reports a line whose command the firmware does not have: it replies with an error and continues.
@@ -484,19 +460,9 @@ impl Interpreter<'_> {
         if rules.ignored_codes.contains(&(letter, code)) {
             return Severity::Note;
         }
-        let matters = |row: &CodeRow| match row.action {
-            Action::Call(call) => !matches!(call, CallCode::SubroutineEnd),
-            Action::Before(before) => matches!(before, BeforeCode::ToolChange),
-            Action::Reading(_)
-            | Action::Mode(_)
-            | Action::Length(_)
-            | Action::Motion(_)
-            | Action::Cycle(_)
-            | Action::Once(_)
-            | Action::After(_)
-            | Action::NoEffect
-            | Action::NotSimulated
-            | Action::NotFollowed => false,
+        let matters = |row: &CodeRow| {
+            row.action == Action::Before(BeforeCode::ToolChange)
+                || matches!(row.action, Action::Call(code) if code != CallCode::SubroutineEnd)
         };
         match letter {
             b'M' => {

@@ -50,36 +50,22 @@ impl Interpreter<'_> {
     pub(super) fn keep_modes(&mut self, block: &Block, code: BeforeCode, at: usize) {
         let depth = self.frames.len();
         let has = self.kept_modes.iter().any(|kept| kept.depth == depth);
-        match code {
-            BeforeCode::SaveModes { until_return } => {
-                let modes = self.active_modes();
-                self.kept_modes.retain(|kept| kept.depth < depth);
-                self.kept_modes.push(KeptModes { depth, until_return, modes });
-            }
-            BeforeCode::ForgetModes => self.kept_modes.retain(|kept| kept.depth != depth),
-            BeforeCode::RestoreModes if !has => {
-                let span = self.span(block.words[at].range);
-                self.kernel.report(
-                    Diagnostic::new(
-                        Code::NoKeptModes,
-                        span,
-                        "M72 brings modes back, and none were kept at this level of calls",
-                    )
-                    .help("write M70 or M73 before it, in the same subprogram"),
-                );
-            }
-            BeforeCode::RestoreModes
-            | BeforeCode::ToolChange
-            | BeforeCode::SetToolNumber
-            | BeforeCode::SpindleCw
-            | BeforeCode::SpindleCcw
-            | BeforeCode::SpindleOrient
-            | BeforeCode::LiveToolCw
-            | BeforeCode::LiveToolCcw
-            | BeforeCode::CAxisOn
-            | BeforeCode::CoolantMist
-            | BeforeCode::CoolantFlood
-            | BeforeCode::CoolantThroughTool => {}
+        if let BeforeCode::SaveModes { until_return } = code {
+            let modes = self.active_modes();
+            self.kept_modes.retain(|kept| kept.depth < depth);
+            self.kept_modes.push(KeptModes { depth, until_return, modes });
+        } else if code == BeforeCode::ForgetModes {
+            self.kept_modes.retain(|kept| kept.depth != depth);
+        } else if code == BeforeCode::RestoreModes && !has {
+            let span = self.span(block.words[at].range);
+            self.kernel.report(
+                Diagnostic::new(
+                    Code::NoKeptModes,
+                    span,
+                    "M72 brings modes back, and none were kept at this level of calls",
+                )
+                .help("write M70 or M73 before it, in the same subprogram"),
+            );
         }
     }
 

@@ -125,19 +125,10 @@ impl Interpreter<'_> {
         }
         for step in 0..order.rank(BlockStep::Motion) {
             for (row, at) in codes.iter().filter(|(row, _)| rank(row) == Some(step)) {
-                match row.action {
-                    Action::Before(code) => self.take_before_motion(block, code, *at),
-                    Action::After(code) => self.switch_off(block, code),
-                    Action::Reading(_)
-                    | Action::Mode(_)
-                    | Action::Length(_)
-                    | Action::Motion(_)
-                    | Action::Cycle(_)
-                    | Action::Once(_)
-                    | Action::Call(_)
-                    | Action::NoEffect
-                    | Action::NotSimulated
-                    | Action::NotFollowed => {}
+                if let Action::Before(code) = row.action {
+                    self.take_before_motion(block, code, *at);
+                } else if let Action::After(code) = row.action {
+                    self.switch_off(block, code);
                 }
             }
         }
@@ -224,21 +215,13 @@ impl Interpreter<'_> {
 
     /// Sets a mode that the motion of this block uses.
     pub(super) fn take_mode(&mut self, block: &Block, row: &'static CodeRow, at: usize) {
-        let code = match row.action {
-            Action::Mode(code) => code,
-            Action::NotSimulated => return self.not_simulated(&block.words[at], row),
-            Action::NotFollowed => return self.not_followed(&block.words[at], row.title),
-            // Carried out elsewhere.
-            Action::Reading(_)
-            | Action::Before(_)
-            | Action::Length(_)
-            | Action::Motion(_)
-            | Action::Cycle(_)
-            | Action::Once(_)
-            | Action::After(_)
-            | Action::Call(_)
-            | Action::NoEffect => return,
-        };
+        if row.action == Action::NotSimulated {
+            return self.not_simulated(&block.words[at], row);
+        }
+        if row.action == Action::NotFollowed {
+            return self.not_followed(&block.words[at], row.title);
+        }
+        let Some(code) = row.action.mode() else { return };
         match code {
             ModeCode::PlaneXy => self.set_plane(block, at, Plane::Xy),
             ModeCode::PlaneZx => self.set_plane(block, at, Plane::Zx),
@@ -453,30 +436,17 @@ impl Interpreter<'_> {
         taker: &CodeRow,
     ) {
         for (row, at) in codes {
-            match row.action {
-                Action::Reading(ReadingCode::Absolute) => self.kernel.set_incremental(false),
-                Action::Reading(ReadingCode::Incremental) => self.kernel.set_incremental(true),
-                Action::Motion(code) if code.is_curve() && self.has_arc_words(block) => {
-                    self.arc_left_out(block, *at, row, taker);
-                    self.take_motion_code(code);
-                }
-                Action::Motion(code) => {
-                    self.kernel.end_cycle_if(self.control.parameters.rules.cycles.cancel.by_motion);
-                    self.take_motion_code(code);
-                }
-                // The others do not depend on axis words.
-                Action::Reading(_)
-                | Action::Before(_)
-                | Action::Mode(_)
-                | Action::Length(_)
-                | Action::Cycle(_)
-                | Action::Once(_)
-                | Action::After(_)
-                | Action::Call(_)
-                | Action::NoEffect
-                | Action::NotSimulated
-                | Action::NotFollowed => {}
+            if let Some(incremental) = row.action.incremental() {
+                self.kernel.set_incremental(incremental);
             }
+            // The others do not depend on axis words.
+            let Some(code) = row.action.motion() else { continue };
+            if code.is_curve() && self.has_arc_words(block) {
+                self.arc_left_out(block, *at, row, taker);
+            } else {
+                self.kernel.end_cycle_if(self.control.parameters.rules.cycles.cancel.by_motion);
+            }
+            self.take_motion_code(code);
         }
     }
 
@@ -509,32 +479,19 @@ impl Interpreter<'_> {
         }
         self.emit_codes(block, codes);
         for (row, at) in codes {
-            match row.action {
-                // If they act from left to right, the last one stays active, even in a block
-                // without axis words.
-                Action::Reading(ReadingCode::Absolute) => self.kernel.set_incremental(false),
-                Action::Reading(ReadingCode::Incremental) => self.kernel.set_incremental(true),
-                Action::After(_) if self.is_switched_before(row) => {}
-                Action::After(code) => {
-                    if let end @ BlockFlow::End(_) =
-                        self.take_code_after_motion(block, codes, code, *at)
-                    {
-                        return end;
-                    }
-                }
-                Action::Call(CallCode::Return) => return self.return_from_program(block, *at),
-                Action::Call(code) => self.take_call(block, code, *at),
-                // Carried out before the motion, or as the motion.
-                Action::Reading(_)
-                | Action::Before(_)
-                | Action::Mode(_)
-                | Action::Length(_)
-                | Action::Motion(_)
-                | Action::Cycle(_)
-                | Action::Once(_)
-                | Action::NoEffect
-                | Action::NotSimulated
-                | Action::NotFollowed => {}
+            // If they act from left to right, the last one stays active, even in a block without axis words.
+            if let Some(incremental) = row.action.incremental() {
+                self.kernel.set_incremental(incremental);
+            } else if let Action::After(code) = row.action
+                && !self.is_switched_before(row)
+                && let end @ BlockFlow::End(_) =
+                    self.take_code_after_motion(block, codes, code, *at)
+            {
+                return end;
+            } else if row.action == Action::Call(CallCode::Return) {
+                return self.return_from_program(block, *at);
+            } else if let Action::Call(code) = row.action {
+                self.take_call(block, code, *at);
             }
         }
         BlockFlow::Next
@@ -589,18 +546,10 @@ impl Interpreter<'_> {
 /// True when S is a word of the code itself: a time or an angle.
 fn speed_is_of_code(codes: &[(&'static CodeRow, usize)]) -> bool {
     codes.iter().any(|(row, _)| {
-        let takes = match row.action {
-            Action::Once(code) => matches!(code, OnceCode::Dwell),
-            Action::After(code) => matches!(code, AfterCode::ProgramStop),
-            Action::NoEffect | Action::NotSimulated | Action::NotFollowed => true,
-            Action::Reading(_)
-            | Action::Before(_)
-            | Action::Mode(_)
-            | Action::Length(_)
-            | Action::Motion(_)
-            | Action::Cycle(_)
-            | Action::Call(_) => false,
-        };
+        let takes = row.action.is_left_out()
+            || row.action == Action::NoEffect
+            || row.action == Action::Once(OnceCode::Dwell)
+            || row.action == Action::After(AfterCode::ProgramStop);
         takes && row.words.has(b'S')
     })
 }

@@ -201,28 +201,26 @@ impl Interpreter<'_> {
     fn changes_modes(&self, word: &Word) -> bool {
         let code = word.number().and_then(code_number).filter(|_| word.letter == b'G');
         let row = code.and_then(|code| self.control.g_code(code));
-        row.is_some_and(|row| match row.action {
-            Action::Reading(_) | Action::Mode(_) | Action::Length(_) | Action::NotFollowed => true,
-            Action::Once(code) => matches!(
-                code,
-                OnceCode::SetData
-                    | OnceCode::LocalShift
-                    | OnceCode::PresetPosition
-                    | OnceCode::ClearPreset { .. }
-                    | OnceCode::RestorePreset
-                    | OnceCode::Rotation
-                    | OnceCode::Scaling
-                    | OnceCode::Mirror { .. }
-                    | OnceCode::MirrorOff
-                    | OnceCode::Surface(_)
-            ),
-            Action::Before(_)
-            | Action::Motion(_)
-            | Action::Cycle(_)
-            | Action::After(_)
-            | Action::Call(_)
-            | Action::NoEffect
-            | Action::NotSimulated => false,
+        row.is_some_and(|row| {
+            matches!(
+                row.action,
+                Action::Reading(_)
+                    | Action::Mode(_)
+                    | Action::Length(_)
+                    | Action::NotFollowed
+                    | Action::Once(
+                        OnceCode::SetData
+                            | OnceCode::LocalShift
+                            | OnceCode::PresetPosition
+                            | OnceCode::ClearPreset { .. }
+                            | OnceCode::RestorePreset
+                            | OnceCode::Rotation
+                            | OnceCode::Scaling
+                            | OnceCode::Mirror { .. }
+                            | OnceCode::MirrorOff
+                            | OnceCode::Surface(_)
+                    )
+            )
         })
     }
 

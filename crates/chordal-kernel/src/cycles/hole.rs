@@ -45,11 +45,11 @@ impl Kernel<'_> {
     pub fn resolve_hole(&mut self, at: &dyn Statement) -> Option<HoleWords> {
         let mut words = self.state.cycle?;
         let peck = self.rules.cycles.peck;
-        words.kind = match words.kind {
-            CycleKind::Peck if peck.q_optional && words.q.is_none() => CycleKind::DrillDwell,
-            CycleKind::Peck if !peck.full_return => CycleKind::ChipBreak,
-            kind => kind,
-        };
+        if words.kind == CycleKind::Peck && peck.q_optional && words.q.is_none() {
+            words.kind = CycleKind::DrillDwell;
+        } else if words.kind == CycleKind::Peck && !peck.full_return {
+            words.kind = CycleKind::ChipBreak;
+        }
         if !self.may_drill(at) || !self.has_its_words(at, &words) {
             return None;
         }
@@ -119,7 +119,7 @@ impl Kernel<'_> {
     fn has_its_words(&mut self, at: &dyn Statement, words: &CycleState) -> bool {
         let rules = self.rules.cycles;
         let depth = Axis::ALL[self.drilling_axis()].letter();
-        let name = words.kind.name();
+        let name = words.kind.facts().name;
         let mut missing = |code, what: &str, help: String| {
             let span = at.span();
             let message = format!("{name} without {what}");
@@ -182,7 +182,7 @@ impl Kernel<'_> {
         if std::mem::replace(&mut self.reported.cycle_without_r, true) {
             return;
         }
-        let name = words.kind.name();
+        let name = words.kind.facts().name;
         let level = self.length_text(words.initial);
         self.report(
             Diagnostic::new(

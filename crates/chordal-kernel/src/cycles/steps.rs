@@ -118,14 +118,8 @@ impl Kernel<'_> {
 
     /// Haas E: the spindle turns the other way for a moment, and throws the chips off.
     fn clean_chips(&mut self, hole: &HoleWords) {
-        let Some(rpm) = hole.words.after_rpm else { return };
-        let throws = matches!(
-            hole.words.kind,
-            CycleKind::Drill | CycleKind::DrillDwell | CycleKind::Peck | CycleKind::Tap
-        );
-        if !throws {
-            return;
-        }
+        let throws_chips = hole.words.kind.facts().throws_chips;
+        let Some(rpm) = hole.words.after_rpm.filter(|_| throws_chips) else { return };
         let before = self.state.spindle;
         let reversed =
             if before == SpindleState::Ccw { SpindleState::Cw } else { SpindleState::Ccw };

@@ -18,9 +18,9 @@ impl Kernel<'_> {
     /// G84 and G74: in, the spindle reverses, out. The feed is the lead's: no override acts.
     pub fn tap(&mut self, at: &dyn Statement, hole: &HoleWords) {
         let rules = self.rules.cycles.tap;
-        let (inward, outward) = match hole.words.kind {
-            CycleKind::LeftTap => (SpindleState::Ccw, SpindleState::Cw),
-            _ => (SpindleState::Cw, SpindleState::Ccw),
+        let (inward, outward) = match hole.words.kind == CycleKind::LeftTap {
+            true => (SpindleState::Ccw, SpindleState::Cw),
+            false => (SpindleState::Cw, SpindleState::Ccw),
         };
         let before = self.state.spindle;
         self.set_in_tap(true);

@@ -25,43 +25,110 @@ pub enum CycleKind {
     BoreInOut,
 }
 
+/// What sort of cycle it is: how its hole is made, and so what its words are.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum CycleFamily {
+    /// Down in one cut.
+    Drill,
+    /// In steps, with a short lift after each.
+    ChipBreak,
+    /// In steps, out of the hole after each.
+    Peck,
+    /// In step with the spindle.
+    Tap,
+    /// Down and out again with the tool at the wall.
+    Bore,
+    /// The same, out with the tool set aside.
+    FineBore,
+    /// From behind, past the bore with the tool set aside.
+    BackBore,
+}
+
+/// Whether P is a dwell at the bottom of the hole.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum CycleDwell {
+    /// Nothing waits there; what P of a cycle with pecks does is said by [`PeckRules`].
+    None,
+    /// Where P is written.
+    Optional,
+    /// The dwell is a part of the cycle.
+    Essential,
+}
+
+/// What is known of a cycle, whichever control has it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct CycleFacts {
+    /// For people: `a pecking cycle`.
+    pub name: &'static str,
+    /// What sort it is.
+    pub family: CycleFamily,
+    /// What P is.
+    pub dwell: CycleDwell,
+    /// With E the spindle throws the chips off after the hole (Haas).
+    pub throws_chips: bool,
+    /// One control alone has it: it is never the same on another.
+    pub of_one_control: bool,
+}
+
 impl CycleKind {
+    /// What is known of the cycle: a row for each.
+    pub const fn facts(self) -> CycleFacts {
+        use CycleDwell::{Essential, None as Never, Optional};
+        use CycleFamily::{BackBore, Bore, ChipBreak, Drill, FineBore, Peck, Tap};
+        const fn row(name: &'static str, family: CycleFamily, dwell: CycleDwell) -> CycleFacts {
+            CycleFacts { name, family, dwell, throws_chips: false, of_one_control: false }
+        }
+        match self {
+            CycleKind::ChipBreak => row("a chip-breaking cycle", ChipBreak, Never),
+            CycleKind::Peck => row("a pecking cycle", Peck, Never).throws_chips(),
+            CycleKind::Drill => row("a drilling cycle", Drill, Never).throws_chips(),
+            CycleKind::DrillDwell => row("a drilling cycle", Drill, Essential).throws_chips(),
+            CycleKind::Tap => row("a tapping cycle", Tap, Optional).throws_chips(),
+            CycleKind::LeftTap => row("a tapping cycle", Tap, Optional),
+            CycleKind::SelfReversingTap => row("a tapping cycle", Tap, Optional).of_one_control(),
+            CycleKind::BoreFeedOut => row("a boring cycle", Bore, Never),
+            CycleKind::BoreInOut => row("a boring cycle", Bore, Never).of_one_control(),
+            CycleKind::BoreStop | CycleKind::BoreManual | CycleKind::BoreDwell => {
+                row("a boring cycle", Bore, Essential)
+            }
+            CycleKind::FineBore => row("a boring cycle", FineBore, Optional),
+            CycleKind::BackBore => row("back boring", BackBore, Optional),
+        }
+    }
+
+    /// What sort of cycle it is.
+    pub const fn family(self) -> CycleFamily {
+        self.facts().family
+    }
+
     /// A tap, whichever way it turns.
     pub const fn is_tap(self) -> bool {
-        matches!(self, CycleKind::Tap | CycleKind::LeftTap | CycleKind::SelfReversingTap)
+        matches!(self.family(), CycleFamily::Tap)
     }
 
     /// A cycle that drills in steps.
     pub const fn is_peck(self) -> bool {
-        matches!(self, CycleKind::Peck | CycleKind::ChipBreak)
+        matches!(self.family(), CycleFamily::Peck | CycleFamily::ChipBreak)
+    }
+
+    /// The tool steps aside from the wall.
+    pub const fn steps_aside(self) -> bool {
+        matches!(self.family(), CycleFamily::FineBore | CycleFamily::BackBore)
     }
 
     /// A cycle whose dwell P is a part of it.
     pub const fn dwells(self) -> bool {
-        matches!(
-            self,
-            CycleKind::DrillDwell
-                | CycleKind::BoreStop
-                | CycleKind::BoreManual
-                | CycleKind::BoreDwell
-        )
+        matches!(self.facts().dwell, CycleDwell::Essential)
+    }
+}
+
+impl CycleFacts {
+    const fn throws_chips(self) -> CycleFacts {
+        CycleFacts { throws_chips: true, ..self }
     }
 
-    /// For people: `a pecking cycle`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            CycleKind::ChipBreak => "a chip-breaking cycle",
-            CycleKind::Drill | CycleKind::DrillDwell => "a drilling cycle",
-            CycleKind::Peck => "a pecking cycle",
-            CycleKind::Tap | CycleKind::LeftTap | CycleKind::SelfReversingTap => "a tapping cycle",
-            CycleKind::BackBore => "back boring",
-            CycleKind::FineBore
-            | CycleKind::BoreFeedOut
-            | CycleKind::BoreStop
-            | CycleKind::BoreManual
-            | CycleKind::BoreDwell
-            | CycleKind::BoreInOut => "a boring cycle",
-        }
+    const fn of_one_control(self) -> CycleFacts {
+        CycleFacts { of_one_control: true, ..self }
     }
 }
 
@@ -247,6 +314,14 @@ pub struct PeckRules {
     pub feeds_down: bool,
     /// A dwell at the bottom of every peck, whatever P, s (grblHAL).
     pub dwell_each_s: f64,
+}
+
+impl PeckRules {
+    /// P of the cycle is the distance of a lift or a clearance, not a time.
+    pub fn p_is_distance(&self, kind: CycleKind) -> bool {
+        kind == CycleKind::ChipBreak && self.p_is_lift
+            || kind == CycleKind::Peck && self.p_is_clearance
+    }
 }
 
 /// Taps.

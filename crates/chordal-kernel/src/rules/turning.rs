@@ -27,6 +27,42 @@ pub enum TurnCycle {
     LineThread,
 }
 
+/// What sort of cycle of a lathe it is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum TurnFamily {
+    /// A contour between two block numbers, once.
+    Finish,
+    /// The same in passes, down to it.
+    Rough,
+    /// The same, again and again, ever nearer.
+    Pattern,
+    /// Plunges in pecks.
+    Peck,
+    /// A thread in many passes.
+    Thread,
+    /// A contour of a subroutine.
+    Subroutine,
+    /// A thread measured from the line that the tool drives along.
+    LineThread,
+}
+
+impl TurnCycle {
+    /// What sort of cycle it is.
+    pub const fn family(self) -> TurnFamily {
+        match self {
+            TurnCycle::Finish => TurnFamily::Finish,
+            TurnCycle::Rough | TurnCycle::RoughFace => TurnFamily::Rough,
+            TurnCycle::Pattern => TurnFamily::Pattern,
+            TurnCycle::PeckZ | TurnCycle::PeckX => TurnFamily::Peck,
+            TurnCycle::Thread => TurnFamily::Thread,
+            TurnCycle::FinishSubroutine
+            | TurnCycle::RoughSubroutine(_)
+            | TurnCycle::RoughFaceSubroutine(_) => TurnFamily::Subroutine,
+            TurnCycle::LineThread => TurnFamily::LineThread,
+        }
+    }
+}
+
 /// What becomes of the pockets of a contour.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum PocketHandling {

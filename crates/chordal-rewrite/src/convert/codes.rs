@@ -1,7 +1,7 @@
 //! G and M codes of one control on another: by what they do.
 
 use chordal::control::table::{CodeGroup, CodeRow, code_name, code_number};
-use chordal::control::{Action, AfterCode, LengthCode, ModeCode, OnceCode, PathCode, ReadingCode};
+use chordal::control::{Action, AfterCode, LengthCode, ModeCode, OnceCode, PathCode};
 use chordal::control::{Control, UnitCodes, WorkName};
 
 use super::draft::{BlockDraft, NeedsExpansion};
@@ -31,20 +31,7 @@ fn same(one: Action, other: Action) -> bool {
     if is_own(one) {
         return false;
     }
-    let overrides = |action: Action| match action {
-        Action::Mode(code) => code.overrides(),
-        Action::Reading(_)
-        | Action::Before(_)
-        | Action::Length(_)
-        | Action::Motion(_)
-        | Action::Cycle(_)
-        | Action::Once(_)
-        | Action::After(_)
-        | Action::Call(_)
-        | Action::NoEffect
-        | Action::NotSimulated
-        | Action::NotFollowed => None,
-    };
+    let overrides = |action: Action| action.mode().and_then(ModeCode::overrides);
     let of_both = overrides(one).zip(overrides(other));
     of_both.map_or(one == other, |(one, other)| one == other)
 }
@@ -157,14 +144,11 @@ fn one(
         }
         return Ok(());
     }
-    match own.action {
-        Action::Mode(code) if code.is_work_offset() => {
+    if let Some(code) = own.action.mode() {
+        if code.is_work_offset() {
             return offset_code(draft, at, code, [from, to], style);
         }
-        Action::Mode(code)
-            if code.is_other_plane()
-                && from.parameters.plane_codes != to.parameters.plane_codes =>
-        {
+        if code.is_other_plane() && from.parameters.plane_codes != to.parameters.plane_codes {
             let other = match code == ModeCode::PlaneZx {
                 true => ModeCode::PlaneYz,
                 false => ModeCode::PlaneZx,
@@ -173,53 +157,33 @@ fn one(
             draft.replace(at, new, format!("{title} uses this code for the plane"));
             return Ok(());
         }
-        Action::Mode(code)
-            if code == ModeCode::Path(PathCode::ExactStopOnce) && row(own.action, to).is_none() =>
-        {
+        if code == ModeCode::Path(PathCode::ExactStopOnce) && row(own.action, to).is_none() {
             exact_stop_once(draft, at, to, style);
             return Ok(());
         }
+    }
+    match own.action.once() {
         // Its words differ from one control to the next, but for those that call it alike.
-        Action::Once(OnceCode::Surface(_)) => {
+        Some(OnceCode::Surface(_)) => {
             let is_alike = |row: &CodeRow| row.action == own.action && row.title == own.title;
-            return match there.is_some_and(is_alike) {
-                true => Ok(()),
-                false => Err(missing(own, to)),
-            };
-        }
-        // What is drilled along X, or tapped with a live tool, has codes of its own.
-        Action::Cycle(_)
-            if is_in(own, from) != LatheDrilling::default()
-                && there.is_none_or(|row| row.action != own.action) =>
-        {
-            return match cycle_row(own, is_in(own, from), to) {
-                Some(row) => {
-                    let new = spelt(row, b'G', style);
-                    draft.replace(
-                        at,
-                        new,
-                        format!("{}: {title} has another code for it", own.title),
-                    );
-                    Ok(())
-                }
-                None => Err(missing(own, to)),
-            };
+            return there.is_some_and(is_alike).then_some(()).ok_or_else(|| missing(own, to));
         }
         // What holes these make is looked at with their cycle.
-        Action::Once(OnceCode::Pattern(_)) => return Ok(()),
-        Action::After(AfterCode::RunCycleHere) => return Ok(()),
-        Action::Reading(_)
-        | Action::Before(_)
-        | Action::Mode(_)
-        | Action::Length(_)
-        | Action::Motion(_)
-        | Action::Cycle(_)
-        | Action::Once(_)
-        | Action::After(_)
-        | Action::Call(_)
-        | Action::NoEffect
-        | Action::NotSimulated
-        | Action::NotFollowed => {}
+        Some(OnceCode::Pattern(_)) => return Ok(()),
+        Some(_) | None => {}
+    }
+    if own.action == Action::After(AfterCode::RunCycleHere) {
+        return Ok(());
+    }
+    // What is drilled along X, or tapped with a live tool, has codes of its own.
+    if own.action.cycle().is_some()
+        && is_in(own, from) != LatheDrilling::default()
+        && there.is_none_or(|row| row.action != own.action)
+    {
+        let row = cycle_row(own, is_in(own, from), to).ok_or_else(|| missing(own, to))?;
+        let reason = format!("{}: {title} has another code for it", own.title);
+        draft.replace(at, spelt(row, b'G', style), reason);
+        return Ok(());
     }
     if own.action == Action::Length(LengthCode::Cancel)
         && from.table.firmware.is_none()
@@ -279,52 +243,32 @@ fn without_such_a_code(
     style: WordStyle,
 ) -> Result<(), NeedsExpansion> {
     let title = to.table.title;
-    match own.action {
-        Action::Mode(code) => return mode_without_a_code(draft, at, own, code, to, style),
-        // Centres are written as the new control reads them.
-        Action::Reading(code) => match code {
-            ReadingCode::ArcCenterAbsolute | ReadingCode::ArcCenterIncremental => {
-                draft.remove(at, format!("centres are written as {title} reads them"));
-            }
-            ReadingCode::Inch
-            | ReadingCode::Millimetre
-            | ReadingCode::Absolute
-            | ReadingCode::Incremental
-            | ReadingCode::FeedPerTime
-            | ReadingCode::FeedInverseTime
-            | ReadingCode::FeedPerRevolution
-            | ReadingCode::Diameters
-            | ReadingCode::Radii
-            | ReadingCode::SurfaceSpeed
-            | ReadingCode::SpindleRpm => return Err(missing(own, to)),
-        },
-        Action::Once(code) => {
-            let OnceCode::Probe { must_hit } = code else { return Err(missing(own, to)) };
-            let new = name(Action::Once(OnceCode::Probe { must_hit: !must_hit }), to, style);
-            let Some(new) = new else { return Err(missing(own, to)) };
-            draft.replace(
-                at,
-                new,
-                format!("{title} reports a probe without a touch in another way"),
-            );
-        }
-        Action::Length(LengthCode::Plus | LengthCode::Cancel) if !has_lengths(to) => {
-            draft.remove(at, without_lengths(to));
-            if let Some(h) = draft.place(b'H') {
-                draft.remove(h, without_lengths(to));
-            }
-        }
-        Action::Before(_)
-        | Action::Length(_)
-        | Action::Motion(_)
-        | Action::Cycle(_)
-        | Action::After(_)
-        | Action::Call(_)
-        | Action::NoEffect
-        | Action::NotSimulated
-        | Action::NotFollowed => return Err(missing(own, to)),
+    if let Action::Mode(ModeCode::Path(code)) = own.action {
+        return path_mode_without_a_code(draft, at, own, code, to, style);
     }
-    Ok(())
+    if own.action.facts(to.table, &to.parameters).may_be_left_out {
+        match own.action.mode() {
+            Some(_) => leave_out(draft, at, own, to),
+            None => draft.remove(at, format!("centres are written as {title} reads them")),
+        }
+        return Ok(());
+    }
+    if let Some(OnceCode::Probe { must_hit }) = own.action.once() {
+        let new = name(Action::Once(OnceCode::Probe { must_hit: !must_hit }), to, style);
+        let reason = format!("{title} reports a probe without a touch in another way");
+        draft.replace(at, new.ok_or_else(|| missing(own, to))?, reason);
+        return Ok(());
+    }
+    if matches!(own.action, Action::Length(LengthCode::Plus | LengthCode::Cancel))
+        && !has_lengths(to)
+    {
+        draft.remove(at, without_lengths(to));
+        if let Some(h) = draft.place(b'H') {
+            draft.remove(h, without_lengths(to));
+        }
+        return Ok(());
+    }
+    Err(missing(own, to))
 }
 
 /// It has a table of tool lengths. Where it has none, each tool is set to the work zero by itself.
@@ -337,59 +281,24 @@ pub(crate) fn without_lengths(to: &Control) -> String {
     format!("{} has no tool table: set Z to the work zero with each tool", to.table.title)
 }
 
-fn mode_without_a_code(
+fn path_mode_without_a_code(
     draft: &mut BlockDraft,
     at: usize,
     own: &'static CodeRow,
-    code: ModeCode,
+    code: PathCode,
     to: &Control,
     style: WordStyle,
 ) -> Result<(), NeedsExpansion> {
-    match code {
-        ModeCode::Path(path) => {
-            let stop = Action::Mode(ModeCode::Path(PathCode::ExactStop));
-            match name(stop, to, style).filter(|_| path == PathCode::Exact) {
-                Some(new) => {
-                    let title = to.table.title;
-                    draft.replace(at, new, format!("{title} has no exact path without a stop"));
-                }
-                None if path == PathCode::ExactStopOnce => return Err(missing(own, to)),
-                None => leave_out(draft, at, own, to),
-            }
-            Ok(())
+    let stop = Action::Mode(ModeCode::Path(PathCode::ExactStop));
+    match name(stop, to, style).filter(|_| code == PathCode::Exact) {
+        Some(new) => {
+            let title = to.table.title;
+            draft.replace(at, new, format!("{title} has no exact path without a stop"));
         }
-        // What stood among the data was refused before.
-        ModeCode::Overrides { .. }
-        | ModeCode::OverridesByP
-        | ModeCode::ThreadExit { .. }
-        | ModeCode::DataLinesOff => {
-            leave_out(draft, at, own, to);
-            Ok(())
-        }
-        ModeCode::PlaneXy
-        | ModeCode::PlaneZx
-        | ModeCode::PlaneYz
-        | ModeCode::CompensationOff
-        | ModeCode::CompensationLeft
-        | ModeCode::CompensationRight
-        | ModeCode::CompensationLeftBy
-        | ModeCode::CompensationRightBy
-        | ModeCode::StoreReference { .. }
-        | ModeCode::CornerArc
-        | ModeCode::WorkOffset(_)
-        | ModeCode::WorkOffsetPoint(_)
-        | ModeCode::WorkOffsetExtended
-        | ModeCode::WorkOffsetCounted
-        | ModeCode::WorkOffsetNumbered(_)
-        | ModeCode::ReturnInitial
-        | ModeCode::ReturnToR
-        | ModeCode::CancelCycle
-        | ModeCode::RotationOff
-        | ModeCode::ScalingOff
-        | ModeCode::Polar { .. }
-        | ModeCode::ModalSubroutine
-        | ModeCode::ModalCallOff => Err(missing(own, to)),
+        None if code == PathCode::ExactStopOnce => return Err(missing(own, to)),
+        None => leave_out(draft, at, own, to),
     }
+    Ok(())
 }
 
 fn is_chosen(row: &CodeRow, control: &Control) -> bool {
@@ -440,36 +349,11 @@ fn offset_code(
     style: WordStyle,
 ) -> Result<(), NeedsExpansion> {
     let p = draft.place(b'P');
-    let name = match code {
-        ModeCode::WorkOffset(number) => WorkName::G(number),
-        ModeCode::WorkOffsetPoint(number) => WorkName::G59(number),
-        ModeCode::WorkOffsetNumbered(number) => WorkName::Extended(number),
-        ModeCode::WorkOffsetCounted if p.is_none() => WorkName::G(59),
-        ModeCode::WorkOffsetCounted
-        | ModeCode::WorkOffsetExtended
-        | ModeCode::PlaneXy
-        | ModeCode::PlaneZx
-        | ModeCode::PlaneYz
-        | ModeCode::CompensationOff
-        | ModeCode::CompensationLeft
-        | ModeCode::CompensationRight
-        | ModeCode::CompensationLeftBy
-        | ModeCode::CompensationRightBy
-        | ModeCode::StoreReference { .. }
-        | ModeCode::CornerArc
-        | ModeCode::ReturnInitial
-        | ModeCode::ReturnToR
-        | ModeCode::CancelCycle
-        | ModeCode::Path(_)
-        | ModeCode::Overrides { .. }
-        | ModeCode::OverridesByP
-        | ModeCode::RotationOff
-        | ModeCode::ScalingOff
-        | ModeCode::Polar { .. }
-        | ModeCode::ModalSubroutine
-        | ModeCode::ModalCallOff
-        | ModeCode::ThreadExit { .. }
-        | ModeCode::DataLinesOff => {
+    let is_counted = code == ModeCode::WorkOffsetCounted;
+    let by_code = code.work_name().or((is_counted && p.is_none()).then_some(WorkName::G(59)));
+    let name = match by_code {
+        Some(name) => name,
+        None => {
             let number = whole(p.map(|p| &draft.block.words[p]));
             let number = number.and_then(|number| u16::try_from(number).ok());
             let Some(number) = number else {
@@ -479,7 +363,7 @@ fn offset_code(
                 return Ok(());
             }
             draft.set(p.unwrap_or(at), "");
-            if code == ModeCode::WorkOffsetCounted {
+            if is_counted {
                 let none = || NeedsExpansion("there is no work offset 0".into());
                 WorkName::counted(number).ok_or_else(none)?
             } else {

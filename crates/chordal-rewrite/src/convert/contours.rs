@@ -3,11 +3,11 @@
 use std::ops::Range;
 
 use chordal::Job;
-use chordal::control::{Action, TurnCycle};
+use chordal::control::{Action, TurnCycle, TurnFamily};
 use chordal::syntax::BlockKind;
 
 use super::trace::BlockFacts;
-use crate::source::{SourceBlocks, code_action, turning_cycle, whole};
+use crate::source::{SourceBlocks, code_action, whole};
 
 /// Blocks that cycles take as their contour.
 #[derive(Clone, Debug)]
@@ -25,8 +25,9 @@ pub(crate) struct CycleContours {
 
 /// The cycle of a lathe that a block calls.
 pub(crate) fn cycle_of(source: &SourceBlocks, at: usize, job: &Job) -> Option<TurnCycle> {
-    let codes = source.blocks[at].words.iter().filter_map(|word| code_action(word, job.control()));
-    codes.filter_map(Action::once).find_map(turning_cycle)
+    let mut codes =
+        source.blocks[at].words.iter().filter_map(|word| code_action(word, job.control()));
+    codes.find_map(Action::turning_cycle)
 }
 
 impl CycleContours {
@@ -37,17 +38,11 @@ impl CycleContours {
         }
         for at in 0..source.blocks.len() {
             let Some(cycle) = cycle_of(source, at, job) else { continue };
-            let (blocks, skips) = match cycle {
-                TurnCycle::Finish => (labelled(source, at), false),
-                TurnCycle::Rough | TurnCycle::RoughFace | TurnCycle::Pattern => {
-                    (labelled(source, at), true)
-                }
-                TurnCycle::FinishSubroutine
-                | TurnCycle::RoughSubroutine(_)
-                | TurnCycle::RoughFaceSubroutine(_) => (subroutine(source, at), true),
-                TurnCycle::PeckZ | TurnCycle::PeckX | TurnCycle::Thread | TurnCycle::LineThread => {
-                    continue;
-                }
+            let (blocks, skips) = match cycle.family() {
+                TurnFamily::Finish => (labelled(source, at), false),
+                TurnFamily::Rough | TurnFamily::Pattern => (labelled(source, at), true),
+                TurnFamily::Subroutine => (subroutine(source, at), true),
+                TurnFamily::Peck | TurnFamily::Thread | TurnFamily::LineThread => continue,
             };
             let Some(blocks) = blocks else { continue };
             match contours.list.iter_mut().find(|contour| contour.blocks == blocks) {

@@ -1,7 +1,7 @@
 //! Cycles of lathes that stay although the new control cuts them in other passes: where they are, and what differs, measured
 //! on both runs.
 
-use chordal::control::{Action, OnceCode, TurnCycle};
+use chordal::control::{Action, OnceCode, TurnCycle, TurnFamily};
 use chordal_compare::{FreePasses, LastPass};
 
 use super::codes;
@@ -9,7 +9,7 @@ use super::context::ConvertContext;
 use super::layout::TextLayout;
 use super::plan::ConvertPlan;
 use crate::Certificate;
-use crate::source::{code_action, turning_cycle};
+use crate::source::code_action;
 
 /// A block whose passes are others.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,16 +36,12 @@ pub struct PassReading {
 /// The cycle that a block cuts in passes of its control.
 fn cycle_of(context: &ConvertContext, at: usize) -> Option<(TurnCycle, LastPass)> {
     context.source.blocks[at].words.iter().find_map(|word| {
-        let cycle = turning_cycle(code_action(word, context.from)?.once()?)?;
-        let last = match cycle {
-            TurnCycle::Rough | TurnCycle::RoughFace | TurnCycle::Pattern => LastPass::Contour,
-            TurnCycle::Thread => LastPass::Cut,
-            TurnCycle::PeckZ | TurnCycle::PeckX => LastPass::Plunges,
-            TurnCycle::Finish
-            | TurnCycle::FinishSubroutine
-            | TurnCycle::RoughSubroutine(_)
-            | TurnCycle::RoughFaceSubroutine(_)
-            | TurnCycle::LineThread => return None,
+        let cycle = code_action(word, context.from)?.turning_cycle()?;
+        let last = match cycle.family() {
+            TurnFamily::Rough | TurnFamily::Pattern => LastPass::Contour,
+            TurnFamily::Thread => LastPass::Cut,
+            TurnFamily::Peck => LastPass::Plunges,
+            TurnFamily::Finish | TurnFamily::Subroutine | TurnFamily::LineThread => return None,
         };
         Some((cycle, last))
     })

@@ -48,9 +48,9 @@ const EQUAL_PECK_MM: f64 = 1e-6;
 impl PeckReading {
     fn of(pecks: &HolePecks, kind: CycleKind, control: &Control) -> PeckReading {
         let rules = &control.parameters.rules;
-        let (field, set_mm) = match kind {
-            CycleKind::ChipBreak => (SettingField::CHIP_BREAK, rules.chip_break_mm),
-            _ => (SettingField::PECK_CLEARANCE, rules.peck_clearance_mm),
+        let (field, set_mm) = match kind == CycleKind::ChipBreak {
+            true => (SettingField::CHIP_BREAK, rules.chip_break_mm),
+            false => (SettingField::PECK_CLEARANCE, rules.peck_clearance_mm),
         };
         let name = |fields: &[SettingField]| {
             let own = control.table.settings.iter().chain(COMMON_SETTINGS);

@@ -1,9 +1,10 @@
 //! What the words of a block stand for, by what it did.
 
 use chordal::Control;
-use chordal::control::CycleKind;
-use chordal::control::{Action, CallCode, ModeCode, OnceCode, PathCode, ReadingCode};
-use chordal::control::{DrillingAxis, FeedMode, TapFeed};
+use chordal::control::{Action, ModeCode, OnceCode, PathCode, ReadingCode};
+use chordal::control::{
+    BlockSort, CycleWordRole, DrillingAxis, FeedMode, TapFeed, cycle_word_role,
+};
 use chordal::syntax::{Block, Word, WordValue};
 
 use super::record::{BlockEffect, ReadingContext};
@@ -49,68 +50,6 @@ pub(super) fn actions<'a>(
     block.words.iter().filter_map(move |word| Some((word, control.row_of(word)?.action)))
 }
 
-/// What sort of block it is, where words do not mean what they mean next to a move.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum BlockSort {
-    Move,
-    Dwell,
-    Data,
-    Machine,
-    Local,
-    Arguments,
-    Pattern,
-    Pocket,
-}
-
-/// What the words of a block are to a code; `None` where it takes them as any move does.
-fn sort_of(action: Action) -> Option<BlockSort> {
-    match action {
-        Action::Once(code) => match code {
-            OnceCode::Dwell => Some(BlockSort::Dwell),
-            OnceCode::SetData => Some(BlockSort::Data),
-            OnceCode::MachineCoordinates => Some(BlockSort::Machine),
-            OnceCode::LocalShift => Some(BlockSort::Local),
-            OnceCode::Pattern(_) => Some(BlockSort::Pattern),
-            OnceCode::CircularPocketCw | OnceCode::CircularPocketCcw | OnceCode::GeneralPocket => {
-                Some(BlockSort::Pocket)
-            }
-            OnceCode::ReturnToReference { .. }
-            | OnceCode::ReturnFromReference
-            | OnceCode::Home
-            | OnceCode::PresetPosition
-            | OnceCode::ClearPreset { .. }
-            | OnceCode::RestorePreset
-            | OnceCode::Rotation
-            | OnceCode::Scaling
-            | OnceCode::Mirror { .. }
-            | OnceCode::MirrorOff
-            | OnceCode::Probe { .. }
-            | OnceCode::Turning(_)
-            // Programs with them are not transformed.
-            | OnceCode::Surface(_)
-            | OnceCode::Engraving
-            | OnceCode::CornerArcAlone => None,
-        },
-        Action::Call(code) => match code {
-            CallCode::MacroCall | CallCode::ModalMacroCall { .. } => Some(BlockSort::Arguments),
-            CallCode::CallProgram
-            | CallCode::CallLabel
-            | CallCode::Return
-            | CallCode::SubroutineEnd => None,
-        },
-        Action::Mode(code) => (code == ModeCode::ModalSubroutine).then_some(BlockSort::Arguments),
-        Action::Reading(_)
-        | Action::Before(_)
-        | Action::Length(_)
-        | Action::Motion(_)
-        | Action::Cycle(_)
-        | Action::After(_)
-        | Action::NoEffect
-        | Action::NotSimulated
-        | Action::NotFollowed => None,
-    }
-}
-
 /// The role of each word of a block.
 pub(super) fn roles(block: &Block, context: &ReadingContext, control: &Control) -> Vec<NumberRole> {
     let mut sort = BlockSort::Move;
@@ -118,7 +57,10 @@ pub(super) fn roles(block: &Block, context: &ReadingContext, control: &Control) 
     // Letters that are lengths with a code that says how corners are passed.
     let mut corner_letters: &[u8] = b"";
     for (_, action) in actions(block, control) {
-        sort = sort_of(action).unwrap_or(sort);
+        let own = action.facts(control.table, &control.parameters).block;
+        if own != BlockSort::Move {
+            sort = own;
+        }
         if action == Action::Mode(ModeCode::Path(PathCode::Continuous)) {
             corner_letters = b"PQ";
         } else if action == Action::Mode(ModeCode::Path(PathCode::Smoothness)) {
@@ -232,14 +174,9 @@ fn move_role(
                 NumberRole::Spoke(axis)
             }
         }
-        letter @ b'I'..=b'K' if in_cycle => match context.cycle {
-            Some(CycleKind::FineBore | CycleKind::BackBore) if letter != b'K' => {
-                NumberRole::Distance(usize::from(letter - b'I'))
-            }
-            // K counts repeats on some controls, and then has no point.
-            _ if word.number().is_some_and(|number| number.has_point) => NumberRole::Length,
-            _ => NumberRole::Other,
-        },
+        b'I'..=b'K' | b'Q' if in_cycle => context
+            .cycle
+            .map_or(NumberRole::Other, |kind| cycle_word(cycle_word_role(kind, word.letter), word)),
         letter @ b'I'..=b'K' if starts_compensation => {
             NumberRole::Distance(usize::from(letter - b'I'))
         }
@@ -250,12 +187,27 @@ fn move_role(
         },
         b'R' if is_arc => NumberRole::Length,
         b'R' if in_cycle => place(drilled),
-        b'Q' if in_cycle => match context.cycle {
-            Some(CycleKind::FineBore | CycleKind::BackBore) => NumberRole::Doubtful,
-            _ => NumberRole::Length,
-        },
         b'Q' if context.did == BlockEffect::Spiral => NumberRole::Length,
         _ => NumberRole::Other,
+    }
+}
+
+/// The role of a word of a cycle.
+fn cycle_word(role: CycleWordRole, word: &Word) -> NumberRole {
+    let has_point = word.number().is_some_and(|number| number.has_point);
+    match role {
+        CycleWordRole::Length => NumberRole::Length,
+        CycleWordRole::LengthByPoint if has_point => NumberRole::Length,
+        CycleWordRole::CountedLength | CycleWordRole::CountedInTwoBlocks if has_point => {
+            NumberRole::Length
+        }
+        CycleWordRole::CountedLength | CycleWordRole::CountedInTwoBlocks => NumberRole::Counted,
+        CycleWordRole::Distance(axis) => NumberRole::Distance(axis),
+        CycleWordRole::Lead => NumberRole::Lead,
+        CycleWordRole::Doubtful => NumberRole::Doubtful,
+        CycleWordRole::LengthByPoint | CycleWordRole::Move | CycleWordRole::Other => {
+            NumberRole::Other
+        }
     }
 }
 

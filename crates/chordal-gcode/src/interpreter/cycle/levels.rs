@@ -3,7 +3,7 @@
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::{Action, ReadingCode};
 use chordal_kernel::CycleState;
-use chordal_kernel::rules::{CycleKind, DrillingAxis, IncrementalLevels, TapFeed};
+use chordal_kernel::rules::{DrillingAxis, IncrementalLevels, TapFeed};
 use chordal_syntax::{Block, Letters};
 
 use super::super::Interpreter;
@@ -121,11 +121,7 @@ impl Interpreter<'_> {
     /// Reads P: a dwell, or on some controls a distance.
     fn take_cycle_p(&mut self, block: &Block, cycle: &mut CycleState) {
         let rules = &self.control.parameters.rules.cycles;
-        let is_distance = match cycle.kind {
-            CycleKind::ChipBreak => rules.peck.p_is_lift,
-            CycleKind::Peck => rules.peck.p_is_clearance,
-            _ => false,
-        };
+        let is_distance = rules.peck.p_is_distance(cycle.kind);
         let (integer_s, point_s) = (rules.dwell_integer_s, rules.dwell_point_s);
         if is_distance {
             cycle.lift = self.cycle_length(block, b'P').map(f64::abs);

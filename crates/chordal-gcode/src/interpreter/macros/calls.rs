@@ -135,20 +135,15 @@ impl Interpreter<'_> {
             b'G' => {
                 let code = word.number().and_then(code_number);
                 code.and_then(|code| self.control.g_code(code)).is_some_and(|row| {
-                    match row.action {
+                    matches!(
+                        row.action,
                         Action::Reading(_)
-                        | Action::Mode(_)
-                        | Action::Motion(_)
-                        | Action::NoEffect
-                        | Action::NotSimulated => true,
-                        Action::Length(code) => code == LengthCode::Cancel,
-                        Action::Before(_)
-                        | Action::Cycle(_)
-                        | Action::Once(_)
-                        | Action::After(_)
-                        | Action::Call(_)
-                        | Action::NotFollowed => false,
-                    }
+                            | Action::Mode(_)
+                            | Action::Motion(_)
+                            | Action::NoEffect
+                            | Action::NotSimulated
+                            | Action::Length(LengthCode::Cancel)
+                    )
                 })
             }
             _ => false,

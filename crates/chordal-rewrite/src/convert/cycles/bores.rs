@@ -17,13 +17,13 @@ pub(super) fn words(
     run: &BlockExecution,
 ) -> Result<(), NeedsExpansion> {
     let [one, other] = context.controls().map(|control| control.parameters.rules.cycles.bore);
-    match kind {
-        CycleKind::FineBore | CycleKind::BackBore => shift(context, draft, run, [one, other]),
-        CycleKind::BoreStop if one.dwell_before_stop != other.dwell_before_stop => {
-            dwell(context, draft, one)
-        }
-        _ => Ok(()),
+    if kind.steps_aside() {
+        return shift(context, draft, run, [one, other]);
     }
+    if kind == CycleKind::BoreStop && one.dwell_before_stop != other.dwell_before_stop {
+        return dwell(context, draft, one);
+    }
+    Ok(())
 }
 
 /// P of G86 where only one of the controls waits.

@@ -1,6 +1,6 @@
 //! Which cycles mean the same on two controls.
 
-use chordal::control::{Action, Control, CycleKind};
+use chordal::control::{Action, Control, CycleFamily, CycleKind};
 use chordal::geometry::Plane;
 
 use crate::convert::codes;
@@ -22,31 +22,27 @@ pub(super) fn is_kept(
     if has_code && is_same_axis && has_same_moves(kind, from, to, context.exact_cycles) {
         return Ok(());
     }
-    Err(NeedsExpansion(format!("{} works differently on {}", kind.name(), to.table.title)))
+    Err(NeedsExpansion(format!("{} works differently on {}", kind.facts().name, to.table.title)))
 }
 
 /// The moves of a hole are the same; those of pecks may differ unless `exact`.
 fn has_same_moves(kind: CycleKind, from: &Control, to: &Control, exact: bool) -> bool {
     let rules = [&from.parameters.rules, &to.parameters.rules];
     let [one, other] = rules.map(|rules| rules.cycles);
-    match kind {
+    if kind.facts().of_one_control {
+        return false;
+    }
+    match kind.family() {
         // A tap cannot be written out: the spindle would not follow. The proof says what differs.
-        CycleKind::Tap | CycleKind::LeftTap => true,
-        CycleKind::Drill
-        | CycleKind::DrillDwell
-        | CycleKind::BoreFeedOut
-        | CycleKind::BoreDwell
-        | CycleKind::BoreStop
-        | CycleKind::BoreManual => true,
+        CycleFamily::Tap | CycleFamily::Drill | CycleFamily::Bore => true,
         // P can say the lift of G73 where it is one there.
-        CycleKind::ChipBreak => {
+        CycleFamily::ChipBreak => {
             !exact || rules[0].chip_break_mm == rules[1].chip_break_mm || other.peck.p_is_lift
         }
-        CycleKind::Peck => !exact || rules[0].peck_clearance_mm == rules[1].peck_clearance_mm,
-        CycleKind::FineBore => one.bore.shift_at_feed == other.bore.shift_at_feed,
-        CycleKind::BackBore => {
+        CycleFamily::Peck => !exact || rules[0].peck_clearance_mm == rules[1].peck_clearance_mm,
+        CycleFamily::FineBore => one.bore.shift_at_feed == other.bore.shift_at_feed,
+        CycleFamily::BackBore => {
             one.bore.shift_at_feed == other.bore.shift_at_feed && one.bore.back == other.bore.back
         }
-        CycleKind::SelfReversingTap | CycleKind::BoreInOut => false,
     }
 }

@@ -33,12 +33,8 @@ pub(super) fn words(
 
 fn meaning_of_p(control: &Control, kind: CycleKind) -> PeckWordMeaning {
     let rules = control.parameters.rules.cycles.peck;
-    let is_lift = match kind {
-        CycleKind::ChipBreak => rules.p_is_lift,
-        _ => rules.p_is_clearance,
-    };
     match rules.dwell {
-        _ if is_lift => PeckWordMeaning::Lift,
+        _ if rules.p_is_distance(kind) => PeckWordMeaning::Lift,
         PeckDwell::Bottom => PeckWordMeaning::DwellAtBottom,
         PeckDwell::EachPeck if kind == CycleKind::ChipBreak => PeckWordMeaning::DwellAtEachPeck,
         PeckDwell::EachPeck | PeckDwell::None => PeckWordMeaning::Nothing,
@@ -71,9 +67,9 @@ fn dwell_or_lift(
     }
     if other == PeckWordMeaning::Lift {
         let rules = &context.from.parameters.rules;
-        let mm = match kind {
-            CycleKind::ChipBreak => rules.chip_break_mm,
-            _ => rules.peck_clearance_mm,
+        let mm = match kind == CycleKind::ChipBreak {
+            true => rules.chip_break_mm,
+            false => rules.peck_clearance_mm,
         };
         let digits = numbers::digits(context.to, run.after.units);
         let text = numbers::length(mm, run.after.units, digits, context.style());

@@ -3,14 +3,14 @@
 //! A control with two blocks gives depths, retracts and the like in a block before that of the cycle; the other one has
 //! all of it in one block, or in settings. What has no word stays a setting: the proof says whether that makes a difference.
 
-use chordal::control::{Action, ModeCode, OnceCode, TurnCycle, TurningRules};
+use chordal::control::{Action, ModeCode, OnceCode, TurnCycle, TurnFamily, TurningRules};
 use chordal::syntax::{Block, Decimal, Letters};
 
 use crate::convert::codes;
 use crate::convert::context::ConvertContext;
 use crate::convert::draft::{BlockDraft, NeedsExpansion};
 use crate::convert::numbers;
-use crate::source::{code_action, lacks_ends, turning_cycle};
+use crate::source::{code_action, lacks_ends};
 
 /// Angles of the tool that a packed word may name, degrees.
 const ANGLES: [f64; 6] = [0.0, 29.0, 30.0, 55.0, 60.0, 80.0];
@@ -20,10 +20,12 @@ pub(super) fn translate(
     draft: &mut BlockDraft,
     at: usize,
 ) -> Result<(), NeedsExpansion> {
-    let found = draft.block.words.iter().enumerate().find_map(|(word, own)| {
-        let once = code_action(own, context.from)?.once()?;
-        Some((word, turning_cycle(once)?))
-    });
+    let found = draft
+        .block
+        .words
+        .iter()
+        .enumerate()
+        .find_map(|(word, own)| Some((word, code_action(own, context.from)?.turning_cycle()?)));
     let Some((code, cycle)) = found else { return Ok(()) };
     let title = context.to.table.title;
     let action = Action::Once(OnceCode::Turning(cycle));
@@ -55,7 +57,7 @@ impl LatheCycleBlock<'_> {
     /// A letter that says whether pockets are cut means nothing on the other control.
     fn pockets(&self, draft: &BlockDraft) -> Result<(), NeedsExpansion> {
         let [one, other] = self.rules();
-        let cuts = matches!(self.cycle, TurnCycle::Rough | TurnCycle::RoughFace);
+        let cuts = self.cycle.family() == TurnFamily::Rough;
         let letters = [one.pockets_by, other.pockets_by].into_iter().flatten();
         let says = |letter: u8| {
             cuts && !lacks_ends(self.cycle, draft.block) && draft.place(letter).is_some()
@@ -157,15 +159,15 @@ impl LatheCycleBlock<'_> {
             return Ok(());
         }
         let block = draft.block;
-        match self.cycle {
-            TurnCycle::Rough | TurnCycle::RoughFace => {
+        match self.cycle.family() {
+            TurnFamily::Rough => {
                 if block.letters().has(b'D') {
                     return Ok(());
                 }
                 let depth = self.setup_length(self.depth_letter())?.unwrap_or(one.rough_depth_mm);
                 self.put(draft, None, self.word(b'D', depth.abs()), &reason);
             }
-            TurnCycle::Pattern => {
+            TurnFamily::Pattern => {
                 if block.letters().has(b'D') {
                     return Ok(());
                 }
@@ -177,7 +179,7 @@ impl LatheCycleBlock<'_> {
                 }
                 self.put(draft, None, format!("D{passes:.0}"), &reason);
             }
-            TurnCycle::PeckZ | TurnCycle::PeckX => {
+            TurnFamily::Peck => {
                 for (from, letter) in [(b'P', b'I'), (b'Q', b'K')] {
                     if let Some(mm) = self.increments(block, from)? {
                         self.put(draft, Some(from), self.word(letter, mm.abs()), &reason);
@@ -187,12 +189,8 @@ impl LatheCycleBlock<'_> {
                     self.put(draft, Some(b'R'), self.word(b'D', mm), &reason);
                 }
             }
-            TurnCycle::Thread => self.thread_in_one_block(draft, [one, other])?,
-            TurnCycle::Finish
-            | TurnCycle::FinishSubroutine
-            | TurnCycle::RoughSubroutine(_)
-            | TurnCycle::RoughFaceSubroutine(_)
-            | TurnCycle::LineThread => {}
+            TurnFamily::Thread => self.thread_in_one_block(draft, [one, other])?,
+            TurnFamily::Finish | TurnFamily::Subroutine | TurnFamily::LineThread => {}
         }
         Ok(())
     }
@@ -273,8 +271,8 @@ impl LatheCycleBlock<'_> {
             self.context.style(),
         )
         .unwrap_or(code);
-        match self.cycle {
-            TurnCycle::Rough | TurnCycle::RoughFace => {
+        match self.cycle.family() {
+            TurnFamily::Rough => {
                 if block.letters().meets(Letters::of("IK")) {
                     let title = self.context.to.table.title;
                     return Err(NeedsExpansion(format!(
@@ -288,7 +286,7 @@ impl LatheCycleBlock<'_> {
                 ];
                 self.lead_in(draft, &code, words, b"D");
             }
-            TurnCycle::Pattern => {
+            TurnFamily::Pattern => {
                 let along = |letter| Ok(self.length(block, letter)?.unwrap_or(0.0));
                 let passes = self.number(block, b'D')?.map_or(1.0, |passes| passes.to_f64());
                 let words = vec![
@@ -298,7 +296,7 @@ impl LatheCycleBlock<'_> {
                 ];
                 self.lead_in(draft, &code, words, b"IKD");
             }
-            TurnCycle::PeckZ | TurnCycle::PeckX => {
+            TurnFamily::Peck => {
                 self.lead_in(draft, &code, vec![self.word(b'R', one.peck_retract_mm)], &[]);
                 let reason = self.two_blocks();
                 for (from, letter) in [(b'I', b'P'), (b'K', b'Q')] {
@@ -310,12 +308,8 @@ impl LatheCycleBlock<'_> {
                     self.put(draft, Some(b'D'), self.word(b'R', mm), &reason);
                 }
             }
-            TurnCycle::Thread => self.thread_in_two_blocks(draft, &code, one)?,
-            TurnCycle::Finish
-            | TurnCycle::FinishSubroutine
-            | TurnCycle::RoughSubroutine(_)
-            | TurnCycle::RoughFaceSubroutine(_)
-            | TurnCycle::LineThread => {}
+            TurnFamily::Thread => self.thread_in_two_blocks(draft, &code, one)?,
+            TurnFamily::Finish | TurnFamily::Subroutine | TurnFamily::LineThread => {}
         }
         Ok(())
     }

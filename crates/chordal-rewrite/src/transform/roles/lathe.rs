@@ -1,12 +1,15 @@
 //! What the words of a lathe's block stand for: increments, cycles, threads, corners of lines.
 
 use chordal::Control;
-use chordal::control::{Action, MotionCode, OnceCode, TurnCycle, TurnPass, code_number};
+use chordal::control::{
+    Action, CycleWordRole, MotionCode, OnceCode, TurnCycle, TurnFamily, TurnPass, code_number,
+    turn_facts,
+};
 use chordal::syntax::{Block, Letters, Word};
 
 use super::super::record::{BlockEffect, ReadingContext};
-use super::{NumberRole, actions};
-use crate::source::{is_setup, turning_cycle};
+use super::{NumberRole, actions, cycle_word};
+use crate::source::is_setup;
 
 /// What a block of a lathe is, where its words do not mean what they mean next to a move.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -31,7 +34,7 @@ impl LatheBlockSort {
     ) -> LatheBlockSort {
         let named = actions(block, control).find_map(|(_, action)| {
             if let Some(code) = action.once() {
-                let cycle = turning_cycle(code).map(|cycle| LatheBlockSort::Cycle {
+                let cycle = action.turning_cycle().map(|cycle| LatheBlockSort::Cycle {
                     cycle,
                     is_setup: is_setup(cycle, block, control),
                 });
@@ -50,7 +53,7 @@ impl LatheBlockSort {
         match self {
             LatheBlockSort::Thread | LatheBlockSort::Pass(TurnPass::Thread) => true,
             LatheBlockSort::Cycle { cycle, .. } => {
-                matches!(cycle, TurnCycle::Thread | TurnCycle::LineThread)
+                matches!(cycle.family(), TurnFamily::Thread | TurnFamily::LineThread)
             }
             LatheBlockSort::Pass(TurnPass::Turning | TurnPass::Facing)
             | LatheBlockSort::Move
@@ -146,64 +149,14 @@ fn of_cycle(
     is_setup: bool,
     control: &Control,
 ) -> Option<NumberRole> {
-    let one_line = block.letters().meets(Letters::of("KD"));
-    let counted = counted_or_length(word);
-    Some(match (cycle, word.letter) {
-        (_, b'G' | b'M' | b'N' | b'T' | b'O') => return None,
-        (TurnCycle::LineThread, b'P') => NumberRole::Lead,
-        (TurnCycle::Thread, b'F') => NumberRole::Lead,
-        (_, b'F' | b'S') => return None,
-        (TurnCycle::Rough | TurnCycle::RoughFace, letter) => match (is_setup, letter) {
-            (true, b'U' | b'W' | b'R') => NumberRole::Length,
-            (false, b'U') => NumberRole::Distance(0),
-            (false, b'W') => NumberRole::Distance(2),
-            (false, b'D' | b'I' | b'K') => NumberRole::Length,
-            _ => NumberRole::Other,
-        },
-        (TurnCycle::Pattern, letter) => match letter {
-            b'U' | b'I' => NumberRole::Distance(0),
-            b'W' | b'K' => NumberRole::Distance(2),
-            _ => NumberRole::Other,
-        },
-        (TurnCycle::PeckZ | TurnCycle::PeckX, letter) => match letter {
-            b'X' | b'Z' | b'U' | b'W' => return increment(word, control),
-            b'P' | b'Q' => counted,
-            b'R' | b'I' | b'K' | b'D' => NumberRole::Length,
-            _ => NumberRole::Other,
-        },
-        (TurnCycle::Thread, letter) => match letter {
-            b'X' | b'Z' | b'U' | b'W' => return increment(word, control),
-            b'Q' if is_setup || !one_line => counted,
-            b'P' if !is_setup && !one_line => counted,
-            b'R' if is_setup => NumberRole::Length,
-            b'R' | b'I' => NumberRole::Distance(0),
-            b'K' | b'D' => counted,
-            _ => NumberRole::Other,
-        },
-        (TurnCycle::Finish, _) => NumberRole::Other,
-        (TurnCycle::FinishSubroutine, letter) => match letter {
-            b'X' | b'Z' => return None,
-            b'D' | b'E' => NumberRole::Length,
-            _ => NumberRole::Other,
-        },
-        (TurnCycle::RoughSubroutine(_) | TurnCycle::RoughFaceSubroutine(_), letter) => match letter
-        {
-            b'X' | b'Z' => return None,
-            b'D' | b'I' | b'R' => NumberRole::Length,
-            _ => NumberRole::Other,
-        },
-        (TurnCycle::LineThread, letter) => match letter {
-            b'X' | b'Z' => return None,
-            b'I' => NumberRole::Distance(0),
-            b'J' | b'K' | b'E' => NumberRole::Length,
-            _ => NumberRole::Other,
-        },
-    })
-}
-
-fn counted_or_length(word: &Word) -> NumberRole {
-    match word.number() {
-        Some(number) if number.has_point => NumberRole::Length,
-        _ => NumberRole::Counted,
+    if matches!(word.letter, b'G' | b'M' | b'N' | b'T' | b'O') {
+        return None;
+    }
+    match turn_facts(cycle).role(word.letter, is_setup) {
+        CycleWordRole::Move => increment(word, control),
+        CycleWordRole::CountedInTwoBlocks if block.letters().meets(Letters::of("KD")) => {
+            Some(NumberRole::Other)
+        }
+        role => Some(cycle_word(role, word)),
     }
 }

@@ -1,0 +1,127 @@
+//! Meanings of words that depend on the rules and the table of a control.
+
+use chordal_kernel::rules::{ArcCenter, SpiralForm};
+
+use super::{WordMeanings, cycle, turn_facts};
+use crate::parameters::Parameters;
+use crate::table::{ArcTurns, ControlTable, DataTarget, DwellWord};
+
+/// What a letter means; `None` where it is accepted and does nothing to the path.
+pub(super) fn meaning(
+    words: WordMeanings,
+    letter: u8,
+    table: &ControlTable,
+    parameters: &Parameters,
+) -> Option<String> {
+    let of_rows = |rows: &[(&str, &'static str)]| {
+        let has = |letters: &str| letters.is_empty() || letters.contains(char::from(letter));
+        rows.iter().find(|(letters, _)| has(letters)).map(|(_, meaning)| *meaning)
+    };
+    let text = match words {
+        WordMeanings::Rows(rows) => of_rows(rows)?,
+        WordMeanings::Turning(cycle) => turn_facts(cycle).meaning(letter)?,
+        WordMeanings::Cycle(kind) => return cycle::meaning(kind, letter, table, parameters),
+        WordMeanings::Data => data(letter, table)?,
+        WordMeanings::Call => call(letter, table, parameters)?,
+        WordMeanings::Arc => return arc(letter, table, parameters),
+        WordMeanings::Spiral => match letter {
+            b'P' => "whole turns beyond the angle from start to end, 0 to 99",
+            b'I' | b'J' | b'K' => return Some(center(letter, parameters)),
+            _ => return None,
+        },
+        WordMeanings::Dwell => {
+            let word = table.dwell_words(parameters).find(|word| word.letter == letter)?;
+            return Some(format!("time: {}", dwell_text(word)));
+        }
+        WordMeanings::LookAhead { letter: own, on } => {
+            let on = on.iter().map(u32::to_string).collect::<Vec<_>>().join(" or ");
+            return (own == letter).then(|| format!("{on} switches look-ahead on, 0 off"));
+        }
+    };
+    Some(text.into())
+}
+
+/// `P1 is 0.001 s, P1. is 1 s`.
+pub fn dwell_text(word: DwellWord) -> String {
+    let (letter, whole, point) = (char::from(word.letter), word.integer_s, word.point_s);
+    if !word.takes_point {
+        format!("{letter}1 is {whole} s; a point is an alarm")
+    } else if whole == point {
+        format!("{letter}1 is {whole} s, with a point or without")
+    } else {
+        format!("{letter}1 is {whole} s, {letter}1. is {point} s")
+    }
+}
+
+/// I, J and K: centre of an arc along X, Y or Z.
+fn center(letter: u8, parameters: &Parameters) -> String {
+    let axis = match letter {
+        b'I' => 'X',
+        b'J' => 'Y',
+        _ => 'Z',
+    };
+    match parameters.rules.arc.arc_center {
+        ArcCenter::FromStart => format!("from the start of the arc to its centre, along {axis}"),
+        ArcCenter::Absolute => format!("{axis} of the centre"),
+        ArcCenter::FromCenter => format!("from the centre to the start of the arc, along {axis}"),
+    }
+}
+
+fn arc(letter: u8, table: &ControlTable, parameters: &Parameters) -> Option<String> {
+    let text = match (letter, parameters.rules.arc.spiral) {
+        (b'I' | b'J' | b'K', SpiralForm::IncrementHeightCount) => {
+            let center = center(letter, parameters);
+            return Some(format!(
+                "{center}; of the axis that is not in the plane the rise of a spiral in one turn"
+            ));
+        }
+        (b'I' | b'J' | b'K', _) => return Some(center(letter, parameters)),
+        (b'R', _) => "radius; negative for an arc of more than half a turn",
+        (b'P', _) => match table.arc_turns {
+            ArcTurns::None => return None,
+            ArcTurns::Extra => "full turns in addition to the arc's own",
+            ArcTurns::BeyondAngle => {
+                "full turns in addition to the angle from start to end; all turns of a full circle"
+            }
+            ArcTurns::Total => "all turns, the arc's own counted as one",
+        },
+        (b'Q', SpiralForm::IncrementCount) => {
+            "spiral: change of the radius in one turn, with its sign"
+        }
+        (b'Q', SpiralForm::IncrementHeightCount) => "spiral: change of the radius in one turn",
+        (b'L', SpiralForm::IncrementCount | SpiralForm::IncrementHeightCount) => {
+            "spiral: number of turns, a part of a turn counted as one"
+        }
+        _ => return None,
+    };
+    Some(text.into())
+}
+
+fn call(letter: u8, table: &ControlTable, parameters: &Parameters) -> Option<&'static str> {
+    Some(match letter {
+        b'P' if parameters.packed_calls => {
+            "program number; with more than four digits the repeats come first: P51000 runs O1000 five times"
+        }
+        b'P' => "program number",
+        b'L' => "how often it runs",
+        b'Q' if parameters.calls_counted_by_q => "the same, where there is no L",
+        _ if table.call_start_label == Some(letter) => "N number at which the subprogram begins",
+        _ => return None,
+    })
+}
+
+fn data(letter: u8, table: &ControlTable) -> Option<&'static str> {
+    let writes_tools = table.set_data.iter().any(|(_, target)| *target == DataTarget::ToolTable);
+    Some(match letter {
+        b'L' => "number of what is written",
+        b'P' => "number of the work offset or of the tool",
+        b'R' if writes_tools => "radius of the tool",
+        b'R' => "value of the tool offset or of the register",
+        b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C'
+            if table.axis_letters.contains(char::from(letter)) =>
+        {
+            "value of the work offset along this axis"
+        }
+        _ => return None,
+    })
+}
