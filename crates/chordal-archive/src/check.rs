@@ -336,11 +336,6 @@ pub(crate) fn job(prepared: &PreparedFile) -> Result<Job<'_>, String> {
     Ok(job.options(prepared.options.clone()))
 }
 
-/// Sees nothing of a run.
-struct NoStockProgress;
-
-impl RunWatch for NoStockProgress {}
-
 /// What a run comes to, and why it was not planned, where it should have been.
 fn run(
     prepared: &PreparedFile,
@@ -392,7 +387,7 @@ fn run_job(
     prepared: &PreparedFile,
     options: ArchiveOptions,
 ) -> Result<(RunTotals, Option<String>), String> {
-    let ((report, timed), _) = run_planned(job, prepared, options.plan, || NoStockProgress);
+    let ((report, timed), _) = run_planned(job, prepared, options.plan, || {});
     Ok(match timed {
         Ok(planned) => (ran(job, &report, planned), None),
         Err(error) => (ran(job, &report, None), Some(format!("no time: {error}"))),

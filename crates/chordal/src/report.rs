@@ -200,6 +200,9 @@ pub trait RunWatch {
     fn path(&mut self, _command: PathCommand<'_>, _segments: &[Segment]) {}
 }
 
+/// Sees nothing of a run.
+impl RunWatch for () {}
+
 /// Notes a line that the program prints.
 fn note_output(command: &Command, output: &mut Vec<String>) {
     if let CommandKind::Output { text } = &command.kind {
