@@ -67,8 +67,7 @@ class Machine:
 
     @property
     def control(self) -> str:
-        """The control that runs its programs: fadal, haas, fanuc, mitsubishi, linuxcnc, grbl, grblhal, fluidnc,
-        mach3, or for a lathe fanuc-lathe, haas-lathe, mitsubishi-lathe, linuxcnc-lathe."""
+        """The control that runs its programs, such as ``haas`` or ``haas-lathe``."""
         return self._machine.control
 
     @property

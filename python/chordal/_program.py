@@ -23,23 +23,7 @@ from .errors import ProgramError, UsageError
 
 if TYPE_CHECKING:
     from ._chordal import _Options
-
-    #: The controls that can run a program.
-    _ControlName = Literal[
-        "fadal",
-        "haas",
-        "fanuc",
-        "mitsubishi",
-        "linuxcnc",
-        "grbl",
-        "grblhal",
-        "fluidnc",
-        "mach3",
-        "fanuc-lathe",
-        "haas-lathe",
-        "mitsubishi-lathe",
-        "linuxcnc-lathe",
-    ]
+    from ._control import ControlName
 
 __all__ = ["Program", "load", "loads"]
 
@@ -60,7 +44,7 @@ def load(
     path: str | os.PathLike[str],
     machine: MachineLike | None = None,
     *,
-    control: _ControlName | None = None,
+    control: ControlName | None = None,
     tools: Tools | None = None,
     settings: Settings | None = None,
     program: int | None = None,
@@ -102,7 +86,7 @@ def loads(
     machine: MachineLike | None = None,
     *,
     name: str = "<program>",
-    control: _ControlName | None = None,
+    control: ControlName | None = None,
     tools: Tools | None = None,
     settings: Settings | None = None,
     program: int | None = None,
@@ -122,7 +106,7 @@ def loads(
 
 def _options(
     machine: MachineLike | None,
-    control: _ControlName | None,
+    control: ControlName | None,
     tools: Tools | None,
     settings: Settings | None,
     program: int | None,

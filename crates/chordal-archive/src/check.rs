@@ -334,11 +334,6 @@ pub(crate) fn job(prepared: &PreparedFile) -> Result<Job<'_>, String> {
     Ok(job.options(prepared.options.clone()))
 }
 
-/// Ignores everything of a run.
-struct NoStockProgress;
-
-impl RunWatch for NoStockProgress {}
-
 /// Runs a program; the message says why its time or its stock is missing.
 fn run(
     prepared: &PreparedFile,
@@ -390,7 +385,7 @@ fn run_job(
     prepared: &PreparedFile,
     options: ArchiveOptions,
 ) -> Result<(RunTotals, Option<String>), String> {
-    let ((report, timed), _) = run_planned(job, prepared, options.plan, || NoStockProgress);
+    let ((report, timed), _) = run_planned(job, prepared, options.plan, || {});
     Ok(match timed {
         Ok(planned) => (ran(job, &report, planned), None),
         Err(error) => (ran(job, &report, None), Some(format!("no time: {error}"))),

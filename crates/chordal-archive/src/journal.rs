@@ -18,7 +18,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-use chordal_export::columns::{ColumnFile, ColumnFormat};
+use chordal_export::OutputFormat;
+use chordal_export::columns::ColumnFile;
 use chordal_files::FileDraft;
 
 use crate::columns::ArchiveColumns;
@@ -236,7 +237,7 @@ impl TableJournal {
         let failed = ArchiveError::write(&self.out);
         let draft = FileDraft::open(&self.out).map_err(&failed)?;
         let columns = ArchiveColumns::new();
-        let table = ColumnFile::new(draft, ColumnFormat::Parquet, columns);
+        let table = ColumnFile::new(draft, OutputFormat::Parquet, columns);
         let mut table = table.map_err(&failed)?;
         let mut readers = self.readers();
         let places = self.places();

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use chordal::Machine;
 use chordal_editor::EditorSetup;
+use chordal_export::{FormatList, OutputFormat};
 use chordal_load::{
     FileAccess, Loaded, Loader, ProgramInput, ProgramText, RequestedMachine, machine, unsaved,
 };
@@ -55,10 +56,13 @@ impl LoadRequest {
         }
     }
 
-    /// The error about a format that the question does not have.
-    pub fn no_form(&self, forms: &[&str]) -> QuestionFailure {
+    /// Refuses a format that the question does not have.
+    pub fn has(&self, list: &FormatList, format: OutputFormat) -> Result<(), QuestionFailure> {
+        if list.has(format) {
+            return Ok(());
+        }
         let message = format!("{} does not have this format", self.question);
-        QuestionFailure::wrong(message, format!("its formats are {}", forms.join(", ")))
+        Err(QuestionFailure::wrong(message, format!("its formats are {}", list.names())))
     }
 
     /// A machine by its name, or of a file of the request.

@@ -6,9 +6,11 @@ use chordal::motion::{MotionOptions, SamplingError, SamplingRequest};
 use chordal::time::{RepeatPlanning, TimeQuestion};
 use chordal::{Job, Report};
 use chordal_export::columns::{CommandColumns, PathColumns, SampleColumns};
+use chordal_export::format::{
+    QUESTION_COMMANDS, QUESTION_JSON, QUESTION_OBJECT, QUESTION_PATH, QUESTION_SETPOINTS,
+};
 use chordal_export::{
-    CanonWriter, CommandCsv, CommandJsonLines, SampleFormat, SampleHead, SampleWriter, report,
-    time_json,
+    CommandWriter, FormatList, OutputFormat, SampleHead, SampleWriter, report, time_json,
 };
 use chordal_load::Loaded;
 use serde_json::{Value, json};
@@ -16,71 +18,48 @@ use serde_json::{Value, json};
 use crate::answer::{QuestionAnswer, QuestionFailure};
 use crate::columns::table;
 use crate::load_request::LoadRequest;
-use crate::options::{OnlyFormat, QuestionFormat, SampleOptions, TimeOptions};
+use crate::options::{OnlyFormat, SampleOptions, TimeOptions};
 
 pub fn commands(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
-    let OnlyFormat { format } = request.options()?;
-    let loaded = request.load()?;
-    let job = loaded.job()?;
-    match format {
-        QuestionFormat::Object => {
-            let mut rows = CommandColumns::new(&job);
-            let found = job.report_of_commands(|command| rows.command(command));
-            table(&mut rows, about(&found, &job, &loaded))
-        }
-        QuestionFormat::Jsonl => {
-            let mut out = CommandJsonLines::new(Vec::new(), &job).map_err(broken)?;
-            let mut done = Ok(());
-            job.report_of_commands(|command| keep(&mut done, || out.command(command)));
-            text(done.and_then(|()| out.finish()))
-        }
-        QuestionFormat::Csv => {
-            let mut out = CommandCsv::new(Vec::new(), &job).map_err(broken)?;
-            let mut done = Ok(());
-            job.report_of_commands(|command| keep(&mut done, || out.command(command)));
-            text(done.and_then(|()| out.finish()))
-        }
-        QuestionFormat::Canon => {
-            let mut out = CanonWriter::new(Vec::new(), &job).map_err(broken)?;
-            let mut done = Ok(());
-            job.report_of_commands(|command| keep(&mut done, || out.command(command)));
-            text(done.and_then(|()| out.finish()))
-        }
-        _ => Err(request.no_form(&["object", "jsonl", "csv", "canon"])),
-    }
+    command_rows(request, &QUESTION_COMMANDS, false)
 }
 
 pub fn path(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
+    command_rows(request, &QUESTION_PATH, true)
+}
+
+/// Commands as programmed, or of the tool centre.
+fn command_rows(
+    request: &mut LoadRequest,
+    list: &FormatList,
+    of_path: bool,
+) -> Result<QuestionAnswer, QuestionFailure> {
     let OnlyFormat { format } = request.options()?;
     let loaded = request.load()?;
     let job = loaded.job()?;
-    match format {
-        QuestionFormat::Object => {
-            let mut rows = CommandColumns::of_path(&job);
-            let found = job.report_of_path(|path, _| rows.path_command(path));
-            table(&mut rows, about(&found, &job, &loaded))
-        }
-        QuestionFormat::Jsonl => {
-            let mut out = CommandJsonLines::new(Vec::new(), &job).map_err(broken)?;
-            let mut done = Ok(());
-            job.report_of_path(|path, _| keep(&mut done, || out.path_command(path)));
-            text(done.and_then(|()| out.finish()))
-        }
-        QuestionFormat::Csv => {
-            let mut out = CommandCsv::of_path(Vec::new(), &job).map_err(broken)?;
-            let mut done = Ok(());
-            job.report_of_path(|path, _| keep(&mut done, || out.path_command(path)));
-            text(done.and_then(|()| out.finish()))
-        }
-        _ => Err(request.no_form(&["object", "jsonl", "csv"])),
+    request.has(list, format)?;
+    if format == OutputFormat::Object {
+        let mut rows = CommandColumns::of(&job, of_path);
+        let found = if of_path {
+            job.report_of_path(|path, _| rows.path_command(path))
+        } else {
+            job.report_of_commands(|command| rows.command(command))
+        };
+        return table(&mut rows, about(&found, &job, &loaded));
     }
+    let mut out = CommandWriter::new(Vec::new(), format, &job, of_path).map_err(broken)?;
+    let mut done = Ok(());
+    if of_path {
+        job.report_of_path(|path, _| keep(&mut done, || out.path_command(path)));
+    } else {
+        job.report_of_commands(|command| keep(&mut done, || out.command(command)));
+    }
+    text(done.and_then(|()| out.finish()))
 }
 
 pub fn curves(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
     let OnlyFormat { format } = request.options()?;
-    if format != QuestionFormat::Object {
-        return Err(request.no_form(&["object"]));
-    }
+    request.has(&QUESTION_OBJECT, format)?;
     let loaded = request.load()?;
     let job = loaded.job()?;
     let mut rows = PathColumns::new(&job);
@@ -92,9 +71,7 @@ pub fn curves(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailu
 
 pub fn time(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
     let options: TimeOptions = request.options()?;
-    if !options.format.is_json() {
-        return Err(request.no_form(&["object", "json"]));
-    }
+    request.has(&QUESTION_JSON, options.format)?;
     let loaded = request.load()?;
     let job = loaded.job()?;
     let question = TimeQuestion {
@@ -129,14 +106,10 @@ pub fn sample(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailu
     let head = SampleHead::of(&job, &found, period_s);
     let sampling =
         SamplingRequest { period_s, level: options.level.level(), most: options.max_samples };
-    let text_format = match options.format {
-        QuestionFormat::Object => None,
-        QuestionFormat::Csv => Some(SampleFormat::Csv),
-        QuestionFormat::Jsonl => Some(SampleFormat::Jsonl),
-        _ => return Err(request.no_form(&["object", "csv", "jsonl"])),
-    };
-    if let Some(format) = text_format {
-        let mut out = SampleWriter::new(Vec::new(), format, &head).map_err(broken)?;
+    request.has(&QUESTION_SETPOINTS, options.format)?;
+    let mut rows = SampleColumns::new(&head);
+    if options.format != OutputFormat::Object {
+        let mut out = SampleWriter::new(Vec::new(), options.format, rows).map_err(broken)?;
         let mut done = Ok(());
         let sampled = job.setpoints(&sampling, |sample, line| {
             keep(&mut done, || out.sample(sample, line));
@@ -144,7 +117,6 @@ pub fn sample(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailu
         sampled.map_err(|error| sampling_failure(error, &sampling))?;
         return text(done.and_then(|()| out.finish()));
     }
-    let mut rows = SampleColumns::new(&head);
     let sampled = job.setpoints(&sampling, |sample, line| rows.sample(sample, line));
     let sampled = sampled.map_err(|error| sampling_failure(error, &sampling))?;
     let mut about = about(&found, &job, &loaded);

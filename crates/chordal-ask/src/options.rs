@@ -1,38 +1,26 @@
 //! The options of the questions.
 
 use chordal::motion::{OperationStart, PlannerLevel};
-use serde::Deserialize;
+use chordal_export::OutputFormat;
+use chordal_export::format::QUESTION_FORMATS;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
 
-/// The format of an answer.
-#[derive(Deserialize, Clone, Copy, PartialEq, Eq, Default)]
-#[serde(rename_all = "lowercase")]
-pub enum QuestionFormat {
-    /// What JavaScript makes an object or a table of.
-    #[default]
-    Object,
-    Json,
-    Text,
-    Sarif,
-    Github,
-    Gitlab,
-    Jsonl,
-    Csv,
-    Canon,
-}
-
-impl QuestionFormat {
-    /// An object is what JavaScript reads, and JSON the text that it is read from.
-    pub fn is_json(self) -> bool {
-        matches!(self, QuestionFormat::Object | QuestionFormat::Json)
-    }
+/// Reads the name of a format.
+fn format<'de, D: Deserializer<'de>>(name: D) -> Result<OutputFormat, D::Error> {
+    let name = String::deserialize(name)?;
+    QUESTION_FORMATS.named(&name).ok_or_else(|| {
+        let names = QUESTION_FORMATS.names().replace(", ", "`, `");
+        D::Error::custom(format!("unknown variant `{name}`, expected one of `{names}`"))
+    })
 }
 
 /// Only the format.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct OnlyFormat {
-    #[serde(default)]
-    pub format: QuestionFormat,
+    #[serde(default, deserialize_with = "format")]
+    pub format: OutputFormat,
 }
 
 /// No options.
@@ -78,7 +66,8 @@ impl OperationSplit {
 #[serde(rename_all = "camelCase", deny_unknown_fields, default)]
 #[derive(Default)]
 pub struct TimeOptions {
-    pub format: QuestionFormat,
+    #[serde(deserialize_with = "format")]
+    pub format: OutputFormat,
     pub level: PlanQuality,
     pub what_if: bool,
     pub bound: bool,
@@ -88,7 +77,8 @@ pub struct TimeOptions {
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields, default)]
 pub struct SampleOptions {
-    pub format: QuestionFormat,
+    #[serde(deserialize_with = "format")]
+    pub format: OutputFormat,
     pub level: PlanQuality,
     /// Seconds.
     pub period: f64,
@@ -97,7 +87,7 @@ pub struct SampleOptions {
 
 impl Default for SampleOptions {
     fn default() -> SampleOptions {
-        let (format, level) = (QuestionFormat::default(), PlanQuality::default());
+        let (format, level) = (OutputFormat::default(), PlanQuality::default());
         // Eighty minutes; what they take in memory has room in a page.
         SampleOptions { format, level, period: 1e-3, max_samples: 5_000_000 }
     }
@@ -106,7 +96,8 @@ impl Default for SampleOptions {
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields, default)]
 pub struct CompareOptions {
-    pub format: QuestionFormat,
+    #[serde(deserialize_with = "format")]
+    pub format: OutputFormat,
     /// Millimetres.
     pub tolerance: f64,
     pub feed_tolerance: f64,
@@ -115,7 +106,7 @@ pub struct CompareOptions {
 
 impl Default for CompareOptions {
     fn default() -> CompareOptions {
-        let format = QuestionFormat::default();
+        let format = OutputFormat::default();
         CompareOptions { format, tolerance: 0.0, feed_tolerance: 1e-6, ignore: Vec::new() }
     }
 }
@@ -124,8 +115,8 @@ impl Default for CompareOptions {
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct ConvertOptions {
     pub to: String,
-    #[serde(default)]
-    pub format: QuestionFormat,
+    #[serde(default, deserialize_with = "format")]
+    pub format: OutputFormat,
     /// Millimetres.
     pub tolerance: Option<f64>,
     pub digits: Option<usize>,

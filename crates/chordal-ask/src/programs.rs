@@ -2,66 +2,61 @@
 
 use chordal::motion::MotionOptions;
 use chordal::time::max_summarized_moves;
-use chordal::{EVERY_PLACE, KEPT_PER_CODE, RunWatch};
+use chordal::{EVERY_PLACE, KEPT_PER_CODE};
 use chordal_compare::{Category, ComparisonOptions as Comparing, compare};
+use chordal_export::format::{QUESTION_DIFFERENCES, QUESTION_JSON, QUESTION_PROBLEMS};
 use chordal_export::report::{
     self, GitlabReport, ReportDetail, RunOf, SarifReport, files_json, summary_json,
 };
-use chordal_export::{comparison_json, comparison_names, comparison_text, conversion_json};
+use chordal_export::{
+    OutputFormat, comparison_json, comparison_names, comparison_text, conversion_json,
+};
 use chordal_rewrite::convert::{ConversionOptions as Converting, convert};
 
 use crate::answer::{QuestionAnswer, QuestionFailure};
 use crate::load_request::LoadRequest;
-use crate::options::{CompareOptions, ConvertOptions, OnlyFormat, QuestionFormat};
-
-/// Watches nothing of a run.
-struct SilentWatch;
-
-impl RunWatch for SilentWatch {}
+use crate::options::{CompareOptions, ConvertOptions, OnlyFormat};
 
 pub fn check(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
     let OnlyFormat { format } = request.options()?;
     let loaded = request.load()?;
     let job = loaded.job()?;
-    let places = if format.is_json() { EVERY_PLACE } else { KEPT_PER_CODE };
+    request.has(&QUESTION_PROBLEMS, format)?;
+    let is_json = QUESTION_JSON.has(format);
+    let places = if is_json { EVERY_PLACE } else { KEPT_PER_CODE };
     let found = job.check_keeping(places);
     let object = || report::json(&found, job.sources(), loaded.name(), &loaded.reading());
     Ok(QuestionAnswer::text(match format {
-        QuestionFormat::Object => object(),
-        QuestionFormat::Json => files_json("chordal.check/1", &[object()]),
-        QuestionFormat::Text => report::text(&found, job.sources(), false, ReportDetail::default()),
-        QuestionFormat::Github => report::github(&found, job.sources()),
-        QuestionFormat::Sarif => {
+        OutputFormat::Object => object(),
+        OutputFormat::Json => files_json("chordal.check/1", &[object()]),
+        OutputFormat::Text => report::text(&found, job.sources(), false, ReportDetail::default()),
+        OutputFormat::Github => report::github(&found, job.sources()),
+        OutputFormat::Sarif => {
             let mut sarif = SarifReport::new();
             sarif.add(&found, job.sources());
             sarif.finish()
         }
-        QuestionFormat::Gitlab => {
+        _ => {
             let mut gitlab = GitlabReport::new();
             gitlab.add(&found, job.sources());
             gitlab.finish()
-        }
-        QuestionFormat::Jsonl | QuestionFormat::Csv | QuestionFormat::Canon => {
-            return Err(request.no_form(&["object", "json", "text", "github", "gitlab", "sarif"]));
         }
     }))
 }
 
 pub fn run(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
     let OnlyFormat { format } = request.options()?;
-    if !format.is_json() {
-        return Err(request.no_form(&["object", "json"]));
-    }
+    request.has(&QUESTION_JSON, format)?;
     let loaded = request.load()?;
     let job = loaded.job()?;
     let most = max_summarized_moves(loaded.size());
-    let (found, timed) = job.report_timed(&MotionOptions::default(), most, &mut SilentWatch);
+    let (found, timed) = job.report_timed(&MotionOptions::default(), most, &mut ());
     // Limits nothing can be planned with are reported by the question about the time.
     let timed = timed.ok().flatten();
     let run = RunOf { report: &found, timed: timed.as_ref(), stock: None };
     let object = summary_json(&run, &job, loaded.name(), &loaded.reading());
     Ok(QuestionAnswer::text(match format {
-        QuestionFormat::Json => files_json("chordal.run/1", &[object]),
+        OutputFormat::Json => files_json("chordal.run/1", &[object]),
         _ => object,
     }))
 }
@@ -80,22 +75,20 @@ pub fn comparison(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionF
         ignored,
         ..Comparing::default()
     };
+    request.has(&QUESTION_DIFFERENCES, options.format)?;
     let found = compare(jobs[0], jobs[1], &comparing);
     Ok(QuestionAnswer::text(match options.format {
-        format if format.is_json() => comparison_json(&found, jobs, tolerance_mm),
-        QuestionFormat::Text => {
+        OutputFormat::Text => {
             let names = comparison_names([a.name(), b.name()], jobs);
             comparison_text(&found, names.each_ref().map(String::as_str), jobs, tolerance_mm)
         }
-        _ => return Err(request.no_form(&["object", "json", "text"])),
+        _ => comparison_json(&found, jobs, tolerance_mm),
     }))
 }
 
 pub fn conversion(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
     let options: ConvertOptions = request.options()?;
-    if !options.format.is_json() {
-        return Err(request.no_form(&["object", "json"]));
-    }
+    request.has(&QUESTION_JSON, options.format)?;
     let target = request.machine(&options.to)?;
     let usual = Converting::default();
     let tolerance_mm = length("tolerance", options.tolerance.unwrap_or(usual.tolerance_mm))?;

@@ -4,11 +4,14 @@ use std::path::PathBuf;
 
 use chordal::stock::StockOptions;
 use chordal::{EVERY_PLACE, Report, Severity};
+use chordal_export::OutputFormat;
+use chordal_export::format::PROBLEM_FORMATS;
 use chordal_export::report::{self, GitlabReport, SarifReport};
 use chordal_load::Loaded;
 use clap::ValueEnum;
 
 use crate::failure::{CommandFailure, ExitVerdict};
+use crate::formats::format_parser;
 use crate::numbers::{counted, grouped};
 use crate::options::{CommonArgs, ProblemDisplay, length};
 use crate::programs::ProgramList;
@@ -39,8 +42,8 @@ pub struct Args {
     files: Vec<PathBuf>,
 
     /// Format of the problems
-    #[arg(long, value_enum, default_value = "text")]
-    format: CheckFormat,
+    #[arg(long, value_parser = format_parser(&PROBLEM_FORMATS), default_value = "text")]
+    format: OutputFormat,
 
     /// The lowest severity that makes the exit code 1
     #[arg(long, value_enum, default_value = "warning", value_name = "SEVERITY")]
@@ -70,20 +73,6 @@ pub struct Args {
 
     #[command(flatten)]
     common: CommonArgs,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum CheckFormat {
-    /// Text for the reader: the lines with the words underlined
-    Text,
-    /// One JSON object for all files
-    Json,
-    /// SARIF 2.1.0, for code scanning
-    Sarif,
-    /// Annotations of a GitHub workflow
-    Github,
-    /// A Code Quality report of GitLab
-    Gitlab,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
@@ -120,7 +109,7 @@ pub fn run(args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Command
     } = args;
     common.set_up(setup.as_deref());
     let options = StockOptions { resolution_mm: resolution, ..StockOptions::default() };
-    let kept = if format == CheckFormat::Json { EVERY_PLACE } else { showing.kept() };
+    let kept = if format == OutputFormat::Json { EVERY_PLACE } else { showing.kept() };
     let programs = ProgramList::changed(&files, &common, terminal, changed_since.as_deref())?;
     let called = programs.called();
     let mut totals = CheckTotals::default();
@@ -136,7 +125,7 @@ pub fn run(args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Command
         };
         totals.add(&report);
         match format {
-            CheckFormat::Text => {
+            OutputFormat::Text => {
                 let problems = report.worst().is_some();
                 if problems {
                     programs.say(&readings::head(loaded))?;
@@ -149,13 +138,13 @@ pub fn run(args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Command
                     programs.say(&report::text(&report, job.sources(), terminal.out, detail))?;
                 }
             }
-            CheckFormat::Github => programs.say(&report::github(&report, job.sources()))?,
-            CheckFormat::Json => {
+            OutputFormat::Github => programs.say(&report::github(&report, job.sources()))?,
+            OutputFormat::Json => {
                 let reading = loaded.reading();
                 objects.push(report::json(&report, job.sources(), loaded.name(), &reading));
             }
-            CheckFormat::Sarif => sarif.add(&report, job.sources()),
-            CheckFormat::Gitlab => gitlab.add(&report, job.sources()),
+            OutputFormat::Sarif => sarif.add(&report, job.sources()),
+            _ => gitlab.add(&report, job.sources()),
         }
         let verdict = fail_on.verdict(report.worst());
         Ok(if is_proved || fail_on == FailSeverity::Never {
@@ -167,18 +156,18 @@ pub fn run(args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Command
     let verdict = programs.each(|programs, _, loaded| handle(programs, loaded))?;
     totals.called = called;
     match format {
-        CheckFormat::Text => match &changed_since {
+        OutputFormat::Text => match &changed_since {
             Some(commit) if totals.files == 0 && verdict == ExitVerdict::Clean => {
                 terminal.write_error(&format!("no program has changed since {commit}\n"));
             }
             _ => terminal.write_error(&totals.text(terminal)),
         },
-        CheckFormat::Json => {
+        OutputFormat::Json => {
             crate::terminal::say(&report::files_json("chordal.check/1", &objects))?
         }
-        CheckFormat::Sarif => crate::terminal::say(&sarif.finish())?,
-        CheckFormat::Gitlab => crate::terminal::say(&gitlab.finish())?,
-        CheckFormat::Github => {}
+        OutputFormat::Sarif => crate::terminal::say(&sarif.finish())?,
+        OutputFormat::Gitlab => crate::terminal::say(&gitlab.finish())?,
+        _ => {}
     }
     Ok(verdict)
 }

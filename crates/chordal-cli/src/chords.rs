@@ -1,19 +1,18 @@
 //! `chordal chords`: the path as straight chords.
 
-use std::io;
 use std::path::PathBuf;
 
 use chordal::control::AxisMask;
 use chordal::geometry::Placement;
 use chordal::{Job, Segment, SegmentKind};
-use chordal_export::ChordWriter;
-use chordal_export::columns::{ChordColumns, ColumnFile};
-use chordal_export::{left_out_texts, not_named_texts};
+use chordal_export::format::ROW_FORMATS;
+use chordal_export::{ChordWriter, OutputFormat, left_out_texts, not_named_texts};
 use clap::ValueEnum;
 
 use crate::failure::{CommandFailure, ExitVerdict};
+use crate::formats::format_parser;
 use crate::options::{CommonArgs, length};
-use crate::out::{FileFormat, RowFormat, RowOutput, keep};
+use crate::out::keep;
 use crate::rows::RowTarget;
 use crate::terminal::TerminalSupport;
 
@@ -52,8 +51,8 @@ pub struct Args {
     output: Option<PathBuf>,
 
     /// Format of the chords if no file extension gives it; CSV on standard output
-    #[arg(long, value_enum)]
-    format: Option<RowFormat>,
+    #[arg(long, value_parser = format_parser(&ROW_FORMATS))]
+    format: Option<OutputFormat>,
 
     #[command(flatten)]
     common: CommonArgs,
@@ -76,47 +75,6 @@ impl ChordPlacement {
     }
 }
 
-enum ChordRows<'a> {
-    Text(ChordWriter<RowOutput>),
-    Columns(Box<ColumnFile<RowOutput, ChordColumns<'a>>>),
-}
-
-impl<'a> ChordRows<'a> {
-    fn new(
-        out: RowOutput,
-        format: RowFormat,
-        args: &Args,
-        job: &'a Job<'a>,
-    ) -> io::Result<ChordRows<'a>> {
-        let own = job.own_chords().filter(|_| args.as_control);
-        let (tolerance, placement) = own.unwrap_or((args.tolerance, args.placement.inside()));
-        if let Some(format) = format.columns() {
-            let rows = ChordColumns::new(job, tolerance, placement);
-            let file = ColumnFile::new(out, format, rows)?;
-            return Ok(ChordRows::Columns(Box::new(file)));
-        }
-        let text = match format {
-            RowFormat::Jsonl => ChordWriter::jsonl(out, tolerance, placement),
-            _ => ChordWriter::csv(out, tolerance, placement),
-        };
-        text.map(ChordRows::Text)
-    }
-
-    fn segment(&mut self, segment: &Segment) -> io::Result<()> {
-        match self {
-            ChordRows::Text(out) => out.segment(segment),
-            ChordRows::Columns(out) => out.segment(segment),
-        }
-    }
-
-    fn finish(self) -> io::Result<RowOutput> {
-        match self {
-            ChordRows::Text(out) => out.finish(),
-            ChordRows::Columns(out) => out.finish(),
-        }
-    }
-}
-
 /// The axes of which a cut has no place at one of its ends. The way to the first place is never known; that is no loss.
 fn unknown_in(segment: &Segment) -> AxisMask {
     if segment.kind == SegmentKind::Rapid {
@@ -127,7 +85,13 @@ fn unknown_in(segment: &Segment) -> AxisMask {
 }
 
 pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
-    let output = RowTarget::of(args.output.as_deref(), args.format, RowFormat::Csv, "chords")?;
+    let output = RowTarget::of(
+        &ROW_FORMATS,
+        args.output.as_deref(),
+        args.format,
+        OutputFormat::Csv,
+        "chords",
+    )?;
     let goes = |job: &Job| {
         if !args.as_control || job.own_chords().is_some() {
             return Ok(());
@@ -139,7 +103,9 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
     let mut remarks = Vec::new();
     let verdict =
         output.write_if(&args.file, &args.common, terminal, goes, |job, out, format| {
-            let mut writer = ChordRows::new(out, format, args, job)?;
+            let own = job.own_chords().filter(|_| args.as_control);
+            let cut = own.unwrap_or((args.tolerance, args.placement.inside()));
+            let mut writer = ChordWriter::new(out, format, job, cut)?;
             let mut done = Ok(());
             let mut blank = AxisMask::NONE;
             let report = job.report_with(|_, segments| {

@@ -3,10 +3,12 @@
 use std::path::PathBuf;
 
 use chordal::ContourRange;
-use chordal_export::{contour_ranges_json, contour_ranges_text};
+use chordal_export::format::ANSWER_FORMATS;
+use chordal_export::{OutputFormat, contour_ranges_json, contour_ranges_text};
 
 use crate::failure::{CommandFailure, ExitVerdict};
-use crate::options::{AnswerFormat, CommonArgs};
+use crate::formats::format_parser;
+use crate::options::CommonArgs;
 use crate::programs::load_one;
 
 const EXAMPLES: &str = "\
@@ -28,8 +30,8 @@ pub struct Args {
     file: PathBuf,
 
     /// Format of the ranges
-    #[arg(long, value_enum, default_value = "text")]
-    format: AnswerFormat,
+    #[arg(long, value_parser = format_parser(&ANSWER_FORMATS), default_value = "text")]
+    format: OutputFormat,
 
     #[command(flatten)]
     common: CommonArgs,
@@ -40,8 +42,8 @@ pub fn run(args: &Args) -> Result<ExitVerdict, CommandFailure> {
     let job = loaded.job()?;
     let found = job.contour_ranges();
     let text = match args.format {
-        AnswerFormat::Text => contour_ranges_text(&found, &job),
-        AnswerFormat::Json => contour_ranges_json(&found),
+        OutputFormat::Text => contour_ranges_text(&found, &job),
+        _ => contour_ranges_json(&found),
     };
     anstream::print!("{text}");
     let outside = found.ranges.iter().any(|range: &ContourRange| !range.fits());

@@ -5,13 +5,16 @@ use std::path::{Path, PathBuf};
 use chordal::Job;
 use chordal::machine::QuantityDimension;
 use chordal_compare::{Category, ComparisonOptions, ComparisonVerdict as Answer, compare};
+use chordal_export::format::ANSWER_FORMATS;
 use chordal_export::{
-    Plot, PlotOptions, comparison_headline, comparison_json, comparison_names, comparison_text,
+    OutputFormat, Plot, PlotOptions, comparison_headline, comparison_json, comparison_names,
+    comparison_text,
 };
 
 use crate::failure::{CommandFailure, ExitVerdict};
+use crate::formats::{format_parser, picture_format};
 use crate::numbers::SummaryUnits;
-use crate::options::{AnswerFormat, CommonArgs, quantity};
+use crate::options::{CommonArgs, quantity};
 use crate::output::write_whole;
 use crate::programs::{load_one, recognized};
 use crate::terminal::{TerminalSupport, say};
@@ -68,8 +71,8 @@ pub struct Args {
     output: Option<PathBuf>,
 
     /// Format of the answer
-    #[arg(long, value_enum, default_value = "text")]
-    format: AnswerFormat,
+    #[arg(long, value_parser = format_parser(&ANSWER_FORMATS), default_value = "text")]
+    format: OutputFormat,
 
     #[command(flatten)]
     common: CommonArgs,
@@ -118,7 +121,7 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
         picture(path, jobs, names.clone(), &about)?;
     }
     match args.format {
-        AnswerFormat::Text => {
+        OutputFormat::Text => {
             say(&comparison_text(
                 &found,
                 names.each_ref().map(String::as_str),
@@ -126,7 +129,7 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
                 args.tolerance,
             ))?;
         }
-        AnswerFormat::Json => say(&comparison_json(&found, jobs, args.tolerance))?,
+        _ => say(&comparison_json(&found, jobs, args.tolerance))?,
     }
     Ok(if matches!(found.verdict, Answer::Different | Answer::NotVerified) {
         ExitVerdict::Problems
@@ -142,26 +145,16 @@ pub fn picture(
     names: [String; 2],
     subtitle: &str,
 ) -> Result<(), CommandFailure> {
-    let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
-    let is_png = match ending.as_deref().and_then(|ending| ending.to_str()) {
-        Some("svg") => false,
-        Some("png") => true,
-        _ => {
-            return Err(CommandFailure::wrong(
-                format!("the extension of {} is not a picture format", path.display()),
-                "the extensions are .svg and .png",
-            ));
-        }
-    };
+    let format = picture_format(path)?;
     let options = PlotOptions {
         title: format!("{} and {}", names[0], names[1]),
         subtitle: subtitle.trim_end().to_string(),
         ..PlotOptions::default()
     };
     let plot = Plot::overlay(jobs, names);
-    let content = match is_png {
-        false => plot.svg(&options).into_bytes(),
-        true => plot
+    let content = match format {
+        OutputFormat::Svg => plot.svg(&options).into_bytes(),
+        _ => plot
             .png(&options)
             .map_err(|error| CommandFailure::wrong(error.to_string(), "write an .svg"))?,
     };

@@ -6,15 +6,19 @@ use std::path::{Path, PathBuf};
 
 use chordal::Job;
 use chordal_compare::{Category, ComparisonOptions as Comparing};
-use chordal_export::{comparison_headline, conversion_json, difference_text, length_text};
+use chordal_export::format::ANSWER_FORMATS;
+use chordal_export::{
+    OutputFormat, comparison_headline, conversion_json, difference_text, length_text,
+};
 use chordal_load::machine;
 use chordal_rewrite::convert::{Conversion, ConversionOptions, convert};
 use chordal_rewrite::{Certificate, Change};
 
 use crate::compare::{length_mm, picture};
 use crate::failure::{CommandFailure, ExitVerdict};
+use crate::formats::format_parser;
 use crate::numbers::{SummaryUnits, counted};
-use crate::options::{AnswerFormat, CommonArgs};
+use crate::options::CommonArgs;
 use crate::out::{RowOutput, trouble};
 use crate::programs::{load_one, recognized};
 use crate::terminal::{TerminalSupport, say};
@@ -83,8 +87,8 @@ pub struct Args {
     unproved: bool,
 
     /// Format of the answer
-    #[arg(long, value_enum, default_value = "text")]
-    format: AnswerFormat,
+    #[arg(long, value_parser = format_parser(&ANSWER_FORMATS), default_value = "text")]
+    format: OutputFormat,
 
     #[command(flatten)]
     common: CommonArgs,
@@ -109,8 +113,8 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
     let output = args.output.as_deref();
     let streams = output == Some(Path::new("-"));
     let answer = match args.format {
-        AnswerFormat::Text => text(&found, &job, may_write, output),
-        AnswerFormat::Json => conversion_json(&found, &job),
+        OutputFormat::Text => text(&found, &job, may_write, output),
+        _ => conversion_json(&found, &job),
     };
     if let (Some(path), Some(new), Some(certificate)) =
         (&args.picture, found.job("new"), &found.certificate)
@@ -151,21 +155,9 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
 }
 
 fn write(path: &Path, program: &Path, text: &str) -> Result<(), CommandFailure> {
-    let mut out = RowOutput::open(Some(path), program, ProgramTextFormat::Text)?;
+    let mut out = RowOutput::open(Some(path), program, OutputFormat::Text)?;
     out.write_all(text.as_bytes()).map_err(|error| trouble(Some(path), error))?;
     out.put()
-}
-
-/// Text, whatever the name's ending.
-#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum ProgramTextFormat {
-    Text,
-}
-
-impl crate::out::FileFormat for ProgramTextFormat {
-    fn columns(self) -> Option<chordal_export::columns::ColumnFormat> {
-        None
-    }
 }
 
 fn text(found: &Conversion, job: &Job, may_write: bool, output: Option<&Path>) -> String {

@@ -6,12 +6,14 @@ use std::path::{Path, PathBuf};
 use chordal::machine::QuantityDimension;
 use chordal::motion::MotionOptions;
 use chordal::stock::{EngagementOptions, StockOptions};
-use chordal_export::{optimized_json, optimized_text};
+use chordal_export::format::ANSWER_FORMATS;
+use chordal_export::{OutputFormat, optimized_json, optimized_text};
 use chordal_rewrite::{ChipLimit, OptimizeError, OptimizeOptions, optimize};
 
 use crate::failure::{CommandFailure, ExitVerdict};
-use crate::options::{AnswerFormat, CommonArgs, quantity};
-use crate::out::{NcTextFormat, RowOutput, trouble};
+use crate::formats::format_parser;
+use crate::options::{CommonArgs, quantity};
+use crate::out::{RowOutput, trouble};
 use crate::programs::{load_one, recognized};
 use crate::setup_files;
 use crate::stock_failure::failure_of;
@@ -68,8 +70,8 @@ pub struct Args {
     output: Option<PathBuf>,
 
     /// Format of the answer
-    #[arg(long, value_enum, default_value = "text")]
-    format: AnswerFormat,
+    #[arg(long, value_parser = format_parser(&ANSWER_FORMATS), default_value = "text")]
+    format: OutputFormat,
 
     #[command(flatten)]
     common: CommonArgs,
@@ -123,13 +125,13 @@ pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, Co
     let path = args.output.as_deref();
     if path.is_some() {
         let out_path = path.filter(|_| !streams);
-        let mut out = RowOutput::open(out_path, &args.file, NcTextFormat::Nc)?;
+        let mut out = RowOutput::open(out_path, &args.file, OutputFormat::Text)?;
         out.write_all(&done.text).map_err(|error| trouble(out_path, error))?;
         out.put()?;
     }
     let written = path.filter(|_| !streams).map(|path| path.display().to_string());
     let answer = match args.format {
-        AnswerFormat::Text => {
+        OutputFormat::Text => {
             let inch = job.report().summary.inch;
             let last = match &written {
                 Some(written) => format!("written: {written}\n"),
@@ -138,7 +140,7 @@ pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, Co
             };
             optimized_text(&done, !inch) + &last
         }
-        AnswerFormat::Json => optimized_json(&done, loaded.name(), written.as_deref()),
+        _ => optimized_json(&done, loaded.name(), written.as_deref()),
     };
     if streams {
         terminal.write_error(&answer)

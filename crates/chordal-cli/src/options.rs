@@ -9,15 +9,6 @@ use chordal_export::report::ReportDetail;
 use chordal_load::{BlockDeleteSwitch, Request, RequestedMachine};
 use clap::ValueEnum;
 
-/// Formats of an answer that has no other form.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-pub enum AnswerFormat {
-    /// Text for the reader
-    Text,
-    /// One JSON object
-    Json,
-}
-
 /// How the switch of block delete stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub enum BlockDeleteName {

@@ -3,89 +3,11 @@
 use std::io::{self, BufWriter, IsTerminal, Stdout, Write};
 use std::path::{Path, PathBuf};
 
-use chordal_export::columns::ColumnFormat;
+use chordal_export::OutputFormat;
 use chordal_files::FileDraft;
-use clap::ValueEnum;
 
 use crate::failure::{CommandFailure, OfFile};
 use crate::output;
-
-/// How rows are written.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-pub enum RowFormat {
-    /// Comma-separated, a row each
-    Csv,
-    /// JSON lines: a header, then an object each
-    Jsonl,
-    /// Apache Parquet
-    Parquet,
-    /// Arrow IPC file (Feather)
-    Arrow,
-}
-
-/// A format that the ending of a file's name can ask for: its name is the ending.
-pub trait FileFormat: ValueEnum + Copy + PartialEq {
-    /// The format of columns that this is, if it is one.
-    fn columns(self) -> Option<ColumnFormat>;
-}
-
-impl FileFormat for RowFormat {
-    fn columns(self) -> Option<ColumnFormat> {
-        match self {
-            RowFormat::Csv | RowFormat::Jsonl => None,
-            RowFormat::Parquet => Some(ColumnFormat::Parquet),
-            RowFormat::Arrow => Some(ColumnFormat::Arrow),
-        }
-    }
-}
-
-/// Text has one format.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum NcTextFormat {
-    Nc,
-}
-
-impl FileFormat for NcTextFormat {
-    fn columns(self) -> Option<ColumnFormat> {
-        None
-    }
-}
-
-/// The format that is asked for: by `--format`, by the ending, or else the one of standard
-/// output. `rows` says what is written, for messages.
-pub fn format_of<F: FileFormat>(
-    requested: Option<F>,
-    path: Option<&Path>,
-    streamed: F,
-    rows: &str,
-) -> Result<F, CommandFailure> {
-    let Some(path) = path else { return Ok(requested.unwrap_or(streamed)) };
-    let name = path.display();
-    let ending = path.extension().map(|ending| ending.to_string_lossy().into_owned());
-    let meant = ending.and_then(|ending| F::from_str(&ending, true).ok());
-    match (requested, meant) {
-        (Some(chosen), Some(meant)) if chosen != meant => Err(CommandFailure::wrong(
-            format!(
-                "--format says {}, but the extension of {name} is another format",
-                word(chosen)
-            ),
-            format!("leave --format out, or use the extension .{}", word(chosen)),
-        )),
-        (Some(format), _) | (None, Some(format)) => Ok(format),
-        (None, None) => {
-            let endings: Vec<String> =
-                F::value_variants().iter().map(|format| format!(".{}", word(*format))).collect();
-            Err(CommandFailure::wrong(
-                format!("the extension of {name} is not a format of {rows}"),
-                format!("the extensions are {}; or give --format", endings.join(", ")),
-            ))
-        }
-    }
-}
-
-fn word<F: ValueEnum>(format: F) -> String {
-    format.to_possible_value().map_or_else(String::new, |value| value.get_name().to_string())
-}
 
 /// Where rows go.
 pub enum RowOutput {
@@ -101,10 +23,10 @@ impl RowOutput {
     pub fn open(
         path: Option<&Path>,
         program: &Path,
-        format: impl FileFormat,
+        format: OutputFormat,
     ) -> Result<RowOutput, CommandFailure> {
         let Some(path) = path else {
-            if format.columns().is_some() && io::stdout().is_terminal() {
+            if format.is_binary() && io::stdout().is_terminal() {
                 return Err(CommandFailure::wrong(
                     "a terminal cannot show this format",
                     "write a file with -o, or pipe the output into another program",

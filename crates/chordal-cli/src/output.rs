@@ -6,49 +6,24 @@ use std::path::{Path, PathBuf};
 
 use chordal::stock::StockLeft;
 use chordal::{Command, CommandKind, Job, PathCommand, Report, RunWatch, Segment};
-use chordal_export::{CanonWriter, CommandCsv, CommandJsonLines, DxfWriter, Plot, PlotOptions};
+use chordal_export::format::RUN_FILES;
+use chordal_export::{CommandWriter, DxfWriter, OutputFormat, Plot, PlotOptions};
 use chordal_files::FileDraft;
 use chordal_load::{ProgramInput, ledger};
 
 use crate::failure::CommandFailure;
+use crate::formats::format_of_file;
 
 /// What the ending of an output's name asks for.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum OutputFormat {
-    Svg,
-    Png,
-    Dxf,
-    Csv,
-    Jsonl,
-    Canon,
-    /// What the program itself prints.
-    Txt,
-}
-
-impl OutputFormat {
-    const ALL: [(&str, OutputFormat); 7] = [
-        ("svg", OutputFormat::Svg),
-        ("png", OutputFormat::Png),
-        ("dxf", OutputFormat::Dxf),
-        ("csv", OutputFormat::Csv),
-        ("jsonl", OutputFormat::Jsonl),
-        ("canon", OutputFormat::Canon),
-        ("txt", OutputFormat::Txt),
-    ];
-
-    fn of(path: &Path) -> Result<OutputFormat, CommandFailure> {
-        let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
-        let found = OutputFormat::ALL.iter().find(|(own, _)| Some(*own) == ending.as_deref());
-        found.map(|(_, format)| *format).ok_or_else(|| {
-            let endings: Vec<String> =
-                OutputFormat::ALL.iter().map(|(own, _)| format!(".{own}")).collect();
-            let message = match ending {
-                Some(ending) => format!("there is no output format .{ending} ({})", path.display()),
-                None => format!("the extension of {} is not a known format", path.display()),
-            };
-            CommandFailure::wrong(message, format!("the extensions are {}", endings.join(", ")))
-        })
-    }
+fn format_of(path: &Path) -> Result<OutputFormat, CommandFailure> {
+    let none = |name| match path.extension() {
+        Some(ending) => {
+            let ending = ending.to_string_lossy().to_ascii_lowercase();
+            format!("there is no output format .{ending} ({name})")
+        }
+        None => format!("the extension of {name} is not a known format"),
+    };
+    format_of_file(&RUN_FILES, path, none, "the extensions are")
 }
 
 /// A file to write.
@@ -73,7 +48,7 @@ pub fn plan(
         } else {
             pattern.clone()
         };
-        let format = OutputFormat::of(&pattern)?;
+        let format = format_of(&pattern)?;
         let file = pattern.file_name().map(|name| name.to_string_lossy().into_owned());
         let file = file.unwrap_or_default();
         if !file.contains('*') && inputs.len() > 1 {
@@ -177,11 +152,10 @@ fn not_an_input(path: &Path) -> Result<(), CommandFailure> {
     Ok(())
 }
 
+#[allow(clippy::large_enum_variant, reason = "there are few of them in a run")]
 enum OutputWriter<'a> {
     Dxf(DxfWriter<FileDraft>),
-    Csv(Box<CommandCsv<FileDraft>>),
-    Jsonl(CommandJsonLines<'a, FileDraft>),
-    Canon(CanonWriter<'a, FileDraft>),
+    Commands(CommandWriter<'a, FileDraft>),
     Printed(FileDraft),
     /// A picture, drawn when the whole path is known.
     Picture(FileDraft, OutputFormat),
@@ -245,9 +219,7 @@ impl<'a> RunOutputs<'a> {
         let mut written = Vec::new();
         for (path, writer) in self.writers {
             let done = match writer {
-                OutputWriter::Csv(out) => out.finish(),
-                OutputWriter::Jsonl(out) => out.finish(),
-                OutputWriter::Canon(out) => out.finish(),
+                OutputWriter::Commands(out) => out.finish(),
                 OutputWriter::Dxf(out) => out.finish(),
                 OutputWriter::Printed(out) => Ok(out),
                 OutputWriter::Picture(out, format) => draw(out, format, plot.as_ref(), options),
@@ -269,10 +241,8 @@ fn open<'a>(
         Ok(match format {
             OutputFormat::Svg | OutputFormat::Png => OutputWriter::Picture(out, format),
             OutputFormat::Dxf => OutputWriter::Dxf(DxfWriter::new(out, job)?),
-            OutputFormat::Csv => OutputWriter::Csv(Box::new(CommandCsv::new(out, job)?)),
-            OutputFormat::Jsonl => OutputWriter::Jsonl(CommandJsonLines::new(out, job)?),
-            OutputFormat::Canon => OutputWriter::Canon(CanonWriter::new(out, job)?),
             OutputFormat::Txt => OutputWriter::Printed(out),
+            _ => OutputWriter::Commands(CommandWriter::new(out, format, job, false)?),
         })
     };
     writer().map_err(|error| failure(path, &error))
@@ -302,9 +272,7 @@ fn failure(path: &Path, error: &io::Error) -> CommandFailure {
 impl RunWatch for RunOutputs<'_> {
     fn programmed(&mut self, command: &Command) {
         self.take(|writer| match writer {
-            OutputWriter::Csv(out) => out.command(command),
-            OutputWriter::Jsonl(out) => out.command(command),
-            OutputWriter::Canon(out) => out.command(command),
+            OutputWriter::Commands(out) => out.command(command),
             OutputWriter::Printed(out) => match &command.kind {
                 CommandKind::Output { text } => writeln!(out, "{text}"),
                 _ => Ok(()),

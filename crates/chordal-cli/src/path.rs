@@ -2,10 +2,13 @@
 
 use std::path::PathBuf;
 
-use crate::command_rows::CommandRows;
+use chordal_export::format::ROW_FORMATS;
+use chordal_export::{CommandWriter, OutputFormat};
+
 use crate::failure::{CommandFailure, ExitVerdict};
+use crate::formats::format_parser;
 use crate::options::CommonArgs;
-use crate::out::{RowFormat, keep};
+use crate::out::keep;
 use crate::rows::RowTarget;
 use crate::terminal::TerminalSupport;
 
@@ -35,17 +38,23 @@ pub struct Args {
     output: Option<PathBuf>,
 
     /// Format of the path if no file extension gives it; JSON lines on standard output
-    #[arg(long, value_enum)]
-    format: Option<RowFormat>,
+    #[arg(long, value_parser = format_parser(&ROW_FORMATS))]
+    format: Option<OutputFormat>,
 
     #[command(flatten)]
     common: CommonArgs,
 }
 
 pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
-    let output = RowTarget::of(args.output.as_deref(), args.format, RowFormat::Jsonl, "a path")?;
+    let output = RowTarget::of(
+        &ROW_FORMATS,
+        args.output.as_deref(),
+        args.format,
+        OutputFormat::Jsonl,
+        "a path",
+    )?;
     output.write(&args.file, &args.common, terminal, |job, out, format| {
-        let mut writer = CommandRows::new(out, format, job, true)?;
+        let mut writer = CommandWriter::new(out, format, job, true)?;
         let mut done = Ok(());
         let report = job.report_of_path(|path, _| keep(&mut done, || writer.path_command(path)));
         done?;

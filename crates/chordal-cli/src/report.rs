@@ -4,13 +4,14 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use chordal::stock::{StockLeft, StockOptions};
-use chordal_export::columns::ColumnFormat;
+use chordal_export::OutputFormat;
+use chordal_export::format::SETUP_SHEET_FORMATS;
 use chordal_report::{ReportContext, gather, html, json};
-use clap::ValueEnum;
 
 use crate::failure::{CommandFailure, ExitVerdict};
+use crate::formats::{format_of, format_parser};
 use crate::options::CommonArgs;
-use crate::out::{self, RowOutput, format_of, trouble};
+use crate::out::{RowOutput, trouble};
 use crate::programs::load_one;
 use crate::rows::print_problems;
 use crate::stock;
@@ -42,8 +43,8 @@ pub struct Args {
     output: Option<PathBuf>,
 
     /// Format of the report if no file extension gives it; a page on standard output
-    #[arg(long, value_enum)]
-    format: Option<ReportFormat>,
+    #[arg(long, value_parser = format_parser(&SETUP_SHEET_FORMATS))]
+    format: Option<OutputFormat>,
 
     /// A date, or any text, to print at the top
     #[arg(long, value_name = "TEXT")]
@@ -58,25 +59,10 @@ pub struct Args {
     common: CommonArgs,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum ReportFormat {
-    /// One HTML page with everything in it
-    #[value(alias = "htm")]
-    Html,
-    /// One JSON object
-    Json,
-}
-
-impl out::FileFormat for ReportFormat {
-    fn columns(self) -> Option<ColumnFormat> {
-        None
-    }
-}
-
 pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     args.common.set_up(args.setup.as_deref());
     let path = args.output.as_deref();
-    let format = format_of(args.format, path, ReportFormat::Html, "reports")?;
+    let format = format_of(&SETUP_SHEET_FORMATS, args.format, path, OutputFormat::Html, "reports")?;
     let mut out = RowOutput::open(path, &args.file, format)?;
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
@@ -94,8 +80,8 @@ pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, Co
     };
     let gathered = gather(&job, &about);
     let text = match format {
-        ReportFormat::Html => html(&gathered.document),
-        ReportFormat::Json => json(&gathered.document),
+        OutputFormat::Json => json(&gathered.document),
+        _ => html(&gathered.document),
     };
     out.write_all(text.as_bytes()).map_err(|error| trouble(path, error))?;
     out.put()?;

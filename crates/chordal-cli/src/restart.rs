@@ -4,16 +4,18 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use chordal::stock::ApproachCheck;
-use chordal_export::restart_json;
+use chordal_export::format::ANSWER_FORMATS;
+use chordal_export::{OutputFormat, restart_json};
 use chordal_rewrite::TransformRefusal;
 use chordal_rewrite::restart::{
     RestartProgram, UnrepeatedCode, blocked, check_head_approach, restart,
 };
 
 use crate::failure::{CommandFailure, ExitVerdict};
+use crate::formats::format_parser;
 use crate::numbers::counted;
-use crate::options::{AnswerFormat, CommonArgs};
-use crate::out::{NcTextFormat, RowOutput, trouble};
+use crate::options::CommonArgs;
+use crate::out::{RowOutput, trouble};
 use crate::programs::{load_one, recognized};
 use crate::setup_files::files;
 use crate::stock_failure::failure_of;
@@ -56,8 +58,8 @@ pub struct Args {
     setup: Option<PathBuf>,
 
     /// Format of the answer
-    #[arg(long, value_enum, default_value = "text")]
-    format: AnswerFormat,
+    #[arg(long, value_parser = format_parser(&ANSWER_FORMATS), default_value = "text")]
+    format: OutputFormat,
 
     #[command(flatten)]
     common: CommonArgs,
@@ -86,8 +88,8 @@ pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, Co
         Ok(done) => done,
         Err(refused) => {
             let answer = match args.format {
-                AnswerFormat::Text => refused_text(&refused.refusal, loaded.name()),
-                AnswerFormat::Json => restart_json(Err(&refused), loaded.name(), None, None),
+                OutputFormat::Text => refused_text(&refused.refusal, loaded.name()),
+                _ => restart_json(Err(&refused), loaded.name(), None, None),
             };
             if streams {
                 terminal.write_error(&answer)
@@ -100,16 +102,14 @@ pub fn run(args: &mut Args, terminal: TerminalSupport) -> Result<ExitVerdict, Co
     let path = args.output.as_deref();
     if path.is_some() {
         let out_path = path.filter(|_| !streams);
-        let mut out = RowOutput::open(out_path, &args.file, NcTextFormat::Nc)?;
+        let mut out = RowOutput::open(out_path, &args.file, OutputFormat::Text)?;
         out.write_all(&done.text).map_err(|error| trouble(out_path, error))?;
         out.put()?;
     }
     let written = path.filter(|_| !streams).map(|path| path.display().to_string());
     let answer = match args.format {
-        AnswerFormat::Text => text(&done, course.as_ref(), path),
-        AnswerFormat::Json => {
-            restart_json(Ok(&done), loaded.name(), written.as_deref(), course.as_ref())
-        }
+        OutputFormat::Text => text(&done, course.as_ref(), path),
+        _ => restart_json(Ok(&done), loaded.name(), written.as_deref(), course.as_ref()),
     };
     if streams {
         terminal.write_error(&answer)

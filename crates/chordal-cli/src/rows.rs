@@ -5,31 +5,34 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use chordal::{Job, Report, Severity};
+use chordal_export::format::{FormatList, OutputFormat};
 use chordal_export::report::{self, ReportDetail};
 use chordal_load::Loaded;
 
 use crate::failure::{CommandFailure, ExitVerdict};
+use crate::formats::format_of;
 use crate::options::CommonArgs;
-use crate::out::{FileFormat, RowOutput, format_of, trouble};
+use crate::out::{RowOutput, trouble};
 use crate::programs::{load_one, recognized};
 use crate::terminal::TerminalSupport;
 
 /// Where rows go and how they are written.
-pub struct RowTarget<'p, F> {
+pub struct RowTarget<'p> {
     path: Option<&'p Path>,
-    format: F,
+    format: OutputFormat,
 }
 
-impl<'p, F: FileFormat> RowTarget<'p, F> {
+impl<'p> RowTarget<'p> {
     /// As the command line says; `streamed` is the format of standard output, `rows` says what is
     /// written, for messages.
     pub fn of(
+        list: &FormatList,
         path: Option<&'p Path>,
-        requested: Option<F>,
-        streamed: F,
+        requested: Option<OutputFormat>,
+        streamed: OutputFormat,
         rows: &str,
-    ) -> Result<RowTarget<'p, F>, CommandFailure> {
-        Ok(RowTarget { path, format: format_of(requested, path, streamed, rows)? })
+    ) -> Result<RowTarget<'p>, CommandFailure> {
+        Ok(RowTarget { path, format: format_of(list, requested, path, streamed, rows)? })
     }
 
     /// Runs a program and writes its rows. The output is opened before the program is read, and
@@ -39,7 +42,7 @@ impl<'p, F: FileFormat> RowTarget<'p, F> {
         program: &PathBuf,
         common: &CommonArgs,
         terminal: TerminalSupport,
-        rows: impl FnOnce(&Job<'_>, RowOutput, F) -> io::Result<(Report, RowOutput)>,
+        rows: impl FnOnce(&Job<'_>, RowOutput, OutputFormat) -> io::Result<(Report, RowOutput)>,
     ) -> Result<ExitVerdict, CommandFailure> {
         self.write_if(program, common, terminal, |_| Ok(()), rows)
     }
@@ -51,7 +54,7 @@ impl<'p, F: FileFormat> RowTarget<'p, F> {
         common: &CommonArgs,
         terminal: TerminalSupport,
         goes: impl FnOnce(&Job<'_>) -> Result<(), CommandFailure>,
-        rows: impl FnOnce(&Job<'_>, RowOutput, F) -> io::Result<(Report, RowOutput)>,
+        rows: impl FnOnce(&Job<'_>, RowOutput, OutputFormat) -> io::Result<(Report, RowOutput)>,
     ) -> Result<ExitVerdict, CommandFailure> {
         let out = RowOutput::open(self.path, program, self.format)?;
         let loaded = load_one(program, common)?;

@@ -6,11 +6,12 @@ use chordal::motion::MotionOptions;
 use chordal::stock::{StockLeft, StockOptions};
 use chordal::time::{TimedRun, max_summarized_moves};
 use chordal::{Job, Report, Severity};
-use chordal_export::{PlotOptions, report, stock_left_text};
+use chordal_export::format::{RUN_FILES, SUMMARY_FORMATS};
+use chordal_export::{OutputFormat, PlotOptions, report, stock_left_text};
 use chordal_load::Loaded;
-use clap::ValueEnum;
 
 use crate::failure::{CommandFailure, ExitVerdict};
+use crate::formats::format_parser;
 use crate::options::{CommonArgs, ProblemDisplay};
 use crate::output::{self, RunOutputs};
 use crate::programs::ProgramList;
@@ -30,18 +31,16 @@ Examples:
   chordal run all-prog.txt --program 9013    one program of a control's memory
 
 Outputs by file extension:
-  .svg .png   views with axes and scale, rapids dashed, feeds coloured by tool
-  .dxf        the path with true arcs
-  .csv .jsonl .canon   the canonical commands, as `chordal commands` prints them
-  .txt        the text that the program itself prints (DPRNT)
+";
 
+const SUBPROGRAMS: &str = "
 Subprograms are also looked for in the program's folder, by file name (O1000, 1000.nc) and by
 the number in the file. The exit code is 1 when there is an error: the control would stop; with --setup also
 when the stock is not proved clean.";
 
 /// Runs a program and summarizes what it does
 #[derive(clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = format!("{EXAMPLES}{}{SUBPROGRAMS}", RUN_FILES.help_lines()))]
 pub struct Args {
     /// Programs, or folders of programs; `-` is standard input
     #[arg(required = true, value_name = "FILE")]
@@ -52,8 +51,8 @@ pub struct Args {
     outputs: Vec<PathBuf>,
 
     /// Format of the summary and the problems
-    #[arg(long, value_enum, default_value = "text")]
-    format: RunFormat,
+    #[arg(long, value_parser = format_parser(&SUMMARY_FORMATS), default_value = "text")]
+    format: OutputFormat,
 
     /// The machine, the stock and the tools: cuts the stock as well, draws what is left of it in pictures, and
     /// reports what rapids, shank and holder touch; what is not proved makes the exit code 1
@@ -67,14 +66,6 @@ pub struct Args {
     common: CommonArgs,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum RunFormat {
-    /// Text for the reader
-    Text,
-    /// One JSON object for all files
-    Json,
-}
-
 pub fn run(mut args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     args.common.set_up(args.setup.as_deref());
     let programs = ProgramList::new(&args.files, &args.common, terminal)?;
@@ -85,12 +76,12 @@ pub fn run(mut args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Com
         let job = loaded.job()?;
         let done = carry_out(loaded, &job, args.setup.as_deref(), &plan[index])?;
         match args.format {
-            RunFormat::Text => {
+            OutputFormat::Text => {
                 programs.say(if first { "" } else { "\n" })?;
                 programs.say(&text(loaded, &job, &done, args.showing, terminal))?;
                 first = false;
             }
-            RunFormat::Json => {
+            _ => {
                 let ReportedRun { report, timed, stock, .. } = &done;
                 let reading = loaded.reading();
                 let run = report::RunOf { report, timed: timed.as_ref(), stock: stock.as_ref() };
@@ -102,7 +93,7 @@ pub fn run(mut args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Com
             || !done.stock.as_ref().is_none_or(StockLeft::is_clean);
         Ok(if failed { ExitVerdict::Problems } else { ExitVerdict::Clean })
     })?;
-    if args.format == RunFormat::Json {
+    if args.format == OutputFormat::Json {
         say(&report::files_json("chordal.run/1", &objects))?;
     }
     Ok(verdict)

@@ -8,14 +8,17 @@ use chordal::motion::{
     MotionOptions, PlannerLevel, SamplingError, SamplingReport, SamplingRequest,
 };
 use chordal::{Job, Report, Severity};
+use chordal_export::columns::SampleColumns;
+use chordal_export::format::ROW_FORMATS;
 use chordal_export::report::{self, ReportDetail};
-use chordal_export::{SampleFormat, SampleHead, SampleWriter, not_named_texts};
+use chordal_export::{OutputFormat, SampleHead, SampleWriter, not_named_texts};
 use clap::ValueEnum;
 
 use crate::failure::{CommandFailure, ExitVerdict};
+use crate::formats::{format_of, format_parser};
 use crate::numbers::{SummaryUnits, counted, duration, grouped, short};
 use crate::options::{CommonArgs, quantity};
-use crate::out::{RowFormat, RowOutput, format_of, keep, trouble};
+use crate::out::{RowOutput, keep, trouble};
 use crate::programs::{load_one, recognized};
 use crate::terminal::{BOLD, TerminalSupport, style};
 use crate::time::wrong_limit;
@@ -52,8 +55,8 @@ pub struct Args {
     output: Option<PathBuf>,
 
     /// Format of the setpoints if no file extension gives it; CSV on standard output
-    #[arg(long, value_enum)]
-    format: Option<RowFormat>,
+    #[arg(long, value_parser = format_parser(&ROW_FORMATS))]
+    format: Option<OutputFormat>,
 
     /// Effort of the planner
     #[arg(long, value_enum, default_value = "fast")]
@@ -84,15 +87,6 @@ impl PlanningQuality {
     }
 }
 
-fn inside(format: RowFormat) -> SampleFormat {
-    match format {
-        RowFormat::Csv => SampleFormat::Csv,
-        RowFormat::Jsonl => SampleFormat::Jsonl,
-        RowFormat::Parquet => SampleFormat::Parquet,
-        RowFormat::Arrow => SampleFormat::Arrow,
-    }
-}
-
 /// Microseconds are a unit of control units only: machine files have none.
 pub fn period(text: &str) -> Result<f64, String> {
     let micro =
@@ -109,14 +103,14 @@ const NOTICED: f64 = 1e-4;
 
 pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, CommandFailure> {
     let path = args.output.as_deref();
-    let format = format_of(args.format, path, RowFormat::Csv, "setpoints")?;
+    let format = format_of(&ROW_FORMATS, args.format, path, OutputFormat::Csv, "setpoints")?;
     let out = RowOutput::open(path, &args.file, format)?;
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     let report = job.report();
     let head = SampleHead::of(&job, &report, args.period);
     let reported = |error| trouble(path, error);
-    let mut writer = SampleWriter::new(out, inside(format), &head).map_err(reported)?;
+    let mut writer = SampleWriter::new(out, format, SampleColumns::new(&head)).map_err(reported)?;
     let mut done = Ok(());
     let sampling =
         SamplingRequest { period_s: args.period, level: args.level.of(), most: args.max_samples };

@@ -19,6 +19,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use chordal::Machine;
+use chordal::machine::ControlName;
 use chordal_editor::reference;
 
 /// Pages whose commands are run.
@@ -68,6 +69,21 @@ fn generated_pages_say_what_the_tables_say() {
     for (path, text) in reference::pages() {
         hold(&path, &text);
     }
+}
+
+#[test]
+fn the_type_of_controls_in_python_has_them_all() {
+    let name = |control: &ControlName| format!("    \"{control}\",\n");
+    let names: String = ControlName::ALL.iter().map(name).collect();
+    hold(
+        "python/chordal/_control.py",
+        &format!(
+            "\"\"\"The names of the controls. Generated: see CONTRIBUTING.md, Change a page.\"\"\"\n\n\
+             from typing import Literal\n\n\
+             #: The controls that can run a program.\n\
+             ControlName = Literal[\n{names}]\n"
+        ),
+    );
 }
 
 #[test]

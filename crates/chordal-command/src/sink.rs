@@ -11,3 +11,9 @@ pub trait Sink {
     /// Receives a diagnostic.
     fn diagnostic(&mut self, diagnostic: Diagnostic);
 }
+
+/// Takes nothing.
+impl Sink for () {
+    fn command(&mut self, _: &Command) {}
+    fn diagnostic(&mut self, _: Diagnostic) {}
+}

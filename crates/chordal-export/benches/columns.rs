@@ -12,7 +12,8 @@ use std::time::Duration;
 
 use arrow_array::RecordBatch;
 use chordal::{Command, Job, Machine, Source, SourceMap};
-use chordal_export::columns::{ColumnFile, ColumnFormat, CommandColumns, RowBatcher};
+use chordal_export::OutputFormat;
+use chordal_export::columns::{ColumnFile, CommandColumns, RowBatcher};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
 /// A xorshift, so that every run reads the same text.
@@ -68,7 +69,7 @@ fn batch(job: &Job) -> RecordBatch {
     columns.take().expect("a batch")
 }
 
-fn file(job: &Job, format: ColumnFormat) {
+fn file(job: &Job, format: OutputFormat) {
     let mut file =
         ColumnFile::new(io::sink(), format, CommandColumns::new(job)).expect("a sink takes all");
     job.report_of_commands(|command| file.put(|rows| rows.command(command)).expect("it does"));
@@ -96,10 +97,10 @@ fn columns(criterion: &mut Criterion) {
         .bench_function("a copy of as many bytes", |bench| bench.iter(|| black_box(block.clone())));
     group.bench_function("to one batch", |bench| bench.iter(|| batch(&job)));
     group.bench_function("to an Arrow file", |bench| {
-        bench.iter(|| file(&job, ColumnFormat::Arrow));
+        bench.iter(|| file(&job, OutputFormat::Arrow));
     });
     group.bench_function("to a Parquet file", |bench| {
-        bench.iter(|| file(&job, ColumnFormat::Parquet));
+        bench.iter(|| file(&job, OutputFormat::Parquet));
     });
     group.finish();
 }

@@ -2,11 +2,11 @@
 //!
 //! | of | format | here |
 //! |---|---|---|
-//! | commands | JSON lines, CSV, canonical text | [`CommandJsonLines`], [`CommandCsv`], [`CanonWriter`] |
-//! | chords | CSV, JSON lines | [`ChordWriter`] |
+//! | commands | JSON lines, canonical text, CSV, Parquet, Arrow | [`CommandWriter`] |
+//! | chords | JSON lines, CSV, Parquet, Arrow | [`ChordWriter`] |
 //! | path | SVG, PNG, DXF | [`Plot`], [`DxfWriter`] |
 //! | setpoints | CSV, JSON lines, Parquet, Arrow | [`SampleWriter`] |
-//! | commands, path, chords, setpoints | record batches of Arrow, Parquet, Arrow files | [`columns`] |
+//! | commands, path, chords, setpoints | record batches of Arrow | [`columns`] |
 //! | motion | SVG, PNG | [`MotionPlot`] |
 //! | calculations | text, JSON, SVG, PNG | [`worked_text`], [`worked_json`], [`figure_svg`], [`figure_png`] |
 //! | time | JSON | [`time_json`] |
@@ -16,6 +16,8 @@
 //! | engagement of cuts | text, JSON, CSV, columns | [`engagement_text`], [`engagement_json`], [`columns`] |
 //! | new feeds | text, JSON | [`optimized_text`], [`optimized_json`] |
 //! | problems | text, JSON, GitHub, SARIF | [`report`] |
+//!
+//! Which formats a content has is in [`format`](mod@format), once for every shell.
 //!
 //! Inside Chordal everything is millimetres, radians and millimetres per second; each
 //! format converts on the way out. Writers stream: they take any [`std::io::Write`], hold
@@ -48,13 +50,14 @@ mod calculation;
 mod canon;
 mod chords;
 pub mod columns;
-mod command_csv;
 mod command_json;
+mod command_rows;
 mod comparison;
 mod comparison_text;
 mod contour_ranges;
 mod digest;
 mod dxf;
+pub mod format;
 mod json;
 mod json_text;
 mod machine_error;
@@ -66,7 +69,6 @@ mod optimization;
 #[cfg(feature = "pictures")]
 mod plot;
 pub mod report;
-mod samples;
 mod setpoints;
 mod stock;
 mod time;
@@ -76,9 +78,9 @@ mod transformation;
 pub use calculation::{worked_json, worked_text};
 pub use canon::CanonWriter;
 pub use chords::ChordWriter;
-pub use columns::column_reference;
-pub use command_csv::CommandCsv;
+pub use columns::{SampleWriter, column_reference};
 pub use command_json::CommandJsonLines;
+pub use command_rows::CommandWriter;
 pub use comparison::{comparison_json, conversion_json, value_text};
 pub use comparison_text::{
     DifferenceWords, SideWords, comparison_headline, comparison_names, comparison_text,
@@ -87,6 +89,7 @@ pub use comparison_text::{
 pub use contour_ranges::{contour_ranges_json, contour_ranges_text};
 pub use digest::sha256_hex;
 pub use dxf::DxfWriter;
+pub use format::{FormatList, OutputFormat};
 pub use json_text::pretty_json;
 pub use machine_error::machine_error_text;
 pub use omissions::{GIVE_OFFSETS, left_out_texts, not_named_texts};
@@ -96,14 +99,13 @@ pub use plot::{
     MotionPlot, PageTool, PageView, Plot, PlotError, PlotOptions, Viewpoint, figure_png,
     figure_svg, page_section, palette_typescript, section_png, section_svg,
 };
-pub use samples::{SampleFormat, SampleWriter};
 pub use setpoints::{SAMPLE_SCHEMA, SampleHead};
 #[cfg(feature = "pictures")]
 pub use stock::stock_png;
 pub use stock::{
-    MeshFormat, MeshSurface, StockMeshError, engagement_json, engagement_text, section_dxf,
-    stock_json, stock_left_text, stock_mesh, stock_text, stock_verdict_text, stock_volume,
-    turned_json, turned_mesh, turned_text, turned_verdict_text, turning_json, turning_text,
+    MeshSurface, StockMeshError, engagement_json, engagement_text, section_dxf, stock_json,
+    stock_left_text, stock_mesh, stock_text, stock_verdict_text, stock_volume, turned_json,
+    turned_mesh, turned_text, turned_verdict_text, turning_json, turning_text,
 };
 pub use time::{comment_text, junctions_text, level_word, short_blocks_text, time_json};
 pub use transformation::{refusal_json, restart_json, split_json, transformed_json};

@@ -31,13 +31,6 @@ pub(crate) fn push_finite(out: &mut Vec<u8>, value: f64) -> bool {
     true
 }
 
-/// A number of at most nine decimals as text; empty where there is none.
-pub(crate) fn number(value: f64) -> String {
-    let mut out = Vec::new();
-    push_finite(&mut out, value);
-    String::from_utf8(out).unwrap_or_default()
-}
-
 /// Appends a number with exactly six decimals, and 0 for what is none.
 pub(crate) fn push_fixed(out: &mut Vec<u8>, value: f64) {
     let value = if value.is_finite() { value } else { 0.0 };

@@ -9,9 +9,8 @@ use arrow_array::types::Float64Type;
 use arrow_array::{Array, RecordBatch};
 use chordal::geometry::Placement;
 use chordal::{Command, Job, Machine, Source, SourceMap};
-use chordal_export::columns::{
-    ChordColumns, ColumnFile, ColumnFormat, CommandColumns, PathColumns, RowBatcher,
-};
+use chordal_export::OutputFormat;
+use chordal_export::columns::{ChordColumns, ColumnFile, CommandColumns, PathColumns, RowBatcher};
 
 const PART: &str = "G21 G90 G17 S900 M3\nG0 X0 Y0 Z5.\nT2 M6\nG1 Z-1. F100.\nX10.\n\
                     G3 X20. Y10. I0 J10. F50.\nG4 P2.\n#1=3.\nDPRNT[X#1[32]]\nM30\n";
@@ -90,7 +89,7 @@ impl Write for Full {
 }
 
 /// Rows until the output is full, if it ever is.
-fn fill(room: usize, format: ColumnFormat) -> io::Result<usize> {
+fn fill(room: usize, format: OutputFormat) -> io::Result<usize> {
     let job = job();
     let mut file = ColumnFile::new(Full(room), format, PathColumns::new(&job))?;
     let mut done = Ok(());
@@ -110,7 +109,7 @@ fn fill(room: usize, format: ColumnFormat) -> io::Result<usize> {
 
 #[test]
 fn a_full_output_is_told_as_such() {
-    for format in [ColumnFormat::Parquet, ColumnFormat::Arrow] {
+    for format in [OutputFormat::Parquet, OutputFormat::Arrow] {
         let bytes = fill(usize::MAX, format).expect("room for all");
         for room in [0, 3, bytes / 2, bytes - 1] {
             let error = fill(room, format).expect_err("no room");

@@ -5,7 +5,7 @@ use arrow_array::cast::AsArray;
 use arrow_array::types::Float64Type;
 use chordal::{Command, Job, Machine, Source, SourceMap};
 use chordal_export::columns::{CommandColumns, PathColumns, RowBatcher};
-use chordal_export::{CommandCsv, CommandJsonLines};
+use chordal_export::{CommandJsonLines, CommandWriter, OutputFormat};
 
 /// X 50 and 60 across, then a quarter of radius 5 about X 70 Z 0: from r 30 to r 35.
 const PART: &str = "G21 G90 G18 G94 S500 M3\nG0 X50. Z0\nG1 X60. F100.\nG2 X70. Z-5. I5. K0\nM30\n";
@@ -57,7 +57,7 @@ fn the_exact_path_is_the_slides() {
 #[test]
 fn csv_and_json() {
     let job = job();
-    let mut csv = CommandCsv::new(Vec::new(), &job).expect("a header");
+    let mut csv = CommandWriter::new(Vec::new(), OutputFormat::Csv, &job, false).expect("a header");
     let mut json = CommandJsonLines::new(Vec::new(), &job).expect("a header");
     job.report_of_commands(|command: &Command| {
         csv.command(command).expect("a row");

@@ -7,7 +7,8 @@ use bytes::Bytes;
 use chordal::machine::AXES;
 use chordal::motion::MotionSample;
 use chordal::{Job, Machine, Source, SourceMap};
-use chordal_export::{SampleFormat, SampleHead, SampleWriter};
+use chordal_export::columns::SampleColumns;
+use chordal_export::{OutputFormat, SampleHead, SampleWriter};
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use serde_json::Value;
 
@@ -36,8 +37,9 @@ fn sample(index: usize) -> MotionSample {
     }
 }
 
-fn written(format: SampleFormat, rotary: [bool; 3], rows: usize) -> Vec<u8> {
-    let mut writer = SampleWriter::new(Vec::new(), format, &head(rotary)).unwrap();
+fn written(format: OutputFormat, rotary: [bool; 3], rows: usize) -> Vec<u8> {
+    let mut writer =
+        SampleWriter::new(Vec::new(), format, SampleColumns::new(&head(rotary))).unwrap();
     for index in 0..rows {
         writer.sample(&sample(index), 10 + (index / 1000) as u32).unwrap();
     }
@@ -46,7 +48,7 @@ fn written(format: SampleFormat, rotary: [bool; 3], rows: usize) -> Vec<u8> {
 
 #[test]
 fn a_table_by_hand() {
-    let text = String::from_utf8(written(SampleFormat::Csv, [false; 3], 3)).unwrap();
+    let text = String::from_utf8(written(OutputFormat::Csv, [false; 3], 3)).unwrap();
     assert_eq!(
         text,
         "time_s,x_mm,x_vel_mm_per_s,x_acc_mm_per_s2,y_mm,y_vel_mm_per_s,y_acc_mm_per_s2,\
@@ -59,7 +61,7 @@ fn a_table_by_hand() {
 
 #[test]
 fn rotary_axes_are_degrees() {
-    let text = String::from_utf8(written(SampleFormat::Csv, [true, false, false], 3)).unwrap();
+    let text = String::from_utf8(written(OutputFormat::Csv, [true, false, false], 3)).unwrap();
     let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(
         rows[0][10..],
@@ -70,7 +72,7 @@ fn rotary_axes_are_degrees() {
 
 #[test]
 fn json_lines_have_a_header_and_the_names_of_the_columns() {
-    let text = String::from_utf8(written(SampleFormat::Jsonl, [false, false, true], 2)).unwrap();
+    let text = String::from_utf8(written(OutputFormat::Jsonl, [false, false, true], 2)).unwrap();
     let lines: Vec<Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     assert_eq!(lines.len(), 3);
     assert_eq!(lines[0]["schema"], "chordal.samples/1");
@@ -110,7 +112,7 @@ fn rows_agree(batches: &[RecordBatch], rows: usize) {
 #[test]
 fn a_parquet_file_reads_back() {
     let rows = 200_000;
-    let bytes = Bytes::from(written(SampleFormat::Parquet, [true, false, false], rows));
+    let bytes = Bytes::from(written(OutputFormat::Parquet, [true, false, false], rows));
     let builder = ParquetRecordBatchReaderBuilder::try_new(bytes).unwrap();
     assert_eq!(builder.metadata().num_row_groups(), 2);
     let about = builder.metadata().file_metadata().key_value_metadata().unwrap();
@@ -129,7 +131,7 @@ fn a_parquet_file_reads_back() {
 #[test]
 fn an_arrow_file_reads_back() {
     for rows in [0, 1, 8192, 20_000] {
-        let bytes = written(SampleFormat::Arrow, [true, false, false], rows);
+        let bytes = written(OutputFormat::Arrow, [true, false, false], rows);
         let reader = arrow_ipc::reader::FileReader::try_new(Cursor::new(bytes), None).unwrap();
         assert_eq!(reader.schema().metadata()["chordal.period_s"], "0.001");
         assert_eq!(reader.schema().field(1).metadata()["unit"], "mm");
@@ -141,7 +143,7 @@ fn an_arrow_file_reads_back() {
 #[test]
 fn the_same_samples_are_the_same_bytes() {
     for format in
-        [SampleFormat::Csv, SampleFormat::Jsonl, SampleFormat::Parquet, SampleFormat::Arrow]
+        [OutputFormat::Csv, OutputFormat::Jsonl, OutputFormat::Parquet, OutputFormat::Arrow]
     {
         assert_eq!(written(format, [true; 3], 10_000), written(format, [true; 3], 10_000));
     }
@@ -183,9 +185,10 @@ impl Write for Full {
 #[test]
 fn a_full_output_is_told_as_such() {
     for format in
-        [SampleFormat::Csv, SampleFormat::Jsonl, SampleFormat::Parquet, SampleFormat::Arrow]
+        [OutputFormat::Csv, OutputFormat::Jsonl, OutputFormat::Parquet, OutputFormat::Arrow]
     {
-        let mut writer = SampleWriter::new(Full(5_000), format, &head([true; 3])).unwrap();
+        let mut writer =
+            SampleWriter::new(Full(5_000), format, SampleColumns::new(&head([true; 3]))).unwrap();
         let mut done = Ok(());
         for index in 0..400_000 {
             done = writer.sample(&sample(index), 1);

@@ -36,3 +36,6 @@ pub trait RunSink: Sink {
         ControlFlow::Continue(())
     }
 }
+
+/// Sees nothing.
+impl RunSink for () {}

@@ -3,10 +3,7 @@
 use std::sync::Arc;
 
 use chordal::control::{InterruptCheck, RunOptions, ShopCodes, ShopRecord};
-use chordal::{
-    Command, Diagnostic, Job, Machine, ProgramReading, ReadingChoices, RunSink, Sink, Source,
-    SourceMap,
-};
+use chordal::{Job, Machine, ProgramReading, ReadingChoices, Source, SourceMap};
 
 use crate::error::LoadError;
 use crate::machine_reason::MachineReason;
@@ -55,7 +52,7 @@ impl Loaded {
             Some(interrupt) => job.interrupt(interrupt),
             None => job,
         };
-        job.run(&mut DiscardingSink);
+        job.run(&mut ());
         let texts = job.sources().appended().map(|source| {
             (source.name().to_string(), String::from_utf8_lossy(source.text()).into_owned())
         });
@@ -136,13 +133,3 @@ impl Loaded {
         Ok(job.program(self.program).options(self.options.clone()))
     }
 }
-
-/// A sink that ignores everything.
-struct DiscardingSink;
-
-impl Sink for DiscardingSink {
-    fn command(&mut self, _: &Command) {}
-    fn diagnostic(&mut self, _: Diagnostic) {}
-}
-
-impl RunSink for DiscardingSink {}

@@ -4,8 +4,9 @@ use chordal::Job;
 use chordal::stock::TurnedReport;
 use chordal::stock::section::PlaceSide;
 use chordal_export::columns::{CutColumns, RowBatcher, section_columns};
+use chordal_export::format::LATHE_STOCK_FILES;
 use chordal_export::{
-    MeshFormat, PlotOptions, section_dxf, section_png, section_svg, turned_json, turned_mesh,
+    OutputFormat, PlotOptions, section_dxf, section_png, section_svg, turned_json, turned_mesh,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -85,14 +86,13 @@ impl TurnedStock {
         let mesh =
             |format| turned_mesh(&self.found, format, name).map_err(|error| error.to_string());
         let bytes = py.detach(|| {
-            Some(match ending {
-                "dxf" => Ok(section_dxf(&self.found)),
-                "svg" => Ok(section_svg(&self.found, &picture()).into_bytes()),
-                "png" => section_png(&self.found, &picture()).map_err(|error| error.to_string()),
-                "stl" => mesh(MeshFormat::Stl),
-                "3mf" => mesh(MeshFormat::ThreeMf),
-                "glb" => mesh(MeshFormat::Glb),
-                _ => return None,
+            Some(match LATHE_STOCK_FILES.named(ending)? {
+                OutputFormat::Dxf => Ok(section_dxf(&self.found)),
+                OutputFormat::Svg => Ok(section_svg(&self.found, &picture()).into_bytes()),
+                OutputFormat::Png => {
+                    section_png(&self.found, &picture()).map_err(|error| error.to_string())
+                }
+                format => mesh(format),
             })
         });
         let bytes = bytes.ok_or_else(|| {

@@ -2,7 +2,8 @@
 
 use chordal::geometry::Vec3;
 use chordal::stock::{StockReport, StockRunError};
-use chordal_export::{MeshFormat, MeshSurface, stock_json, stock_mesh, stock_png};
+use chordal_export::format::STOCK_FILES;
+use chordal_export::{MeshSurface, OutputFormat, stock_json, stock_mesh, stock_png};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -80,26 +81,18 @@ impl Stock {
         smooth_mm: Option<f64>,
         name: &str,
     ) -> PyResult<Bound<'py, PyBytes>> {
-        let format = match ending {
-            "stl" => Some(MeshFormat::Stl),
-            "3mf" => Some(MeshFormat::ThreeMf),
-            "glb" => Some(MeshFormat::Glb),
-            "png" => None,
-            other => {
-                let message = format!("there is no format `{other}`");
-                return Err(error::usage(py, &message, Some("formats are stl, 3mf, glb, png")));
-            }
-        };
+        let format = STOCK_FILES.named(ending).ok_or_else(|| {
+            let help = format!("formats are {}", STOCK_FILES.names());
+            error::usage(py, &format!("there is no format `{ending}`"), Some(&help))
+        })?;
         if let Some(smooth) = smooth_mm.filter(|smooth| !(smooth.is_finite() && *smooth >= 0.0)) {
             let message = format!("smooth is {smooth}, and must be a length of 0 mm or more");
             return Err(error::usage(py, &message, Some("leave it out for a mesh in steps")));
         }
         let surface = smooth_mm.map_or(MeshSurface::Steps(tolerance_mm), MeshSurface::Smooth);
         let bytes = py.detach(|| match format {
-            Some(format) => {
-                stock_mesh(&self.found, format, surface, name).map_err(|error| error.to_string())
-            }
-            None => stock_png(&self.found).map_err(|error| error.to_string()),
+            OutputFormat::Png => stock_png(&self.found).map_err(|error| error.to_string()),
+            mesh => stock_mesh(&self.found, mesh, surface, name).map_err(|error| error.to_string()),
         });
         Ok(PyBytes::new(py, &bytes.map_err(|message| coarser(py, &message))?))
     }

@@ -47,6 +47,16 @@ fn a_control_has_a_machine_signs_a_source_and_a_post() {
 }
 
 #[test]
+fn examples_of_a_control_have_a_title_in_the_gallery() {
+    let gallery = fs::read_to_string(root().join("web/gallery.ts")).expect("it is there");
+    let examples = folders("examples");
+    for name in ControlName::ALL.iter().map(|name| name.as_str()) {
+        let is_titled = gallery.contains(&format!("\"{name}\": \""));
+        assert!(is_titled || !examples.contains(name), "web/gallery.ts: no title for {name}");
+    }
+}
+
+#[test]
 fn a_control_has_programs_in_the_suite_and_a_page_of_its_codes() {
     let suite = folders("tests/suite");
     for name in ControlName::ALL {

@@ -7,7 +7,8 @@ use arrow_array::{
     ArrayRef, BooleanArray, Float64Array, RecordBatch, StringArray, UInt32Array, UInt64Array,
 };
 use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
-use chordal_export::columns::{ColumnFile, ColumnFormat, RowBatcher};
+use chordal_export::OutputFormat;
+use chordal_export::columns::{ColumnFile, RowBatcher};
 
 use super::DiffRow;
 use crate::columns::about;
@@ -110,7 +111,7 @@ impl RowBatcher for DiffColumns<'_> {
 /// # Errors The output cannot be written.
 pub fn write_table<W: Write + Send + 'static>(rows: &[DiffRow], out: W) -> io::Result<W> {
     let columns = DiffColumns { schema: schema(), rows: &[] };
-    let mut table = ColumnFile::new(out, ColumnFormat::Parquet, columns)?;
+    let mut table = ColumnFile::new(out, OutputFormat::Parquet, columns)?;
     table.put(|columns| columns.rows = rows)?;
     table.finish()
 }

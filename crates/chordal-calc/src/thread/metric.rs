@@ -4,8 +4,9 @@
 //! exceptions for a smooth progression; so the tables of grade 6 stand here. The other grades of the
 //! standard are whole steps of the series away: four for each grade, and five more inside.
 
+use super::formula_rows::FormulaRows;
 use super::{INSIDE, MIDDLE, OUTSIDE, ThreadLocation, ThreadSize, ToleranceZone};
-use crate::calculation::{QuantityKind, WorkedCalculation};
+use crate::calculation::WorkedCalculation;
 use crate::error::CalcError;
 use crate::numbers::AnswerUnit;
 
@@ -214,7 +215,7 @@ pub(super) fn limits(
     }
 }
 
-fn n(mm: f64) -> String {
+fn millimetres(mm: f64) -> String {
     AnswerUnit::Millimetre.number(mm)
 }
 
@@ -235,47 +236,28 @@ fn outside(
     let d2 = micron(d - MIDDLE * p);
     let (most, pitch_most) = (micron(d - es_crest), micron(d2 - es));
     let (least, pitch_least) = (micron(most - td), micron(pitch_most - td2));
-    let mut table = |symbol: &str, meaning: String, value: f64, source: &str| {
-        worked.intermediate(symbol, &meaning, QuantityKind::Length, value, source, source.into());
-    };
-    let position = format!("distance of {} from the basic size", crest.position);
-    table("es", position, es_crest, "ISO 965-1, table 1");
-    if !same(es, es_crest) {
-        let position = format!("distance of {} from the basic size", pitch.position);
-        table("es2", position, es, "ISO 965-1, table 1");
-    }
-    let meaning = format!("tolerance of the major diameter, grade {}", crest.grade);
-    table("Td", meaning, td, "ISO 965-1, tolerances Td");
-    let meaning = format!("tolerance of the pitch diameter, grade {}", pitch.grade);
-    table("Td2", meaning, td2, "ISO 965-1, tolerances Td2");
-
-    let mut give = |symbol: &str, meaning: &str, value: f64, formula: &str, filled: String| {
-        worked.result(symbol, meaning, QuantityKind::Length, value, formula, filled);
-    };
-    give("dmax", "major diameter, most", most, "D − es", format!("{} − {}", n(d), n(es_crest)));
-    give("dmin", "major diameter, least", least, "dmax − Td", format!("{} − {}", n(most), n(td)));
-    let formula = if same(es, es_crest) { "D2 − es" } else { "D2 − es2" };
-    let filled = format!("{} − {}", n(d2), n(es));
-    give("d2max", "pitch diameter, most", pitch_most, formula, filled);
-    let filled = format!("{} − {}", n(pitch_most), n(td2));
-    give("d2min", "pitch diameter, least", pitch_least, "d2max − Td2", filled);
-    let (formula, filled) =
-        ("D − es − 1.226869·P", format!("{} − {} − 1.226869·{}", n(d), n(es), n(p)));
-    let meaning = "root diameter, most, round root";
-    give("d3max", meaning, micron(d - es - OUTSIDE * p), formula, filled);
     // The roundest root that the standard allows has a radius of P/8: H/2 − P/8 below the middle.
-    let (formula, filled) =
-        ("d2min − 0.616025·P", format!("{} − 0.616025·{}", n(pitch_least), n(p)));
     let root = micron(pitch_least - (super::H - 0.25) * p);
-    give("d3min", "root diameter, least, root radius P/8", root, formula, filled);
+
+    let mut rows = FormulaRows::new(worked, 1.0, &millimetres, &[("D", d), ("P", p), ("D2", d2)]);
+    let of_pitch = tolerances(
+        &mut rows,
+        ["es", "Td", "Td2"],
+        "major",
+        [crest, pitch],
+        [es_crest, es, td, td2],
+    );
+    rows.result("dmax", "major diameter, most", most, "D − es");
+    rows.result("dmin", "major diameter, least", least, "dmax − Td");
+    rows.result("d2max", "pitch diameter, most", pitch_most, &format!("D2 − {of_pitch}"));
+    rows.result("d2min", "pitch diameter, least", pitch_least, "d2max − Td2");
+    rows.know("es", es);
+    let round = micron(d - es - OUTSIDE * p);
+    rows.result("d3max", "root diameter, most, round root", round, "D − es − 1.226869·P");
+    rows.result("d3min", "root diameter, least, root radius P/8", root, "d2min − 0.616025·P");
     let class = super::FitClass::Metric { pitch, crest };
-    worked.note(format!(
-        "{class}, outside: major {} to {}, pitch {} to {} (mm, ISO 965-1).",
-        n(most),
-        n(least),
-        n(pitch_most),
-        n(pitch_least)
-    ));
+    let words = ["major", "mm, ISO 965-1"];
+    rows.note_limits(&format!("{class}, outside"), words, [most, least], [pitch_most, pitch_least]);
     Ok(())
 }
 
@@ -292,43 +274,53 @@ fn inside(
     let (d1, d2) = (micron(d - INSIDE * p), micron(d - MIDDLE * p));
     let (least, pitch_least) = (micron(d1 + ei_crest), micron(d2 + ei));
     let (most, pitch_most) = (micron(least + td1), micron(pitch_least + td2));
-    let mut table = |symbol: &str, meaning: String, value: f64, source: &str| {
-        worked.intermediate(symbol, &meaning, QuantityKind::Length, value, source, source.into());
-    };
-    let position = format!("distance of {} from the basic size", crest.position);
-    table("EI", position, ei_crest, "ISO 965-1, table 1");
-    if !same(ei, ei_crest) {
-        let position = format!("distance of {} from the basic size", pitch.position);
-        table("EI2", position, ei, "ISO 965-1, table 1");
-    }
-    let meaning = format!("tolerance of the minor diameter, grade {}", crest.grade);
-    table("TD1", meaning, td1, "ISO 965-1, tolerances TD1");
-    let meaning = format!("tolerance of the pitch diameter, grade {}", pitch.grade);
-    table("TD2", meaning, td2, "ISO 965-1, tolerances TD2");
 
-    let mut give = |symbol: &str, meaning: &str, value: f64, formula: &str, filled: String| {
-        worked.result(symbol, meaning, QuantityKind::Length, value, formula, filled);
-    };
-    let filled = format!("{} + {}", n(d1), n(ei_crest));
-    give("D1min", "minor diameter, least", least, "D1 + EI", filled);
-    let filled = format!("{} + {}", n(least), n(td1));
-    give("D1max", "minor diameter, most", most, "D1min + TD1", filled);
-    let formula = if same(ei, ei_crest) { "D2 + EI" } else { "D2 + EI2" };
-    let filled = format!("{} + {}", n(d2), n(ei));
-    give("D2min", "pitch diameter, least", pitch_least, formula, filled);
-    let filled = format!("{} + {}", n(pitch_least), n(td2));
-    give("D2max", "pitch diameter, most", pitch_most, "D2min + TD2", filled);
-    let filled = format!("{} + {}", n(d), n(ei));
-    give("Dmin", "major diameter, least", micron(d + ei), "D + EI", filled);
+    let known = [("D", d), ("D1", d1), ("D2", d2)];
+    let mut rows = FormulaRows::new(worked, 1.0, &millimetres, &known);
+    let of_pitch = tolerances(
+        &mut rows,
+        ["EI", "TD1", "TD2"],
+        "minor",
+        [crest, pitch],
+        [ei_crest, ei, td1, td2],
+    );
+    rows.result("D1min", "minor diameter, least", least, "D1 + EI");
+    rows.result("D1max", "minor diameter, most", most, "D1min + TD1");
+    rows.result("D2min", "pitch diameter, least", pitch_least, &format!("D2 + {of_pitch}"));
+    rows.result("D2max", "pitch diameter, most", pitch_most, "D2min + TD2");
+    rows.know("EI", ei);
+    rows.result("Dmin", "major diameter, least", micron(d + ei), "D + EI");
     let class = super::FitClass::Metric { pitch, crest };
-    worked.note(format!(
-        "{class}, inside: minor {} to {}, pitch {} to {} (mm, ISO 965-1).",
-        n(least),
-        n(most),
-        n(pitch_least),
-        n(pitch_most)
-    ));
+    let words = ["minor", "mm, ISO 965-1"];
+    rows.note_limits(&format!("{class}, inside"), words, [least, most], [pitch_least, pitch_most]);
     Ok(())
+}
+
+/// What the tables say of the crests and of the pitch diameter: positions, then tolerances. The symbol of the position of
+/// the pitch diameter.
+fn tolerances(
+    rows: &mut FormulaRows<'_>,
+    [position, crest_symbol, pitch_symbol]: [&str; 3],
+    diameter: &str,
+    [crest, pitch]: [ToleranceZone; 2],
+    [of_crest, of_pitch, crest_tolerance, pitch_tolerance]: [f64; 4],
+) -> String {
+    let mut distance = |symbol: &str, zone: ToleranceZone, value: f64| {
+        let meaning = format!("distance of {} from the basic size", zone.position);
+        rows.intermediate(symbol, &meaning, value, "ISO 965-1, table 1");
+    };
+    distance(position, crest, of_crest);
+    let own = if same(of_pitch, of_crest) { position.into() } else { format!("{position}2") };
+    if own != position {
+        distance(&own, pitch, of_pitch);
+    }
+    let mut tolerance = |symbol: &str, diameter: &str, zone: ToleranceZone, value: f64| {
+        let meaning = format!("tolerance of the {diameter} diameter, grade {}", zone.grade);
+        rows.intermediate(symbol, &meaning, value, &format!("ISO 965-1, tolerances {symbol}"));
+    };
+    tolerance(crest_symbol, diameter, crest, crest_tolerance);
+    tolerance(pitch_symbol, "pitch", pitch, pitch_tolerance);
+    own
 }
 
 /// What grade 6 would be where the standard has only grades 4 and 5: 60 and 71 µm from grade 4.

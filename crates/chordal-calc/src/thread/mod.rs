@@ -5,6 +5,7 @@
 mod class;
 mod designation;
 mod figure;
+mod formula_rows;
 mod metric;
 mod name;
 mod pipe;
@@ -15,6 +16,7 @@ mod words;
 
 pub use class::{FitClass, ToleranceZone};
 pub use designation::{ThreadDesignation, ThreadForm};
+use formula_rows::FormulaRows;
 
 use crate::calculation::{QuantityKind, WorkedCalculation};
 use crate::error::{CalcError, bounded};
@@ -180,7 +182,7 @@ fn basic(thread: &ThreadSize, units: AnswerUnit) -> Result<WorkedCalculation, Ca
     worked.input("D", "major (nominal) diameter", QuantityKind::Length, major);
     worked.input("P", "pitch", QuantityKind::Length, pitch);
     worked.input("n", "starts", QuantityKind::Number, f64::from(starts));
-    let (d, p) = (units.number(major), units.number(pitch));
+    let p = units.number(pitch);
     let length = QuantityKind::Length;
     if units == AnswerUnit::Inch {
         let tpi = 25.4 / pitch;
@@ -188,32 +190,21 @@ fn basic(thread: &ThreadSize, units: AnswerUnit) -> Result<WorkedCalculation, Ca
         worked.intermediate("TPI", "threads per inch", QuantityKind::Number, tpi, "1/P", filled);
     }
     let lead = pitch * f64::from(starts);
+    let number = |mm: f64| units.number(mm);
+    let known = [("D", major), ("P", pitch)];
     worked.result("L", "lead: Z in one turn", length, lead, "n·P", format!("{starts}·{p}"));
-    worked.intermediate(
-        "H",
-        "height of the sharp profile",
-        length,
-        H * pitch,
-        "0.866025·P",
-        format!("0.866025·{p}"),
-    );
-    let diameters = [
-        ("D2", "pitch diameter", MIDDLE, "D − 0.649519·P", "0.649519"),
-        ("D1", "minor diameter inside: the hole", INSIDE, "D − 1.082532·P", "1.082532"),
-        ("d3", "minor (root) diameter outside", OUTSIDE, "D − 1.226869·P", "1.226869"),
-    ];
-    for (symbol, meaning, share, formula, number) in diameters {
-        let value = major - share * pitch;
-        worked.result(symbol, meaning, length, value, formula, format!("{d} − {number}·{p}"));
+    let mut rows = FormulaRows::new(&mut worked, 1.0, &number, &known);
+    rows.intermediate("H", "height of the sharp profile", H * pitch, "0.866025·P");
+    for (symbol, meaning, share, formula) in [
+        ("D2", "pitch diameter", MIDDLE, "D − 0.649519·P"),
+        ("D1", "minor diameter inside: the hole", INSIDE, "D − 1.082532·P"),
+        ("d3", "minor (root) diameter outside", OUTSIDE, "D − 1.226869·P"),
+    ] {
+        rows.result(symbol, meaning, major - share * pitch, formula);
     }
-    let depths = [
-        ("t1", "single depth inside, 5/8·H", INSIDE, "0.541266·P", "0.541266"),
-        ("t3", "single depth outside, 17/24·H", OUTSIDE, "0.613435·P", "0.613435"),
-    ];
-    for (symbol, meaning, share, formula, number) in depths {
-        let value = share * pitch / 2.0;
-        worked.result(symbol, meaning, length, value, formula, format!("{number}·{p}"));
-    }
+    let (inside, outside) = (INSIDE * pitch / 2.0, OUTSIDE * pitch / 2.0);
+    rows.result("t1", "single depth inside, 5/8·H", inside, "0.541266·P");
+    rows.result("t3", "single depth outside, 17/24·H", outside, "0.613435·P");
     let middle = major - MIDDLE * pitch;
     worked.result(
         "φ",

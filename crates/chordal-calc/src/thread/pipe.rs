@@ -2,6 +2,7 @@
 
 use super::class::{self, FitClass};
 use super::designation::{ThreadDesignation, ThreadForm, no_thread};
+use super::formula_rows::FormulaRows;
 use super::pipe_sizes::{G, NPT, PipeSize, TOLERANCES};
 use super::words::diameter;
 use crate::calculation::{QuantityKind, WorkedCalculation};
@@ -177,27 +178,20 @@ fn taper(worked: &mut WorkedCalculation) {
 fn npt(worked: &mut WorkedCalculation, found: &PipeSize) {
     let PipeSize { major: d, tpi, gauge, .. } = *found;
     let p = 1.0 / tpi;
-    let n = |value: f64| trimmed(value, 5);
     let small = d - (0.05 * d + 1.1) * p;
     let large = small + gauge / 16.0;
     let height = 0.8 * p;
-    let mut give = |symbol: &str, meaning: &str, inches: f64, formula: &str, filled: String| {
-        worked.result(symbol, meaning, QuantityKind::Length, inches * INCH, formula, filled);
-    };
-    let table = "ASME B1.20.1, table 2";
-    give("L1", "engagement by hand", gauge, table, table.into());
-    let filled = format!("(0.8·{} + 6.8)·{}", n(d), n(p));
-    give("L2", "length of effective thread", (0.8 * d + 6.8) * p, "(0.8·D + 6.8)·P", filled);
-    let filled = format!("{} − (0.05·{} + 1.1)·{}", n(d), n(d), n(p));
+    let mut rows =
+        FormulaRows::new(worked, INCH, &|inches| trimmed(inches, 5), &[("D", d), ("P", p)]);
+    rows.result("L1", "engagement by hand", gauge, "ASME B1.20.1, table 2");
+    let effective = (0.8 * d + 6.8) * p;
+    rows.result("L2", "length of effective thread", effective, "(0.8·D + 6.8)·P");
     let formula = "D − (0.05·D + 1.1)·P";
-    give("E0", "pitch diameter at the end of the pipe", small, formula, filled);
-    let filled = format!("{} + {}/16", n(small), n(gauge));
-    give("E1", "pitch diameter at the mouth of the hole", large, "E0 + L1/16", filled);
-    give("h", "height of the thread", height, "0.8·P", format!("0.8·{}", n(p)));
-    let filled = format!("{} − {}", n(small), n(height));
-    give("K0", "minor diameter at the end of the pipe", small - height, "E0 − h", filled);
-    let filled = format!("{} − {}", n(large), n(height));
-    give("K1", "minor diameter at the mouth of the hole", large - height, "E1 − h", filled);
+    rows.result("E0", "pitch diameter at the end of the pipe", small, formula);
+    rows.result("E1", "pitch diameter at the mouth of the hole", large, "E0 + L1/16");
+    rows.result("h", "height of the thread", height, "0.8·P");
+    rows.result("K0", "minor diameter at the end of the pipe", small - height, "E0 − h");
+    rows.result("K1", "minor diameter at the mouth of the hole", large - height, "E1 − h");
     worked.note("The formulas are in inches. Basic sizes: the gauge may be off by one turn.");
 }
 
@@ -205,29 +199,20 @@ fn npt(worked: &mut WorkedCalculation, found: &PipeSize) {
 fn whitworth(worked: &mut WorkedCalculation, name: &ThreadDesignation, found: &PipeSize) {
     let (d, p) = (name.major, name.pitch);
     let units = worked.units;
-    let n = |mm: f64| units.number(mm);
     // The standards round the depth to a micrometre, and take it off once and twice.
     let height = (WHITWORTH * p * 1000.0).round() / 1000.0;
     let (middle, minor) = (d - height, d - 2.0 * height);
-    let mut give = |symbol: &str, meaning: &str, mm: f64, formula: &str, filled: String| {
-        worked.result(symbol, meaning, QuantityKind::Length, mm, formula, filled);
-    };
-    let formula = "0.640327·P, to 0.001 mm";
-    give("h", "depth of the thread", height, formula, format!("0.640327·{}", n(p)));
-    give("D2", "pitch diameter", middle, "D − h", format!("{} − {}", n(d), n(height)));
-    give("D1", "minor diameter", minor, "D − 2·h", format!("{} − 2·{}", n(d), n(height)));
+    let number = |mm: f64| units.number(mm);
+    let mut rows = FormulaRows::new(worked, 1.0, &number, &[("D", d), ("P", p)]);
+    rows.result("h", "depth of the thread", height, "0.640327·P, to 0.001 mm");
+    rows.result("D2", "pitch diameter", middle, "D − h");
+    rows.result("D1", "minor diameter", minor, "D − 2·h");
     if name.form == ThreadForm::R {
-        let gauge = found.gauge;
-        give("L", "gauge length", gauge, "ISO 7-1, table 1", "ISO 7-1, table 1".into());
-        for (symbol, meaning, large) in [
-            ("D0", "major diameter at the small end", d),
-            ("D20", "pitch diameter at the small end", middle),
-            ("D10", "minor diameter at the small end", minor),
-        ] {
-            let formula = format!("{} − L/16", symbol.trim_end_matches('0'));
-            let filled = format!("{} − {}/16", n(large), n(gauge));
-            give(symbol, meaning, large - gauge / 16.0, &formula, filled);
-        }
+        let small = |large: f64| large - found.gauge / 16.0;
+        rows.result("L", "gauge length", found.gauge, "ISO 7-1, table 1");
+        rows.result("D0", "major diameter at the small end", small(d), "D − L/16");
+        rows.result("D20", "pitch diameter at the small end", small(middle), "D2 − L/16");
+        rows.result("D10", "minor diameter at the small end", small(minor), "D1 − L/16");
         return;
     }
     parallel_limits(worked, name, found, [middle, minor]);

@@ -3,9 +3,10 @@
 //! The standard adds rounded numbers: tolerances and allowance have four decimals before they are
 //! added, so its tables come out to the last digit. All formulas are in inches.
 
+use super::formula_rows::FormulaRows;
 use super::series::UnifiedSeries;
 use super::{H, INSIDE, MIDDLE, ThreadLocation, ThreadSize};
-use crate::calculation::{QuantityKind, WorkedCalculation};
+use crate::calculation::WorkedCalculation;
 use crate::math::{cbrt, sqrt};
 use crate::numbers::trimmed;
 
@@ -75,137 +76,61 @@ pub(super) fn limits(
     place: ThreadLocation,
 ) {
     let sizes = UnifiedThreadSizes::of(thread);
-    measure(worked, &sizes);
+    let is_new = worked.step("T2").is_none();
+    let known = [("D", sizes.d), ("P", sizes.p)];
+    let mut rows = FormulaRows::new(worked, INCH, &|inches| trimmed(inches, 6), &known);
+    measure(&mut rows, &sizes, is_new);
     match place {
-        ThreadLocation::Outside => outside(worked, &sizes, grade),
-        ThreadLocation::Inside => inside(worked, &sizes, grade),
+        ThreadLocation::Outside => outside(&mut rows, &sizes, grade),
+        ThreadLocation::Inside => inside(&mut rows, &sizes, grade),
     }
 }
 
 /// What all classes share; a pair of classes shows it once.
-fn measure(worked: &mut WorkedCalculation, sizes: &UnifiedThreadSizes) {
-    if worked.step("T2").is_some() {
-        return;
+fn measure(rows: &mut FormulaRows<'_>, sizes: &UnifiedThreadSizes, is_new: bool) {
+    rows.know("Le", sizes.le);
+    rows.know("T2", sizes.t2);
+    if is_new {
+        let formula = if sizes.by_diameter { "D" } else { "9·P" };
+        rows.intermediate("Le", "length of engagement", sizes.le, formula);
+        let formula = "0.0015·∛D + 0.0015·√Le + 0.015·∛P², to 6 decimals";
+        let meaning = "tolerance of the pitch diameter in class 2A, in inches";
+        rows.intermediate("T2", meaning, sizes.t2, formula);
     }
-    let number = |value: f64| trimmed(value, 6);
-    let (formula, filled) = if sizes.by_diameter {
-        ("D", number(sizes.d))
-    } else {
-        ("9·P", format!("9·{}", number(sizes.p)))
-    };
-    let length = QuantityKind::Length;
-    worked.intermediate("Le", "length of engagement", length, sizes.le * INCH, formula, filled);
-    let filled = format!(
-        "0.0015·∛{d} + 0.0015·√{le} + 0.015·∛{p}²",
-        d = number(sizes.d),
-        le = number(sizes.le),
-        p = number(sizes.p)
-    );
-    worked.intermediate(
-        "T2",
-        "tolerance of the pitch diameter in class 2A, in inches",
-        length,
-        sizes.t2 * INCH,
-        "0.0015·∛D + 0.0015·√Le + 0.015·∛P², to 6 decimals",
-        filled,
-    );
 }
 
-fn outside(worked: &mut WorkedCalculation, sizes: &UnifiedThreadSizes, grade: u8) {
+fn outside(rows: &mut FormulaRows<'_>, sizes: &UnifiedThreadSizes, grade: u8) {
     let UnifiedThreadSizes { d, p, t2, .. } = *sizes;
-    let length = QuantityKind::Length;
-    let n = |value: f64| trimmed(value, 6);
     let class = format!("{grade}A");
-    let allowance = if grade == 3 { 0.0 } else { allowance(t2) };
-    let (formula, filled) = match grade {
-        3 => ("0", "0".to_string()),
-        _ => ("0.3·T2, to 4 decimals", format!("0.3·{}", n(t2))),
-    };
-    let meaning = format!("allowance of class {class}");
-    worked.intermediate("es", &meaning, length, allowance * INCH, formula, filled);
-
-    let (crest, crest_formula) = match grade {
-        1 => (0.09, "0.09·∛P², to 4 decimals"),
-        _ => (0.06, "0.06·∛P², to 4 decimals"),
-    };
+    let (allowance, formula) =
+        if grade == 3 { (0.0, "0") } else { (allowance(t2), "0.3·T2, to 4 decimals") };
+    rows.intermediate("es", &format!("allowance of class {class}"), allowance, formula);
+    let crest = if grade == 1 { 0.09 } else { 0.06 };
     let td = rounded(crest * two_thirds(p), 4);
-    let filled = format!("{crest}·∛{}²", n(p));
-    worked.intermediate(
-        "Td",
-        "tolerance of the major diameter",
-        length,
-        td * INCH,
-        crest_formula,
-        filled,
-    );
-
-    let (share, share_formula) = match grade {
-        1 => (1.5, "1.5·T2, to 4 decimals"),
-        2 => (1.0, "T2, to 4 decimals"),
-        _ => (0.75, "0.75·T2, to 4 decimals"),
-    };
+    let formula = format!("{crest}·∛P², to 4 decimals");
+    rows.intermediate("Td", "tolerance of the major diameter", td, &formula);
+    let share = [1.5, 1.0, 0.75][usize::from(grade.clamp(1, 3) - 1)];
     let td2 = rounded(share * t2, 4);
-    let filled = format!("{share}·{}", n(t2));
-    worked.intermediate(
-        "Td2",
-        "tolerance of the pitch diameter",
-        length,
-        td2 * INCH,
-        share_formula,
-        filled,
-    );
+    let filled = format!("{share}·T2");
+    let formula =
+        if grade == 2 { "T2, to 4 decimals" } else { &format!("{filled}, to 4 decimals") };
+    rows.intermediate_of("Td2", "tolerance of the pitch diameter", td2, [formula, &filled]);
 
     let most = rounded(d - allowance, 4);
     let least = rounded(most - td, 4);
     let pitch_most = rounded(d - allowance - MIDDLE * p, 4);
     let pitch_least = rounded(pitch_most - td2, 4);
-    let mut give = |symbol: &str, meaning: &str, value: f64, formula: &str, filled: String| {
-        worked.result(symbol, meaning, length, value * INCH, formula, filled);
-    };
-    give("dmax", "major diameter, most", most, "D − es", format!("{} − {}", n(d), n(allowance)));
-    give("dmin", "major diameter, least", least, "dmax − Td", format!("{} − {}", n(most), n(td)));
-    give(
-        "d2max",
-        "pitch diameter, most",
-        pitch_most,
-        "dmax − 0.649519·P",
-        format!("{} − 0.649519·{}", n(most), n(p)),
-    );
-    give(
-        "d2min",
-        "pitch diameter, least",
-        pitch_least,
-        "d2max − Td2",
-        format!("{} − {}", n(pitch_most), n(td2)),
-    );
-    give(
-        "d1max",
-        "minor diameter, most, flat root (UN)",
-        rounded(most - INSIDE * p, 4),
-        "dmax − 1.082532·P",
-        format!("{} − 1.082532·{}", n(most), n(p)),
-    );
-    give(
-        "d3max",
-        "minor diameter, most, round root (UNR)",
-        rounded(most - 1.375 * H * p, 4),
-        "dmax − 1.190785·P",
-        format!("{} − 1.190785·{}", n(most), n(p)),
-    );
-    give(
-        "d1min",
-        "minor diameter, least, for reference",
-        rounded(pitch_least - MIDDLE * p, 4),
-        "d2min − 0.649519·P",
-        format!("{} − 0.649519·{}", n(pitch_least), n(p)),
-    );
-    worked.note(format!(
-        "{class}, outside: major {} to {}, pitch {} to {} (in, ASME B1.1).",
-        n(most),
-        n(least),
-        n(pitch_most),
-        n(pitch_least)
-    ));
+    let (flat, round) = (rounded(most - INSIDE * p, 4), rounded(most - 1.375 * H * p, 4));
+    let reference = rounded(pitch_least - MIDDLE * p, 4);
+    rows.result("dmax", "major diameter, most", most, "D − es");
+    rows.result("dmin", "major diameter, least", least, "dmax − Td");
+    rows.result("d2max", "pitch diameter, most", pitch_most, "dmax − 0.649519·P");
+    rows.result("d2min", "pitch diameter, least", pitch_least, "d2max − Td2");
+    rows.result("d1max", "minor diameter, most, flat root (UN)", flat, "dmax − 1.082532·P");
+    rows.result("d3max", "minor diameter, most, round root (UNR)", round, "dmax − 1.190785·P");
+    rows.result("d1min", "minor diameter, least, for reference", reference, "d2min − 0.649519·P");
+    let words = ["major", "in, ASME B1.1"];
+    rows.note_limits(&format!("{class}, outside"), words, [most, least], [pitch_most, pitch_least]);
 }
 
 /// The formula of the minor diameter's tolerance, for people.
@@ -223,67 +148,35 @@ fn minor_formula(sizes: &UnifiedThreadSizes, grade: u8) -> &'static str {
     }
 }
 
-fn inside(worked: &mut WorkedCalculation, sizes: &UnifiedThreadSizes, grade: u8) {
+fn inside(rows: &mut FormulaRows<'_>, sizes: &UnifiedThreadSizes, grade: u8) {
     let UnifiedThreadSizes { d, p, t2, .. } = *sizes;
-    let length = QuantityKind::Length;
-    let n = |value: f64| trimmed(value, 6);
     let class = format!("{grade}B");
-    let (share, share_formula) = match grade {
-        1 => (1.95, "1.95·T2, to 4 decimals"),
-        2 => (1.3, "1.3·T2, to 4 decimals"),
-        _ => (0.975, "0.975·T2, to 4 decimals"),
-    };
+    let share = [1.95, 1.3, 0.975][usize::from(grade.clamp(1, 3) - 1)];
     let pitch_tolerance = rounded(share * t2, 4);
     let meaning = format!("tolerance of the pitch diameter in class {class}");
-    let filled = format!("{share}·{}", n(t2));
-    worked.intermediate("TD2", &meaning, length, pitch_tolerance * INCH, share_formula, filled);
+    rows.intermediate("TD2", &meaning, pitch_tolerance, &format!("{share}·T2, to 4 decimals"));
     let minor_tolerance = rounded(sizes.minor(grade), 4);
     let formula = minor_formula(sizes, grade);
-    let filled = formula.replace('D', &n(d)).replace('P', &n(p));
-    let meaning = "tolerance of the minor diameter";
-    worked.intermediate("TD1", meaning, length, minor_tolerance * INCH, formula, filled);
+    rows.intermediate("TD1", "tolerance of the minor diameter", minor_tolerance, formula);
 
     // Three decimals from number 6 on; the upper limit of class 3B keeps four.
     let coarse = d > THREE_DECIMALS - 1e-9;
+    let (digits, most_digits) =
+        (if coarse { 3 } else { 4 }, if coarse && grade != 3 { 3 } else { 4 });
     let exact = rounded(d - INSIDE * p, 4);
-    let least = rounded(exact, if coarse { 3 } else { 4 });
-    let most = rounded(exact + minor_tolerance, if coarse && grade != 3 { 3 } else { 4 });
+    let (least, most) = (rounded(exact, digits), rounded(exact + minor_tolerance, most_digits));
     let pitch_least = rounded(d - MIDDLE * p, 4);
     let pitch_most = rounded(pitch_least + pitch_tolerance, 4);
-    let mut give = |symbol: &str, meaning: &str, value: f64, formula: &str, filled: String| {
-        worked.result(symbol, meaning, length, value * INCH, formula, filled);
-    };
-    let digits = if coarse {
-        "D − 1.082532·P, to 3 decimals"
-    } else {
-        "D − 1.082532·P, to 4 decimals"
-    };
-    let filled = format!("{} − 1.082532·{}", n(d), n(p));
-    give("D1min", "minor diameter, least", least, digits, filled);
-    let digits = if coarse && grade != 3 {
-        "D − 1.082532·P + TD1, to 3 decimals"
-    } else {
-        "D − 1.082532·P + TD1, to 4 decimals"
-    };
-    let filled = format!("{} + {}", n(exact), n(minor_tolerance));
-    give("D1max", "minor diameter, most", most, digits, filled);
-    let filled = format!("{} − 0.649519·{}", n(d), n(p));
-    give("D2min", "pitch diameter, least", pitch_least, "D − 0.649519·P", filled);
-    let filled = format!("{} + {}", n(pitch_least), n(pitch_tolerance));
-    give("D2max", "pitch diameter, most", pitch_most, "D2min + TD2", filled);
-    give("Dmin", "major diameter, least", d, "D", n(d));
-    give(
-        "Dmax",
-        "major diameter, most, for reference",
-        rounded(pitch_most + 11.0 / 12.0 * H * p, 4),
-        "D2max + 0.793857·P",
-        format!("{} + 0.793857·{}", n(pitch_most), n(p)),
-    );
-    worked.note(format!(
-        "{class}, inside: minor {} to {}, pitch {} to {} (in, ASME B1.1).",
-        n(least),
-        n(most),
-        n(pitch_least),
-        n(pitch_most)
-    ));
+    let reference = rounded(pitch_most + 11.0 / 12.0 * H * p, 4);
+    let formula = format!("D − 1.082532·P, to {digits} decimals");
+    rows.result("D1min", "minor diameter, least", least, &formula);
+    rows.know("exact", exact);
+    let formula = format!("D − 1.082532·P + TD1, to {most_digits} decimals");
+    rows.result_of("D1max", "minor diameter, most", most, [&formula, "exact + TD1"]);
+    rows.result("D2min", "pitch diameter, least", pitch_least, "D − 0.649519·P");
+    rows.result("D2max", "pitch diameter, most", pitch_most, "D2min + TD2");
+    rows.result("Dmin", "major diameter, least", d, "D");
+    rows.result("Dmax", "major diameter, most, for reference", reference, "D2max + 0.793857·P");
+    let words = ["minor", "in, ASME B1.1"];
+    rows.note_limits(&format!("{class}, inside"), words, [least, most], [pitch_least, pitch_most]);
 }

@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use chordal_calc::{CalcError, WorkedCalculation};
-use chordal_export::{PlotOptions, figure_png, figure_svg, worked_json, worked_text};
-use clap::ValueEnum;
+use chordal_export::format::{CALCULATION_FORMATS, PICTURE_FILES};
+use chordal_export::{OutputFormat, PlotOptions, figure_png, figure_svg, worked_json, worked_text};
 
 use super::quantity::UnitsName;
 use crate::failure::CommandFailure;
+use crate::formats::format_parser;
 use crate::output::write_whole;
 use crate::terminal::say;
 
@@ -19,41 +20,16 @@ pub struct CalculationOutput {
     pub units: Option<UnitsName>,
 
     /// Format of the answer
-    #[arg(long, value_enum, default_value = "text")]
-    pub format: CalculationFormat,
+    #[arg(long, value_parser = format_parser(&CALCULATION_FORMATS), default_value = "text")]
+    pub format: OutputFormat,
 
     /// Writes the figure, as .svg or .png; may be repeated
     #[arg(short, long = "output", value_name = "FILE")]
     pub outputs: Vec<PathBuf>,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-pub enum CalculationFormat {
-    /// Text for the reader
-    Text,
-    /// JSON for programs
-    Json,
-}
-
 /// The sheet of a figure, px.
 const SHEET: (u32, u32) = (1200, 800);
-
-/// What a file's ending asks for.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum FigureFormat {
-    Svg,
-    Png,
-}
-
-/// The kind of picture; `None` for another ending.
-pub fn picture(path: &Path) -> Option<FigureFormat> {
-    let ending = path.extension()?.to_string_lossy().to_ascii_lowercase();
-    match ending.as_str() {
-        "svg" => Some(FigureFormat::Svg),
-        "png" => Some(FigureFormat::Png),
-        _ => None,
-    }
-}
 
 /// What cannot be, as a wrong use.
 pub fn refused(error: CalcError) -> CommandFailure {
@@ -68,7 +44,7 @@ pub fn give(
     let worked = worked.map_err(refused)?;
     let mut pictures = Vec::new();
     for path in &answer.outputs {
-        let kind = picture(path).ok_or_else(|| {
+        let kind = PICTURE_FILES.of_file(path).ok_or_else(|| {
             CommandFailure::wrong(
                 format!("a figure cannot be written as {}", path.display()),
                 "the extensions are .svg and .png",
@@ -80,8 +56,8 @@ pub fn give(
         draw(&worked, path, kind)?;
     }
     match answer.format {
-        CalculationFormat::Text => say(&worked_text(&worked)),
-        CalculationFormat::Json => say(&worked_json(&worked, None)),
+        OutputFormat::Text => say(&worked_text(&worked)),
+        _ => say(&worked_json(&worked, None)),
     }
 }
 
@@ -89,18 +65,16 @@ pub fn give(
 pub fn draw(
     worked: &WorkedCalculation,
     path: &Path,
-    kind: FigureFormat,
+    kind: OutputFormat,
 ) -> Result<(), CommandFailure> {
     let (width_px, height_px) = SHEET;
     let options = PlotOptions { width_px, height_px, ..PlotOptions::default() };
     let content = match kind {
-        FigureFormat::Svg => figure_svg(worked, &options).into_bytes(),
-        FigureFormat::Png => {
-            figure_png(worked, &options).map_err(|error| CommandFailure::Write {
-                file: path.to_string_lossy().into_owned(),
-                reason: error.to_string(),
-            })?
-        }
+        OutputFormat::Svg => figure_svg(worked, &options).into_bytes(),
+        _ => figure_png(worked, &options).map_err(|error| CommandFailure::Write {
+            file: path.to_string_lossy().into_owned(),
+            reason: error.to_string(),
+        })?,
     };
     write_whole(path, &content)
 }

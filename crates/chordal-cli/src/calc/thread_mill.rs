@@ -7,13 +7,15 @@ use chordal_calc::{
     AnswerUnit, MillingDirection, RampSweep, ThreadHand, ThreadLocation, ThreadMill,
     ThreadMillCutter, thread_mill,
 };
-use chordal_export::{worked_json, worked_text};
+use chordal_export::format::{CALCULATION_FORMATS, PICTURE_FILES};
+use chordal_export::{OutputFormat, worked_json, worked_text};
 use clap::ValueEnum;
 
-use super::answer::{CalculationFormat, draw, picture, refused};
+use super::answer::{draw, refused};
 use super::quantity::{UnitsName, WrittenQuantity, feed, length, spindle};
 use super::thread::{ThreadRequest, ThreadSizeArgs};
 use crate::failure::CommandFailure;
+use crate::formats::format_parser;
 use crate::output::write_whole;
 use crate::terminal::say;
 
@@ -108,8 +110,8 @@ pub struct Args {
     units: Option<UnitsName>,
 
     /// Format of the answer
-    #[arg(long, value_enum, default_value = "text")]
-    format: CalculationFormat,
+    #[arg(long, value_parser = format_parser(&CALCULATION_FORMATS), default_value = "text")]
+    format: OutputFormat,
 
     /// Writes the program (.nc, .tap, …), or its figure (.svg, .png); may be repeated
     #[arg(short, long = "output", value_name = "FILE")]
@@ -157,7 +159,7 @@ pub fn run(args: &Args) -> Result<(), CommandFailure> {
     let mut written = Vec::new();
     let mut program_written = false;
     for path in &args.outputs {
-        match picture(path) {
+        match PICTURE_FILES.of_file(path) {
             Some(kind) => draw(&program.worked, path, kind)?,
             None => {
                 write_whole(path, program.text.as_bytes())?;
@@ -167,8 +169,8 @@ pub fn run(args: &Args) -> Result<(), CommandFailure> {
         written.push(path);
     }
     match args.format {
-        CalculationFormat::Json => say(&worked_json(&program.worked, Some(&program.text))),
-        CalculationFormat::Text if program_written => {
+        OutputFormat::Json => say(&worked_json(&program.worked, Some(&program.text))),
+        OutputFormat::Text if program_written => {
             let mut text = worked_text(&program.worked);
             for path in written {
                 text.push_str(&format!("\n  written {}", path.display()));
@@ -176,7 +178,7 @@ pub fn run(args: &Args) -> Result<(), CommandFailure> {
             text.push('\n');
             say(&text)
         }
-        CalculationFormat::Text => say(&program.text),
+        _ => say(&program.text),
     }
 }
 

@@ -11,12 +11,14 @@ use std::path::PathBuf;
 
 use chordal::motion::{LimitError, MotionOptions, OperationStart, PlannerLevel};
 use chordal::time::{RepeatPlanning, TimeQuestion};
-use chordal_export::{PlotOptions, time_json};
+use chordal_export::format::ANSWER_FORMATS;
+use chordal_export::{OutputFormat, PlotOptions, time_json};
 use clap::ValueEnum;
 
 use self::picture::TimePicture;
 use crate::failure::{CommandFailure, ExitVerdict};
-use crate::options::{AnswerFormat, CommonArgs};
+use crate::formats::format_parser;
+use crate::options::CommonArgs;
 use crate::programs::load_one;
 use crate::rows::print_problems;
 use crate::summary::subtitle;
@@ -48,8 +50,8 @@ pub struct Args {
     level: LevelName,
 
     /// Format of the answer
-    #[arg(long, value_enum, default_value = "text")]
-    format: AnswerFormat,
+    #[arg(long, value_parser = format_parser(&ANSWER_FORMATS), default_value = "text")]
+    format: OutputFormat,
 
     /// Draws speed, acceleration and jerk over time and speed along the path: .svg or .png
     #[arg(long, short, value_name = "PICTURE")]
@@ -130,8 +132,8 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
         return Ok(print_problems(&report, &loaded, &job, terminal));
     };
     let text = match args.format {
-        AnswerFormat::Text => text::text(loaded.name(), &study, &report, &job, terminal.out),
-        AnswerFormat::Json => time_json(&study, &report, &job),
+        OutputFormat::Text => text::text(loaded.name(), &study, &report, &job, terminal.out),
+        _ => time_json(&study, &report, &job),
     };
     if let Some(picture) = &picture {
         let plot = PlotOptions {

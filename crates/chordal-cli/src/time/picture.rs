@@ -6,39 +6,30 @@ use chordal::Job;
 use chordal::motion::{MotionOptions, PlanSink, PlannerStep, StepSources};
 use chordal::time::TimedRun;
 use chordal_export::numbers::short;
-use chordal_export::{MotionPlot, PlotOptions};
+use chordal_export::{MotionPlot, OutputFormat, PlotOptions};
 
 use crate::failure::CommandFailure;
+use crate::formats::picture_format;
 use crate::output::write_whole;
 use crate::time::wrong_limit;
 
 /// Where a picture goes, and in which format.
 pub struct TimePicture {
     path: PathBuf,
-    png: bool,
+    format: OutputFormat,
 }
 
 impl TimePicture {
     /// A picture whose format its ending says; it does not take the place of the program.
     pub fn new(path: &Path, program: &Path) -> Result<TimePicture, CommandFailure> {
-        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
-        let png = match ending.as_ref().and_then(|ending| ending.to_str()) {
-            Some("svg") => false,
-            Some("png") => true,
-            _ => {
-                return Err(CommandFailure::wrong(
-                    format!("the extension of {} is not a picture format", path.display()),
-                    "the extensions are .svg and .png",
-                ));
-            }
-        };
+        let format = picture_format(path)?;
         if path.canonicalize().is_ok_and(|own| program.canonicalize().is_ok_and(|p| p == own)) {
             return Err(CommandFailure::wrong(
                 format!("{} is the program", path.display()),
                 "give the picture another name",
             ));
         }
-        Ok(TimePicture { path: path.to_path_buf(), png })
+        Ok(TimePicture { path: path.to_path_buf(), format })
     }
 
     /// Plans once more, draws and writes.
@@ -62,7 +53,7 @@ impl TimePicture {
         let (plot, mut drawing) = (&plot, PictureSink(drawing));
         job.plan(options, &mut drawing).map_err(|error| wrong_limit(&error))?;
         drawing.0.finish();
-        let picture = if self.png {
+        let picture = if self.format == OutputFormat::Png {
             let drawn = drawing.0.png(plot);
             drawn.map_err(|error| CommandFailure::Use { message: error.to_string(), help: None })?
         } else {

@@ -10,7 +10,8 @@ use chordal::Job;
 use chordal::control::Units as TextUnits;
 use chordal::machine::QuantityDimension;
 use chordal_compare::ComparisonOptions;
-use chordal_export::{comparison_text, refusal_json, transformed_json};
+use chordal_export::format::ANSWER_FORMATS;
+use chordal_export::{OutputFormat, comparison_text, refusal_json, transformed_json};
 use chordal_load::Loaded;
 use chordal_rewrite::{
     ArcForm, SplitBy, TransformRefusal, TransformStep, TransformedProgram, transform,
@@ -18,8 +19,9 @@ use chordal_rewrite::{
 use clap::ValueEnum;
 
 use crate::failure::{CommandFailure, ExitVerdict};
+use crate::formats::format_parser;
 use crate::numbers::{SummaryUnits, counted};
-use crate::options::{AnswerFormat, CommonArgs, quantity};
+use crate::options::{CommonArgs, quantity};
 use crate::out::RowOutput;
 use crate::programs::{load_one, recognized};
 use crate::terminal::{TerminalSupport, say};
@@ -149,8 +151,8 @@ pub struct Args {
     unproved: bool,
 
     /// Format of the answer
-    #[arg(long, value_enum, default_value = "text")]
-    format: AnswerFormat,
+    #[arg(long, value_parser = format_parser(&ANSWER_FORMATS), default_value = "text")]
+    format: OutputFormat,
 
     #[command(flatten)]
     common: CommonArgs,
@@ -338,8 +340,8 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
         Ok(done) => done,
         Err(refusal) => {
             match args.format {
-                AnswerFormat::Text => say(&refused(&refusal, loaded.name()))?,
-                AnswerFormat::Json => say(&refusal_json(&refusal, loaded.name()))?,
+                OutputFormat::Text => say(&refused(&refusal, loaded.name()))?,
+                _ => say(&refusal_json(&refusal, loaded.name()))?,
             }
             return Ok(ExitVerdict::Problems);
         }
@@ -357,14 +359,14 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
     let is_written = !args.dry_run && (holds || args.unproved);
     let out = args.output.as_ref().filter(|_| is_written);
     if let Some(path) = out {
-        let mut out = RowOutput::open(Some(path), &args.file, TransformTextFormat::Nc)?;
+        let mut out = RowOutput::open(Some(path), &args.file, OutputFormat::Text)?;
         out.write_all(&done.text)?;
         out.put()?;
     }
     let new = job.with_text(done.text.clone());
     match args.format {
-        AnswerFormat::Text => say(&text(&done, &loaded, [&job, &new], args, is_written))?,
-        AnswerFormat::Json => {
+        OutputFormat::Text => say(&text(&done, &loaded, [&job, &new], args, is_written))?,
+        _ => {
             let written = out.map(|path| path.display().to_string());
             say(&transformed_json(&done, [&job, &new], written.as_deref()))?;
         }
@@ -382,18 +384,6 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
 struct TransformRequest<'a> {
     args: &'a Args,
     loaded: &'a Loaded,
-}
-
-/// Text has one format.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum TransformTextFormat {
-    Nc,
-}
-
-impl crate::out::FileFormat for TransformTextFormat {
-    fn columns(self) -> Option<chordal_export::columns::ColumnFormat> {
-        None
-    }
 }
 
 fn refused(refusal: &TransformRefusal, name: &str) -> String {

@@ -5,13 +5,12 @@ use std::path::{Path, PathBuf};
 
 use chordal::Job;
 use chordal::syntax::is_program_name;
-use chordal_export::{comparison_text, refusal_json, split_json};
+use chordal_export::{OutputFormat, comparison_text, refusal_json, split_json};
 use chordal_rewrite::{ProgramPart, SplitBy, SplitProgram, TransformedProgram, split};
 
-use super::{TransformRequest, TransformTextFormat, difference, refused};
+use super::{TransformRequest, difference, refused};
 use crate::failure::{CommandFailure, ExitVerdict};
 use crate::numbers::{counted, grouped};
-use crate::options::AnswerFormat;
 use crate::out::RowOutput;
 use crate::terminal::say;
 
@@ -30,8 +29,8 @@ pub fn run(
         Ok(done) => done,
         Err(refusal) => {
             match args.format {
-                AnswerFormat::Text => say(&refused(&refusal, loaded.name()))?,
-                AnswerFormat::Json => say(&refusal_json(&refusal, loaded.name()))?,
+                OutputFormat::Text => say(&refused(&refusal, loaded.name()))?,
+                _ => say(&refusal_json(&refusal, loaded.name()))?,
             }
             return Ok(ExitVerdict::Problems);
         }
@@ -45,11 +44,11 @@ pub fn run(
     }
     let changed = before.map(|(changed, _)| changed);
     match args.format {
-        AnswerFormat::Text => {
+        OutputFormat::Text => {
             let changes = before.map(|(changed, old)| difference(changed, loaded, [old, job]));
             say(&(changes.unwrap_or_default() + &text(&done, job, by, request, &written)))?;
         }
-        AnswerFormat::Json => {
+        _ => {
             let names: Vec<String> =
                 written.iter().map(|path| path.display().to_string()).collect();
             let old = before.map_or(job, |(_, old)| old);
@@ -72,7 +71,7 @@ fn names(path: &Path, count: usize) -> Vec<PathBuf> {
 fn write(names: &[PathBuf], parts: &[ProgramPart], program: &Path) -> Result<(), CommandFailure> {
     let mut outs = Vec::new();
     for (name, part) in names.iter().zip(parts) {
-        let mut out = RowOutput::open(Some(name), program, TransformTextFormat::Nc)?;
+        let mut out = RowOutput::open(Some(name), program, OutputFormat::Text)?;
         out.write_all(&part.text)?;
         outs.push(out);
     }

@@ -1,21 +1,18 @@
 //! Chords as columns.
 
-#[cfg(feature = "files")]
 use std::io::{self, Write};
 
 use arrow_array::RecordBatch;
 use arrow_schema::{ArrowError, SchemaRef};
 use chordal::control::AxisMask;
-use chordal::geometry::{ChordError, ParamCurve, Placement, Vec3};
+use chordal::geometry::{ChordError, Chords, ParamCurve, Placement, Vec3};
 use chordal::{Job, Segment, SegmentKind};
 
 use super::cells::{FileColumn, IntegerColumn, NumberColumn, WordColumn};
 use super::field::{CellType, Column, places, schema};
-#[cfg(feature = "files")]
 use super::file::ColumnFile;
 use super::path::{KINDS, kind_key};
 use super::rows::RowBatcher;
-use crate::chords::{error_mm, known_chords};
 
 /// Name and version of the columns of chords.
 pub const CHORD_COLUMNS: &str = "chordal.chord-columns/1";
@@ -78,23 +75,11 @@ impl<'a> ChordColumns<'a> {
     /// # Errors
     /// A tolerance that is not above zero, and a curve that cannot be cut into chords.
     pub fn segment(&mut self, segment: &Segment) -> Result<(), ChordError> {
-        let (chords, error_mm) = self.cut(segment)?;
+        let (chords, error_mm) = chords_of(segment, self.tolerance_mm, self.placement)?;
         for ends in chords {
             self.chord(segment, ends, error_mm);
         }
         Ok(())
-    }
-
-    /// The ends of the chords of a segment, and how far these are from it, mm.
-    fn cut(
-        &self,
-        segment: &Segment,
-    ) -> Result<(impl Iterator<Item = [Vec3; 2]> + use<>, f64), ChordError> {
-        let chords = segment.curve.chords(self.tolerance_mm, self.placement)?;
-        let straight = matches!(segment.kind, SegmentKind::Rapid | SegmentKind::Line);
-        let error_mm =
-            if straight { 0.0 } else { error_mm(&chords, self.placement, self.tolerance_mm) };
-        Ok((known_chords(segment, chords), error_mm))
     }
 
     fn chord(&mut self, segment: &Segment, [from, to]: [Vec3; 2], error_mm: f64) {
@@ -121,6 +106,11 @@ impl RowBatcher for ChordColumns<'_> {
         &self.schema
     }
 
+    fn text_columns(&self) -> Vec<String> {
+        let all = columns().into_iter().map(|column| column.name);
+        all.filter(|name| !["file", "tool"].contains(&name.as_str())).collect()
+    }
+
     fn take(&mut self) -> Result<RecordBatch, ArrowError> {
         let rows = std::mem::take(&mut self.rows);
         let mut arrays = vec![
@@ -134,7 +124,6 @@ impl RowBatcher for ChordColumns<'_> {
     }
 }
 
-#[cfg(feature = "files")]
 impl<W: Write + Send + 'static> ColumnFile<W, ChordColumns<'_>> {
     /// Writes the chords of a segment; they are emitted as they come, since one arc may have
     /// a million.
@@ -143,9 +132,54 @@ impl<W: Write + Send + 'static> ColumnFile<W, ChordColumns<'_>> {
     /// Those of the output, and [`io::ErrorKind::InvalidData`] for a curve that cannot be cut
     /// into chords.
     pub fn segment(&mut self, segment: &Segment) -> io::Result<()> {
-        let chords = self.gathered().cut(segment);
+        let rows = self.gathered();
+        let chords = chords_of(segment, rows.tolerance_mm, rows.placement);
         let (mut chords, error_mm) =
             chords.map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
         chords.try_for_each(|ends| self.put(|rows| rows.chord(segment, ends, error_mm)))
+    }
+}
+
+/// The ends of the chords of a segment, and how far these are from it, mm.
+pub(crate) fn chords_of(
+    segment: &Segment,
+    tolerance_mm: f64,
+    placement: Placement,
+) -> Result<(impl Iterator<Item = [Vec3; 2]> + use<>, f64), ChordError> {
+    let chords = segment.curve.chords(tolerance_mm, placement)?;
+    let straight = matches!(segment.kind, SegmentKind::Rapid | SegmentKind::Line);
+    let error_mm = if straight { 0.0 } else { error_mm(&chords, placement, tolerance_mm) };
+    Ok((known_chords(segment, chords), error_mm))
+}
+
+/// The ends of the chords of a segment. A coordinate that is not known is NaN; an axis that the program does not name is
+/// at zero.
+fn known_chords(segment: &Segment, corners: Chords) -> impl Iterator<Item = [Vec3; 2]> + use<> {
+    let [start, end] = segment.places().map(|axes| axes.or(segment.not_named.all()));
+    let mut corners = corners.peekable();
+    let mut from = corners.next().map_or(Vec3::ZERO, |corner| only(corner, start));
+    std::iter::from_fn(move || {
+        let corner = corners.next()?;
+        let is_last = corners.peek().is_none();
+        let to = only(corner, if is_last { end } else { start.and(end) });
+        Some([std::mem::replace(&mut from, to), to])
+    })
+}
+
+/// A point with the coordinates of these axes alone.
+fn only(point: Vec3, known: AxisMask) -> Vec3 {
+    if known.covers(AxisMask::LINEAR) {
+        return point;
+    }
+    let place = point.to_array();
+    let of = |axis: usize| if known.has(axis) { place[axis] } else { f64::NAN };
+    Vec3::new(of(0), of(1), of(2))
+}
+
+/// How far chords are from their curve: by no more than the tolerance, or what a control makes of it.
+fn error_mm(chords: &Chords, placement: Placement, tolerance_mm: f64) -> f64 {
+    match placement {
+        Placement::Inscribed | Placement::Balanced => tolerance_mm,
+        Placement::RoundedDown => chords.sagitta().unwrap_or(tolerance_mm),
     }
 }

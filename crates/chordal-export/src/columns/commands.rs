@@ -65,6 +65,8 @@ pub struct CommandColumns<'a> {
     axes: Vec<usize>,
     written: PositionScale,
     of_path: bool,
+    /// Only the commands that have a row in a table of text.
+    is_text: bool,
     rows: usize,
     line: IntegerColumn,
     file: FileColumn<'a>,
@@ -157,15 +159,16 @@ pub(super) fn columns(axes: AxisMask, of_path: bool) -> Vec<Column> {
 impl<'a> CommandColumns<'a> {
     /// Columns for commands as programmed.
     pub fn new(job: &'a Job<'a>) -> CommandColumns<'a> {
-        CommandColumns::with(job, false)
+        CommandColumns::of(job, false)
     }
 
     /// Columns for commands of the tool centre.
     pub fn of_path(job: &'a Job<'a>) -> CommandColumns<'a> {
-        CommandColumns::with(job, true)
+        CommandColumns::of(job, true)
     }
 
-    fn with(job: &'a Job<'a>, of_path: bool) -> CommandColumns<'a> {
+    /// Columns for either.
+    pub fn of(job: &'a Job<'a>, of_path: bool) -> CommandColumns<'a> {
         let axes = axes_of(job);
         let name = if of_path { TOOL_PATH_COLUMNS } else { COMMAND_COLUMNS };
         let axes_listed: Vec<usize> = axes.iter().map(|axis| axis as usize).collect();
@@ -176,6 +179,7 @@ impl<'a> CommandColumns<'a> {
             written: PositionScale::of(job),
             naming: job.control().table.work_names,
             of_path,
+            is_text: false,
             rows: 0,
             line: IntegerColumn::new(),
             file: FileColumn::of(job),
@@ -198,6 +202,12 @@ impl<'a> CommandColumns<'a> {
         }
     }
 
+    /// The same for a table of text: moves, dwells, tools and the spindle alone.
+    #[must_use]
+    pub fn for_text(self) -> CommandColumns<'a> {
+        CommandColumns { is_text: true, ..self }
+    }
+
     /// Takes a command of the tool centre.
     pub fn path_command(&mut self, path: PathCommand<'_>) {
         if path.command.kind.feed().is_some() {
@@ -213,7 +223,7 @@ impl<'a> CommandColumns<'a> {
     /// Takes a command.
     #[inline]
     pub fn command(&mut self, command: &Command) {
-        if command.kind.is_effect() {
+        if command.kind.is_effect() || self.is_text && !is_text_row(&command.kind) {
             return;
         }
         let kind = match &command.kind {
@@ -411,6 +421,18 @@ impl<'a> CommandColumns<'a> {
     }
 }
 
+/// Whether a command has a row in a table of text.
+fn is_text_row(kind: &CommandKind) -> bool {
+    let is_switch = matches!(
+        kind,
+        CommandKind::Dwell { .. }
+            | CommandKind::Tool { .. }
+            | CommandKind::ToolNumber { .. }
+            | CommandKind::Spindle { .. }
+    );
+    is_switch || kind.motion().is_some()
+}
+
 impl RowBatcher for CommandColumns<'_> {
     fn rows(&self) -> usize {
         self.rows
@@ -418,6 +440,12 @@ impl RowBatcher for CommandColumns<'_> {
 
     fn schema(&self) -> &SchemaRef {
         &self.schema
+    }
+
+    /// Every axis has its columns, whatever the machine; the text of a program has none.
+    fn text_columns(&self) -> Vec<String> {
+        let all = columns(AxisMask::ALL, self.of_path).into_iter().map(|column| column.name);
+        all.filter(|name| !["file", "value", "text"].contains(&name.as_str())).collect()
     }
 
     fn take(&mut self) -> Result<RecordBatch, ArrowError> {

@@ -1,66 +1,87 @@
-//! Columns as a file: Parquet and Arrow, written as the rows come.
+//! Columns as a file: text, Parquet and Arrow, written as the rows come.
 
 use std::fmt;
 use std::io::{self, Write};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use arrow_array::RecordBatch;
+#[cfg(feature = "files")]
 use arrow_ipc::writer::FileWriter;
-use arrow_schema::{ArrowError, SchemaRef};
+use arrow_schema::ArrowError;
+#[cfg(feature = "files")]
 use parquet::errors::ParquetError;
 
+#[cfg(feature = "files")]
 use super::parquet::ParquetFile;
 use super::rows::{BATCH, RowBatcher};
+use super::text_table::TextTable;
+use crate::format::OutputFormat;
 
-/// The formats of columns.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ColumnFormat {
-    /// Apache Parquet: groups of rows, each column compressed.
-    Parquet,
-    /// The Arrow IPC file, also called Feather: the columns as they lie in memory.
-    Arrow,
-}
-
-/// Writes rows as they come. Of a Parquet file the rows of one group are held, of an Arrow file a
+/// Writes rows as they come. Of a Parquet file the rows of one group are held, of the others a
 /// few thousand.
 pub struct ColumnFile<W, R> {
+    format: OutputFormat,
     rows: R,
     table: TableWriter,
     out: SharedOutput<W>,
 }
 
-/// A file of either format. What it writes to is a `dyn Write`, so that its code is made once.
+/// A file of one format. What it writes to is a `dyn Write`, so that its code is made once.
 enum TableWriter {
+    Text(TextTable),
+    #[cfg(feature = "files")]
     Parquet(Box<ParquetFile>),
+    #[cfg(feature = "files")]
     Arrow(Box<FileWriter<Box<dyn Write + Send>>>),
 }
 
 impl TableWriter {
     fn new(
         out: Box<dyn Write + Send>,
-        format: ColumnFormat,
-        schema: &SchemaRef,
+        format: OutputFormat,
+        rows: &impl RowBatcher,
     ) -> io::Result<TableWriter> {
-        Ok(match format {
-            ColumnFormat::Parquet => {
-                TableWriter::Parquet(Box::new(ParquetFile::new(out, schema).map_err(of_parquet)?))
+        let names = rows.text_columns();
+        match (format, rows.json_header()) {
+            (OutputFormat::Csv, _) => {
+                Ok(TableWriter::Text(TextTable::separated(out, rows.schema(), &names, ",")))
             }
-            ColumnFormat::Arrow => {
-                TableWriter::Arrow(Box::new(FileWriter::try_new(out, schema).map_err(of_arrow)?))
+            (OutputFormat::Jsonl, Some(header)) => {
+                Ok(TableWriter::Text(TextTable::json_lines(out, rows.schema(), &names, header)))
             }
-        })
+            #[cfg(feature = "files")]
+            (OutputFormat::Parquet, _) => {
+                let file = ParquetFile::new(out, rows.schema()).map_err(of_parquet)?;
+                Ok(TableWriter::Parquet(Box::new(file)))
+            }
+            #[cfg(feature = "files")]
+            (OutputFormat::Arrow, _) => {
+                let file = FileWriter::try_new(out, rows.schema()).map_err(of_arrow)?;
+                Ok(TableWriter::Arrow(Box::new(file)))
+            }
+            (other, _) => {
+                let message = format!("rows are not written as {}", other.name());
+                Err(io::Error::new(io::ErrorKind::InvalidInput, message))
+            }
+        }
     }
 
     fn write(&mut self, batch: RecordBatch) -> io::Result<()> {
         match self {
+            TableWriter::Text(out) => out.write(&batch),
+            #[cfg(feature = "files")]
             TableWriter::Parquet(out) => out.write(batch).map_err(of_parquet),
+            #[cfg(feature = "files")]
             TableWriter::Arrow(out) => out.write(&batch).map_err(of_arrow),
         }
     }
 
     fn finish(self) -> io::Result<()> {
         match self {
+            TableWriter::Text(mut out) => out.finish(),
+            #[cfg(feature = "files")]
             TableWriter::Parquet(out) => out.finish().map_err(of_parquet),
+            #[cfg(feature = "files")]
             TableWriter::Arrow(mut out) => out.finish().map_err(of_arrow),
         }
     }
@@ -100,11 +121,11 @@ impl<W: Write + Send + 'static, R: RowBatcher> ColumnFile<W, R> {
     /// Writes what stands before the rows.
     ///
     /// # Errors
-    /// Those of the output.
-    pub fn new(out: W, format: ColumnFormat, rows: R) -> io::Result<ColumnFile<W, R>> {
+    /// Those of the output, and a format that has no rows.
+    pub fn new(out: W, format: OutputFormat, rows: R) -> io::Result<ColumnFile<W, R>> {
         let out = SharedOutput(Arc::new(Mutex::new(out)));
-        let table = TableWriter::new(Box::new(out.lend()), format, rows.schema())?;
-        Ok(ColumnFile { rows, table, out })
+        let table = TableWriter::new(Box::new(out.lend()), format, &rows)?;
+        Ok(ColumnFile { format, rows, table, out })
     }
 
     /// Lets a row be added, or a few, and hands them on when they are many.
@@ -144,11 +165,10 @@ impl<W: Write + Send + 'static, R: RowBatcher> ColumnFile<W, R> {
 
 impl<W, R: fmt::Debug> fmt::Debug for ColumnFile<W, R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let format = match self.table {
-            TableWriter::Parquet(_) => ColumnFormat::Parquet,
-            TableWriter::Arrow(_) => ColumnFormat::Arrow,
-        };
-        f.debug_struct("ColumnFile").field("rows", &self.rows).field("format", &format).finish()
+        f.debug_struct("ColumnFile")
+            .field("rows", &self.rows)
+            .field("format", &self.format)
+            .finish()
     }
 }
 
@@ -160,6 +180,7 @@ fn of_arrow(error: ArrowError) -> io::Error {
     }
 }
 
+#[cfg(feature = "files")]
 fn of_parquet(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(inner) => match inner.downcast::<io::Error>() {

@@ -10,7 +10,6 @@ mod chords;
 mod commands;
 mod engagement;
 mod field;
-#[cfg(feature = "files")]
 mod file;
 mod moves;
 #[cfg(feature = "files")]
@@ -20,17 +19,19 @@ mod reference;
 mod rows;
 mod samples;
 mod section;
+mod text_table;
 mod turning;
 
+pub(crate) use chords::chords_of;
 pub use chords::{CHORD_COLUMNS, ChordColumns};
 pub use commands::{COMMAND_COLUMNS, CommandColumns, TOOL_PATH_COLUMNS};
 pub use engagement::ENGAGEMENT_COLUMNS;
-#[cfg(feature = "files")]
-pub use file::{ColumnFile, ColumnFormat};
+pub use file::ColumnFile;
 pub use moves::{CutColumns, CuttingMoveData, NumberSpec, cuts_csv};
+pub(crate) use path::kind_word;
 pub use path::{PATH_COLUMNS, PathColumns};
 pub use reference::column_reference;
 pub use rows::RowBatcher;
-pub use samples::SampleColumns;
+pub use samples::{SampleColumns, SampleWriter};
 pub use section::{SECTION_COLUMNS, section_columns};
 pub use turning::TURNING_COLUMNS;

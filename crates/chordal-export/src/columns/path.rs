@@ -15,6 +15,12 @@ pub const PATH_COLUMNS: &str = "chordal.path-columns/1";
 
 pub(super) const KINDS: &[&str] = &["rapid", "line", "arc", "spiral", "spline"];
 
+/// The word of a piece of path.
+pub(crate) fn kind_word(kind: SegmentKind) -> &'static str {
+    KINDS[kind_key(kind)]
+}
+
+/// Its place among them.
 pub(super) fn kind_key(kind: SegmentKind) -> usize {
     match kind {
         SegmentKind::Rapid => 0,

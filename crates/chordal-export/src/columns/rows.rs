@@ -14,6 +14,16 @@ pub trait RowBatcher {
     /// The columns, with their units and what they come from.
     fn schema(&self) -> &SchemaRef;
 
+    /// The columns that the rows have as text: all of them, as a rule.
+    fn text_columns(&self) -> Vec<String> {
+        self.schema().fields().iter().map(|field| field.name().clone()).collect()
+    }
+
+    /// The first of its JSON lines, where the others are objects of these columns.
+    fn json_header(&self) -> Option<Vec<u8>> {
+        None
+    }
+
     /// The rows gathered so far; the next begin anew.
     ///
     /// # Errors

@@ -1,5 +1,6 @@
 //! Setpoints as columns.
 
+use std::io::{self, Write};
 use std::sync::Arc;
 
 use arrow_array::{ArrayRef, Float64Array, RecordBatch, UInt32Array};
@@ -7,7 +8,9 @@ use arrow_schema::{ArrowError, SchemaRef};
 use chordal::motion::MotionSample;
 
 use super::field::{CellType, Column, schema_of};
+use super::file::ColumnFile;
 use super::rows::{BATCH, RowBatcher};
+use crate::json::JsonObject;
 use crate::setpoints::{SAMPLE_SCHEMA, SampleHead, SetpointColumn, sample_columns};
 
 /// Gathers setpoints, one row each, and gives them as a batch when it is asked.
@@ -17,6 +20,7 @@ pub struct SampleColumns {
     columns: Vec<SetpointColumn>,
     values: Vec<Vec<f64>>,
     lines: Vec<u32>,
+    head: SampleHead,
 }
 
 impl SampleColumns {
@@ -39,6 +43,7 @@ impl SampleColumns {
             values: vec![Vec::with_capacity(BATCH); of.len()],
             columns: of,
             lines: Vec::with_capacity(BATCH),
+            head: head.clone(),
         }
     }
 
@@ -60,6 +65,23 @@ impl RowBatcher for SampleColumns {
         &self.schema
     }
 
+    fn json_header(&self) -> Option<Vec<u8>> {
+        let mut line = Vec::new();
+        let mut header = JsonObject::open(&mut line);
+        header.word("schema", SAMPLE_SCHEMA);
+        for (name, unit) in [("length_unit", "mm"), ("angle_unit", "deg"), ("time_unit", "s")] {
+            header.word(name, unit);
+        }
+        header.number("period_s", self.head.period_s);
+        header.text("machine", &self.head.machine);
+        header.text("control", &self.head.control);
+        header.text("program", &self.head.program);
+        header.word("program_sha256", &self.head.program_sha256);
+        header.close();
+        line.push(b'\n');
+        Some(line)
+    }
+
     fn take(&mut self) -> Result<RecordBatch, ArrowError> {
         let mut arrays: Vec<ArrayRef> = Vec::with_capacity(self.values.len() + 1);
         for values in &mut self.values {
@@ -69,5 +91,18 @@ impl RowBatcher for SampleColumns {
         let lines = std::mem::replace(&mut self.lines, Vec::with_capacity(BATCH));
         arrays.push(Arc::new(UInt32Array::from(lines)));
         RecordBatch::try_new(self.schema.clone(), arrays)
+    }
+}
+
+/// Writes setpoints one after the other.
+pub type SampleWriter<W> = ColumnFile<W, SampleColumns>;
+
+impl<W: Write + Send + 'static> SampleWriter<W> {
+    /// Writes a setpoint of a block on this line.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn sample(&mut self, sample: &MotionSample, line: u32) -> io::Result<()> {
+        self.put(|rows| rows.sample(sample, line))
     }
 }

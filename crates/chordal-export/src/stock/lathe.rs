@@ -4,15 +4,16 @@ use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
 use chordal::geometry::{Vec2, Vec3};
-use chordal::stock::mesh::{LengthUnit, Mesh, write};
+use chordal::stock::mesh::Mesh;
 use chordal::stock::section::{OutlineSegment, Region};
 use chordal::stock::{StockVerdict, TurnedMove, TurnedReport, VolumeInterval};
 use serde_json::{Map, Value, json};
 
 use super::json::problem;
-use super::mesh::MeshFormat;
+use super::mesh::{StockMeshError, mesh_file};
 use super::text::stock_premise_text;
 use super::text::stock_volume;
+use crate::format::OutputFormat;
 use crate::number::push_finite;
 use crate::numbers::duration;
 
@@ -329,15 +330,10 @@ fn entity(segment: &OutlineSegment) -> (&'static str, Vec<(u32, f64)>) {
 /// When it has more triangles than the format can number.
 pub fn turned_mesh(
     found: &TurnedReport,
-    format: MeshFormat,
+    format: OutputFormat,
     name: &str,
-) -> Result<Vec<u8>, write::WriteError> {
-    let mesh = solid(found);
-    Ok(match format {
-        MeshFormat::Stl => write::write_stl(&mesh, LengthUnit::Millimetre)?,
-        MeshFormat::ThreeMf => write::write_threemf(&mesh, name)?,
-        MeshFormat::Glb => write::write_glb(&mesh, name, None)?,
-    })
+) -> Result<Vec<u8>, StockMeshError> {
+    mesh_file(&solid(found), format, name)
 }
 
 fn solid(found: &TurnedReport) -> Mesh {

@@ -3,19 +3,10 @@
 use chordal::stock::StockReport;
 use chordal::stock::mesh::{HeightField, HeightFieldError, LengthUnit, Mesh, SmoothError, write};
 
+use crate::format::OutputFormat;
+
 /// Columns that touch in an upright edge are parted by this share of a cell in STL, which shares no vertices.
 const EDGE_GAP_SHARE: f64 = 1e-3;
-
-/// A file format of meshes.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum MeshFormat {
-    /// Triangles in millimetres, which the file does not say.
-    Stl,
-    /// 3D Manufacturing Format, millimetres.
-    ThreeMf,
-    /// glTF in one file: metres, Y up.
-    Glb,
-}
 
 /// Why there is no mesh.
 #[derive(Debug, thiserror::Error)]
@@ -34,6 +25,9 @@ pub enum StockMeshError {
     /// The format has no room for it.
     #[error(transparent)]
     Write(#[from] write::WriteError),
+    /// It is none of meshes.
+    #[error("{0} is no format of meshes")]
+    Format(&'static str),
 }
 
 /// How columns become a surface.
@@ -52,7 +46,7 @@ pub enum MeshSurface {
 /// When there are too many columns for one mesh.
 pub fn stock_mesh(
     found: &StockReport,
-    format: MeshFormat,
+    format: OutputFormat,
     surface: MeshSurface,
     name: &str,
 ) -> Result<Vec<u8>, StockMeshError> {
@@ -60,17 +54,28 @@ pub fn stock_mesh(
         MeshSurface::Steps(tolerance) => {
             let steps = found.surface(tolerance)?;
             match format {
-                MeshFormat::Stl => steps.parted(EDGE_GAP_SHARE * found.stock.grid().resolution()),
-                MeshFormat::ThreeMf | MeshFormat::Glb => steps.mesh,
+                OutputFormat::Stl => steps.parted(EDGE_GAP_SHARE * found.stock.grid().resolution()),
+                _ => steps.mesh,
             }
         }
         MeshSurface::Smooth(_) if found.has_undersides() => return Err(StockMeshError::Undersides),
         MeshSurface::Smooth(tolerance) => smooth(found, tolerance)?,
     };
+    mesh_file(&mesh, format, name)
+}
+
+/// A mesh as the bytes of a file: STL in millimetres, which the file does not say, 3MF in millimetres, or glTF in one
+/// file, in metres with Y up.
+pub(super) fn mesh_file(
+    mesh: &Mesh,
+    format: OutputFormat,
+    name: &str,
+) -> Result<Vec<u8>, StockMeshError> {
     Ok(match format {
-        MeshFormat::Stl => write::write_stl(&mesh, LengthUnit::Millimetre)?,
-        MeshFormat::ThreeMf => write::write_threemf(&mesh, name)?,
-        MeshFormat::Glb => write::write_glb(&mesh, name, None)?,
+        OutputFormat::Stl => write::write_stl(mesh, LengthUnit::Millimetre)?,
+        OutputFormat::ThreeMf => write::write_threemf(mesh, name)?,
+        OutputFormat::Glb => write::write_glb(mesh, name, None)?,
+        other => return Err(StockMeshError::Format(other.name())),
     })
 }
 

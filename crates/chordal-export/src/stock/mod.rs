@@ -14,7 +14,7 @@ pub use lathe::{
     section_dxf, turned_json, turned_mesh, turned_text, turned_verdict_text, turning_json,
     turning_text,
 };
-pub use mesh::{MeshFormat, MeshSurface, StockMeshError, stock_mesh};
+pub use mesh::{MeshSurface, StockMeshError, stock_mesh};
 #[cfg(feature = "pictures")]
 pub use picture::stock_png;
 pub use text::{stock_text, stock_verdict_text, stock_volume};

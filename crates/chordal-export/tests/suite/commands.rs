@@ -5,7 +5,7 @@ use chordal::control::{ArcShape, AxisMask, Feed, FeedAlong, FeedMode, Move, Orig
 use chordal::geometry::Plane;
 use chordal::machine::AXES;
 use chordal::{Command, CommandKind, Job};
-use chordal_export::{CanonWriter, CommandCsv, CommandJsonLines};
+use chordal_export::{CanonWriter, CommandJsonLines, CommandWriter, OutputFormat};
 
 use crate::common::{SMALL, job};
 
@@ -34,7 +34,7 @@ fn json_lines_of_a_small_job() {
 #[test]
 fn csv_of_a_small_job() {
     let job = job("linuxcnc-mill", "small.nc", SMALL);
-    let mut writer = CommandCsv::new(Vec::new(), &job).unwrap();
+    let mut writer = CommandWriter::new(Vec::new(), OutputFormat::Csv, &job, false).unwrap();
     commands(&job).iter().for_each(|command| writer.command(command).unwrap());
     insta::assert_snapshot!(text(writer.finish().unwrap()));
 }
@@ -198,7 +198,7 @@ fn splines_are_of_a_kind_of_their_own() {
     assert_eq!(lines[1]["weights"], serde_json::json!([1, 1, 2]));
     assert_eq!(lines[1]["feed"].as_f64(), Some(600.0));
 
-    let mut writer = CommandCsv::new(Vec::new(), &job).unwrap();
+    let mut writer = CommandWriter::new(Vec::new(), OutputFormat::Csv, &job, false).unwrap();
     commands.iter().for_each(|command| writer.command(command).unwrap());
     let csv = text(writer.finish().unwrap());
     assert_eq!(csv.lines().filter(|line| line.contains(",spline,")).count(), 2);

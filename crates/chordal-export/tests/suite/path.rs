@@ -1,8 +1,8 @@
 use std::collections::BTreeMap;
 
 use chordal::geometry::Placement;
-use chordal::{Segment, SegmentKind};
-use chordal_export::{ChordWriter, DxfWriter};
+use chordal::{Job, Segment, SegmentKind};
+use chordal_export::{ChordWriter, DxfWriter, OutputFormat};
 
 use crate::common::{SMALL, job};
 
@@ -13,15 +13,22 @@ fn segments() -> Vec<Segment> {
     segments
 }
 
-fn lines(writer: ChordWriter<Vec<u8>>) -> Vec<String> {
+/// Both formats of text, with a tolerance of so much.
+fn writers<'a>(job: &'a Job<'a>, tolerance_mm: f64) -> [ChordWriter<'a, Vec<u8>>; 2] {
+    [OutputFormat::Csv, OutputFormat::Jsonl].map(|format| {
+        ChordWriter::new(Vec::new(), format, job, (tolerance_mm, Placement::Inscribed)).unwrap()
+    })
+}
+
+fn lines(writer: ChordWriter<'_, Vec<u8>>) -> Vec<String> {
     let text = String::from_utf8(writer.finish().unwrap()).unwrap();
     text.lines().map(str::to_string).collect()
 }
 
 #[test]
 fn chords_are_the_same_in_both_formats_and_join() {
-    let mut csv = ChordWriter::csv(Vec::new(), 0.01, Placement::Inscribed).unwrap();
-    let mut json = ChordWriter::jsonl(Vec::new(), 0.01, Placement::Inscribed).unwrap();
+    let job = job("linuxcnc-mill", "small.nc", SMALL);
+    let [mut csv, mut json] = writers(&job, 0.01);
     for segment in segments() {
         csv.segment(&segment).unwrap();
         json.segment(&segment).unwrap();
@@ -50,8 +57,10 @@ fn chords_are_the_same_in_both_formats_and_join() {
 
 #[test]
 fn chords_without_a_tolerance_are_refused() {
+    let job = job("linuxcnc-mill", "small.nc", SMALL);
     for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(ChordWriter::csv(Vec::new(), tolerance, Placement::Balanced).is_err());
+        let cut = (tolerance, Placement::Balanced);
+        assert!(ChordWriter::new(Vec::new(), OutputFormat::Csv, &job, cut).is_err());
     }
 }
 
@@ -147,8 +156,7 @@ fn a_work_offset_of_unknown_relation_is_no_entity() {
 fn a_chord_from_a_place_that_is_not_known_is_blank_there() {
     let text = b"G21 G18 G90\nS900 M3\nG1 X10. Z-5. F100.\nG2 X20. Z-5. R5.\nG91 G28 Z0\nM30\n";
     let job = job("haas-vf2", "profile.nc", text);
-    let mut csv = ChordWriter::csv(Vec::new(), 1.0, Placement::Inscribed).unwrap();
-    let mut json = ChordWriter::jsonl(Vec::new(), 1.0, Placement::Inscribed).unwrap();
+    let [mut csv, mut json] = writers(&job, 1.0);
     job.path(|segment| {
         csv.segment(segment).unwrap();
         json.segment(segment).unwrap();

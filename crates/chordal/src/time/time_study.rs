@@ -2,7 +2,6 @@
 
 use chordal_diagnostics::Code;
 
-use super::timed_run::NullWatch;
 use super::{ChordCost, LeastReport, ReferenceQuality, TimeAlternative, TimedRun};
 use crate::job::Job;
 use crate::motion::{LimitError, MotionOptions, PlannerLevel};
@@ -77,7 +76,7 @@ impl Job<'_> {
         &self,
         question: &TimeQuestion,
     ) -> (Report, Result<Option<TimeStudy>, LimitError>) {
-        let (report, timed) = self.report_timed(&question.options, u64::MAX, &mut NullWatch);
+        let (report, timed) = self.report_timed(&question.options, u64::MAX, &mut ());
         let study = timed
             .and_then(|timed| timed.map(|timed| self.study(timed, &report, question)).transpose());
         (report, study)

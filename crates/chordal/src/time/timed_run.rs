@@ -25,11 +25,6 @@ pub struct TimedRun {
     pub motion: MotionReport,
 }
 
-/// Ignores the events of a run.
-pub(super) struct NullWatch;
-
-impl RunWatch for NullWatch {}
-
 impl Job<'_> {
     /// Runs, plans and adds up the time.
     ///
@@ -75,7 +70,7 @@ impl Job<'_> {
         let (mut range, mut error) = ([total_s; 2], None);
         let (first, as_needed) = (&report.diagnostics, BlockDeleteRuns::WhereItDecides);
         let sides = self.run_other_sides(first, MAX_SIDE_RUNS, as_needed, |job, _| {
-            let (report, timed) = job.report_timed(options, u64::MAX, &mut NullWatch);
+            let (report, timed) = job.report_timed(options, u64::MAX, &mut ());
             match timed {
                 Ok(Some(timed)) => {
                     let side_s = timed.time.total_s();

@@ -6,12 +6,15 @@ use std::path::PathBuf;
 
 use chordal_archive::DiskFiles;
 use chordal_archive::diff::{DiffOptions, DiffRow, FileStatus, compare_all, write_table};
+use chordal_export::OutputFormat;
+use chordal_export::format::ARCHIVE_DIFF_FORMATS;
 use clap::ValueEnum;
 
 use super::check::keep_programs;
 use super::progress::ProgressMeter;
 use super::{ArchiveMachines, jobs};
 use crate::failure::{CommandFailure, ExitVerdict};
+use crate::formats::format_parser;
 use crate::output;
 use crate::terminal::{TerminalSupport, say};
 
@@ -42,8 +45,8 @@ pub struct Args {
     returned: PathBuf,
 
     /// Format of the answer
-    #[arg(long, value_enum, default_value = "text")]
-    format: ArchiveDiffFormat,
+    #[arg(long, value_parser = format_parser(&ARCHIVE_DIFF_FORMATS), default_value = "text")]
+    format: OutputFormat,
 
     /// What makes the exit code 1
     #[arg(long, value_enum, default_value = "changes", value_name = "WHAT")]
@@ -71,16 +74,6 @@ pub struct Args {
 
     #[command(flatten)]
     machines: ArchiveMachines,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-enum ArchiveDiffFormat {
-    /// A table for the reader
-    Text,
-    /// One JSON object for all files
-    Json,
-    /// A table for a pull request or the summary of a job
-    Markdown,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
@@ -143,9 +136,9 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
         output::write_whole(out, &table)?;
     }
     match args.format {
-        ArchiveDiffFormat::Text => say(&render::text(&rows, args.all))?,
-        ArchiveDiffFormat::Json => say(&render::json(&rows))?,
-        ArchiveDiffFormat::Markdown => say(&render::markdown(&rows, args.all))?,
+        OutputFormat::Text => say(&render::text(&rows, args.all))?,
+        OutputFormat::Json => say(&render::json(&rows))?,
+        _ => say(&render::markdown(&rows, args.all))?,
     }
     Ok(args.fail_on.verdict(&rows))
 }

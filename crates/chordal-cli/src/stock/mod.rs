@@ -1,21 +1,27 @@
 //! `chordal stock`: what is left of the stock, and what is touched.
 
+mod engagement;
+mod lathe;
+
 use std::path::{Path, PathBuf};
 
-use chordal::Job;
 use chordal::motion::MotionOptions;
 use chordal::stock::{EngagementOptions, StockLeft, StockOptions, StockReport, StockVerdict};
+use chordal::{Job, Report};
+use chordal_export::format::{STOCK_FILES, STOCK_FORMATS};
 use chordal_export::report::{self, SarifReport};
-use chordal_export::{MeshFormat, MeshSurface, stock_json, stock_mesh, stock_png, stock_text};
+use chordal_export::{
+    FormatList, MeshSurface, OutputFormat, stock_json, stock_mesh, stock_png, stock_text,
+};
+use chordal_load::Loaded;
 use clap::ArgAction;
 
-use crate::engagement;
 use crate::failure::{CommandFailure, ExitVerdict};
-use crate::lathe_stock;
-use crate::options::{AnswerFormat, CommonArgs, ProblemDisplay, length};
+use crate::formats::{format_of_file, format_parser};
+use crate::options::{CommonArgs, ProblemDisplay, length};
 use crate::output::write_whole;
 use crate::programs::{load_one, recognized};
-use crate::setup_files::{SetupProblemFormat, files};
+use crate::setup_files::files;
 use crate::stock_failure::failure_of;
 use crate::terminal::{TerminalSupport, say};
 use crate::tiles::on_threads;
@@ -97,38 +103,14 @@ pub struct Args {
     smooth: Option<f64>,
 
     /// Format of the answer
-    #[arg(long, value_enum, default_value = "text")]
-    format: SetupProblemFormat,
+    #[arg(long, value_parser = format_parser(&STOCK_FORMATS), default_value = "text")]
+    format: OutputFormat,
 
     #[command(flatten)]
     showing: ProblemDisplay,
 
     #[command(flatten)]
     common: CommonArgs,
-}
-
-/// What a file of the stock holds.
-#[derive(Clone, Copy)]
-enum StockFormat {
-    Mesh(MeshFormat),
-    Picture,
-}
-
-fn form(path: &Path) -> Result<StockFormat, CommandFailure> {
-    let ending = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-    Ok(match ending.as_str() {
-        "stl" => StockFormat::Mesh(MeshFormat::Stl),
-        "3mf" => StockFormat::Mesh(MeshFormat::ThreeMf),
-        "glb" => StockFormat::Mesh(MeshFormat::Glb),
-        "png" => StockFormat::Picture,
-        _ => {
-            let message = format!("the extension of {} is not a known format", path.display());
-            return Err(CommandFailure::wrong(
-                message,
-                "the extensions are .stl, .3mf, .glb, .png",
-            ));
-        }
-    })
 }
 
 /// What a program leaves of the stock of the setup; columns are cut on threads.
@@ -151,40 +133,13 @@ pub fn run(mut args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Com
     let loaded = load_one(&args.file, &args.common)?;
     let job = loaded.job()?;
     if job.turns() {
-        let answer = lathe_stock::TurnedOutput {
-            output: &args.output,
-            format: args.format,
-            detail: args.showing.detail(),
-            engagement: args.engagement,
-            tolerance_mm: args.tolerance,
-            has_columns: args.resolution.or(args.finest).or(args.chip).is_some(),
-            setup: args.setup.as_deref(),
-        };
-        return lathe_stock::run(&answer, &loaded, &job, terminal);
+        return lathe::run(&args, &loaded, &job, terminal);
     }
     if args.engagement {
         let options = EngagementOptions { stock: options, max_chip_mm: args.chip };
-        let format = match args.format {
-            SetupProblemFormat::Text => AnswerFormat::Text,
-            SetupProblemFormat::Json => AnswerFormat::Json,
-            SetupProblemFormat::Sarif => {
-                let message = "--engagement has no SARIF";
-                return Err(CommandFailure::wrong(
-                    message,
-                    "write --format json, or leave --engagement out",
-                ));
-            }
-        };
-        let answer = engagement::EngagementOutput {
-            output: &args.output,
-            format,
-            detail: args.showing.detail(),
-            setup: args.setup.as_deref(),
-        };
-        return engagement::run(&answer, &options, &loaded, terminal);
+        return engagement::run(&args, &options, &loaded, terminal);
     }
-    let forms: Vec<StockFormat> =
-        args.output.iter().map(|path| form(path)).collect::<Result<_, _>>()?;
+    let formats = args.formats(&STOCK_FILES, "a known format", "the extensions are")?;
     let mut found = job
         .stock_by(&options, &files, &on_threads)
         .map_err(|error| failure_of(error, args.setup.as_deref()))?;
@@ -192,38 +147,82 @@ pub fn run(mut args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Com
     if let Ok(timed) = job.time(&MotionOptions::default()) {
         found.take_times(&timed.time.tools);
     }
-    for (path, form) in args.output.iter().zip(forms) {
-        write_whole(path, &content(&found, form, args.smooth, path)?)?;
+    args.write(formats, |path, format| content(&found, format, args.smooth, path))?;
+    let answer = StockAnswer {
+        report: &found.report,
+        text: &|| stock_text(&found),
+        json: &|| stock_json(&found, loaded.name()),
+        note: "",
+        is_fine: found.verdict == StockVerdict::Clean,
+    };
+    args.give(&answer, &loaded, &job, terminal)
+}
+
+/// What a run on stock came to.
+struct StockAnswer<'a> {
+    report: &'a Report,
+    text: &'a dyn Fn() -> String,
+    json: &'a dyn Fn() -> String,
+    /// The last line of the text.
+    note: &'a str,
+    is_fine: bool,
+}
+
+impl Args {
+    /// The formats of the files to write. What each must be, and what stands before the endings, is for messages.
+    fn formats(
+        &self,
+        list: &FormatList,
+        kind: &str,
+        endings: &str,
+    ) -> Result<Vec<OutputFormat>, CommandFailure> {
+        let none = |name| format!("the extension of {name} is not {kind}");
+        self.output.iter().map(|path| format_of_file(list, path, none, endings)).collect()
     }
-    match args.format {
-        SetupProblemFormat::Text => {
-            terminal.write_error(&recognized(&loaded));
-            if found.report.worst().is_some() {
-                let detail = args.showing.detail();
-                say(&report::text(&found.report, job.sources(), terminal.out, detail))?;
+
+    fn write(
+        &self,
+        formats: Vec<OutputFormat>,
+        content: impl Fn(&Path, OutputFormat) -> Result<Vec<u8>, CommandFailure>,
+    ) -> Result<(), CommandFailure> {
+        let mut files = self.output.iter().zip(formats);
+        files.try_for_each(|(path, format)| write_whole(path, &content(path, format)?))
+    }
+
+    fn give(
+        &self,
+        answer: &StockAnswer<'_>,
+        loaded: &Loaded,
+        job: &Job<'_>,
+        terminal: TerminalSupport,
+    ) -> Result<ExitVerdict, CommandFailure> {
+        match self.format {
+            OutputFormat::Json => say(&(answer.json)())?,
+            OutputFormat::Sarif => {
+                let mut sarif = SarifReport::new();
+                sarif.add(answer.report, job.sources());
+                say(&sarif.finish())?;
             }
-            say(&stock_text(&found))?;
-            for path in &args.output {
-                say(&format!("written: {}\n", path.display()))?;
+            _ => {
+                terminal.write_error(&recognized(loaded));
+                if answer.report.worst().is_some() {
+                    let detail = self.showing.detail();
+                    say(&report::text(answer.report, job.sources(), terminal.out, detail))?;
+                }
+                say(&(answer.text)())?;
+                for path in &self.output {
+                    say(&format!("written: {}\n", path.display()))?;
+                }
+                say(answer.note)?;
             }
         }
-        SetupProblemFormat::Json => say(&stock_json(&found, loaded.name()))?,
-        SetupProblemFormat::Sarif => {
-            let mut sarif = SarifReport::new();
-            sarif.add(&found.report, job.sources());
-            say(&sarif.finish())?;
-        }
+        Ok(if answer.is_fine { ExitVerdict::Clean } else { ExitVerdict::Problems })
     }
-    Ok(if found.verdict == StockVerdict::Clean {
-        ExitVerdict::Clean
-    } else {
-        ExitVerdict::Problems
-    })
 }
 
 fn content(
     found: &StockReport,
-    form: StockFormat,
+    format: OutputFormat,
     smooth: Option<f64>,
     path: &Path,
 ) -> Result<Vec<u8>, CommandFailure> {
@@ -232,13 +231,11 @@ fn content(
         None => "use a larger resolution",
     };
     let wrong = |message: String| CommandFailure::wrong(message, help);
-    match form {
-        StockFormat::Picture => stock_png(found).map_err(|error| wrong(error.to_string())),
-        StockFormat::Mesh(format) => {
-            let name = path.file_stem().unwrap_or_default().to_string_lossy();
-            let steps = MeshSurface::Steps(0.1 * found.resolution_mm);
-            let surface = smooth.map_or(steps, MeshSurface::Smooth);
-            stock_mesh(found, format, surface, &name).map_err(|error| wrong(error.to_string()))
-        }
+    if format == OutputFormat::Png {
+        return stock_png(found).map_err(|error| wrong(error.to_string()));
     }
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    let steps = MeshSurface::Steps(0.1 * found.resolution_mm);
+    let surface = smooth.map_or(steps, MeshSurface::Smooth);
+    stock_mesh(found, format, surface, &name).map_err(|error| wrong(error.to_string()))
 }
