@@ -7,6 +7,15 @@ use chordal_diagnostics::TextRange;
 
 use crate::checkpoint::Checkpoint;
 use crate::modal::Modal;
+use crate::state_items::{StateItem, StateValue};
+
+/// What is in force after a block: computed where it is called for.
+pub struct AfterBlock<'s> {
+    /// As the screen of a control shows it.
+    pub modal: &'s dyn Fn() -> Modal,
+    /// All that the control keeps, item by item. It takes several times as long.
+    pub items: &'s dyn Fn() -> Vec<(StateItem, StateValue)>,
+}
 
 /// A sink that may also ask for the state after each block, and for checkpoints.
 pub trait RunSink: Sink {
@@ -14,8 +23,8 @@ pub trait RunSink: Sink {
     fn wants_blocks(&self) -> bool {
         false
     }
-    /// A block has been carried out; `modal` gives what is in force after it.
-    fn block_done(&mut self, _origin: &Origin, _modal: &dyn Fn() -> Modal) {}
+    /// A block has been carried out.
+    fn block_done(&mut self, _origin: &Origin, _after: &AfterBlock) {}
     /// From which byte of the main program on a [`Checkpoint`] is wanted; asked at the beginning
     /// and after each.
     fn next_checkpoint(&self) -> u32 {
