@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use chordal::control::{Modal, Origin, RunSink, Sink};
+use chordal::control::{AfterBlock, Origin, RunSink, Sink};
 use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockKind, BlockReader};
 use chordal::{BlockDeleteRuns, Code, Command, Diagnostic, Job, Report, Span};
@@ -126,7 +126,7 @@ impl RunSink for ExecutedBlocks {
         true
     }
 
-    fn block_done(&mut self, origin: &Origin, _: &dyn Fn() -> Modal) {
+    fn block_done(&mut self, origin: &Origin, _: &AfterBlock) {
         self.blocks.insert((origin.span.file, origin.span.range.start));
     }
 }

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use chordal::control::{CallPath, Checkpoint, InterruptCheck, Modal, Origin};
+use chordal::control::{AfterBlock, CallPath, Checkpoint, InterruptCheck, Modal, Origin};
 use chordal::diagnostics::{FileId, TextRange};
 use chordal::{Command, Diagnostic, Sink};
 
@@ -95,7 +95,7 @@ impl RunSink for NearestLine {
         true
     }
 
-    fn block_done(&mut self, origin: &Origin, _: &dyn Fn() -> Modal) {
+    fn block_done(&mut self, origin: &Origin, _: &AfterBlock) {
         if origin.span.file == FileId(0) && origin.line <= self.line {
             self.best = self.best.max(Some(origin.line));
         }
@@ -151,7 +151,7 @@ impl RunSink for StateRecorder {
         true
     }
 
-    fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
+    fn block_done(&mut self, origin: &Origin, after: &AfterBlock) {
         if origin.span.file != FileId(0) || self.over.load(Ordering::Relaxed) {
             return;
         }
@@ -162,7 +162,9 @@ impl RunSink for StateRecorder {
                 self.over.store(true, Ordering::Relaxed);
             }
             Some((last, ..)) if *last >= start => {}
-            _ if origin.line == self.line => self.modal = Some((start, origin.call, modal())),
+            _ if origin.line == self.line => {
+                self.modal = Some((start, origin.call, (after.modal)()))
+            }
             _ => {}
         }
     }

@@ -6,6 +6,7 @@ use chordal_geometry::Plane;
 
 use crate::frames::Frames;
 use crate::modal::Modal;
+use crate::state_items::{StateItem, StateValue};
 
 /// The shape that replaces a corner.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -39,7 +40,7 @@ pub struct ProgrammedCorner {
 )]
 pub(crate) enum QueuedItem {
     Command(Command),
-    BlockDone(Origin, Box<Modal>),
+    BlockDone(Origin, Box<(Modal, Vec<(StateItem, StateValue)>)>),
 }
 
 /// A move that waits for the next one.

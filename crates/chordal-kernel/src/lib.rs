@@ -55,7 +55,7 @@ pub use motion::{ArcWords, MisfitArc, SpiralWords, is_over};
 pub use offsets::{CoordinatePresets, LengthOffset, Offsets, WrittenOffset};
 pub use path_mode::PathState;
 pub use pockets::{CirclesWords, MAX_RINGS, RegionWords, rings_to_depth, shapes};
-pub use sink::RunSink;
+pub use sink::{AfterBlock, RunSink};
 pub use spindle_checks::hole_at_surface_speed;
 pub use state::{
     CycleState, LiveTool, ModalMotion, OverrideState, SplineForm, StartAxes, State, ThreadMemory,

@@ -9,7 +9,6 @@ use chordal_geometry::{Plane, TurnDirection};
 use crate::frames::FrameKinds;
 use crate::rules::{ArcCenter, CycleKind};
 use crate::state::{LiveTool, ModalMotion, SplineForm, State, TurnPass};
-use crate::state_items::{StateItem, StateValue};
 
 /// The motion of a block without a motion code.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -104,8 +103,6 @@ pub struct Modal {
     pub radius_offset: Option<u32>,
     /// How corners are passed.
     pub path_mode: PathMode,
-    /// All of the state, item by item.
-    pub items: Vec<(StateItem, StateValue)>,
 }
 
 impl Modal {
@@ -147,7 +144,6 @@ impl Modal {
             own_length: state.offsets.own_length(),
             radius_offset: state.radius_offset,
             path_mode: state.path.in_force(),
-            items: state.state_items(),
         }
     }
 }

@@ -7,6 +7,15 @@ use chordal_diagnostics::TextRange;
 
 use crate::checkpoint::Checkpoint;
 use crate::modal::Modal;
+use crate::state_items::{StateItem, StateValue};
+
+/// The state after a block, computed on request.
+pub struct AfterBlock<'s> {
+    /// The modal state, as the screen of a control shows it.
+    pub modal: &'s dyn Fn() -> Modal,
+    /// The whole state, item by item; several times as expensive as `modal`.
+    pub items: &'s dyn Fn() -> Vec<(StateItem, StateValue)>,
+}
 
 /// A sink that can also request the state after each block, and checkpoints.
 pub trait RunSink: Sink {
@@ -14,8 +23,8 @@ pub trait RunSink: Sink {
     fn wants_blocks(&self) -> bool {
         false
     }
-    /// Called after each block; `modal` computes the state after it.
-    fn block_done(&mut self, _origin: &Origin, _modal: &dyn Fn() -> Modal) {}
+    /// Called after each block; `after` computes the state after it.
+    fn block_done(&mut self, _origin: &Origin, _after: &AfterBlock) {}
     /// The byte of the main program from which the next [`Checkpoint`] is requested; read at the start and after
     /// each checkpoint.
     fn next_checkpoint(&self) -> u32 {

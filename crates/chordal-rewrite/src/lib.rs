@@ -23,6 +23,7 @@
 
 #![forbid(unsafe_code)]
 
+mod blocks;
 mod change;
 pub mod convert;
 mod proof;
@@ -30,7 +31,9 @@ pub mod restart;
 mod sides;
 mod source;
 mod split;
+mod state;
 mod transform;
+mod walk;
 
 pub use change::Change;
 pub use proof::{Certificate, ComparedSides, prove, prove_contour, prove_mapped};

@@ -26,9 +26,9 @@ pub mod control {
     pub use chordal_gcode::*;
     pub use chordal_kernel::rules::*;
     pub use chordal_kernel::{
-        Alarms, Checkpoint, CompletedRun, EndReason, FrameKinds, Language, LiveTool, Modal,
-        MotionMode, Outcome, ProgramPlace, RunSink, SplineForm, StateItem, StateValue, Token,
-        TokenClass, ToolValue, TurnPass,
+        AfterBlock, Alarms, Checkpoint, CompletedRun, EndReason, FrameKinds, Language, LiveTool,
+        Modal, MotionMode, Outcome, ProgramPlace, RunSink, SplineForm, StateItem, StateValue,
+        Token, TokenClass, ToolValue, TurnPass,
     };
 }
 

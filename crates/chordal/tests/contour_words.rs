@@ -213,7 +213,7 @@ impl Sink for Ends {
 }
 
 impl chordal::RunSink for Ends {
-    fn block_done(&mut self, _: &Origin, _: &dyn Fn() -> chordal::control::Modal) {}
+    fn block_done(&mut self, _: &Origin, _: &chordal::control::AfterBlock) {}
 }
 
 #[test]

@@ -7,7 +7,7 @@ pub mod turning;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use chordal::control::{Modal, RunOptions, RunSink};
+use chordal::control::{AfterBlock, RunOptions, RunSink};
 use chordal::{Command, CommandKind, Diagnostic, Job, Machine, Report, Sink, Source, SourceMap};
 use chordal_load::Loaded;
 
@@ -199,10 +199,10 @@ impl RunSink for Trace {
         true
     }
 
-    fn block_done(&mut self, origin: &chordal::control::Origin, modal: &dyn Fn() -> Modal) {
+    fn block_done(&mut self, origin: &chordal::control::Origin, after: &AfterBlock) {
         let done = self.0.entry(origin.line as usize).or_default();
         if !done.ran {
-            let modal = modal();
+            let modal = (after.modal)();
             done.ran = true;
             done.compensated = modal.side != chordal::control::CompensationSide::Off;
             done.incremental = modal.incremental;

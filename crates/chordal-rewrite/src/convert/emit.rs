@@ -13,6 +13,7 @@ use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::{Command, CommandKind};
 
 use super::ConvertRefusal;
+use super::actions::{distance_action, feed_action, plane_action, units_action};
 use super::arcs;
 use super::codes;
 use super::context::ConvertContext;
@@ -181,7 +182,7 @@ impl<'a> CommandEmitter<'a> {
     }
 
     fn line(&mut self, words: &[String]) {
-        self.lines.push(words.join(if self.style.spaced { " " } else { "" }));
+        self.lines.push(words.join(self.style.gap()));
     }
 
     fn code(&self, action: Action) -> Option<String> {
@@ -264,12 +265,7 @@ impl<'a> CommandEmitter<'a> {
                 self.line(&[code]);
             }
             CommandKind::Units(units) => {
-                let action = if *units == Units::Inch {
-                    Action::Reading(ReadingCode::Inch)
-                } else {
-                    Action::Reading(ReadingCode::Millimetre)
-                };
-                let code = self.due(action)?;
+                let code = self.due(units_action(*units))?;
                 self.pending.push(code);
                 self.units = *units;
                 self.feed = None;
@@ -579,27 +575,3 @@ impl<'a> CommandEmitter<'a> {
 
 const LINEAR_AXES: [char; 3] = ['X', 'Y', 'Z'];
 const CENTERS: [char; 3] = ['I', 'J', 'K'];
-
-pub(crate) fn plane_action(plane: Plane) -> Action {
-    match plane {
-        Plane::Xy => Action::Mode(ModeCode::PlaneXy),
-        Plane::Zx => Action::Mode(ModeCode::PlaneZx),
-        Plane::Yz => Action::Mode(ModeCode::PlaneYz),
-    }
-}
-
-pub(crate) fn distance_action(incremental: bool) -> Action {
-    if incremental {
-        Action::Reading(ReadingCode::Incremental)
-    } else {
-        Action::Reading(ReadingCode::Absolute)
-    }
-}
-
-fn feed_action(mode: FeedMode) -> Action {
-    match mode {
-        FeedMode::PerTime => Action::Reading(ReadingCode::FeedPerTime),
-        FeedMode::InverseTime => Action::Reading(ReadingCode::FeedInverseTime),
-        FeedMode::PerRevolution => Action::Reading(ReadingCode::FeedPerRevolution),
-    }
-}

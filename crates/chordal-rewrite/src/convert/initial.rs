@@ -1,13 +1,13 @@
 //! What holds at power-on on the old control and is not said by the program.
 
 use chordal::control::table::CodeGroup;
-use chordal::control::{Action, FeedMode, ModeCode, MotionCode, ReadingCode};
+use chordal::control::{Action, ModeCode, MotionCode, ReadingCode};
 use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::Letters;
 
+use super::actions::{distance_action, feed_action, plane_action, units_action};
 use super::codes;
 use super::context::ConvertContext;
-use super::emit::{distance_action, plane_action};
 use super::rendering::RenderedPlan;
 use super::trace::BlockExecution;
 use crate::Change;
@@ -46,12 +46,7 @@ pub(crate) fn begin(context: &ConvertContext, flat: &[bool], rendered: &mut Rend
             && is_silent(context, &runs, CodeGroup::Units, LENGTHS)
             && start == Some(parameters[0].rules.units)
         {
-            let inch = parameters[0].rules.units == chordal::control::Units::Inch;
-            words.push(if inch {
-                Action::Reading(ReadingCode::Inch)
-            } else {
-                Action::Reading(ReadingCode::Millimetre)
-            });
+            words.push(units_action(parameters[0].rules.units));
         }
         if parameters[0].rules.starts_incremental != parameters[1].rules.starts_incremental
             && is_silent(context, &runs, CodeGroup::Distance, AXIS_WORDS)
@@ -74,7 +69,7 @@ pub(crate) fn begin(context: &ConvertContext, flat: &[bool], rendered: &mut Rend
         if names.is_empty() {
             continue;
         }
-        let line = names.join(if style.spaced { " " } else { "" });
+        let line = names.join(style.gap());
         rendered.changes.push(Change {
             line: context.source.blocks[first].line,
             before: String::new(),
@@ -118,14 +113,9 @@ fn begin_flat(
         trace.commands_of(exec).iter().any(|command| command.kind.motion().is_some())
     };
     let Some(first) = runs.iter().find(moves).or(runs.first()) else { return };
-    let is_inch = first.after.units == chordal::control::Units::Inch;
     let style = context.style();
     let actions = [
-        if is_inch {
-            Action::Reading(ReadingCode::Inch)
-        } else {
-            Action::Reading(ReadingCode::Millimetre)
-        },
+        units_action(first.after.units),
         plane_action(runs[0].before.plane),
         Action::Reading(ReadingCode::Absolute),
         Action::Mode(ModeCode::CompensationOff),
@@ -134,11 +124,7 @@ fn begin_flat(
     let mut lathes = of_lathes(context, runs);
     if context.turns() {
         lathes.retain(|action| *action == Action::Reading(ReadingCode::Diameters));
-        lathes.push(match first.before.feed_mode {
-            FeedMode::PerRevolution => Action::Reading(ReadingCode::FeedPerRevolution),
-            FeedMode::PerTime => Action::Reading(ReadingCode::FeedPerTime),
-            FeedMode::InverseTime => Action::Reading(ReadingCode::FeedInverseTime),
-        });
+        lathes.push(feed_action(first.before.feed_mode));
     }
     let mut words: Vec<String> = actions
         .into_iter()
@@ -152,7 +138,7 @@ fn begin_flat(
     });
     let work = codes::work_offset(first.after.work, context.to, style);
     words.extend(work.filter(|_| says_work));
-    let line = words.join(if style.spaced { " " } else { "" });
+    let line = words.join(style.gap());
     let body = main.clone().filter(|at| *at >= context.source.first_words(main));
     let Some(at) = body.into_iter().find(|at| rendered.lines[*at].is_some()) else { return };
     rendered.changes.push(Change {

@@ -6,7 +6,9 @@
 //! which of the two it is, `layout` puts the text together. The comparison of both programs has the
 //! last word: what moves otherwise is written out, until nothing does.
 
+mod actions;
 mod arcs;
+mod certify;
 pub(crate) mod codes;
 mod comments;
 mod context;
@@ -31,26 +33,21 @@ mod spiral;
 mod structure;
 mod surface;
 mod tap;
+mod target;
 mod thread;
 mod trace;
 mod translate;
 mod turning;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
-use chordal::control::{
-    CompensationSide, RapidPath, RotarySurface, SettingField, SurfaceShape, ToolLengths,
-};
-use chordal::machine::{
-    AXIS_LETTERS, RapidShape, SettingEntry, SettingValue, WorkOffset, mirrored_tip,
-    work_offset_name,
-};
+use chordal::control::RotarySurface;
+use chordal::machine::AXIS_LETTERS;
+use chordal::{CommandKind, Job, Machine, Severity, Source as Text, SourceMap};
+use chordal_compare::{Category, ComparisonVerdict, Difference};
 
-use chordal::{Code, CommandKind, Job, Machine, Report, Severity, Source as Text, SourceMap};
-use chordal_compare::{
-    BlockRange, Category, ComparisonVerdict, Difference, DifferenceValue, FreePasses,
-};
-
+pub(crate) use self::actions::{feed_action, plane_action, units_action};
+use self::certify::{FreeCycleLines, LIMITS, proof};
 use self::context::ConvertContext;
 pub(crate) use self::contours::{CycleContour, CycleContours};
 use self::layout::TextLayout;
@@ -61,11 +58,12 @@ pub use self::pecks::{PeckChange, PeckReading};
 use self::plan::ConvertPlan;
 use self::rendering::RenderedPlan;
 use self::structure::ProgramStructure;
+use self::target::with_tables_of;
 use self::trace::ProgramTrace;
 pub(crate) use self::turning::station;
 use crate::sides::prove_other_sides;
 use crate::source::SourceBlocks;
-use crate::{Certificate, Change, prove, prove_contour};
+use crate::{Certificate, Change};
 
 /// How a program is converted.
 #[derive(Clone, Debug)]
@@ -140,9 +138,6 @@ fn job(name: &str, text: String, machine: &Machine) -> Option<Job<'static>> {
     sources.add(Text::new(name.to_string(), text.into_bytes()));
     Job::new(sources, machine.clone()).ok()
 }
-
-/// Whole categories of those.
-const OF_MACHINES: &[Category] = &[Category::RapidPath, Category::PathMode, Category::Overrides];
 
 /// Rounds of writing out what differs. Each writes out more blocks, so that there is an end anyway.
 const MAX_ROUNDS: usize = 8;
@@ -282,144 +277,6 @@ fn explain(conversion: &mut Conversion, tried: BTreeMap<u32, ConvertRefusal>) {
     };
     conversion.refusals = tried.into_values().filter(differs).collect();
 }
-
-/// The lines of both texts whose cycles may be made in other steps.
-#[derive(Clone, Default)]
-struct FreeCycleLines {
-    pecks: [BTreeSet<u32>; 2],
-    passes: [FreePasses; 2],
-}
-
-fn proof(
-    trace: &ProgramTrace,
-    [old, new]: [&Job; 2],
-    options: &ConversionOptions,
-    free: FreeCycleLines,
-    printed: bool,
-) -> Certificate {
-    let compensates = trace.commands.iter().any(|command| {
-        matches!(command.kind, CommandKind::Compensation { side, .. } if side != CompensationSide::Off)
-    });
-    let compare = chordal_compare::ComparisonOptions {
-        tolerance_mm: options.tolerance_mm,
-        feed_tolerance: 1e-5,
-        speed_tolerance: 1e-5,
-        rotary_tolerance_rad: rotary_tolerance(trace, options),
-        // Both begin at the same place, and both machines have the same tables.
-        assume_known: true,
-        separate_sides: true,
-        free_pecks: free.pecks,
-        free_passes: free.passes,
-        kept: 100_000,
-        ..chordal_compare::ComparisonOptions::default()
-    };
-    let surface = [old, new].map(trace::surface_lines);
-    let turns = old.control().table.turns();
-    // Without a tool table each tool is set to the work zero.
-    let no_lengths = ![old, new].map(Job::control).into_iter().all(codes::has_lengths);
-    let is_expected = |difference: &Difference| {
-        is_of_machine(difference, turns)
-            || (no_lengths && difference.category == Category::LengthOffset)
-            || (printed && difference.category == Category::Output)
-            || follows_the_diameter(difference, &surface)
-            || is_left_out(difference, [old, new])
-    };
-    let mut certificate = if compensates {
-        prove_contour(old, new, &compare, is_expected)
-    } else {
-        let mut certificate = prove(old, new, &compare, &[]);
-        certificate.set_aside(is_expected);
-        certificate
-    };
-    // What is not followed is not proved either way, and variables have other names.
-    if !certificate.comparison.reports.iter().all(Report::verified) {
-        certificate.set_aside(|difference| difference.category == Category::Value);
-    }
-    certificate
-}
-
-/// A code of the old control that the new one does not have, and that is among the changes; what statements and remarks
-/// say to the operator.
-fn is_left_out(difference: &Difference, [old, new]: [&Job; 2]) -> bool {
-    match (difference.category, &difference.values) {
-        (Category::Code, Some([DifferenceValue::Text(words), DifferenceValue::Nothing])) => {
-            codes::is_only_of(words, old.control(), new.control())
-        }
-        (Category::Message | Category::Alarm | Category::Variable, _) => true,
-        _ => false,
-    }
-}
-
-/// How far rotary axes may be apart: on a cylinder one control gives lengths and the other one angles, and both are rounded. At its
-/// radius that is no more than the tolerance.
-fn rotary_tolerance(trace: &ProgramTrace, options: &ConversionOptions) -> f64 {
-    let radii = trace.commands.iter().filter_map(|command| match &command.kind {
-        CommandKind::Surface { surface: Some(surface), .. } => match surface.shape {
-            SurfaceShape::Cylinder { radius_mm } => Some(radius_mm),
-            SurfaceShape::Face { .. } => None,
-        },
-        _ => None,
-    });
-    let largest = radii.fold(0.0, f64::max);
-    let usual = chordal_compare::ComparisonOptions::default().rotary_tolerance_rad;
-    if largest > 0.0 { (options.tolerance_mm / largest).max(usual) } else { usual }
-}
-
-/// Revolutions of a spindle that keeps a cutting speed in both programs follow the diameter; at which point of a rapid they
-/// change makes no difference. What a cut makes of them is compared as its feed.
-fn follows_the_diameter(difference: &Difference, surface: &[BTreeSet<u32>; 2]) -> bool {
-    let same_path = matches!(
-        difference.values,
-        Some([DifferenceValue::Spindle(one, _), DifferenceValue::Spindle(other, _)]) if one == other
-    );
-    let is_surface = |(blocks, lines): (&Option<BlockRange>, &BTreeSet<u32>)| {
-        blocks.is_some_and(|blocks| {
-            let (from, to) = blocks.lines();
-            (from..=to).any(|line| lines.contains(&line))
-        })
-    };
-    difference.category == Category::Spindle
-        && same_path
-        && difference.blocks.iter().zip(surface).all(is_surface)
-}
-
-/// Differences that belong to the machines, not to the text; of programs for lathes where it `turns`.
-fn is_of_machine(difference: &Difference, turns: bool) -> bool {
-    match (difference.category, &difference.values) {
-        (
-            Category::Problem,
-            Some(
-                [DifferenceValue::Nothing, DifferenceValue::Text(text)]
-                | [DifferenceValue::Text(text), DifferenceValue::Nothing],
-            ),
-        ) => {
-            let id = text.split(':').next().unwrap_or_default();
-            LIMITS.iter().any(|code| code.id() == id)
-        }
-        // A turning tool's own radius has no number where T names a tool alone.
-        (Category::RadiusOffset, Some(values)) if turns => {
-            values.contains(&DifferenceValue::Nothing)
-        }
-        // E0 of one control is G53 of the others.
-        (Category::WorkOffset, Some(values)) => values.contains(&DifferenceValue::Number(0)),
-        // How wide a printed number is, is a setting.
-        (Category::Output, Some([DifferenceValue::Text(one), DifferenceValue::Text(other)])) => {
-            one.split_whitespace().eq(other.split_whitespace())
-        }
-        (category, _) => OF_MACHINES.contains(&category),
-    }
-}
-
-/// What a program may ask too much of one machine and not of another.
-const LIMITS: &[Code] = &[
-    Code::TravelExceeded,
-    Code::FeedOverLimit,
-    Code::SpindleOverLimit,
-    Code::SpeedWithoutLimit,
-    Code::LengthOffsetOfOtherTool,
-    Code::OffsetNotSet,
-    Code::DiameterNotSet,
-];
 
 /// Proves another text in place of that of a conversion, one that was changed by hand: as a whole, without other steps of
 /// its cycles. Nothing where the machine has settings that its control does not have.
@@ -574,87 +431,4 @@ fn own_problems(old: &Job, options: &ConversionOptions) -> Vec<ConvertRefusal> {
             }
         })
         .collect()
-}
-
-/// The target with what the old machine's tables hold: the cut depends on both.
-fn with_tables_of(job: &Job, target: &Machine) -> Machine {
-    let old = job.machine();
-    let mut machine = target.clone();
-    // The shape of rapids is the machine's; compared with each other, both go alike.
-    machine.rapid = Some(match job.control().parameters.rules.rapid {
-        RapidPath::DogLeg => RapidShape::DogLeg,
-        RapidPath::Straight | RapidPath::AtFeed(_) => RapidShape::Straight,
-    });
-    machine.tools = old.tools.clone();
-    // Who sets the work offset with each tool does so on the new machine, too.
-    if job.control().parameters.rules.length.source != ToolLengths::Table {
-        machine.set("settings.tool_lengths=\"touched-off\"").ok();
-    }
-    goes_on_after_refusal(&mut machine);
-    if job.control().table.turns() {
-        machine.spindle_max_rpm = old.spindle_max_rpm;
-        // A dog-leg bends where the faster axis arrives: X and Z of lathes have speeds of their own.
-        for (axis, limits) in machine.axes.iter_mut().enumerate() {
-            if let (Some(limits), Some(own)) = (limits, old.axes[axis]) {
-                limits.max_velocity = own.max_velocity;
-            }
-        }
-    }
-    let tips = [job.control().table, chordal::control::table(target.control)];
-    let [one, other] = tips.map(|table| table.parameters.rules.turning.tips_mirrored);
-    if one != other {
-        for tool in machine.tools.values_mut() {
-            tool.tip = tool.tip.map(mirrored_tip);
-        }
-    }
-    machine.home = old.home;
-    machine.reference_points = old.reference_points;
-    machine.macros = old.macros.clone();
-    machine.probe = old.probe;
-    machine.switches = old.switches;
-    machine.clearance_mm = old.clearance_mm.or(target.clearance_mm);
-    machine.work_offsets = old
-        .work_offsets
-        .iter()
-        .map(|(name, offset)| (renamed(name, target), *offset))
-        .collect::<BTreeMap<String, WorkOffset>>();
-    machine
-}
-
-/// One block that a firmware refuses does not hide what comes after it: each is found.
-fn goes_on_after_refusal(machine: &mut Machine) {
-    let table = chordal::control::table(machine.control);
-    if let Some(setting) =
-        table.settings.iter().find(|setting| setting.field == SettingField::AFTER_REFUSAL)
-    {
-        let value = SettingValue::Text("continue".into());
-        machine.settings.insert(setting.name.into(), SettingEntry { value, location: None });
-    }
-}
-
-/// The name under which the target has a work offset: E7 is G54.1 P1 and G154 P1.
-fn renamed(name: &str, target: &Machine) -> String {
-    let table = chordal::control::table(target.control);
-    let number = |text: &str| text.trim().parse::<u32>().ok();
-    let ordinal = match name.split_once(" P") {
-        Some((code, extended)) => {
-            // Mach3 counts G54 to G59 with them.
-            let before = if code == "G59" { 0 } else { 6 };
-            number(extended).map(|number| number + before)
-        }
-        None => match name.strip_prefix("G59.") {
-            Some(point) => number(point).map(|number| number + 6),
-            None => name
-                .strip_prefix('E')
-                .and_then(number)
-                .or_else(|| name.strip_prefix('G').and_then(number)?.checked_sub(53)),
-        },
-    };
-    let Some(ordinal) = ordinal else { return name.into() };
-    let new = match (table.work_names.by_e, ordinal) {
-        (true, _) => format!("E{ordinal}"),
-        (false, 1..=6) => format!("G{}", 53 + ordinal),
-        (false, _) => table.work_names.extended_key(ordinal.saturating_sub(6) as u16),
-    };
-    work_offset_name(&new).unwrap_or(new)
 }

@@ -6,6 +6,13 @@ use chordal::syntax::Decimal;
 
 use crate::source::{WordStyle, digits_of_arcs};
 
+impl WordStyle {
+    /// What stands between words.
+    pub(crate) fn gap(self) -> &'static str {
+        if self.spaced { " " } else { "" }
+    }
+}
+
 /// A length in program units: at most so many digits after the point, which is always written.
 pub(crate) fn length(mm: f64, units: Units, digits: usize, style: WordStyle) -> String {
     let value = match units {
@@ -19,16 +26,18 @@ pub(crate) fn length(mm: f64, units: Units, digits: usize, style: WordStyle) -> 
 pub(crate) fn plain(value: f64, digits: usize, style: WordStyle) -> String {
     let text = format!("{value:.digits$}");
     let text = if text.contains('.') { text.trim_end_matches('0').to_string() } else { text + "." };
-    let (sign, size) = match text.strip_prefix('-') {
-        Some(size) => ("-", size),
-        None => ("", text.as_str()),
-    };
-    if size == "0." {
-        return "0.".into();
+    dressed(text, style.leading_zero)
+}
+
+/// A number without a sign where it is zero, and without a zero before its point unless it is written.
+pub(crate) fn dressed(text: String, leading_zero: bool) -> String {
+    let size = text.trim_start_matches('-');
+    if size.bytes().all(|byte| matches!(byte, b'0' | b'.')) {
+        return size.to_string();
     }
     match size.strip_prefix("0.") {
-        Some(rest) if !style.leading_zero => format!("{sign}.{rest}"),
-        _ => format!("{sign}{size}"),
+        Some(part) if !leading_zero => format!("{}.{part}", &text[..text.len() - size.len()]),
+        _ => text,
     }
 }
 

@@ -183,7 +183,7 @@ impl ConvertContext<'_> {
         } else if let Some(code) =
             codes::name(Action::Length(LengthCode::Plus), self.to, self.style())
         {
-            let gap = if self.style().spaced { " " } else { "" };
+            let gap = self.style().gap();
             draft.replace(h, format!("{code}{gap}{written}"), format!("{title} needs G43 with H"));
         } else {
             draft.remove(h, codes::without_lengths(self.to));

@@ -310,7 +310,7 @@ impl<'c, 'a> ConvertPlan<'c, 'a> {
     fn headed(&self, at: usize, mut lines: Vec<String>) -> Vec<String> {
         let source = self.context.source;
         let block = &source.blocks[at];
-        let gap = if source.style.spaced { " " } else { "" };
+        let gap = source.style.gap();
         let mut head = Vec::new();
         if lines.len() > 1 || !block.comments.is_empty() {
             let words = source.words(at).replace(['(', ')'], "");

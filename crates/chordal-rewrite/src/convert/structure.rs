@@ -281,7 +281,7 @@ impl StructureView<'_> {
         number: u32,
         times: u32,
     ) -> Result<Vec<String>, NeedsExpansion> {
-        let gap = if self.style.spaced { " " } else { "" };
+        let gap = self.style.gap();
         let most = self.to.parameters.max_repeats.max(1);
         let action = match form {
             SubprogramForm::Letter => {

@@ -8,10 +8,10 @@ use chordal::control::{
 use chordal::geometry::Plane;
 use chordal::machine::AXIS_LETTERS;
 
+use super::actions::plane_action;
 use super::codes;
 use super::context::ConvertContext;
 use super::draft::{BlockDraft, NeedsExpansion};
-use super::emit::plane_action;
 use super::numbers;
 use super::trace::BlockExecution;
 use crate::source::code_action;
@@ -160,7 +160,7 @@ impl SurfaceMove<'_, '_> {
             words.extend(self.cylinder_words(begins));
         }
         let before = draft.written(word);
-        let gap = if self.context.style().spaced { " " } else { "" };
+        let gap = self.context.style().gap();
         let new = words.join(gap);
         draft.set(word, new.clone());
         draft.note(before, new, format!("{} on {title}", name(self.is_face)));

@@ -1,23 +1,23 @@
 //! The run of the old text, block by block.
 
-use chordal::RunSink;
 use chordal::control::Action;
 use std::collections::BTreeSet;
 use std::ops::Range;
+use std::rc::Rc;
 
 use chordal::control::{
-    CallPath, CompensationSide, Control, FeedMode, FrameKinds, LiveTool, Modal, Origin, Position,
-    ReadingCode, RotarySurface, SpindleState, Units, WorkName,
+    CallPath, CompensationSide, FeedMode, FrameKinds, LiveTool, Modal, Position, RotarySurface,
+    SpindleState, Units, WorkName,
 };
 use chordal::geometry::Plane;
-use chordal::{Code, Command, CommandKind, Diagnostic, Job, Sink, Span};
+use chordal::{Code, Command, CommandKind, Diagnostic, Job, Span};
 
 use crate::source::SourceBlocks;
+use crate::walk::{first_x_factor, walk, x_factor_after};
 
-/// Said where what a run does depends on a value that nobody gave.
-fn is_of_unknown_value(code: Code) -> bool {
-    matches!(code, Code::UnknownPath | Code::UnknownTime | Code::AssumedBranch | Code::SkipAssumed)
-}
+/// Reported where what a run does depends on a value that nobody gave.
+const OF_UNKNOWN_VALUES: &[Code] =
+    &[Code::UnknownPath, Code::UnknownTime, Code::AssumedBranch, Code::SkipAssumed];
 
 /// What is active after a block.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -82,8 +82,9 @@ pub(crate) struct BlockExecution {
     /// The calls that it was reached through, innermost first, by number.
     pub path: u32,
     pub commands: Range<usize>,
-    pub before: ActiveModes,
-    pub after: ActiveModes,
+    /// What is active before it, which is what was after the run before it.
+    pub before: Rc<ActiveModes>,
+    pub after: Rc<ActiveModes>,
 }
 
 /// What the runs of a block have in common.
@@ -110,97 +111,9 @@ pub(crate) struct ProgramTrace {
     pub assumed: Option<Diagnostic>,
 }
 
-struct TraceRecorder<'s, 'a> {
-    source: &'s SourceBlocks<'a>,
-    trace: ProgramTrace,
-    last: Option<ActiveModes>,
-    /// The first command of the running block.
-    open: usize,
-    last_is_arc: bool,
-    raw: Vec<CallPath>,
-    control: &'s Control,
-    per_x: f64,
-    surface: Option<RotarySurface>,
-}
-
-impl Sink for TraceRecorder<'_, '_> {
-    fn command(&mut self, command: &Command) {
-        self.trace.commands.push(command.clone());
-    }
-
-    fn diagnostic(&mut self, diagnostic: Diagnostic) {
-        if self.trace.assumed.is_none() && is_of_unknown_value(diagnostic.code) {
-            self.trace.assumed = Some(diagnostic);
-        }
-    }
-}
-
-impl RunSink for TraceRecorder<'_, '_> {
-    fn wants_blocks(&self) -> bool {
-        true
-    }
-
-    fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
-        let block = self.source.block_at(origin.span);
-        self.follow_x_words(block);
-        let commands = self.open..self.trace.commands.len();
-        for command in &self.trace.commands[commands.clone()] {
-            match command.kind {
-                CommandKind::Surface { surface, .. } => self.surface = surface,
-                CommandKind::End => self.surface = None,
-                _ => {}
-            }
-        }
-        let after = ActiveModes::of(modal(), self.surface, self.per_x);
-        self.open = commands.end;
-        let index = self.trace.execs.len();
-        let after_arc = self.last_is_arc;
-        for command in &self.trace.commands[commands.clone()] {
-            if command.kind.motion().is_some() {
-                self.last_is_arc = command.kind.shape().is_some();
-            }
-        }
-        if let Some(facts) = block.map(|block| &mut self.trace.facts[block]) {
-            if facts.runs == 0 {
-                facts.first = index;
-            } else {
-                let first = self.trace.execs[facts.first].commands.clone();
-                let feed = |commands: Range<usize>| {
-                    let mut commands = self.trace.commands[commands].iter();
-                    commands
-                        .find_map(|command| command.kind.feed())
-                        .map(|feed| feed.value.to_bits())
-                };
-                facts.feed_varies |= feed(first) != feed(commands.clone());
-            }
-            facts.runs += 1;
-            facts.after_arc |= after_arc;
-        }
-        let before = self.last.unwrap_or(after);
-        self.raw.push(origin.call);
-        self.trace.execs.push(BlockExecution { block, path: 0, commands, before, after });
-        self.last = Some(after);
-    }
-}
-
-impl TraceRecorder<'_, '_> {
-    /// Whether words of X are diameters from a block on.
-    fn follow_x_words(&mut self, block: Option<usize>) {
-        let Some(block) = block else { return };
-        let has = |code: ReadingCode| {
-            self.source.has_action(block, self.control, |own| own == Action::Reading(code))
-        };
-        if has(ReadingCode::Diameters) {
-            self.per_x = 0.5;
-        } else if has(ReadingCode::Radii) {
-            self.per_x = 1.0;
-        }
-    }
-}
-
 impl ProgramTrace {
     pub fn of(job: &Job, source: &SourceBlocks) -> ProgramTrace {
-        let trace = ProgramTrace {
+        let mut trace = ProgramTrace {
             execs: Vec::new(),
             commands: Vec::new(),
             facts: vec![BlockFacts::default(); source.blocks.len()],
@@ -208,25 +121,58 @@ impl ProgramTrace {
             assumed: None,
         };
         let control = job.control();
-        let per_x = match control.parameters.starts_with_radii {
-            true => 1.0,
-            false => job.machine().written_factor(0).recip(),
-        };
-        let mut gather = TraceRecorder {
-            source,
-            trace,
-            last: None,
-            open: 0,
-            last_is_arc: false,
-            raw: Vec::new(),
-            control,
-            per_x,
-            surface: None,
-        };
-        let outcomes = job.run(&mut gather);
-        let TraceRecorder { mut trace, raw, .. } = gather;
+        let (mut raw, mut surface, mut x_factor) = (Vec::new(), None, first_x_factor(job));
+        let mut last: Option<Rc<ActiveModes>> = None;
+        let mut last_is_arc = false;
+        let (outcomes, _) = walk(job, |visit| {
+            let block = source.block_at(visit.origin.span);
+            x_factor = block.map_or(x_factor, |at| x_factor_after(source, control, at, x_factor));
+            let after_arc = last_is_arc;
+            for command in &visit.output.commands {
+                match command.kind {
+                    CommandKind::Surface { surface: now, .. } => surface = now,
+                    CommandKind::End => surface = None,
+                    _ => {}
+                }
+                if command.kind.motion().is_some() {
+                    last_is_arc = command.kind.shape().is_some();
+                }
+            }
+            let after = Rc::new(ActiveModes::of(visit.modal(), surface, x_factor.recip()));
+            let before = last.replace(after.clone()).unwrap_or_else(|| after.clone());
+            if trace.assumed.is_none() {
+                let mut reported = visit.output.diagnostics.iter();
+                trace.assumed = reported.find(|one| OF_UNKNOWN_VALUES.contains(&one.code)).cloned();
+            }
+            let begin = trace.commands.len();
+            trace.commands.extend_from_slice(&visit.output.commands);
+            let commands = begin..trace.commands.len();
+            raw.push(visit.origin.call);
+            trace.execs.push(BlockExecution { block, path: 0, commands, before, after });
+            trace.note_facts(after_arc);
+        });
         trace.resolve(source, &raw, &outcomes);
         trace
+    }
+
+    /// Notes what the last run has in common with those of its block before.
+    fn note_facts(&mut self, after_arc: bool) {
+        let index = self.execs.len() - 1;
+        let exec = &self.execs[index];
+        let Some(block) = exec.block else { return };
+        let feed = |exec: &BlockExecution| {
+            let feed = self.commands_of(exec).iter().find_map(|command| command.kind.feed());
+            feed.map(|feed| feed.value.to_bits())
+        };
+        let before = self.first_run(block);
+        let varies = before.is_some_and(|first| feed(first) != feed(exec));
+        let facts = &mut self.facts[block];
+        if facts.runs == 0 {
+            facts.first = index;
+        }
+        facts.feed_varies |= varies;
+        facts.runs += 1;
+        facts.after_arc |= after_arc;
     }
 
     /// Gives each run the number of its calls. Every main program counts its calls anew.

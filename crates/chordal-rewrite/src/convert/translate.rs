@@ -389,7 +389,7 @@ impl<'a> ConvertContext<'a> {
         }
         let code = draft.now(lone);
         let words: Vec<String> = others.iter().map(|at| draft.now(*at)).collect();
-        let line = words.join(if self.style().spaced { " " } else { "" });
+        let line = words.join(self.style().gap());
         for at in others {
             draft.set(at, "");
         }

@@ -2,24 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use chordal::Control;
 use chordal::control::table::CodeGroup;
 use chordal::control::{
     Action, FeedMode, LengthCode, Modal, ModeCode, MotionCode, MotionMode, ReadingCode,
-    SpindleState, Units,
+    SpindleState,
 };
-use chordal::geometry::Plane;
 use chordal::machine::AXIS_LETTERS;
 
 use super::watch::StateBefore;
-use crate::convert::codes;
-use crate::convert::numbers::{digits, length, plain};
-use crate::source::SourceBlocks;
-use crate::split::state_at::StateSlot;
-use crate::split::text::{MAX_DECIMALS, feed_word};
-
-/// Places nearer than this are written as they are, mm or degrees.
-const EXACT: f64 = 1e-10;
+use crate::convert::{feed_action, plane_action, units_action};
+use crate::state::{EXACT, StateSlot, StateWriter};
 
 /// What stands in the way of a head.
 #[derive(Debug)]
@@ -27,8 +19,7 @@ pub(super) struct HeadError(pub(super) String);
 
 /// Writes the head of one program.
 pub(super) struct HeadWriter<'h, 'a> {
-    pub(super) source: &'h SourceBlocks<'a>,
-    pub(super) control: &'h Control,
+    pub(super) state: StateWriter<'h, 'a>,
     pub(super) before: &'h StateBefore,
     /// The block that the program begins at.
     pub(super) at: usize,
@@ -41,14 +32,10 @@ impl HeadWriter<'_, '_> {
             return self.before_station();
         }
         let mut lines = self.modes();
-        lines.extend(self.work());
+        lines.extend(self.state.work());
         // The spindle is not started before the change, but a later M3 may count on its speed.
-        lines.extend(self.speed());
-        lines.extend(self.before.words.coolant.iter().cloned());
-        lines.extend(self.ready());
-        lines.extend(feed_word(&self.before.modal, self.source.style));
-        lines.extend(self.ending()?);
-        Ok(lines)
+        lines.extend(self.state.speed());
+        self.finish(lines)
     }
 
     /// The lines before a block where the place is not known: the program goes to one before it cuts.
@@ -58,28 +45,22 @@ impl HeadWriter<'_, '_> {
         }
         let mut lines = self.modes();
         lines.extend(self.tool());
-        lines.extend(self.work());
+        lines.extend(self.state.work());
         lines.extend(self.spindle_line());
-        lines.extend(self.before.words.coolant.iter().cloned());
-        lines.extend(self.ready());
-        lines.extend(feed_word(&self.before.modal, self.source.style));
-        lines.extend(self.ending()?);
-        Ok(lines)
+        self.finish(lines)
     }
 
     /// The lines before a block where the height alone is not known, as after a tool change or G28 Z0: they take the tool
     /// over its place, at the height that the machine has.
     pub(super) fn before_descent(&self) -> Result<Vec<String>, HeadError> {
-        let mut lines = self.modes();
-        lines.extend(self.tool());
-        if self.has_one_command_a_line() {
-            lines.extend(self.work());
-            lines.extend(self.spindle_line());
-        }
-        lines.push(self.over()?);
+        self.finish(self.over(None)?)
+    }
+
+    /// Coolant, the tool made ready and F, then what the block itself counts on.
+    fn finish(&self, mut lines: Vec<String>) -> Result<Vec<String>, HeadError> {
         lines.extend(self.before.words.coolant.iter().cloned());
-        lines.extend(self.ready());
-        lines.extend(feed_word(&self.before.modal, self.source.style));
+        lines.extend(self.state.ready_tool());
+        lines.extend(self.state.feed());
         lines.extend(self.ending()?);
         Ok(lines)
     }
@@ -90,18 +71,11 @@ impl HeadWriter<'_, '_> {
             return self.at_the_part();
         }
         let StateBefore { words: stated, highest, .. } = self.before;
-        let mut lines = self.modes();
-        lines.extend(self.tool());
-        if self.has_one_command_a_line() {
-            lines.extend(self.work());
-            lines.extend(self.spindle_line());
-        }
-        lines.extend(self.own_length()?);
-        lines.push(self.over()?);
+        let mut lines = self.over(self.own_length()?)?;
         lines.push(self.down(*highest)?);
         lines.extend(stated.coolant.iter().cloned());
         lines.extend(self.plunge(*highest)?);
-        lines.extend(self.ready());
+        lines.extend(self.state.ready_tool());
         lines.extend(self.ending()?);
         // The way down by feed has said it.
         let [.., before, last] = lines.as_slice() else { return Ok(lines) };
@@ -114,19 +88,12 @@ impl HeadWriter<'_, '_> {
 
     /// A further code in a line would do nothing.
     fn has_one_command_a_line(&self) -> bool {
-        self.control.table.command_line.is_some()
-    }
-
-    pub(super) fn name(&self, action: Action) -> Option<String> {
-        codes::name(action, self.control, self.source.style)
+        self.state.control.table.command_line.is_some()
     }
 
     pub(super) fn needed(&self, action: Action, what: &str) -> Result<String, HeadError> {
-        self.name(action).ok_or_else(|| HeadError(format!("this control has no code for {what}")))
-    }
-
-    pub(super) fn gap(&self) -> &'static str {
-        if self.source.style.spaced { " " } else { "" }
+        let name = self.state.name(action);
+        name.ok_or_else(|| HeadError(format!("this control has no code for {what}")))
     }
 
     /// Units, plane, G90, G40, G49, G80, feed mode and what else lasts, in the words of the program where it
@@ -135,43 +102,28 @@ impl HeadWriter<'_, '_> {
         let StateBefore { modal, words: stated, .. } = self.before;
         let mut codes = stated.codes.clone();
         // What was said in a called control's default is said here all the same.
-        let plane = match modal.plane {
-            Plane::Xy => ModeCode::PlaneXy,
-            Plane::Zx => ModeCode::PlaneZx,
-            Plane::Yz => ModeCode::PlaneYz,
-        };
-        let unit = match modal.units {
-            Units::Inch => ReadingCode::Inch,
-            Units::Millimetre => ReadingCode::Millimetre,
-        };
-        let feed = match modal.feed_mode {
-            FeedMode::PerTime => ReadingCode::FeedPerTime,
-            FeedMode::PerRevolution => ReadingCode::FeedPerRevolution,
-            FeedMode::InverseTime => ReadingCode::FeedInverseTime,
-        };
         let defaults = [
-            (StateSlot::Units, Action::Reading(unit)),
-            (StateSlot::Plane, Action::Mode(plane)),
+            (StateSlot::Units, units_action(modal.units)),
+            (StateSlot::Plane, plane_action(modal.plane)),
             (StateSlot::Compensation, Action::Mode(ModeCode::CompensationOff)),
             (StateSlot::Cycle, Action::Mode(ModeCode::CancelCycle)),
-            (StateSlot::FeedMode, Action::Reading(feed)),
+            (StateSlot::FeedMode, feed_action(modal.feed_mode)),
         ];
         for (slot, action) in defaults {
-            if let (None, Some(code)) = (codes.get(&slot), self.name(action)) {
+            if let (None, Some(code)) = (codes.get(&slot), self.state.name(action)) {
                 codes.insert(slot, code);
             }
         }
-        if let Some(code) = self.name(Action::Reading(ReadingCode::Absolute)) {
-            codes.insert(StateSlot::Distance, code);
-        }
+        let absolute = self.state.name(Action::Reading(ReadingCode::Absolute));
+        codes.extend(absolute.map(|code| (StateSlot::Distance, code)));
         let mut lines = match self.has_one_command_a_line() {
             true => codes.into_values().collect(),
             false => vec![self.safe_line(codes)],
         };
         lines.extend(stated.lines.values().cloned());
         lines.extend(stated.data.iter().cloned());
-        lines.extend(self.before.shift.presets.iter().cloned());
-        lines.extend(self.before.shift.lines.iter().cloned());
+        lines.extend(self.before.open.shift.presets.iter().cloned());
+        lines.extend(self.before.open.shift.lines.iter().cloned());
         lines
     }
 
@@ -180,89 +132,58 @@ impl HeadWriter<'_, '_> {
         let mut words = Vec::new();
         for (slot, code) in codes {
             if slot == StateSlot::Cycle && !self.turns() {
-                words.extend(self.name(Action::Length(LengthCode::Cancel)));
+                words.extend(self.state.name(Action::Length(LengthCode::Cancel)));
             }
             words.push(code);
         }
-        words.join(self.gap())
+        self.state.line(words)
     }
 
-    /// The tool change, in the program's own words.
+    /// The tool change, where a tool is in the spindle.
     fn tool(&self) -> Option<String> {
-        let StateBefore { modal, words: stated, .. } = self.before;
-        let words = stated.tool.as_ref().filter(|_| modal.tool > 0)?;
-        let has_number = words.contains('T');
-        Some(if has_number {
-            words.clone()
-        } else {
-            format!("T{}{}{words}", modal.tool, self.gap())
-        })
+        self.state.tool().filter(|_| self.before.modal.tool > 0)
     }
 
-    pub(super) fn work(&self) -> Option<String> {
-        let StateBefore { modal, words: stated, .. } = self.before;
-        codes::work_offset(modal.work, self.control, self.source.style).filter(|_| stated.work)
-    }
-
-    /// By rapid over the place, with the spindle on.
-    fn over(&self) -> Result<String, HeadError> {
-        let modal = &self.before.modal;
+    /// Modes and tool, `then` a line, and by rapid over the place with the spindle on.
+    fn over(&self, then: Option<String>) -> Result<Vec<String>, HeadError> {
+        let (state, modal) = (&self.state, &self.before.modal);
+        let mut lines = self.modes();
+        lines.extend(self.tool());
+        let is_separate = self.has_one_command_a_line();
+        if is_separate {
+            lines.extend(state.work());
+            lines.extend(self.spindle_line());
+        }
+        lines.extend(then);
         let mut words = vec![self.needed(Action::Motion(MotionCode::Rapid), "a rapid")?];
-        let with_others = !self.has_one_command_a_line();
-        words.extend(self.work().filter(|_| with_others));
+        words.extend(state.work().filter(|_| !is_separate));
         for axis in [0, 1, 3, 4, 5] {
             if modal.known.has(axis) && (axis < 3 || self.names(axis)) {
                 words.push(self.place(axis, modal.position[axis])?);
             }
         }
-        if with_others {
-            words.extend(self.spindle());
+        if !is_separate {
+            words.extend(state.spindle());
         }
-        Ok(words.join(self.gap()))
-    }
-
-    fn spindle(&self) -> Vec<String> {
-        let StateBefore { modal, words: stated, .. } = self.before;
-        let mut words: Vec<String> = self.speed().into_iter().collect();
-        if modal.spindle != SpindleState::Off {
-            words.extend(stated.spindle.clone());
-        }
-        words
+        lines.push(state.line(words));
+        Ok(lines)
     }
 
     /// The spindle in a line of its own; its code first, where S is a word of that.
     fn spindle_line(&self) -> Option<String> {
-        let mut words = self.spindle();
+        let mut words = self.state.spindle();
         if self.has_one_command_a_line() {
             words.reverse();
         }
-        Some(words.join(self.gap())).filter(|words| !words.is_empty())
-    }
-
-    fn speed(&self) -> Option<String> {
-        let StateBefore { modal, words: stated, .. } = self.before;
-        let speed = plain(modal.rpm, 3, self.source.style);
-        (stated.speed && modal.rpm > 0.0).then(|| format!("S{}", speed.trim_end_matches('.')))
-    }
-
-    /// The tool that is made ready.
-    fn ready(&self) -> Option<String> {
-        let modal = &self.before.modal;
-        let ready = modal.selected_tool.filter(|ready| *ready != modal.tool);
-        ready.map(|tool| format!("T{tool}"))
+        Some(self.state.line(words)).filter(|words| !words.is_empty())
     }
 
     /// By rapid down to where the program has been clear, with the length offset.
     fn down(&self, highest: f64) -> Result<String, HeadError> {
-        let StateBefore { modal, words: stated, .. } = self.before;
         let mut words: Vec<String> = self.rapid_of_line()?.into_iter().collect();
-        if let Some(number) = modal.length_offset {
-            words.extend(stated.length.clone());
-            let written = stated.h.clone().filter(|word| word[1..].parse() == Ok(number));
-            words.push(written.unwrap_or_else(|| format!("H{number}")));
-        }
+        words.extend(self.state.length_offset());
         words.push(self.place(2, highest)?);
-        Ok(words.join(self.gap()))
+        Ok(self.state.line(words))
     }
 
     /// The length that the program gives itself (G43.1), in a line of its own: its axis words are the offsets.
@@ -276,7 +197,7 @@ impl HeadWriter<'_, '_> {
         if words.len() == 1 {
             words.push(self.place(2, 0.0)?);
         }
-        Ok(Some(words.join(self.gap())))
+        Ok(Some(self.state.line(words)))
     }
 
     /// The code of a rapid, where each line needs its own.
@@ -289,7 +210,7 @@ impl HeadWriter<'_, '_> {
     fn plunge(&self, highest: f64) -> Result<Option<String>, HeadError> {
         let modal = &self.before.modal;
         if highest - modal.position[2] < EXACT {
-            return Ok(feed_word(&self.before.modal, self.source.style));
+            return Ok(self.state.feed());
         }
         if modal.feed_mode == FeedMode::InverseTime {
             return Err(HeadError(
@@ -298,9 +219,9 @@ impl HeadWriter<'_, '_> {
         }
         let depth = self.place(2, modal.position[2])?;
         let rapid = self.rapid_of_line()?;
-        let Some(feed) = feed_word(&self.before.modal, self.source.style) else {
+        let Some(feed) = self.state.feed() else {
             let words: Vec<String> = rapid.into_iter().chain([depth]).collect();
-            return Ok(Some(words.join(self.gap())));
+            return Ok(Some(self.state.line(words)));
         };
         let is_per_turn = modal.feed_mode == FeedMode::PerRevolution;
         if is_per_turn && modal.spindle == SpindleState::Off {
@@ -309,7 +230,7 @@ impl HeadWriter<'_, '_> {
             ));
         }
         let cut = self.needed(Action::Motion(MotionCode::Linear), "a straight cut")?;
-        Ok(Some([cut, depth, feed].join(self.gap())))
+        Ok(Some(self.state.line([cut, depth, feed])))
     }
 
     /// The radius offset, where compensation will use the one that was said before.
@@ -321,12 +242,12 @@ impl HeadWriter<'_, '_> {
         let starts = |action| {
             matches!(action, Action::Mode(ModeCode::CompensationLeft | ModeCode::CompensationRight))
         };
-        let mut rest = self.at..self.source.blocks.len();
+        let mut rest = self.at..self.state.source.blocks.len();
         let next = rest.find(|at| {
-            self.source.blocks[*at].word(b'D').is_some()
-                || self.source.has_action(*at, self.control, starts)
+            self.state.source.blocks[*at].word(b'D').is_some()
+                || self.state.source.has_action(*at, self.state.control, starts)
         })?;
-        let is_stated = self.source.blocks[next].word(b'D').is_some();
+        let is_stated = self.state.source.blocks[next].word(b'D').is_some();
         (!is_stated).then(|| format!("D{number}"))
     }
 
@@ -343,7 +264,9 @@ impl HeadWriter<'_, '_> {
             lines.extend(self.motion(modal)?);
             return Ok(lines);
         }
-        let cycle_lines = cycle.lines(modal, self.control, self.gap()).map_err(HeadError)?;
+        let cycle_lines = cycle
+            .lines(modal, self.state.control, self.state.source.style.gap())
+            .map_err(HeadError)?;
         let [first, last] = match cycle.by_distance {
             true => [increments, None],
             false => [None, increments],
@@ -354,7 +277,7 @@ impl HeadWriter<'_, '_> {
 
     fn motion(&self, modal: &Modal) -> Result<Option<String>, HeadError> {
         match modal.motion {
-            None => Ok(self.name(Action::Mode(ModeCode::CancelCycle))),
+            None => Ok(self.state.name(Action::Mode(ModeCode::CancelCycle))),
             // RS274/NGC refuses G1 before any F, alone too.
             Some(MotionMode::Linear | MotionMode::Arc(_)) if self.lacks_feed(modal) => {
                 match self.says_motion() {
@@ -378,47 +301,38 @@ impl HeadWriter<'_, '_> {
     }
 
     fn lacks_feed(&self, modal: &Modal) -> bool {
-        self.control.parameters.rules.feed_mode_code_ends_feed
+        self.state.control.parameters.rules.feed_mode_code_ends_feed
             && modal.feed_mode != FeedMode::InverseTime
-            && feed_word(modal, self.source.style).is_none()
+            && self.state.feed().is_none()
     }
 
     /// The program has turned a rotary axis, or said that it stands at zero.
     fn names(&self, axis: usize) -> bool {
         let letter = AXIS_LETTERS.as_bytes()[axis];
         let is_stated =
-            self.source.blocks[..self.at].iter().any(|block| block.word(letter).is_some());
+            self.state.source.blocks[..self.at].iter().any(|block| block.word(letter).is_some());
         is_stated || self.before.modal.position[axis] != 0.0
     }
 
     /// The block itself says what it does.
     fn says_motion(&self) -> bool {
-        let words = &self.source.blocks[self.at].words;
+        let words = &self.state.source.blocks[self.at].words;
         words.iter().any(|word| {
-            let row = self.control.row_of(word);
+            let row = self.state.control.row_of(word);
             row.is_some_and(|row| row.group == CodeGroup::Motion)
         })
     }
 
-    /// The word of an axis, with as many digits as it takes.
+    /// The word of an axis; its digits must be all that it takes.
     pub(super) fn place(&self, axis: usize, value: f64) -> Result<String, HeadError> {
-        let letter = char::from(AXIS_LETTERS.as_bytes()[axis]);
-        let (modal, style) = (&self.before.modal, self.source.style);
-        if axis > 2 {
-            return Ok(format!("{letter}{}", plain(value.to_degrees(), MAX_DECIMALS, style)));
+        match self.state.place(axis, value) {
+            (word, 0.0) => Ok(word),
+            (word, _) => {
+                let letter = &word[..1];
+                let what =
+                    format!("the position in {letter} has more decimals than the control takes");
+                Err(HeadError(what))
+            }
         }
-        let value = if axis == 0 { value * self.before.x_factor } else { value };
-        let unit = modal.units.mm();
-        let off = |count: usize| {
-            let power = 10f64.powi(count as i32);
-            ((value / unit * power).round() / power * unit - value).abs()
-        };
-        let least = digits(self.control, modal.units);
-        let count = (least..=MAX_DECIMALS).find(|count| off(*count) < EXACT);
-        let Some(count) = count else {
-            let what = format!("the position in {letter} has more decimals than the control takes");
-            return Err(HeadError(what));
-        };
-        Ok(format!("{letter}{}", length(value, modal.units, count, style)))
     }
 }

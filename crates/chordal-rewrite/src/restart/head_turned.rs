@@ -8,14 +8,11 @@ use chordal::syntax::Block;
 
 use super::head::{HeadError, HeadWriter};
 use super::lathe::{has_stations, says_setup};
-use crate::convert::codes;
-use crate::convert::numbers::plain;
 use crate::convert::station;
-use crate::split::text::feed_word;
 
 impl HeadWriter<'_, '_> {
     pub(super) fn turns(&self) -> bool {
-        self.control.table.turns()
+        self.state.control.table.turns()
     }
 
     /// The lines before a block that takes another station.
@@ -23,10 +20,9 @@ impl HeadWriter<'_, '_> {
         let mut lines = self.turned_modes();
         // A turret turns while the spindle does.
         lines.extend(
-            self.turned_speed(!self.control.parameters.rules.spindle_stops_at_tool_change)?,
+            self.turned_speed(!self.state.control.parameters.rules.spindle_stops_at_tool_change)?,
         );
-        self.finish(&mut lines)?;
-        Ok(lines)
+        self.finish_turned(lines)
     }
 
     /// The lines before a block where the place is not known.
@@ -34,8 +30,7 @@ impl HeadWriter<'_, '_> {
         let mut lines = self.turned_modes();
         lines.extend(self.station());
         lines.extend(self.turned_speed(true)?);
-        self.finish(&mut lines)?;
-        Ok(lines)
+        self.finish_turned(lines)
     }
 
     /// The lines before any other block: the tool goes to its first place of the program by rapid, then along Z and
@@ -48,8 +43,7 @@ impl HeadWriter<'_, '_> {
         let [x, z] = [modal.position[0], modal.position[2]];
         let [from_x, from_z] = self.before.turned.approach.unwrap_or([x, z]);
         let rapid = self.needed(Action::Motion(MotionCode::Rapid), "a rapid")?;
-        let words = [rapid, self.place(0, from_x)?, self.place(2, from_z)?];
-        lines.push(words.join(self.gap()));
+        lines.push(self.state.line([rapid, self.place(0, from_x)?, self.place(2, from_z)?]));
         lines.extend(self.before.words.coolant.iter().cloned());
         let mut moves = Vec::new();
         if (z - from_z).abs() > COINCIDENT_MM {
@@ -58,7 +52,7 @@ impl HeadWriter<'_, '_> {
         if (x - from_x).abs() > COINCIDENT_MM {
             moves.push(self.place(0, x)?);
         }
-        let feed = feed_word(modal, self.source.style);
+        let feed = self.state.feed();
         match (moves.is_empty(), feed) {
             (true, feed) => lines.extend(feed),
             (false, None) => {
@@ -75,7 +69,7 @@ impl HeadWriter<'_, '_> {
                 let cut = self.needed(Action::Motion(MotionCode::Linear), "a straight cut")?;
                 let mut moves = moves.into_iter();
                 let first = moves.next().unwrap_or_default();
-                lines.push([cut, first, feed].join(self.gap()));
+                lines.push(self.state.line([cut, first, feed]));
                 lines.extend(moves);
             }
         }
@@ -91,20 +85,20 @@ impl HeadWriter<'_, '_> {
             true => ReadingCode::Radii,
             false => ReadingCode::Diameters,
         };
-        lines.extend(self.name(Action::Reading(reading)));
-        lines.extend(self.work());
+        lines.extend(self.state.name(Action::Reading(reading)));
+        lines.extend(self.state.work());
         lines
     }
 
     /// The first of two blocks of cycles that come after it and do not say it again.
     fn setups(&self) -> Vec<String> {
-        let blocks = &self.source.blocks[self.at..];
+        let blocks = &self.state.source.blocks[self.at..];
         let needed = |code: u16| {
             let has = |block: &&Block| {
                 block.all(b'G').any(|word| word.number().and_then(code_number) == Some(code))
             };
             let next = blocks.iter().find(has);
-            next.is_some_and(|block| !says_setup(block, self.control))
+            next.is_some_and(|block| !says_setup(block, self.state.control))
         };
         let setups = self.before.turned.setups.iter();
         setups.filter(|(code, _)| needed(**code)).map(|(_, words)| words.clone()).collect()
@@ -113,15 +107,14 @@ impl HeadWriter<'_, '_> {
     /// The station with its offset.
     fn station(&self) -> Option<String> {
         let modal = &self.before.modal;
-        let style = self.source.style;
         if modal.tool == 0 {
             return None;
         }
-        if has_stations(self.control) {
+        if has_stations(self.state.control) {
             let own = self.before.turned.station.clone();
-            return own.or_else(|| station(self.control, modal.tool, modal.length_offset));
+            return own.or_else(|| station(self.state.control, modal.tool, modal.length_offset));
         }
-        let name = |action| codes::name(action, self.control, style);
+        let name = |action| self.state.name(action);
         let change = name(Action::Before(BeforeCode::ToolChange));
         let mut words = vec![format!("T{}", modal.tool)];
         words.extend(change);
@@ -129,17 +122,12 @@ impl HeadWriter<'_, '_> {
             words.extend(name(Action::Length(LengthCode::Plus)));
             words.extend((number != modal.tool).then(|| format!("H{number}")));
         }
-        Some(words.join(self.gap()))
+        Some(self.state.line(words))
     }
 
     /// What limits the spindle, and its cutting speed or revolutions.
     fn turned_speed(&self, starts: bool) -> Result<Vec<String>, HeadError> {
         let modal = &self.before.modal;
-        let style = self.source.style;
-        let text = |value: f64| {
-            let text = plain(value, 4, style);
-            text.trim_end_matches('.').to_string()
-        };
         let mut lines: Vec<String> = self.before.turned.limit.clone().into_iter().collect();
         let mut words = Vec::new();
         match modal.surface_speed {
@@ -147,16 +135,17 @@ impl HeadWriter<'_, '_> {
                 let code = Action::Reading(ReadingCode::SurfaceSpeed);
                 words.push(self.needed(code, "a cutting speed")?);
                 let limit = modal.speed_limit.filter(|limit| limit.is_finite());
-                if let Some(limit) = limit.filter(|_| !self.control.parameters.preset_limits_speed)
+                if let Some(limit) =
+                    limit.filter(|_| !self.state.control.parameters.preset_limits_speed)
                 {
-                    words.push(format!("D{}", text(limit)));
+                    words.push(self.state.rate('D', limit, 4));
                 }
                 let unit = if modal.units == Units::Inch { 304.8 } else { 1000.0 };
-                words.push(format!("S{}", text(speed * 60.0 / unit)));
+                words.push(self.state.rate('S', speed * 60.0 / unit, 4));
             }
             None if modal.rpm > 0.0 => {
-                words.extend(self.name(Action::Reading(ReadingCode::SpindleRpm)));
-                words.push(format!("S{}", text(modal.rpm)));
+                words.extend(self.state.name(Action::Reading(ReadingCode::SpindleRpm)));
+                words.push(self.state.rate('S', modal.rpm, 4));
             }
             None => {}
         }
@@ -166,21 +155,21 @@ impl HeadWriter<'_, '_> {
         let live = self.before.words.live.clone().filter(|_| modal.live.is_some());
         // P next to S and M3 names the live tool; a code of its own stands alone.
         match live {
-            Some(live) if self.control.parameters.live_tool_p > 0 => words.push(live),
+            Some(live) if self.state.control.parameters.live_tool_p > 0 => words.push(live),
             Some(live) => lines.push(live),
             None => {}
         }
         if !words.is_empty() {
-            lines.push(words.join(self.gap()));
+            lines.push(self.state.line(words));
         }
         Ok(lines)
     }
 
-    fn finish(&self, lines: &mut Vec<String>) -> Result<(), HeadError> {
+    fn finish_turned(&self, mut lines: Vec<String>) -> Result<Vec<String>, HeadError> {
         lines.extend(self.before.words.coolant.iter().cloned());
-        lines.extend(feed_word(&self.before.modal, self.source.style));
+        lines.extend(self.state.feed());
         lines.extend(self.setups());
         lines.extend(self.ending()?);
-        Ok(())
+        Ok(lines)
     }
 }

@@ -5,11 +5,10 @@ use std::collections::BTreeMap;
 
 use chordal::Control;
 use chordal::control::{MotionCode, OnceCode, ToolWord, code_number};
-use chordal::syntax::{Block, Letters};
+use chordal::syntax::Block;
 
 use crate::source::{SourceBlocks, code_action, is_setup};
-
-const AXES: Letters = Letters::of("XYZUVWCH");
+use crate::state::limits_spindle;
 
 /// What the blocks of a lathe's program have said so far.
 #[derive(Clone, Debug, Default)]
@@ -37,7 +36,7 @@ impl LatheState {
             let once = action.once();
             takes_t |=
                 once.is_some_and(|code| matches!(code, OnceCode::Turning(_) | OnceCode::SetData));
-            if once == Some(OnceCode::PresetPosition) && limits(block, control) {
+            if once == Some(OnceCode::PresetPosition) && limits_spindle(block, control) {
                 self.limit = Some(source.words_of(block));
             }
             if let (Some(OnceCode::Turning(cycle)), Some(code)) =
@@ -61,13 +60,6 @@ impl LatheState {
 /// T names a station and its offset.
 pub(super) fn has_stations(control: &Control) -> bool {
     matches!(control.parameters.tool_word, ToolWord::StationAndOffset { .. })
-}
-
-/// A block that limits the spindle and moves no zero.
-pub(super) fn limits(block: &Block, control: &Control) -> bool {
-    control.parameters.preset_limits_speed
-        && block.word(b'S').is_some()
-        && !block.letters().meets(AXES)
 }
 
 /// A block that is the first of two of a cycle.

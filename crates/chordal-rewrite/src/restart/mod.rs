@@ -7,90 +7,28 @@ mod cycle;
 mod head;
 mod head_turned;
 mod lathe;
-mod shift;
+mod refusal;
+mod text;
 mod trace;
 mod watch;
 
 use std::ops::Range;
 
-use chordal::control::{Action, AfterCode, CompensationSide, Modal, MotionMode, OnceCode, Units};
+use chordal::control::{Action, CompensationSide, Modal, MotionMode, OnceCode, Units};
 use chordal::diagnostics::FileId;
 use chordal::stock::{ApproachCheck, StockRunError, TurnedOptions};
 use chordal::syntax::Letters;
 use chordal::{Job, Severity};
 
 use self::head::{HeadError, HeadWriter};
-use self::trace::{EventTrace, MatchLevel, ReplacedRange};
+pub use self::refusal::{RefusalReason, RestartRefusal};
+use self::trace::{EventTrace, MatchLevel};
 pub use self::watch::UnrepeatedCode;
-use self::watch::{RunToBlock, StateBefore, before};
+use self::watch::{RunToBlock, StateBefore};
 use crate::TransformRefusal;
-use crate::convert::{CycleContour, CycleContours};
+use crate::convert::CycleContours;
 use crate::source::SourceBlocks;
 use crate::split::open::unsplittable_ranges;
-
-/// Why a program cannot begin at a line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum RefusalReason {
-    /// There is no block to begin at.
-    NoBlock,
-    /// The program begins there anyway.
-    Beginning,
-    /// The line is in a called program.
-    Called,
-    /// The line is in a loop, a jump, or between a variable and its use, or is carried out again.
-    Repeated,
-    /// Cutter compensation is on.
-    Compensation,
-    /// A canned cycle is in force that a head cannot say again.
-    Cycle,
-    /// A rotation, scaling, mirror or polar coordinates are in force.
-    Frame,
-    /// The zero was moved by G92 or G52 in a way that a head cannot say again.
-    Shift,
-    /// A code is in force that a head cannot say again.
-    Open,
-    /// The position is not known.
-    Position,
-    /// The program has an error before the line or is not verified there.
-    Unsure,
-    /// The control has no form for what is needed.
-    Form,
-    /// The way in meets what stands on a lathe.
-    HeadApproach,
-    /// The new program would not do the same.
-    Unproved,
-}
-
-impl RefusalReason {
-    /// The word for programs.
-    pub fn word(self) -> &'static str {
-        match self {
-            RefusalReason::NoBlock => "no-block",
-            RefusalReason::Beginning => "beginning",
-            RefusalReason::Called => "called",
-            RefusalReason::Repeated => "repeated",
-            RefusalReason::Compensation => "compensation",
-            RefusalReason::Cycle => "cycle",
-            RefusalReason::Frame => "frame",
-            RefusalReason::Shift => "shift",
-            RefusalReason::Open => "open",
-            RefusalReason::Position => "position",
-            RefusalReason::Unsure => "unsure",
-            RefusalReason::Form => "form",
-            RefusalReason::HeadApproach => "way-in",
-            RefusalReason::Unproved => "unproved",
-        }
-    }
-}
-
-/// A refusal and its kind.
-#[derive(Debug)]
-pub struct RestartRefusal {
-    /// What kind it is.
-    pub reason: RefusalReason,
-    /// What is said about it.
-    pub refusal: TransformRefusal,
-}
 
 /// A program that begins at a line.
 #[derive(Clone, Debug)]
@@ -141,7 +79,7 @@ fn begin(job: &Job, line: u32, provided: Option<&[u8]>) -> Result<RestartProgram
     let course = RunToBlock::to(job, &source, &main, at);
     let (ran, first) = requested.once(&course, at)?;
     requested.verified(at)?;
-    let before = before(job, &source, ran).ok_or_else(|| {
+    let before = StateBefore::after_blocks(job, &source, ran).ok_or_else(|| {
         requested.refuse(RefusalReason::Beginning, "the program begins there", RUN_IT)
     })?;
     requested.closed(&before, at)?;
@@ -150,7 +88,8 @@ fn begin(job: &Job, line: u32, provided: Option<&[u8]>) -> Result<RestartProgram
     let changes = source.changes_tool(at, control) || requested.changes_station(at);
     let axes = &job.machine().axes;
     let is_known = (0..3).all(|axis| axes[axis].is_none() || before.modal.known.has(axis));
-    let head = HeadWriter { source: &source, control, before: &before, at };
+    let state = before.writer(&source, control);
+    let head = HeadWriter { state, before: &before, at };
     let lines = match (changes, is_known) {
         (true, _) => head.before_change(),
         (false, true) => head.all(),
@@ -158,7 +97,7 @@ fn begin(job: &Job, line: u32, provided: Option<&[u8]>) -> Result<RestartProgram
     };
     let lines = lines.map_err(|lack| requested.lack(lack))?;
     let approaches = changes || !is_known;
-    let from_the_start = !before.shift.presets.is_empty();
+    let from_the_start = !before.open.shift.presets.is_empty();
     let unrepeated = before.unrepeated.clone();
     let provided = provided.map(<[u8]>::to_vec);
     let draft = |lines: Vec<String>| RestartDraft {
@@ -404,9 +343,9 @@ impl RestartRequest<'_, '_> {
             };
             return Err(self.begun(RefusalReason::Frame, what, open.frame));
         }
-        if open.shift.is_some() {
+        if let line @ Some(_) = open.shift.unrepeatable {
             let what = "the zero was moved (G92 after a move, or by a value that is no number)";
-            return Err(self.begun(RefusalReason::Shift, what, open.shift));
+            return Err(self.begun(RefusalReason::Shift, what, line));
         }
         if open.call.is_some() {
             return Err(self.begun(RefusalReason::Open, "a modal call is in force", open.call));
@@ -560,87 +499,6 @@ impl RestartRequest<'_, '_> {
             UnrepeatedCode { words: format!("#{number}={value}"), line: line_of(*number) }
         };
         kept.iter().map(say).collect()
-    }
-
-    /// The text, and how places of the old one are places of it.
-    fn text(&self, draft: &RestartDraft) -> (Vec<u8>, ReplacedRange) {
-        let old = self.source.text;
-        let crlf = old.windows(2).any(|pair| pair == b"\r\n");
-        let line_end = if crlf { "\r\n" } else { "\n" };
-        let from = self.source.start_of(self.source.blocks_on(self.line, u32::MAX).start);
-        let mut text = old[..draft.first as usize].to_vec();
-        let reported = format!("(BEGINS AT LINE {} OF {})", self.line, self.file());
-        let put = |text: &mut Vec<u8>, line: &str| {
-            text.extend_from_slice(line.as_bytes());
-            text.extend_from_slice(line_end.as_bytes());
-        };
-        put(&mut text, &reported);
-        let (above, after) = self.contours_needed(draft);
-        let mut contours = Vec::new();
-        for blocks in above {
-            self.copy(blocks, &mut text, &mut contours);
-        }
-        for line in &draft.lines {
-            put(&mut text, line);
-        }
-        let to = text.len() as u32;
-        let end = self.source.end_of(self.last_of(draft.at)) as usize;
-        text.extend_from_slice(&old[from as usize..end.max(from as usize)]);
-        if !after.is_empty() && !text.ends_with(b"\n") {
-            put(&mut text, "");
-        }
-        for blocks in after {
-            self.copy(blocks, &mut text, &mut contours);
-        }
-        text.extend_from_slice(&old[end.max(from as usize)..]);
-        (text, ReplacedRange { kept: draft.first, from: [from, to], contours })
-    }
-
-    /// Copies blocks of the old text.
-    fn copy(
-        &self,
-        blocks: Range<usize>,
-        text: &mut Vec<u8>,
-        contours: &mut Vec<(Range<u32>, u32)>,
-    ) {
-        let old = self.source.start_of(blocks.start)..self.source.end_of(blocks.end - 1);
-        contours.push((old.clone(), text.len() as u32));
-        text.extend_from_slice(&self.source.text[old.start as usize..old.end as usize]);
-    }
-
-    /// Contours that stand before the line and that cycles after it take: subroutines, which must stand above, and blocks
-    /// between two numbers, which are found anywhere and must not be run.
-    fn contours_needed(&self, draft: &RestartDraft) -> (Vec<Range<usize>>, Vec<Range<usize>>) {
-        let contours = CycleContours::of(self.source, self.job).list;
-        let needed = contours.iter().filter(|contour| {
-            contour.blocks.end <= draft.at
-                && self.source.start_of(contour.blocks.start) >= draft.first
-                && contour.cycles.iter().any(|(cycle, _)| *cycle >= draft.at)
-        });
-        let (above, after): (Vec<_>, Vec<_>) =
-            needed.partition(|contour| contour.is_subroutine(self.source));
-        let blocks =
-            |list: Vec<&CycleContour>| list.into_iter().map(|one| one.blocks.clone()).collect();
-        (blocks(above), blocks(after))
-    }
-
-    /// The block that ends the main program.
-    fn last_of(&self, at: usize) -> usize {
-        let ends = |at: &usize| {
-            self.source.has_action(*at, self.job.control(), |action| {
-                matches!(action, Action::After(AfterCode::ProgramEnd { .. }))
-            })
-        };
-        (at..self.source.blocks.len()).find(ends).unwrap_or(self.source.blocks.len() - 1)
-    }
-
-    /// The name of the file, without what a comment cannot have.
-    fn file(&self) -> String {
-        let name = self.job.sources().get(FileId(0)).map_or("", |source| source.name());
-        let name = name.rsplit(['/', '\\']).next().unwrap_or(name).to_ascii_uppercase();
-        name.chars()
-            .map(|c| if c.is_ascii_alphanumeric() || ".-_".contains(c) { c } else { ' ' })
-            .collect()
     }
 }
 

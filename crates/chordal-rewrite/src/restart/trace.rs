@@ -1,24 +1,49 @@
 //! What a run does from a block on, to hold it against another run.
 
 use std::ops::Range;
+use std::rc::Rc;
 
 use chordal::control::{
     ArcShape, AxisMask, CallPath, Feed, Modal, Move, Origin, Position, SpindleState, StateItem,
     StateValue,
 };
 use chordal::machine::AXES;
-use chordal::{Command, CommandKind, Diagnostic, Effect, Job, RunSink, Severity, Sink, SourceMap};
+use chordal::{CommandKind, Effect, Job, Severity, SourceMap};
+
+use crate::walk::{BlockOutput, WalkedBlock, walk};
 
 /// Numbers nearer than this are the same: mm, rad, mm/s.
 const EQUAL_NUMBER: f64 = 1e-9;
 
+/// What a control keeps that most blocks do not change.
+#[derive(Debug, PartialEq)]
+struct KeptState {
+    codes: Vec<String>,
+    spindle: SpindleState,
+    /// The spindle keeps a cutting speed.
+    follows: bool,
+    /// What may be compared, item by item.
+    items: Vec<(StateItem, StateValue)>,
+}
+
+/// What holds after a block. A run has many of them: what is the same as after the block before is kept once.
+#[derive(Debug)]
+struct BlockEndState {
+    position: Position,
+    work_position: Position,
+    machine_position: Position,
+    known: AxisMask,
+    machine_known: AxisMask,
+    kept: Rc<KeptState>,
+}
+
 /// A thing that happens.
 #[derive(Debug)]
-#[allow(clippy::large_enum_variant, reason = "most of them are commands")]
+#[allow(clippy::large_enum_variant, reason = "most of them are commands and states")]
 enum TraceEvent {
     Command(CommandKind),
     /// A block is done: what holds after it.
-    Done(Box<Modal>),
+    Done(BlockEndState),
     /// An alarm of the control.
     Alarm(&'static str),
     /// A text for the operator.
@@ -51,10 +76,8 @@ pub(super) struct EventTrace {
     steps: Vec<TraceStep>,
     /// How many moves there are.
     pub(super) moves: u64,
-    /// The spindle keeps a cutting speed at its begin.
-    follows: bool,
     /// What holds at its begin.
-    begin: Option<Modal>,
+    begin: Option<Rc<KeptState>>,
     /// Variables that hold something over the end of the program.
     kept: Vec<(u32, Option<f64>)>,
 }
@@ -107,25 +130,30 @@ impl EventTrace {
     pub(super) fn of(job: &Job, after: u64) -> EventTrace {
         let mut recorder = EventRecorder {
             sources: job.sources(),
-            after,
-            ran: 0,
             last: (0, 0),
             line: 0,
             has_ended: false,
+            state: None,
             trace: EventTrace::default(),
         };
-        job.run(&mut recorder);
+        let (_, rest) = walk(job, |visit| {
+            if visit.ran >= after {
+                recorder.keep_output(visit.output);
+                recorder.stand(visit.origin);
+                let state = recorder.state_after(visit);
+                recorder.keep(TraceEvent::Done(state));
+            } else if visit.ran + 1 == after {
+                recorder.trace.begin = Some(recorder.state_after(visit).kept);
+            }
+        });
+        recorder.keep_output(&rest);
         recorder.trace
     }
 
     /// What the head has not brought back as it was, although it may not show in what follows.
     pub(super) fn begins_otherwise(&self, new: &EventTrace) -> Option<&'static str> {
-        let (one, other) = (self.begin.as_ref()?, new.begin.as_ref()?);
-        let mut stationary = one.items.iter().zip(&other.items);
-        let found = stationary.find(|((item, a), (_, b))| {
-            is_of_head(*item) && is_compared(*item, [one, other], true) && !is_same_value(a, b)
-        });
-        found.map(|((item, _), _)| item.word())
+        let both = [self.begin.as_deref()?, new.begin.as_deref()?];
+        different_item(both, |item| compared(item).1 && is_compared(item, both, true))
     }
 
     /// Variables that hold something after this run, and not the same after another one.
@@ -141,7 +169,9 @@ impl EventTrace {
         places: &ReplacedRange,
         care: MatchLevel,
     ) -> Option<FirstMismatch> {
-        let mut care = MatchLevel { follows: self.follows && new.follows, ..care };
+        let begins = [&self.begin, &new.begin];
+        let follows = begins.iter().all(|begin| begin.as_ref().is_some_and(|kept| kept.follows));
+        let mut care = MatchLevel { follows, ..care };
         for (one, other) in self.steps.iter().zip(&new.steps) {
             // An alarm comes before what its block does.
             let is_alarm =
@@ -153,7 +183,7 @@ impl EventTrace {
             };
             care.settled |= one.what.needs_height();
             if let (TraceEvent::Done(one), TraceEvent::Done(other)) = (&one.what, &other.what) {
-                care.follows = one.surface_speed.is_some() && other.surface_speed.is_some();
+                care.follows = one.kept.follows && other.kept.follows;
             }
             if let Some(what) = what {
                 return Some(FirstMismatch { line: one.line, what });
@@ -172,11 +202,10 @@ impl EventTrace {
 
 struct EventRecorder<'j> {
     sources: &'j SourceMap<'j>,
-    after: u64,
-    ran: u64,
     last: (u32, u32),
     line: u32,
     has_ended: bool,
+    state: Option<Rc<KeptState>>,
     trace: EventTrace,
 }
 
@@ -193,53 +222,52 @@ impl EventRecorder<'_> {
             self.line = origin.line;
         }
     }
-}
 
-impl Sink for EventRecorder<'_> {
-    fn command(&mut self, command: &Command) {
-        if self.ran < self.after {
-            return;
-        }
-        // What variables hold at last is told after the end.
-        if let (true, CommandKind::Effect(effect)) = (self.has_ended, &command.kind)
-            && let Effect::Variable { number, value } = **effect
-        {
-            self.trace.kept.push((number, value));
-            return;
-        }
-        self.has_ended |= command.kind == CommandKind::End;
-        self.stand(&command.origin);
-        self.trace.moves += u64::from(command.kind.motion().is_some());
-        self.keep(match &command.kind {
-            CommandKind::Message(range) => TraceEvent::Message(
-                self.sources.words(range.in_file(command.origin.span.file)).into_owned(),
-            ),
-            kind => TraceEvent::Command(kind.clone()),
-        });
-    }
-
-    fn diagnostic(&mut self, diagnostic: Diagnostic) {
-        if self.ran >= self.after && diagnostic.severity == Severity::Error {
+    /// Alarms come before what their block does.
+    fn keep_output(&mut self, output: &BlockOutput) {
+        for diagnostic in output.diagnostics.iter().filter(|one| one.severity == Severity::Error) {
             self.keep(TraceEvent::Alarm(diagnostic.code.id()));
         }
-    }
-}
-
-impl RunSink for EventRecorder<'_> {
-    fn wants_blocks(&self) -> bool {
-        true
-    }
-
-    fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
-        if self.ran >= self.after {
-            self.stand(origin);
-            self.keep(TraceEvent::Done(Box::new(modal())));
-        } else if self.ran + 1 == self.after {
-            let modal = modal();
-            self.trace.follows = modal.surface_speed.is_some();
-            self.trace.begin = Some(modal);
+        for command in &output.commands {
+            // What variables hold at last is told after the end.
+            if let (true, CommandKind::Effect(effect)) = (self.has_ended, &command.kind)
+                && let Effect::Variable { number, value } = **effect
+            {
+                self.trace.kept.push((number, value));
+                continue;
+            }
+            self.has_ended |= command.kind == CommandKind::End;
+            self.stand(&command.origin);
+            self.trace.moves += u64::from(command.kind.motion().is_some());
+            self.keep(match &command.kind {
+                CommandKind::Message(range) => TraceEvent::Message(
+                    self.sources.words(range.in_file(command.origin.span.file)).into_owned(),
+                ),
+                kind => TraceEvent::Command(kind.clone()),
+            });
         }
-        self.ran += 1;
+    }
+
+    fn state_after(&mut self, visit: &WalkedBlock) -> BlockEndState {
+        let Modal {
+            position,
+            work_position,
+            machine_position,
+            known,
+            machine_known,
+            codes,
+            spindle,
+            surface_speed,
+            ..
+        } = visit.modal();
+        let mut items = (visit.after.items)();
+        items.retain(|(item, _)| compared(*item).0 != ItemCheck::Never);
+        let new = KeptState { codes, spindle, follows: surface_speed.is_some(), items };
+        let kept = match self.state.as_ref().filter(|kept| ***kept == new) {
+            Some(kept) => kept.clone(),
+            None => self.state.insert(Rc::new(new)).clone(),
+        };
+        BlockEndState { position, work_position, machine_position, known, machine_known, kept }
     }
 }
 
@@ -272,7 +300,7 @@ fn different(one: &TraceEvent, other: &TraceEvent, care: MatchLevel) -> Option<S
             different_command(one, other, care)
         }
         (TraceEvent::Done(one), TraceEvent::Done(other)) => {
-            different_modal(one, other, care).map(|name| format!("{name} is another one after it"))
+            different_state(one, other, care).map(|name| format!("{name} is another one after it"))
         }
         (TraceEvent::Alarm(one), TraceEvent::Alarm(other)) if one == other => None,
         (TraceEvent::Message(one), TraceEvent::Message(other)) if one == other => None,
@@ -360,17 +388,18 @@ fn same_shape(one: &ArcShape, other: &ArcShape) -> bool {
         && near(one.radius_to, other.radius_to)
 }
 
-/// The first part of the modal state that is not the same.
-fn different_modal(one: &Modal, other: &Modal, care: MatchLevel) -> Option<&'static str> {
+/// The first part of the state that is not the same.
+fn different_state(
+    one: &BlockEndState,
+    other: &BlockEndState,
+    care: MatchLevel,
+) -> Option<&'static str> {
     let known = one.known.and(other.known);
     let machine = one.machine_known.and(other.machine_known);
     let settled = care.exact || care.settled;
-    let stationary = one.items.iter().zip(&other.items);
-    let is_other = |((item, a), (_, b)): &(&(StateItem, StateValue), &(StateItem, StateValue))| {
-        is_compared(*item, [one, other], settled) && !is_same_value(a, b)
-    };
-    if let Some(((item, _), _)) = stationary.clone().find(is_other) {
-        return Some(item.word());
+    let kept = [&*one.kept, &*other.kept];
+    if let Some(name) = different_item(kept, |item| is_compared(item, kept, settled)) {
+        return Some(name);
     }
     let checks = [
         (same_place(&one.position, &other.position, known), "the position"),
@@ -380,19 +409,43 @@ fn different_modal(one: &Modal, other: &Modal, care: MatchLevel) -> Option<&'sta
             "the machine position",
         ),
         (!care.exact || one.known == other.known, "what is known of the position"),
-        (!settled || one.codes == other.codes, "a modal code"),
+        (!settled || kept[0].codes == kept[1].codes, "a modal code"),
     ];
     checks.into_iter().find(|(is_same, _)| !is_same).map(|(_, name)| name)
 }
 
-/// Whether the head brings an item back. What it leaves to the block that it begins at shows in what follows.
-fn is_of_head(item: StateItem) -> bool {
+/// The first item of those that count which is not the same.
+fn different_item(
+    [one, other]: [&KeptState; 2],
+    counts: impl Fn(StateItem) -> bool,
+) -> Option<&'static str> {
+    let mut items = one.items.iter().zip(&other.items);
+    let is_other = |((item, a), (_, b)): &(&(StateItem, StateValue), &(StateItem, StateValue))| {
+        counts(*item) && !is_same_value(a, b)
+    };
+    items.find(is_other).map(|((item, _), _)| item.word())
+}
+
+/// When an item must be the same after a block.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum ItemCheck {
+    Always,
+    /// A length that is not in force yet moves nothing.
+    Settled,
+    /// With a cutting speed the revolutions follow the diameter, at rapids: they come by themselves.
+    Spinning,
+    /// Whatever comes of it is in what both programs do from here on, which is compared.
+    Never,
+}
+
+/// When an item must be the same, and whether the head brings it back: what that leaves to the block that it begins at
+/// shows in what follows.
+fn compared(item: StateItem) -> (ItemCheck, bool) {
     match item {
         StateItem::Units
         | StateItem::Plane
         | StateItem::FeedMode
         | StateItem::Spindle
-        | StateItem::SpindleSpeed
         | StateItem::LiveTool
         | StateItem::SurfaceSpeed
         | StateItem::SpeedLimit
@@ -400,62 +453,37 @@ fn is_of_head(item: StateItem) -> bool {
         | StateItem::Tool
         | StateItem::Side
         | StateItem::WorkOffset
-        | StateItem::LengthOffset
         | StateItem::Shift
         | StateItem::Tables
         | StateItem::Frames
         | StateItem::PathMode
-        | StateItem::Overrides => true,
-        StateItem::Distance
-        | StateItem::Motion
+        | StateItem::Overrides => (ItemCheck::Always, true),
+        StateItem::Motion
+        | StateItem::Distance
         | StateItem::ArcCenter
         | StateItem::Cycle
-        | StateItem::CycleWords
         | StateItem::Feed
-        | StateItem::ReadyTool
+        | StateItem::ReadyTool => (ItemCheck::Always, false),
+        StateItem::LengthOffset => (ItemCheck::Settled, true),
+        StateItem::SpindleSpeed => (ItemCheck::Spinning, true),
+        // The position is compared as far as both know it.
+        StateItem::CycleWords
         | StateItem::RadiusOffset
         | StateItem::NamedLength
-        | StateItem::Position => false,
+        | StateItem::Position => (ItemCheck::Never, false),
     }
 }
 
 /// Whether an item must be the same after a block.
-fn is_compared(item: StateItem, both: [&Modal; 2], settled: bool) -> bool {
-    match item {
-        StateItem::Units
-        | StateItem::Motion
-        | StateItem::Distance
-        | StateItem::Plane
-        | StateItem::Side
-        | StateItem::ArcCenter
-        | StateItem::Cycle
-        | StateItem::FeedMode
-        | StateItem::Feed
-        | StateItem::Spindle
-        | StateItem::LiveTool
-        | StateItem::SurfaceSpeed
-        | StateItem::SpeedLimit
-        | StateItem::Coolant
-        | StateItem::Tool
-        | StateItem::ReadyTool
-        | StateItem::WorkOffset
-        | StateItem::Shift
-        | StateItem::Tables
-        | StateItem::Frames
-        | StateItem::PathMode
-        | StateItem::Overrides => true,
-        // A length that is not in force yet moves nothing.
-        StateItem::LengthOffset => settled,
-        // With a cutting speed the revolutions follow the diameter, at rapids: they come by themselves.
-        StateItem::SpindleSpeed => {
-            let follows = both.iter().all(|modal| modal.surface_speed.is_some());
-            let spins = both.iter().any(|modal| modal.spindle != SpindleState::Off);
-            spins && !follows
+fn is_compared(item: StateItem, both: [&KeptState; 2], settled: bool) -> bool {
+    match compared(item).0 {
+        ItemCheck::Always => true,
+        ItemCheck::Settled => settled,
+        ItemCheck::Spinning => {
+            let spins = both.iter().any(|kept| kept.spindle != SpindleState::Off);
+            spins && !both.iter().all(|kept| kept.follows)
         }
-        // Whatever comes of them is in what both programs do from here on, which is compared.
-        StateItem::CycleWords | StateItem::RadiusOffset | StateItem::NamedLength => false,
-        // Only as far as both know it.
-        StateItem::Position => false,
+        ItemCheck::Never => false,
     }
 }
 

@@ -1,13 +1,12 @@
 //! A long program as several, each of which stands by itself.
 //!
 //! `points` finds where the tool stands clear and nothing is open, `open` where what one part sets or
-//! begins another would need, `standing` what is active there, `text` writes the parts. The parts, run one
+//! begins another would need, `text` writes the parts. The parts, run one
 //! after the other, are compared with the whole; a place after which something else happens is given up.
 
 pub(crate) mod open;
 mod points;
-pub(crate) mod state_at;
-pub(crate) mod text;
+mod text;
 
 use chordal::Job;
 use chordal_compare::{Comparison, ComparisonOptions, Difference, compare_joined};
@@ -165,7 +164,7 @@ fn parts(
             SplitBy::Tool => tools(),
             SplitBy::Bytes(most) => choose(source, survey, most, adjacent)?,
         };
-        let stationary = state_at::at(job, source, &chosen);
+        let stationary = text::states_at(job, source, &chosen);
         let writer = PartWriter::new(job, source, survey);
         let (parts, rounded_mm) = writer.parts(&chosen, &stationary);
         let SplitBy::Bytes(most) = by else { return Ok((parts, rounded_mm)) };

@@ -1,21 +1,39 @@
 //! The parts as texts.
 
 use chordal::control::{Action, AfterCode, MotionCode, ReadingCode};
-use chordal::control::{FeedMode, Modal, SpindleState};
+use chordal::control::{Modal, SpindleState};
 use chordal::diagnostics::TextRange;
-use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::{Block, Word};
 use chordal::{Control, Job};
 
 use super::points::{SafePointKind, SplitPoint, SplitSurvey};
-use super::state_at::{StateAt, StateSlot};
 use super::{ProgramPart, WrittenParts};
 use crate::convert::codes;
-use crate::convert::numbers::{digits, length, plain};
-use crate::source::{SourceBlocks, SubprogramForm, WordStyle};
+use crate::source::{SourceBlocks, SubprogramForm};
+use crate::state::{StateSlot, StateWords, StateWriter};
+use crate::walk::walk;
 
-/// Decimals of rotary axes and feeds, and the most of all others.
-pub(crate) const MAX_DECIMALS: usize = 6;
+/// What holds before a block.
+#[derive(Clone, Debug)]
+pub(super) struct StateAt {
+    modal: Modal,
+    words: StateWords,
+}
+
+/// What holds at places, in the order of the run.
+pub(super) fn states_at(job: &Job, source: &SourceBlocks, points: &[SplitPoint]) -> Vec<StateAt> {
+    let (mut words, mut states) = (StateWords::default(), Vec::new());
+    walk(job, |visit| {
+        if let Some(at) = source.block_at(visit.origin.span) {
+            words.follow(source, job.control(), &source.blocks[at]);
+        }
+        let next: Option<&SplitPoint> = points.get(states.len());
+        if next.is_some_and(|point| u64::from(point.ran) == visit.ran + 1) {
+            states.push(StateAt { modal: visit.modal(), words: words.clone() });
+        }
+    });
+    states
+}
 
 /// What a part has from the whole.
 #[derive(Clone, Debug)]
@@ -248,119 +266,58 @@ impl<'w, 'a> PartWriter<'w, 'a> {
     /// The lines that a part begins with, so that all is as it was.
     fn begin(&self, stationary: &StateAt, point: SplitPoint, rounded_mm: &mut f64) -> Vec<String> {
         let StateAt { modal, words } = stationary;
-        let style = self.source.style;
-        let gap = if style.spaced { " " } else { "" };
-        let name = |action| codes::name(action, self.control, style);
+        let (source, control) = (self.source, self.control);
+        // Where words of X are diameters, the proof gives the place up.
+        let state = StateWriter { source, control, modal, words, x_factor: 1.0 };
         let mut lines = Vec::new();
         let is_clear = point.kind == SafePointKind::Clear;
         let mut codes = words.codes.clone();
         let is_incremental = is_clear && modal.incremental;
         if is_incremental {
-            codes.extend(
-                name(Action::Reading(ReadingCode::Absolute))
-                    .map(|code| (StateSlot::Distance, code)),
-            );
+            let absolute = state.name(Action::Reading(ReadingCode::Absolute));
+            codes.extend(absolute.map(|code| (StateSlot::Distance, code)));
         }
-        lines.push(codes.into_values().collect::<Vec<String>>().join(gap));
+        lines.push(state.line(codes.into_values()));
         lines.extend(words.lines.values().cloned());
         lines.extend(words.data.iter().cloned());
-        let work = codes::work_offset(modal.work, self.control, style).filter(|_| words.work);
         let motion = modal
             .motion
             .map(Action::from)
             .filter(|action| *action == Action::Motion(MotionCode::Linear));
         if is_clear {
-            lines.extend(self.tool(stationary));
-            lines.extend(self.approach(stationary, work, rounded_mm));
+            lines.extend(state.tool());
+            lines.extend(approach(&state, rounded_mm));
             lines.extend(words.coolant.iter().cloned());
-            lines.extend(motion.and_then(name));
+            lines.extend(motion.and_then(|action| state.name(action)));
         } else {
-            lines.extend(work);
-            lines.extend(motion.or(Some(Action::Motion(MotionCode::Rapid))).and_then(name));
+            lines.extend(state.work());
+            lines.extend(state.name(motion.unwrap_or(Action::Motion(MotionCode::Rapid))));
         }
-        let ready = modal.selected_tool.filter(|ready| *ready != modal.tool);
-        lines.extend(ready.map(|tool| format!("T{tool}")));
-        lines.extend(feed_word(modal, self.source.style));
+        lines.extend(state.ready_tool());
+        lines.extend(state.feed());
         if is_incremental {
-            lines.extend(name(Action::Reading(ReadingCode::Incremental)));
+            lines.extend(state.name(Action::Reading(ReadingCode::Incremental)));
         }
         lines.retain(|line| !line.is_empty());
         lines
     }
-
-    /// The tool change.
-    fn tool(&self, StateAt { modal, words }: &StateAt) -> Option<String> {
-        let words = words.tool.as_ref()?;
-        let gap = if self.source.style.spaced { " " } else { "" };
-        Some(if words.contains('T') {
-            words.clone()
-        } else {
-            format!("T{}{gap}{words}", modal.tool)
-        })
-    }
-
-    /// To where the tool stood: over the place, then down to it.
-    fn approach(
-        &self,
-        StateAt { modal, words }: &StateAt,
-        work: Option<String>,
-        rounded_mm: &mut f64,
-    ) -> [String; 2] {
-        let style = self.source.style;
-        let gap = if style.spaced { " " } else { "" };
-        let name = |action| codes::name(action, self.control, style);
-        let mut place = |axis: usize| self.place(modal, axis, rounded_mm);
-        let mut over: Vec<String> =
-            name(Action::Motion(MotionCode::Rapid)).into_iter().chain(work).collect();
-        // Rotary axes begin at zero.
-        let is_stated =
-            |axis: &usize| modal.known.has(*axis) && (*axis < 3 || modal.position[*axis] != 0.0);
-        over.extend([0, 1, 3, 4, 5].into_iter().filter(is_stated).map(&mut place));
-        if words.speed && modal.rpm > 0.0 {
-            over.push(format!("S{}", plain(modal.rpm, 3, style).trim_end_matches('.')));
-        }
-        if modal.spindle != SpindleState::Off {
-            over.extend(words.spindle.clone());
-        }
-        let mut down: Vec<String> = Vec::new();
-        if let Some(number) = modal.length_offset {
-            down.extend(words.length.clone());
-            let written = words.h.clone().filter(|word| word[1..].parse() == Ok(number));
-            down.push(written.unwrap_or_else(|| format!("H{number}")));
-        }
-        down.push(place(2));
-        [over.join(gap), down.join(gap)]
-    }
-
-    /// The word of an axis, with as many digits as it takes.
-    fn place(&self, modal: &Modal, axis: usize, rounded_mm: &mut f64) -> String {
-        let (value, style) = (modal.position[axis], self.source.style);
-        let letter = char::from(AXIS_LETTERS.as_bytes()[axis]);
-        if axis > 2 {
-            return format!("{letter}{}", plain(value.to_degrees(), MAX_DECIMALS, style));
-        }
-        let unit = modal.units.mm();
-        let least = digits(self.control, modal.units);
-        let off = |count: usize| {
-            let power = 10f64.powi(count as i32);
-            ((value / unit * power).round() / power * unit - value).abs()
-        };
-        let exact = (least..=MAX_DECIMALS).find(|count| off(*count) < 1e-10);
-        let count = exact.unwrap_or(least);
-        if exact.is_none() {
-            *rounded_mm = rounded_mm.max(off(count) * 2.0);
-        }
-        format!("{letter}{}", length(value, modal.units, count, style))
-    }
 }
 
-/// F as it is in force; nothing where each block says its own.
-pub(crate) fn feed_word(modal: &Modal, style: WordStyle) -> Option<String> {
-    let unit = modal.units.mm();
-    let value = match modal.feed_mode {
-        FeedMode::PerTime => modal.feed? * 60.0 / unit,
-        FeedMode::PerRevolution => modal.feed? / unit,
-        FeedMode::InverseTime => return None,
+/// To where the tool stood: over the place, then down to it.
+fn approach(state: &StateWriter, rounded_mm: &mut f64) -> [String; 2] {
+    let modal = state.modal;
+    let mut place = |axis: usize| {
+        let (word, off) = state.place(axis, modal.position[axis]);
+        *rounded_mm = rounded_mm.max(off * 2.0);
+        word
     };
-    Some(format!("F{}", plain(value, MAX_DECIMALS, style)))
+    let rapid = state.name(Action::Motion(MotionCode::Rapid));
+    let mut over: Vec<String> = rapid.into_iter().chain(state.work()).collect();
+    // Rotary axes begin at zero.
+    let is_stated =
+        |axis: &usize| modal.known.has(*axis) && (*axis < 3 || modal.position[*axis] != 0.0);
+    over.extend([0, 1, 3, 4, 5].into_iter().filter(is_stated).map(&mut place));
+    over.extend(state.spindle());
+    let down = state.length_offset().into_iter().chain([place(2)]);
+    [state.line(over), state.line(down)]
 }

@@ -3,10 +3,9 @@
 use chordal::Job;
 use chordal::control::{Action, MotionCode};
 use chordal::control::{ArcCenter, ArcShape, CompensationSide, FeedMode, Units};
-use chordal::diagnostics::FileId;
 use chordal::geometry::{ParamCurve, Placement, Plane, Vec3, spiral_from_center};
 use chordal::machine::PerAxis;
-use chordal::syntax::{Block, BlockKind, BlockReader, Word};
+use chordal::syntax::{Block, Word};
 
 use super::edit::{TransformRefusal, WordEdit, replace_words};
 use super::lines::{BlockWords, newline, tail};
@@ -85,16 +84,13 @@ impl<'a> ArcRewriter<'a> {
         record: &RunRecord,
         mut see: impl FnMut(&mut Self, &Block, &BlockRuns) -> Result<(), TransformRefusal>,
     ) -> Result<(), TransformRefusal> {
-        let mut reader =
-            BlockReader::new(self.writer.text, FileId(0), self.writer.control.table.lexicon);
-        let mut block = Block::new();
-        while reader.read(&mut block) {
+        for block in self.writer.word_blocks() {
             let Some(runs) = record.blocks.get(&block.range.start) else { continue };
             let is_arc = runs
                 .contexts
                 .iter()
                 .any(|one| matches!(one.did, BlockEffect::Arc | BlockEffect::Spiral));
-            if block.kind == BlockKind::Words && is_arc {
+            if is_arc {
                 see(self, &block, runs)?;
             }
         }

@@ -2,9 +2,8 @@
 
 use chordal::control::{Action, AfterCode, ModeCode, MotionCode, OnceCode};
 use chordal::control::{AxisMask, RapidPath};
-use chordal::diagnostics::FileId;
 use chordal::geometry::{Plane, Transform, Vec3};
-use chordal::syntax::{Block, BlockKind, BlockReader, Word, WordValue};
+use chordal::syntax::{Block, Word, WordValue};
 use chordal::{Control, Job};
 use chordal_compare::{Category, RunMapping};
 
@@ -94,12 +93,7 @@ pub(super) fn map(job: &Job, transform: &Transform) -> Result<StepOutcome, Trans
         ..StepOutcome::default()
     };
     let mut idle = Vec::new();
-    let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
-    let mut block = Block::new();
-    while reader.read(&mut block) {
-        if block.kind != BlockKind::Words {
-            continue;
-        }
+    for block in writer.word_blocks() {
         match record.blocks.get(&block.range.start) {
             Some(runs) => outcome.edits.extend(mapper.block(&block, runs)?),
             None if "XYZ".bytes().any(|axis| block.letters().has(axis)) => idle.push(block.line),
@@ -155,22 +149,15 @@ impl MapWriter<'_> {
 
     /// One edit that is right for every run of the block.
     fn block(&self, block: &Block, runs: &BlockRuns) -> Result<Vec<WordEdit>, TransformRefusal> {
-        let mut edits: Option<Vec<WordEdit>> = None;
-        for context in &runs.contexts {
-            let these = self.in_context(block, runs, context)?;
-            match &edits {
-                Some(edits) if *edits != these => {
-                    return Err(self.refuse(
-                        block,
-                        "the block runs in different states, and no single change is right for all",
-                        "write the code that differs (G90 or G91, units, plane) into the block, or copy the \
-                         subprogram for each use",
-                    ));
-                }
-                _ => edits = Some(these),
-            }
-        }
-        Ok(edits.unwrap_or_default())
+        let edits = runs.edits_of_all(|context| self.in_context(block, runs, context))?;
+        edits.ok_or_else(|| {
+            self.refuse(
+                block,
+                "the block runs in different states, and no single change is right for all",
+                "write the code that differs (G90 or G91, units, plane) into the block, or copy the \
+                 subprogram for each use",
+            )
+        })
     }
 
     fn in_context(

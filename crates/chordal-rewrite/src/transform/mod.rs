@@ -24,9 +24,7 @@ mod writer;
 
 use chordal::Job;
 use chordal::control::{Action, MotionCode, OnceCode, SurfaceCode, Units};
-use chordal::diagnostics::FileId;
 use chordal::geometry::{Transform, Vec3};
-use chordal::syntax::{Block, BlockKind, BlockReader};
 use chordal_compare::{Category, ComparisonOptions, ComparisonVerdict, RunMapping};
 
 use crate::sides::prove_other_sides;
@@ -209,12 +207,7 @@ impl TransformStep {
 /// cylindrical interpolation, where a letter is a length that is an angle elsewhere.
 fn refuse_what_has_no_roles(job: &Job) -> Result<(), TransformRefusal> {
     let writer = writer::WordWriter::new(job);
-    let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
-    let mut block = Block::new();
-    while reader.read(&mut block) {
-        if block.kind != BlockKind::Words {
-            continue;
-        }
+    for block in writer.word_blocks() {
         let mut actions = roles::actions(&block, writer.control);
         if let Some((what, help)) = actions.find_map(|(_, action)| without_roles(action)) {
             return Err(TransformRefusal::new(writer.text, &block, what, help));

@@ -2,9 +2,9 @@
 
 use chordal::Control;
 use chordal::control::{DecimalPoint, ExcessDecimals, Units};
-use chordal::diagnostics::FileId;
-use chordal::syntax::{Block, BlockReader};
 
+use crate::blocks::blocks_of;
+use crate::convert::numbers::dressed;
 use crate::source::digits_of_arcs;
 
 /// More decimals than these are not written, whatever the program does.
@@ -32,9 +32,7 @@ impl NumberStyle {
         let (mut zeros, mut bare, mut decimals, mut points, mut none) =
             (0u32, 0u32, 0u8, 0u32, 0u32);
         let (mut spaced, mut tight) = (0u32, 0u32);
-        let mut reader = BlockReader::new(text, FileId(0), control.table.lexicon);
-        let mut block = Block::new();
-        while reader.read(&mut block) {
+        for block in blocks_of(text, control) {
             for pair in block.words.windows(2) {
                 if pair[0].range.end < pair[1].range.start { spaced += 1 } else { tight += 1 }
             }
@@ -98,23 +96,13 @@ impl NumberStyle {
                 text[..used.min(text.len())].to_string()
             }
         };
-        if text.bytes().all(|byte| matches!(byte, b'-' | b'0' | b'.')) {
-            text = text.trim_start_matches('-').to_string();
-        }
         if !text.contains('.') && point {
             text.push('.');
         }
         if !point {
             text = text.trim_end_matches('.').to_string();
         }
-        if !self.leading_zero {
-            let (sign, rest) =
-                text.strip_prefix('-').map_or(("", text.as_str()), |rest| ("-", rest));
-            if let Some(part) = rest.strip_prefix("0.").filter(|part| !part.is_empty()) {
-                text = format!("{sign}.{part}");
-            }
-        }
-        text
+        dressed(text, self.leading_zero)
     }
 
     /// The separator between words.

@@ -2,8 +2,8 @@
 
 use chordal::Job;
 use chordal::control::Units;
-use chordal::diagnostics::{FileId, TextRange};
-use chordal::syntax::{Block, BlockKind, BlockReader, Word, WordValue};
+use chordal::diagnostics::TextRange;
+use chordal::syntax::{Block, Word, WordValue};
 use chordal_compare::RunMapping;
 
 use super::StepOutcome;
@@ -26,27 +26,17 @@ pub(super) fn rates(job: &Job, feed: f64, speed: f64) -> Result<StepOutcome, Tra
         speed_tolerance: 1e-2,
         ..StepOutcome::default()
     };
-    let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
-    let mut block = Block::new();
-    while reader.read(&mut block) {
-        if block.kind != BlockKind::Words {
-            continue;
-        }
+    for block in writer.word_blocks() {
         let Some(runs) = record.blocks.get(&block.range.start) else { continue };
-        let mut edits: Option<Vec<WordEdit>> = None;
-        for context in &runs.contexts {
-            let these = block_rates(&writer, &block, context, [feed, speed])?;
-            if edits.as_ref().is_some_and(|edits| *edits != these) {
-                return Err(TransformRefusal::new(
-                    writer.text,
-                    &block,
-                    "its F is sometimes the feed of a tap and sometimes that of a cut",
-                    "write a separate F for each",
-                ));
-            }
-            edits = Some(these);
-        }
-        outcome.edits.extend(edits.unwrap_or_default());
+        let rates = |context: &_| block_rates(&writer, &block, context, [feed, speed]);
+        outcome.edits.extend(runs.edits_of_all(rates)?.ok_or_else(|| {
+            TransformRefusal::new(
+                writer.text,
+                &block,
+                "its F is sometimes the feed of a tap and sometimes that of a cut",
+                "write a separate F for each",
+            )
+        })?);
     }
     Ok(outcome)
 }

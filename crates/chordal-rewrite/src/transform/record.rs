@@ -1,19 +1,20 @@
 //! What every block of the text did each time it ran.
 
-use chordal::RunSink;
 use std::collections::{HashMap, HashSet};
 
 use chordal::control::{Action, CycleKind, MotionCode};
 use chordal::control::{
-    ArcCenter, ArcShape, AxisMask, CompensationSide, FeedMode, Modal, Origin, Position, Units,
+    ArcCenter, ArcShape, AxisMask, CompensationSide, FeedMode, Position, Units,
 };
 use chordal::diagnostics::{Code, FileId};
 use chordal::geometry::Plane;
-use chordal::{Command, CommandKind, Diagnostic, Job, MAX_SIDE_RUNS, Sink};
+use chordal::{Command, CommandKind, Diagnostic, Job, MAX_SIDE_RUNS};
 
+use super::edit::{TransformRefusal, WordEdit};
 use crate::convert::CycleContours;
 use crate::sides::{block_delete_runs, deletable_blocks};
 use crate::source::SourceBlocks;
+use crate::walk::{WalkedBlock, walk};
 
 /// What the words of a block are read by.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -85,14 +86,30 @@ pub(super) struct BlockRuns {
     pub(super) same_arc: bool,
 }
 
+impl BlockRuns {
+    /// The edits that are right for every way in which the words were read; nothing where they are not the same for all.
+    pub(super) fn edits_of_all(
+        &self,
+        edits_of: impl Fn(&ReadingContext) -> Result<Vec<WordEdit>, TransformRefusal>,
+    ) -> Result<Option<Vec<WordEdit>>, TransformRefusal> {
+        let mut contexts = self.contexts.iter();
+        let Some(first) = contexts.next() else { return Ok(Some(Vec::new())) };
+        let edits = edits_of(first)?;
+        for context in contexts {
+            if edits_of(context)? != edits {
+                return Ok(None);
+            }
+        }
+        Ok(Some(edits))
+    }
+}
+
 /// The runs of all blocks of the first text, by the byte that they begin at.
 #[derive(Debug, Default)]
 pub(super) struct RunRecord {
     pub(super) blocks: HashMap<u32, BlockRuns>,
     /// The first move of a block that stands in another text: its file and line.
     pub(super) in_other_text: Option<(FileId, u32)>,
-    /// What was assumed in the run under way.
-    assumed: Vec<Diagnostic>,
     /// The run under way, from 0: those after the first take other sides.
     run: u32,
     /// Blocks that block delete takes in the run under way, by the byte that they begin at.
@@ -102,12 +119,11 @@ pub(super) struct RunRecord {
     last: Option<(Position, AxisMask, bool)>,
     /// Where the last move ended.
     reached: Option<Position>,
-    did: EffectRecorder,
 }
 
-/// What the block under way has done so far.
+/// What a block has done.
 #[derive(Debug, Default)]
-struct EffectRecorder {
+struct VisitEffects {
     kind: Option<BlockEffect>,
     shape: Option<ArcShape>,
     moves: u32,
@@ -161,74 +177,70 @@ impl RunRecord {
     fn run(&mut self, job: &Job, deletable: &HashSet<u32>) -> Vec<Diagnostic> {
         let is_deleting = job.machine().switches.block_delete.contains(&true);
         self.deleted = if is_deleting { deletable.clone() } else { HashSet::new() };
-        (self.last, self.reached, self.did) = (None, None, EffectRecorder::default());
-        job.run(self);
-        self.run += 1;
-        std::mem::take(&mut self.assumed)
-    }
-}
-
-impl Sink for RunRecord {
-    fn command(&mut self, command: &Command) {
-        let kind = match &command.kind {
-            _ if command.origin.cycle && command.kind.motion().is_some() => BlockEffect::Cycle,
-            CommandKind::Rapid { .. } => BlockEffect::Rapid,
-            CommandKind::Line { .. } => BlockEffect::Line,
-            CommandKind::Arc { .. } => BlockEffect::Arc,
-            CommandKind::Spiral { .. } => BlockEffect::Spiral,
-            CommandKind::Spline { .. } => BlockEffect::Spline,
-            _ => return,
-        };
-        if command.origin.span.file != FileId(0) {
-            self.in_other_text.get_or_insert((command.origin.span.file, command.origin.line));
-        }
-        let did = &mut self.did;
-        did.kind = Some(match did.kind {
-            Some(BlockEffect::Cycle) => BlockEffect::Cycle,
-            // An arc whose end is a little off it goes on as a line.
-            Some(BlockEffect::Arc) => BlockEffect::Arc,
-            // `,R` ends a line in an arc.
-            Some(BlockEffect::Line) => BlockEffect::Line,
-            _ => kind,
+        (self.last, self.reached) = (None, None);
+        let is_assumed =
+            |one: &&Diagnostic| matches!(one.code, Code::AssumedBranch | Code::BlockDeleteDecides);
+        let mut assumed = Vec::new();
+        walk(job, |visit| {
+            assumed.extend(visit.output.diagnostics.iter().filter(is_assumed).cloned());
+            self.visit(visit);
         });
-        if let Some(shape) = command.kind.shape()
-            && did.kind != Some(BlockEffect::Line)
-        {
-            did.shape.get_or_insert(*shape);
-        }
-        if let Some(motion) = command.kind.motion() {
-            // After a corner the move begins at its end; the program counts from the corner itself.
-            let after_corner = self.reached == Some(motion.from);
-            let from = match self.last {
-                Some((place, ..)) if after_corner => place,
-                _ => motion.from,
+        self.run += 1;
+        assumed
+    }
+
+    /// What the commands of a block come to.
+    fn effects_of(&mut self, commands: &[Command]) -> VisitEffects {
+        let mut did = VisitEffects::default();
+        for command in commands {
+            let kind = match &command.kind {
+                _ if command.origin.cycle && command.kind.motion().is_some() => BlockEffect::Cycle,
+                CommandKind::Rapid { .. } => BlockEffect::Rapid,
+                CommandKind::Line { .. } => BlockEffect::Line,
+                CommandKind::Arc { .. } => BlockEffect::Arc,
+                CommandKind::Spiral { .. } => BlockEffect::Spiral,
+                CommandKind::Spline { .. } => BlockEffect::Spline,
+                _ => continue,
             };
-            did.from.get_or_insert((from, motion.from_known));
-            self.reached = Some(motion.to);
+            if command.origin.span.file != FileId(0) {
+                self.in_other_text.get_or_insert((command.origin.span.file, command.origin.line));
+            }
+            did.kind = Some(match did.kind {
+                Some(BlockEffect::Cycle) => BlockEffect::Cycle,
+                // An arc whose end is a little off it goes on as a line.
+                Some(BlockEffect::Arc) => BlockEffect::Arc,
+                // `,R` ends a line in an arc.
+                Some(BlockEffect::Line) => BlockEffect::Line,
+                _ => kind,
+            });
+            if let Some(shape) = command.kind.shape()
+                && did.kind != Some(BlockEffect::Line)
+            {
+                did.shape.get_or_insert(*shape);
+            }
+            if let Some(motion) = command.kind.motion() {
+                // After a corner the move begins at its end; the program counts from the corner itself.
+                let after_corner = self.reached == Some(motion.from);
+                let from = match self.last {
+                    Some((place, ..)) if after_corner => place,
+                    _ => motion.from,
+                };
+                did.from.get_or_insert((from, motion.from_known));
+                self.reached = Some(motion.to);
+            }
+            did.moves += 1;
         }
-        did.moves += 1;
+        did
     }
 
-    fn diagnostic(&mut self, diagnostic: Diagnostic) {
-        if matches!(diagnostic.code, Code::AssumedBranch | Code::BlockDeleteDecides) {
-            self.assumed.push(diagnostic);
-        }
-    }
-}
-
-impl RunSink for RunRecord {
-    fn wants_blocks(&self) -> bool {
-        true
-    }
-
-    fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
-        let modal = modal();
-        let did = std::mem::take(&mut self.did);
+    fn visit(&mut self, visit: &WalkedBlock) {
+        let (modal, span) = (visit.modal(), visit.origin.span);
+        let did = self.effects_of(&visit.output.commands);
         let before = self.last.unwrap_or((modal.position, AxisMask::NONE, modal.incremental));
         let from = did.from.unwrap_or((before.0, before.1));
         self.last = Some((modal.position, modal.known, modal.incremental));
-        let start = origin.span.range.start;
-        if origin.span.file != FileId(0) || self.deleted.contains(&start) {
+        let start = span.range.start;
+        if span.file != FileId(0) || self.deleted.contains(&start) {
             return;
         }
         let context = ReadingContext {

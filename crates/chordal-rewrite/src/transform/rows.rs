@@ -3,13 +3,13 @@
 
 use chordal::control::{Action, MotionCode};
 use chordal::control::{CompensationSide, FeedMode};
-use chordal::diagnostics::FileId;
 use chordal::geometry::Vec3;
-use chordal::syntax::{Block, BlockKind, BlockReader};
+use chordal::syntax::{Block, BlockKind};
 
 use super::record::{BlockEffect, BlockPass, RunRecord};
 use super::roles::actions;
 use super::writer::WordWriter;
+use crate::blocks::blocks_of;
 
 /// One straight cut.
 #[derive(Clone, Debug)]
@@ -59,8 +59,6 @@ pub(super) fn rows(
     feed_tolerance: f64,
     mut see: impl FnMut(&[StraightCut], Option<&Block>),
 ) {
-    let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
-    let mut block = Block::new();
     let mut row: Vec<StraightCut> = Vec::new();
     let mut feeds = RowFeeds(None);
     let mut order = 0;
@@ -70,7 +68,7 @@ pub(super) fn rows(
         }
         row.clear();
     };
-    while reader.read(&mut block) {
+    for block in blocks_of(writer.text, writer.control) {
         let cut = cut(writer, record, &block);
         let goes_on = cut.as_ref().zip(row.last()).and_then(|((cut, its), last)| {
             let follows = *its == order + 1 && follows(&last.run, &cut.run);

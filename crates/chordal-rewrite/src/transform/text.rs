@@ -3,10 +3,11 @@
 use std::collections::HashSet;
 
 use chordal::Job;
-use chordal::diagnostics::{FileId, TextRange, line_end_length};
-use chordal::syntax::{Block, BlockKind, BlockReader, Word, WordValue};
+use chordal::diagnostics::{TextRange, line_end_length};
+use chordal::syntax::{Block, BlockKind, Word, WordValue};
 use chordal_editor::{NameRole, NumberingOptions, SymbolName};
 
+use crate::blocks::blocks_of;
 use crate::source::{first_text, program};
 
 use super::StepOutcome;
@@ -251,9 +252,5 @@ fn shorter(text: &[u8], word: &Word) -> Option<String> {
 }
 
 fn each_block(job: &Job, mut see: impl FnMut(&Block)) {
-    let mut reader = BlockReader::new(first_text(job), FileId(0), job.control().table.lexicon);
-    let mut block = Block::new();
-    while reader.read(&mut block) {
-        see(&block);
-    }
+    blocks_of(first_text(job), job.control()).for_each(|block| see(&block));
 }

@@ -2,8 +2,7 @@
 
 use chordal::control::{Action, OnceCode, ReadingCode};
 use chordal::control::{FeedMode, Units};
-use chordal::diagnostics::FileId;
-use chordal::syntax::{Block, BlockKind, BlockReader, Word};
+use chordal::syntax::{Block, Word};
 use chordal::{Control, Job};
 
 use super::StepOutcome;
@@ -12,6 +11,7 @@ use super::rates::{RateWord, scaled};
 use super::record::{ReadingContext, RunRecord};
 use super::roles::{NumberRole, actions, roles};
 use super::writer::WordWriter;
+use crate::convert::units_action;
 
 const REASON: &str = "lengths in the other unit";
 
@@ -19,10 +19,7 @@ const REASON: &str = "lengths in the other unit";
 pub(super) fn units(job: &Job, to: Units) -> Result<StepOutcome, TransformRefusal> {
     let record = RunRecord::with_contours(job);
     let writer = WordWriter::new(job);
-    let target = match to {
-        Units::Inch => Action::Reading(ReadingCode::Inch),
-        Units::Millimetre => Action::Reading(ReadingCode::Millimetre),
-    };
+    let target = units_action(to);
     // A cutting speed is written anew, and the revolutions follow it.
     let speed_tolerance = if job.control().table.turns() { 1e-3 } else { 0.0 };
     let mut outcome =
@@ -38,12 +35,7 @@ pub(super) fn units(job: &Job, to: Units) -> Result<StepOutcome, TransformRefusa
     let mut first: Option<(u32, u32)> = None;
     let mut is_stated = false;
     let mut idle = Vec::new();
-    let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
-    let mut block = Block::new();
-    while reader.read(&mut block) {
-        if block.kind != BlockKind::Words || block.words.is_empty() {
-            continue;
-        }
+    for block in writer.word_blocks().filter(|block| !block.words.is_empty()) {
         let Some(runs) = record.blocks.get(&block.range.start) else {
             if "XYZ".bytes().any(|axis| block.letters().has(axis)) {
                 idle.push(block.line);
@@ -68,20 +60,15 @@ pub(super) fn units(job: &Job, to: Units) -> Result<StepOutcome, TransformRefusa
             first = Some((runs.order, block.range.start));
             is_stated = says;
         }
-        let mut edits: Option<Vec<WordEdit>> = None;
-        for context in &runs.contexts {
-            let these = lengths(&writer, &block, context, to)?;
-            if edits.as_ref().is_some_and(|edits| *edits != these) {
-                return Err(TransformRefusal::new(
-                    writer.text,
-                    &block,
-                    "the block runs in both units",
-                    "write the units into the subprogram",
-                ));
-            }
-            edits = Some(these);
-        }
-        outcome.edits.extend(edits.unwrap_or_default());
+        let edits = runs.edits_of_all(|context| lengths(&writer, &block, context, to))?;
+        outcome.edits.extend(edits.ok_or_else(|| {
+            TransformRefusal::new(
+                writer.text,
+                &block,
+                "the block runs in both units",
+                "write the units into the subprogram",
+            )
+        })?);
     }
     if let Some((_, at)) = first.filter(|_| !is_stated && outcome_changes(&outcome)) {
         let line = format!("{}\n", code.name(b'G'));

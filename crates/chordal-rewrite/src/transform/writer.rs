@@ -3,11 +3,13 @@
 use std::cell::Cell;
 
 use chordal::control::{Action, Units};
-use chordal::syntax::{Block, Decimal, Word, WordValue};
+use chordal::syntax::{Block, BlockKind, Decimal, Word, WordValue};
 use chordal::{Control, Job};
 
 use super::edit::{TransformRefusal, with_number};
 use super::number::NumberStyle;
+use crate::blocks::blocks_of;
+use crate::source::first_text;
 
 /// Writes words of one text.
 pub(super) struct WordWriter<'a> {
@@ -20,14 +22,18 @@ pub(super) struct WordWriter<'a> {
 
 impl<'a> WordWriter<'a> {
     pub(super) fn new(job: &'a Job<'_>) -> WordWriter<'a> {
-        let text = job.sources().get(chordal::diagnostics::FileId(0)).map_or(&[][..], |s| s.text());
-        let control = job.control();
+        let (text, control) = (first_text(job), job.control());
         WordWriter {
             text,
             control,
             style: NumberStyle::of(text, control),
             rounded_mm: Cell::new(0.0),
         }
+    }
+
+    /// The blocks of words in order.
+    pub(super) fn word_blocks(&self) -> impl Iterator<Item = Block> + use<'a> {
+        blocks_of(self.text, self.control).filter(|block| block.kind == BlockKind::Words)
     }
 
     /// How far paths may be apart for the digits that are written, mm: an arc has its end, its centre

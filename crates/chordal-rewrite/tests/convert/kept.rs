@@ -1,6 +1,6 @@
 //! How many blocks of canned cycles stay canned cycles, over all programs of the repository.
 
-use chordal::control::{Action, Modal, Origin};
+use chordal::control::{Action, AfterBlock, Origin};
 use chordal::{Command, Diagnostic, Job, RunSink, Sink};
 
 use super::{MACHINES, converted, job_of, suite_programs, text_of};
@@ -25,8 +25,9 @@ impl RunSink for Drilled {
         true
     }
 
-    fn block_done(&mut self, _: &Origin, modal: &dyn Fn() -> Modal) {
-        let in_cycle = modal().motion.is_some_and(|motion| Action::from(motion).cycle().is_some());
+    fn block_done(&mut self, _: &Origin, after: &AfterBlock) {
+        let motion = (after.modal)().motion;
+        let in_cycle = motion.is_some_and(|motion| Action::from(motion).cycle().is_some());
         self.blocks += u32::from(std::mem::take(&mut self.open) && in_cycle);
     }
 }

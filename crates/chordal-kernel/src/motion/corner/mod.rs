@@ -16,6 +16,7 @@ use crate::frames::InPlane;
 use crate::kernel::Kernel;
 use crate::modal::Modal;
 use crate::rules::CornerMoves;
+use crate::sink::AfterBlock;
 use crate::state::State;
 
 /// A shorter remainder of a move is not emitted, mm.
@@ -440,15 +441,16 @@ impl Kernel<'_> {
     /// Passes on that a block is complete, in order with the waiting move.
     pub fn block_done(&mut self, modal: &dyn Fn(&State) -> Modal) {
         if self.corners.queued.is_some() {
-            let modal = Box::new(modal(&self.state));
+            let after = Box::new((modal(&self.state), self.state.state_items()));
             let origin = self.origin;
             if let Some(queued) = &mut self.corners.queued {
-                queued.waiting.push(QueuedItem::BlockDone(origin, modal));
+                queued.waiting.push(QueuedItem::BlockDone(origin, after));
             }
             return;
         }
         let Kernel { state, sink, origin, .. } = self;
-        sink.block_done(origin, &|| modal(state));
+        let (modal, items) = (&|| modal(state), &|| state.state_items());
+        sink.block_done(origin, &AfterBlock { modal, items });
     }
 
     fn give_up(&mut self, queued: QueuedMove, refusal: CornerRefusal) {
@@ -469,8 +471,9 @@ impl Kernel<'_> {
         for item in waiting {
             match item {
                 QueuedItem::Command(command) => self.hand_over(&command),
-                QueuedItem::BlockDone(origin, modal) => {
-                    self.sink.block_done(&origin, &|| (*modal).clone())
+                QueuedItem::BlockDone(origin, after) => {
+                    let (modal, items) = (&|| after.0.clone(), &|| after.1.clone());
+                    self.sink.block_done(&origin, &AfterBlock { modal, items });
                 }
             }
         }

@@ -39,7 +39,7 @@ pub(super) fn numbered(
         // A macro line begins with its mark.
         (MacroForm::Lines, _) => lines.insert(0, number),
         (_, Some(first)) => {
-            *first = format!("{number}{}{first}", if style.spaced { " " } else { "" });
+            *first = format!("{number}{}{first}", style.gap());
         }
         (_, None) => lines.push(number),
     }

@@ -7,10 +7,9 @@ use std::collections::{HashMap, HashSet};
 
 use chordal::Job;
 use chordal::control::{Action, ArcShape, MotionCode, Units};
-use chordal::diagnostics::FileId;
 use chordal::diagnostics::TextRange;
 use chordal::geometry::Plane;
-use chordal::syntax::{Block, BlockKind, BlockReader, Word};
+use chordal::syntax::{Block, Word};
 
 use super::super::arcs::center_words;
 use super::super::edit::{TransformRefusal, WordEdit, line_end, replace_words, with_number};
@@ -61,7 +60,7 @@ pub(super) fn write(
             help: "copy the subprogram into the program".into(),
         });
     }
-    let blocks = blocks(&writer);
+    let blocks: Vec<Block> = writer.word_blocks().collect();
     let levels = levels(&writer, &record, &blocks);
     let written =
         HeightEdits { edits: Vec::new(), notes: Vec::new(), trail: WrittenTrail::default() };
@@ -91,18 +90,6 @@ pub(super) fn write(
         bender.written.notes.push(note);
     }
     Ok(bender.written)
-}
-
-fn blocks(writer: &WordWriter) -> Vec<Block> {
-    let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
-    let mut block = Block::new();
-    let mut blocks = Vec::new();
-    while reader.read(&mut block) {
-        if block.kind == BlockKind::Words {
-            blocks.push(block.clone());
-        }
-    }
-    blocks
 }
 
 struct HeightWriter<'a> {

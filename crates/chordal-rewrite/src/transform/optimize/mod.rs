@@ -3,8 +3,7 @@
 //! | what | file |
 //! |---|---|
 //! | which share of its feed each block may have | `shares.rs` |
-//! | the order in which blocks run, and the F that each is run with | `visits.rs` |
-//! | the F words | `words.rs` |
+//! | the order in which blocks run, and the F words | `words.rs` |
 //! | along one block: its slices, the share of each place, where splits pay | `slices.rs`, `profile.rs` |
 //! | which points of a block are exact, and how its parts are written | `exact.rs`, `parts.rs` |
 //! | the text in parts, proved and fed | `split.rs` |
@@ -17,7 +16,6 @@ mod proof;
 mod shares;
 mod slices;
 mod split;
-mod visits;
 mod words;
 
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -223,9 +221,8 @@ fn feed(
     options: &OptimizeOptions,
     files: SetupFiles<'_>,
 ) -> Result<FeedEdits, OptimizeError> {
-    let visits = visits::RunVisits::of(job);
     let shares = shares::ShareInputs::new(job, before, limits, options).by_block();
-    let mut written = words::write(job, &visits, &shares)?;
+    let mut written = words::write(job, &shares)?;
     let new = job.with_text(apply(first_text(job), &mut written.edits));
     let after = new.engagement(&options.engagement, files)?;
     let mut proof = proof::prove(job, &new, &written.changed)?;

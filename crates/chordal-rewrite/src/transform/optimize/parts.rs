@@ -4,8 +4,7 @@ use std::collections::HashMap;
 
 use chordal::Job;
 use chordal::control::{Action, ArcShape, CompensationSide, FeedMode, MotionCode};
-use chordal::diagnostics::FileId;
-use chordal::syntax::{Block, BlockKind, BlockReader, WordValue};
+use chordal::syntax::{Block, WordValue};
 
 use super::super::arcs::center_words;
 use super::super::edit::{WordEdit, with_number};
@@ -48,14 +47,7 @@ pub(super) struct BlockSplitter<'a> {
 impl<'a> BlockSplitter<'a> {
     pub fn new(job: &'a Job<'_>) -> BlockSplitter<'a> {
         let writer = WordWriter::new(job);
-        let mut blocks = HashMap::new();
-        let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
-        let mut block = Block::new();
-        while reader.read(&mut block) {
-            if block.kind == BlockKind::Words && !block.words.is_empty() {
-                blocks.insert(block.range.start, block.clone());
-            }
-        }
+        let blocks = writer.word_blocks().map(|block| (block.range.start, block)).collect();
         let (circles, known) = (CirclePoints::default(), HashMap::new());
         BlockSplitter { writer, record: RunRecord::of(job), blocks, circles, known }
     }

@@ -5,11 +5,11 @@ use std::collections::{HashMap, HashSet};
 use chordal::Job;
 use chordal::control::{FeedMode, Units};
 use chordal::diagnostics::FileId;
-use chordal::syntax::{Block, BlockKind, BlockReader, Word, WordValue};
+use chordal::syntax::{Block, Word, WordValue};
 
 use super::super::edit::{TransformRefusal, WordEdit, with_number};
 use super::super::writer::WordWriter;
-use super::visits::{RunVisit, RunVisits};
+use crate::walk::walk;
 
 /// Digits of a new feed: it is rounded down to three.
 const DIGITS: i32 = 3;
@@ -37,16 +37,40 @@ struct ExecutedBlock {
     own: Option<Word>,
 }
 
+/// A block that ran.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct RunVisit {
+    /// The byte that it begins at, in the first text.
+    block: Option<u32>,
+    line: u32,
+    /// The F that a move of it used, and what it counts.
+    used: Option<(f64, FeedMode)>,
+    units: Units,
+}
+
+/// All blocks that ran, in order.
+fn run_visits(job: &Job) -> Vec<RunVisit> {
+    let mut visits = Vec::new();
+    walk(job, |visit| {
+        let span = visit.origin.span;
+        let feed = visit.output.commands.iter().rev().find_map(|command| command.kind.feed());
+        visits.push(RunVisit {
+            block: (span.file == FileId(0)).then_some(span.range.start),
+            line: visit.origin.line,
+            used: feed.map(|feed| (feed.value, feed.mode)),
+            units: visit.modal().units,
+        });
+    });
+    visits
+}
+
 /// Writes F words so that every block of `wanted` runs at its share of its feed, and all others as before.
-pub(super) fn write(
-    job: &Job,
-    visits: &RunVisits,
-    feeds: &HashMap<u32, f64>,
-) -> Result<FeedText, TransformRefusal> {
+pub(super) fn write(job: &Job, feeds: &HashMap<u32, f64>) -> Result<FeedText, TransformRefusal> {
     let writer = WordWriter::new(job);
+    let visits = run_visits(job);
     let places = places(&writer);
     let mut targets: HashMap<u32, f64> = HashMap::new();
-    for visit in &visits.list {
+    for visit in &visits {
         let (Some(block), Some((value, FeedMode::PerTime))) = (visit.block, visit.used) else {
             continue;
         };
@@ -66,7 +90,7 @@ pub(super) fn write(
             place.own.as_ref().is_none_or(|word| matches!(word.value, WordValue::Number(_)))
         })
     });
-    let explicit = explicit(&writer, visits, &places, &targets)?;
+    let explicit = explicit(&writer, &visits, &places, &targets)?;
     let mut edits = Vec::new();
     for (block, value) in &explicit {
         let Some(place) = places.get(block) else { continue };
@@ -87,22 +111,18 @@ pub(super) fn write(
 
 /// The blocks of words, by the byte that they begin at.
 fn places(writer: &WordWriter) -> HashMap<u32, ExecutedBlock> {
-    let mut places = HashMap::new();
-    let mut reader = BlockReader::new(writer.text, FileId(0), writer.control.table.lexicon);
-    let mut block = Block::new();
-    while reader.read(&mut block) {
-        if block.kind == BlockKind::Words && !block.words.is_empty() {
-            let own = block.word(b'F').copied();
-            places.insert(block.range.start, ExecutedBlock { block: block.clone(), own });
-        }
-    }
-    places
+    let blocks = writer.word_blocks().filter(|block| !block.words.is_empty());
+    let place = |block: Block| {
+        let own = block.word(b'F').copied();
+        (block.range.start, ExecutedBlock { block, own })
+    };
+    blocks.map(place).collect()
 }
 
 /// The blocks that must have an F, with its value, so that each move has the feed it should have.
 fn explicit(
     writer: &WordWriter,
-    visits: &RunVisits,
+    visits: &[RunVisit],
     places: &HashMap<u32, ExecutedBlock>,
     targets: &HashMap<u32, f64>,
 ) -> Result<HashMap<u32, f64>, TransformRefusal> {
@@ -117,7 +137,7 @@ fn explicit(
         let mut added = false;
         // What F is now, by minute, and whether it is the program's own.
         let mut now: Option<f64> = None;
-        for visit in &visits.list {
+        for visit in visits {
             let place = visit.block.and_then(|block| places.get(&block));
             let written = visit.block.and_then(|block| explicit.get(&block).copied());
             let has_own = place.is_some_and(|place| place.own.is_some());

@@ -1,23 +1,13 @@
-//! What is active at a place of a run, and how the program has said it.
+//! What is active at a place of a run in the words of the program.
 
-use chordal::RunSink;
 use chordal::control::{Action, AfterCode, BeforeCode, LengthCode, ModeCode, OnceCode, PathCode};
 use std::collections::BTreeMap;
 
+use chordal::Control;
 use chordal::control::table::CodeGroup;
-use chordal::control::{Modal, Origin};
 use chordal::syntax::{Block, Word};
-use chordal::{Command, Control, Diagnostic, Job, Sink};
 
-use super::points::SplitPoint;
 use crate::source::SourceBlocks;
-
-/// What holds before a block.
-#[derive(Clone, Debug)]
-pub(crate) struct StateAt {
-    pub(crate) modal: Modal,
-    pub(crate) words: StateWords,
-}
 
 /// What the program has said so far and what still counts, in its own words.
 #[derive(Clone, Debug, Default)]
@@ -91,7 +81,7 @@ fn slot(group: CodeGroup, action: Action) -> Option<StateSlot> {
 impl StateWords {
     pub(crate) fn follow(&mut self, source: &SourceBlocks, control: &Control, block: &Block) {
         let text = |word: &Word| source.text_of(word);
-        let gap = if source.style.spaced { " " } else { "" };
+        let gap = source.style.gap();
         let adjacent =
             |own: &Word, letters: &dyn Fn(u8) -> bool| source.code_with(block, own, letters);
         self.work |= control.table.work_names.by_e && block.word(b'E').is_some();
@@ -188,46 +178,6 @@ impl StateWords {
             | AfterCode::ProgramAgain
             | AfterCode::ShopCode
             | AfterCode::RunCycleHere => {}
-        }
-    }
-}
-
-/// What holds at places, in the order of the run.
-pub(super) fn at(job: &Job, source: &SourceBlocks, points: &[SplitPoint]) -> Vec<StateAt> {
-    let (control, stated) = (job.control(), StateWords::default());
-    let mut walk = StateScan { source, control, points, words: stated, ran: 0, states: Vec::new() };
-    job.run(&mut walk);
-    walk.states
-}
-
-struct StateScan<'s, 'a> {
-    source: &'s SourceBlocks<'a>,
-    control: &'s Control,
-    points: &'s [SplitPoint],
-    words: StateWords,
-    ran: u32,
-    states: Vec<StateAt>,
-}
-
-impl Sink for StateScan<'_, '_> {
-    fn command(&mut self, _: &Command) {}
-
-    fn diagnostic(&mut self, _: Diagnostic) {}
-}
-
-impl RunSink for StateScan<'_, '_> {
-    fn wants_blocks(&self) -> bool {
-        true
-    }
-
-    fn block_done(&mut self, origin: &Origin, modal: &dyn Fn() -> Modal) {
-        if let Some(at) = self.source.block_at(origin.span) {
-            self.words.follow(self.source, self.control, &self.source.blocks[at]);
-        }
-        self.ran += 1;
-        let next = self.points.get(self.states.len());
-        if next.is_some_and(|point| point.ran == self.ran) {
-            self.states.push(StateAt { modal: modal(), words: self.words.clone() });
         }
     }
 }

@@ -1,0 +1,152 @@
+//! Both programs compared, and which differences belong to the controls and machines.
+
+use std::collections::BTreeSet;
+
+use chordal::control::{CompensationSide, SurfaceShape};
+use chordal::{Code, CommandKind, Job, Report};
+use chordal_compare::{BlockRange, Category, Difference, DifferenceValue, FreePasses};
+
+use super::trace::{self, ProgramTrace};
+use super::{ConversionOptions, codes};
+use crate::{Certificate, prove, prove_contour};
+
+/// Whole categories of differences that belong to the machines.
+const OF_MACHINES: &[Category] = &[Category::RapidPath, Category::PathMode, Category::Overrides];
+
+/// The lines of both texts whose cycles may be made in other steps.
+#[derive(Clone, Default)]
+pub(super) struct FreeCycleLines {
+    pub(super) pecks: [BTreeSet<u32>; 2],
+    pub(super) passes: [FreePasses; 2],
+}
+
+pub(super) fn proof(
+    trace: &ProgramTrace,
+    [old, new]: [&Job; 2],
+    options: &ConversionOptions,
+    free: FreeCycleLines,
+    printed: bool,
+) -> Certificate {
+    let compensates = trace.commands.iter().any(|command| {
+        matches!(command.kind, CommandKind::Compensation { side, .. } if side != CompensationSide::Off)
+    });
+    let compare = chordal_compare::ComparisonOptions {
+        tolerance_mm: options.tolerance_mm,
+        feed_tolerance: 1e-5,
+        speed_tolerance: 1e-5,
+        rotary_tolerance_rad: rotary_tolerance(trace, options),
+        // Both begin at the same place, and both machines have the same tables.
+        assume_known: true,
+        separate_sides: true,
+        free_pecks: free.pecks,
+        free_passes: free.passes,
+        kept: 100_000,
+        ..chordal_compare::ComparisonOptions::default()
+    };
+    let surface = [old, new].map(trace::surface_lines);
+    let turns = old.control().table.turns();
+    // Without a tool table each tool is set to the work zero.
+    let no_lengths = ![old, new].map(Job::control).into_iter().all(codes::has_lengths);
+    let is_expected = |difference: &Difference| {
+        is_of_machine(difference, turns)
+            || (no_lengths && difference.category == Category::LengthOffset)
+            || (printed && difference.category == Category::Output)
+            || follows_the_diameter(difference, &surface)
+            || is_left_out(difference, [old, new])
+    };
+    let mut certificate = if compensates {
+        prove_contour(old, new, &compare, is_expected)
+    } else {
+        let mut certificate = prove(old, new, &compare, &[]);
+        certificate.set_aside(is_expected);
+        certificate
+    };
+    // What is not followed is not proved either way, and variables have other names.
+    if !certificate.comparison.reports.iter().all(Report::verified) {
+        certificate.set_aside(|difference| difference.category == Category::Value);
+    }
+    certificate
+}
+
+/// A code of the old control that the new one does not have, and that is among the changes; what statements and remarks
+/// say to the operator.
+fn is_left_out(difference: &Difference, [old, new]: [&Job; 2]) -> bool {
+    match (difference.category, &difference.values) {
+        (Category::Code, Some([DifferenceValue::Text(words), DifferenceValue::Nothing])) => {
+            codes::is_only_of(words, old.control(), new.control())
+        }
+        (Category::Message | Category::Alarm | Category::Variable, _) => true,
+        _ => false,
+    }
+}
+
+/// How far rotary axes may be apart: on a cylinder one control gives lengths and the other one angles, and both are rounded. At its
+/// radius that is no more than the tolerance.
+fn rotary_tolerance(trace: &ProgramTrace, options: &ConversionOptions) -> f64 {
+    let radii = trace.commands.iter().filter_map(|command| match &command.kind {
+        CommandKind::Surface { surface: Some(surface), .. } => match surface.shape {
+            SurfaceShape::Cylinder { radius_mm } => Some(radius_mm),
+            SurfaceShape::Face { .. } => None,
+        },
+        _ => None,
+    });
+    let largest = radii.fold(0.0, f64::max);
+    let usual = chordal_compare::ComparisonOptions::default().rotary_tolerance_rad;
+    if largest > 0.0 { (options.tolerance_mm / largest).max(usual) } else { usual }
+}
+
+/// Revolutions of a spindle that keeps a cutting speed in both programs follow the diameter; at which point of a rapid they
+/// change makes no difference. What a cut makes of them is compared as its feed.
+fn follows_the_diameter(difference: &Difference, surface: &[BTreeSet<u32>; 2]) -> bool {
+    let same_path = matches!(
+        difference.values,
+        Some([DifferenceValue::Spindle(one, _), DifferenceValue::Spindle(other, _)]) if one == other
+    );
+    let is_surface = |(blocks, lines): (&Option<BlockRange>, &BTreeSet<u32>)| {
+        blocks.is_some_and(|blocks| {
+            let (from, to) = blocks.lines();
+            (from..=to).any(|line| lines.contains(&line))
+        })
+    };
+    difference.category == Category::Spindle
+        && same_path
+        && difference.blocks.iter().zip(surface).all(is_surface)
+}
+
+/// Differences that belong to the machines, not to the text; of programs for lathes where it `turns`.
+fn is_of_machine(difference: &Difference, turns: bool) -> bool {
+    match (difference.category, &difference.values) {
+        (
+            Category::Problem,
+            Some(
+                [DifferenceValue::Nothing, DifferenceValue::Text(text)]
+                | [DifferenceValue::Text(text), DifferenceValue::Nothing],
+            ),
+        ) => {
+            let id = text.split(':').next().unwrap_or_default();
+            LIMITS.iter().any(|code| code.id() == id)
+        }
+        // A turning tool's own radius has no number where T names a tool alone.
+        (Category::RadiusOffset, Some(values)) if turns => {
+            values.contains(&DifferenceValue::Nothing)
+        }
+        // E0 of one control is G53 of the others.
+        (Category::WorkOffset, Some(values)) => values.contains(&DifferenceValue::Number(0)),
+        // How wide a printed number is, is a setting.
+        (Category::Output, Some([DifferenceValue::Text(one), DifferenceValue::Text(other)])) => {
+            one.split_whitespace().eq(other.split_whitespace())
+        }
+        (category, _) => OF_MACHINES.contains(&category),
+    }
+}
+
+/// What a program may ask too much of one machine and not of another.
+pub(super) const LIMITS: &[Code] = &[
+    Code::TravelExceeded,
+    Code::FeedOverLimit,
+    Code::SpindleOverLimit,
+    Code::SpeedWithoutLimit,
+    Code::LengthOffsetOfOtherTool,
+    Code::OffsetNotSet,
+    Code::DiameterNotSet,
+];

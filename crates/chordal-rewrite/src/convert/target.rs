@@ -1,0 +1,92 @@
+//! The machine that the new program is proved on.
+
+use std::collections::BTreeMap;
+
+use chordal::control::{RapidPath, SettingField, ToolLengths};
+use chordal::machine::{
+    RapidShape, SettingEntry, SettingValue, WorkOffset, mirrored_tip, work_offset_name,
+};
+use chordal::{Job, Machine};
+
+/// The target with what the old machine's tables hold: the cut depends on both.
+pub(super) fn with_tables_of(job: &Job, target: &Machine) -> Machine {
+    let old = job.machine();
+    let mut machine = target.clone();
+    // The shape of rapids is the machine's; compared with each other, both go alike.
+    machine.rapid = Some(match job.control().parameters.rules.rapid {
+        RapidPath::DogLeg => RapidShape::DogLeg,
+        RapidPath::Straight | RapidPath::AtFeed(_) => RapidShape::Straight,
+    });
+    machine.tools = old.tools.clone();
+    // Who sets the work offset with each tool does so on the new machine, too.
+    if job.control().parameters.rules.length.source != ToolLengths::Table {
+        machine.set("settings.tool_lengths=\"touched-off\"").ok();
+    }
+    goes_on_after_refusal(&mut machine);
+    if job.control().table.turns() {
+        machine.spindle_max_rpm = old.spindle_max_rpm;
+        // A dog-leg bends where the faster axis arrives: X and Z of lathes have speeds of their own.
+        for (axis, limits) in machine.axes.iter_mut().enumerate() {
+            if let (Some(limits), Some(own)) = (limits, old.axes[axis]) {
+                limits.max_velocity = own.max_velocity;
+            }
+        }
+    }
+    let tips = [job.control().table, chordal::control::table(target.control)];
+    let [one, other] = tips.map(|table| table.parameters.rules.turning.tips_mirrored);
+    if one != other {
+        for tool in machine.tools.values_mut() {
+            tool.tip = tool.tip.map(mirrored_tip);
+        }
+    }
+    machine.home = old.home;
+    machine.reference_points = old.reference_points;
+    machine.macros = old.macros.clone();
+    machine.probe = old.probe;
+    machine.switches = old.switches;
+    machine.clearance_mm = old.clearance_mm.or(target.clearance_mm);
+    machine.work_offsets = old
+        .work_offsets
+        .iter()
+        .map(|(name, offset)| (renamed(name, target), *offset))
+        .collect::<BTreeMap<String, WorkOffset>>();
+    machine
+}
+
+/// One block that a firmware refuses does not hide what comes after it: each is found.
+fn goes_on_after_refusal(machine: &mut Machine) {
+    let table = chordal::control::table(machine.control);
+    if let Some(setting) =
+        table.settings.iter().find(|setting| setting.field == SettingField::AFTER_REFUSAL)
+    {
+        let value = SettingValue::Text("continue".into());
+        machine.settings.insert(setting.name.into(), SettingEntry { value, location: None });
+    }
+}
+
+/// The name under which the target has a work offset: E7 is G54.1 P1 and G154 P1.
+fn renamed(name: &str, target: &Machine) -> String {
+    let table = chordal::control::table(target.control);
+    let number = |text: &str| text.trim().parse::<u32>().ok();
+    let ordinal = match name.split_once(" P") {
+        Some((code, extended)) => {
+            // Mach3 counts G54 to G59 with them.
+            let before = if code == "G59" { 0 } else { 6 };
+            number(extended).map(|number| number + before)
+        }
+        None => match name.strip_prefix("G59.") {
+            Some(point) => number(point).map(|number| number + 6),
+            None => name
+                .strip_prefix('E')
+                .and_then(number)
+                .or_else(|| name.strip_prefix('G').and_then(number)?.checked_sub(53)),
+        },
+    };
+    let Some(ordinal) = ordinal else { return name.into() };
+    let new = match (table.work_names.by_e, ordinal) {
+        (true, _) => format!("E{ordinal}"),
+        (false, 1..=6) => format!("G{}", 53 + ordinal),
+        (false, _) => table.work_names.extended_key(ordinal.saturating_sub(6) as u16),
+    };
+    work_offset_name(&new).unwrap_or(new)
+}
