@@ -3,7 +3,7 @@
 //! Equal motion is proved, not sampled: the curves, rapids and rotary axes of both runs have exactly equal numbers in
 //! the same order. When they differ, the distance is the Hausdorff distance of the two paths as sets of points (cuts
 //! to cuts, rapids to rapids), enclosed in an interval no wider than the requested tolerance, up to the rounding of
-//! doubles: see [`distance`].
+//! doubles: see [`distance()`].
 
 mod columns;
 mod distance;

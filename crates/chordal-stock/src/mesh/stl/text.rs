@@ -11,7 +11,7 @@ pub enum TextProblem {
     Word {
         /// What belongs there.
         expected: &'static str,
-        /// The word, cut at [`MAX_SHOWN_CHARS`] characters.
+        /// The word, cut at `MAX_SHOWN_CHARS` characters.
         found: String,
     },
     /// A word is not a number.

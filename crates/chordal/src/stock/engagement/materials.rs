@@ -58,7 +58,7 @@ impl MaterialData {
     }
 
     /// The specific cutting force at a mean chip thickness in mm, N/mm²: force over chip section. Below
-    /// [`MIN_CHIP_MM`] it is the value at that thickness.
+    /// `MIN_CHIP_MM` it is the value at that thickness.
     pub fn force(&self, mean_mm: f64) -> f64 {
         self.k_c1 * libm::pow(mean_mm.max(MIN_CHIP_MM), -self.m_c)
     }
