@@ -228,7 +228,7 @@ impl PathSink for OffsetTrial {
             return;
         }
         match self.levels.last_mut() {
-            Some(level) if level.goes_on_with(piece) => {}
+            Some(level) if level.continues_with(piece) => {}
             Some(level) => {
                 let next = level.next(piece);
                 self.levels.push(next);
