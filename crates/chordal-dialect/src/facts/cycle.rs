@@ -99,11 +99,13 @@ fn vector(kind: CycleKind, letter: u8, rules: &CycleRules) -> Option<&'static st
         CycleFamily::ChipBreak if letter == b'K' && rules.peck.return_after_k => {
             Some("with I: smallest peck; with Q: depth after which the tool returns to R")
         }
-        CycleFamily::ChipBreak | CycleFamily::Peck => rules.peck.decreasing.then(|| match letter {
-            b'I' => "depth of the first peck, in place of Q",
-            b'J' => "reduction of each further peck",
-            _ => "smallest peck",
-        }),
+        CycleFamily::ChipBreak | CycleFamily::Peck => {
+            rules.peck.decreasing.then_some(match letter {
+                b'I' => "depth of the first peck, in place of Q",
+                b'J' => "reduction of each further peck",
+                _ => "smallest peck",
+            })
+        }
         CycleFamily::Tap => (letter == b'J' && rules.tap.out_factor_by_j)
             .then_some("speed of the way out, as a multiple of the way in"),
         CycleFamily::BackBore if up_and_down => Some(match letter {
