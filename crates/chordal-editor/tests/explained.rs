@@ -5,7 +5,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use chordal::control::{CodeRow, Control, RunOptions};
+use chordal::control::{Action, CodeRow, Control, OnceCode, RunOptions};
 use chordal::diagnostics::{Code, FileId};
 use chordal::syntax::{Block, BlockReader};
 use chordal::{Job, Machine, Source, SourceMap};
@@ -114,7 +114,12 @@ fn an_alarm_that_names_a_code_or_a_word_is_on_its_page() {
                 }
             }
             for letter in letters {
-                let mut rows = table.g_codes.iter().filter(|row| row.words.has(letter)).peekable();
+                // Arguments and data are not what an alarm means.
+                let is_own = |row: &&CodeRow| {
+                    let is_data = row.action == Action::Once(OnceCode::SetData);
+                    row.words.has(letter) && !is_data && !matches!(row.action, Action::Call(_))
+                };
+                let mut rows = table.g_codes.iter().filter(is_own).peekable();
                 met += 1;
                 // No code takes the word where it stands alone.
                 if rows.peek().is_some() && !rows.any(|row| says(b'G', row)) {
