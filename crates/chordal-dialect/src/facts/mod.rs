@@ -212,7 +212,9 @@ fn before(code: BeforeCode, table: &ControlTable) -> CodeFacts {
         BeforeCode::SetToolNumber => PLAIN
             .problems(&[Code::ToolChangeInCompensation])
             .rows(&[("Q", "number of the tool in the spindle")]),
-        BeforeCode::RestoreModes | BeforeCode::ForgetModes => PLAIN.problems(&[Code::NoKeptModes]),
+        BeforeCode::SaveModes { .. } | BeforeCode::RestoreModes | BeforeCode::ForgetModes => {
+            PLAIN.problems(&[Code::NoKeptModes])
+        }
         BeforeCode::SpindleOrient => {
             PLAIN.rows(&[("RP", "angle, in degrees; it does not change the path")])
         }
@@ -226,8 +228,7 @@ fn before(code: BeforeCode, table: &ControlTable) -> CodeFacts {
         BeforeCode::CAxisOn
         | BeforeCode::CoolantMist
         | BeforeCode::CoolantFlood
-        | BeforeCode::CoolantThroughTool
-        | BeforeCode::SaveModes { .. } => PLAIN,
+        | BeforeCode::CoolantThroughTool => PLAIN,
     }
 }
 

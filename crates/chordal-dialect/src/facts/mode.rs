@@ -47,11 +47,14 @@ pub(super) fn facts(code: ModeCode) -> CodeFacts {
             ])
         }
         ModeCode::CompensationOff => PLAIN
-            .problems(&[Code::CompensationOnArc])
+            .problems(&[Code::CompensationOnArc, Code::SideChangeRefused])
             .rows(&[("IJK", "direction of the next wall, for the end of the last contour block")])
             .example("G1 {} X20. F200."),
-        ModeCode::PlaneXy | ModeCode::PlaneZx | ModeCode::PlaneYz => PLAIN
+        ModeCode::PlaneXy => PLAIN
             .problems(&[Code::PlaneChangeInCompensation, Code::FramePlane])
+            .settings(&[SettingField::PLANE_CODES]),
+        ModeCode::PlaneZx | ModeCode::PlaneYz => PLAIN
+            .problems(&[Code::PlaneChangeInCompensation, Code::FramePlane, Code::CompensationPlane])
             .settings(&[SettingField::PLANE_CODES]),
         ModeCode::WorkOffset(_)
         | ModeCode::WorkOffsetPoint(_)

@@ -99,6 +99,7 @@ fn arc() -> CodeFacts {
             Code::NoSpirals,
             Code::ZeroRadius,
             Code::UnequalScaleArc,
+            Code::CompensationOnArc,
         ])
         .settings(&[
             SettingField::ARC_CENTER,
