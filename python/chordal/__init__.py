@@ -19,7 +19,7 @@ from __future__ import annotations
 
 from . import archive, geometry, motion
 from ._chordal import __version__
-from ._held import Comparison, Conversion, Refusal
+from ._comparison import Comparison, Conversion, Refusal
 from ._machine import Machine, builtin_machines
 from ._program import Program, load, loads
 from ._shop import ShopAnswer, ShopCall, ShopCodes, ShopRefusal, ShopWait

@@ -8,8 +8,8 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
-from . import _chordal, _held, _notebook, _shop, _summary, _time, _toml, _transform, diagnostics
-from ._held import Comparison, Conversion
+from . import _chordal, _comparison, _notebook, _shop, _summary, _time, _toml, _transform, diagnostics
+from ._comparison import Comparison, Conversion
 from ._machine import Machine, MachineLike, machine_of
 from ._shop import ShopCodes
 from ._stock import Stock
@@ -34,10 +34,10 @@ Tools = str | os.PathLike[str] | Mapping[int, Mapping[str, object]]
 Settings = str | os.PathLike[str] | Mapping[str, object]
 
 #: The default limit on the number of setpoints.
-MOST_SAMPLES = 100_000_000
+DEFAULT_MAX_SAMPLES = 100_000_000
 
 #: The default limit on the memory for a stock's columns, bytes.
-MOST_STOCK = 1 << 30
+DEFAULT_STOCK_BYTES = 1 << 30
 
 
 def load(
@@ -78,7 +78,7 @@ def load(
     options = _options(
         machine, control, tools, settings, program, block_delete, max_blocks, shop_codes
     )
-    return _made(_chordal.load_file(os.fspath(path), options), strict)
+    return _opened(_chordal.load_file(os.fspath(path), options), strict)
 
 
 def loads(
@@ -101,7 +101,7 @@ def loads(
     options = _options(
         machine, control, tools, settings, program, block_delete, max_blocks, shop_codes
     )
-    return _made(_chordal.load_text(data, name, options), strict)
+    return _opened(_chordal.load_text(data, name, options), strict)
 
 
 def _options(
@@ -143,7 +143,7 @@ def _options(
     }
 
 
-def _made(program: _chordal.Program, strict: bool) -> Program:
+def _opened(program: _chordal.Program, strict: bool) -> Program:
     made = Program(program)
     if strict:
         made.raise_errors()
@@ -225,7 +225,7 @@ class Program:
 
     @cached_property
     def summary(self) -> Summary:
-        """The summary of the run."""
+        """Travel, tools, counts and the time of the run."""
         return _summary.of_dict(self._program.summary())
 
     @cached_property
@@ -242,7 +242,7 @@ class Program:
         return Moves(self._program.commands(True))
 
     def path(self) -> Moves:
-        """The exact path of the tool, a row for each curve, in one frame for the whole run."""
+        """The exact path of the tool, a row for each curve, in the work coordinates of its first cut."""
         return Moves(self._program.path())
 
     def chords(
@@ -270,18 +270,19 @@ class Program:
     ) -> Time:
         """The time on its machine, within the limits of velocity, acceleration and jerk of every axis.
 
-        Overrides are factors: 0.5 is half. ``what_if`` also computes the time with other overrides and path modes,
-        ``bound`` computes the least possible time, which may take a minute.
+        ``level``: ``best`` plans more slowly for a shorter time than ``fast``. Overrides are factors: 0.5 is half.
+        ``what_if`` also computes the time with other overrides and path modes, ``bound`` the least possible time,
+        which may take a minute.
         """
-        told = self._program.time(level, feed_override, rapid_override, what_if, bound)
-        return _time.of_json(told)
+        answer = self._program.time(level, feed_override, rapid_override, what_if, bound)
+        return _time.of_json(answer)
 
     def trajectory(
         self,
         period: float,
         level: Literal["fast", "best"] = "fast",
         *,
-        max_samples: int = MOST_SAMPLES,
+        max_samples: int = DEFAULT_MAX_SAMPLES,
     ) -> Trajectory:
         """The setpoints of the axes every ``period`` seconds. More than ``max_samples`` of them raise
         :class:`~chordal.UsageError`."""
@@ -343,7 +344,7 @@ class Program:
         >>> moved.proved, moved.text.splitlines()[2]
         (True, b'G1 X14. F50.')
         """
-        wanted = _transform.steps(
+        steps = _transform.steps(
             shift,
             rotate,
             about,
@@ -362,7 +363,7 @@ class Program:
             strip_comments,
             shrink,
         )
-        return _transform.transformed(self._program, wanted)
+        return _transform.transformed(self._program, steps)
 
     def split(self, most: int | Literal["tool"]) -> Split:
         """The program in parts of at most ``most`` bytes, or one part for each ``"tool"``. Each part is a complete
@@ -402,7 +403,8 @@ class Program:
         return _transform.proved_text(*self._program.bend(text, unit, zero, float(tolerance), clamp))
 
     def restart(self, line: int) -> Restarted:
-        """A program that begins at a line (from 1): the head that the control needs there, then the unchanged text.
+        """A program that begins at a line (from 1): a preamble with the modes, tool, offsets,
+        spindle and approach of that line, then the unchanged text.
         Both programs are run, and from the line on they do the same.
 
         If the program cannot begin there, :class:`~chordal.UsageError` says why, and where it can.
@@ -423,8 +425,8 @@ class Program:
         ignore: Sequence[str] = (),
     ) -> Comparison:
         """Compare this program with another by what they do, not by their text. Not counted as differences are paths
-        up to ``tolerance`` mm apart, feeds and speeds whose relative difference is within ``feed_tolerance``, and the
-        categories in ``ignore``, such as ``"coolant"``.
+        up to ``tolerance`` mm apart, feeds and speeds whose relative difference is within ``feed_tolerance`` (by
+        default only what rounding makes of them), and the categories in ``ignore``, such as ``"coolant"``.
 
         >>> import chordal
         >>> text = "G21 G90 S100 M3\\nG0 X0 Y0 Z0\\nG1 X9. F50.\\nM30\\n"
@@ -432,10 +434,10 @@ class Program:
         >>> one.compare(chordal.loads(text.replace("9.", "9.5"), "haas-vf2")).max_distance_mm
         0.5
         """
-        told = self._program.compare(
+        answer = self._program.compare(
             other._program, float(tolerance), float(feed_tolerance), list(ignore)
         )
-        return _held.comparison(json.loads(told))
+        return _comparison.comparison(json.loads(answer))
 
     def convert(
         self,
@@ -450,16 +452,17 @@ class Program:
         this one: see ``holds``. Where a shape must be written out as moves, the path is within ``tolerance`` mm;
         ``digits`` is the number of decimals of computed words. A cycle is kept when only its pecks differ, which are
         listed in ``pecks``; ``exact_cycles`` writes it out as moves.
+        ``despite_errors`` converts a program with errors, too.
 
         >>> import chordal
         >>> fadal = chordal.loads("G0 G90 E1 X1. Y1.\\nM2\\n", "fadal-4020")
         >>> print(fadal.convert("haas-vf2").changes[0].after)
         G54
         """
-        told = self._program.convert(
+        answer = self._program.convert(
             machine_of(to)._machine, float(tolerance), digits, despite_errors, exact_cycles
         )
-        return _held.conversion(json.loads(told))
+        return _comparison.conversion(json.loads(answer))
 
     def stock(
         self,
@@ -468,7 +471,7 @@ class Program:
         resolution_mm: float | None = None,
         finest_mm: float | None = None,
         tolerance_mm: float = 0.01,
-        memory: int = MOST_STOCK,
+        memory: int = DEFAULT_STOCK_BYTES,
     ) -> Stock:
         """What the program leaves of the stock, between two bounds, and collisions of rapids, shank and holder.
 
@@ -510,11 +513,11 @@ class Program:
         return self._program.report_html(date)
 
     def svg(self, width: int = 1600, height: int = 1131, *, dark: bool = False) -> str:
-        """The views of the path as SVG, px."""
+        """The views of the path as SVG; width and height in px, by default in the ratio of a landscape A4 sheet."""
         return self._program.svg(width, height, dark)
 
     def png(self, width: int = 1600, height: int = 1131, *, dark: bool = False) -> bytes:
-        """The views of the path as PNG, px; width and height from 200 to 16384 px."""
+        """The views of the path as PNG; width and height in px, from 200 to 16384."""
         return bytes(self._program.png(width, height, dark))
 
     def __repr__(self) -> str:

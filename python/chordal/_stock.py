@@ -18,16 +18,16 @@ from .errors import UsageError
 __all__ = ["Stock", "StockDifference", "StockMesh"]
 
 #: Columns whose heights differ by at most this fraction of the resolution become one face of a mesh.
-_SAME_FACE = 0.1
+_MERGE_FRACTION = 0.1
 
 
 @dataclass(frozen=True, slots=True)
 class StockMesh:
-    """A closed surface, mm."""
+    """A closed triangle mesh."""
 
     #: Its vertices (n, 3), mm.
     vertices: npt.NDArray[np.float64]
-    #: The corners of each triangle (m, 3), counter-clockwise as seen from outside.
+    #: The vertex indices of each triangle (m, 3), counter-clockwise as seen from outside.
     faces: npt.NDArray[np.uint32]
 
 
@@ -43,7 +43,7 @@ class StockDifference:
     more: npt.NDArray[np.float64]
     #: The largest height that the first stock may have less.
     less: npt.NDArray[np.float64]
-    #: The side of a column, mm.
+    #: The side of a square column, mm.
     resolution_mm: float
 
     def __bool__(self) -> bool:
@@ -81,8 +81,8 @@ class Stock:
     @cached_property
     def report(self) -> dict[str, Any]:
         """The whole report: the object of ``chordal stock --format json``."""
-        told: dict[str, Any] = json.loads(self._json)
-        return told
+        answer: dict[str, Any] = json.loads(self._json)
+        return answer
 
     @property
     def verdict(self) -> Literal["clean", "problems", "not-proved"]:
@@ -118,7 +118,7 @@ class Stock:
 
     @property
     def resolution_mm(self) -> float:
-        """The side of a column, mm."""
+        """The side of a square column, mm."""
         resolution: float = self.report["resolution_mm"]
         return resolution
 
@@ -134,13 +134,12 @@ class Stock:
 
     @property
     def least(self) -> npt.NDArray[np.float64]:
-        """Below this height, mm, each column is stock: (rows along Y, columns along X). Gaps by undercuts are not
-        included."""
+        """Lower bound of the top of each column, mm: (rows along Y, columns along X). Undercuts are not represented."""
         return self._heights[..., 0]
 
     @property
     def most(self) -> npt.NDArray[np.float64]:
-        """Above this height, mm, nothing is left of a column."""
+        """Upper bound of the top of each column, mm."""
         return self._heights[..., 1]
 
     def compare(self, other: Stock) -> StockDifference:
@@ -186,7 +185,7 @@ class Stock:
         return bytes(self._stock.file("png", 0.0, None, ""))
 
     def _tolerance(self, tolerance: float | None) -> float:
-        return _SAME_FACE * self.resolution_mm if tolerance is None else float(tolerance)
+        return _MERGE_FRACTION * self.resolution_mm if tolerance is None else float(tolerance)
 
     def _repr_png_(self) -> bytes:
         return self.png()

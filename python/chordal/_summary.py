@@ -59,8 +59,8 @@ class Summary:
         return self.feed_time_s + self.rapid_time_s + self.dwell_time_s
 
 
-def of_dict(told: dict[str, Any]) -> Summary:
+def of_dict(answer: dict[str, Any]) -> Summary:
     """A summary from the data of the compiled module."""
-    axes = tuple(AxisTravel(*each) for each in told.pop("axes"))
-    tools = tuple(ToolUse(*each) for each in told.pop("tools"))
-    return Summary(axes=axes, tools=tools, **told)
+    axes = tuple(AxisTravel(*each) for each in answer.pop("axes"))
+    tools = tuple(ToolUse(*each) for each in answer.pop("tools"))
+    return Summary(axes=axes, tools=tools, **answer)

@@ -74,32 +74,32 @@ class Time:
 
 def of_json(text: str) -> Time:
     """A time from the data of the compiled module."""
-    told: dict[str, Any] = json.loads(text)
-    tools = tuple(ToolTime(**each) for each in told["tools"])
+    answer: dict[str, Any] = json.loads(text)
+    tools = tuple(ToolTime(**each) for each in answer["tools"])
     longest, costliest = (
-        tuple(_block(each) for each in told[name]) for name in ("longest_blocks", "costliest_blocks")
+        tuple(_block(each) for each in answer[name]) for name in ("longest_blocks", "costliest_blocks")
     )
     names = ("total_s", "cutting_s", "rapid_s", "other_s", "lost_s", "at_feed_s", "moves")
     return Time(
-        **{name: told[name] for name in names},
-        tool_changes=told["tool_changes"],
-        waits=told["waits"],
+        **{name: answer[name] for name in names},
+        tool_changes=answer["tool_changes"],
+        waits=answer["waits"],
         tools=tools,
         longest_blocks=longest,
         costliest_blocks=costliest,
-        bound_s=told.get("bound_s"),
-        document=told,
+        bound_s=answer.get("bound_s"),
+        document=answer,
     )
 
 
-def _block(told: dict[str, Any]) -> BlockTime:
+def _block(answer: dict[str, Any]) -> BlockTime:
     return BlockTime(
-        line=told["line"],
-        file=told.get("file"),
-        text=told["text"],
-        runs=told["runs"],
-        time_s=told["time_s"],
-        lost_s=told["lost_s"],
-        reason=told["reason"],
-        loses_by=told.get("loses_by"),
+        line=answer["line"],
+        file=answer.get("file"),
+        text=answer["text"],
+        runs=answer["runs"],
+        time_s=answer["time_s"],
+        lost_s=answer["lost_s"],
+        reason=answer["reason"],
+        loses_by=answer.get("loses_by"),
     )

@@ -141,27 +141,27 @@ def of_json(document: str, drawn: list[tuple[str, str]]) -> tuple[Diagnostic, ..
     return tuple(_of_object(each, *shown) for each, shown in zip(objects, drawn, strict=True))
 
 
-def _of_object(told: dict[str, Any], text: str, html: str) -> Diagnostic:
-    fix = told["fix"]
+def _of_object(answer: dict[str, Any], text: str, html: str) -> Diagnostic:
+    fix = answer["fix"]
     return Diagnostic(
-        code=told["code"],
-        name=told["name"],
-        severity=told["severity"],
-        message=told["message"],
-        primary=_label(told),
-        secondary=tuple(_label(each) for each in told["secondary"]),
-        alarm=told["alarm"],
-        notes=tuple(told["notes"]),
-        help=told["help"],
+        code=answer["code"],
+        name=answer["name"],
+        severity=answer["severity"],
+        message=answer["message"],
+        primary=_label(answer),
+        secondary=tuple(_label(each) for each in answer["secondary"]),
+        alarm=answer["alarm"],
+        notes=tuple(answer["notes"]),
+        help=answer["help"],
         fix=None if fix is None else Fix(**fix),
-        other_fixes=tuple(Fix(**each) for each in told["other_fixes"]),
-        calls=tuple(Call(**each) for each in told["calls"]),
+        other_fixes=tuple(Fix(**each) for each in answer["other_fixes"]),
+        calls=tuple(Call(**each) for each in answer["calls"]),
         text=text,
         html=html,
     )
 
 
-def _label(told: dict[str, Any]) -> Label:
+def _label(answer: dict[str, Any]) -> Label:
     names = ("file", "line", "column", "end_line", "end_column", "start", "end")
-    place = None if told["line"] is None else Place(**{name: told[name] for name in names})
-    return Label(place, told["label"])
+    place = None if answer["line"] is None else Place(**{name: answer[name] for name in names})
+    return Label(place, answer["label"])

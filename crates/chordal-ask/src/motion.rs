@@ -18,7 +18,7 @@ use serde_json::{Value, json};
 use crate::answer::{QuestionAnswer, QuestionFailure};
 use crate::columns::table;
 use crate::load_request::LoadRequest;
-use crate::options::{OnlyFormat, SampleOptions, TimeOptions};
+use crate::options::{FormatOptions, SampleOptions, TimeOptions};
 
 pub fn commands(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
     command_rows(request, &QUESTION_COMMANDS, false)
@@ -34,39 +34,41 @@ fn command_rows(
     list: &FormatList,
     of_path: bool,
 ) -> Result<QuestionAnswer, QuestionFailure> {
-    let OnlyFormat { format } = request.options()?;
+    let FormatOptions { format } = request.options()?;
     let loaded = request.load()?;
     let job = loaded.job()?;
     request.has(list, format)?;
     if format == OutputFormat::Object {
         let mut rows = CommandColumns::of(&job, of_path);
-        let found = if of_path {
+        let run_report = if of_path {
             job.report_of_path(|path, _| rows.path_command(path))
         } else {
             job.report_of_commands(|command| rows.command(command))
         };
-        return table(&mut rows, about(&found, &job, &loaded));
+        return table(&mut rows, report_member(&run_report, &job, &loaded));
     }
-    let mut out = CommandWriter::new(Vec::new(), format, &job, of_path).map_err(broken)?;
-    let mut done = Ok(());
+    let mut out = CommandWriter::new(Vec::new(), format, &job, of_path).map_err(write_failure)?;
+    let mut written = Ok(());
     if of_path {
-        job.report_of_path(|path, _| keep(&mut done, || out.path_command(path)));
+        job.report_of_path(|path, _| write_unless_failed(&mut written, || out.path_command(path)));
     } else {
-        job.report_of_commands(|command| keep(&mut done, || out.command(command)));
+        job.report_of_commands(|command| {
+            write_unless_failed(&mut written, || out.command(command))
+        });
     }
-    text(done.and_then(|()| out.finish()))
+    text(written.and_then(|()| out.finish()))
 }
 
 pub fn curves(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
-    let OnlyFormat { format } = request.options()?;
+    let FormatOptions { format } = request.options()?;
     request.has(&QUESTION_OBJECT, format)?;
     let loaded = request.load()?;
     let job = loaded.job()?;
     let mut rows = PathColumns::new(&job);
-    let found = job.report_of_path(|_, segments| {
+    let run_report = job.report_of_path(|_, segments| {
         segments.iter().for_each(|segment| rows.segment(segment));
     });
-    table(&mut rows, about(&found, &job, &loaded))
+    table(&mut rows, report_member(&run_report, &job, &loaded))
 }
 
 pub fn time(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
@@ -83,9 +85,9 @@ pub fn time(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure
         again: if options.what_if { RepeatPlanning::Always } else { RepeatPlanning::IfShort },
         bound: options.bound,
     };
-    let (found, study) = job.time_study(&question);
+    let (run_report, study) = job.time_study(&question);
     match study? {
-        Some(study) => Ok(QuestionAnswer::text(time_json(&study, &found, &job))),
+        Some(study) => Ok(QuestionAnswer::text(time_json(&study, &run_report, &job))),
         None => Err(QuestionFailure::plain("the program has more moves than can be counted", None)),
     }
 }
@@ -102,28 +104,28 @@ pub fn sample(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailu
     }
     let loaded = request.load()?;
     let job = loaded.job()?;
-    let found = job.report();
-    let head = SampleHead::of(&job, &found, period_s);
+    let run_report = job.report();
+    let head = SampleHead::of(&job, &run_report, period_s);
     let sampling =
         SamplingRequest { period_s, level: options.level.level(), most: options.max_samples };
     request.has(&QUESTION_SETPOINTS, options.format)?;
     let mut rows = SampleColumns::new(&head);
     if options.format != OutputFormat::Object {
-        let mut out = SampleWriter::new(Vec::new(), options.format, rows).map_err(broken)?;
-        let mut done = Ok(());
+        let mut out = SampleWriter::new(Vec::new(), options.format, rows).map_err(write_failure)?;
+        let mut written = Ok(());
         let sampled = job.setpoints(&sampling, |sample, line| {
-            keep(&mut done, || out.sample(sample, line));
+            write_unless_failed(&mut written, || out.sample(sample, line));
         });
         sampled.map_err(|error| sampling_failure(error, &sampling))?;
-        return text(done.and_then(|()| out.finish()));
+        return text(written.and_then(|()| out.finish()));
     }
     let sampled = job.setpoints(&sampling, |sample, line| rows.sample(sample, line));
     let sampled = sampled.map_err(|error| sampling_failure(error, &sampling))?;
-    let mut about = about(&found, &job, &loaded);
-    about["time_s"] = json!(sampled.time_s);
-    about["chord_mm"] = json!(sampled.chord.0);
-    about["chord_line"] = json!(sampled.chord.1);
-    table(&mut rows, about)
+    let mut members = report_member(&run_report, &job, &loaded);
+    members["time_s"] = json!(sampled.time_s);
+    members["chord_mm"] = json!(sampled.chord.0);
+    members["chord_line"] = json!(sampled.chord.1);
+    table(&mut rows, members)
 }
 
 fn sampling_failure(error: SamplingError, sampling: &SamplingRequest) -> QuestionFailure {
@@ -139,25 +141,25 @@ fn sampling_failure(error: SamplingError, sampling: &SamplingRequest) -> Questio
     }
 }
 
-/// What comes with the columns of a program: its problems.
-fn about(found: &Report, job: &Job<'_>, loaded: &Loaded) -> Value {
-    let report = report::json(found, job.sources(), loaded.name(), &loaded.reading());
+/// The member of the answer next to its columns: the report of the run.
+fn report_member(run_report: &Report, job: &Job<'_>, loaded: &Loaded) -> Value {
+    let report = report::json(run_report, job.sources(), loaded.name(), &loaded.reading());
     json!({ "report": serde_json::from_str::<Value>(&report).unwrap_or_default() })
 }
 
-/// The first failure of a writer counts.
-fn keep(first: &mut io::Result<()>, next: impl FnOnce() -> io::Result<()>) {
-    if first.is_ok() {
-        *first = next();
+/// Calls `next` unless a write has failed already, and keeps its result.
+fn write_unless_failed(written: &mut io::Result<()>, next: impl FnOnce() -> io::Result<()>) {
+    if written.is_ok() {
+        *written = next();
     }
 }
 
 fn text(written: io::Result<Vec<u8>>) -> Result<QuestionAnswer, QuestionFailure> {
     let text = written.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
-    text.map(QuestionAnswer::text).map_err(broken)
+    text.map(QuestionAnswer::text).map_err(write_failure)
 }
 
-/// Memory takes every byte: this does not happen.
-fn broken(error: io::Error) -> QuestionFailure {
+/// Only in theory: writing to a `Vec` does not fail.
+fn write_failure(error: io::Error) -> QuestionFailure {
     QuestionFailure::plain(format!("the answer could not be written: {error}"), None)
 }

@@ -18,7 +18,7 @@ fn format<'de, D: Deserializer<'de>>(name: D) -> Result<OutputFormat, D::Error> 
 /// Only the format.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct OnlyFormat {
+pub struct FormatOptions {
     #[serde(default, deserialize_with = "format")]
     pub format: OutputFormat,
 }

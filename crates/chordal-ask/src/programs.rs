@@ -3,7 +3,7 @@
 use chordal::motion::MotionOptions;
 use chordal::time::max_summarized_moves;
 use chordal::{EVERY_PLACE, KEPT_PER_CODE};
-use chordal_compare::{Category, ComparisonOptions as Comparing, compare};
+use chordal_compare::{Category, ComparisonOptions, compare};
 use chordal_export::format::{QUESTION_DIFFERENCES, QUESTION_JSON, QUESTION_PROBLEMS};
 use chordal_export::report::{
     self, GitlabReport, ReportDetail, RunOf, SarifReport, files_json, summary_json,
@@ -11,49 +11,51 @@ use chordal_export::report::{
 use chordal_export::{
     OutputFormat, comparison_json, comparison_names, comparison_text, conversion_json,
 };
-use chordal_rewrite::convert::{ConversionOptions as Converting, convert};
+use chordal_rewrite::convert::{ConversionOptions, convert};
 
 use crate::answer::{QuestionAnswer, QuestionFailure};
 use crate::load_request::LoadRequest;
-use crate::options::{CompareOptions, ConvertOptions, OnlyFormat};
+use crate::options::{CompareOptions, ConvertOptions, FormatOptions};
 
 pub fn check(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
-    let OnlyFormat { format } = request.options()?;
+    let FormatOptions { format } = request.options()?;
     let loaded = request.load()?;
     let job = loaded.job()?;
     request.has(&QUESTION_PROBLEMS, format)?;
     let is_json = QUESTION_JSON.has(format);
-    let places = if is_json { EVERY_PLACE } else { KEPT_PER_CODE };
-    let found = job.check_keeping(places);
-    let object = || report::json(&found, job.sources(), loaded.name(), &loaded.reading());
+    let max_per_code = if is_json { EVERY_PLACE } else { KEPT_PER_CODE };
+    let program_report = job.check_keeping(max_per_code);
+    let object = || report::json(&program_report, job.sources(), loaded.name(), &loaded.reading());
     Ok(QuestionAnswer::text(match format {
         OutputFormat::Object => object(),
         OutputFormat::Json => files_json("chordal.check/1", &[object()]),
-        OutputFormat::Text => report::text(&found, job.sources(), false, ReportDetail::default()),
-        OutputFormat::Github => report::github(&found, job.sources()),
+        OutputFormat::Text => {
+            report::text(&program_report, job.sources(), false, ReportDetail::default())
+        }
+        OutputFormat::Github => report::github(&program_report, job.sources()),
         OutputFormat::Sarif => {
             let mut sarif = SarifReport::new();
-            sarif.add(&found, job.sources());
+            sarif.add(&program_report, job.sources());
             sarif.finish()
         }
         _ => {
             let mut gitlab = GitlabReport::new();
-            gitlab.add(&found, job.sources());
+            gitlab.add(&program_report, job.sources());
             gitlab.finish()
         }
     }))
 }
 
 pub fn run(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
-    let OnlyFormat { format } = request.options()?;
+    let FormatOptions { format } = request.options()?;
     request.has(&QUESTION_JSON, format)?;
     let loaded = request.load()?;
     let job = loaded.job()?;
-    let most = max_summarized_moves(loaded.size());
-    let (found, timed) = job.report_timed(&MotionOptions::default(), most, &mut ());
-    // Limits nothing can be planned with are reported by the question about the time.
+    let max_moves = max_summarized_moves(loaded.size());
+    let (run_report, timed) = job.report_timed(&MotionOptions::default(), max_moves, &mut ());
+    // Axis limits with which no motion can be planned are an error of `time`; the summary only leaves the time out.
     let timed = timed.ok().flatten();
-    let run = RunOf { report: &found, timed: timed.as_ref(), stock: None };
+    let run = RunOf { report: &run_report, timed: timed.as_ref(), stock: None };
     let object = summary_json(&run, &job, loaded.name(), &loaded.reading());
     Ok(QuestionAnswer::text(match format {
         OutputFormat::Json => files_json("chordal.run/1", &[object]),
@@ -63,26 +65,27 @@ pub fn run(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure>
 
 pub fn comparison(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
     let options: CompareOptions = request.options()?;
-    let tolerance_mm = length("tolerance", options.tolerance)?;
+    let tolerance_mm = non_negative("tolerance", options.tolerance)?;
     let ignored = options.ignore.iter().map(|word| category(word)).collect::<Result<_, _>>()?;
     let (a, b) = (request.load()?, request.load()?);
     let (job_a, job_b) = (a.job()?, b.job()?);
     let jobs = [&job_a, &job_b];
-    let comparing = Comparing {
+    let comparing = ComparisonOptions {
         tolerance_mm,
-        feed_tolerance: length("feedTolerance", options.feed_tolerance)?,
+        feed_tolerance: non_negative("feedTolerance", options.feed_tolerance)?,
+        // One tolerance for feeds and speeds: both are relative.
         speed_tolerance: options.feed_tolerance,
         ignored,
-        ..Comparing::default()
+        ..ComparisonOptions::default()
     };
     request.has(&QUESTION_DIFFERENCES, options.format)?;
-    let found = compare(jobs[0], jobs[1], &comparing);
+    let differences = compare(jobs[0], jobs[1], &comparing);
     Ok(QuestionAnswer::text(match options.format {
         OutputFormat::Text => {
             let names = comparison_names([a.name(), b.name()], jobs);
-            comparison_text(&found, names.each_ref().map(String::as_str), jobs, tolerance_mm)
+            comparison_text(&differences, names.each_ref().map(String::as_str), jobs, tolerance_mm)
         }
-        _ => comparison_json(&found, jobs, tolerance_mm),
+        _ => comparison_json(&differences, jobs, tolerance_mm),
     }))
 }
 
@@ -90,10 +93,11 @@ pub fn conversion(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionF
     let options: ConvertOptions = request.options()?;
     request.has(&QUESTION_JSON, options.format)?;
     let target = request.machine(&options.to)?;
-    let usual = Converting::default();
-    let tolerance_mm = length("tolerance", options.tolerance.unwrap_or(usual.tolerance_mm))?;
-    if options.digits.is_some_and(|digits| digits > MAX_DIGITS) {
-        let message = format!("`digits` is above {MAX_DIGITS}");
+    let defaults = ConversionOptions::default();
+    let tolerance_mm =
+        non_negative("tolerance", options.tolerance.unwrap_or(defaults.tolerance_mm))?;
+    if options.digits.is_some_and(|digits| digits > MAX_DECIMALS) {
+        let message = format!("`digits` is above {MAX_DECIMALS}");
         return Err(QuestionFailure::wrong(
             message,
             "leave it out for as many as the control keeps",
@@ -101,7 +105,7 @@ pub fn conversion(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionF
     }
     let loaded = request.load()?;
     let job = loaded.job()?;
-    let converting = Converting {
+    let converting = ConversionOptions {
         tolerance_mm,
         digits: options.digits,
         despite_errors: options.despite_errors,
@@ -110,11 +114,11 @@ pub fn conversion(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionF
     Ok(QuestionAnswer::text(conversion_json(&convert(&job, &target, &converting), &job)))
 }
 
-/// Most decimals of a computed word.
-const MAX_DIGITS: usize = 9;
+/// The largest number of decimals that may be requested of a computed word.
+const MAX_DECIMALS: usize = 9;
 
-/// A number of zero or more.
-fn length(name: &str, value: f64) -> Result<f64, QuestionFailure> {
+/// Refuses a negative or infinite option.
+fn non_negative(name: &str, value: f64) -> Result<f64, QuestionFailure> {
     if value >= 0.0 && value.is_finite() {
         return Ok(value);
     }

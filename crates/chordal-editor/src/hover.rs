@@ -1,4 +1,4 @@
-//! What a word means where it stands.
+//! The explanation of a word in its block, and of a name in its program.
 
 use chordal::Diagnostic;
 use chordal::control::FeedMode;
@@ -12,19 +12,22 @@ use crate::meaning::{code_brief, code_name, codes, letter_text, word_meaning};
 use crate::names::{NameRole, SymbolName};
 use crate::{EditorProgram, RunMoves};
 
-/// Something to show at a word.
+/// The first of the axes that turn: A, B, C after X, Y, Z.
+const FIRST_ROTARY_AXIS: usize = 3;
+
+/// The text shown when the pointer rests on a word or a name.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Hover {
-    /// The word.
+    /// The bytes of the text that it explains.
     pub range: TextRange,
-    /// Markdown.
+    /// The explanation as Markdown.
     pub text: String,
 }
 
 impl EditorProgram {
-    /// What the word at a byte of the text does on this control, and what its line did when it
-    /// ran.
-    pub fn hover(&self, offset: u32, ran: Option<&RunMoves>) -> Option<Hover> {
+    /// What the word at a byte offset does on this control and, with the moves of a run, how far and how long its line
+    /// moved. `None` where neither a word nor a name is.
+    pub fn hover(&self, offset: u32, run_moves: Option<&RunMoves>) -> Option<Hover> {
         let block = self.block_at(offset)?;
         let word = word_at(&block, offset);
         let (range, mut text) = match word {
@@ -34,7 +37,7 @@ impl EditorProgram {
                 (name.range, self.name_text(&name.name)?)
             }
         };
-        let moves = ran.and_then(|ran| Some((ran.line(block.line)?, ran.units())));
+        let moves = run_moves.and_then(|run| Some((run.line(block.line)?, run.units())));
         if let Some((moves, units)) = moves {
             let pieces = if moves.pieces > 1 {
                 format!(" in {} pieces", moves.pieces)
@@ -51,10 +54,10 @@ impl EditorProgram {
     fn word_text(&self, word: &Word, block: &Block) -> String {
         let views = [self.view()];
         let letter = char::from(word.letter);
-        let text = match code_in(word) {
+        let text = match code_of(word) {
             Some(code) => code_brief(word.letter, code, &views[0])
                 .map(|text| text + &self.words_of(word, code, block)),
-            None => self.here(word, block),
+            None => self.meaning_in_block(word, block),
         };
         let text = text.or_else(|| letter_text(word.letter, &views)).unwrap_or_else(|| {
             format!("{letter} has no meaning on {}.", self.control().table.title)
@@ -63,32 +66,32 @@ impl EditorProgram {
     }
 
     /// What the words of a block mean to one of its codes, with their values: a line each.
-    fn words_of(&self, code: &Word, number: u16, block: &Block) -> String {
+    fn words_of(&self, code_word: &Word, code: u16, block: &Block) -> String {
         let view = self.view();
-        let Some(row) = row_of(view.table, code.letter, number) else { return String::new() };
-        let meant = block.words.iter().filter_map(|word| {
-            let taken = row.words.has(word.letter) && word.letter != code.letter;
-            let meaning = taken.then(|| word_meaning(row, word.letter, &view)).flatten()?;
-            Some(format!("  {:10}{meaning}\n", self.written(word)))
+        let Some(row) = row_of(view.table, code_word.letter, code) else { return String::new() };
+        let lines = block.words.iter().filter_map(|word| {
+            let is_accepted = row.words.has(word.letter) && word.letter != code_word.letter;
+            let meaning = is_accepted.then(|| word_meaning(row, word.letter, &view)).flatten()?;
+            Some(format!("  {:10}{meaning}\n", self.source_text(word)))
         });
-        meant.collect()
+        lines.collect()
     }
 
     /// What a word means to a code of its block: `Q5. in G83: depth of each peck`.
-    fn here(&self, word: &Word, block: &Block) -> Option<String> {
+    fn meaning_in_block(&self, word: &Word, block: &Block) -> Option<String> {
         let view = self.view();
-        let meant = block.words.iter().filter_map(|code| {
-            let row = row_of(view.table, code.letter, code_in(code)?)?;
+        let lines = block.words.iter().filter_map(|code_word| {
+            let row = row_of(view.table, code_word.letter, code_of(code_word)?)?;
             let meaning = row.words.has(word.letter).then(|| word_meaning(row, word.letter, &view));
-            let name = code_name(code.letter, row.code);
-            Some(format!("{} in {name}: {}\n", self.written(word), meaning.flatten()?))
+            let name = code_name(code_word.letter, row.code);
+            Some(format!("{} in {name}: {}\n", self.source_text(word), meaning.flatten()?))
         });
-        let text: String = meant.collect();
+        let text: String = lines.collect();
         (!text.is_empty()).then_some(text)
     }
 
-    /// A word as it stands in the text.
-    fn written(&self, word: &Word) -> String {
+    /// The source text of a word, trimmed.
+    fn source_text(&self, word: &Word) -> String {
         String::from_utf8_lossy(word.range.slice(self.text())).trim().to_string()
     }
 
@@ -102,8 +105,8 @@ impl EditorProgram {
         let (what, verb) = match name {
             SymbolName::Program(number) if is_program_name(*number) => {
                 let place = places.first()?;
-                let written = place.range.slice(self.source().text());
-                (format!("Program {}", String::from_utf8_lossy(written)), "begins")
+                let name = place.range.slice(self.source().text());
+                (format!("Program {}", String::from_utf8_lossy(name)), "begins")
             }
             SymbolName::Program(number) => (format!("Program O{number}"), "begins"),
             SymbolName::Subroutine(label) => (format!("Subroutine o{label}"), "is made"),
@@ -111,7 +114,7 @@ impl EditorProgram {
             SymbolName::LineLabel(label) => (format!("Label :{label}"), "stands"),
             SymbolName::Variable { name, .. } => (format!("Variable `{name}`"), "gets a value"),
         };
-        let lines = some_lines(&defined);
+        let lines = line_list(&defined);
         let uses = places.len() - defined.len();
         Some(match defined.len() {
             0 => format!("{what}: not set in this text; used {uses} times."),
@@ -122,28 +125,28 @@ impl EditorProgram {
     /// The state after a line as a control's screen shows it, in the program's units.
     pub fn modal_text(&self, modal: &Modal) -> String {
         let mut lines = vec![modal.codes.join(" ")];
-        let place = |axis: usize| {
+        let coordinate_text = |axis: usize| {
             let letter = AXIS_NAMES[axis];
             if !modal.known.has(axis) {
                 return format!("{letter}?");
             }
             let value = modal.position[axis];
             let shown = match (axis, modal.units) {
-                (3.., _) => number_text(value.to_degrees(), 3),
-                (_, Units::Inch) => number_text(value / 25.4, 4),
+                (FIRST_ROTARY_AXIS.., _) => number_text(value.to_degrees(), 3),
+                (_, Units::Inch) => number_text(value / modal.units.mm(), 4),
                 (_, Units::Millimetre) => number_text(value, 3),
             };
             format!("{letter}{shown}")
         };
         let axes = self.machine().axes.iter().enumerate().filter(|(_, axis)| axis.is_some());
-        let places: Vec<String> = axes.map(|(axis, _)| place(axis)).collect();
-        lines.push(format!("{} in {}", places.join(" "), modal.work_name));
+        let coordinates: Vec<String> = axes.map(|(axis, _)| coordinate_text(axis)).collect();
+        lines.push(format!("{} in {}", coordinates.join(" "), modal.work_name));
         let mut facts = Vec::new();
         facts.extend(modal.feed.map(|feed| feed_text(feed, modal)));
         if let Some(live) = modal.live {
-            let path =
+            let direction =
                 if live.turns == SpindleState::Ccw { "counter-clockwise" } else { "clockwise" };
-            facts.push(format!("live tool {} rpm {path}", number_text(live.rpm, 1)));
+            facts.push(format!("live tool {} rpm {direction}", number_text(live.rpm, 1)));
         }
         match modal.spindle {
             SpindleState::Off => {}
@@ -165,17 +168,18 @@ impl EditorProgram {
     }
 }
 
+/// A feed in mm/s, turns of the work per second (inverse time) or mm per revolution, by the feed mode.
 fn feed_text(feed: f64, modal: &Modal) -> String {
     match (modal.feed_mode, modal.units) {
         (FeedMode::PerTime, Units::Inch) => {
-            format!("F {} in/min", number_text(feed / 25.4 * 60.0, 2))
+            format!("F {} in/min", number_text(feed / modal.units.mm() * 60.0, 2))
         }
         (FeedMode::PerTime, Units::Millimetre) => {
             format!("F {} mm/min", number_text(feed * 60.0, 1))
         }
         (FeedMode::InverseTime, _) => format!("F {} 1/min", number_text(feed * 60.0, 3)),
         (FeedMode::PerRevolution, Units::Inch) => {
-            format!("F {} in/rev", number_text(feed / 25.4, 4))
+            format!("F {} in/rev", number_text(feed / modal.units.mm(), 4))
         }
         (FeedMode::PerRevolution, Units::Millimetre) => {
             format!("F {} mm/rev", number_text(feed, 3))
@@ -183,8 +187,8 @@ fn feed_text(feed: f64, modal: &Modal) -> String {
     }
 }
 
-/// The number of a G or M word.
-fn code_in(word: &Word) -> Option<u16> {
+/// The code of a G or M word, ten times its number: 434 for `G43.4`. `None` for other words.
+fn code_of(word: &Word) -> Option<u16> {
     word.number().and_then(code_number).filter(|_| matches!(word.letter, b'G' | b'M'))
 }
 
@@ -192,8 +196,8 @@ fn row_of(table: &ControlTable, letter: u8, code: u16) -> Option<&'static CodeRo
     codes(table, letter).iter().find(|row| row.code == code)
 }
 
-/// `line 3`, `lines 3, 5 and 9`.
-fn some_lines(lines: &[u32]) -> String {
+/// `line 3`, `lines 3, 5 and 9`; beyond eight lines the first eight and the count.
+fn line_list(lines: &[u32]) -> String {
     const MAX_HOVER_LINES: usize = 8;
     let shown: Vec<String> = lines.iter().take(MAX_HOVER_LINES).map(u32::to_string).collect();
     match shown.as_slice() {
@@ -202,17 +206,17 @@ fn some_lines(lines: &[u32]) -> String {
         [first @ .., last] if lines.len() <= MAX_HOVER_LINES => {
             format!("lines {} and {last}", first.join(", "))
         }
-        all => format!("lines {} … ({} in all)", all.join(", "), lines.len()),
+        first => format!("lines {} … ({} in all)", first.join(", "), lines.len()),
     }
 }
 
-/// The word at a byte; of two that touch the one that begins there.
+/// The word at a byte offset; where one word ends and the next begins, the next.
 pub(crate) fn word_at(block: &Block, offset: u32) -> Option<&Word> {
     let touches = |word: &&Word| word.range.start <= offset && offset <= word.range.end;
     block.words.iter().filter(touches).max_by_key(|word| word.range.start)
 }
 
-/// The explanation's first line bold, its table kept in shape.
+/// Markdown of an explanation: the first line bold, the rest as a code block, so that its columns line up.
 fn as_markdown(text: &str) -> String {
     let text = text.trim_end();
     match text.split_once('\n') {

@@ -5,7 +5,7 @@ use chordal_syntax::{
     Block, BlockKind, BlockReader, ExpressionParser, FlowWord, Lexicon, OLabel, parse_o_word,
 };
 
-use crate::macros::names::normal;
+use crate::macros::names::normalized;
 
 /// Longest line that is examined.
 const MAX_LINE_BYTES: usize = 4096;
@@ -44,7 +44,7 @@ fn called_in(line: &[u8], lexicon: &Lexicon) -> Option<String> {
     }
     let word = parse_o_word(&mut parser);
     match (word.label, word.word) {
-        (OLabel::Text(label), Some(FlowWord::Call)) => Some(normal(label.slice(line))),
+        (OLabel::Text(label), Some(FlowWord::Call)) => Some(normalized(label.slice(line))),
         _ => None,
     }
 }

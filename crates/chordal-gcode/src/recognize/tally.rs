@@ -213,7 +213,7 @@ impl TextTally {
             SignMatcher::Form(TextForm::BareText) => self.bare.then_some(0),
             SignMatcher::Form(TextForm::MixedNumbers) => self.style.mixed_numbers(),
             SignMatcher::Form(TextForm::TrailingPoints) => self.style.trailing_points(),
-            SignMatcher::Form(TextForm::SmallControl) => self.style.small_control(),
+            SignMatcher::Form(TextForm::SmallControl) => self.style.small_control_evidence(),
             SignMatcher::Form(TextForm::LengthWithoutTape) => self.style.length_without_tape(),
             SignMatcher::Block(_)
             | SignMatcher::Comment(_)

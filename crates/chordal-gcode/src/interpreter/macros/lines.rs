@@ -14,7 +14,7 @@ use super::super::literals::trim;
 use super::super::{BlockFlow, EndReason, Interpreter};
 use super::ConditionOf;
 use crate::macros::evaluate::ValuePurpose;
-use crate::macros::names::normal;
+use crate::macros::names::normalized;
 use crate::macros::value::MacroValue;
 
 /// Largest number of decimals of RND.
@@ -216,7 +216,7 @@ impl<'a> Interpreter<'a> {
 
     /// GOTO :LABEL.
     fn goto_label(&mut self, label: TextRange) -> BlockFlow {
-        let name = normal(label.slice(self.reader.text()));
+        let name = normalized(label.slice(self.reader.text()));
         let program = self.program;
         self.look_at(program);
         if !self.macros.lines.labels.contains_key(&program) {
@@ -256,7 +256,7 @@ impl<'a> Interpreter<'a> {
             let named = |b: &&u8| b.is_ascii_alphanumeric() || matches!(b, b'_' | b' ' | b'\t');
             let name: Vec<u8> = line[from..].iter().take_while(named).copied().collect();
             let start = TextPosition { offset: block.range.start, line: block.line };
-            labels.entry(normal(&name)).or_insert(start);
+            labels.entry(normalized(&name)).or_insert(start);
         }
         labels
     }

@@ -10,7 +10,7 @@ use chordal_machine::AXES;
 
 use super::super::Interpreter;
 use crate::macros::evaluate::EvaluationError;
-use crate::macros::names::normal;
+use crate::macros::names::normalized;
 use crate::macros::value::MacroValue;
 
 impl Interpreter<'_> {
@@ -20,7 +20,7 @@ impl Interpreter<'_> {
         name: TextRange,
         range: TextRange,
     ) -> Result<MacroValue, EvaluationError> {
-        let name = normal(name.slice(self.reader.text()));
+        let name = normalized(name.slice(self.reader.text()));
         if name == "_value" {
             return Ok(self.macros.owords.value);
         }
@@ -44,7 +44,7 @@ impl Interpreter<'_> {
 
     /// EXISTS: true for a variable that is set or predefined.
     pub(super) fn is_named(&self, name: TextRange) -> bool {
-        let name = normal(name.slice(self.reader.text()));
+        let name = normalized(name.slice(self.reader.text()));
         self.macros.names.get(&name).is_some() || self.predefined(&name).is_some()
     }
 
@@ -54,7 +54,7 @@ impl Interpreter<'_> {
         value: MacroValue,
         range: TextRange,
     ) -> Result<(), EvaluationError> {
-        let name = normal(name.slice(self.reader.text()));
+        let name = normalized(name.slice(self.reader.text()));
         if self.predefined(&name).is_some() {
             return Err(EvaluationError::new(
                 Code::ReadOnlyVariable,
@@ -168,7 +168,7 @@ impl Interpreter<'_> {
             // `named` reads it before, as it may be unknown.
             "value" => 0.0,
             "value_returned" => flag(self.macros.owords.value_returned),
-            "call_level" => self.macros.names.level() as f64,
+            "call_level" => self.macros.names.depth() as f64,
             _ => return None,
         })
     }

@@ -17,7 +17,7 @@ mod labels;
 use super::super::{BlockFlow, EndReason, Interpreter};
 use super::ConditionOf;
 use crate::macros::evaluate::ValuePurpose;
-use crate::macros::names::normal;
+use crate::macros::names::normalized;
 use crate::macros::value::MacroValue;
 
 /// Largest number of arguments of a call.
@@ -101,7 +101,7 @@ impl OWords {
 
 /// The label in the form for comparison: numbers without leading zeros.
 fn label_text(text: &[u8]) -> String {
-    let name = normal(text);
+    let name = normalized(text);
     let name = name.trim();
     match name.parse::<u64>() {
         Ok(number) => number.to_string(),
