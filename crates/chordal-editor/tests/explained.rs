@@ -114,10 +114,12 @@ fn an_alarm_that_names_a_code_or_a_word_is_on_its_page() {
                 }
             }
             for letter in letters {
-                // Arguments and data are not what an alarm means.
+                // Arguments and data are not what an alarm means, nor words of codes that are not carried out.
                 let is_own = |row: &&CodeRow| {
-                    let is_data = row.action == Action::Once(OnceCode::SetData);
-                    row.words.has(letter) && !is_data && !matches!(row.action, Action::Call(_))
+                    let is_other = row.action == Action::Once(OnceCode::SetData)
+                        || row.action.is_left_out()
+                        || matches!(row.action, Action::Call(_));
+                    row.words.has(letter) && !is_other
                 };
                 let mut rows = table.g_codes.iter().filter(is_own).peekable();
                 met += 1;
