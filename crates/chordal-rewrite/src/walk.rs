@@ -5,17 +5,19 @@ use chordal::{Command, Diagnostic, Job, Outcome, RunSink, Sink};
 
 use crate::source::SourceBlocks;
 
-/// A block that has been carried out.
+/// A block that has just been executed.
 pub(crate) struct WalkedBlock<'v> {
+    /// The block and the calls through which it was reached.
     pub origin: &'v Origin,
-    /// What it has done, and what was reported in it.
+    /// Its commands and its diagnostics.
     pub output: &'v BlockOutput,
-    /// How many blocks were carried out before it.
+    /// The number of blocks executed before it.
     pub ran: u64,
+    /// The state after it, computed on request.
     pub after: &'v AfterBlock<'v>,
 }
 
-/// What a run gives between the ends of two blocks.
+/// The output of a run between the ends of two blocks.
 #[derive(Debug, Default)]
 pub(crate) struct BlockOutput {
     pub commands: Vec<Command>,
@@ -23,18 +25,19 @@ pub(crate) struct BlockOutput {
 }
 
 impl WalkedBlock<'_> {
-    /// What is in force after it.
+    /// The modal state after it.
     pub fn modal(&self) -> Modal {
         (self.after.modal)()
     }
 
-    /// No call has led to it.
+    /// Whether it is a block of the main program, reached through no call.
     pub fn is_main(&self) -> bool {
         self.origin.call == CallPath::default()
     }
 }
 
-/// Runs a job and calls `visit` after each block; gives what comes after the last block, too. Memory is that of one block.
+/// Runs a job and calls `visit` after each block. Returns the outcome of each program and the output after the last block.
+/// Only the output of one block is in memory.
 pub(crate) fn walk(job: &Job, mut visit: impl FnMut(&WalkedBlock)) -> (Vec<Outcome>, BlockOutput) {
     let mut walker = BlockWalker { visit: &mut visit, ran: 0, output: BlockOutput::default() };
     let outcomes = job.run(&mut walker);
@@ -70,7 +73,7 @@ impl RunSink for BlockWalker<'_> {
     }
 }
 
-/// What a place of X is multiplied by in words at the beginning of a run: 2 where they are diameters.
+/// The factor from a position along X to the number of its word at the beginning of a run: 2 where words are diameters.
 pub(crate) fn first_x_factor(job: &Job) -> f64 {
     match job.control().parameters.starts_with_radii {
         true => 1.0,
@@ -78,7 +81,7 @@ pub(crate) fn first_x_factor(job: &Job) -> f64 {
     }
 }
 
-/// The same from a block on.
+/// The factor from a block on, with the factor `before` it.
 pub(crate) fn x_factor_after(
     source: &SourceBlocks,
     control: &Control,

@@ -1,5 +1,5 @@
-//! What is in force at a place of a run, and how a program that begins there says it again: for parts of a program and for
-//! one that begins at a line.
+//! The state at a position of a run, and the words that restore it: for the parts of a split program and for a restart at a
+//! line.
 
 mod open;
 mod shift;
