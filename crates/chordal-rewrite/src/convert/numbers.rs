@@ -26,18 +26,17 @@ pub(crate) fn length(mm: f64, units: Units, digits: usize, style: WordStyle) -> 
 pub(crate) fn plain(value: f64, digits: usize, style: WordStyle) -> String {
     let text = format!("{value:.digits$}");
     let text = if text.contains('.') { text.trim_end_matches('0').to_string() } else { text + "." };
-    dressed(text, style.leading_zero)
+    dressed(&text, style.leading_zero)
 }
 
 /// A number without a sign where it is zero, and without a zero before its point unless it is written.
-pub(crate) fn dressed(text: String, leading_zero: bool) -> String {
+pub(crate) fn dressed(text: &str, leading_zero: bool) -> String {
     let size = text.trim_start_matches('-');
-    if size.bytes().all(|byte| matches!(byte, b'0' | b'.')) {
-        return size.to_string();
-    }
-    match size.strip_prefix("0.") {
-        Some(part) if !leading_zero => format!("{}.{part}", &text[..text.len() - size.len()]),
-        _ => text,
+    let is_zero = size.bytes().all(|byte| matches!(byte, b'0' | b'.'));
+    let sign = if is_zero { "" } else { &text[..text.len() - size.len()] };
+    match size.strip_prefix("0.").filter(|part| !leading_zero && !part.is_empty()) {
+        Some(part) => format!("{sign}.{part}"),
+        None => format!("{sign}{size}"),
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
-use chordal::control::{Action, AfterCode, CompensationSide, FrameKinds, Modal, OnceCode};
+use chordal::control::{Action, AfterCode, CompensationSide, Modal, OnceCode};
 use chordal::syntax::Block;
 use chordal::{Command, CommandKind, Control, Job};
 
@@ -97,7 +97,7 @@ struct SplitPointFinder<'s, 'a> {
     open: OpenConstructs,
     /// Offsets were written by increments.
     has_incremental_data: bool,
-    /// Neither compensation nor a cycle, a frame or a corner was active after the last block.
+    /// Neither compensation nor a cycle nor a corner was active after the last block.
     settled: bool,
 }
 
@@ -116,8 +116,8 @@ impl SplitPointFinder<'_, '_> {
 
     /// Nothing is open that a part does not say again.
     fn is_closed(&self) -> bool {
-        let OpenConstructs { call, unknown, shift, .. } = &self.open;
-        let is_open = shift.is_active || call.is_some() || unknown.is_some();
+        let OpenConstructs { call, unknown, shift, frames, .. } = &self.open;
+        let is_open = shift.is_active || frames.any() || call.is_some() || unknown.is_some();
         self.settled && !is_open && !self.has_incremental_data
     }
 
@@ -186,11 +186,8 @@ impl SplitPointFinder<'_, '_> {
             self.has_incremental_data |=
                 modal.incremental && source.has_action(at, control, writes_data);
         }
-        // The work coordinate system is said again with its rotation.
-        let in_frame = FrameKinds { work: false, ..modal.frames }.any();
         self.settled = modal.side == CompensationSide::Off
             && modal.cycle.is_none()
-            && !in_frame
             && (block.is_none() || self.open.corner.is_none());
         match (block, in_main) {
             (_, Some(at)) => {

@@ -1,7 +1,8 @@
 //! What is open at a place of a run, by the codes that opened it.
 
 use chordal::Control;
-use chordal::control::{Action, CallCode, ModeCode, OnceCode};
+use chordal::control::{Action, CallCode, FrameKinds, ModeCode, OnceCode, SurfaceCode};
+use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::Block;
 
 use super::shift::ActiveShift;
@@ -14,6 +15,8 @@ pub(crate) struct OpenConstructs {
     pub(crate) compensation: Option<u32>,
     pub(crate) cycle: Option<u32>,
     pub(crate) frame: Option<u32>,
+    /// The frames by their codes, also where the control has refused one.
+    pub(crate) frames: FrameKinds,
     pub(crate) call: Option<u32>,
     /// `,R` or `,C`, which needs the next move.
     pub(crate) corner: Option<u32>,
@@ -39,14 +42,15 @@ impl OpenConstructs {
             {
                 self.unknown = Some((row.name(word.letter), block.line));
             }
-            self.follow_action(row.action, block.line);
+            self.follow_action(row.action, block);
             if let Some(code) = row.action.once() {
                 self.shift.follow(source, control, block, code, moved);
             }
         }
     }
 
-    fn follow_action(&mut self, action: Action, line: u32) {
+    fn follow_action(&mut self, action: Action, block: &Block) {
+        self.follow_frame(action, block);
         let opened = match action {
             Action::Cycle(_) => &mut self.cycle,
             Action::Call(CallCode::ModalMacroCall { .. })
@@ -77,6 +81,45 @@ impl OpenConstructs {
             | Action::NotSimulated
             | Action::NotFollowed => return,
         };
-        *opened = Some(line);
+        *opened = Some(block.line);
+    }
+
+    fn follow_frame(&mut self, action: Action, block: &Block) {
+        let frames = &mut self.frames;
+        match action {
+            Action::Once(OnceCode::Rotation) => frames.rotation = true,
+            Action::Mode(ModeCode::RotationOff) => frames.rotation = false,
+            Action::Once(OnceCode::Scaling) => frames.scaling = true,
+            Action::Mode(ModeCode::ScalingOff) => frames.scaling = false,
+            Action::Once(OnceCode::Mirror { .. }) => frames.mirror = true,
+            Action::Once(OnceCode::MirrorOff) => frames.mirror = false,
+            Action::Mode(ModeCode::Polar { on }) => frames.polar = on,
+            Action::Once(OnceCode::Surface(code)) => frames.surface = begins_surface(block, code),
+            Action::Reading(_)
+            | Action::Before(_)
+            | Action::Mode(_)
+            | Action::Length(_)
+            | Action::Motion(_)
+            | Action::Cycle(_)
+            | Action::Once(_)
+            | Action::Call(_)
+            | Action::After(_)
+            | Action::NoEffect
+            | Action::NotSimulated
+            | Action::NotFollowed => {}
+        }
+    }
+}
+
+/// Whether a code begins polar or cylindrical interpolation: a cylinder without a radius ends it.
+fn begins_surface(block: &Block, code: SurfaceCode) -> bool {
+    let is_radius = |letter: u8| AXIS_LETTERS.as_bytes().contains(&letter) || letter == b'R';
+    let mut radii = block.words.iter().filter(|word| is_radius(word.letter));
+    match code {
+        SurfaceCode::Face => true,
+        SurfaceCode::FaceOff => false,
+        SurfaceCode::Cylinder => {
+            radii.any(|word| word.number().is_none_or(|number| !number.is_zero()))
+        }
     }
 }

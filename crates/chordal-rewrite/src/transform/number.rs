@@ -102,7 +102,7 @@ impl NumberStyle {
         if !point {
             text = text.trim_end_matches('.').to_string();
         }
-        dressed(text, self.leading_zero)
+        dressed(&text, self.leading_zero)
     }
 
     /// The separator between words.
