@@ -11,6 +11,7 @@ use chordal_export::format::{
 };
 use chordal_export::{
     CommandWriter, FormatList, OutputFormat, SampleHead, SampleWriter, report, time_json,
+    write_unless_failed,
 };
 use chordal_load::Loaded;
 use serde_json::{Value, json};
@@ -145,13 +146,6 @@ fn sampling_failure(error: SamplingError, sampling: &SamplingRequest) -> Questio
 fn report_member(run_report: &Report, job: &Job<'_>, loaded: &Loaded) -> Value {
     let report = report::json(run_report, job.sources(), loaded.name(), &loaded.reading());
     json!({ "report": serde_json::from_str::<Value>(&report).unwrap_or_default() })
-}
-
-/// Calls `next` unless a write has failed already, and keeps its result.
-fn write_unless_failed(written: &mut io::Result<()>, next: impl FnOnce() -> io::Result<()>) {
-    if written.is_ok() {
-        *written = next();
-    }
 }
 
 fn text(written: io::Result<Vec<u8>>) -> Result<QuestionAnswer, QuestionFailure> {

@@ -165,7 +165,7 @@ impl WorkedCalculation {
         });
     }
 
-    /// A number that was asked for.
+    /// A requested number.
     pub(crate) fn result(
         &mut self,
         symbol: &str,

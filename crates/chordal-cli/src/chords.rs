@@ -6,13 +6,14 @@ use chordal::control::AxisMask;
 use chordal::geometry::Placement;
 use chordal::{Job, Segment, SegmentKind};
 use chordal_export::format::ROW_FORMATS;
-use chordal_export::{ChordWriter, OutputFormat, left_out_texts, not_named_texts};
+use chordal_export::{
+    ChordWriter, OutputFormat, left_out_texts, not_named_texts, write_unless_failed,
+};
 use clap::ValueEnum;
 
 use crate::failure::{CommandFailure, ExitVerdict};
 use crate::formats::format_parser;
 use crate::options::{CommonArgs, length};
-use crate::out::keep;
 use crate::rows::RowTarget;
 use crate::terminal::TerminalSupport;
 
@@ -109,7 +110,9 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
             let mut done = Ok(());
             let mut blank = AxisMask::NONE;
             let report = job.report_with(|_, segments| {
-                keep(&mut done, || segments.iter().try_for_each(|segment| writer.segment(segment)));
+                write_unless_failed(&mut done, || {
+                    segments.iter().try_for_each(|segment| writer.segment(segment))
+                });
                 segments.iter().for_each(|segment| blank = blank.or(unknown_in(segment)));
             });
             done?;

@@ -40,8 +40,7 @@ pub fn picture_format(path: &Path) -> Result<OutputFormat, CommandFailure> {
     })
 }
 
-/// The format that is asked for: by `--format`, by the ending, or else the one of standard
-/// output. `rows` says what is written, for messages.
+/// The format of an output: that of `--format`, of the file's ending, or else that of standard output. `rows` says what is written, for messages.
 pub fn format_of(
     list: &FormatList,
     requested: Option<OutputFormat>,

@@ -111,10 +111,3 @@ pub type BufferedStdout = BufWriter<StdoutStream>;
 fn buffered() -> BufferedStdout {
     BufWriter::with_capacity(1 << 16, StdoutStream(io::stdout()))
 }
-
-/// Another failure of the output, as a full disk, is for the end of the run: the first counts.
-pub fn keep(first: &mut io::Result<()>, next: impl FnOnce() -> io::Result<()>) {
-    if first.is_ok() {
-        *first = next();
-    }
-}

@@ -3,12 +3,11 @@
 use std::path::PathBuf;
 
 use chordal_export::format::ROW_FORMATS;
-use chordal_export::{CommandWriter, OutputFormat};
+use chordal_export::{CommandWriter, OutputFormat, write_unless_failed};
 
 use crate::failure::{CommandFailure, ExitVerdict};
 use crate::formats::format_parser;
 use crate::options::CommonArgs;
-use crate::out::keep;
 use crate::rows::RowTarget;
 use crate::terminal::TerminalSupport;
 
@@ -56,7 +55,8 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
     output.write(&args.file, &args.common, terminal, |job, out, format| {
         let mut writer = CommandWriter::new(out, format, job, true)?;
         let mut done = Ok(());
-        let report = job.report_of_path(|path, _| keep(&mut done, || writer.path_command(path)));
+        let report = job
+            .report_of_path(|path, _| write_unless_failed(&mut done, || writer.path_command(path)));
         done?;
         Ok((report, writer.finish()?))
     })

@@ -11,14 +11,16 @@ use chordal::{Job, Report, Severity};
 use chordal_export::columns::SampleColumns;
 use chordal_export::format::ROW_FORMATS;
 use chordal_export::report::{self, ReportDetail};
-use chordal_export::{OutputFormat, SampleHead, SampleWriter, not_named_texts};
+use chordal_export::{
+    OutputFormat, SampleHead, SampleWriter, not_named_texts, write_unless_failed,
+};
 use clap::ValueEnum;
 
 use crate::failure::{CommandFailure, ExitVerdict};
 use crate::formats::{format_of, format_parser};
 use crate::numbers::{SummaryUnits, counted, duration, grouped, short};
 use crate::options::{CommonArgs, quantity};
-use crate::out::{RowOutput, keep, trouble};
+use crate::out::{RowOutput, trouble};
 use crate::programs::{load_one, recognized};
 use crate::terminal::{BOLD, TerminalSupport, style};
 use crate::time::wrong_limit;
@@ -115,7 +117,7 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
     let sampling =
         SamplingRequest { period_s: args.period, level: args.level.of(), most: args.max_samples };
     let sampled = job.setpoints(&sampling, |sample, line| {
-        keep(&mut done, || writer.sample(sample, line));
+        write_unless_failed(&mut done, || writer.sample(sample, line));
     });
     let sampled = sampled.map_err(|error| failure(&error, args.max_samples, args.period))?;
     done.map_err(reported)?;

@@ -7,8 +7,8 @@
 //! not compile until every such place answers for it. Where controls differ,
 //! [`BlockOrder`](crate::BlockOrder) says how.
 
-use chordal_command::{Units, WorkName};
-use chordal_geometry::TurnDirection;
+use chordal_command::{FeedMode, Units, WorkName};
+use chordal_geometry::{Plane, TurnDirection};
 use chordal_kernel::rules::{CycleKind, HolePattern, TurnCycle};
 use chordal_kernel::{MotionMode, SplineForm, TurnPass};
 
@@ -455,6 +455,11 @@ impl Action {
         (is_incremental || self == Action::Reading(ReadingCode::Absolute)).then_some(is_incremental)
     }
 
+    /// G91 or G90.
+    pub const fn of_distance(incremental: bool) -> Action {
+        Action::Reading(if incremental { ReadingCode::Incremental } else { ReadingCode::Absolute })
+    }
+
     /// The cycle of a lathe, where the code is one.
     pub const fn turning_cycle(self) -> Option<TurnCycle> {
         if let Action::Once(OnceCode::Turning(cycle)) = self { Some(cycle) } else { None }
@@ -482,6 +487,35 @@ impl Action {
             MotionCode::Thread | MotionCode::RigidTap => false,
             MotionCode::Spline(_) | MotionCode::SplineEnd | MotionCode::Turn(_) => false,
         }
+    }
+}
+
+impl From<Units> for Action {
+    fn from(units: Units) -> Action {
+        Action::Reading(match units {
+            Units::Inch => ReadingCode::Inch,
+            Units::Millimetre => ReadingCode::Millimetre,
+        })
+    }
+}
+
+impl From<Plane> for Action {
+    fn from(plane: Plane) -> Action {
+        Action::Mode(match plane {
+            Plane::Xy => ModeCode::PlaneXy,
+            Plane::Zx => ModeCode::PlaneZx,
+            Plane::Yz => ModeCode::PlaneYz,
+        })
+    }
+}
+
+impl From<FeedMode> for Action {
+    fn from(mode: FeedMode) -> Action {
+        Action::Reading(match mode {
+            FeedMode::PerTime => ReadingCode::FeedPerTime,
+            FeedMode::InverseTime => ReadingCode::FeedInverseTime,
+            FeedMode::PerRevolution => ReadingCode::FeedPerRevolution,
+        })
     }
 }
 

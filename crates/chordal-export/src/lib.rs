@@ -73,6 +73,7 @@ mod setpoints;
 mod stock;
 mod time;
 mod transformation;
+mod write_errors;
 
 #[cfg(feature = "pictures")]
 pub use calculation::{worked_json, worked_text};
@@ -109,3 +110,4 @@ pub use stock::{
 };
 pub use time::{comment_text, junctions_text, level_word, short_blocks_text, time_json};
 pub use transformation::{refusal_json, restart_json, split_json, transformed_json};
+pub use write_errors::write_unless_failed;

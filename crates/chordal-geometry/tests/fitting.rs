@@ -380,7 +380,7 @@ proptest! {
 
 /// Prints times: `cargo test --release --test fitting -- --ignored --nocapture`.
 #[test]
-#[ignore = "a measurement"]
+#[ignore = "prints how long a million points take, and checks nothing"]
 #[allow(clippy::disallowed_methods)]
 fn a_million_points() {
     let wave = |i: i32| {

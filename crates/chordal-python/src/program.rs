@@ -15,7 +15,7 @@ use chordal_export::columns::{
 };
 use chordal_export::{
     Plot, PlotOptions, SampleHead, comparison_json, conversion_json, refusal_json, report,
-    restart_json, sha256_hex, split_json, time_json, transformed_json,
+    restart_json, sha256_hex, split_json, time_json, transformed_json, write_unless_failed,
 };
 use chordal_load::{FileAccess, LoadError, Loaded, Request, RequestedMachine, file, reason};
 use chordal_report::{ReportContext, gather, html};
@@ -306,11 +306,7 @@ impl Program {
         self.ask(py, |job| {
             let mut columns = ChordColumns::new(job, tolerance, placement);
             let mut done = Ok(());
-            job.path(|segment| {
-                if done.is_ok() {
-                    done = columns.segment(segment);
-                }
-            });
+            job.path(|segment| write_unless_failed(&mut done, || columns.segment(segment)));
             done.map_err(error::value)?;
             columns.take().and_then(Table::new).map_err(error::inside)
         })

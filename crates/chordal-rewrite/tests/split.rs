@@ -261,3 +261,16 @@ fn every_program_in_parts() {
     // Most of these programs have one tool and nothing above their cuts on the way.
     assert!(parted >= 22 && refused > 100, "{parted} in parts, {refused} refused");
 }
+
+/// The control goes on after its alarm in the text alone: nobody knows whether the scaling acts.
+#[test]
+fn no_part_begins_after_a_scaling_that_the_control_refuses() {
+    let tool = |number: u32| {
+        format!("T{number} M6\nS900 M3\nG43 H{number} Z50.\nG0 X0 Y0\nG1 Z-1. F50.\nX9.\nG0 Z50.\n")
+    };
+    let parts = |scaling: &str| {
+        let text = format!("O1\nG21 G90 G54\n{}{scaling}{}M30\n", tool(1), tool(2));
+        proved(&text, "fanuc-30i", SplitBy::Tool).parts.len()
+    };
+    assert_eq!((parts(""), parts("G51 X0 Y0 P0\n"), parts("G51 X0 Y0 P0\nG50\n")), (2, 1, 2));
+}

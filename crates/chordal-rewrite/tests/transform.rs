@@ -159,6 +159,16 @@ fn the_style_is_kept() {
 }
 
 #[test]
+fn a_zero_has_no_zero_before_its_point_where_the_program_writes_none() {
+    let text = "G21 G90 G17 S900 M3\nG0 X.0 Y.5 Z5.0\nG1 Z-.5 F50.0\nX.5\nX.0 Y1.0\nM30\n";
+    let quarter_turn =
+        TransformStep::Rotate { angle: std::f64::consts::FRAC_PI_2, about: [0.0; 2] };
+    let turned = text_after(text, &[quarter_turn]);
+    let lines: Vec<&str> = turned.lines().skip(3).collect();
+    assert_eq!(lines, ["X-.5 Y.5", "X-1.0 Y.0", "M30"]);
+}
+
+#[test]
 fn a_mirror_image_turns_the_other_way() {
     let image = text_after(PART, &[TransformStep::MirrorX]);
     assert!(image.contains("N70 G2 X-20. Y9.5 R9.5") && image.contains("N80 G91 G1 X5. Y.5"));

@@ -41,7 +41,7 @@ impl<'w> FormulaRows<'w> {
         self.worked.steps.last_mut().into_iter().for_each(|step| step.result = false);
     }
 
-    /// A number that was asked for.
+    /// A requested number.
     pub fn result(&mut self, symbol: &str, meaning: &str, value: f64, formula: &str) {
         self.result_of(symbol, meaning, value, [formula, formula]);
     }

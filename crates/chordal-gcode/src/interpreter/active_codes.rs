@@ -1,9 +1,8 @@
 //! The active codes, as the control writes them.
 
-use chordal_command::{CompensationSide, FeedMode, Units};
+use chordal_command::CompensationSide;
 use chordal_dialect::Control;
-use chordal_dialect::{Action, ModeCode, ReadingCode};
-use chordal_geometry::Plane;
+use chordal_dialect::{Action, ModeCode};
 use chordal_kernel::State;
 
 /// The G codes of the active modes: for each mode the first row of the table with its action. Work offset and tool
@@ -11,25 +10,10 @@ use chordal_kernel::State;
 pub(super) fn active_codes(state: &State, control: &Control) -> Vec<String> {
     let mut actions = Vec::new();
     actions.extend(state.motion_mode().map(Action::from));
-    actions.push(match state.plane {
-        Plane::Xy => Action::Mode(ModeCode::PlaneXy),
-        Plane::Zx => Action::Mode(ModeCode::PlaneZx),
-        Plane::Yz => Action::Mode(ModeCode::PlaneYz),
-    });
-    actions.push(if state.incremental {
-        Action::Reading(ReadingCode::Incremental)
-    } else {
-        Action::Reading(ReadingCode::Absolute)
-    });
-    actions.push(match state.feed_mode {
-        FeedMode::PerTime => Action::Reading(ReadingCode::FeedPerTime),
-        FeedMode::InverseTime => Action::Reading(ReadingCode::FeedInverseTime),
-        FeedMode::PerRevolution => Action::Reading(ReadingCode::FeedPerRevolution),
-    });
-    actions.push(match state.units {
-        Units::Inch => Action::Reading(ReadingCode::Inch),
-        Units::Millimetre => Action::Reading(ReadingCode::Millimetre),
-    });
+    actions.push(state.plane.into());
+    actions.push(Action::of_distance(state.incremental));
+    actions.push(state.feed_mode.into());
+    actions.push(state.units.into());
     actions.push(match state.side {
         CompensationSide::Off => Action::Mode(ModeCode::CompensationOff),
         CompensationSide::Left => Action::Mode(ModeCode::CompensationLeft),

@@ -13,7 +13,6 @@ use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::{Command, CommandKind};
 
 use super::ConvertRefusal;
-use super::actions::{distance_action, feed_action, plane_action, units_action};
 use super::arcs;
 use super::codes;
 use super::context::ConvertContext;
@@ -127,11 +126,11 @@ impl<'a> CommandEmitter<'a> {
     pub fn restore(&mut self, modes: &ActiveModes) {
         let mut words = Vec::new();
         if self.plane != modes.plane {
-            words.extend(self.code(plane_action(modes.plane)));
+            words.extend(self.code(Action::from(modes.plane)));
             self.plane = modes.plane;
         }
         if self.incremental != Some(modes.incremental) && reads_distances(self.to) {
-            words.extend(self.code(distance_action(modes.incremental)));
+            words.extend(self.code(Action::of_distance(modes.incremental)));
             self.incremental = Some(modes.incremental);
         }
         if let Some(action) = modes.motion
@@ -265,20 +264,20 @@ impl<'a> CommandEmitter<'a> {
                 self.line(&[code]);
             }
             CommandKind::Units(units) => {
-                let code = self.due(units_action(*units))?;
+                let code = self.due(Action::from(*units))?;
                 self.pending.push(code);
                 self.units = *units;
                 self.feed = None;
             }
             CommandKind::Plane(plane) => {
                 if self.plane != *plane {
-                    let code = self.due(plane_action(*plane))?;
+                    let code = self.due(Action::from(*plane))?;
                     self.pending.push(code);
                     self.plane = *plane;
                 }
             }
             CommandKind::FeedMode(mode) => {
-                let code = self.due(feed_action(*mode))?;
+                let code = self.due(Action::from(*mode))?;
                 self.pending.push(code);
                 self.feed = None;
             }

@@ -5,7 +5,6 @@ use chordal::control::{Action, ModeCode, MotionCode, ReadingCode};
 use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::Letters;
 
-use super::actions::{distance_action, feed_action, plane_action, units_action};
 use super::codes;
 use super::context::ConvertContext;
 use super::rendering::RenderedPlan;
@@ -46,12 +45,12 @@ pub(crate) fn begin(context: &ConvertContext, flat: &[bool], rendered: &mut Rend
             && is_silent(context, &runs, CodeGroup::Units, LENGTHS)
             && start == Some(parameters[0].rules.units)
         {
-            words.push(units_action(parameters[0].rules.units));
+            words.push(Action::from(parameters[0].rules.units));
         }
         if parameters[0].rules.starts_incremental != parameters[1].rules.starts_incremental
             && is_silent(context, &runs, CodeGroup::Distance, AXIS_WORDS)
         {
-            words.push(distance_action(parameters[0].rules.starts_incremental));
+            words.push(Action::of_distance(parameters[0].rules.starts_incremental));
         }
         if parameters[0].rules.starts_linear != parameters[1].rules.starts_linear
             && is_silent(context, &runs, CodeGroup::Motion, AXIS_WORDS)
@@ -115,8 +114,8 @@ fn begin_flat(
     let Some(first) = runs.iter().find(moves).or(runs.first()) else { return };
     let style = context.style();
     let actions = [
-        units_action(first.after.units),
-        plane_action(runs[0].before.plane),
+        Action::from(first.after.units),
+        Action::from(runs[0].before.plane),
         Action::Reading(ReadingCode::Absolute),
         Action::Mode(ModeCode::CompensationOff),
         Action::Mode(ModeCode::CancelCycle),
@@ -124,7 +123,7 @@ fn begin_flat(
     let mut lathes = of_lathes(context, runs);
     if context.turns() {
         lathes.retain(|action| *action == Action::Reading(ReadingCode::Diameters));
-        lathes.push(feed_action(first.before.feed_mode));
+        lathes.push(Action::from(first.before.feed_mode));
     }
     let mut words: Vec<String> = actions
         .into_iter()

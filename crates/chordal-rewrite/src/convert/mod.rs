@@ -6,7 +6,6 @@
 //! which of the two it is, `layout` puts the text together. The comparison of both programs has the
 //! last word: what moves otherwise is written out, until nothing does.
 
-mod actions;
 mod arcs;
 mod certify;
 pub(crate) mod codes;
@@ -46,7 +45,6 @@ use chordal::machine::AXIS_LETTERS;
 use chordal::{CommandKind, Job, Machine, Severity, Source as Text, SourceMap};
 use chordal_compare::{Category, ComparisonVerdict, Difference};
 
-pub(crate) use self::actions::{feed_action, plane_action, units_action};
 use self::certify::{FreeCycleLines, LIMITS, proof};
 use self::context::ConvertContext;
 pub(crate) use self::contours::{CycleContour, CycleContours};

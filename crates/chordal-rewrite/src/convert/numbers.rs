@@ -26,11 +26,11 @@ pub(crate) fn length(mm: f64, units: Units, digits: usize, style: WordStyle) -> 
 pub(crate) fn plain(value: f64, digits: usize, style: WordStyle) -> String {
     let text = format!("{value:.digits$}");
     let text = if text.contains('.') { text.trim_end_matches('0').to_string() } else { text + "." };
-    dressed(&text, style.leading_zero)
+    with_zero_style(&text, style.leading_zero)
 }
 
-/// A number without a sign where it is zero, and without a zero before its point unless it is written.
-pub(crate) fn dressed(text: &str, leading_zero: bool) -> String {
+/// A number without a sign if it is zero, and without the zero before its point unless the program writes that zero.
+pub(crate) fn with_zero_style(text: &str, leading_zero: bool) -> String {
     let size = text.trim_start_matches('-');
     let is_zero = size.bytes().all(|byte| matches!(byte, b'0' | b'.'));
     let sign = if is_zero { "" } else { &text[..text.len() - size.len()] };

@@ -8,7 +8,6 @@ use chordal::control::{
 use chordal::geometry::Plane;
 use chordal::machine::AXIS_LETTERS;
 
-use super::actions::plane_action;
 use super::codes;
 use super::context::ConvertContext;
 use super::draft::{BlockDraft, NeedsExpansion};
@@ -126,7 +125,7 @@ impl SurfaceMove<'_, '_> {
     }
 
     fn plane_code(&self, plane: Plane) -> Option<String> {
-        codes::name(plane_action(plane), self.context.to, self.context.style())
+        codes::name(Action::from(plane), self.context.to, self.context.style())
     }
 
     /// The code that begins or ends the surface.

@@ -10,7 +10,6 @@ use chordal::control::{
 use chordal::machine::AXIS_LETTERS;
 
 use super::watch::StateBefore;
-use crate::convert::{feed_action, plane_action, units_action};
 use crate::state::{EXACT, StateSlot, StateWriter};
 
 /// What stands in the way of a head.
@@ -103,11 +102,11 @@ impl HeadWriter<'_, '_> {
         let mut codes = stated.codes.clone();
         // What was said in a called control's default is said here all the same.
         let defaults = [
-            (StateSlot::Units, units_action(modal.units)),
-            (StateSlot::Plane, plane_action(modal.plane)),
+            (StateSlot::Units, Action::from(modal.units)),
+            (StateSlot::Plane, Action::from(modal.plane)),
             (StateSlot::Compensation, Action::Mode(ModeCode::CompensationOff)),
             (StateSlot::Cycle, Action::Mode(ModeCode::CancelCycle)),
-            (StateSlot::FeedMode, feed_action(modal.feed_mode)),
+            (StateSlot::FeedMode, Action::from(modal.feed_mode)),
         ];
         for (slot, action) in defaults {
             if let (None, Some(code)) = (codes.get(&slot), self.state.name(action)) {

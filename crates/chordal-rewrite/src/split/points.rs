@@ -106,8 +106,8 @@ impl SplitPointFinder<'_, '_> {
     fn note_unknown(&mut self, block: &Block) {
         for word in &block.words {
             let Some(row) = self.control.row_of(word) else { continue };
-            let is_skipped = matches!(row.action, Action::NotSimulated | Action::NotFollowed);
-            if is_skipped && word.letter != b'G' || row.action == Action::After(AfterCode::ShopCode)
+            if row.action.is_left_out() && word.letter != b'G'
+                || row.action == Action::After(AfterCode::ShopCode)
             {
                 self.survey.unknown.entry(row.name(word.letter)).or_insert(block.line);
             }

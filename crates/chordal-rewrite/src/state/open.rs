@@ -37,9 +37,7 @@ impl OpenConstructs {
         self.corner = Some(block.line).filter(|_| block.commas);
         for word in &block.words {
             let Some(row) = control.row_of(word) else { continue };
-            if matches!(row.action, Action::NotSimulated | Action::NotFollowed)
-                && word.letter == b'G'
-            {
+            if row.action.is_left_out() && word.letter == b'G' {
                 self.unknown = Some((row.name(word.letter), block.line));
             }
             self.follow_action(row.action, block);
@@ -50,57 +48,38 @@ impl OpenConstructs {
     }
 
     fn follow_action(&mut self, action: Action, block: &Block) {
-        self.follow_frame(action, block);
-        let opened = match action {
-            Action::Cycle(_) => &mut self.cycle,
+        let line = Some(block.line);
+        match action {
+            Action::Cycle(_) => self.cycle = line,
             Action::Call(CallCode::ModalMacroCall { .. })
-            | Action::Mode(ModeCode::ModalSubroutine) => &mut self.call,
+            | Action::Mode(ModeCode::ModalSubroutine) => self.call = line,
+            Action::Mode(ModeCode::ModalCallOff) => self.call = None,
             Action::Mode(
                 ModeCode::CompensationLeft
                 | ModeCode::CompensationRight
                 | ModeCode::CompensationLeftBy
                 | ModeCode::CompensationRightBy,
-            ) => &mut self.compensation,
-            Action::Mode(ModeCode::Polar { on: true })
-            | Action::Once(
-                OnceCode::Rotation
-                | OnceCode::Scaling
-                | OnceCode::Mirror { .. }
-                | OnceCode::Surface(_),
-            ) => &mut self.frame,
-            Action::Mode(ModeCode::ModalCallOff) => return self.call = None,
+            ) => self.compensation = line,
+            Action::Once(OnceCode::Rotation) => (self.frame, self.frames.rotation) = (line, true),
+            Action::Mode(ModeCode::RotationOff) => self.frames.rotation = false,
+            Action::Once(OnceCode::Scaling) => (self.frame, self.frames.scaling) = (line, true),
+            Action::Mode(ModeCode::ScalingOff) => self.frames.scaling = false,
+            Action::Once(OnceCode::Mirror { .. }) => {
+                (self.frame, self.frames.mirror) = (line, true);
+            }
+            Action::Once(OnceCode::MirrorOff) => self.frames.mirror = false,
+            Action::Mode(ModeCode::Polar { on: true }) => {
+                (self.frame, self.frames.polar) = (line, true);
+            }
+            Action::Mode(ModeCode::Polar { on: false }) => self.frames.polar = false,
+            Action::Once(OnceCode::Surface(code)) => {
+                (self.frame, self.frames.surface) = (line, begins_surface(block, code));
+            }
             Action::Reading(_)
             | Action::Before(_)
             | Action::Mode(_)
             | Action::Length(_)
             | Action::Motion(_)
-            | Action::Once(_)
-            | Action::Call(_)
-            | Action::After(_)
-            | Action::NoEffect
-            | Action::NotSimulated
-            | Action::NotFollowed => return,
-        };
-        *opened = Some(block.line);
-    }
-
-    fn follow_frame(&mut self, action: Action, block: &Block) {
-        let frames = &mut self.frames;
-        match action {
-            Action::Once(OnceCode::Rotation) => frames.rotation = true,
-            Action::Mode(ModeCode::RotationOff) => frames.rotation = false,
-            Action::Once(OnceCode::Scaling) => frames.scaling = true,
-            Action::Mode(ModeCode::ScalingOff) => frames.scaling = false,
-            Action::Once(OnceCode::Mirror { .. }) => frames.mirror = true,
-            Action::Once(OnceCode::MirrorOff) => frames.mirror = false,
-            Action::Mode(ModeCode::Polar { on }) => frames.polar = on,
-            Action::Once(OnceCode::Surface(code)) => frames.surface = begins_surface(block, code),
-            Action::Reading(_)
-            | Action::Before(_)
-            | Action::Mode(_)
-            | Action::Length(_)
-            | Action::Motion(_)
-            | Action::Cycle(_)
             | Action::Once(_)
             | Action::Call(_)
             | Action::After(_)

@@ -4,7 +4,7 @@ use chordal::Control;
 use chordal::control::{DecimalPoint, ExcessDecimals, Units};
 
 use crate::blocks::blocks_of;
-use crate::convert::numbers::dressed;
+use crate::convert::numbers::with_zero_style;
 use crate::source::digits_of_arcs;
 
 /// More decimals than these are not written, whatever the program does.
@@ -102,7 +102,7 @@ impl NumberStyle {
         if !point {
             text = text.trim_end_matches('.').to_string();
         }
-        dressed(&text, self.leading_zero)
+        with_zero_style(&text, self.leading_zero)
     }
 
     /// The separator between words.

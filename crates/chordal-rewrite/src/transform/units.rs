@@ -11,7 +11,6 @@ use super::rates::{RateWord, scaled};
 use super::record::{ReadingContext, RunRecord};
 use super::roles::{NumberRole, actions, roles};
 use super::writer::WordWriter;
-use crate::convert::units_action;
 
 const REASON: &str = "lengths in the other unit";
 
@@ -19,7 +18,7 @@ const REASON: &str = "lengths in the other unit";
 pub(super) fn units(job: &Job, to: Units) -> Result<StepOutcome, TransformRefusal> {
     let record = RunRecord::with_contours(job);
     let writer = WordWriter::new(job);
-    let target = units_action(to);
+    let target = Action::from(to);
     // A cutting speed is written anew, and the revolutions follow it.
     let speed_tolerance = if job.control().table.turns() { 1e-3 } else { 0.0 };
     let mut outcome =
