@@ -23,7 +23,7 @@ from .errors import ProgramError, UsageError
 
 if TYPE_CHECKING:
     from ._chordal import _Options
-    from ._control import ControlName
+    from ._control import _ControlName
 
 __all__ = ["Program", "load", "loads"]
 
@@ -44,7 +44,7 @@ def load(
     path: str | os.PathLike[str],
     machine: MachineLike | None = None,
     *,
-    control: ControlName | None = None,
+    control: _ControlName | None = None,
     tools: Tools | None = None,
     settings: Settings | None = None,
     program: int | None = None,
@@ -86,7 +86,7 @@ def loads(
     machine: MachineLike | None = None,
     *,
     name: str = "<program>",
-    control: ControlName | None = None,
+    control: _ControlName | None = None,
     tools: Tools | None = None,
     settings: Settings | None = None,
     program: int | None = None,
@@ -106,7 +106,7 @@ def loads(
 
 def _options(
     machine: MachineLike | None,
-    control: ControlName | None,
+    control: _ControlName | None,
     tools: Tools | None,
     settings: Settings | None,
     program: int | None,

@@ -29,7 +29,7 @@ from ._program import Tools, _options
 from .errors import UsageError
 
 if TYPE_CHECKING:
-    from ._control import ControlName
+    from ._control import _ControlName
 
 __all__ = ["Done", "check"]
 
@@ -99,7 +99,7 @@ class _Run:
     roots: tuple[str, ...]
     plan: bool
     machine: Machine | None
-    control: ControlName | None
+    control: _ControlName | None
     tools: Tools | None
     settings: Mapping[str, object] | None
     block_delete: bool
@@ -129,7 +129,7 @@ def check(
     address: str | None = None,
     jobs: int | None = None,
     machine: MachineLike | None = None,
-    control: ControlName | None = None,
+    control: _ControlName | None = None,
     tools: Tools | None = None,
     settings: Mapping[str, object] | None = None,
     block_delete: bool = False,

@@ -73,15 +73,16 @@ fn generated_pages_say_what_the_tables_say() {
 
 #[test]
 fn the_type_of_controls_in_python_has_them_all() {
-    let name = |control: &ControlName| format!("    \"{control}\",\n");
+    let name = |control: &ControlName| format!("        \"{control}\",\n");
     let names: String = ControlName::ALL.iter().map(name).collect();
     hold(
         "python/chordal/_control.py",
         &format!(
             "\"\"\"The names of the controls. Generated: see CONTRIBUTING.md, Change a page.\"\"\"\n\n\
-             from typing import Literal\n\n\
-             #: The controls that can run a program.\n\
-             ControlName = Literal[\n{names}]\n"
+             from typing import TYPE_CHECKING, Literal\n\n\
+             if TYPE_CHECKING:\n    \
+             #: The controls that can run a program.\n    \
+             _ControlName = Literal[\n{names}    ]\n"
         ),
     );
 }
