@@ -8,7 +8,9 @@ use chordal::diagnostics::{Diagnostic, FileId, line_ends};
 use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::motion::{LimitError, MotionOptions};
 use chordal::stock::{StockLeft, StockOptions, TileJob, VolumeInterval};
-use chordal::{Job, Machine, Report, RunOptions, RunWatch, Source, SourceMap, TextProgram};
+use chordal::control::ProgramPlace;
+use chordal::diagnostics::TextRange;
+use chordal::{Job, Machine, Report, RunOptions, RunWatch, Source, SourceMap};
 use chordal_export::sha256_hex;
 
 use crate::columns::ARCHIVE_COLUMNS;
@@ -218,8 +220,14 @@ fn other(about: Option<FileDigest>, kind: &str, status: &str, message: &str) -> 
 
 /// The rows of all programs of a file.
 fn rows(prepared: &PreparedFile, options: ArchiveOptions) -> Vec<ArchiveRow> {
-    let whole = TextProgram {
-        head: chordal::syntax::find_programs(b"", &chordal::syntax::Lexicon::COMMON)[0],
+    // An empty range stands for the whole file.
+    let nothing = TextRange::new(0, 0);
+    let whole = ProgramPlace {
+        file: FileId(0),
+        name: None,
+        head: nothing,
+        range: nothing,
+        line: 1,
         is_main: true,
     };
     let found = guarded(|| job(prepared).map(|job| job.programs()));
@@ -246,7 +254,7 @@ fn rows(prepared: &PreparedFile, options: ArchiveOptions) -> Vec<ArchiveRow> {
 /// The row of the program at `place`; `None` runs the file as a whole.
 fn one(
     prepared: &PreparedFile,
-    program: &TextProgram,
+    program: &ProgramPlace,
     place: Option<usize>,
     options: ArchiveOptions,
 ) -> ArchiveRow {
@@ -278,7 +286,7 @@ fn one(
 
 fn failed(
     prepared: &PreparedFile,
-    program: &TextProgram,
+    program: &ProgramPlace,
     place: usize,
     message: String,
 ) -> ArchiveRow {
@@ -287,18 +295,17 @@ fn failed(
 }
 
 /// The values of a row that are known without running the program.
-fn described(prepared: &PreparedFile, program: &TextProgram, place: usize) -> ArchiveRow {
+fn described(prepared: &PreparedFile, program: &ProgramPlace, place: usize) -> ArchiveRow {
     let text = &prepared.texts[0].1;
-    let head = program.head;
-    let start = head.start.offset as usize;
+    let start = program.range.start as usize;
     // The program that represents the whole file has an empty range.
-    let end = if head.end == 0 { text.len() } else { head.end as usize };
+    let end = if program.range.end == 0 { text.len() } else { program.range.end as usize };
     let own = text.get(start..end).unwrap_or_default();
     ArchiveRow {
         kind: "program".into(),
-        program: head.number,
+        program: program.key(),
         place: place as u32,
-        line: head.start.line,
+        line: program.line,
         lines: lines(own),
         bytes: own.len() as u64,
         sha256: Some(sha256_hex(own)),

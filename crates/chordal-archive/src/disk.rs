@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use chordal::control::Control;
+use chordal::control::control_title;
 use chordal_load::{
     LoadError, MachineReason, ProgramInput, ProgramText, Request, has_other_ending,
     looks_like_program,
@@ -88,11 +88,11 @@ impl FileLoader for DiskFiles {
         let text = ProgramText::of(&input.name(), bytes).map_err(|failure| failure.to_string())?;
         let loaded = self.loader.load_text(text, &input);
         let loaded = loaded.map_err(|failure| self.renamed_text(failure_line(&failure)))?;
-        let (control, _) = Control::of(loaded.machine());
+        let title = control_title(loaded.machine().control);
         let chosen = match &loaded.chosen {
             MachineReason::Requested => "given".into(),
             MachineReason::Folder(file) => self.renamed_text(file.to_string_lossy().into_owned()),
-            other => other.why(control.table.title).unwrap_or_default(),
+            other => other.why(title).unwrap_or_default(),
         };
         let (mut texts, machine, options) = loaded.into_parts();
         for (name, _) in &mut texts {

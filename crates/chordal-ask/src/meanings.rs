@@ -1,7 +1,7 @@
 //! What words mean, and the machines.
 
 use chordal::Machine;
-use chordal::control::Control;
+use chordal::control::control_title;
 use chordal::machine::builtin_names;
 use chordal_editor::explain::{UnknownTerm, explain};
 use chordal_editor::meaning::ControlView;
@@ -15,7 +15,7 @@ use crate::options::{ExplainOptions, MachineOptions, NoOptions};
 pub fn explanation(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
     let ExplainOptions { word, machine } = request.options()?;
     let views = match machine {
-        Some(name) => vec![ControlView::of(&Control::of(&request.machine(&name)?).0)],
+        Some(name) => ControlView::on(&request.machine(&name)?),
         None => ControlView::all(),
     };
     match explain(&word, &views) {
@@ -42,11 +42,10 @@ pub fn machine(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFail
 }
 
 fn about(machine: &Machine) -> Value {
-    let (control, _) = Control::of(machine);
-    json!({
+        json!({
         "name": machine.name,
         "title": machine.title,
         "control": machine.control.as_str(),
-        "controlTitle": control.table.title,
+        "controlTitle": control_title(machine.control),
     })
 }

@@ -97,7 +97,7 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
         if !args.as_control || job.own_chords().is_some() {
             return Ok(());
         }
-        let title = job.control().table.title;
+        let title = job.profile().title;
         let message = format!("{title} is not known to cut arcs into segments");
         Err(CommandFailure::wrong(message, "say --tolerance instead of --as-control"))
     };
@@ -119,7 +119,7 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
             remarks = not_named_texts(job.not_named_axes());
             remarks.extend(left_out_texts(
                 &report.summary.unrelated_zeros,
-                job.control().table.work_names,
+                job.profile().work_names,
             ));
             if blank != AxisMask::NONE {
                 let letters: Vec<String> =

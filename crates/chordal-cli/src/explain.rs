@@ -1,6 +1,5 @@
 //! `chordal explain`: what a diagnostic, a code, a letter, a setting or an alarm means.
 
-use chordal::control::Control;
 use chordal_editor::explain::{UnknownTerm, explain};
 use chordal_editor::meaning::ControlView;
 use chordal_load::machine;
@@ -35,7 +34,7 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<ExitVerdict, CommandFailure> {
     let views = match &args.machine {
-        Some(name) => vec![ControlView::of(&Control::of(&machine::named(name)?).0)],
+        Some(name) => ControlView::on(&machine::named(name)?),
         None => ControlView::all(),
     };
     match explain(&args.words.join(" "), &views) {

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use chordal::Machine;
-use chordal::control::{COMMON_SETTINGS, Certainty, Control, dump, table};
+use chordal::control::{
+    COMMON_SETTINGS, Certainty, Control, control_profile, control_title, dump,
+};
 use chordal::machine::{Axis, builtin_names, schema_reference};
 use chordal_load::machine;
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, Width};
@@ -76,7 +78,7 @@ impl Args {
 /// What its firmware prints for `$$`.
 fn dumped(machine: &Machine) -> Result<String, CommandFailure> {
     dump::write(machine).ok_or_else(|| {
-        let title = table(machine.control).title;
+        let title = control_title(machine.control);
         let message = format!("{title} is no control that prints its settings for `$$`");
         CommandFailure::wrong(message, "name a machine of GRBL, or print this one with --toml")
     })
@@ -90,28 +92,30 @@ fn list() -> String {
     let mut table = plain_table(&["name", "control", "machine"], 3);
     for name in builtin_names() {
         if let Ok(machine) = Machine::from_builtin(name) {
-            let (control, _) = Control::of(&machine);
-            table.add_row([name, control.table.title, &machine.title]);
+            table.add_row([name, control_title(machine.control), &machine.title]);
         }
     }
     lines(&table, "")
 }
 
 fn one(machine: &Machine) -> String {
-    let (control, _) = Control::of(machine);
     let mut text = format!("{}: {}\n", machine.name, machine.title);
     for note in &machine.notes {
         text.push_str(&format!("  {note}\n"));
     }
-    text.push_str(&format!("\nControl   {} ({})\n", control.table.title, control.table.name));
-    text.push_str(&format!("Source    {}\n", control.table.source));
+    if let Some(control) = control_profile(machine.control) {
+        text.push_str(&format!("\nControl   {} ({})\n", control.title, control.name));
+        text.push_str(&format!("Source    {}\n", control.source));
+    }
     for (label, value) in limits(machine) {
         text.push_str(&format!("{label:10}{value}\n"));
     }
     text.push('\n');
     text.push_str(&lines(&axes(machine), ""));
-    text.push_str("\nSettings: change them in [settings] of a machine file, or with --set \"settings.NAME=VALUE\"\n\n");
-    text.push_str(&lines(&settings(&control), ""));
+    if let Some((control, _)) = Control::of(machine) {
+        text.push_str("\nSettings: change them in [settings] of a machine file, or with --set \"settings.NAME=VALUE\"\n\n");
+        text.push_str(&lines(&settings(&control), ""));
+    }
     text
 }
 

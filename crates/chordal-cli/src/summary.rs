@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use chordal::control::{EndReason, EvidenceStrength, Library, Recognition};
+use chordal::control::{EndReason, EvidenceStrength, ProgramName, Recognition};
 use chordal::diagnostics::FileId;
 use chordal::machine::ToolShape;
 use chordal::motion::MotionReport;
@@ -51,7 +51,7 @@ pub fn text(
     sheet.table("", &tools(&summary.tools, units, job, &known));
     let by_comment = by_comment(&summary.tools, &known);
     sheet.table("", &axes(&summary.axes, units));
-    let left_out = left_out_texts(&summary.unrelated_zeros, job.control().table.work_names);
+    let left_out = left_out_texts(&summary.unrelated_zeros, job.profile().work_names);
     if !left_out.is_empty() {
         sheet.gap();
         sheet.rows("note", &left_out);
@@ -94,19 +94,21 @@ pub fn subtitle(job: &Job, report: &Report, timed: Option<&TimedRun>) -> String 
 
 /// The programs that are run, then those that they can call.
 fn programs(sheet: &mut Sheet, job: &Job, program: Option<u32>) {
-    let lexicon = &job.control().table.lexicon;
-    let library = Library::new(job.sources(), lexicon);
-    let mains = match program {
-        Some(number) => library.find(number, FileId(0)).into_iter().collect(),
-        None => library.mains(lexicon, &job.control().alias_programs()),
+    let set = job.program_set();
+    let programs = set.programs();
+    let mains: Vec<usize> = match program {
+        Some(number) => set.find(number).into_iter().collect(),
+        None => (0..programs.len()).filter(|index| programs[*index].is_main).collect(),
     };
     let shown = |index: &usize| {
-        let program = &library.programs()[*index];
-        let text = library.text(program.file);
-        let name = program.head.title(text).unwrap_or_else(|| "without a number".into());
-        let title = title(text, program.head.head.end as usize);
+        let program = &programs[*index];
+        let source = job.sources().get(program.file);
+        let text = source.map_or(&[][..], |source| source.text());
+        let name = program.name.as_ref();
+        let name = name.map_or_else(|| "without a number".into(), ProgramName::to_string);
+        let title = title(text, program.head.end as usize);
         let title = title.map_or_else(String::new, |title| format!(" ({title})"));
-        let from = match job.sources().get(program.file) {
+        let from = match source {
             Some(source) if program.file != FileId(0) => format!(" from {}", source.name()),
             _ => String::new(),
         };
@@ -121,13 +123,13 @@ fn programs(sheet: &mut Sheet, job: &Job, program: Option<u32>) {
     };
     let is_main: BTreeSet<usize> = mains.iter().copied().collect();
     let others: Vec<usize> =
-        (0..library.programs().len()).filter(|index| !is_main.contains(index)).collect();
+        (0..programs.len()).filter(|index| !is_main.contains(index)).collect();
     sheet.rows(if mains.len() == 1 { "program" } else { "programs" }, &list(&mains));
     sheet.rows("calls", &list(&others));
 }
 
 fn machine(sheet: &mut Sheet, job: &Job, chosen: &MachineReason) {
-    let (machine, table) = (job.machine(), job.control().table);
+    let (machine, control) = (job.machine(), job.profile());
     let known = if machine.title == machine.name {
         machine.name.clone()
     } else {
@@ -135,25 +137,25 @@ fn machine(sheet: &mut Sheet, job: &Job, chosen: &MachineReason) {
     };
     match chosen {
         MachineReason::Requested => {
-            sheet.row("control", table.title);
+            sheet.row("control", control.title);
             sheet.row("machine", &known);
         }
         MachineReason::Folder(file) => {
-            sheet.row("control", table.title);
+            sheet.row("control", control.title);
             sheet.row("machine", &format!("{known}, from {}", file.display()));
         }
         MachineReason::Ending => {
-            sheet.row("control", &format!("{}, because of the file extension", table.title));
+            sheet.row("control", &format!("{}, because of the file extension", control.title));
             sheet.row("machine", &format!("{known}; say --machine for another"));
         }
         MachineReason::Recognized(found, _) if found.strength() == EvidenceStrength::Assumed => {
             sheet.row(
                 "control",
-                &format!("{}, assumed: nothing in the text says which control", table.title),
+                &format!("{}, assumed: nothing in the text says which control", control.title),
             );
             sheet.row("machine", &format!("{known}; say --machine for another"));
         }
-        MachineReason::Recognized(found, _) => recognized(sheet, found, table.title, &known),
+        MachineReason::Recognized(found, _) => recognized(sheet, found, control.title, &known),
     }
 }
 
@@ -201,7 +203,7 @@ fn end(sheet: &mut Sheet, job: &Job, report: &Report) {
     if let Some(first) = first.min_by_key(|diagnostic| call_order(diagnostic)) {
         let what = match &first.alarm {
             Some(alarm) => {
-                let title = job.control().table.title;
+                let title = job.profile().title;
                 let own = alarm.strip_prefix(title).and_then(|rest| rest.strip_prefix(": "));
                 let alarm = own.unwrap_or(alarm);
                 format!("the control would stop at {}: {alarm}", place(first, job))

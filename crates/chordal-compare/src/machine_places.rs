@@ -48,8 +48,8 @@ impl MachinePlaces {
 }
 
 fn names(job: &Job) -> HashMap<(u32, u32), NamedAxes> {
-    let control = job.control();
     let mut names = HashMap::new();
+    let Some(control) = job.word_address() else { return names };
     for (file, source) in job.sources().iter() {
         let mut reader = BlockReader::new(source.text(), file, control.table.lexicon);
         let mut block = Block::new();

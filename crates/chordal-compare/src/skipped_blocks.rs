@@ -25,7 +25,7 @@ pub(crate) fn compare(
     if separate_sides && jobs.iter().any(|job| job.takes_other_side()) {
         return;
     }
-    let titles = jobs.map(|job| job.control().table.title);
+    let titles = jobs.map(|job| job.profile().title);
     if !reports.into_iter().any(is_assumed) || titles[0] != titles[1] {
         return;
     }
@@ -73,9 +73,10 @@ impl SkippedBlock {
         let mut files: BTreeSet<FileId> = ran.blocks.iter().map(|(file, _)| *file).collect();
         files.insert(FileId(0));
         let mut left = Vec::new();
+        let Some(control) = job.word_address() else { return left };
         for file in files {
             let Some(source) = job.sources().get(file) else { continue };
-            let mut reader = BlockReader::new(source.text(), file, job.control().table.lexicon);
+            let mut reader = BlockReader::new(source.text(), file, control.table.lexicon);
             let mut block = Block::new();
             while reader.read(&mut block) {
                 let has_run = ran.blocks.contains(&(file, block.range.start));

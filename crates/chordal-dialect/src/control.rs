@@ -1,22 +1,16 @@
 //! A control as one machine has it.
 
 use chordal_command::{AxisMask, Units};
-use chordal_kernel::Alarms;
-use chordal_machine::{AxisLimits, ControlName, Machine};
+use chordal_kernel::{Alarms, SettingError};
+use chordal_machine::{AxisLimits, Machine};
 use chordal_syntax::{Decimal, Word};
 
-use crate::controls;
+use crate::controls::table;
 use crate::macros::MacroRules;
 use crate::parameters::Parameters;
 use crate::scale::LiteralScale;
-use crate::settings::{self, SettingError};
+use crate::settings;
 use crate::table::{CodeRow, ControlTable, DwellWord, code_number};
-
-/// The table of a control.
-pub fn table(name: ControlName) -> &'static ControlTable {
-    // Names and tables are generated from one list: their order is the same.
-    controls::ALL[name as usize]
-}
 
 /// A control as one machine has it: its table, and the parameters after the machine file's settings.
 #[derive(Clone, Debug)]
@@ -34,9 +28,16 @@ pub struct Control {
 }
 
 impl Control {
-    /// The control of a machine, and an error for each setting that was refused.
-    pub fn of(machine: &Machine) -> (Control, Vec<SettingError>) {
-        let table = table(machine.control);
+    /// The control of a machine, and an error for each setting that was refused. `None` if the control is not
+    /// programmed in word-address blocks.
+    pub fn of(machine: &Machine) -> Option<(Control, Vec<SettingError>)> {
+        Some(Control::with_table(table(machine.control)?, machine))
+    }
+
+    fn with_table(
+        table: &'static ControlTable,
+        machine: &Machine,
+    ) -> (Control, Vec<SettingError>) {
         let (parameters, mut errors) =
             settings::resolve(table.settings, &table.parameters, machine);
         errors.extend(redefined_codes(table, machine));
@@ -133,7 +134,7 @@ impl Control {
 
     /// The alarms that the control shows.
     pub fn alarms(&self) -> Alarms {
-        Alarms { title: self.table.title, texts: self.table.alarms }
+        self.table.profile().alarms()
     }
 
     /// The axes of the machine.

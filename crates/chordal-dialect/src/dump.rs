@@ -141,7 +141,7 @@ impl DumpRow {
 
 /// The settings of a machine as its firmware would list them; `None` if its firmware has no such list.
 pub fn write(machine: &Machine) -> Option<String> {
-    let (control, _) = Control::of(machine);
+    let (control, _) = Control::of(machine)?;
     let rows = control.table.firmware?.dump;
     let mut text = String::new();
     for row in rows {

@@ -9,7 +9,7 @@
 //! use chordal_machine::Machine;
 //!
 //! let machine = Machine::from_builtin("haas-vf2").unwrap();
-//! let (control, wrong_settings) = Control::of(&machine);
+//! let (control, wrong_settings) = Control::of(&machine).unwrap();
 //! assert!(wrong_settings.is_empty());
 // Codes are in tenths: 20 is G2.
 //! let row = control.g_code(20).unwrap();
@@ -46,8 +46,8 @@ pub use action::{
 };
 pub use block_order::{BlockOrder, BlockStep};
 pub use command_line::CommandLine;
-pub use control::{Control, FIRST_ALIAS_SUBPROGRAM, table};
-pub use controls::ALL as CONTROLS;
+pub use control::{Control, FIRST_ALIAS_SUBPROGRAM};
+pub use controls::{ALL as CONTROLS, table};
 pub use facts::{
     BlockSort, CodeFacts, CycleWordRole, TurnFacts, WordMeanings, cycle_word_role, dwell_text,
     turn_facts,
@@ -55,7 +55,7 @@ pub use facts::{
 pub use parameters::*;
 pub use post::PostTemplate;
 pub use scale::LiteralScale;
-pub use settings::{COMMON as COMMON_SETTINGS, Certainty, Setting, SettingError, SettingField};
+pub use settings::{COMMON as COMMON_SETTINGS, Certainty, Setting, SettingField};
 pub use spatial::SpatialRules;
 pub use surface::{SurfaceRules, SurfaceWord};
 pub use table::{CodeGroup, CodeRow, ControlTable, DataTarget, code_name, code_number};

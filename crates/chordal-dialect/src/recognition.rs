@@ -154,11 +154,3 @@ pub const MACHINE_WORDS: &[&str] =
 pub const OTHER_MACHINE_WORDS: &[&str] =
     &["FROM", "NOT", "WAS", "OLD", "FORMERLY", "ORIGINALLY", "REPLACES", "NEVER", "INSTEAD"];
 
-/// From this weight on the control with the most is likely.
-pub const MIN_LIKELY_WEIGHT: i32 = 3;
-
-/// The weight by which the first control must lead the second to be chosen for certain.
-pub const MIN_LEAD: i32 = 2;
-
-/// The control that is assumed without any sign: most others read programs as it does.
-pub const ASSUMED_CONTROL: chordal_machine::ControlName = chordal_machine::ControlName::Fanuc;

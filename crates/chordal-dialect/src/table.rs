@@ -15,7 +15,7 @@ use crate::word_rules::WordRule;
 use chordal_command::WorkNaming;
 use chordal_diagnostics::Code;
 use chordal_geometry::{AXIS_LETTERS, TurnDirection};
-use chordal_kernel::{Alarms, ToolValue};
+use chordal_kernel::{Alarms, ControlProfile, ToolValue};
 use chordal_syntax::{Block, Decimal, Letters, Lexicon};
 
 /// A modal group: codes of one group exclude each other.
@@ -485,6 +485,19 @@ impl ControlTable {
                 let row = word.number().and_then(code_number).and_then(|code| self.g_code(code));
                 row.is_some_and(|row| row.action == Action::Once(OnceCode::SetData))
             })
+    }
+
+    /// What the stages after the language know of it.
+    pub fn profile(&self) -> ControlProfile {
+        ControlProfile {
+            name: self.name,
+            title: self.title,
+            source: self.source,
+            default_machine: self.default_machine,
+            alarms: self.alarms,
+            work_names: self.work_names,
+            turns: self.turns(),
+        }
     }
 
     /// Whether it is the control of a lathe.

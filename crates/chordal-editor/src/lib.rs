@@ -19,33 +19,33 @@
 
 mod check;
 mod checkpoints;
-mod complete;
+mod edit_proof;
 pub mod explain;
-mod format;
 mod grammar;
 mod hover;
 pub mod meaning;
+mod modal_text;
 mod moves;
-mod names;
 mod other_files;
-mod outline;
 mod place;
 mod program;
+mod questions;
 pub mod reference;
 mod setup;
 mod state_after;
-mod tokens;
+mod word_address;
 
 pub use check::PreviousCheck;
-pub use complete::{Completion, CompletionKind};
-pub use format::{FormatEdit, FormatError, NumberingOptions};
+pub use chordal::control::{Token, TokenClass};
+pub use edit_proof::{FormatEdit, FormatError};
 pub use grammar::grammar;
 pub use hover::{Hover, diagnostic_markdown};
 pub use moves::{LineMoves, RunMoves};
-pub use names::{NameOccurrence, NameRole, RenameError, RenamedVariable, SymbolName};
 pub use other_files::OccurrenceInFile;
-pub use outline::{EntryKind, OutlineEntry};
 pub use place::{LineColumnIndex, byte_of, line_and_column};
 pub use program::EditorProgram;
 pub use setup::EditorSetup;
-pub use tokens::{Token, TokenClass};
+pub use word_address::{
+    Completion, CompletionKind, EntryKind, NameOccurrence, NameRole,
+    NumberingOptions, OutlineEntry, RenameError, RenamedVariable, SymbolName,
+};

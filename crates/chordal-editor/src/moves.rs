@@ -1,6 +1,6 @@
 //! What the blocks of a text did when it ran.
 
-use chordal::control::{EndReason, InterruptCheck, Origin, Outcome, Units};
+use chordal::control::{EndReason, InterruptCheck, Origin, Outcome, Units, number_text};
 use chordal::diagnostics::FileId;
 use chordal::machine::{AXES, PerAxis};
 use chordal::path::PathCommand;
@@ -32,6 +32,17 @@ pub struct RunMoves {
     pub lines: Vec<LineMoves>,
     /// Everything else.
     pub report: Report,
+}
+
+impl LineMoves {
+    /// How far the line moved and how long it takes.
+    pub fn text(&self, units: Units) -> String {
+        let pieces =
+            if self.pieces > 1 { format!(" in {} pieces", self.pieces) } else { String::new() };
+        let length = units.length_text(self.length_mm);
+        let seconds = number_text(self.seconds, 2);
+        format!("This line moves {length}{pieces}, {seconds} s.")
+    }
 }
 
 impl RunMoves {

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use chordal::control::{Control, SettingError};
+use chordal::control::{
+    ConfiguredControl, ControlProfile, SettingError, configured_control,
+};
 use chordal::diagnostics::FileId;
-use chordal::syntax::{Block, BlockReader, Lexicon};
 use chordal::{Job, Machine, Source, SourceMap};
 
 use crate::checkpoints::RunCheckpoints;
-use crate::meaning::ControlView;
 use crate::setup::{EditorSetup, ValidSetup};
 
 /// A text with its machine and the texts in which its subprograms may be.
@@ -41,7 +41,10 @@ impl EditorProgram {
         text: Vec<u8>,
         setup: EditorSetup,
     ) -> Result<EditorProgram, Vec<SettingError>> {
-        let (control, errors) = Control::of(&setup.machine);
+        let Some((control, errors)) = configured_control(&setup.machine) else {
+            let message = format!("the programs of `{}` are not read", setup.machine.control);
+            return Err(vec![SettingError { name: "control".into(), message, help: None }]);
+        };
         if !errors.is_empty() {
             return Err(errors);
         }
@@ -88,19 +91,14 @@ impl EditorProgram {
         &self.setup().machine
     }
 
-    /// Its control.
-    pub fn control(&self) -> &Control {
-        &self.sound.control
+    /// The facts of its control.
+    pub fn profile(&self) -> ControlProfile {
+        self.sound.control.profile()
     }
 
-    /// How the control writes its text.
-    pub fn lexicon(&self) -> &'static Lexicon {
-        &self.control().table.lexicon
-    }
-
-    /// What explains words on its control.
-    pub fn view(&self) -> ControlView {
-        ControlView::of(self.control())
+    /// Its control, with the settings of the machine applied.
+    pub fn configured_control(&self) -> &dyn ConfiguredControl {
+        &*self.sound.control
     }
 
     /// The job, which borrows the texts. Its file 0 is this text, the others follow in order.
@@ -131,29 +129,5 @@ impl EditorProgram {
             None => self.text(),
             Some(index) => self.setup().subprogram_texts.get(index).map_or(&[], |(_, text)| text),
         }
-    }
-
-    /// Shows every block from the start of line `from` up to, not including, line `to`.
-    pub fn blocks(&self, from: u32, to: u32, mut see: impl FnMut(&Block)) {
-        let mut reader = BlockReader::new(self.text(), FileId(0), *self.lexicon());
-        let offset = self.source.line_start(from);
-        reader.seek(chordal::syntax::BlockPosition { offset, line: from });
-        reader.limit(self.source.line_start(to));
-        let mut block = Block::new();
-        while reader.read(&mut block) {
-            see(&block);
-        }
-    }
-
-    /// The block at a byte of the text, if there is one.
-    pub fn block_at(&self, offset: u32) -> Option<Block> {
-        let line = self.source.line_of(offset);
-        let mut found = None;
-        self.blocks(line, line.saturating_add(1), |block| {
-            if block.range.start <= offset && offset <= block.range.end {
-                found = Some(block.clone());
-            }
-        });
-        found
     }
 }

@@ -1,7 +1,9 @@
 //! What a text needs to run.
 
-use chordal::control::{Control, RunOptions};
-use chordal::{Machine, ReadingChoices};
+use std::sync::Arc;
+
+use chordal::control::ConfiguredControl;
+use chordal::{Machine, ReadingChoices, RunOptions};
 
 /// What a text needs to run.
 #[derive(Clone, Debug)]
@@ -39,5 +41,5 @@ impl EditorSetup {
 #[derive(Debug)]
 pub(crate) struct ValidSetup {
     pub setup: EditorSetup,
-    pub control: Control,
+    pub control: Arc<dyn ConfiguredControl>,
 }

@@ -13,7 +13,7 @@ use chordal_editor::explain::explain;
 use chordal_editor::meaning::{ControlView, code_name, code_of, code_text};
 
 fn view(machine: &str) -> ControlView {
-    ControlView::of(&Control::of(&Machine::from_builtin(machine).unwrap()).0)
+    ControlView::of(&Control::of(&Machine::from_builtin(machine).unwrap()).expect("a word-address control").0)
 }
 
 #[track_caller]

@@ -58,7 +58,7 @@ impl<'a, W: Write> CanonWriter<'a, W> {
             line: Vec::with_capacity(256),
             sources: job.sources(),
             feed_per_minute: f64::NAN,
-            plane: job.control().parameters.rules.starts_in,
+            plane: job.rules().starts_in,
             coolant: Coolant::default(),
             rpm: 0.0,
             work: None,

@@ -45,8 +45,8 @@ impl<'a, W: Write> CommandJsonLines<'a, W> {
             out,
             line: Vec::with_capacity(512),
             sources: job.sources(),
-            naming: job.control().table.work_names,
-            axes: job.control().axes().and(AxisMask::ROTARY).or(AxisMask::LINEAR),
+            naming: job.profile().work_names,
+            axes: job.axes().and(AxisMask::ROTARY).or(AxisMask::LINEAR),
             written: PositionScale::of(job),
         };
         let mut header = JsonObject::open(&mut writer.line);

@@ -105,14 +105,14 @@ fn contour(number: usize, range: &ContourRange, job: &Job) -> String {
         Some(limit) => {
             let span = limit.alarm.primary.span;
             let line = job.sources().get(span.file).map_or(0, |s| s.line_of(span.range.start));
-            let alarm = limit.alarm.alarm.as_deref().unwrap_or(job.control().table.title);
+            let alarm = limit.alarm.alarm.as_deref().unwrap_or(job.profile().title);
             format!(
                 "  control  radius up to {}; above that, line {line}: {} ({alarm})\n",
                 len(limit.radius_mm),
                 limit.alarm.message
             )
         }
-        None => format!("  control  {} never alarms\n", job.control().table.title),
+        None => format!("  control  {} never alarms\n", job.profile().title),
     };
     for (name, limit) in
         [("gouge  ", &range.no_gouge), ("edges  ", &range.every_edge), ("leads  ", &range.leads)]

@@ -65,7 +65,7 @@ impl<W: Write> DxfWriter<W> {
             text: Vec::with_capacity(1024),
             not_named: NotNamed::NONE,
             unrelated_zeros: Vec::new(),
-            naming: job.control().table.work_names,
+            naming: job.profile().work_names,
             tolerance_mm: TOLERANCE_MM,
         })
     }

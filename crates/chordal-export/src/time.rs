@@ -1,6 +1,6 @@
 //! The time of a program as JSON.
 
-use chordal::control::{Certainty, Origin, PathMode, Setting, SettingField, ShortBlocks};
+use chordal::control::{Certainty, Origin, PathMode, SettingField, ShortBlocks};
 use chordal::diagnostics::{FileId, Span};
 use chordal::motion::{MotionReport, PlannerLevel};
 use chordal::time::{
@@ -211,12 +211,9 @@ fn assumed(motion: &MotionReport) -> Value {
 
 /// The law of a control without jerk limits, in one sentence.
 pub fn junctions_text(job: &Job) -> Option<String> {
-    let rules = job.control().parameters.rules.path.junctions?;
-    let name = |field| {
-        let is_own = |setting: &&Setting| setting.field == field;
-        job.control().table.settings.iter().find(is_own).map_or("", |setting| setting.name)
-    };
-    let title = job.control().table.title;
+    let rules = job.rules().path.junctions?;
+    let name = |field| job.own_setting(field).map_or("", |setting| setting.name);
+    let title = job.profile().title;
     if let Some(segments) = rules.arc_segments {
         let corners = match rules.speed_steps_mm_s {
             Some([x, y, z]) => format!(
@@ -253,9 +250,7 @@ pub fn short_blocks_text(ends: &CutEnds, job: &Job) -> Option<String> {
     if let Some(text) = junctions_text(job) {
         return Some(text);
     }
-    let field = SettingField::PATH_SHORT_BLOCKS;
-    let control = job.control();
-    let setting = control.table.settings.iter().find(|setting| setting.field == field)?;
+    let setting = job.own_setting(SettingField::PATH_SHORT_BLOCKS)?;
     let sure = match setting.certainty {
         Certainty::Documented => "documented",
         Certainty::Inferred => "inferred",
@@ -264,7 +259,7 @@ pub fn short_blocks_text(ends: &CutEnds, job: &Job) -> Option<String> {
     };
     let how = match (ends.joined, ends.within - ends.joined) {
         (0, 0) => return None,
-        (0, _) if control.parameters.rules.path.short_blocks == ShortBlocks::LookAhead => {
+        (0, _) if job.rules().path.short_blocks == ShortBlocks::LookAhead => {
             "each corner is passed by itself: this control joins short blocks only with look-ahead on"
         }
         (0, _) => "each corner is passed by itself: this control joins no short blocks",

@@ -42,7 +42,7 @@ impl RunSink for Counting {}
 fn interpret(text: &[u8], machine: &Machine, expected: u64) {
     let mut sources = SourceMap::new();
     sources.add(Source::new("bench", text));
-    let (control, _) = Control::of(machine);
+    let (control, _) = Control::of(machine).expect("a word-address control");
     let library = Library::new(&sources, &control.table.lexicon);
     let mut sink = Counting::default();
     run(&library, 0, machine, &control, &RunOptions::default(), &mut sink);

@@ -6,17 +6,17 @@
 //! ```
 //! use chordal_diagnostics::{Source, SourceMap};
 //! use chordal_dialect::Control;
-//! use chordal_gcode::{RunOptions, WordAddress};
-//! use chordal_kernel::Language;
+//! use chordal_gcode::WordAddress;
+//! use chordal_kernel::{ProgramSet, RunOptions};
 //! use chordal_machine::Machine;
 //!
 //! let mut sources = SourceMap::new();
 //! sources.add(Source::new("part.nc", b"%\nO0007\nG0 X1.\nM30\n%\n".as_slice()));
 //! let machine = Machine::from_builtin("haas-vf2").unwrap();
-//! let (control, _) = Control::of(&machine);
+//! let (control, _) = Control::of(&machine).unwrap();
 //! let options = RunOptions::default();
 //! let language = WordAddress::new(&sources, &machine, &control, &options);
-//! assert_eq!(language.programs()[0].number, Some(7));
+//! assert_eq!(language.programs()[0].number(), Some(7));
 //! // The meaning of the word at byte 8: G0.
 //! assert!(language.meaning(8).unwrap().1.starts_with("G0: "));
 //! ```
@@ -24,26 +24,21 @@
 #![forbid(unsafe_code)]
 
 mod called_subroutines;
-mod custom_codes;
 mod firmware;
+mod initial_offsets;
 mod interpreter;
 mod library;
 mod macro_alone;
 mod macros;
 mod marks;
 mod recognize;
-mod run_options;
 mod tokens;
 mod word_address;
 
 pub use called_subroutines::called_subs;
-pub use custom_codes::{CustomCode, ShopAnswer, ShopCall, ShopCodes, ShopRecord};
-pub use interpreter::{initial_offset, initial_work_offset, run, run_from, subroutine_head};
+pub use interpreter::{run, run_from, subroutine_head};
 pub use library::{Library, Program, referenced_programs};
 pub use marks::{StatementMark, marks};
-pub use recognize::{
-    ANOTHER_KIND, ControlCandidate, EvidenceStrength, FoundSign, Recognition, not_read, recognize,
-};
-pub use run_options::{InterruptCheck, RunOptions};
+pub use recognize::{candidates, not_read};
 pub use tokens::{block_tokens, class_of};
-pub use word_address::WordAddress;
+pub use word_address::{WordAddress, WordAddressControl, WordAddressLanguage};

@@ -1,21 +1,123 @@
-//! The word-address language as a [`Language`], for all controls of the tables.
+//! Word-address blocks as a [`ProgrammingLanguage`], for all controls of the tables.
 
-use chordal_diagnostics::{FileId, SourceMap, Span, TextRange};
+use std::any::Any;
+use std::cell::OnceCell;
+use std::ops::Deref;
+use std::sync::Arc;
+
+use chordal_command::{AxisMask, WorkName};
+use chordal_diagnostics::{Diagnostic, FileId, SourceMap, TextRange};
 use chordal_dialect::Control;
-use chordal_kernel::{Checkpoint, CompletedRun, Language, ProgramPlace, RunSink, Token};
-use chordal_machine::Machine;
-use chordal_syntax::{Block, BlockReader};
+use chordal_kernel::rules::Rules;
+use chordal_kernel::{
+    Checkpoint, CompletedRun, ConfiguredControl, ControlCandidate, ControlProfile, Offsets,
+    ProgramName, ProgramPlace, ProgramSet, ProgrammingLanguage, RunOptions, RunSink, SettingError,
+    Token,
+};
+use chordal_machine::{ControlName, Machine};
+use chordal_syntax::{Block, BlockReader, ProgramHead, find_programs, is_program_name};
 
+use crate::called_subroutines::called_subs;
+use crate::initial_offsets::{initial_offsets, initial_work_offset};
 use crate::interpreter::run_from;
-use crate::library::Library;
+use crate::library::{Library, referenced_programs};
 use crate::macro_alone::missing_call;
-use crate::run_options::RunOptions;
+use crate::recognize::candidates;
 use crate::tokens::block_tokens;
+
+/// The language of word-address blocks.
+#[derive(Debug)]
+pub struct WordAddressLanguage;
+
+impl ProgrammingLanguage for WordAddressLanguage {
+    fn title(&self) -> &'static str {
+        "word-address blocks"
+    }
+
+    fn profile(&self, control: ControlName) -> Option<ControlProfile> {
+        chordal_dialect::table(control).map(|table| table.profile())
+    }
+
+    fn configure(
+        &self,
+        machine: &Machine,
+    ) -> Option<(Arc<dyn ConfiguredControl>, Vec<SettingError>)> {
+        let (control, errors) = Control::of(machine)?;
+        Some((Arc::new(WordAddressControl(control)), errors))
+    }
+
+    fn recognize(&self, text: &[u8]) -> Vec<ControlCandidate> {
+        candidates(text)
+    }
+}
+
+/// A control with word-address blocks, with the settings of a machine applied.
+#[derive(Clone, Debug)]
+pub struct WordAddressControl(pub Control);
+
+impl Deref for WordAddressControl {
+    type Target = Control;
+
+    fn deref(&self) -> &Control {
+        &self.0
+    }
+}
+
+impl ConfiguredControl for WordAddressControl {
+    fn profile(&self) -> ControlProfile {
+        self.table.profile()
+    }
+
+    fn rules(&self) -> &Rules {
+        &self.parameters.rules
+    }
+
+    fn axes(&self) -> AxisMask {
+        self.0.axes()
+    }
+
+    fn initial_work_offset(&self) -> WorkName {
+        initial_work_offset(self)
+    }
+
+    fn initial_offsets(&self, machine: &Machine) -> Offsets {
+        initial_offsets(self, machine)
+    }
+
+    fn open<'a>(
+        &'a self,
+        sources: &'a SourceMap<'a>,
+        machine: &'a Machine,
+        options: &'a RunOptions,
+    ) -> Box<dyn ProgramSet + 'a> {
+        Box::new(WordAddress::new(sources, machine, self, options))
+    }
+
+    fn program_names(&self, text: &[u8]) -> Vec<ProgramName> {
+        let heads = find_programs(text, &self.table.lexicon);
+        heads.iter().filter_map(|head| name_of(head, text)).collect()
+    }
+
+    fn called_programs(&self, text: &[u8]) -> Vec<ProgramName> {
+        if self.parameters.calls_within_file {
+            return Vec::new();
+        }
+        let lexicon = &self.table.lexicon;
+        let numbers = referenced_programs(text, lexicon).into_iter().map(ProgramName::Number);
+        let names = called_subs(text, lexicon).into_iter();
+        numbers.chain(names.map(ProgramName::from)).collect()
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
+    }
+}
 
 /// The programs of some texts with the machine and its control.
 pub struct WordAddress<'a> {
     sources: &'a SourceMap<'a>,
     library: Library<'a>,
+    places: OnceCell<Vec<ProgramPlace>>,
     machine: &'a Machine,
     control: &'a Control,
     options: &'a RunOptions,
@@ -30,27 +132,29 @@ impl<'a> WordAddress<'a> {
         options: &'a RunOptions,
     ) -> WordAddress<'a> {
         let library = Library::new(sources, &control.table.lexicon);
-        WordAddress { sources, library, machine, control, options }
-    }
-
-    /// The programs of all texts.
-    pub fn library(&self) -> &Library<'a> {
-        &self.library
-    }
-
-    /// The indices of the main programs, with which a run can begin.
-    pub fn mains(&self) -> Vec<usize> {
-        self.library.mains(&self.control.table.lexicon, &self.control.alias_programs())
-    }
-
-    /// True for a macro, which is not run without its caller.
-    pub fn needs_caller(&self, program: usize) -> bool {
-        let program = self.library.programs().get(program).copied();
-        program.is_some_and(|program| missing_call(&self.library, program, self.control).is_some())
+        WordAddress { sources, library, places: OnceCell::new(), machine, control, options }
     }
 
     fn text(&self) -> &'a [u8] {
         self.sources.get(FileId(0)).map_or(&[], |source| source.text())
+    }
+
+    /// The programs of all texts as places.
+    fn find_places(&self) -> Vec<ProgramPlace> {
+        let lexicon = &self.control.table.lexicon;
+        let mains = self.library.mains(lexicon, &self.control.alias_programs());
+        let place = |(index, program): (usize, &crate::Program)| {
+            let head = &program.head;
+            ProgramPlace {
+                file: program.file,
+                name: name_of(head, self.library.text(program.file)),
+                head: head.head,
+                range: TextRange::new(head.start.offset, head.end),
+                line: head.start.line,
+                is_main: mains.binary_search(&index).is_ok(),
+            }
+        };
+        self.library.programs().iter().enumerate().map(place).collect()
     }
 
     /// Each block of a part of the first text.
@@ -66,20 +170,31 @@ impl<'a> WordAddress<'a> {
     }
 }
 
-impl Language for WordAddress<'_> {
-    fn programs(&self) -> Vec<ProgramPlace> {
-        let mains = self.mains();
-        let programs = self.library.programs().iter();
-        let own = programs.take_while(|program| program.file == FileId(0)).enumerate();
-        own.map(|(place, program)| ProgramPlace {
-            span: Span {
-                file: FileId(0),
-                range: TextRange::new(program.head.start.offset, program.head.end),
-            },
-            number: program.head.number,
-            is_main: mains.binary_search(&place).is_ok(),
-        })
-        .collect()
+/// The name of a program by its head.
+fn name_of(head: &ProgramHead, text: &[u8]) -> Option<ProgramName> {
+    let number = head.number?;
+    Some(match is_program_name(number) {
+        true => ProgramName::Text { text: head.title(text)?.into(), key: Some(number) },
+        false => ProgramName::Number(number),
+    })
+}
+
+impl ProgramSet for WordAddress<'_> {
+    fn programs(&self) -> &[ProgramPlace] {
+        self.places.get_or_init(|| self.find_places())
+    }
+
+    fn find(&self, key: u32) -> Option<usize> {
+        self.library.find(key, FileId(0))
+    }
+
+    fn needs_caller(&self, program: usize) -> bool {
+        let program = self.library.programs().get(program).copied();
+        program.is_some_and(|program| missing_call(&self.library, program, self.control).is_some())
+    }
+
+    fn head_problems(&self) -> Vec<Diagnostic> {
+        self.library.duplicate_diagnostics().collect()
     }
 
     fn run(

@@ -79,7 +79,7 @@ impl RunSink for Watching {}
 fn watch(machine: &Machine, text: &str) -> Watching {
     let mut sources = SourceMap::new();
     sources.add(Source::new("pockets", text.as_bytes()));
-    let (control, _) = Control::of(machine);
+    let (control, _) = Control::of(machine).expect("a word-address control");
     let library = Library::new(&sources, &control.table.lexicon);
     let mut sink = Watching::default();
     let options = RunOptions { max_repeated_blocks: 50, ..RunOptions::default() };

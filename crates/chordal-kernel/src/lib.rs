@@ -49,7 +49,13 @@ pub use corner_queue::{CornerForm, ProgrammedCorner};
 pub use cycles::HoleWords;
 pub use frames::{FrameKinds, Frames, PolarReading, PolarWords};
 pub use kernel::{Alarms, Kernel, KernelMemory, KernelReports};
-pub use language::{CompletedRun, EndReason, Language, Outcome, ProgramPlace, Token, TokenClass};
+pub use language::{
+    ANOTHER_KIND, CompletedRun, ConfiguredControl, ControlCandidate, ControlProfile, CustomCode,
+    EndReason, EvidenceStrength, FoundSign, InterruptCheck, Outcome,
+    ProgramName, ProgramPlace, ProgramSet, ProgrammingLanguage, Recognition, RunOptions,
+    SettingError, ShopAnswer, ShopCall, ShopCodes, ShopRecord, TextSymbol, Token, TokenClass,
+    WordCompletion,
+};
 pub use modal::{Modal, MotionMode};
 pub use motion::{ArcWords, MisfitArc, SpiralWords, is_over};
 pub use offsets::{CoordinatePresets, LengthOffset, Offsets, WrittenOffset};

@@ -1,6 +1,6 @@
 //! The machine that is assumed when only the control is known.
 
-use chordal::control::RunOptions;
+use chordal::RunOptions;
 use chordal::machine::{AXIS_LETTERS, builtin_names};
 use chordal::{Code, Job, Machine, Source, SourceMap};
 

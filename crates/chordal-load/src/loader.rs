@@ -1,8 +1,9 @@
 //! Loads programs with one request.
 
 use chordal::Machine;
-use chordal::control::{Control, RunOptions};
-use chordal::syntax::{ProgramHead, find_programs, is_program_name};
+use chordal::RunOptions;
+use chordal::control::{ConfiguredControl, ProgramName, configured_control, table};
+use chordal::syntax::is_program_name;
 
 use crate::error::LoadError;
 use crate::input::ProgramInput;
@@ -91,22 +92,19 @@ impl Loader {
         // An assignment that names the control leaves nothing to assume.
         let premise = premise.filter(|_| !says(request, &["control"]));
         let (mut machine, mut notes) = (machine, Vec::new());
-        let (control, _) = Control::of(&machine);
-        if let Some(path) = &input.path {
-            notes = self.folders.variables(&request.files, path).give(
-                &mut machine,
-                control.table,
-                text.bytes(),
-            );
-        }
-        let lexicon = control.table.lexicon;
-        if let Some(number) = request.program {
-            has_program(&text, number, &find_programs(text.bytes(), &lexicon))?;
+        if let (Some(path), Some(table)) = (&input.path, table(machine.control)) {
+            let variables = self.folders.variables(&request.files, path);
+            notes = variables.give(&mut machine, table, text.bytes());
         }
         let mut texts = vec![text];
-        if let Some(path) = input.path.as_ref().filter(|_| !control.parameters.calls_within_file) {
-            let found = self.folders.find(&request.files, path, texts[0].bytes(), &lexicon);
-            texts.extend(found);
+        if let Some((control, _)) = configured_control(&machine) {
+            if let Some(number) = request.program {
+                has_program(&texts[0], number, &*control)?;
+            }
+            if let Some(path) = &input.path {
+                let found = self.folders.find(&request.files, path, texts[0].bytes(), &*control);
+                texts.extend(found);
+            }
         }
         let options = RunOptions {
             notes: premise
@@ -150,16 +148,19 @@ fn says(request: &Request, keys: &[&str]) -> bool {
     })
 }
 
-fn has_program(text: &ProgramText, number: u32, heads: &[ProgramHead]) -> Result<(), LoadError> {
-    let numbers: Vec<u32> = heads.iter().filter_map(|head| head.number).collect();
-    if numbers.contains(&number) {
+fn has_program(
+    text: &ProgramText,
+    number: u32,
+    control: &dyn ConfiguredControl,
+) -> Result<(), LoadError> {
+    let programs = control.program_names(text.bytes());
+    if programs.iter().any(|name| name.key() == Some(number)) {
         return Ok(());
     }
     let called = if is_program_name(number) { "of this name".into() } else { format!("O{number}") };
     let message = format!("there is no program {called} in {}", text.name());
-    let titles = heads.iter().filter_map(|head| head.title(text.bytes()));
-    let names: Vec<String> = titles.take(20).collect();
-    let more = if numbers.len() > 20 { ", …" } else { "" };
+    let names: Vec<String> = programs.iter().take(20).map(ProgramName::to_string).collect();
+    let more = if programs.len() > 20 { ", …" } else { "" };
     Err(match names.as_slice() {
         [] => LoadError::wrong(message, "no program of this file has a number"),
         names => LoadError::wrong(message, format!("it has {}{more}", names.join(", "))),

@@ -8,8 +8,8 @@ use std::sync::Arc;
 use chordal::Machine;
 use chordal::control::dump::{self, DumpSetting};
 use chordal::control::{
-    COMMON_SETTINGS, CONTROLS, Control, ControlTable, EvidenceStrength, SettingError, Units,
-    recognize, table,
+    COMMON_SETTINGS, CONTROLS, ControlTable, EvidenceStrength, SettingError, Units,
+    configured_control, control_profile, control_title, recognize, table,
 };
 use chordal::machine::{ControlName, MachineError, ValueLocation, builtin, read_tool_tbl};
 
@@ -146,10 +146,11 @@ pub fn set_dump(machine: &mut Machine, path: &Path) -> Result<(), LoadError> {
 fn set_dump_of(files: &FileAccess, machine: &mut Machine, path: &Path) -> Result<(), LoadError> {
     let name = path.to_string_lossy();
     let text = files.text(path).map_err(|error| LoadError::read(&*name, &error))?;
-    let own = table(machine.control);
-    let Some(rows) = own.firmware.map(|firmware| firmware.dump) else {
-        let message = format!("{} is no control that prints its settings for `$$`", own.title);
-        let help = format!("leave out --machine, or name a machine of {}", table(dumped()).title);
+    let firmware = table(machine.control).and_then(|table| table.firmware);
+    let Some(rows) = firmware.map(|firmware| firmware.dump) else {
+        let title = control_title(machine.control);
+        let message = format!("{title} is no control that prints its settings for `$$`");
+        let help = format!("leave out --machine, or name a machine of {}", control_title(dumped()));
         return Err(LoadError::wrong(message, help));
     };
     let settings = dump::read(&name, &text, rows).map_err(LoadError::Machine)?;
@@ -165,7 +166,7 @@ fn set_dump_of(files: &FileAccess, machine: &mut Machine, path: &Path) -> Result
 
 /// The name of the default machine of a control.
 pub fn typical_name(control: ControlName) -> &'static str {
-    table(control).default_machine
+    control_profile(control).map_or(control.as_str(), |profile| profile.default_machine)
 }
 
 /// Reads a machine file.
@@ -218,8 +219,9 @@ fn finish(mut machine: Machine, request: &Request) -> Result<Machine, LoadError>
     if let Some(path) = &request.tools {
         let name = path.to_string_lossy();
         let text = request.files.text(path).map_err(|error| LoadError::read(&*name, &error))?;
-        let (control, _) = Control::of(&machine);
-        let millimetres = control.parameters.rules.units == Units::Millimetre;
+        let control = configured_control(&machine).map(|(control, _)| control);
+        let millimetres =
+            control.is_some_and(|control| control.rules().units == Units::Millimetre);
         let tools = read_tool_tbl(&text, millimetres).map_err(|mut errors| {
             errors.iter_mut().for_each(|error| error.file = name.to_string());
             LoadError::Machine(errors)
@@ -237,7 +239,7 @@ fn finish(mut machine: Machine, request: &Request) -> Result<Machine, LoadError>
 
 /// Reports the settings that the control does not know, at the location where they were written.
 fn check_settings(machine: &Machine) -> Result<(), LoadError> {
-    let (control, errors) = Control::of(machine);
+    let errors = configured_control(machine).map_or_else(Vec::new, |(_, errors)| errors);
     if errors.is_empty() {
         return Ok(());
     }
@@ -246,7 +248,7 @@ fn check_settings(machine: &Machine) -> Result<(), LoadError> {
             machine.settings.get(&error.name).and_then(|setting| setting.location.as_ref());
         let location = setting.or_else(|| code_place(machine, &error.name));
         MachineError {
-            span: location.map(|at| place_of(&error, at, &control)),
+            span: location.map(|at| place_of(&error, at, machine.control)),
             message: error.message,
             help: error.help,
             file: location.map_or_else(|| machine.name.clone(), |at| at.file.to_string()),
@@ -268,9 +270,9 @@ fn code_place<'m>(machine: &'m Machine, name: &str) -> Option<&'m ValueLocation>
 }
 
 /// The range to mark for an error: the value, or the setting's name before it on the line when the name is unknown.
-fn place_of(error: &SettingError, at: &ValueLocation, control: &Control) -> Range<usize> {
-    let known = control.table.settings.iter().chain(COMMON_SETTINGS);
-    if known.into_iter().any(|setting| setting.name.eq_ignore_ascii_case(&error.name)) {
+fn place_of(error: &SettingError, at: &ValueLocation, control: ControlName) -> Range<usize> {
+    let own = table(control).map_or(&[][..], |table| table.settings);
+    if own.iter().chain(COMMON_SETTINGS).any(|setting| setting.name.eq_ignore_ascii_case(&error.name)) {
         return at.span.clone();
     }
     let before = at.text.get(..at.span.start).unwrap_or_default();

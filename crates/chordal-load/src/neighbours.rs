@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-use chordal::control::{called_subs, referenced_programs};
+use chordal::control::{ConfiguredControl, ProgramName, referenced_programs};
 use chordal::diagnostics::FileId;
 use chordal::syntax::{Block, BlockReader, Lexicon, decode, find_programs};
 
@@ -39,50 +39,44 @@ impl FolderCache {
         files: &FileAccess,
         path: &Path,
         text: &[u8],
-        lexicon: &Lexicon,
+        control: &dyn ConfiguredControl,
     ) -> Vec<ProgramText> {
         let mut found: Vec<ProgramText> = Vec::new();
-        let mut pending: BTreeSet<u32> = referenced_programs(text, lexicon).into_iter().collect();
-        let mut names: BTreeSet<String> = called_subs(text, lexicon).into_iter().collect();
-        if pending.is_empty() && names.is_empty() {
+        let mut pending: BTreeSet<ProgramName> = control.called_programs(text).into_iter().collect();
+        if pending.is_empty() {
             return found;
         }
-        let mut known: BTreeSet<u32> = numbers(text, lexicon).collect();
+        let keys = |text: &[u8]| -> Vec<u32> {
+            control.program_names(text).iter().filter_map(ProgramName::key).collect()
+        };
+        let mut known: BTreeSet<u32> = keys(text).into_iter().collect();
+        let mut visited: BTreeSet<ProgramName> = BTreeSet::new();
         if self.folders.len() > MAX_FOLDERS {
             self.folders.clear();
         }
         let folder =
             self.folders.entry(folder_of(path)).or_insert_with(|| FolderListing::of(files, path));
-        while let Some(number) = pending.pop_first() {
-            if known.contains(&number) || found.len() >= MAX_FILES {
+        while let Some(name) = pending.pop_first() {
+            // Found or not, it is not searched again.
+            let is_known = name.key().is_some_and(|key| known.contains(&key));
+            if !visited.insert(name.clone()) || is_known || found.len() >= MAX_FILES {
                 continue;
             }
-            let Some(path) = folder.program(files, number, path) else { continue };
-            if let Ok(mut text) =
-                ProgramText::read_of(files, &ProgramInput { path: Some(path), root: None })
-            {
-                if numbers(text.bytes(), lexicon).next().is_none() {
+            let path = match name.key() {
+                Some(number) => folder.program(files, number, path),
+                None => folder.subroutine(&name.to_string(), path),
+            };
+            let Some(path) = path else { continue };
+            let input = ProgramInput { path: Some(path), root: None };
+            let Ok(mut text) = ProgramText::read_of(files, &input) else { continue };
+            if let Some(number) = name.key() {
+                if keys(text.bytes()).is_empty() {
                     text.give_head(number);
                 }
-                known.extend(numbers(text.bytes(), lexicon));
-                pending.extend(referenced_programs(text.bytes(), lexicon));
-                found.push(text);
+                known.extend(keys(text.bytes()));
             }
-            // Found or not, it is not searched again.
-            known.insert(number);
-        }
-        let mut visited = BTreeSet::new();
-        while let Some(name) = names.pop_first() {
-            if found.len() >= MAX_FILES || !visited.insert(name.clone()) {
-                continue;
-            }
-            let Some(path) = folder.subroutine(&name, path) else { continue };
-            if let Ok(text) =
-                ProgramText::read_of(files, &ProgramInput { path: Some(path), root: None })
-            {
-                names.extend(called_subs(text.bytes(), lexicon));
-                found.push(text);
-            }
+            pending.extend(control.called_programs(text.bytes()));
+            found.push(text);
         }
         found
     }

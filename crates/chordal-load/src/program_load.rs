@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use chordal::control::{InterruptCheck, RunOptions, ShopCodes, ShopRecord};
+use chordal::control::{InterruptCheck, control_title};
+use chordal::{RunOptions, ShopCodes, ShopRecord};
 use chordal::{Job, Machine, ProgramReading, ReadingChoices, Source, SourceMap};
 
 use crate::error::LoadError;
@@ -67,7 +68,7 @@ impl Loaded {
 
     /// Why this machine was chosen, in one line; `None` when the user or a `chordal.toml` names it.
     pub fn why(&self) -> Option<String> {
-        self.chosen.why(chordal::control::table(self.machine.control).title)
+        self.chosen.why(control_title(self.machine.control))
     }
 
     /// Splits into names and texts, the machine, and the options of the run.

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use chordal::Machine;
-use chordal::control::{InterruptCheck, ShopCodes};
+use chordal::ShopCodes;
+use chordal::control::InterruptCheck;
 use chordal::machine::ControlName;
 
 use crate::files::FileAccess;

@@ -256,7 +256,9 @@ impl CheckedValue<'_> {
                 };
             }
             SchemaSlot::Word { what, words, place } => {
-                place(machine, keys).set_word(self.word(what, words)?);
+                let field = place(machine, keys);
+                let words = [*words, &field.registered_words()].concat();
+                field.set_word(self.word(what, &words)?);
             }
             SchemaSlot::Insert => self.take_insert(machine)?,
             SchemaSlot::HolderDesignation => self.take_holder(machine)?,

@@ -2,6 +2,14 @@
 
 use std::fmt;
 use std::str::FromStr;
+use std::sync::{PoisonError, RwLock};
+
+/// The names of controls that are not built in.
+static REGISTERED_NAMES: RwLock<Vec<&'static str>> = RwLock::new(Vec::new());
+
+/// The name of a control that is not built in; made by [`ControlName::register`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct RegisteredControl(&'static str);
 
 macro_rules! names {
     ($($name:ident $folder:ident $word:literal,)*) => {
@@ -10,16 +18,19 @@ macro_rules! names {
         #[allow(missing_docs, reason = "each is the control of its folder")]
         pub enum ControlName {
             $($name,)*
+            /// A control of a language that the application has registered.
+            Registered(RegisteredControl),
         }
 
         impl ControlName {
-            /// Every control.
+            /// Every built-in control.
             pub const ALL: &'static [ControlName] = &[$(ControlName::$name),*];
 
             /// The name in machine files, lower case.
             pub const fn as_str(self) -> &'static str {
                 match self {
                     $(ControlName::$name => $word,)*
+                    ControlName::Registered(RegisteredControl(word)) => word,
                 }
             }
         }
@@ -27,6 +38,25 @@ macro_rules! names {
 }
 
 crate::controls!(names);
+
+impl ControlName {
+    /// Makes a name known to machine files, which is not that of a built-in control. From then on `control = "…"`
+    /// takes it. Registering a name twice does nothing.
+    pub fn register(name: &'static str) -> ControlName {
+        if let Ok(known) = name.parse() {
+            return known;
+        }
+        REGISTERED_NAMES.write().unwrap_or_else(PoisonError::into_inner).push(name);
+        ControlName::Registered(RegisteredControl(name))
+    }
+
+    /// The names of all controls, those of registered languages last.
+    pub fn all() -> Vec<ControlName> {
+        let registered = REGISTERED_NAMES.read().unwrap_or_else(PoisonError::into_inner);
+        let registered = registered.iter().map(|name| ControlName::Registered(RegisteredControl(name)));
+        ControlName::ALL.iter().copied().chain(registered).collect()
+    }
+}
 
 /// The error for a text that is not the name of a control.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -44,9 +74,8 @@ impl FromStr for ControlName {
 
     /// Reads a name in either case.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        ControlName::ALL
-            .iter()
-            .copied()
+        ControlName::all()
+            .into_iter()
             .find(|control| control.as_str().eq_ignore_ascii_case(text))
             .ok_or_else(|| UnknownControl(text.to_string()))
     }

@@ -58,7 +58,7 @@ mod write;
 
 pub use axis::{AXES, AXIS_LETTERS, AXIS_NAMES, Axis, PerAxis};
 pub use builtin::{builtin, builtin_names};
-pub use control::{ControlName, UnknownControl};
+pub use control::{ControlName, RegisteredControl, UnknownControl};
 pub use designation::{
     DesignationError, HolderDesignation, HolderKind, InsertDesignation, InsertLetter, ToolHand,
     WrittenDesignation, clearance_degrees,

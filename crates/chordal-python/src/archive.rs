@@ -4,7 +4,8 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use chordal::control::{called_subs, referenced_programs, table};
+use chordal::Machine;
+use chordal::control::configured_control;
 use chordal::machine::ControlName;
 use chordal_archive::{
     ArchiveError, ArchiveTotals, DiskFiles, FileRecord, JournalShard, check_file, record_of,
@@ -39,11 +40,10 @@ pub fn archive_calls(py: Python<'_>, text: &[u8]) -> bool {
     py.detach(|| {
         let decoded = chordal::syntax::decode(&text);
         let calls = |name: ControlName| {
-            let lexicon = &table(name).lexicon;
-            !referenced_programs(&decoded.text, lexicon).is_empty()
-                || !called_subs(&decoded.text, lexicon).is_empty()
+            configured_control(&Machine::new("archive", name))
+                .is_some_and(|(control, _)| !control.called_programs(&decoded.text).is_empty())
         };
-        !decoded.binary && ControlName::ALL.iter().copied().any(calls)
+        !decoded.binary && ControlName::all().into_iter().any(calls)
     })
 }
 

@@ -34,6 +34,7 @@ mod split;
 mod state;
 mod transform;
 mod walk;
+mod word_address;
 
 pub use change::Change;
 pub use proof::{Certificate, ComparedSides, prove, prove_contour, prove_mapped};

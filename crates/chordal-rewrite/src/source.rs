@@ -10,6 +10,7 @@ use chordal::control::{Control, Units, subroutine_head};
 use chordal::diagnostics::{FileId, Span};
 use chordal::syntax::{Block, BlockKind, BlockReader, Letters, Word};
 use chordal_editor::{EditorProgram, EditorSetup};
+use crate::word_address::BlockControl;
 
 /// How a subprogram is written and called.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -109,12 +110,12 @@ impl<'a> SourceBlocks<'a> {
 
     fn find_programs(&mut self, job: &Job) {
         for program in job.programs() {
-            let from = self.first_at(program.head.start.offset);
-            let to = self.first_at(program.head.end);
-            if program.head.number.is_some() {
+            let from = self.first_at(program.range.start);
+            let to = self.first_at(program.range.end);
+            if program.key().is_some() {
                 self.heads.push(from);
             }
-            match program.head.number {
+            match program.key() {
                 Some(number) if !program.is_main => {
                     self.subs.push(SubprogramBlocks {
                         form: SubprogramForm::Program,

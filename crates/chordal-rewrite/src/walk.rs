@@ -4,6 +4,7 @@ use chordal::control::{Action, AfterBlock, CallPath, Control, Modal, Origin, Rea
 use chordal::{Command, Diagnostic, Job, Outcome, RunSink, Sink};
 
 use crate::source::SourceBlocks;
+use crate::word_address::BlockControl;
 
 /// A block that has just been executed.
 pub(crate) struct WalkedBlock<'v> {

@@ -73,7 +73,7 @@ fn every_line_is_proved_or_refused_with_a_reason() {
         let Some(job) = job_of(path) else { continue };
         let text = job.sources().get(Default::default()).expect("a text").text().to_vec();
         let lines = text.split(|byte| *byte == b'\n').count() as u32;
-        let counts = controls.entry(job.control().table.title.to_string()).or_default();
+        let counts = controls.entry(job.profile().title.to_string()).or_default();
         for line in 1..=lines {
             match restart(&job, line) {
                 Ok(done) => {

@@ -73,7 +73,7 @@ pub fn report(report: &Report, job: &Job) -> Value {
 /// it; empty when all are drawn.
 fn moves_left_out(report: &Report, job: &Job) -> Vec<String> {
     let zeros = &report.summary.unrelated_zeros;
-    let mut texts = left_out_texts(zeros, job.control().table.work_names);
+    let mut texts = left_out_texts(zeros, job.profile().work_names);
     if zeros.iter().any(|zero| !zero.is_preset) {
         texts.push(GIVE_OFFSETS.into());
     }
@@ -197,7 +197,7 @@ pub fn machine(job: &Job) -> Value {
         "has": has,
         "name": machine.name,
         "title": machine.title,
-        "control": job.control().table.title,
+        "control": job.profile().title,
         "travel": travel,
         "rotary": rotary,
         "tool_rotations": rotations,

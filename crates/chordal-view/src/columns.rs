@@ -69,7 +69,7 @@ pub struct PathRows {
 impl PathRows {
     /// Empty columns for a job, with S of each row when it may be the power of a laser.
     pub fn of(job: &Job) -> PathRows {
-        let has_power = job.control().parameters.rules.spindle_by_hand;
+        let has_power = job.rules().spindle_by_hand;
         PathRows { has_power, ..PathRows::without_power(job) }
     }
 

@@ -1,8 +1,8 @@
 //! Records the modal state along the path.
 
 use chordal::control::{
-    Command, CommandKind, CompensationSide, Control, Coolant, FeedMode, Overrides, PathMode,
-    SpindleState, Units, WorkName, initial_work_offset,
+    Command, CommandKind, CompensationSide, ConfiguredControl, Coolant, FeedMode, Overrides, PathMode,
+    SpindleState, Units, WorkName,
 };
 use chordal::geometry::{ParamCurve, Plane, Vec3};
 use chordal::path::ProgramFrame;
@@ -65,11 +65,11 @@ pub struct ModalTrack {
 
 impl ModalTrack {
     /// The state before the first command.
-    pub fn new(control: &Control, frame: ProgramFrame) -> ModalTrack {
+    pub fn new(control: &dyn ConfiguredControl, frame: ProgramFrame) -> ModalTrack {
         let now = ModalState {
-            units: control.parameters.rules.units,
-            plane: control.parameters.rules.starts_in,
-            feed_mode: control.parameters.rules.starting_feed_mode(),
+            units: control.rules().units,
+            plane: control.rules().starts_in,
+            feed_mode: control.rules().starting_feed_mode(),
             feed: None,
             spindle: SpindleState::Off,
             rpm: 0.0,
@@ -79,14 +79,14 @@ impl ModalTrack {
             length: None,
             side: CompensationSide::Off,
             cutter: None,
-            work: Some(initial_work_offset(control)),
+            work: Some(control.initial_work_offset()),
             path: None,
             overrides: Overrides::ON,
             shift: Vec3::ZERO,
             frame,
         };
         let first = ModalMark { after: 0, line: 0, main: true, modal: now.clone() };
-        let naming = control.table.work_names;
+        let naming = control.profile().work_names;
         ModalTrack { now, marks: vec![first], moved: true, base: None, zeros: Vec::new(), naming }
     }
 

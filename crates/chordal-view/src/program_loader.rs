@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use chordal::Machine;
-use chordal::control::table;
+use chordal::control::control_title;
 use chordal_editor::{EditorProgram, EditorSetup};
 use chordal_load::{LoadError, Loader, MachineReason, ProgramInput, ProgramText};
 
@@ -35,7 +35,7 @@ pub fn open_program(
     let foreign = loaded.not_read().and(loaded.chosen.recognition());
     let title = match foreign {
         Some(found) => found.chosen().title.to_string(),
-        None if is_guess => table(loaded.machine().control).title.to_string(),
+        None if is_guess => control_title(loaded.machine().control).to_string(),
         None => loaded.machine().title.clone(),
     };
     let why = match &loaded.chosen {

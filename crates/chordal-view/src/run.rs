@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use chordal::control::{Command, CommandKind, CompensationSide, initial_offset};
+use chordal::control::{Command, CommandKind, CompensationSide};
 use chordal::path::{PathBuilder, ProgramFrame};
 use chordal::{Job, PathCommand, RunWatch, Segment};
 use chordal_editor::EditorProgram;
@@ -37,7 +37,7 @@ pub fn run(
     out: &PageOutbox,
     cancel: &CancelToken,
 ) -> Option<(FinishedRun, Value)> {
-    let (offset, known) = initial_offset(job.machine(), job.control());
+    let (offset, known) = job.initial_offset();
     let header = json!({ "type": "path", "run": number });
     let rows = PathRows::of(job);
     let mut sending = PathSender {
@@ -47,7 +47,7 @@ pub fn run(
         contour: PathRows::without_power(job),
         programmed: job.path_builder(),
         compensated: false,
-        modal: ModalTrack::new(job.control(), ProgramFrame::new(offset, known)),
+        modal: ModalTrack::new(job.configured_control(), ProgramFrame::new(offset, known)),
     };
     let report = job.report_watched(&mut sending);
     if !cancel.is_current() {

@@ -7,7 +7,6 @@
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
-use chordal::control::initial_offset;
 use chordal::path::ProgramFrame;
 use serde::{Deserialize, Serialize};
 
@@ -136,8 +135,9 @@ impl ProgramView {
             (state.document.text().as_bytes().to_vec(), state.machine.clone())
         };
         let program = Arc::new(self.programs.open(text, machine.as_deref())?);
-        let (offset, known) = initial_offset(program.machine(), program.control());
-        let modal = ModalTrack::new(program.control(), ProgramFrame::new(offset, known));
+        let control = program.configured_control();
+        let (offset, known) = control.initial_offset(program.machine());
+        let modal = ModalTrack::new(control, ProgramFrame::new(offset, known));
         let (RemoteRun { number, rows, about_s, .. }, mut state) = (remote, self.state());
         state.opened = Some(program.clone());
         let about_s = about_s.unwrap_or(f64::INFINITY);

@@ -1,7 +1,8 @@
 //! For each compensated contour: the offsets with which it runs, and the blocks that limit them.
 
 use chordal_command::{Command, CommandKind, CompensationSide, Origin, Sink, Units};
-use chordal_dialect::Control;
+use chordal_kernel::ConfiguredControl;
+use chordal_kernel::rules::Rules;
 use chordal_kernel::RunSink;
 use chordal_kernel::rules::OutsideCorner;
 use std::collections::BTreeMap;
@@ -105,11 +106,11 @@ pub struct ContourRanges {
 impl Job<'_> {
     /// Finds for each compensated contour the offsets with which it runs.
     pub fn contour_ranges(&self) -> ContourRanges {
-        let mut recorder = ContourRecorder::new(self.control());
+        let mut recorder = ContourRecorder::new(self.rules());
         self.run(&mut recorder);
         let mut found = ContourRanges { left_out: recorder.left_out, ..ContourRanges::default() };
         for recorded in recorder.contours.into_values() {
-            let Some(mut range) = recorded.range(self.control()) else { continue };
+            let Some(mut range) = recorded.range(self.configured_control()) else { continue };
             if let Some(limit) = &mut range.control {
                 let span = limit.alarm.primary.span;
                 name_sequence(&mut limit.alarm, self.sources(), span);
@@ -143,13 +144,13 @@ struct ContourRecorder {
 }
 
 impl ContourRecorder {
-    fn new(control: &Control) -> ContourRecorder {
+    fn new(rules: &Rules) -> ContourRecorder {
         ContourRecorder {
             contours: BTreeMap::new(),
             open: None,
             cancelling: false,
-            plane: control.parameters.rules.starts_in,
-            units: control.parameters.rules.units,
+            plane: rules.starts_in,
+            units: rules.units,
             left_out: 0,
         }
     }
@@ -243,9 +244,9 @@ impl PathSink for OffsetTrial {
 
 impl RecordedContour {
     /// Runs the contour with another offset.
-    fn with(&self, control: &Control, radius_mm: f64, keep: bool) -> OffsetTrial {
+    fn with(&self, control: &dyn ConfiguredControl, radius_mm: f64, keep: bool) -> OffsetTrial {
         let mut compensator =
-            Compensator::new(&control.parameters.rules, control.alarms()).with_radius(radius_mm);
+            Compensator::new(control.rules(), control.profile().alarms()).with_radius(radius_mm);
         let mut tried = OffsetTrial { keep, ..OffsetTrial::default() };
         let origin = self.commands.first().map(|command| command.origin).unwrap_or_default();
         for kind in [CommandKind::Units(self.units), CommandKind::Plane(self.plane)] {
@@ -258,9 +259,9 @@ impl RecordedContour {
         tried
     }
 
-    fn range(self, control: &Control) -> Option<ContourRange> {
+    fn range(self, control: &dyn ConfiguredControl) -> Option<ContourRange> {
         let first = self.with(control, TRIAL_RADIUS_MM, true);
-        let corners = match control.parameters.rules.outside_corner {
+        let corners = match control.rules().outside_corner {
             OutsideCorner::Linear => OutsideCornerRule::Linear,
             OutsideCorner::Arc => OutsideCornerRule::Circular,
         };
@@ -316,7 +317,7 @@ impl RecordedContour {
     /// both sides of every radius at which the contour changes among them.
     fn control_limit(
         &self,
-        control: &Control,
+        control: &dyn ConfiguredControl,
         events: &[f64],
         largest: f64,
     ) -> Option<ControlLimit> {

@@ -2,9 +2,7 @@
 
 use chordal_command::{CallPath, Command, CommandKind, CompensationSide, Origin, Sink};
 use chordal_diagnostics::{Diagnostic, SourceMap, Span};
-use chordal_dialect::Control;
-use chordal_kernel::Outcome;
-use chordal_kernel::RunSink;
+use chordal_kernel::{ConfiguredControl, Outcome, RunSink};
 use chordal_path::{
     Compensator, ContourCheck, ContourPiece, PathBuilder, PathCommand, PathSink, Segment, SideCheck,
 };
@@ -50,7 +48,7 @@ impl<F: FnMut(&Segment)> PathSink for PathSegments<'_, F> {
 pub(crate) struct CompensationSink<'a, S> {
     pub compensator: Compensator,
     pub pending: PendingDiagnostics<'a, S>,
-    control: &'a Control,
+    control: &'a dyn ConfiguredControl,
     /// Follows a contour whose offset is not known, while there is one.
     nominal: Option<Box<NominalSink>>,
 }
@@ -134,14 +132,14 @@ impl<'a, S: PathSink> CompensationSink<'a, S> {
         contours: Option<ContourCheck>,
         sink: S,
     ) -> CompensationSink<'a, S> {
-        let compensator = Compensator::new(&job.control().parameters.rules, job.control().alarms());
+        let compensator = Compensator::new(job.rules(), job.profile().alarms());
         let pending = PendingDiagnostics {
             inner: sink,
             sources: job.sources(),
             waiting: Vec::new(),
             contours,
         };
-        CompensationSink { compensator, pending, control: job.control(), nominal: None }
+        CompensationSink { compensator, pending, control: job.configured_control(), nominal: None }
     }
 
     /// Passes a command to the contour with the nominal radius, which begins at a G41 or G42 whose offset is not
@@ -157,7 +155,7 @@ impl<'a, S: PathSink> CompensationSink<'a, S> {
                 return;
             }
             let mut compensator =
-                Compensator::new(&self.control.parameters.rules, self.control.alarms())
+                Compensator::new(self.control.rules(), self.control.profile().alarms())
                     .with_radius(NOMINAL_RADIUS_MM);
             compensator.recall(&self.compensator.memory());
             self.nominal = Some(Box::new(NominalSink { compensator, sides: SideCheck::default() }));

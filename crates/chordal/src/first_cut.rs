@@ -6,8 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use chordal_command::{AxisMask, Command, Move, Sink};
 use chordal_diagnostics::Diagnostic;
-use chordal_gcode::{RunOptions, WordAddress};
-use chordal_kernel::{Language, RunSink};
+use chordal_kernel::{RunOptions, RunSink};
 use chordal_machine::AXES;
 use chordal_path::{NotNamed, ProgramFrame, RunFrame};
 
@@ -123,9 +122,9 @@ impl Job<'_> {
             has_all.load(Ordering::Relaxed) || interrupt.as_ref().is_some_and(|ends| ends())
         };
         let options = RunOptions { interrupt: Some(Arc::new(ends)), ..options.clone() };
-        let language = WordAddress::new(self.sources(), self.machine(), self.control(), &options);
-        for program in self.mains(&language) {
-            language.run(program, None, &mut sink);
+        let programs = self.program_set_with(&options);
+        for program in self.mains(&*programs) {
+            programs.run(program, None, &mut sink);
             if sink.has_all() {
                 break;
             }
@@ -136,7 +135,7 @@ impl Job<'_> {
     }
 
     fn run_frame_of(&self, frame: &ProgramFrame) -> RunFrame {
-        let key = frame.name.table_key(self.control().table.work_names);
+        let key = frame.name.table_key(self.profile().work_names);
         let table = |key: &str, axis: usize| self.machine().work_offsets.get(key)?.values[axis];
         let set_up = |axis| Some(table(&key, axis)? + table("EXT", axis).unwrap_or(0.0));
         RunFrame::of_cut(frame, std::array::from_fn::<_, AXES, _>(set_up))

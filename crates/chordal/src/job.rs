@@ -1,21 +1,21 @@
 //! A [`Job`]: a program on a machine, and its run.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
-use chordal_command::AxisMask;
+use chordal_command::{AxisMask, WorkName};
 use chordal_diagnostics::{Code, Diagnostic, FileId, Source, SourceMap, Span};
-use chordal_dialect::Control;
-use chordal_dialect::SettingError;
-use chordal_gcode::{
-    InterruptCheck, Library, Program, RunOptions, WordAddress, initial_offset, initial_work_offset,
-};
+use chordal_dialect::{Control, Setting, SettingField};
+use chordal_gcode::WordAddressControl;
 use chordal_geometry::Placement;
-use chordal_kernel::Outcome;
-use chordal_kernel::{Checkpoint, CompletedRun, Language, RunSink};
+use chordal_kernel::rules::Rules;
+use chordal_kernel::{
+    Checkpoint, CompletedRun, ConfiguredControl, ControlProfile, InterruptCheck, Outcome,
+    ProgramPlace, ProgramSet, RunOptions, RunSink, SettingError,
+};
 use chordal_machine::{Machine, PerAxis};
 use chordal_path::{PathBuilder, ProgramFrame, RunChecks};
-use chordal_syntax::ProgramHead;
 
+use crate::languages::configured_control;
 use crate::premises::RunPremises;
 
 /// Why there is no job.
@@ -24,6 +24,9 @@ pub enum JobError {
     /// The machine has settings that its control does not know.
     #[error("the control does not know {} settings of the machine", .0.len())]
     Settings(Vec<SettingError>),
+    /// No language reads the programs of the machine's control.
+    #[error("the programs of `{0}` are not read")]
+    NoLanguage(&'static str),
 }
 
 /// A program and a machine.
@@ -57,7 +60,7 @@ pub enum JobError {
 pub struct Job<'a> {
     sources: SourceMap<'a>,
     machine: Machine,
-    control: Control,
+    control: Arc<dyn ConfiguredControl>,
     options: RunOptions,
     program: Option<ProgramChoice>,
     /// What was found out before the run, once somebody needed it.
@@ -73,26 +76,18 @@ enum ProgramChoice {
     Place(usize),
 }
 
-/// A program of the first text, as [`Job::programs`] lists it.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct TextProgram {
-    /// Its number, name and range in the text.
-    pub head: ProgramHead,
-    /// True where a run begins with it; others are run where they are called.
-    pub is_main: bool,
-}
-
 impl<'a> Job<'a> {
     /// Makes a job of texts and a machine. The first text is the program; the others may hold its subprograms.
     ///
     /// # Errors
     /// When the machine has settings that its control does not know.
     pub fn new(sources: SourceMap<'a>, mut machine: Machine) -> Result<Job<'a>, JobError> {
-        let (control, errors) = Control::of(&machine);
+        let found = configured_control(&machine);
+        let (control, errors) = found.ok_or(JobError::NoLanguage(machine.control.as_str()))?;
         if !errors.is_empty() {
             return Err(JobError::Settings(errors));
         }
-        machine.take_designations(control.parameters.rules.turning.tips_mirrored);
+        machine.take_designations(control.rules().turning.tips_mirrored);
         let (options, ahead) = (RunOptions::default(), OnceLock::new());
         Ok(Job { sources, machine, control, options, program: None, ahead })
     }
@@ -145,18 +140,8 @@ impl<'a> Job<'a> {
 
     /// The programs of the first text in order, with those that a run begins with marked. A text
     /// without any head is one program.
-    pub fn programs(&self) -> Vec<TextProgram> {
-        let language = self.language();
-        let mains = language.mains();
-        let library = language.library();
-        let programs = library.programs().iter().take_while(|program| program.file == FileId(0));
-        programs
-            .enumerate()
-            .map(|(place, program)| TextProgram {
-                head: program.head,
-                is_main: mains.binary_search(&place).is_ok(),
-            })
-            .collect()
+    pub fn programs(&self) -> Vec<ProgramPlace> {
+        own_programs(&*self.program_set()).cloned().collect()
     }
 
     /// Replaces the options of the run, such as its budgets.
@@ -187,15 +172,43 @@ impl<'a> Job<'a> {
         &self.machine
     }
 
-    /// The control with its parameters.
-    pub fn control(&self) -> &Control {
-        &self.control
+    /// The control, with the settings of the machine applied.
+    pub fn configured_control(&self) -> &dyn ConfiguredControl {
+        &*self.control
+    }
+
+    /// The facts of the control that do not depend on the machine.
+    pub fn profile(&self) -> ControlProfile {
+        self.control.profile()
+    }
+
+    /// The rules of the control with the settings of the machine.
+    pub fn rules(&self) -> &Rules {
+        self.control.rules()
+    }
+
+    /// The axes of the machine.
+    pub fn axes(&self) -> AxisMask {
+        self.control.axes()
+    }
+
+    /// The control with its tables, for what works on word-address blocks only; `None` when its programs are written
+    /// in another language.
+    pub fn word_address(&self) -> Option<&Control> {
+        let control: Option<&WordAddressControl> = self.control.as_any().downcast_ref();
+        control.map(|control| &control.0)
+    }
+
+    /// The control's own setting of a rule; `None` where it has none, or no settings of its own.
+    pub fn own_setting(&self, field: SettingField) -> Option<&'static Setting> {
+        let settings = self.word_address()?.table.settings;
+        settings.iter().find(|setting| setting.field == field)
     }
 
     /// The chords into which the control itself divides arcs: their largest distance from the arc, mm, and on which
     /// side of it they lie; `None` where the control is not known to divide arcs, or divides them by length.
     pub fn own_chords(&self) -> Option<(f64, Placement)> {
-        let junctions = self.control().parameters.rules.path.junctions?;
+        let junctions = self.rules().path.junctions?;
         // Segments of a fixed length have no one distance: they are farther from a small arc than from a large one.
         junctions
             .arc_segments
@@ -218,17 +231,17 @@ impl<'a> Job<'a> {
         if !self.is_readable(sink) {
             return Vec::new();
         }
-        let language = self.language();
-        self.before_run(language.library()).for_each(|diagnostic| sink.diagnostic(diagnostic));
+        let programs = self.program_set();
+        self.before_run(&*programs).for_each(|diagnostic| sink.diagnostic(diagnostic));
         let mut outcomes = Vec::new();
-        let mains = self.mains(&language);
+        let mains = self.mains(&*programs);
         let heads = |program: usize| match mains.len() {
             // What concerns the only program concerns the whole text, and has no place in it.
             1 => Span::default(),
-            _ => language.library().programs().get(program).map_or_else(Span::default, head_of),
+            _ => programs.programs().get(program).map_or_else(Span::default, ProgramPlace::head_span),
         };
         for program in mains.iter().copied() {
-            let Some(CompletedRun { outcome, .. }) = language.run(program, None, sink) else {
+            let Some(CompletedRun { outcome, .. }) = programs.run(program, None, sink) else {
                 continue;
             };
             ended(sink, &outcome, heads(program));
@@ -242,20 +255,17 @@ impl<'a> Job<'a> {
 
     /// What is reported before the first block: what was assumed about the text and the files next to it, tool tips
     /// that were assumed, and programs with the same number.
-    pub(crate) fn before_run(&self, library: &Library) -> impl Iterator<Item = Diagnostic> {
-        let duplicates =
-            library.duplicate_diagnostics().filter(|each| self.is_about(library, each));
-        self.options.notes.iter().cloned().chain(usual_tips(&self.machine)).chain(duplicates)
+    pub(crate) fn before_run(&self, programs: &dyn ProgramSet) -> impl Iterator<Item = Diagnostic> {
+        let mut heads = programs.head_problems();
+        heads.retain(|each| self.is_about(programs, each));
+        self.options.notes.iter().cloned().chain(usual_tips(&self.machine)).chain(heads)
     }
 
     /// False for the problem of a program's head where only another program is run.
-    fn is_about(&self, library: &Library, diagnostic: &Diagnostic) -> bool {
+    fn is_about(&self, programs: &dyn ProgramSet, diagnostic: &Diagnostic) -> bool {
         let Some(ProgramChoice::Place(place)) = self.program else { return true };
         let at = diagnostic.primary.span.range.start;
-        library
-            .programs()
-            .get(place)
-            .is_some_and(|program| at >= program.head.start.offset && at < program.head.end)
+        programs.programs().get(place).is_some_and(|program| program.has(at))
     }
 
     fn is_readable<S: RunSink>(&self, sink: &mut S) -> bool {
@@ -281,22 +291,22 @@ impl<'a> Job<'a> {
     /// where there are several programs to run, or where the caller answers shop codes or macro calls: such a run has
     /// no checkpoints.
     pub fn run_on(&self, from: Option<&Checkpoint>, sink: &mut dyn RunSink) -> bool {
-        let Some((language, main)) = self.single_main() else { return false };
-        language.run(main, from, sink);
+        let Some((programs, main)) = self.single_main() else { return false };
+        programs.run(main, from, sink);
         true
     }
 
     /// The program that is run; `None` where there is not exactly one, or where the caller answers it while it runs.
-    pub(crate) fn single_main(&self) -> Option<(WordAddress<'_>, usize)> {
+    pub(crate) fn single_main(&self) -> Option<(Box<dyn ProgramSet + '_>, usize)> {
         let readable = !chordal_syntax::decode(self.text()).binary;
         let needs_answers = self.options.shop_codes.is_some() || self.machine.answers_with_blocks();
         if !readable || needs_answers || self.options.not_read.is_some() {
             return None;
         }
-        let language = self.language();
-        match self.mains(&language)[..] {
-            [main] if language.needs_caller(main) => None,
-            [main] => Some((language, main)),
+        let programs = self.program_set();
+        match self.mains(&*programs)[..] {
+            [main] if programs.needs_caller(main) => None,
+            [main] => Some((programs, main)),
             _ => None,
         }
     }
@@ -305,23 +315,28 @@ impl<'a> Job<'a> {
         &self.options
     }
 
-    /// The language of the programs, with the texts and the machine.
-    pub fn language(&self) -> WordAddress<'_> {
-        WordAddress::new(&self.sources, &self.machine, &self.control, &self.options)
+    /// The programs of the texts, in the language of the control.
+    pub fn program_set(&self) -> Box<dyn ProgramSet + '_> {
+        self.program_set_with(&self.options)
     }
 
-    pub(crate) fn mains(&self, language: &WordAddress<'_>) -> Vec<usize> {
-        let library = language.library();
+    /// The same with other options of the run.
+    pub(crate) fn program_set_with<'s>(&'s self, options: &'s RunOptions) -> Box<dyn ProgramSet + 's> {
+        self.control.open(&self.sources, &self.machine, options)
+    }
+
+    /// The indices of the programs that a run begins with.
+    pub fn mains(&self, programs: &dyn ProgramSet) -> Vec<usize> {
         match self.program {
-            Some(ProgramChoice::Number(number)) => {
-                library.find(number, FileId(0)).into_iter().collect()
-            }
+            Some(ProgramChoice::Number(number)) => programs.find(number).into_iter().collect(),
             Some(ProgramChoice::Place(place)) => {
-                let programs = library.programs();
-                let is_there = programs.get(place).is_some_and(|program| program.file == FileId(0));
+                let is_there = own_programs(programs).nth(place).is_some();
                 is_there.then_some(place).into_iter().collect()
             }
-            None => language.mains(),
+            None => {
+                let own = own_programs(programs).enumerate();
+                own.filter(|(_, program)| program.is_main).map(|(index, _)| index).collect()
+            }
         }
     }
 
@@ -338,7 +353,7 @@ impl<'a> Job<'a> {
     /// The checks of the path of one run of this job.
     pub(crate) fn checks(&self) -> RunChecks<'_> {
         let (offset, known) = self.initial_offset();
-        let rules = &self.control().parameters.rules;
+        let rules = self.rules();
         RunChecks::new(self.machine(), offset, known, rules.units)
             .assumed(self.has_assumed_machine())
             .with_tool_lengths(rules.length.source)
@@ -352,23 +367,30 @@ impl<'a> Job<'a> {
             .in_system(frame.name)
             .in_run_frame(self.run_frame())
             .without_names(self.ahead().not_named)
-            .with_tool_lengths(self.control().parameters.rules.length.source)
+            .with_tool_lengths(self.rules().length.source)
     }
 
     /// What lies between program and machine coordinates before the first block.
     pub(crate) fn initial_frame(&self) -> ProgramFrame {
         let (offset, known) = self.initial_offset();
-        ProgramFrame::new(offset, known).in_system(initial_work_offset(self.control()))
+        ProgramFrame::new(offset, known).in_system(self.initial_work_offset())
     }
 
-    pub(crate) fn initial_offset(&self) -> (PerAxis<f64>, AxisMask) {
-        initial_offset(&self.machine, &self.control)
+    /// The work coordinate system before the first block.
+    pub fn initial_work_offset(&self) -> WorkName {
+        self.control.initial_work_offset()
+    }
+
+    /// The offset between program and machine coordinates before the first block (mm, rad), and the axes for which
+    /// the machine file gives it.
+    pub fn initial_offset(&self) -> (PerAxis<f64>, AxisMask) {
+        self.control.initial_offset(&self.machine)
     }
 }
 
-/// Where the head of a program is in the text.
-fn head_of(program: &Program) -> Span {
-    program.head.head.in_file(program.file)
+/// The programs of the first text.
+fn own_programs(programs: &dyn ProgramSet) -> impl Iterator<Item = &ProgramPlace> {
+    programs.programs().iter().take_while(|program| program.file == FileId(0))
 }
 
 /// The problem of a text without a block.

@@ -18,17 +18,22 @@
 
 #![forbid(unsafe_code)]
 
-/// How a control interprets a program: its tables and settings, its rules, its commands, and the run of a program in
-/// blocks.
+/// How a control interprets a program: its rules, its commands, and the run of a program.
 pub mod control {
     pub use chordal_command::*;
     pub use chordal_dialect::*;
     pub use chordal_gcode::*;
     pub use chordal_kernel::rules::*;
     pub use chordal_kernel::{
-        AfterBlock, Alarms, Checkpoint, CompletedRun, EndReason, FrameKinds, Language, LiveTool,
-        Modal, MotionMode, Outcome, ProgramPlace, RunSink, SplineForm, StateItem, StateValue,
-        Token, TokenClass, ToolValue, TurnPass,
+        ANOTHER_KIND, AfterBlock, Alarms, Checkpoint, CompletedRun, ConfiguredControl,
+        ControlCandidate, ControlProfile, CustomCode, EndReason, EvidenceStrength, FoundSign, FrameKinds,
+        InterruptCheck, LiveTool, Modal, MotionMode, Outcome, ProgramName, ProgramPlace,
+        ProgramSet, ProgrammingLanguage, Recognition, RunOptions, RunSink, SettingError, ShopAnswer, ShopCall, ShopCodes, ShopRecord, SplineForm, StateItem,
+        StateValue, TextSymbol, Token, TokenClass, ToolValue, TurnPass, WordCompletion,
+    };
+
+    pub use crate::languages::{
+        configured_control, control_profile, control_title, recognize, register_language,
     };
 }
 
@@ -36,6 +41,7 @@ mod comp_range;
 mod compensation_sink;
 mod first_cut;
 mod job;
+mod languages;
 pub mod motion;
 mod other_sides;
 mod premises;
@@ -56,14 +62,15 @@ pub use chordal_syntax as syntax;
 pub use chordal_command::{Command, CommandKind, Effect, Sink};
 pub use chordal_diagnostics::{Code, Diagnostic, Severity, Source, SourceMap, Span};
 pub use chordal_dialect::Control;
-pub use chordal_gcode::{CustomCode, RunOptions, ShopAnswer, ShopCall, ShopCodes, ShopRecord};
-pub use chordal_kernel::{Language, Outcome, RunSink};
+pub use chordal_kernel::{
+    CustomCode, Outcome, RunOptions, RunSink, ShopAnswer, ShopCall, ShopCodes, ShopRecord,
+};
 pub use chordal_machine::Machine;
 pub use chordal_path::{
     BlockRole, CompensationCurve, ContourPiece, PathCommand, PathSink, Segment, SegmentKind,
 };
 pub use comp_range::{ContourRange, ContourRanges, ControlLimit, OffsetLimit};
-pub use job::{Job, JobError, TextProgram};
+pub use job::{Job, JobError};
 pub use other_sides::{AlternativeRun, BlockDeleteRuns, MAX_SIDE_RUNS, MAX_STOCK_SIDE_RUNS};
 pub use reading::{ChoiceDifference, ProgramReading, ReadingChoice, ReadingChoices};
 pub use recheck::CheckMemory;

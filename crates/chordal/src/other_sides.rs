@@ -8,7 +8,7 @@ use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
 
 use chordal_diagnostics::{Code, Diagnostic, FileId, Source, SourceMap, Span};
-use chordal_gcode::RunOptions;
+use chordal_kernel::RunOptions;
 
 use crate::job::Job;
 use crate::report::{KEPT_PER_CODE, OtherSides, Report};

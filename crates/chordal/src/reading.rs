@@ -1,7 +1,7 @@
 //! As which control and machine a program is read, and the alternatives where that is a guess.
 
 use chordal_diagnostics::Span;
-use chordal_gcode::Recognition;
+use chordal_kernel::Recognition;
 
 /// As which control and machine a program is read, and why.
 #[derive(Clone, Debug)]

@@ -6,12 +6,9 @@
 //! answer is always that of a whole run.
 
 use chordal_command::{CallPath, Command, Sink};
-use chordal_gcode::WordAddress;
-use chordal_kernel::Checkpoint;
-use chordal_kernel::CompletedRun;
-use chordal_kernel::Language;
-use chordal_kernel::RunSink;
-use chordal_kernel::{EndReason, Outcome};
+use chordal_kernel::{
+    Checkpoint, CompletedRun, EndReason, Outcome, ProgramName, ProgramSet, RunSink,
+};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 
@@ -50,7 +47,7 @@ impl Default for CheckMemory {
 struct SegmentedRun {
     text: Vec<u8>,
     /// The numbers of the programs of the text, and which one was run.
-    numbers: Vec<Option<u32>>,
+    names: Vec<Option<ProgramName>>,
     main: usize,
     /// At least one.
     segments: Vec<CheckedSegment>,
@@ -189,7 +186,7 @@ impl Job<'_> {
     /// those of that check.
     pub fn check_again(&self, memory: &mut CheckMemory) -> Report {
         match self.single_main() {
-            Some((library, main)) => memory.check(self, &library, main),
+            Some((programs, main)) => memory.check(self, &*programs, main),
             None => {
                 memory.forget();
                 self.check()
@@ -216,20 +213,19 @@ impl CheckMemory {
     }
 
     /// Checks a job that runs one program, and remembers.
-    pub(crate) fn check(&mut self, job: &Job, language: &WordAddress<'_>, main: usize) -> Report {
-        let here =
-            language.library().programs().iter().take_while(|program| program.file == FileId(0));
-        let numbers: Vec<Option<u32>> = here.map(|program| program.head.number).collect();
+    pub(crate) fn check(&mut self, job: &Job, programs: &dyn ProgramSet, main: usize) -> Report {
+        let own = programs.programs().iter().take_while(|program| program.file == FileId(0));
+        let names: Vec<Option<ProgramName>> = own.map(|program| program.name.clone()).collect();
         let before = self.run.take();
-        let before = before.filter(|run| run.numbers == numbers && run.main == main);
+        let before = before.filter(|run| run.names == names && run.main == main);
         let bytes = self.segment_bytes.max(job.text().len() / MAX_SEGMENTS) as u32;
-        let run = before.and_then(|run| run.again(job, language, bytes));
-        let run = run.unwrap_or_else(|| SegmentedRun::whole(job, language, numbers, main, bytes));
+        let run = before.and_then(|run| run.again(job, programs, bytes));
+        let run = run.unwrap_or_else(|| SegmentedRun::whole(job, programs, names, main, bytes));
         let waiting = run.segments.iter().map(|segment| segment.waiting.len()).sum::<usize>();
         if waiting >= MAX_WAITING {
             return job.check();
         }
-        let mut report = run.report(job, language);
+        let mut report = run.report(job, programs);
         job.check_other_sides(&mut report, KEPT_PER_CODE);
         // An interrupted run has no end to join on to.
         self.run = Some(run).filter(|run| run.outcome.end != EndReason::Interrupted);
@@ -240,18 +236,18 @@ impl CheckMemory {
 impl SegmentedRun {
     fn whole(
         job: &Job,
-        language: &WordAddress<'_>,
-        numbers: Vec<Option<u32>>,
+        programs: &dyn ProgramSet,
+        names: Vec<Option<ProgramName>>,
         main: usize,
         bytes: u32,
     ) -> SegmentedRun {
         let mut walk = IncrementalRun::new(job, bytes, None, &[], None);
-        let (outcome, end) = walk.run(job, language, main);
+        let (outcome, end) = walk.run(job, programs, main);
         let outcome = outcome.unwrap_or_else(|| unreachable!("there is nothing to meet"));
         let (segments, carried_out) = (walk.done, walk.blocks);
         SegmentedRun {
             text: job.text().to_vec(),
-            numbers,
+            names,
             main,
             segments,
             outcome,
@@ -262,7 +258,7 @@ impl SegmentedRun {
 
     /// The run of a changed text with the same programs, which keeps the segments before the change and those after
     /// it that begin with the same state; `None` where nothing can be kept.
-    fn again(mut self, job: &Job, language: &WordAddress<'_>, bytes: u32) -> Option<SegmentedRun> {
+    fn again(mut self, job: &Job, programs: &dyn ProgramSet, bytes: u32) -> Option<SegmentedRun> {
         let shift = TextShift::between(&self.text, job.text());
         let start_of =
             |segment: &CheckedSegment| segment.start.as_ref().map_or(0, SegmentStart::offset);
@@ -289,7 +285,7 @@ impl SegmentedRun {
         }
         let began = first.as_ref().map_or(0, |first| first.checkpoint.blocks());
         let mut walk = IncrementalRun::new(job, bytes, first, &tail, Some(&shift));
-        let (outcome, end) = walk.run(job, language, self.main);
+        let (outcome, end) = walk.run(job, programs, self.main);
         let (met, blocks, done) = (walk.met, walk.blocks, walk.done);
         self.carried_out = blocks - began;
         self.segments.extend(done);
@@ -315,10 +311,10 @@ impl SegmentedRun {
     }
 
     /// The report of the run, put together from its segments.
-    fn report(&self, job: &Job, language: &WordAddress<'_>) -> Report {
+    fn report(&self, job: &Job, programs: &dyn ProgramSet) -> Report {
         let mut collector = Collector::new(KEPT_PER_CODE);
         contradicted_tools(job).into_iter().for_each(|diagnostic| collector.push(diagnostic));
-        job.before_run(language.library()).for_each(|diagnostic| collector.push(diagnostic));
+        job.before_run(programs).for_each(|diagnostic| collector.push(diagnostic));
         let mut sink = CheckSink::new(job, ());
         let mut output = Vec::new();
         for segment in &self.segments {
@@ -376,11 +372,11 @@ impl<'a, 'o> IncrementalRun<'a, 'o> {
     fn run(
         &mut self,
         job: &'a Job<'a>,
-        language: &WordAddress<'_>,
+        programs: &dyn ProgramSet,
         main: usize,
     ) -> (Option<Outcome>, ChecksMemory) {
         let checkpoint = self.start.as_ref().map(|start| start.checkpoint.clone());
-        let ended = language.run(main, checkpoint.as_ref(), self);
+        let ended = programs.run(main, checkpoint.as_ref(), self);
         let outcome = ended.map(|CompletedRun { outcome, text_read }| {
             self.run.finish();
             self.blocks = outcome.blocks;

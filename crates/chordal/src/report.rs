@@ -302,7 +302,7 @@ impl<'m, 'w> ReportSink<'m, 'w> {
         ReportSink {
             builder: job.path_builder(),
             checks: job.checks(),
-            summary: SummaryBuilder::new(job.control(), job.machine()),
+            summary: SummaryBuilder::new(job.rules(), job.machine()),
             collector: Collector::new(KEPT_PER_CODE),
             output: Vec::new(),
             segments: Vec::new(),

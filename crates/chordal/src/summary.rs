@@ -1,7 +1,7 @@
 //! The summary of a run: counts, lengths, travel, tools, times.
 
 use chordal_command::{AxisMask, Command, CommandKind, FeedMode, Move, SurfaceRun, Units};
-use chordal_dialect::Control;
+use chordal_kernel::rules::Rules;
 use chordal_machine::{AXES, AXIS_LETTERS, Axis, Machine, PerAxis};
 use std::collections::BTreeMap;
 
@@ -113,7 +113,7 @@ pub(crate) struct SummaryBuilder {
 }
 
 impl SummaryBuilder {
-    pub fn new(control: &Control, machine: &Machine) -> SummaryBuilder {
+    pub fn new(rules: &Rules, machine: &Machine) -> SummaryBuilder {
         let empty = PathExtent {
             low: f64::INFINITY,
             high: f64::NEG_INFINITY,
@@ -121,7 +121,7 @@ impl SummaryBuilder {
             cut_high: f64::NEG_INFINITY,
             distance: 0.0,
         };
-        let inch = control.parameters.rules.units == Units::Inch;
+        let inch = rules.units == Units::Inch;
         SummaryBuilder {
             summary: Summary { inch, ..Summary::default() },
             tools: BTreeMap::new(),

@@ -28,18 +28,18 @@ fn the_list_of_controls_is_that_of_their_folders() {
     assert_eq!(listed, folders("crates/chordal-dialect/src/controls"));
     assert_eq!(CONTROLS.len(), ControlName::ALL.len());
     for name in ControlName::ALL {
-        assert_eq!(table(*name).name, name.as_str());
+        assert_eq!(table(*name).expect("a table").name, name.as_str());
     }
 }
 
 #[test]
 fn a_control_has_a_machine_signs_a_source_and_a_post() {
     for name in ControlName::ALL {
-        let table = table(*name);
+        let table = table(*name).expect("a table");
         let machine = Machine::from_builtin(table.default_machine)
             .unwrap_or_else(|errors| panic!("{name}: {errors:?}"));
         assert_eq!(machine.control, *name, "{name}: its default machine is of another control");
-        assert!(Control::of(&machine).1.is_empty(), "{name}: settings that it does not have");
+        assert!(Control::of(&machine).expect("a word-address control").1.is_empty(), "{name}: settings that it does not have");
         assert!(!table.title.is_empty() && !table.source.is_empty(), "{name}: title and source");
         assert!(!table.evidence.is_empty(), "{name}: nothing to recognize its programs by");
         assert!(!table.post.begin.is_empty() && !table.post.end.is_empty(), "{name}: its post");

@@ -148,7 +148,7 @@ fn no_move_is_dropped_without_a_message() {
         let text = std::fs::read_to_string(&file).unwrap();
         let program = grammar::read(&text).unwrap();
         let machine = Machine::from_builtin(&program.machine).unwrap();
-        let (control, _) = Control::of(&machine);
+        let (control, _) = Control::of(&machine).expect("a word-address control");
         let before = run(&program, &program.machine).unwrap();
         for change in changes(&text, &control) {
             tried += 1;

@@ -149,7 +149,7 @@ fn ends_of_cuts(machine: Machine, text: &str) -> (Vec<f64>, Vec<String>, Vec<(f6
     sources.add(Source::new("t.nc", text.as_bytes()));
     let job = Job::new(sources, machine).expect("a job");
     let (mut drawn, mut left_out) = (Vec::new(), Vec::new());
-    let naming = job.control().table.work_names;
+    let naming = job.profile().work_names;
     for piece in path(&job).iter().filter(|piece| piece.kind == SegmentKind::Line) {
         let (start, end) = (piece.curve.start(), piece.curve.end());
         if start.x == end.x {

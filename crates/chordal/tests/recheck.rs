@@ -232,9 +232,9 @@ fn edits_of_the_programs_of_the_repository() {
     assert!(all.len() > 100, "{}", all.len());
     for (place, (name, text)) in all.iter().enumerate() {
         // `haas-lathe` has `haas` in it.
-        let named = |machine: &&Machine| name.contains(table(machine.control).name);
+        let named = |machine: &&Machine| name.contains(table(machine.control).expect("a table").name);
         let same =
-            machines.iter().filter(named).max_by_key(|machine| table(machine.control).name.len());
+            machines.iter().filter(named).max_by_key(|machine| table(machine.control).expect("a table").name.len());
         for round in 0..rounds() {
             let seed = (place * 1000 + round) as u64;
             let machine = same.unwrap_or(&machines[(place + round) % machines.len()]);
@@ -294,7 +294,7 @@ fn made(control: &Control, dice: &mut Dice, parts: usize) -> String {
 fn edits_of_long_programs_with_calls_cycles_macros_and_compensation() {
     let mut work = Work::default();
     for (place, mut machine) in machines().into_iter().enumerate() {
-        let (control, _) = Control::of(&machine);
+        let (control, _) = Control::of(&machine).expect("a word-address control");
         let tool = chordal::machine::Tool { diameter_mm: Some(6.0), ..Default::default() };
         machine.tools.insert(1, tool);
         for round in 0..4 * rounds() {

@@ -7,7 +7,7 @@ use chordal::machine::{Machine, builtin_names};
 fn every_listed_value_can_be_written_back() {
     for name in builtin_names() {
         let machine = Machine::from_builtin(name).expect("a built-in machine");
-        let (control, errors) = Control::of(&machine);
+        let (control, errors) = Control::of(&machine).expect("a word-address control");
         assert!(errors.is_empty(), "{name}: {errors:?}");
         for setting in control.table.settings.iter().chain(COMMON_SETTINGS) {
             let value = setting.field.value_text(&control.parameters);
@@ -20,7 +20,7 @@ fn every_listed_value_can_be_written_back() {
                 Err(_) => format!("settings.\"{}\"=\"{value}\"", setting.name),
             };
             changed.set(&assignment).unwrap_or_else(|e| panic!("{assignment}: {e}"));
-            let (again, errors) = Control::of(&changed);
+            let (again, errors) = Control::of(&changed).expect("a word-address control");
             assert!(errors.is_empty(), "{name}, {assignment}: {errors:?}");
             assert_eq!(setting.field.value_text(&again.parameters), value, "{assignment}");
         }
@@ -51,7 +51,7 @@ fn the_manuals_own_words_are_taken() {
     ] {
         let mut machine = Machine::from_builtin(machine).expect("a built-in machine");
         machine.set(assignment).unwrap_or_else(|e| panic!("{assignment}: {e}"));
-        let (control, errors) = Control::of(&machine);
+        let (control, errors) = Control::of(&machine).expect("a word-address control");
         assert!(errors.is_empty(), "{assignment}: {errors:?}");
         let (name, value) = setting.split_once('=').expect("a name and a value");
         let all = control.table.settings.iter().chain(COMMON_SETTINGS);
@@ -64,7 +64,7 @@ fn the_manuals_own_words_are_taken() {
 fn an_unknown_setting_is_refused_with_the_nearest() {
     let mut machine = Machine::from_builtin("haas-vf2").expect("a built-in machine");
     machine.set("settings.\"Setting 85X\"=1").expect("any name can be written");
-    let (_, errors) = Control::of(&machine);
+    let (_, errors) = Control::of(&machine).expect("a word-address control");
     assert_eq!(errors.len(), 1);
     assert!(errors[0].message.contains("Setting 85X"), "{errors:?}");
 }

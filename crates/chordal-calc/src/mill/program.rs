@@ -56,7 +56,7 @@ pub(super) fn small_hole(ask: &ThreadMill) -> Option<&'static str> {
 
 /// The whole program.
 pub(super) fn write(ask: &ThreadMill, plan: &ThreadMillPlan) -> String {
-    let post = table(ask.control).post;
+    let post = table(ask.control).map_or(&PostTemplate::EMPTY, |table| table.post);
     let words = ProgramWords { ask, plan, post };
     let fillings = words.fillings();
     let mut lines: Vec<String> = post.open.iter().map(|line| fill(line, &fillings)).collect();
@@ -132,7 +132,7 @@ impl ProgramWords<'_> {
             format!(
                 "for {}, chordal check --machine {}",
                 ask.control,
-                table(ask.control).default_machine
+                table(ask.control).map_or(ask.control.as_str(), |table| table.default_machine)
             ),
             direction(ask, plan),
             "X0 Y0 on the axis of the thread, Z0 on top of the part".to_string(),

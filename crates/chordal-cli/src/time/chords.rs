@@ -46,7 +46,7 @@ pub fn remedies(costs: &[ChordCost], job: &Job, units: ProgramUnits) -> Table {
 
 fn remedy_text(remedy: &ChordRemedy, cost: &ChordCost, job: &Job, units: ProgramUnits) -> String {
     match *remedy {
-        ChordRemedy::Joined => match job.control().parameters.rules.path.short_blocks {
+        ChordRemedy::Joined => match job.rules().path.short_blocks {
             ShortBlocks::LookAhead => "look-ahead on: this control then joins short blocks".into(),
             _ => "a control that joins short blocks".into(),
         },

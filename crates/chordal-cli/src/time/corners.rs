@@ -45,7 +45,7 @@ pub fn notes(time: &TimeReport, job: &Job, units: ProgramUnits) -> Vec<String> {
 
 /// The mode and the tolerance where the program says nothing, with the way to change them.
 fn default(job: &Job, units: ProgramUnits) -> String {
-    let rules = &job.control().parameters.rules.path;
+    let rules = &job.rules().path;
     let named = |field| setting(job, field).map_or("", |setting| setting.name);
     match (rules.start, rules.of_level(rules.level)) {
         (StartMode::ExactStop, _) => format!(
@@ -71,6 +71,6 @@ fn default(job: &Job, units: ProgramUnits) -> String {
 
 /// The setting of a rule: the control's own name before the common one.
 fn setting(job: &Job, field: SettingField) -> Option<&'static Setting> {
-    let of = |setting: &&Setting| setting.field == field;
-    job.control().table.settings.iter().find(of).or_else(|| COMMON_SETTINGS.iter().find(of))
+    let common = || COMMON_SETTINGS.iter().find(|setting| setting.field == field);
+    job.own_setting(field).or_else(common)
 }

@@ -1,14 +1,24 @@
 //! The controls, one folder each: whatever belongs to one control alone is in its folder. They are listed in
 //! `chordal_machine::controls`.
 
+use chordal_machine::ControlName;
+
 use crate::table::ControlTable;
 
 macro_rules! tables {
     ($($name:ident $folder:ident $word:literal,)*) => {
         $(pub(crate) mod $folder;)*
 
-        /// Every control, in the order of the list.
+        /// Every control with word-address blocks, in the order of the list.
         pub const ALL: &[&ControlTable] = &[$(&$folder::TABLE),*];
+
+        /// The table of a control; `None` if it is not programmed in word-address blocks.
+        pub fn table(name: ControlName) -> Option<&'static ControlTable> {
+            match name {
+                $(ControlName::$name => Some(&$folder::TABLE),)*
+                ControlName::Registered(_) => None,
+            }
+        }
     };
 }
 

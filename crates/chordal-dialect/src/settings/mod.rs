@@ -11,6 +11,7 @@ mod path_mode;
 mod rotary_feed;
 mod turning;
 
+use chordal_kernel::SettingError;
 use chordal_command::RapidPath;
 use chordal_machine::{Machine, SettingEntry, SettingValue};
 
@@ -245,17 +246,6 @@ pub const fn setting(
     source: &'static str,
 ) -> Setting {
     Setting { name, field, values, text, certainty, source }
-}
-
-/// Why a setting was refused.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SettingError {
-    /// Its name in the machine file.
-    pub name: String,
-    /// What is wrong.
-    pub message: String,
-    /// What to write.
-    pub help: Option<String>,
 }
 
 /// The setting of a name, regardless of case: the control's own, otherwise the common one. `None` if there is

@@ -8,7 +8,7 @@ mod letter;
 mod number;
 mod word;
 
-use chordal::Code;
+use chordal::{Code, Machine};
 use chordal::control::table::ControlTable;
 use chordal::control::{
     COMMON_SETTINGS, CONTROLS, Control, Parameters, Setting, SettingField, telling_number,
@@ -36,6 +36,11 @@ impl ControlView {
     /// As a machine has it.
     pub fn of(control: &Control) -> ControlView {
         ControlView { table: control.table, parameters: control.parameters }
+    }
+
+    /// The control of a machine; empty when its language has no tables of codes.
+    pub fn on(machine: &Machine) -> Vec<ControlView> {
+        Control::of(machine).map(|(control, _)| ControlView::of(&control)).into_iter().collect()
     }
 
     /// All controls as they are without a machine's settings.

@@ -177,7 +177,7 @@ impl<'a> CommandColumns<'a> {
             schema: schema(job, name, &columns(axes, of_path), &[]),
             sources: job.sources(),
             written: PositionScale::of(job),
-            naming: job.control().table.work_names,
+            naming: job.profile().work_names,
             of_path,
             is_text: false,
             rows: 0,

@@ -91,7 +91,7 @@ pub(super) fn places(axes: AxisMask, end: &str, cell: CellType, meaning: &str) -
 
 /// X, Y, Z and the rotary axes that a machine has.
 pub(super) fn axes_of(job: &Job) -> AxisMask {
-    job.control().axes().and(AxisMask::ROTARY).or(AxisMask::LINEAR)
+    job.axes().and(AxisMask::ROTARY).or(AxisMask::LINEAR)
 }
 
 /// A value of an axis in mm or rad as its column has it.

@@ -93,16 +93,16 @@ pub struct Plot {
 impl Plot {
     /// An empty drawing for a job, numbered in the units of the job's control.
     pub fn new(job: &Job) -> Plot {
-        let inch = job.control().parameters.rules.units == Units::Inch;
+        let inch = job.rules().units == Units::Inch;
         let turned = job.turns().then(lathe_stock::TurnedStockPlot::default);
-        Plot { store: PathStore::new(job.control().table.work_names), inch, turned }
+        Plot { store: PathStore::new(job.profile().work_names), inch, turned }
     }
 
     /// The same for a picture file. Where the spindle may be a laser, and one tool cuts with several values of S, the
     /// cuts are coloured by them, from least to most.
     pub fn picture(job: &Job) -> Plot {
         let mut plot = Plot::new(job);
-        plot.store.by_power = job.control().parameters.rules.spindle_by_hand;
+        plot.store.by_power = job.rules().spindle_by_hand;
         plot
     }
 

@@ -68,7 +68,7 @@ fn summary(report: &Report, job: &Job, timed: Option<&TimedRun>) -> Value {
         "cuts_without_feed": summary.cuts_without_time,
         "tools": tools.collect::<Vec<_>>(),
         "axes": axes.collect::<Vec<_>>(),
-        "moves_left_out": left_out_texts(&summary.unrelated_zeros, job.control().table.work_names),
+        "moves_left_out": left_out_texts(&summary.unrelated_zeros, job.profile().work_names),
         "repeats": repeats,
         "prints": report.output,
     })

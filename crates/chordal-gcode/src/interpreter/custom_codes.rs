@@ -1,5 +1,6 @@
 //! Custom M codes and programs: calls the answering hook and carries out its answer.
 
+use chordal_kernel::{CustomCode, ShopAnswer, ShopCall};
 use chordal_command::{CommandKind, SpindleState};
 use chordal_dialect::{Action, AfterCode, CallCode};
 use chordal_dialect::{CodeGroup, CodeRow};
@@ -11,7 +12,6 @@ use chordal_syntax::{Block, BlockPosition as TextPosition, Decimal, Letters, Pro
 
 use super::Interpreter;
 use super::literals::AXIS_OF;
-use crate::custom_codes::{CustomCode, ShopAnswer, ShopCall};
 use crate::library::Program;
 
 /// The row of a code that the table does not contain. Letters that no other code uses are its words.

@@ -228,7 +228,7 @@ mod tests {
     fn ran_on(mut machine: Machine, text: &str) -> Ran {
         let value = SettingValue::Text("continue".into());
         machine.settings.insert("on error".into(), SettingEntry { value, location: None });
-        let (control, errors) = Control::of(&machine);
+        let (control, errors) = Control::of(&machine).expect("a word-address control");
         assert!(errors.is_empty(), "{errors:?}");
         let mut sources = SourceMap::new();
         sources.add(Source::new("job.nc", text.as_bytes()));

@@ -52,11 +52,11 @@ pub use self::calls::subroutine_head;
 
 use active_codes::active_codes;
 use chordal_command::{
-    AxisMask, CallPath, CallPaths, CommandKind, CompensationSide, Origin, Units, WorkName,
+    AxisMask, CallPath, CallPaths, CommandKind, CompensationSide, Origin, Units,
 };
 use chordal_dialect::macros::MacroForm;
 use chordal_dialect::{CodeRow, Control};
-use chordal_kernel::{Modal, Offsets, State};
+use chordal_kernel::{Modal, ProgramName, RunOptions, State};
 use statement::BlockStatement;
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -64,13 +64,13 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use chordal_diagnostics::{Code, FileId, Span, TextRange};
 use chordal_dialect::LiteralScale;
 use chordal_kernel::{Checkpoint, CompletedRun, EndReason, Kernel, Outcome, RunSink};
-use chordal_machine::{AXES, Machine, PerAxis};
+use chordal_machine::{Machine, PerAxis};
 use chordal_syntax::{Block, BlockKind, BlockPosition as TextPosition, BlockReader, Decimal};
 
 use crate::firmware::FirmwareChecker;
 use crate::library::{Library, Program};
 use crate::macro_alone::missing_call;
-use crate::run_options::RunOptions;
+use crate::initial_offsets::{NATIVE, initial_offsets};
 
 /// The interrupt hook is called once per this many blocks: less than a millisecond apart, at negligible cost.
 const BLOCKS_PER_INTERRUPT_CHECK: u64 = 1024;
@@ -237,36 +237,6 @@ pub fn run_from<'a>(
     interpreter.outcome()
 }
 
-/// The offset between program and machine coordinates before the first block (mm, rad), and the axes for which the
-/// machine file gives it.
-pub fn initial_offset(machine: &Machine, control: &Control) -> (PerAxis<f64>, AxisMask) {
-    let offsets = initial_offsets(machine, control);
-    (offsets.total(), offsets.known())
-}
-
-/// The work coordinate system before the first block.
-pub fn initial_work_offset(control: &Control) -> WorkName {
-    match control.table.work_names.by_e {
-        true => WorkName::E(1),
-        false if control.parameters.preset_writes_system => NATIVE,
-        false => WorkName::G(54),
-    }
-}
-
-fn initial_offsets(machine: &Machine, control: &Control) -> Offsets {
-    let start = initial_work_offset(control);
-    let mut offsets = Offsets::new(machine, start, control.table.work_names);
-    if start == NATIVE {
-        let key = offsets.key(NATIVE);
-        (0..AXES).for_each(|axis| offsets.write_work(&key, axis, 0.0, false));
-        offsets.update();
-    }
-    offsets
-}
-
-/// The work coordinate system that equals machine coordinates until a preset writes it.
-const NATIVE: WorkName = WorkName::G(53);
-
 impl<'a> Interpreter<'a> {
     fn new(
         library: &'a Library<'a>,
@@ -276,7 +246,7 @@ impl<'a> Interpreter<'a> {
         options: &'a RunOptions,
         sink: &'a mut (dyn RunSink + 'a),
     ) -> Interpreter<'a> {
-        let offsets = initial_offsets(machine, control);
+        let offsets = initial_offsets(control, machine);
         let home = machine.home.map(|place| place.unwrap_or(0.0));
         let rules = &control.parameters.rules;
         let mut kernel =
@@ -341,7 +311,7 @@ impl<'a> Interpreter<'a> {
             end,
             blocks: self.blocks,
             calls: self.kernel.calls,
-            missing_programs: self.missing,
+            missing_programs: self.missing.into_iter().map(ProgramName::Number).collect(),
         };
         Some(CompletedRun { outcome, text_read: self.text_read_outside.take() })
     }

@@ -64,18 +64,18 @@ fn run(
 }
 
 fn fanuc(text: &str) -> Result<MacroValue, Code> {
-    let table = table(chordal_machine::ControlName::Fanuc);
+    let table = table(chordal_machine::ControlName::Fanuc).expect("a table");
     run(text, table.lexicon.grammar, table.macros, ValuePurpose::VALUE)
 }
 
 fn condition(text: &str) -> bool {
-    let table = table(chordal_machine::ControlName::Fanuc);
+    let table = table(chordal_machine::ControlName::Fanuc).expect("a table");
     let value = run(text, table.lexicon.grammar, table.macros, ValuePurpose::CONDITION);
     Truth::from(value.expect(text)) == Truth::Holds
 }
 
 fn haas(text: &str, digits: Option<u8>) -> f64 {
-    let table = table(chordal_machine::ControlName::Haas);
+    let table = table(chordal_machine::ControlName::Haas).expect("a table");
     let purpose = ValuePurpose { round_digits: digits, condition: false };
     run(text, table.lexicon.grammar, table.macros, purpose).expect(text).known().expect(text)
 }
@@ -193,7 +193,7 @@ fn what_is_computed_from_an_unknown_value_is_unknown() {
     // Whatever is divided by zero is an alarm.
     assert_eq!(fanuc("#700/0"), Err(Code::DivisionByZero));
     assert_eq!(fanuc("#700MOD#2"), Err(Code::DivisionByZero));
-    let table = table(chordal_machine::ControlName::Fanuc);
+    let table = table(chordal_machine::ControlName::Fanuc).expect("a table");
     for text in ["#700EQ#0", "#700NE#0", "[#700GT1]OR[1EQ1]", "[1EQ2]AND[#700LT1]"] {
         let value = run(text, table.lexicon.grammar, table.macros, ValuePurpose::CONDITION);
         assert_eq!(
@@ -223,7 +223,7 @@ fn what_cannot_be_read() {
 
 #[test]
 fn linuxcnc_reads_its_own_grammar() {
-    let table = table(chordal_machine::ControlName::Linuxcnc);
+    let table = table(chordal_machine::ControlName::Linuxcnc).expect("a table");
     let value = |text: &str| {
         run(text, table.lexicon.grammar, &MacroRules::NONE, ValuePurpose::VALUE).expect(text)
     };
@@ -239,7 +239,7 @@ fn linuxcnc_reads_its_own_grammar() {
 
 #[test]
 fn fadal_reads_its_own_grammar() {
-    let grammar = table(chordal_machine::ControlName::Fadal).lexicon.grammar;
+    let grammar = table(chordal_machine::ControlName::Fadal).expect("a table").lexicon.grammar;
     let value =
         |text: &str| run(text, grammar, &MacroRules::NONE, ValuePurpose::VALUE).expect(text);
     let v = grammar.letter_variables.iter().position(|name| *name == "V").unwrap_or(0) as f64;

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
+use chordal_dialect::ControlTable;
 use chordal_dialect::not_read::{self, NotRead};
 use chordal_dialect::recognition::{RecognitionEvidence, RecognitionSign, TextForm};
 use chordal_machine::ControlName;
@@ -14,7 +15,7 @@ use super::pattern::Pattern;
 #[derive(Clone, Copy, Debug)]
 pub enum SignTarget {
     /// A control whose programs are read.
-    Control(ControlName),
+    Control(ControlName, &'static ControlTable),
     /// A language that is not read.
     NotRead(&'static NotRead),
 }
@@ -66,9 +67,9 @@ impl Catalog {
         let mut catalog =
             Catalog { languages: Vec::new(), entries: Vec::new(), beginnings: BTreeMap::new() };
         for name in ControlName::ALL.iter().copied() {
-            let table = chordal_dialect::table(name);
+            let Some(table) = chordal_dialect::table(name) else { continue };
             let kind: &[RecognitionEvidence] = table.kind.map_or(&[], |kind| kind.signs);
-            catalog.add(SignTarget::Control(name), kind, table.evidence);
+            catalog.add(SignTarget::Control(name, table), kind, table.evidence);
         }
         for language in not_read::ALL.iter().copied() {
             catalog.add(SignTarget::NotRead(language), language.signs, language.own);

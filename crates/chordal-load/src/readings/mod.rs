@@ -10,9 +10,12 @@ mod units;
 mod word_kinds;
 
 use chordal::Machine;
-use chordal::control::{ANOTHER_KIND, Control, ControlCandidate, Recognition, Units, table};
+use chordal::control::{
+    ANOTHER_KIND, ControlCandidate, Recognition, Units, configured_control, control_profile,
+};
 use chordal::machine::ControlName;
 
+use crate::machine::typical_name;
 use excerpt::TrialExcerpt;
 use trace::MotionTrace;
 
@@ -40,7 +43,7 @@ pub(crate) struct PossibleReading {
 
 /// The built-in machine of a candidate: the one that its signs indicate, or the default one of its control.
 pub(crate) fn machine_name(candidate: &ControlCandidate) -> &'static str {
-    candidate.machine().unwrap_or(table(candidate.control).default_machine)
+    candidate.machine().unwrap_or_else(|| typical_name(candidate.control))
 }
 
 /// The machine of a reading.
@@ -90,10 +93,11 @@ pub fn settle(mut found: Recognition, text: &[u8]) -> (Recognition, Option<Readi
 /// recognition. Returns the readings that remain, the best first.
 fn possible(found: &mut Recognition, excerpt: &TrialExcerpt) -> Vec<PossibleReading> {
     let weakest = (found.chosen().weight - POSSIBLE_SCORE_GAP).max(ANOTHER_KIND + 1);
-    let turns = table(found.control()).turns();
+    let turns = |control| control_profile(control).is_some_and(|profile| profile.turns);
+    let is_lathe = turns(found.control());
     let mut runs: Vec<(usize, MotionTrace)> = Vec::new();
     for (place, candidate) in found.ranking.iter_mut().enumerate() {
-        let same_kind = table(candidate.control).turns() == turns;
+        let same_kind = turns(candidate.control) == is_lathe;
         if candidate.not_read || candidate.weight < weakest || !same_kind {
             continue;
         }
@@ -152,7 +156,8 @@ fn in_both_units(
     let mut both = Vec::new();
     for PossibleReading { control, machine, trace, .. } in readings {
         let mut other_machine = built_in(machine, control);
-        let own = Control::of(&other_machine).0.parameters.rules.units;
+        let Some((configured, _)) = configured_control(&other_machine) else { continue };
+        let own = configured.rules().units;
         let other = other_units(own);
         let other_trace = (named != Some(own) && set_units(&mut other_machine, other))
             .then(|| MotionTrace::of(other_machine, excerpt))

@@ -1,6 +1,6 @@
 //! What was assumed about a text, and where another reading would move differently.
 
-use chordal::control::{Units, table};
+use chordal::control::{Units, control_title};
 use chordal::diagnostics::{FileId, Span};
 use chordal::machine::{AXIS_LETTERS, ControlName};
 use chordal::{ChoiceDifference, Code, Diagnostic, ReadingChoice, ReadingChoices};
@@ -43,7 +43,7 @@ impl ReadingGroup {
     /// The titles of the controls in a phrase, such as `GRBL, LinuxCNC and Mach3`, with the units when they are a
     /// guess.
     pub fn title(&self) -> String {
-        let titles: Vec<&str> = self.controls.iter().map(|control| table(*control).title).collect();
+        let titles: Vec<&str> = self.controls.iter().map(|control| control_title(*control)).collect();
         let named = match titles.as_slice() {
             [] => String::new(),
             [one] => (*one).to_string(),
@@ -63,7 +63,7 @@ impl ReadingGroup {
 
     /// The titles of all controls but the first.
     pub fn other_titles(&self) -> Vec<&'static str> {
-        self.controls.iter().skip(1).map(|control| table(*control).title).collect()
+        self.controls.iter().skip(1).map(|control| control_title(*control)).collect()
     }
 
     /// The size of the box of all cuts, mm; `None` without a box, and for an axis that no cut determines.

@@ -2,7 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use chordal::control::{ArcShape, AxisMask, CallPath, FeedMode, Move, Position, RunOptions};
+use chordal::RunOptions;
+use chordal::control::{ArcShape, AxisMask, CallPath, FeedMode, Move, Position};
 use chordal::diagnostics::FileId;
 use chordal::{
     Code, Command, Diagnostic, Job, Machine, RunSink, Severity, Sink, Source, SourceMap,

@@ -14,6 +14,11 @@ pub(crate) trait WordField {
 
     /// Sets the value to one of the words of the key.
     fn set_word(&mut self, word: &str);
+
+    /// Words that the application has added to those of the key.
+    fn registered_words(&self) -> Vec<&'static str> {
+        Vec::new()
+    }
 }
 
 /// The optional fields of enums that have `ALL` and `as_str`.
@@ -50,6 +55,11 @@ impl WordField for ControlName {
 
     fn set_word(&mut self, word: &str) {
         *self = word.parse().unwrap_or(*self);
+    }
+
+    fn registered_words(&self) -> Vec<&'static str> {
+        let registered = |name: &ControlName| matches!(name, ControlName::Registered(_));
+        ControlName::all().into_iter().filter(registered).map(ControlName::as_str).collect()
     }
 }
 

@@ -137,7 +137,7 @@ impl<'j> ReportWatcher<'j> {
             stops: StopWatcher::default(),
             programs: ProgramWatcher::new(job),
             plot: Plot::new(job),
-            plane: job.control().parameters.rules.starts_in,
+            plane: job.rules().starts_in,
             plane_mm: [0.0; 3],
         }
     }
@@ -189,7 +189,7 @@ fn head(
         file: file_name(about.file),
         programs: programs.mains(about.program),
         comments: comments.head(),
-        control: job.control().table.title,
+        control: job.profile().title,
         machine: clean(&machine.title, 120),
         is_lathe: machine.turns(),
         recognized: about.recognized.map(|why| clean(why, 300)),

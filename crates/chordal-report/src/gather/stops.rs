@@ -2,9 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use chordal::control::{Command, CommandKind, Library, Origin};
+use chordal::control::{Command, CommandKind, Origin, ProgramName, ProgramPlace, ProgramSet};
 use chordal::diagnostics::FileId;
-use chordal::syntax::is_program_name;
 use chordal::{Job, Span};
 
 use super::text::{CommentFinder, clean, file_name, title};
@@ -84,10 +83,9 @@ pub fn other_file(job: &Job, file: FileId) -> Option<String> {
 }
 
 /// Watches which programs run.
-#[derive(Debug)]
 pub struct ProgramWatcher<'j> {
     job: &'j Job<'j>,
-    library: Library<'j>,
+    programs: Box<dyn ProgramSet + 'j>,
     ran: Vec<bool>,
     /// The one that ran last.
     at: usize,
@@ -95,9 +93,9 @@ pub struct ProgramWatcher<'j> {
 
 impl<'j> ProgramWatcher<'j> {
     pub fn new(job: &'j Job<'j>) -> ProgramWatcher<'j> {
-        let library = Library::new(job.sources(), &job.control().table.lexicon);
-        let ran = vec![false; library.programs().len()];
-        ProgramWatcher { job, library, ran, at: 0 }
+        let programs = job.program_set();
+        let ran = vec![false; programs.programs().len()];
+        ProgramWatcher { job, programs, ran, at: 0 }
     }
 
     /// Follows a command.
@@ -114,10 +112,8 @@ impl<'j> ProgramWatcher<'j> {
     }
 
     fn holds(&self, index: usize, origin: &Origin) -> bool {
-        self.library.programs().get(index).is_some_and(|program| {
-            let at = origin.span.range.start;
-            program.file == origin.span.file
-                && (program.head.start.offset..program.head.end).contains(&at)
+        self.programs.programs().get(index).is_some_and(|program| {
+            program.file == origin.span.file && program.has(origin.span.range.start)
         })
     }
 
@@ -126,10 +122,10 @@ impl<'j> ProgramWatcher<'j> {
         self.rows(&self.main_places(only))
     }
 
-    /// The head of the first of them.
-    pub fn first_main(&self, only: Option<u32>) -> Option<chordal::syntax::ProgramHead> {
+    /// The first of them.
+    pub fn first_main(&self, only: Option<u32>) -> Option<&ProgramPlace> {
         let first = *self.main_places(only).first()?;
-        self.library.programs().get(first).map(|program| program.head)
+        self.programs.programs().get(first)
     }
 
     /// The others that ran.
@@ -141,22 +137,25 @@ impl<'j> ProgramWatcher<'j> {
     }
 
     fn main_places(&self, only: Option<u32>) -> Vec<usize> {
-        let control = self.job.control();
         match only {
-            Some(number) => self.library.find(number, FileId(0)).into_iter().collect(),
-            None => self.library.mains(&control.table.lexicon, &control.alias_programs()),
+            Some(number) => self.programs.find(number).into_iter().collect(),
+            None => {
+                let programs = self.programs.programs();
+                (0..programs.len()).filter(|index| programs[*index].is_main).collect()
+            }
         }
     }
 
     fn rows(&self, places: &[usize]) -> CappedRows<CalledProgram> {
         let rows = places.iter().take(MAX_CALLED).map(|at| {
-            let program = &self.library.programs()[*at];
-            let text = self.library.text(program.file);
-            let head = &program.head;
-            let remark = head.number.and_then(|_| title(text, head.head.end as usize));
+            let program = &self.programs.programs()[*at];
+            let source = self.job.sources().get(program.file);
+            let text = source.map_or(&[][..], |source| source.text());
+            let remark = program.key().and_then(|_| title(text, program.head.end as usize));
             // A program with a name has no number.
-            let number = head.number.filter(|number| !is_program_name(*number));
-            let name = head.title(text).filter(|_| number.is_none());
+            let number = program.number();
+            let name = program.name.as_ref().map(ProgramName::to_string);
+            let name = name.filter(|_| number.is_none());
             let title = match (name, remark) {
                 (Some(name), Some(remark)) => Some(format!("{name} {remark}")),
                 (name, remark) => name.or(remark),
@@ -165,7 +164,7 @@ impl<'j> ProgramWatcher<'j> {
                 number,
                 title,
                 file: other_file(self.job, program.file),
-                line: program.head.start.line,
+                line: program.line,
             }
         });
         CappedRows {

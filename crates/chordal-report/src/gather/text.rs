@@ -1,9 +1,9 @@
 //! What the program's own text says to people: titles, comments, words of a block.
 
-use chordal::control::Origin;
-use chordal::diagnostics::FileId;
-use chordal::syntax::{Block, BlockKind, BlockReader, ProgramHead};
-use chordal::{Job, Span};
+use chordal::control::{Origin, ProgramPlace, Token, TokenClass};
+use chordal::diagnostics::{FileId, TextRange};
+use chordal::syntax::{Block, BlockKind, BlockPosition, BlockReader};
+use chordal::{Job, Source, Span};
 
 use crate::data::CappedRows;
 
@@ -75,22 +75,26 @@ pub struct CommentFinder<'j> {
 
 impl<'j> CommentFinder<'j> {
     /// Of a job whose run begins with this program of the first text.
-    pub fn new(job: &'j Job<'j>, main: Option<ProgramHead>) -> CommentFinder<'j> {
+    pub fn new(job: &'j Job<'j>, main: Option<&ProgramPlace>) -> CommentFinder<'j> {
         let mut comments = CommentFinder { job, head: Vec::new(), head_end: 0 };
         let Some(source) = job.sources().get(FileId(0)) else { return comments };
-        let lexicon = job.control().table.lexicon;
-        let mut reader = BlockReader::new(source.text(), FileId(0), lexicon);
+        let Some(control) = job.word_address() else {
+            comments.take_first_lines(source);
+            return comments;
+        };
+        let mut reader = BlockReader::new(source.text(), FileId(0), control.table.lexicon);
         let mut block = Block::new();
         if let Some(main) = main {
             // What stands before the number of the first program is about that program.
-            reader.limit(main.start.offset);
+            reader.limit(main.range.start);
             let begin = reader.position();
             let mut only_head = true;
             while only_head && reader.read(&mut block) {
                 only_head = is_head(&block);
             }
-            reader.limit(main.end);
-            reader.seek(if only_head { begin } else { main.start });
+            reader.limit(main.range.end);
+            let start = BlockPosition { offset: main.range.start, line: main.line };
+            reader.seek(if only_head { begin } else { start });
         }
         for _ in 0..MAX_HEAD_BLOCKS {
             let is_head = reader.read(&mut block) && is_head(&block);
@@ -104,6 +108,17 @@ impl<'j> CommentFinder<'j> {
             comments.head.extend(texts.map(|text| HeadComment { text, is_title }));
         }
         comments
+    }
+
+    /// Takes the lines that are only comments at the beginning of a text in another language.
+    fn take_first_lines(&mut self, source: &Source<'_>) {
+        let tokens = tokens(self.job, TextRange::new(0, source.text().len() as u32));
+        let comments = tokens.iter().take_while(|token| token.class == TokenClass::Comment);
+        for token in comments.take(MAX_HEAD_COMMENTS) {
+            self.head_end = source.line_of(token.range.start);
+            let text = comment(token.range.in_file(FileId(0)), self.job);
+            self.head.extend(text.map(|text| HeadComment { text, is_title: false }));
+        }
     }
 
     /// The comments at the head, but for the title.
@@ -146,7 +161,14 @@ impl<'j> CommentFinder<'j> {
     fn of_line(&self, file: FileId, line: u32) -> Option<(String, bool)> {
         let source = self.job.sources().get(file).filter(|_| line > 0)?;
         let (start, text) = (source.line_start(line), source.line_text(line));
-        let mut reader = BlockReader::new(text, file, self.job.control().table.lexicon);
+        let Some(control) = self.job.word_address() else {
+            let tokens = tokens(self.job, TextRange::new(start, start + text.len() as u32));
+            let of_comment = |token: &&Token| token.class == TokenClass::Comment;
+            let found = tokens.iter().find(of_comment).filter(|_| file == FileId(0))?;
+            let text = comment(found.range.in_file(file), self.job)?;
+            return Some((text, tokens.iter().all(|token| of_comment(&token))));
+        };
+        let mut reader = BlockReader::new(text, file, control.table.lexicon);
         let mut block = Block::new();
         if !reader.read(&mut block) {
             return None;
@@ -161,6 +183,11 @@ impl<'j> CommentFinder<'j> {
         });
         found.map(|text| (text, alone))
     }
+}
+
+/// The tokens of a part of the first text, for languages other than word-address blocks.
+fn tokens(job: &Job, part: TextRange) -> Vec<Token> {
+    job.program_set().tokens(part)
 }
 
 /// A block that carries nothing out: `%`, a program's number, comments.
@@ -189,10 +216,8 @@ fn names_tool(comment: &str, number: u32) -> bool {
 pub fn skipped(job: &Job) -> CappedRows<u32> {
     let mut lines = CappedRows { rows: Vec::new(), left_out: 0 };
     let text = job.sources().get(FileId(0)).map_or(&[][..], |source| source.text());
-    if !text.contains(&b'/') {
-        return lines;
-    }
-    let mut reader = BlockReader::new(text, FileId(0), job.control().table.lexicon);
+    let Some(control) = job.word_address().filter(|_| text.contains(&b'/')) else { return lines };
+    let mut reader = BlockReader::new(text, FileId(0), control.table.lexicon);
     let mut block = Block::new();
     while reader.read(&mut block) {
         if block.delete.is_none() {

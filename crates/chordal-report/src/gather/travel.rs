@@ -2,7 +2,7 @@
 
 use chordal::control::WorkNaming;
 use chordal::control::{
-    AxisMask, Command, CommandKind, Move, Position, WorkName, initial_offset, initial_work_offset,
+    AxisMask, Command, CommandKind, Move, Position, WorkName,
 };
 use chordal::geometry::{Aabb, ParamCurve};
 use chordal::machine::{AXES, Axis, PerAxis};
@@ -62,7 +62,7 @@ pub struct TravelWatcher {
 
 impl TravelWatcher {
     pub fn new(job: &Job) -> TravelWatcher {
-        let (offset, known) = initial_offset(job.machine(), job.control());
+        let (offset, known) = job.initial_offset();
         let mut travels = TravelWatcher {
             frame: ProgramFrame::new(offset, known),
             systems: Vec::new(),
@@ -71,7 +71,7 @@ impl TravelWatcher {
             machine: [TravelRange::EMPTY; AXES],
             unknown: AxisMask::NONE,
         };
-        travels.select(initial_work_offset(job.control()), offset, known, 0);
+        travels.select(job.initial_work_offset(), offset, known, 0);
         travels
     }
 
@@ -177,7 +177,7 @@ impl TravelWatcher {
 
     /// Where the tool goes in each system.
     pub fn travel(&self, job: &Job) -> CappedRows<Travel> {
-        let naming = job.control().table.work_names;
+        let naming = job.profile().work_names;
         let of_system = |system: &WorkSystem| {
             let moved = is_moved(system, job.machine(), naming);
             let axes = Axis::ALL.into_iter().filter_map(|axis| {
@@ -217,7 +217,7 @@ impl TravelWatcher {
 
     /// The work offsets under which something moves, with the machine's values.
     pub fn work_offsets(&self, job: &Job) -> Vec<ReportedWorkOffset> {
-        let naming = job.control().table.work_names;
+        let naming = job.profile().work_names;
         let mut offsets: Vec<ReportedWorkOffset> = Vec::new();
         for system in self.systems.iter().filter(|system| system.moves) {
             if system.name == WorkName::Machine {

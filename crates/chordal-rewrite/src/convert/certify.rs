@@ -9,6 +9,7 @@ use chordal_compare::{BlockRange, Category, Difference, DifferenceValue, FreePas
 use super::trace::{self, ProgramTrace};
 use super::{ConversionOptions, codes};
 use crate::{Certificate, prove, prove_contour};
+use crate::word_address::BlockControl;
 
 /// Whole categories of differences that belong to the machines.
 const OF_MACHINES: &[Category] = &[Category::RapidPath, Category::PathMode, Category::Overrides];
@@ -44,7 +45,7 @@ pub(super) fn proof(
         ..chordal_compare::ComparisonOptions::default()
     };
     let surface = [old, new].map(trace::surface_lines);
-    let turns = old.control().table.turns();
+    let turns = old.profile().turns;
     // Without a tool table each tool is set to the work zero.
     let no_lengths = ![old, new].map(Job::control).into_iter().all(codes::has_lengths);
     let is_expected = |difference: &Difference| {

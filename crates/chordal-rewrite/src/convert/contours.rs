@@ -8,6 +8,7 @@ use chordal::syntax::BlockKind;
 
 use super::trace::BlockFacts;
 use crate::source::{SourceBlocks, code_action, whole};
+use crate::word_address::BlockControl;
 
 /// Blocks that cycles take as their contour.
 #[derive(Clone, Debug)]
@@ -33,7 +34,7 @@ pub(crate) fn cycle_of(source: &SourceBlocks, at: usize, job: &Job) -> Option<Tu
 impl CycleContours {
     pub fn of(source: &SourceBlocks, job: &Job) -> CycleContours {
         let mut contours = CycleContours::default();
-        if !job.control().table.turns() {
+        if !job.profile().turns {
             return contours;
         }
         for at in 0..source.blocks.len() {

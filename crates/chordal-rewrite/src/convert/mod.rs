@@ -40,7 +40,7 @@ mod turning;
 
 use std::collections::BTreeMap;
 
-use chordal::control::RotarySurface;
+use chordal::control::{ControlTable, RotarySurface, table};
 use chordal::machine::AXIS_LETTERS;
 use chordal::{CommandKind, Job, Machine, Severity, Source as Text, SourceMap};
 use chordal_compare::{Category, ComparisonVerdict, Difference};
@@ -62,6 +62,7 @@ pub(crate) use self::turning::station;
 use crate::sides::prove_other_sides;
 use crate::source::SourceBlocks;
 use crate::{Certificate, Change};
+use crate::word_address::{BlockControl, other_language};
 
 /// How a program is converted.
 #[derive(Clone, Debug)]
@@ -145,17 +146,25 @@ const MAX_FOLLOWED: usize = 200;
 
 /// Writes a program for another machine.
 pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conversion {
-    let machine = with_tables_of(old, target);
     let mut conversion = Conversion {
         text: String::new(),
         changes: Vec::new(),
-        refusals: other_kind(old, target)
-            .map_or_else(|| own_problems(old, options), |refusal| vec![refusal]),
+        refusals: Vec::new(),
         certificate: None,
         pecks: Vec::new(),
         passes: Vec::new(),
-        machine,
+        machine: target.clone(),
     };
+    let controls = [old.machine().control, target.control];
+    let [Some(from), Some(to)] = controls.map(table) else {
+        let other = controls.into_iter().find(|control| table(*control).is_none());
+        let reason = other.map(other_language).unwrap_or_default();
+        conversion.refusals.push(ConvertRefusal { line: 0, words: String::new(), reason });
+        return conversion;
+    };
+    conversion.machine = with_tables_of(old, target, [from, to]);
+    conversion.refusals = other_kind([from, to])
+        .map_or_else(|| own_problems(old, options), |refusal| vec![refusal]);
     let Some(empty) = job("", String::new(), &conversion.machine) else {
         conversion.refusals.push(ConvertRefusal {
             line: 0,
@@ -343,8 +352,7 @@ fn other_diameters(old: &Job, target: &Machine) -> Option<ConvertRefusal> {
 }
 
 /// Programs of lathes are for lathes, those of mills for mills.
-fn other_kind(old: &Job, target: &Machine) -> Option<ConvertRefusal> {
-    let tables = [old.control().table, chordal::control::table(target.control)];
+fn other_kind(tables: [&ControlTable; 2]) -> Option<ConvertRefusal> {
     // Blocks of several codes are not written as several lines.
     if tables[1].command_line.is_some() && tables[0].command_line.is_none() {
         return Some(ConvertRefusal {
@@ -369,7 +377,7 @@ fn other_kind(old: &Job, target: &Machine) -> Option<ConvertRefusal> {
 
 /// Axes that a program of a lathe moves and the target does not have.
 fn missing_axes(old: &Job, target: &Machine, trace: &ProgramTrace) -> Vec<ConvertRefusal> {
-    if !old.control().table.turns() {
+    if !old.profile().turns {
         return Vec::new();
     }
     let mut first: [Option<&chordal::Command>; 6] = [None; 6];

@@ -2,28 +2,32 @@
 
 use std::collections::BTreeMap;
 
-use chordal::control::{RapidPath, SettingField, ToolLengths};
+use chordal::control::{ControlTable, RapidPath, SettingField, ToolLengths, WorkNaming};
 use chordal::machine::{
     RapidShape, SettingEntry, SettingValue, WorkOffset, mirrored_tip, work_offset_name,
 };
 use chordal::{Job, Machine};
 
 /// The target with what the old machine's tables hold: the cut depends on both.
-pub(super) fn with_tables_of(job: &Job, target: &Machine) -> Machine {
+pub(super) fn with_tables_of(
+    job: &Job,
+    target: &Machine,
+    tables: [&ControlTable; 2],
+) -> Machine {
     let old = job.machine();
     let mut machine = target.clone();
     // The shape of rapids is the machine's; compared with each other, both go alike.
-    machine.rapid = Some(match job.control().parameters.rules.rapid {
+    machine.rapid = Some(match job.rules().rapid {
         RapidPath::DogLeg => RapidShape::DogLeg,
         RapidPath::Straight | RapidPath::AtFeed(_) => RapidShape::Straight,
     });
     machine.tools = old.tools.clone();
     // Who sets the work offset with each tool does so on the new machine, too.
-    if job.control().parameters.rules.length.source != ToolLengths::Table {
+    if job.rules().length.source != ToolLengths::Table {
         machine.set("settings.tool_lengths=\"touched-off\"").ok();
     }
-    goes_on_after_refusal(&mut machine);
-    if job.control().table.turns() {
+    goes_on_after_refusal(&mut machine, tables[1]);
+    if job.profile().turns {
         machine.spindle_max_rpm = old.spindle_max_rpm;
         // A dog-leg bends where the faster axis arrives: X and Z of lathes have speeds of their own.
         for (axis, limits) in machine.axes.iter_mut().enumerate() {
@@ -32,8 +36,7 @@ pub(super) fn with_tables_of(job: &Job, target: &Machine) -> Machine {
             }
         }
     }
-    let tips = [job.control().table, chordal::control::table(target.control)];
-    let [one, other] = tips.map(|table| table.parameters.rules.turning.tips_mirrored);
+    let [one, other] = tables.map(|table| table.parameters.rules.turning.tips_mirrored);
     if one != other {
         for tool in machine.tools.values_mut() {
             tool.tip = tool.tip.map(mirrored_tip);
@@ -48,14 +51,13 @@ pub(super) fn with_tables_of(job: &Job, target: &Machine) -> Machine {
     machine.work_offsets = old
         .work_offsets
         .iter()
-        .map(|(name, offset)| (renamed(name, target), *offset))
+        .map(|(name, offset)| (renamed(name, tables[1].work_names), *offset))
         .collect::<BTreeMap<String, WorkOffset>>();
     machine
 }
 
 /// One block that a firmware refuses does not hide what comes after it: each is found.
-fn goes_on_after_refusal(machine: &mut Machine) {
-    let table = chordal::control::table(machine.control);
+fn goes_on_after_refusal(machine: &mut Machine, table: &ControlTable) {
     if let Some(setting) =
         table.settings.iter().find(|setting| setting.field == SettingField::AFTER_REFUSAL)
     {
@@ -65,8 +67,7 @@ fn goes_on_after_refusal(machine: &mut Machine) {
 }
 
 /// The name under which the target has a work offset: E7 is G54.1 P1 and G154 P1.
-fn renamed(name: &str, target: &Machine) -> String {
-    let table = chordal::control::table(target.control);
+fn renamed(name: &str, names: WorkNaming) -> String {
     let number = |text: &str| text.trim().parse::<u32>().ok();
     let ordinal = match name.split_once(" P") {
         Some((code, extended)) => {
@@ -83,10 +84,10 @@ fn renamed(name: &str, target: &Machine) -> String {
         },
     };
     let Some(ordinal) = ordinal else { return name.into() };
-    let new = match (table.work_names.by_e, ordinal) {
+    let new = match (names.by_e, ordinal) {
         (true, _) => format!("E{ordinal}"),
         (false, 1..=6) => format!("G{}", 53 + ordinal),
-        (false, _) => table.work_names.extended_key(ordinal.saturating_sub(6) as u16),
+        (false, _) => names.extended_key(ordinal.saturating_sub(6) as u16),
     };
     work_offset_name(&new).unwrap_or(new)
 }

@@ -14,6 +14,7 @@ use chordal::{Code, Command, CommandKind, Diagnostic, Job, Span};
 
 use crate::source::SourceBlocks;
 use crate::walk::{first_x_factor, walk, x_factor_after};
+use crate::word_address::BlockControl;
 
 /// Reported where what a run does depends on a value that nobody gave.
 const OF_UNKNOWN_VALUES: &[Code] =
@@ -225,7 +226,7 @@ impl ProgramTrace {
 
 /// The lines of a lathe's program on which the spindle keeps a cutting speed, before them or after.
 pub(crate) fn surface_lines(job: &Job) -> BTreeSet<u32> {
-    if !job.control().table.turns() {
+    if !job.profile().turns {
         return BTreeSet::new();
     }
     let source = SourceBlocks::of(job);

@@ -29,6 +29,7 @@ use crate::TransformRefusal;
 use crate::convert::CycleContours;
 use crate::source::SourceBlocks;
 use crate::split::open::unsplittable_ranges;
+use crate::word_address::{BlockControl, refuse_other_languages};
 
 /// A program that begins at a line.
 #[derive(Clone, Debug)]
@@ -72,6 +73,8 @@ pub fn prove_head(job: &Job, line: u32, text: &[u8]) -> Result<RestartProgram, R
 }
 
 fn begin(job: &Job, line: u32, provided: Option<&[u8]>) -> Result<RestartProgram, RestartRefusal> {
+    refuse_other_languages(job)
+        .map_err(|refusal| RestartRefusal { reason: RefusalReason::Form, refusal })?;
     let source = SourceBlocks::of(job);
     let requested = RestartRequest { job, source: &source, line };
     let main = requested.main()?;
@@ -505,9 +508,7 @@ impl RestartRequest<'_, '_> {
 /// The job of the program that a byte of the text is in: programs that nothing calls any more are not mains.
 fn main_of(job: Job<'_>, at: u32) -> Job<'_> {
     let programs = job.programs();
-    let holds =
-        |program: &chordal::TextProgram| program.head.start.offset <= at && at < program.head.end;
-    match programs.iter().position(holds) {
+    match programs.iter().position(|program| program.has(at)) {
         Some(place) if programs.len() > 1 => job.program_at(place),
         _ => job,
     }

@@ -8,6 +8,7 @@ use chordal::diagnostics::FileId;
 use super::trace::ReplacedRange;
 use super::{RestartDraft, RestartRequest};
 use crate::convert::{CycleContour, CycleContours};
+use crate::word_address::BlockControl;
 
 impl RestartRequest<'_, '_> {
     /// The text, and how places of the old one are places of it.

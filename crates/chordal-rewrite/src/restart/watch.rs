@@ -11,6 +11,7 @@ use super::lathe::LatheState;
 use crate::source::SourceBlocks;
 use crate::state::{OpenConstructs, StateWords, StateWriter};
 use crate::walk::{WalkedBlock, first_x_factor, walk, x_factor_after};
+use crate::word_address::BlockControl;
 
 /// What a program needs to begin at a block.
 #[derive(Debug)]

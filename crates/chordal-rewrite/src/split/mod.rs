@@ -16,6 +16,7 @@ use self::text::PartWriter;
 use crate::ComparedSides;
 use crate::source::SourceBlocks;
 use crate::{Certificate, TransformRefusal};
+use crate::word_address::refuse_other_languages;
 
 /// So many places are given up before the parts are reported as not proved.
 const MAX_TRIES: usize = 12;
@@ -60,6 +61,7 @@ pub struct SplitProgram {
 /// # Errors
 /// A stretch that has no place where it can be split, with its lines.
 pub fn split(job: &Job, by: SplitBy) -> Result<SplitProgram, TransformRefusal> {
+    refuse_other_languages(job)?;
     let source = SourceBlocks::of(job);
     let [main] = source.mains.as_slice() else {
         let count = source.mains.len();

@@ -10,6 +10,7 @@ use chordal::{Command, CommandKind, Control, Job};
 use crate::source::SourceBlocks;
 use crate::state::OpenConstructs;
 use crate::walk::{WalkedBlock, walk};
+use crate::word_address::BlockControl;
 
 /// What makes a place safe.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

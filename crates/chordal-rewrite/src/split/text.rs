@@ -1,7 +1,7 @@
 //! The parts as texts.
 
 use chordal::control::{Action, AfterCode, MotionCode, ReadingCode};
-use chordal::control::{Modal, SpindleState};
+use chordal::control::{Modal, ProgramPlace, SpindleState};
 use chordal::diagnostics::TextRange;
 use chordal::syntax::{Block, Word};
 use chordal::{Control, Job};
@@ -12,6 +12,7 @@ use crate::convert::codes;
 use crate::source::{SourceBlocks, SubprogramForm};
 use crate::state::{StateSlot, StateWords, StateWriter};
 use crate::walk::walk;
+use crate::word_address::BlockControl;
 
 /// What holds before a block.
 #[derive(Clone, Debug)]
@@ -108,7 +109,7 @@ impl<'w, 'a> PartWriter<'w, 'a> {
         };
         let first = (after_sections..main.end).find(words).unwrap_or(main.end);
         let crlf = source.text.windows(2).any(|pair| pair == b"\r\n");
-        let taken = job.programs().iter().filter_map(|program| program.head.number).collect();
+        let taken = job.programs().iter().filter_map(ProgramPlace::key).collect();
         let line_end = if crlf { "\r\n" } else { "\n" };
         PartWriter { source, control: job.control(), survey, line_end, first, taken }
     }

@@ -109,7 +109,7 @@ pub(super) fn map(job: &Job, transform: &Transform) -> Result<StepOutcome, Trans
     outcome.note_idle(&idle);
     // From a place that is not known a way is not known, moved or not.
     outcome.expected.push(Category::Unknown);
-    if mapper.map.turns && job.control().parameters.rules.rapid == RapidPath::DogLeg {
+    if mapper.map.turns && job.rules().rapid == RapidPath::DogLeg {
         // A rapid along one axis moves two after a turn, each at its own speed.
         outcome.expected.push(Category::RapidPath);
         outcome.notes.push(
@@ -122,7 +122,7 @@ pub(super) fn map(job: &Job, transform: &Transform) -> Result<StepOutcome, Trans
 
 /// X of a lathe is measured from the axis of the spindle: moved along it, or turned, a path makes another part.
 fn refuse_other_part(job: &Job, map: &PlaneMap) -> Result<(), TransformRefusal> {
-    let turns = job.control().table.turns();
+    let turns = job.profile().turns;
     if !turns || (map.shift[..2] == [0.0; 2] && !map.turns && map.plane[1][1] == 1.0) {
         return Ok(());
     }

@@ -30,6 +30,7 @@ use chordal_compare::{Category, ComparisonOptions, ComparisonVerdict, RunMapping
 use crate::sides::prove_other_sides;
 use crate::source::first_text;
 use crate::{Certificate, Change, prove_mapped};
+use crate::word_address::refuse_other_languages;
 
 pub use edit::TransformRefusal;
 pub use heights::{HeightCorrection, HeightMap, HeightOptions, MapError, warp};
@@ -321,6 +322,7 @@ pub fn transform(
     job: &Job,
     steps: &[TransformStep],
 ) -> Result<TransformedProgram, TransformRefusal> {
+    refuse_other_languages(job)?;
     let mut text = first_text(job).to_vec();
     let mut all = StepOutcome::default();
     let mut changes = Vec::new();

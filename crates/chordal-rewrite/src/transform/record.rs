@@ -15,6 +15,7 @@ use crate::convert::CycleContours;
 use crate::sides::{block_delete_runs, deletable_blocks};
 use crate::source::SourceBlocks;
 use crate::walk::{WalkedBlock, walk};
+use crate::word_address::BlockControl;
 
 /// What the words of a block are read by.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -134,7 +135,7 @@ impl RunRecord {
     /// With the blocks of contours that only cycles of a lathe read, as if they ran where the cycle does.
     pub(super) fn with_contours(job: &Job) -> RunRecord {
         let mut record = RunRecord::of(job);
-        if !job.control().table.turns() {
+        if !job.profile().turns {
             return record;
         }
         let source = SourceBlocks::of(job);

@@ -12,6 +12,7 @@ use crate::source::{first_text, program};
 
 use super::StepOutcome;
 use super::edit::{TransformRefusal, WordEdit, apply, changes, line_end};
+use crate::word_address::BlockControl;
 
 /// New block numbers, and jumps that go to them.
 pub(super) fn renumber(job: &Job, first: u32, step: u32) -> Result<StepOutcome, TransformRefusal> {

@@ -20,7 +20,7 @@ pub(super) fn units(job: &Job, to: Units) -> Result<StepOutcome, TransformRefusa
     let writer = WordWriter::new(job);
     let target = Action::from(to);
     // A cutting speed is written anew, and the revolutions follow it.
-    let speed_tolerance = if job.control().table.turns() { 1e-3 } else { 0.0 };
+    let speed_tolerance = if job.profile().turns { 1e-3 } else { 0.0 };
     let mut outcome =
         StepOutcome { feed_tolerance: 1e-3, speed_tolerance, ..StepOutcome::default() };
     let Some(code) = writer.control.g_codes().find(|row| row.action == target) else {

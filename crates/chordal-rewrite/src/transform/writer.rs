@@ -10,6 +10,7 @@ use super::edit::{TransformRefusal, with_number};
 use super::number::NumberStyle;
 use crate::blocks::blocks_of;
 use crate::source::first_text;
+use crate::word_address::BlockControl;
 
 /// Writes words of one text.
 pub(super) struct WordWriter<'a> {

@@ -74,7 +74,7 @@ fn code(kind: CycleKind, table: &ControlTable) -> Option<String> {
 }
 
 fn program(on: &str, form: &Form) -> Option<String> {
-    let table = table(machine(on).control);
+    let table = table(machine(on).control).expect("a table");
     let code = code(form.kind, table)?;
     let r = if on == FADAL { "R0+.1" } else { "R.1" };
     let words = form.words.replace(" R ", &format!(" {r} "));

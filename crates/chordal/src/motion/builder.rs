@@ -85,8 +85,8 @@ pub(crate) struct MotionBuilder<'a, S> {
 impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     pub fn new(job: &'a Job<'_>, limits: MachineLimits, options: &MotionOptions, sink: S) -> Self {
         let machine: &Machine = job.machine();
-        let rules = job.control().parameters.rules.path;
-        let axes = job.control().axes().and(AxisMask::ROTARY).or(AxisMask::LINEAR);
+        let rules = job.rules().path;
+        let axes = job.axes().and(AxisMask::ROTARY).or(AxisMask::LINEAR);
         let report = MotionReport {
             limits,
             moves: 0,
@@ -106,7 +106,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             times: machine.times,
             feed: machine.feed,
             rapid_speeds: report.limits.rapid.velocity(),
-            rapids_at_feed: job.control().parameters.rules.rapid_feed != RapidFeed::OfMachine,
+            rapids_at_feed: job.rules().rapid_feed != RapidFeed::OfMachine,
             optional_stop: machine.switches.optional_stop,
             active: ActiveMotionModes::new(machine, options),
             forced_mode: options.path_mode,

@@ -5,7 +5,7 @@ use chordal_motion::{
     ArcSegmentLengths, AxisLimit, JunctionRule, KinematicLimits, LimitError, LimitedQuantity,
 };
 
-use crate::control::Control;
+use crate::languages::configured_control;
 
 /// A limit that the machine file does not give.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,8 +48,10 @@ impl MachineLimits {
         let mut assumed = Vec::new();
         let mut cut = [None; AXES];
         let mut rapid = [None; AXES];
+        let control = configured_control(machine).map(|(control, _)| control);
+        let rules = control.as_ref().map(|control| control.rules().path);
         let junctions =
-            Control::of(machine).0.parameters.rules.path.junctions.map(|rules| JunctionRule {
+            rules.and_then(|rules| rules.junctions).map(|rules| JunctionRule {
                 deviation_mm: rules.deviation_mm,
                 blocks: rules.blocks as usize,
                 arc_tolerance_mm: rules.arc_tolerance_mm,

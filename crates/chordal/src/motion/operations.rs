@@ -1,7 +1,8 @@
 //! Finds where the operations of a run begin.
 
 use chordal_command::{CallPath, Origin};
-use chordal_diagnostics::{FileId, Span};
+use chordal_diagnostics::{FileId, Span, TextRange};
+use chordal_kernel::TokenClass;
 use chordal_syntax::{Block, BlockReader};
 
 use crate::job::Job;
@@ -81,8 +82,13 @@ impl OperationFinder {
 /// The comments of the first text on lines without words other than N.
 fn comments(job: &Job<'_>) -> Vec<Span> {
     let Some(source) = job.sources().get(FileId(0)) else { return Vec::new() };
-    let lexicon = job.control().table.lexicon;
-    let mut reader = BlockReader::new(source.text(), FileId(0), lexicon);
+    let Some(control) = job.word_address() else {
+        let whole = TextRange::new(0, source.text().len() as u32);
+        let tokens = job.program_set().tokens(whole).into_iter();
+        let comments = tokens.filter(|token| token.class == TokenClass::Comment);
+        return comments.map(|token| token.range.in_file(FileId(0))).collect();
+    };
+    let mut reader = BlockReader::new(source.text(), FileId(0), control.table.lexicon);
     let mut block = Block::new();
     let (mut firsts, mut goes_on) = (Vec::new(), false);
     while reader.read(&mut block) {

@@ -138,8 +138,7 @@ impl<'a> StockMoves<'a> {
         tools: &'a BTreeMap<u32, Result<ToolBody, NoBody>>,
         follows_turns: bool,
     ) -> StockMoves<'a> {
-        let control = job.control();
-        let (naming, units) = (control.table.work_names, control.parameters.rules.units);
+        let (naming, units) = (job.profile().work_names, job.rules().units);
         StockMoves {
             tools,
             rotary: &job.machine().rotary,

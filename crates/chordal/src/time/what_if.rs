@@ -50,7 +50,7 @@ const CHANGES: [PlanningChange; 11] = [
 impl Job<'_> {
     /// The changes that have an effect on the control: the usual ones, and its smoothness levels where it has any.
     pub fn changes(&self) -> Vec<PlanningChange> {
-        let rules = &self.control().parameters.rules.path;
+        let rules = &self.rules().path;
         let has_levels = rules.level_parts.iter().any(|part| *part != rules.level_parts[0]);
         let levels = (1..=3).filter(|_| has_levels).filter_map(|level| {
             let tolerance_mm = rules.of_level(level)?;

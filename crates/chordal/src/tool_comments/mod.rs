@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 
 use chordal_command::Units;
 use chordal_diagnostics::{Code, Diagnostic, FileId, Span};
-use chordal_dialect::code_number;
+use chordal_dialect::{Control, code_number};
 use chordal_machine::{HolderDesignation, InsertDesignation, InsertLetter, Tool, ToolShape};
 use chordal_syntax::{Block, BlockReader};
 
@@ -171,8 +171,8 @@ fn commented_tools(job: &Job) -> Vec<(CommentedTool, Span)> {
 }
 
 /// Whether the program begins in inch: by its first G20 or G21, or else by the control's setting.
-fn program_is_inch(job: &Job, text: &[u8]) -> bool {
-    let mut reader = BlockReader::new(text, FileId(0), job.control().table.lexicon);
+fn program_is_inch(control: &Control, text: &[u8]) -> bool {
+    let mut reader = BlockReader::new(text, FileId(0), control.table.lexicon);
     let mut block = Block::new();
     for _ in 0..MAX_UNIT_BLOCKS {
         if !reader.read(&mut block) {
@@ -180,11 +180,11 @@ fn program_is_inch(job: &Job, text: &[u8]) -> bool {
         }
         for word in block.all(b'G') {
             let code = word.number().and_then(code_number);
-            let row = code.and_then(|code| job.control().g_code(code));
+            let row = code.and_then(|code| control.g_code(code));
             if let Some(units) = row.and_then(|row| row.action.units()) {
                 return units == Units::Inch;
             }
         }
     }
-    job.control().parameters.rules.units == Units::Inch
+    control.parameters.rules.units == Units::Inch
 }

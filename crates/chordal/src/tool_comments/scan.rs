@@ -1,7 +1,7 @@
 //! Finds out which comments of a program are about which tool.
 
 use chordal_diagnostics::{FileId, Span};
-use chordal_dialect::{Action, BeforeCode, DataTarget};
+use chordal_dialect::{Action, BeforeCode, Control, DataTarget};
 use chordal_syntax::{Block, BlockPosition, BlockReader};
 
 use super::forms::{number as plain_number, read_form};
@@ -13,11 +13,13 @@ use crate::Job;
 /// The tools of the comments of the first text: comments with a number first, each group in the order of the text.
 pub(super) fn scan(job: &Job) -> Vec<(CommentedTool, Span)> {
     let Some(source) = job.sources().get(FileId(0)) else { return Vec::new() };
+    let Some(control) = job.word_address() else { return Vec::new() };
     let text = source.text();
     let writes_tools =
-        job.control().table.set_data.iter().any(|(_, target)| *target == DataTarget::ToolTable);
+        control.table.set_data.iter().any(|(_, target)| *target == DataTarget::ToolTable);
     let mut scan = ToolCommentScan {
-        job,
+        control,
+        turns: job.turns(),
         text,
         inch: None,
         named: None,
@@ -26,7 +28,7 @@ pub(super) fn scan(job: &Job) -> Vec<(CommentedTool, Span)> {
         found: Vec::new(),
         without_number: Vec::new(),
     };
-    let mut reader = BlockReader::new(text, FileId(0), job.control().table.lexicon);
+    let mut reader = BlockReader::new(text, FileId(0), control.table.lexicon);
     let mut block = Block::new();
     for (offset, line) in lines(text) {
         // Parsing a block costs more than scanning its bytes, and few lines have a comment or call a tool.
@@ -42,8 +44,9 @@ pub(super) fn scan(job: &Job) -> Vec<(CommentedTool, Span)> {
     scan.finish()
 }
 
-struct ToolCommentScan<'j, 'a> {
-    job: &'j Job<'a>,
+struct ToolCommentScan<'j> {
+    control: &'j Control,
+    turns: bool,
     text: &'j [u8],
     inch: Option<bool>,
     /// The tool number from a separate comment, for the comment after it.
@@ -57,7 +60,7 @@ struct ToolCommentScan<'j, 'a> {
     without_number: Vec<(CommentedTool, Span)>,
 }
 
-impl ToolCommentScan<'_, '_> {
+impl ToolCommentScan<'_> {
     fn block(&mut self, block: &Block) {
         let called = self.called(block);
         if let Some(number) = called {
@@ -71,11 +74,11 @@ impl ToolCommentScan<'_, '_> {
         let written = self.written(block);
         self.found.extend(written);
         let changes = block.words.iter().any(|word| {
-            let row = self.job.control().row_of(word);
+            let row = self.control.row_of(word);
             row.is_some_and(|row| row.action == Action::Before(BeforeCode::ToolChange))
         });
         for range in &block.comments {
-            let inch = *self.inch.get_or_insert_with(|| program_is_inch(self.job, self.text));
+            let inch = *self.inch.get_or_insert_with(|| program_is_inch(self.control, self.text));
             let words = String::from_utf8_lossy(range.slice(self.text));
             let words = words.trim_matches(['(', ')', ';', '*', '\'', ' ', '\t']);
             let span = range.in_file(FileId(0));
@@ -99,7 +102,7 @@ impl ToolCommentScan<'_, '_> {
             },
             None => {
                 let called = called.filter(|_| changes);
-                let turns = self.job.turns();
+                let turns = self.turns;
                 match read_tool_comment(words, inch, called, turns) {
                     Some(tool) => self.found.push((tool, span)),
                     // `(OD ROUGH RIGHT - 80 DEG. INSERT - CNMG-432)` describes the tool that is called next.
@@ -146,7 +149,7 @@ impl ToolCommentScan<'_, '_> {
         let is_tool = |(number, target): &(u16, DataTarget)| {
             i64::from(*number) == l && *target == DataTarget::ToolTable
         };
-        if !self.job.control().table.set_data.iter().any(is_tool) {
+        if !self.control.table.set_data.iter().any(is_tool) {
             return None;
         }
         let is_g10 =
@@ -162,7 +165,7 @@ impl ToolCommentScan<'_, '_> {
             }
             None => plain_number(value)?,
         };
-        let inch = *self.inch.get_or_insert_with(|| program_is_inch(self.job, self.text));
+        let inch = *self.inch.get_or_insert_with(|| program_is_inch(self.control, self.text));
         let diameter = 2.0 * radius * if inch { 25.4 } else { 1.0 };
         (diameter > 0.0).then(|| {
             let commented =
@@ -175,7 +178,7 @@ impl ToolCommentScan<'_, '_> {
     fn called(&self, block: &Block) -> Option<u32> {
         let number = block.word(b'T')?.number()?.to_integer()?;
         let number = u32::try_from(number).ok()?;
-        let station = match (self.job.turns(), number) {
+        let station = match (self.turns, number) {
             (true, 100..) => number / 100,
             _ => number,
         };

@@ -5,6 +5,7 @@
 
 use chordal_diagnostics::{FileId, Span};
 use chordal_machine::{Axis, Body, BodyShape};
+use chordal_dialect::Control;
 use chordal_syntax::{Block, BlockReader};
 
 use super::forms::{field, fields, number, numbers};
@@ -40,17 +41,18 @@ pub enum StockPlace {
 pub fn commented_stock(job: &Job) -> Option<CommentedStock> {
     let source = job.sources().get(FileId(0))?;
     let text = source.text();
-    let comments = head_comments(job, text);
+    let control = job.word_address()?;
+    let comments = head_comments(control, text);
     if comments.is_empty() {
         return None;
     }
-    let head = HeadComments { comments, inch: program_is_inch(job, text), turns: job.turns() };
+    let head = HeadComments { comments, inch: program_is_inch(control, text), turns: job.turns() };
     head.stock()
 }
 
 /// The comments up to the first block with X, Y or Z, in upper case, without their delimiters.
-fn head_comments(job: &Job, text: &[u8]) -> Vec<(String, Span)> {
-    let mut reader = BlockReader::new(text, FileId(0), job.control().table.lexicon);
+fn head_comments(control: &Control, text: &[u8]) -> Vec<(String, Span)> {
+    let mut reader = BlockReader::new(text, FileId(0), control.table.lexicon);
     let mut block = Block::new();
     let mut comments = Vec::new();
     for _ in 0..MAX_HEAD_BLOCKS {

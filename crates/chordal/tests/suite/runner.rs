@@ -81,7 +81,7 @@ pub fn run(program: &Program, machine: &str) -> Result<Ran, String> {
     let mut sources = SourceMap::new();
     sources.add(Source::new("program.nc", program.text.as_bytes()));
     let job = Job::new(sources, machine).map_err(|error| format!("{error:?}"))?;
-    let mode = job.control().parameters.rules.path.start_mode();
+    let mode = job.rules().path.start_mode();
     let mut seen = Seen::new(program.of_path, mode);
     let report = job.report_watched(&mut seen);
     let Seen { mut made, events, printed, .. } = seen;
@@ -89,7 +89,7 @@ pub fn run(program: &Program, machine: &str) -> Result<Ran, String> {
     made.iter_mut().for_each(|made| made.write_as(&factors));
     let inch = match program.units.as_deref() {
         Some(units) => units == "inch",
-        None => job.control().parameters.rules.units == Units::Inch,
+        None => job.rules().units == Units::Inch,
     };
     let source = job.sources().iter().next().map(|(_, source)| source);
     let line = |d: &Diagnostic| source.map_or(1, |s| s.line_of(d.primary.span.range.start));

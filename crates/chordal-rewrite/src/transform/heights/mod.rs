@@ -20,6 +20,7 @@ use super::edit::{self, TransformRefusal};
 use super::{IntendedMotion, TransformedProgram, refuse_what_has_no_roles};
 use crate::prove;
 use crate::source::first_text;
+use crate::word_address::refuse_other_languages;
 
 /// How a program is bent.
 #[derive(Clone, Copy, Debug)]
@@ -66,6 +67,7 @@ pub fn warp(
     map: &HeightMap,
     warp: &HeightOptions,
 ) -> Result<HeightCorrection, TransformRefusal> {
+    refuse_other_languages(job)?;
     refuse_what_has_no_roles(job)?;
     let mut written = write::write(job, map, warp)?;
     let old = first_text(job);

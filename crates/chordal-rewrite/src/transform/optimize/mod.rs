@@ -28,6 +28,7 @@ use chordal::stock::{EngagementOptions, EngagementReport, StockRunError};
 use super::edit::{TransformRefusal, WordEdit, apply, changes};
 use crate::Change;
 use crate::source::first_text;
+use crate::word_address::refuse_other_languages;
 use slices::MoveSlices;
 
 pub use proof::FeedProof;
@@ -131,6 +132,7 @@ pub fn optimize(
     options: &OptimizeOptions,
     files: SetupFiles<'_>,
 ) -> Result<OptimizedProgram, OptimizeError> {
+    refuse_other_languages(job)?;
     let mut slices = MoveSlices::default();
     let before = job.engagement_with(&options.engagement, files, &mut |number, slice| {
         if options.split {

@@ -55,7 +55,7 @@ impl Job<'_> {
     ) -> Result<ApproachCheck, StockRunError> {
         let tools = tools_of(self);
         let (naming, units) =
-            (self.control().table.work_names, self.control().parameters.rules.units);
+            (self.profile().work_names, self.rules().units);
         let mut gathered =
             [TurnedMoves::new(&tools, naming, units), TurnedMoves::new(&tools, naming, units)];
         self.report_watched(&mut gathered[0]);

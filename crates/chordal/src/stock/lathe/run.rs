@@ -72,9 +72,8 @@ impl Job<'_> {
         files: SetupFileReader<'_>,
     ) -> Result<TurnedReport, StockRunError> {
         let tools = tools_of(self);
-        let control = self.control();
         let mut gathered =
-            TurnedMoves::new(&tools, control.table.work_names, control.parameters.rules.units);
+            TurnedMoves::new(&tools, self.profile().work_names, self.rules().units);
         let report = self.report_watched(&mut gathered);
         let section_of = |name: &str, body: &Body| -> Result<Region, SetupError> {
             let named = NamedBody { name, body };

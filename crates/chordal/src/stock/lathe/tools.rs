@@ -68,7 +68,7 @@ impl From<ToolError> for NoOutline {
 /// The tools that a program may use, by number.
 pub(super) fn tools_of(job: &Job) -> BTreeMap<u32, Result<LatheTool, NoOutline>> {
     // Some controls number tips with X mirrored.
-    let mirrored = job.control().parameters.rules.turning.tips_mirrored;
+    let mirrored = job.rules().turning.tips_mirrored;
     let outline = |mut tool: Tool| {
         tool.tip = tool.tip.map(|tip| if mirrored { mirrored_tip(tip) } else { tip });
         lathe_tool(&tool)

@@ -17,7 +17,7 @@ use chordal_diagnostics::Span;
 /// A closure implements it:
 ///
 /// ```
-/// use chordal_gcode::{ShopAnswer, ShopCall, CustomCode, ShopCodes};
+/// use chordal_kernel::{ShopAnswer, ShopCall, CustomCode, ShopCodes};
 ///
 /// let shop = |call: &ShopCall<'_>| match call.code {
 ///     CustomCode::M(1200) => ShopAnswer::wait(2.5, "part flip"),

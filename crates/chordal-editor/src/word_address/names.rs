@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use chordal::diagnostics::TextRange;
 use chordal::syntax::{Block, BlockKind, Word, WordValue, find_programs};
 
-use crate::EditorProgram;
+use super::WordAddressText;
 use chordal::control::{StatementMark, marks};
 
 /// A thing with a name.
@@ -95,23 +95,23 @@ pub enum RenameError {
     },
 }
 
-impl EditorProgram {
+impl WordAddressText<'_> {
     /// All places of all names, in the order of the text.
-    pub fn occurrences(&self) -> Vec<NameOccurrence> {
-        let mut finder = NameFinder::new(self);
+    pub(crate) fn occurrences(&self) -> Vec<NameOccurrence> {
+        let mut finder = NameFinder::new(*self);
         self.blocks(1, u32::MAX, |block| finder.block(block));
         finder.found
     }
 
     /// The name at a byte of the text.
-    pub fn name_at(&self, offset: u32) -> Option<NameOccurrence> {
+    pub(crate) fn name_at(&self, offset: u32) -> Option<NameOccurrence> {
         let at = |found: &NameOccurrence| found.range.start <= offset && offset <= found.range.end;
         // A word that ends here and one that begins here may touch: the one that begins counts.
         self.occurrences().into_iter().filter(at).max_by_key(|found| found.range.start)
     }
 
     /// Everywhere that a name stands.
-    pub fn places_of(&self, name: &SymbolName) -> Vec<NameOccurrence> {
+    pub(crate) fn places_of(&self, name: &SymbolName) -> Vec<NameOccurrence> {
         let mut places = self.occurrences();
         places.retain(|found| found.name == *name);
         places
@@ -121,7 +121,7 @@ impl EditorProgram {
     ///
     /// # Errors
     /// No variable there, no name, one that is used, or variables chosen by their value.
-    pub fn rename(&self, offset: u32, new: &str) -> Result<RenamedVariable, RenameError> {
+    pub(crate) fn rename(&self, offset: u32, new: &str) -> Result<RenamedVariable, RenameError> {
         let at = self.name_at(offset).map(|found| found.name);
         let Some(SymbolName::Variable { program, name: old }) = at else {
             return Err(RenameError::NoVariable);
@@ -213,7 +213,7 @@ impl VariableScope {
 
 /// Goes over the blocks and notes names.
 struct NameFinder<'a> {
-    program: &'a EditorProgram,
+    program: WordAddressText<'a>,
     /// Index of the program of the text that the blocks belong to.
     index: usize,
     begun: bool,
@@ -224,7 +224,7 @@ struct NameFinder<'a> {
 }
 
 impl<'a> NameFinder<'a> {
-    fn new(program: &'a EditorProgram) -> NameFinder<'a> {
+    fn new(program: WordAddressText<'a>) -> NameFinder<'a> {
         NameFinder {
             program,
             index: 0,

@@ -1,25 +1,13 @@
 //! Spaces and block numbers, changed only where the motion stays the same.
 
-use chordal::RunSink;
 use std::collections::HashMap;
-use std::hash::{DefaultHasher, Hash, Hasher};
 
-use chordal::control::CommandKind;
 use chordal::diagnostics::TextRange;
 use chordal::syntax::{Block, BlockKind, Word, WordValue};
-use chordal::{Command, Diagnostic, Sink};
 
-use crate::EditorProgram;
-use crate::names::{NameRole, SymbolName};
-
-/// A replacement of some text.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct FormatEdit {
-    /// What goes.
-    pub range: TextRange,
-    /// What comes.
-    pub text: String,
-}
+use super::WordAddressText;
+use super::names::{NameRole, SymbolName};
+use crate::edit_proof::{FormatEdit, FormatError, as_written};
 
 /// Block numbers as they are wanted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -32,53 +20,16 @@ pub struct NumberingOptions {
     pub all: bool,
 }
 
-/// Why a text stays as it is.
-#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
-pub enum FormatError {
-    /// The changed text would move otherwise.
-    #[error(
-        "the text was not changed: after the change it would run differently from line {line} on"
-    )]
-    MovesDifferently {
-        /// The line of the first command that differs.
-        line: u32,
-    },
-    /// A jump goes to a number that is computed.
-    #[error("line {line} jumps to a number that it computes (`{text}`): numbers must stay")]
-    ComputedJump {
-        /// Where.
-        line: u32,
-        /// The line.
-        text: String,
-    },
-    /// A number stands twice in a program, and something jumps to it.
-    #[error("N{number} appears twice, and line {line} jumps to it")]
-    Ambiguous {
-        /// The number.
-        number: i64,
-        /// Where the jump is.
-        line: u32,
-    },
-    /// Numbers grow beyond what the control reads.
-    #[error("the last number would be N{last}, more than {most}")]
-    TooLarge {
-        /// The last number.
-        last: u64,
-        /// The largest allowed.
-        most: u32,
-    },
-}
-
 /// The largest N number that all controls here read.
 const MAX_NUMBER: u32 = 99_999;
 
-impl EditorProgram {
+impl WordAddressText<'_> {
     /// One space between words and none in them, for the lines from `from` up to, not
     /// including, `to`. Comments, macro statements and what cannot be read stay.
     ///
     /// # Errors
     /// The changed text would run differently.
-    pub fn spaced(&self, from: u32, to: u32) -> Result<Vec<FormatEdit>, FormatError> {
+    pub(crate) fn spaced(&self, from: u32, to: u32) -> Result<Vec<FormatEdit>, FormatError> {
         let mut edits = Vec::new();
         self.blocks(from, to, |block| edits.extend(self.space(block)));
         self.proved(edits)
@@ -89,9 +40,9 @@ impl EditorProgram {
     /// # Errors
     /// Jumps to computed or ambiguous numbers, numbers too large, or a text that would run
     /// differently.
-    pub fn renumbered(&self, numbering: NumberingOptions) -> Result<Vec<FormatEdit>, FormatError> {
+    pub(crate) fn renumbered(&self, numbering: NumberingOptions) -> Result<Vec<FormatEdit>, FormatError> {
         self.computed_jump()?;
-        let mut numbers = BlockNumberer::new(self, numbering);
+        let mut numbers = BlockNumberer::new(*self, numbering);
         self.blocks(1, u32::MAX, |block| numbers.block(block));
         let BlockNumberer { mut edits, new, last, .. } = numbers;
         if last > u64::from(MAX_NUMBER) {
@@ -114,42 +65,6 @@ impl EditorProgram {
         }
         edits.sort_by_key(|edit| edit.range.start);
         self.proved(edits)
-    }
-
-    /// The text after edits, which are in order and do not overlap.
-    pub fn edited(&self, edits: &[FormatEdit]) -> Vec<u8> {
-        let text = self.text();
-        let mut edited = Vec::with_capacity(text.len());
-        let mut at = 0;
-        for edit in edits {
-            edited.extend_from_slice(&text[at..edit.range.start as usize]);
-            edited.extend_from_slice(edit.text.as_bytes());
-            at = edit.range.end as usize;
-        }
-        edited.extend_from_slice(&text[at..]);
-        edited
-    }
-
-    /// The edits, if the text runs the same after them.
-    fn proved(&self, edits: Vec<FormatEdit>) -> Result<Vec<FormatEdit>, FormatError> {
-        if edits.is_empty() {
-            return Ok(edits);
-        }
-        let edited = self.with_text(self.edited(&edits));
-        let (mut before, mut after) = (RunTrace::new(self), RunTrace::new(&edited));
-        self.job().run(&mut before);
-        edited.job().run(&mut after);
-        let pairs = before.steps.iter().zip(&after.steps);
-        let differs = pairs.into_iter().find(|((_, one), (_, two))| one != two);
-        let line = match differs {
-            Some(((line, _), _)) => *line,
-            None if before.steps.len() == after.steps.len() => return Ok(edits),
-            None => {
-                let common = before.steps.len().min(after.steps.len());
-                before.steps.get(common).or(before.steps.last()).map_or(1, |(line, _)| *line)
-            }
-        };
-        Err(FormatError::MovesDifferently { line })
     }
 
     fn space(&self, block: &Block) -> Option<FormatEdit> {
@@ -218,17 +133,13 @@ impl EditorProgram {
     }
 }
 
-fn as_written(text: &[u8], range: TextRange) -> String {
-    String::from_utf8_lossy(range.slice(text)).into_owned()
-}
-
 fn without_blanks(text: &[u8], range: TextRange) -> String {
     as_written(text, range).chars().filter(|letter| !letter.is_whitespace()).collect()
 }
 
 /// Gives numbers to the blocks of a text, program by program.
 struct BlockNumberer<'a> {
-    program: &'a EditorProgram,
+    program: WordAddressText<'a>,
     numbering: NumberingOptions,
     index: usize,
     begun: bool,
@@ -240,7 +151,7 @@ struct BlockNumberer<'a> {
 }
 
 impl<'a> BlockNumberer<'a> {
-    fn new(program: &'a EditorProgram, numbering: NumberingOptions) -> BlockNumberer<'a> {
+    fn new(program: WordAddressText<'a>, numbering: NumberingOptions) -> BlockNumberer<'a> {
         BlockNumberer {
             program,
             numbering,
@@ -291,41 +202,3 @@ impl<'a> BlockNumberer<'a> {
         }
     }
 }
-
-/// Everything that a run does, without the places in the text: a line and a digest for each.
-struct RunTrace<'a> {
-    program: &'a EditorProgram,
-    steps: Vec<(u32, u64)>,
-    line: u32,
-}
-
-impl<'a> RunTrace<'a> {
-    fn new(program: &'a EditorProgram) -> RunTrace<'a> {
-        RunTrace { program, steps: Vec::new(), line: 1 }
-    }
-
-    fn push(&mut self, step: &str) {
-        let mut hasher = DefaultHasher::new();
-        step.hash(&mut hasher);
-        self.steps.push((self.line, hasher.finish()));
-    }
-}
-
-impl Sink for RunTrace<'_> {
-    fn command(&mut self, command: &Command) {
-        self.line = command.origin.line;
-        match &command.kind {
-            CommandKind::Message(range) => {
-                let file = self.program.file_text(command.origin.span.file);
-                self.push(&as_written(file, *range));
-            }
-            kind => self.push(&format!("{kind:?}")),
-        }
-    }
-
-    fn diagnostic(&mut self, diagnostic: Diagnostic) {
-        self.push(diagnostic.code.info().id);
-    }
-}
-
-impl RunSink for RunTrace<'_> {}

@@ -5,9 +5,9 @@ use chordal::control::table::code_name;
 use chordal::control::{Action, CallTarget};
 use chordal::syntax::Block;
 
-use crate::EditorProgram;
+use super::WordAddressText;
 use crate::meaning::{code_text, codes, letter_text};
-use crate::names::SymbolName;
+use super::names::SymbolName;
 
 /// What a completion is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -37,9 +37,9 @@ pub struct Completion {
     pub kind: CompletionKind,
 }
 
-impl EditorProgram {
+impl WordAddressText<'_> {
     /// Completions at a byte, and where the text that they replace begins.
-    pub fn completions(&self, offset: u32) -> (u32, Vec<Completion>) {
+    pub(crate) fn completions(&self, offset: u32) -> (u32, Vec<Completion>) {
         let text = &self.text()[..(offset as usize).min(self.text().len())];
         let digits = |byte: &u8| byte.is_ascii_digit() || *byte == b'.';
         let number = text.iter().rev().take_while(|byte| digits(byte)).count();

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use chordal_diagnostics::{Diagnostic, FileId};
 
-use crate::custom_codes::ShopCodes;
+use super::custom_codes::ShopCodes;
 
 /// Returns true to end a run early; called about every thousand blocks.
 pub type InterruptCheck = Arc<dyn Fn() -> bool + Send + Sync>;

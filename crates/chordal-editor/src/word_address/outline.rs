@@ -4,7 +4,7 @@ use chordal::control::{Action, BeforeCode};
 use chordal::diagnostics::TextRange;
 use chordal::syntax::{Block, BlockKind};
 
-use crate::EditorProgram;
+use super::WordAddressText;
 
 /// What an entry of the outline is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -43,10 +43,10 @@ pub struct OutlineEntry {
 /// Labels of a text with more are a numbering of blocks and no places to go to.
 const MAX_LABELS: usize = 200;
 
-impl EditorProgram {
+impl WordAddressText<'_> {
     /// The outline: programs, in them tools, in those operations, and blocks with numbers where
     /// only some have one.
-    pub fn outline(&self) -> Vec<OutlineEntry> {
+    pub(crate) fn outline(&self) -> Vec<OutlineEntry> {
         let mut flat: Vec<(u8, OutlineEntry)> = Vec::new();
         let mut labels = 0;
         let (mut blocks, mut tool) = (0_usize, None);

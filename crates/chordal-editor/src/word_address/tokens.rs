@@ -1,16 +1,15 @@
 //! The words of a text by what they are, for colours.
 
-use chordal::control::block_tokens;
-pub use chordal::control::{Token, TokenClass};
+use chordal::control::{Token, block_tokens};
 
-use crate::EditorProgram;
+use super::WordAddressText;
 
 /// Bytes of a block whose words have colours, at most: nobody writes a longer one, and no editor shows its colours.
 const MAX_COLOURED: u32 = 20_000;
 
-impl EditorProgram {
+impl WordAddressText<'_> {
     /// The tokens of the lines from `from` up to, not including, `to`, in the order of the text.
-    pub fn tokens(&self, from: u32, to: u32) -> Vec<Token> {
+    pub(crate) fn tokens(&self, from: u32, to: u32) -> Vec<Token> {
         let mut tokens = Vec::new();
         self.blocks(from, to, |block| {
             if block.range.len() <= MAX_COLOURED {

@@ -1,0 +1,88 @@
+//! A control as the stages after the language know it.
+
+use std::any::Any;
+use std::fmt;
+
+use chordal_command::{AxisMask, WorkName, WorkNaming};
+use chordal_diagnostics::{Code, SourceMap};
+use chordal_machine::{Machine, PerAxis};
+
+use super::program_set::ProgramSet;
+use super::programs::ProgramName;
+use super::run_options::RunOptions;
+use crate::kernel::Alarms;
+use crate::offsets::Offsets;
+use crate::rules::Rules;
+
+/// The facts of a control that do not depend on its language or on the settings of a machine.
+#[derive(Clone, Copy, Debug)]
+pub struct ControlProfile {
+    /// Its name in machine files.
+    pub name: &'static str,
+    /// Its name for users.
+    pub title: &'static str,
+    /// Where its facts come from.
+    pub source: &'static str,
+    /// The built-in machine for programs of which only the control is known.
+    pub default_machine: &'static str,
+    /// The alarm that it shows for a diagnostic.
+    pub alarms: &'static [(Code, &'static str)],
+    /// How its work offsets are named.
+    pub work_names: WorkNaming,
+    /// It is the control of a lathe.
+    pub turns: bool,
+}
+
+impl ControlProfile {
+    /// Its alarms, with its title.
+    pub fn alarms(&self) -> Alarms {
+        Alarms { title: self.title, texts: self.alarms }
+    }
+}
+
+/// A control of some language, with the settings of one machine applied.
+pub trait ConfiguredControl: fmt::Debug + Send + Sync {
+    /// The facts that do not depend on the machine.
+    fn profile(&self) -> ControlProfile;
+
+    /// Its rules with the settings of the machine.
+    fn rules(&self) -> &Rules;
+
+    /// The axes of the machine.
+    fn axes(&self) -> AxisMask;
+
+    /// The work coordinate system before the first block.
+    fn initial_work_offset(&self) -> WorkName {
+        WorkName::G(54)
+    }
+
+    /// The offsets before the first block.
+    fn initial_offsets(&self, machine: &Machine) -> Offsets {
+        Offsets::new(machine, self.initial_work_offset(), self.profile().work_names)
+    }
+
+    /// The offset between program and machine coordinates before the first block (mm, rad), and the axes for which
+    /// the machine file gives it.
+    fn initial_offset(&self, machine: &Machine) -> (PerAxis<f64>, AxisMask) {
+        let offsets = self.initial_offsets(machine);
+        (offsets.total(), offsets.known())
+    }
+
+    /// Opens texts.
+    fn open<'a>(
+        &'a self,
+        sources: &'a SourceMap<'a>,
+        machine: &'a Machine,
+        options: &'a RunOptions,
+    ) -> Box<dyn ProgramSet + 'a>;
+
+    /// The names of the programs that a text contains.
+    fn program_names(&self, text: &[u8]) -> Vec<ProgramName>;
+
+    /// The names of the programs that a text calls and that may be in other files of its folder; empty when the
+    /// control does not search there.
+    fn called_programs(&self, text: &[u8]) -> Vec<ProgramName>;
+
+    /// The control itself, for what works with one language only.
+    fn as_any(&self) -> &dyn Any;
+}

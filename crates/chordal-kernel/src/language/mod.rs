@@ -1,0 +1,33 @@
+//! The interface between programming languages of controls and everything above them.
+//!
+//! Programs of word-address blocks and conversational programs (lines of plain-language text) are read
+//! differently; what they make the machine do is the same. A language is a crate that implements three traits:
+//!
+//! - [`ProgrammingLanguage`]: its controls, the signs of its texts, and the control of a machine file;
+//! - [`ConfiguredControl`]: one control with the settings of a machine, which opens texts;
+//! - [`ProgramSet`]: the opened texts, which run, and answer the questions of editors.
+//!
+//! A run drives the [`Kernel`](crate::Kernel). Whatever is above a language (checks, planner, stock, editors, reports)
+//! uses these traits and needs to know no more of it.
+
+mod configured_control;
+mod custom_codes;
+mod outcome;
+mod program_set;
+mod programming_language;
+mod programs;
+mod recognition;
+mod run_options;
+mod tokens;
+
+pub use configured_control::{ConfiguredControl, ControlProfile};
+pub use custom_codes::{CustomCode, ShopAnswer, ShopCall, ShopCodes, ShopRecord};
+pub use outcome::{CompletedRun, EndReason, Outcome};
+pub use program_set::ProgramSet;
+pub use programming_language::{ProgrammingLanguage, SettingError};
+pub use programs::{ProgramName, ProgramPlace};
+pub use recognition::{
+    ANOTHER_KIND, ControlCandidate, EvidenceStrength, FoundSign, Recognition,
+};
+pub use run_options::{InterruptCheck, RunOptions};
+pub use tokens::{TextSymbol, Token, TokenClass, WordCompletion};
