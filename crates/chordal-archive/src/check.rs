@@ -4,12 +4,12 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
 use chordal::control::EndReason;
+use chordal::control::ProgramPlace;
+use chordal::diagnostics::TextRange;
 use chordal::diagnostics::{Diagnostic, FileId, line_ends};
 use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::motion::{LimitError, MotionOptions};
 use chordal::stock::{StockLeft, StockOptions, TileJob, VolumeInterval};
-use chordal::control::ProgramPlace;
-use chordal::diagnostics::TextRange;
 use chordal::{Job, Machine, Report, RunOptions, RunWatch, Source, SourceMap};
 use chordal_export::sha256_hex;
 

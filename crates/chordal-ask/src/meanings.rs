@@ -42,7 +42,7 @@ pub fn machine(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFail
 }
 
 fn about(machine: &Machine) -> Value {
-        json!({
+    json!({
         "name": machine.name,
         "title": machine.title,
         "control": machine.control.as_str(),

@@ -117,10 +117,8 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
             });
             done?;
             remarks = not_named_texts(job.not_named_axes());
-            remarks.extend(left_out_texts(
-                &report.summary.unrelated_zeros,
-                job.profile().work_names,
-            ));
+            remarks
+                .extend(left_out_texts(&report.summary.unrelated_zeros, job.profile().work_names));
             if blank != AxisMask::NONE {
                 let letters: Vec<String> =
                     blank.iter().map(|axis| axis.letter().to_string()).collect();

@@ -3,9 +3,7 @@
 use std::path::PathBuf;
 
 use chordal::Machine;
-use chordal::control::{
-    COMMON_SETTINGS, Certainty, Control, control_profile, control_title, dump,
-};
+use chordal::control::{COMMON_SETTINGS, Certainty, Control, control_profile, control_title, dump};
 use chordal::machine::{Axis, builtin_names, schema_reference};
 use chordal_load::machine;
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, Width};

@@ -122,8 +122,7 @@ fn programs(sheet: &mut Sheet, job: &Job, program: Option<u32>) {
         rows
     };
     let is_main: BTreeSet<usize> = mains.iter().copied().collect();
-    let others: Vec<usize> =
-        (0..programs.len()).filter(|index| !is_main.contains(index)).collect();
+    let others: Vec<usize> = (0..programs.len()).filter(|index| !is_main.contains(index)).collect();
     sheet.rows(if mains.len() == 1 { "program" } else { "programs" }, &list(&mains));
     sheet.rows("calls", &list(&others));
 }

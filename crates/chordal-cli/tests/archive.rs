@@ -530,7 +530,7 @@ flute_length = '25 mm'
     let with_stock = [&check[..], &["--stock", "--setup", "op1.toml"]].concat();
     folder.run(&with_stock).ends(1).complains(&["1 with errors"]);
     let table = || read(folder.bytes("t.parquet"));
-    let rows = table().expect("a table");
+    let rows = table();
     let column = |name: &str| rows.column_by_name(name).expect("a column").clone();
     let verdicts = column("stock_verdict");
     let verdicts: Vec<Option<&str>> = verdicts.as_string::<i32>().iter().collect();
@@ -543,12 +543,12 @@ flute_length = '25 mm'
     assert_eq!(column("stock_problems").as_primitive::<UInt64Type>().value(1), 2);
     // Without it the table is another: nothing of the journal is taken for it.
     folder.run(&check).ends(0);
-    let verdicts = table().expect("a table").column_by_name("stock_verdict").expect("a column").null_count();
+    let verdicts = table().column_by_name("stock_verdict").expect("a column").null_count();
     assert_eq!(verdicts, 3);
     // Where no stock is given, the row says so.
     let no_stock = [&check[..], &["--stock", "-m", "haas-vf2"]].concat();
     folder.run(&no_stock).ends(0);
-    let rows = table().expect("a table");
+    let rows = table();
     let message = rows.column_by_name("message").expect("a column").as_string::<i32>().value(0);
     assert!(message.starts_with("there is no stock"), "{message}");
 }

@@ -34,10 +34,7 @@ impl Control {
         Some(Control::with_table(table(machine.control)?, machine))
     }
 
-    fn with_table(
-        table: &'static ControlTable,
-        machine: &Machine,
-    ) -> (Control, Vec<SettingError>) {
+    fn with_table(table: &'static ControlTable, machine: &Machine) -> (Control, Vec<SettingError>) {
         let (parameters, mut errors) =
             settings::resolve(table.settings, &table.parameters, machine);
         errors.extend(redefined_codes(table, machine));

@@ -153,4 +153,3 @@ pub const MACHINE_WORDS: &[&str] =
 /// A comment with one of these words names a machine that the program is not for.
 pub const OTHER_MACHINE_WORDS: &[&str] =
     &["FROM", "NOT", "WAS", "OLD", "FORMERLY", "ORIGINALLY", "REPLACES", "NEVER", "INSTEAD"];
-

@@ -46,6 +46,6 @@ pub use place::{LineColumnIndex, byte_of, line_and_column};
 pub use program::EditorProgram;
 pub use setup::EditorSetup;
 pub use word_address::{
-    Completion, CompletionKind, EntryKind, NameOccurrence, NameRole,
-    NumberingOptions, OutlineEntry, RenameError, RenamedVariable, SymbolName,
+    Completion, CompletionKind, EntryKind, NameOccurrence, NameRole, NumberingOptions,
+    OutlineEntry, RenameError, RenamedVariable, SymbolName,
 };

@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use chordal::control::{
-    ConfiguredControl, ControlProfile, SettingError, configured_control,
-};
+use chordal::control::{ConfiguredControl, ControlProfile, SettingError, configured_control};
 use chordal::diagnostics::FileId;
 use chordal::{Job, Machine, Source, SourceMap};
 

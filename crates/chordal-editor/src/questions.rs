@@ -6,8 +6,8 @@ use chordal::diagnostics::TextRange;
 use crate::edit_proof::{FormatEdit, FormatError};
 use crate::hover::{Hover, as_markdown};
 use crate::word_address::{
-    Completion, CompletionKind, EntryKind, NameOccurrence,
-    NumberingOptions, OutlineEntry, RenameError, RenamedVariable, SymbolName,
+    Completion, CompletionKind, EntryKind, NameOccurrence, NumberingOptions, OutlineEntry,
+    RenameError, RenamedVariable, SymbolName,
 };
 use crate::{EditorProgram, RunMoves};
 

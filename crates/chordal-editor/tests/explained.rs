@@ -13,7 +13,9 @@ use chordal_editor::explain::explain;
 use chordal_editor::meaning::{ControlView, code_name, code_of, code_text};
 
 fn view(machine: &str) -> ControlView {
-    ControlView::of(&Control::of(&Machine::from_builtin(machine).unwrap()).expect("a word-address control").0)
+    ControlView::of(
+        &Control::of(&Machine::from_builtin(machine).unwrap()).expect("a word-address control").0,
+    )
 }
 
 #[track_caller]
@@ -173,7 +175,7 @@ fn an_alarm_at_a_code_is_on_its_page() {
     files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/suite"), &mut paths);
     let (mut met, mut missing) = (BTreeSet::new(), BTreeSet::new());
     for job in paths.iter().filter_map(|path| job_of(path)) {
-        let control = job.control();
+        let control = job.word_address().expect("word-address blocks");
         let source = job.sources().get(FileId(0)).unwrap().text().to_vec();
         for problem in job.check().diagnostics {
             let range = problem.primary.span.range;

@@ -5,8 +5,8 @@
 
 use chordal_command::{Command, CommandKind, Sink};
 use chordal_dialect::Control;
-use chordal_gcode::{Library, RunOptions, run};
-use chordal_kernel::RunSink;
+use chordal_gcode::{Library, run};
+use chordal_kernel::{RunOptions, RunSink};
 use std::hint::black_box;
 
 use chordal_diagnostics::{Diagnostic, Source, SourceMap};

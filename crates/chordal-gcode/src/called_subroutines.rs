@@ -57,7 +57,9 @@ mod tests {
     fn calls_by_name_and_number() {
         let text =
             b"o<Lift> call\n  N5 O100 CALL [1]\n(o<no> call)\no<lift> call [2]\no[#1] call\n";
-        let lexicon = chordal_dialect::table(chordal_machine::ControlName::Linuxcnc).expect("a table").lexicon;
+        let lexicon = chordal_dialect::table(chordal_machine::ControlName::Linuxcnc)
+            .expect("a table")
+            .lexicon;
         let of = |o_words| Lexicon { o_words, ..lexicon };
         assert_eq!(called_subs(text, &of(true)), ["100", "lift"]);
         assert!(called_subs(text, &of(false)).is_empty());

@@ -15,7 +15,7 @@ use chordal_kernel::{
     Token,
 };
 use chordal_machine::{ControlName, Machine};
-use chordal_syntax::{Block, BlockReader, ProgramHead, find_programs, is_program_name};
+use chordal_syntax::{Block, BlockReader, Lexicon, ProgramHead, find_programs, is_program_name};
 
 use crate::called_subroutines::called_subs;
 use crate::initial_offsets::{initial_offsets, initial_work_offset};
@@ -44,6 +44,22 @@ impl ProgrammingLanguage for WordAddressLanguage {
     ) -> Option<(Arc<dyn ConfiguredControl>, Vec<SettingError>)> {
         let (control, errors) = Control::of(machine)?;
         Some((Arc::new(WordAddressControl(control)), errors))
+    }
+
+    /// Whether some line begins like a block: with a letter and a number, a program head or a percent sign.
+    fn has_program_line(&self, text: &[u8]) -> bool {
+        text.split(|byte| matches!(byte, b'\n' | b'\r')).any(|line| {
+            let mut bytes = line.iter().filter(|byte| !matches!(byte, b' ' | b'\t' | 0));
+            match (bytes.next(), bytes.next()) {
+                (Some(b'%'), _) => true,
+                (Some(b'/' | b'#'), Some(next)) => next.is_ascii_alphanumeric(),
+                (Some(first), Some(next)) => {
+                    (first.is_ascii_alphabetic() || *first == b':')
+                        && (next.is_ascii_digit() || matches!(next, b'.' | b'-' | b'+'))
+                }
+                _ => false,
+            }
+        })
     }
 
     fn recognize(&self, text: &[u8]) -> Vec<ControlCandidate> {
@@ -106,6 +122,24 @@ impl ConfiguredControl for WordAddressControl {
         let numbers = referenced_programs(text, lexicon).into_iter().map(ProgramName::Number);
         let names = called_subs(text, lexicon).into_iter();
         numbers.chain(names.map(ProgramName::from)).collect()
+    }
+
+    /// Whether some block sets the units with G20, G21, G70 or G71.
+    fn names_units(&self, text: &[u8]) -> bool {
+        // The control is a guess where this matters, so the words are read as most controls read them.
+        let mut reader = BlockReader::new(text, FileId(0), Lexicon::COMMON);
+        let mut block = Block::new();
+        while reader.read(&mut block) {
+            let codes = block.all(b'G').filter_map(|word| word.number()?.to_integer());
+            if codes.into_iter().any(|code| matches!(code, 20 | 21 | 70 | 71)) {
+                return true;
+            }
+        }
+        false
+    }
+
+    fn subprogram_extensions(&self) -> &'static [&'static str] {
+        &["ngc", "nc"]
     }
 
     fn as_any(&self) -> &dyn Any {

@@ -6,8 +6,8 @@
 use chordal_command::{Command, CommandKind, Sink};
 use chordal_diagnostics::{Diagnostic, Source, SourceMap};
 use chordal_dialect::Control;
-use chordal_gcode::{Library, RunOptions, run};
-use chordal_kernel::RunSink;
+use chordal_gcode::{Library, run};
+use chordal_kernel::{RunOptions, RunSink};
 use chordal_machine::{Machine, PerAxis};
 
 /// A xorshift, so that every run reads the same programs.

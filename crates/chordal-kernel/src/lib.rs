@@ -51,10 +51,9 @@ pub use frames::{FrameKinds, Frames, PolarReading, PolarWords};
 pub use kernel::{Alarms, Kernel, KernelMemory, KernelReports};
 pub use language::{
     ANOTHER_KIND, CompletedRun, ConfiguredControl, ControlCandidate, ControlProfile, CustomCode,
-    EndReason, EvidenceStrength, FoundSign, InterruptCheck, Outcome,
-    ProgramName, ProgramPlace, ProgramSet, ProgrammingLanguage, Recognition, RunOptions,
-    SettingError, ShopAnswer, ShopCall, ShopCodes, ShopRecord, TextSymbol, Token, TokenClass,
-    WordCompletion,
+    EndReason, EvidenceStrength, FoundSign, InterruptCheck, Outcome, ProgramName, ProgramPlace,
+    ProgramSet, ProgrammingLanguage, Recognition, RunOptions, SettingError, ShopAnswer, ShopCall,
+    ShopCodes, ShopRecord, TextSymbol, Token, TokenClass, WordCompletion,
 };
 pub use modal::{Modal, MotionMode};
 pub use motion::{ArcWords, MisfitArc, SpiralWords, is_over};

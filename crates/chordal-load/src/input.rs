@@ -5,6 +5,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use chordal::control::has_program_line;
 use chordal::syntax::decode;
 
 use crate::error::LoadError;
@@ -122,23 +123,9 @@ pub fn has_other_ending(path: &Path) -> bool {
     ending.is_some_and(|ending| NOT_PROGRAMS.contains(&ending.as_str()))
 }
 
-/// Whether this beginning of a file looks like a program: it is of no other known kind, and some line starts like a
-/// block, with a letter and a number, a program head or a percent sign. Used only for files that the caller did not
-/// name.
+/// Whether this beginning of a file looks like a program: it is of no other known kind, and some line begins like one of
+/// a program in some language. Used only for files that the caller did not name.
 pub fn looks_like_program(sample: &[u8]) -> bool {
     let decoded = decode(sample);
-    !decoded.binary
-        && !is_other_file(&decoded.text)
-        && decoded.text.split(|byte| matches!(byte, b'\n' | b'\r')).any(|line| {
-            let mut bytes = line.iter().filter(|byte| !matches!(byte, b' ' | b'\t' | 0));
-            match (bytes.next(), bytes.next()) {
-                (Some(b'%'), _) => true,
-                (Some(b'/' | b'#'), Some(next)) => next.is_ascii_alphanumeric(),
-                (Some(first), Some(next)) => {
-                    (first.is_ascii_alphabetic() || *first == b':')
-                        && (next.is_ascii_digit() || matches!(next, b'.' | b'-' | b'+'))
-                }
-                _ => false,
-            }
-        })
+    !decoded.binary && !is_other_file(&decoded.text) && has_program_line(&decoded.text)
 }

@@ -220,8 +220,7 @@ fn finish(mut machine: Machine, request: &Request) -> Result<Machine, LoadError>
         let name = path.to_string_lossy();
         let text = request.files.text(path).map_err(|error| LoadError::read(&*name, &error))?;
         let control = configured_control(&machine).map(|(control, _)| control);
-        let millimetres =
-            control.is_some_and(|control| control.rules().units == Units::Millimetre);
+        let millimetres = control.is_some_and(|control| control.rules().units == Units::Millimetre);
         let tools = read_tool_tbl(&text, millimetres).map_err(|mut errors| {
             errors.iter_mut().for_each(|error| error.file = name.to_string());
             LoadError::Machine(errors)
@@ -272,7 +271,11 @@ fn code_place<'m>(machine: &'m Machine, name: &str) -> Option<&'m ValueLocation>
 /// The range to mark for an error: the value, or the setting's name before it on the line when the name is unknown.
 fn place_of(error: &SettingError, at: &ValueLocation, control: ControlName) -> Range<usize> {
     let own = table(control).map_or(&[][..], |table| table.settings);
-    if own.iter().chain(COMMON_SETTINGS).any(|setting| setting.name.eq_ignore_ascii_case(&error.name)) {
+    if own
+        .iter()
+        .chain(COMMON_SETTINGS)
+        .any(|setting| setting.name.eq_ignore_ascii_case(&error.name))
+    {
         return at.span.clone();
     }
     let before = at.text.get(..at.span.start).unwrap_or_default();

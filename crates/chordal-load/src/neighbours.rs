@@ -42,7 +42,8 @@ impl FolderCache {
         control: &dyn ConfiguredControl,
     ) -> Vec<ProgramText> {
         let mut found: Vec<ProgramText> = Vec::new();
-        let mut pending: BTreeSet<ProgramName> = control.called_programs(text).into_iter().collect();
+        let mut pending: BTreeSet<ProgramName> =
+            control.called_programs(text).into_iter().collect();
         if pending.is_empty() {
             return found;
         }
@@ -64,7 +65,7 @@ impl FolderCache {
             }
             let path = match name.key() {
                 Some(number) => folder.program(files, number, path),
-                None => folder.subroutine(&name.to_string(), path),
+                None => folder.subroutine(&name.to_string(), control, path),
             };
             let Some(path) = path else { continue };
             let input = ProgramInput { path: Some(path), root: None };
@@ -150,12 +151,12 @@ fn numbers(text: &[u8], lexicon: &Lexicon) -> impl Iterator<Item = u32> {
     find_programs(text, lexicon).into_iter().filter_map(|head| head.number)
 }
 
-/// The files of a folder by the program number or subroutine name in their file names. Their program heads are read
+/// The files of a folder by the program number or the name in their file names. Their program heads are read
 /// only when a file name was not enough.
 struct FolderListing {
     files: Vec<PathBuf>,
     numbers: BTreeMap<u32, Vec<PathBuf>>,
-    subroutines: BTreeMap<String, Vec<PathBuf>>,
+    names: BTreeMap<String, Vec<PathBuf>>,
     heads: Option<BTreeMap<u32, Vec<PathBuf>>>,
 }
 
@@ -164,22 +165,33 @@ impl FolderListing {
     fn of(files: &FileAccess, program: &Path) -> FolderListing {
         let files = files.next_to(program);
         let mut numbers: BTreeMap<u32, Vec<PathBuf>> = BTreeMap::new();
-        let mut subroutines: BTreeMap<String, Vec<PathBuf>> = BTreeMap::new();
+        let mut names: BTreeMap<String, Vec<PathBuf>> = BTreeMap::new();
         for path in &files {
             if let Some(number) = number_of_name(path) {
                 numbers.entry(number).or_default().push(path.clone());
             }
-            if let Some(name) = subroutine_of_name(path) {
-                subroutines.entry(name).or_default().push(path.clone());
+            if let Some(name) = path.file_stem().and_then(|stem| stem.to_str()) {
+                names.entry(name.to_ascii_lowercase()).or_default().push(path.clone());
             }
         }
-        FolderListing { files, numbers, subroutines, heads: None }
+        FolderListing { files, numbers, names, heads: None }
     }
 
-    /// The file of a named subroutine (`O<name> call`).
-    fn subroutine(&self, name: &str, caller: &Path) -> Option<PathBuf> {
-        let named = self.subroutines.get(&name.to_ascii_lowercase())?;
-        named.iter().find(|path| *path != caller).cloned()
+    /// The file of a program with a name (`O<name> call`).
+    fn subroutine(
+        &self,
+        name: &str,
+        control: &dyn ConfiguredControl,
+        caller: &Path,
+    ) -> Option<PathBuf> {
+        let named = self.names.get(&name.to_ascii_lowercase())?;
+        let extensions = control.subprogram_extensions();
+        let has_extension = |path: &&PathBuf| {
+            let extension =
+                path.extension().map(|text| text.to_string_lossy().to_ascii_lowercase());
+            extension.is_some_and(|own| extensions.contains(&own.as_str()))
+        };
+        named.iter().filter(has_extension).find(|path| *path != caller).cloned()
     }
 
     /// The file of a program number, other than the caller's file. Preferred is a file with this number in its name
@@ -212,13 +224,6 @@ impl FolderListing {
     }
 }
 
-/// The name of the subroutine that a control would search in a file of this name, in lower case.
-fn subroutine_of_name(path: &Path) -> Option<String> {
-    let file = path.file_name()?.to_str()?.to_ascii_lowercase();
-    let stem = file.strip_suffix(".ngc").or_else(|| file.strip_suffix(".nc"))?;
-    Some(stem.to_string())
-}
-
 fn first_head(files: &FileAccess, path: &Path) -> Option<u32> {
     let bytes = files.head(path, HEAD).ok()?;
     let text = decode(&bytes);
@@ -243,16 +248,6 @@ mod tests {
         }
         for name in ["part.nc", "O1000-old.nc", "x1000.nc", ".nc", "", "O.nc", "O99999999999"] {
             assert_eq!(number_of_name(Path::new(name)), None, "{name}");
-        }
-    }
-
-    #[test]
-    fn files_of_subroutines() {
-        for file in ["drill.ngc", "Drill.NGC", "drill.nc"] {
-            assert_eq!(subroutine_of_name(Path::new(file)).as_deref(), Some("drill"), "{file}");
-        }
-        for file in ["drill", "drills.ngc", "drill.txt", ".ngc", ""] {
-            assert_ne!(subroutine_of_name(Path::new(file)).as_deref(), Some("drill"), "{file}");
         }
     }
 }

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use chordal::control::{InterruptCheck, control_title};
-use chordal::{RunOptions, ShopCodes, ShopRecord};
 use chordal::{Job, Machine, ProgramReading, ReadingChoices, Source, SourceMap};
+use chordal::{RunOptions, ShopCodes, ShopRecord};
 
 use crate::error::LoadError;
 use crate::machine_reason::MachineReason;

@@ -53,7 +53,8 @@ impl ControlName {
     /// The names of all controls, those of registered languages last.
     pub fn all() -> Vec<ControlName> {
         let registered = REGISTERED_NAMES.read().unwrap_or_else(PoisonError::into_inner);
-        let registered = registered.iter().map(|name| ControlName::Registered(RegisteredControl(name)));
+        let registered =
+            registered.iter().map(|name| ControlName::Registered(RegisteredControl(name)));
         ControlName::ALL.iter().copied().chain(registered).collect()
     }
 }

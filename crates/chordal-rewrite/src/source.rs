@@ -4,13 +4,13 @@ use chordal::control::{Action, AfterCode, BeforeCode, CallCode, TurnCycle, turn_
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use crate::word_address::BlockControl;
 use chordal::Job;
 use chordal::control::table::SubroutineForm;
 use chordal::control::{Control, Units, subroutine_head};
 use chordal::diagnostics::{FileId, Span};
 use chordal::syntax::{Block, BlockKind, BlockReader, Letters, Word};
 use chordal_editor::{EditorProgram, EditorSetup};
-use crate::word_address::BlockControl;
 
 /// How a subprogram is written and called.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -10,7 +10,8 @@ use chordal::machine::ControlName;
 use crate::TransformRefusal;
 
 /// What works on word-address blocks only.
-const HELP: &str = "run, check, plan and compare the program as it is; change it with the tools of its control";
+const HELP: &str =
+    "run, check, plan and compare the program as it is; change it with the tools of its control";
 
 /// The control of a job that was not refused.
 pub(crate) trait BlockControl {
@@ -45,5 +46,7 @@ pub(crate) fn refuse_other_languages(job: &Job) -> Result<(), TransformRefusal> 
 /// The sentence for a control whose programs are not made of word-address blocks.
 pub(crate) fn other_language(control: ControlName) -> String {
     let title = control_title(control);
-    format!("programs for {title} are not made of word-address blocks, and only such blocks are rewritten")
+    format!(
+        "programs for {title} are not made of word-address blocks, and only such blocks are rewritten"
+    )
 }

@@ -1,8 +1,8 @@
 //! Records the modal state along the path.
 
 use chordal::control::{
-    Command, CommandKind, CompensationSide, ConfiguredControl, Coolant, FeedMode, Overrides, PathMode,
-    SpindleState, Units, WorkName,
+    Command, CommandKind, CompensationSide, ConfiguredControl, Coolant, FeedMode, Overrides,
+    PathMode, SpindleState, Units, WorkName,
 };
 use chordal::geometry::{ParamCurve, Plane, Vec3};
 use chordal::path::ProgramFrame;

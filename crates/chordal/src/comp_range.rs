@@ -2,9 +2,9 @@
 
 use chordal_command::{Command, CommandKind, CompensationSide, Origin, Sink, Units};
 use chordal_kernel::ConfiguredControl;
-use chordal_kernel::rules::Rules;
 use chordal_kernel::RunSink;
 use chordal_kernel::rules::OutsideCorner;
+use chordal_kernel::rules::Rules;
 use std::collections::BTreeMap;
 
 use chordal_diagnostics::{Diagnostic, Severity, Span};

@@ -238,7 +238,9 @@ impl<'a> Job<'a> {
         let heads = |program: usize| match mains.len() {
             // What concerns the only program concerns the whole text, and has no place in it.
             1 => Span::default(),
-            _ => programs.programs().get(program).map_or_else(Span::default, ProgramPlace::head_span),
+            _ => {
+                programs.programs().get(program).map_or_else(Span::default, ProgramPlace::head_span)
+            }
         };
         for program in mains.iter().copied() {
             let Some(CompletedRun { outcome, .. }) = programs.run(program, None, sink) else {
@@ -321,7 +323,10 @@ impl<'a> Job<'a> {
     }
 
     /// The same with other options of the run.
-    pub(crate) fn program_set_with<'s>(&'s self, options: &'s RunOptions) -> Box<dyn ProgramSet + 's> {
+    pub(crate) fn program_set_with<'s>(
+        &'s self,
+        options: &'s RunOptions,
+    ) -> Box<dyn ProgramSet + 's> {
         self.control.open(&self.sources, &self.machine, options)
     }
 

@@ -45,6 +45,11 @@ pub fn configured_control(
     all().find_map(|language| language.configure(machine))
 }
 
+/// Whether some line of a text begins like a line of a program in some language.
+pub fn has_program_line(text: &[u8]) -> bool {
+    all().any(|language| language.has_program_line(text))
+}
+
 /// Recognizes the control that a text was written for, by the signs of all languages.
 pub fn recognize(text: &[u8]) -> Recognition {
     let mut candidates: Vec<ControlCandidate> =

@@ -26,14 +26,16 @@ pub mod control {
     pub use chordal_kernel::rules::*;
     pub use chordal_kernel::{
         ANOTHER_KIND, AfterBlock, Alarms, Checkpoint, CompletedRun, ConfiguredControl,
-        ControlCandidate, ControlProfile, CustomCode, EndReason, EvidenceStrength, FoundSign, FrameKinds,
-        InterruptCheck, LiveTool, Modal, MotionMode, Outcome, ProgramName, ProgramPlace,
-        ProgramSet, ProgrammingLanguage, Recognition, RunOptions, RunSink, SettingError, ShopAnswer, ShopCall, ShopCodes, ShopRecord, SplineForm, StateItem,
+        ControlCandidate, ControlProfile, CustomCode, EndReason, EvidenceStrength, FoundSign,
+        FrameKinds, InterruptCheck, LiveTool, Modal, MotionMode, Outcome, ProgramName,
+        ProgramPlace, ProgramSet, ProgrammingLanguage, Recognition, RunOptions, RunSink,
+        SettingError, ShopAnswer, ShopCall, ShopCodes, ShopRecord, SplineForm, StateItem,
         StateValue, TextSymbol, Token, TokenClass, ToolValue, TurnPass, WordCompletion,
     };
 
     pub use crate::languages::{
-        configured_control, control_profile, control_title, recognize, register_language,
+        configured_control, control_profile, control_title, has_program_line, recognize,
+        register_language,
     };
 }
 

@@ -245,15 +245,7 @@ impl SegmentedRun {
         let (outcome, end) = walk.run(job, programs, main);
         let outcome = outcome.unwrap_or_else(|| unreachable!("there is nothing to meet"));
         let (segments, carried_out) = (walk.done, walk.blocks);
-        SegmentedRun {
-            text: job.text().to_vec(),
-            names,
-            main,
-            segments,
-            outcome,
-            end,
-            carried_out,
-        }
+        SegmentedRun { text: job.text().to_vec(), names, main, segments, outcome, end, carried_out }
     }
 
     /// The run of a changed text with the same programs, which keeps the segments before the change and those after

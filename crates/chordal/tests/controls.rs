@@ -39,7 +39,10 @@ fn a_control_has_a_machine_signs_a_source_and_a_post() {
         let machine = Machine::from_builtin(table.default_machine)
             .unwrap_or_else(|errors| panic!("{name}: {errors:?}"));
         assert_eq!(machine.control, *name, "{name}: its default machine is of another control");
-        assert!(Control::of(&machine).expect("a word-address control").1.is_empty(), "{name}: settings that it does not have");
+        assert!(
+            Control::of(&machine).expect("a word-address control").1.is_empty(),
+            "{name}: settings that it does not have"
+        );
         assert!(!table.title.is_empty() && !table.source.is_empty(), "{name}: title and source");
         assert!(!table.evidence.is_empty(), "{name}: nothing to recognize its programs by");
         assert!(!table.post.begin.is_empty() && !table.post.end.is_empty(), "{name}: its post");

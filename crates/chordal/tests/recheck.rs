@@ -232,9 +232,12 @@ fn edits_of_the_programs_of_the_repository() {
     assert!(all.len() > 100, "{}", all.len());
     for (place, (name, text)) in all.iter().enumerate() {
         // `haas-lathe` has `haas` in it.
-        let named = |machine: &&Machine| name.contains(table(machine.control).expect("a table").name);
-        let same =
-            machines.iter().filter(named).max_by_key(|machine| table(machine.control).expect("a table").name.len());
+        let named =
+            |machine: &&Machine| name.contains(table(machine.control).expect("a table").name);
+        let same = machines
+            .iter()
+            .filter(named)
+            .max_by_key(|machine| table(machine.control).expect("a table").name.len());
         for round in 0..rounds() {
             let seed = (place * 1000 + round) as u64;
             let machine = same.unwrap_or(&machines[(place + round) % machines.len()]);

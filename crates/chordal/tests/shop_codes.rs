@@ -4,7 +4,7 @@
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex};
 
-use chordal::control::EndReason;
+use chordal::control::{EndReason, ProgramName};
 use chordal::motion::{
     MotionOptions, PlanSink, PlannerStep, StepKind, StepSource, StepSources, WaitKind,
 };
@@ -162,7 +162,8 @@ fn a_missing_program_is_asked_for_with_its_arguments() {
     assert_eq!(steps(&job), expected);
     let report = job.report();
     assert_eq!(told(&report)[0].0, Code::MissingSubprogram);
-    assert_eq!(report.outcomes[0].missing_programs, [9012], "what the shop knows is not missing");
+    let missing = &report.outcomes[0].missing_programs;
+    assert_eq!(*missing, [ProgramName::Number(9012)], "what the shop knows is not missing");
 }
 
 #[test]

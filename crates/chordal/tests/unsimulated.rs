@@ -93,11 +93,16 @@ G1 X1 Y1 Z1 F50
 fn around(machine: &Machine) -> (&'static str, String) {
     let (head, tail) = match machine.turns() {
         true => (LATHE_HEAD, LATHE_TAIL),
-        false if table(machine.control).expect("a table").command_line.is_some() => (LINE_HEAD, LINE_TAIL),
-        false if table(machine.control).expect("a table").firmware.is_some() => (SMALL_HEAD, SMALL_TAIL),
+        false if table(machine.control).expect("a table").command_line.is_some() => {
+            (LINE_HEAD, LINE_TAIL)
+        }
+        false if table(machine.control).expect("a table").firmware.is_some() => {
+            (SMALL_HEAD, SMALL_TAIL)
+        }
         false => (HEAD, TAIL),
     };
-    let number = if needs_number(table(machine.control).expect("a table")) { "G43 H1" } else { "G43" };
+    let number =
+        if needs_number(table(machine.control).expect("a table")) { "G43 H1" } else { "G43" };
     (head, tail.replace("G43", number))
 }
 

@@ -11,8 +11,8 @@ mod path_mode;
 mod rotary_feed;
 mod turning;
 
-use chordal_kernel::SettingError;
 use chordal_command::RapidPath;
+use chordal_kernel::SettingError;
 use chordal_machine::{Machine, SettingEntry, SettingValue};
 
 pub use self::field::SettingField;

@@ -8,11 +8,11 @@ mod letter;
 mod number;
 mod word;
 
-use chordal::{Code, Machine};
 use chordal::control::table::ControlTable;
 use chordal::control::{
     COMMON_SETTINGS, CONTROLS, Control, Parameters, Setting, SettingField, telling_number,
 };
+use chordal::{Code, Machine};
 
 pub use alarm::alarm_text;
 pub use chordal::control::table::code_name;

@@ -6,8 +6,8 @@ use chordal::control::{Action, CallTarget};
 use chordal::syntax::Block;
 
 use super::WordAddressText;
-use crate::meaning::{code_text, codes, letter_text};
 use super::names::SymbolName;
+use crate::meaning::{code_text, codes, letter_text};
 
 /// What a completion is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

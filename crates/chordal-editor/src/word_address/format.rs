@@ -40,7 +40,10 @@ impl WordAddressText<'_> {
     /// # Errors
     /// Jumps to computed or ambiguous numbers, numbers too large, or a text that would run
     /// differently.
-    pub(crate) fn renumbered(&self, numbering: NumberingOptions) -> Result<Vec<FormatEdit>, FormatError> {
+    pub(crate) fn renumbered(
+        &self,
+        numbering: NumberingOptions,
+    ) -> Result<Vec<FormatEdit>, FormatError> {
         self.computed_jump()?;
         let mut numbers = BlockNumberer::new(*self, numbering);
         self.blocks(1, u32::MAX, |block| numbers.block(block));

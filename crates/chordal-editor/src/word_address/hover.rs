@@ -30,9 +30,9 @@ impl WordAddressText<'_> {
                 .map(|text| text + &self.words_of(word, code, block)),
             None => self.meaning_in_block(word, block),
         };
-        let text = text.or_else(|| letter_text(word.letter, &views)).unwrap_or_else(|| {
-            format!("{letter} has no meaning on {}.", self.profile().title)
-        });
+        let text = text
+            .or_else(|| letter_text(word.letter, &views))
+            .unwrap_or_else(|| format!("{letter} has no meaning on {}.", self.profile().title));
         as_markdown(&text)
     }
 

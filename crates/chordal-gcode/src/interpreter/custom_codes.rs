@@ -1,9 +1,9 @@
 //! Custom M codes and programs: calls the answering hook and carries out its answer.
 
-use chordal_kernel::{CustomCode, ShopAnswer, ShopCall};
 use chordal_command::{CommandKind, SpindleState};
 use chordal_dialect::{Action, AfterCode, CallCode};
 use chordal_dialect::{CodeGroup, CodeRow};
+use chordal_kernel::{CustomCode, ShopAnswer, ShopCall};
 use std::collections::HashMap;
 use std::sync::Arc;
 

@@ -68,9 +68,9 @@ use chordal_machine::{Machine, PerAxis};
 use chordal_syntax::{Block, BlockKind, BlockPosition as TextPosition, BlockReader, Decimal};
 
 use crate::firmware::FirmwareChecker;
+use crate::initial_offsets::{NATIVE, initial_offsets};
 use crate::library::{Library, Program};
 use crate::macro_alone::missing_call;
-use crate::initial_offsets::{NATIVE, initial_offsets};
 
 /// The interrupt hook is called once per this many blocks: less than a millisecond apart, at negligible cost.
 const BLOCKS_PER_INTERRUPT_CHECK: u64 = 1024;

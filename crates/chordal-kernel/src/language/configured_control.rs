@@ -83,6 +83,12 @@ pub trait ConfiguredControl: fmt::Debug + Send + Sync {
     /// control does not search there.
     fn called_programs(&self, text: &[u8]) -> Vec<ProgramName>;
 
+    /// Whether a text says in which units its lengths are; true of every text where the control leaves no choice.
+    fn names_units(&self, text: &[u8]) -> bool;
+
+    /// The extensions, in lower case, of the files in which a called program with a name is searched.
+    fn subprogram_extensions(&self) -> &'static [&'static str];
+
     /// The control itself, for what works with one language only.
     fn as_any(&self) -> &dyn Any;
 }

@@ -26,8 +26,6 @@ pub use outcome::{CompletedRun, EndReason, Outcome};
 pub use program_set::ProgramSet;
 pub use programming_language::{ProgrammingLanguage, SettingError};
 pub use programs::{ProgramName, ProgramPlace};
-pub use recognition::{
-    ANOTHER_KIND, ControlCandidate, EvidenceStrength, FoundSign, Recognition,
-};
+pub use recognition::{ANOTHER_KIND, ControlCandidate, EvidenceStrength, FoundSign, Recognition};
 pub use run_options::{InterruptCheck, RunOptions};
 pub use tokens::{TextSymbol, Token, TokenClass, WordCompletion};

@@ -34,6 +34,9 @@ pub trait ProgrammingLanguage: fmt::Debug + Sync {
         machine: &Machine,
     ) -> Option<(Arc<dyn ConfiguredControl>, Vec<SettingError>)>;
 
+    /// Whether some line of a text begins like a line of a program. Used for files that the user did not name.
+    fn has_program_line(&self, text: &[u8]) -> bool;
+
     /// The controls that a text may be written for, with the signs of it. A control without signs may be left out.
     fn recognize(&self, text: &[u8]) -> Vec<ControlCandidate>;
 }

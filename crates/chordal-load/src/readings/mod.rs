@@ -67,7 +67,8 @@ pub fn settle(mut found: Recognition, text: &[u8]) -> (Recognition, Option<Readi
         return (found, None);
     }
     let is_certain = found.is_certain();
-    let has_units = units::names_units(text);
+    let chosen = configured_control(&built_in(machine_name(found.chosen()), found.control()));
+    let has_units = chosen.is_none_or(|(control, _)| control.names_units(text));
     if is_certain && has_units {
         return (found, None);
     }

@@ -43,7 +43,8 @@ impl ReadingGroup {
     /// The titles of the controls in a phrase, such as `GRBL, LinuxCNC and Mach3`, with the units when they are a
     /// guess.
     pub fn title(&self) -> String {
-        let titles: Vec<&str> = self.controls.iter().map(|control| control_title(*control)).collect();
+        let titles: Vec<&str> =
+            self.controls.iter().map(|control| control_title(*control)).collect();
         let named = match titles.as_slice() {
             [] => String::new(),
             [one] => (*one).to_string(),

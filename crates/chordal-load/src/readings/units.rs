@@ -1,8 +1,6 @@
 //! The units of a text without a units code: what comments state, and which units are plausible for its numbers.
 
 use chordal::control::Units;
-use chordal::diagnostics::FileId;
-use chordal::syntax::{Block, BlockReader, Lexicon, Word};
 
 use super::trace::MotionTrace;
 
@@ -21,22 +19,6 @@ const MIN_FEED_MM_PER_S: f64 = 0.2;
 /// The plausible range of the largest turning feed of a program, mm per revolution.
 const MAX_FEED_MM_PER_REV: f64 = 1.6;
 const MIN_FEED_MM_PER_REV: f64 = 0.03;
-
-/// Whether some block sets the units with G20, G21, G70 or G71.
-pub fn names_units(text: &[u8]) -> bool {
-    let mut reader = BlockReader::new(text, FileId(0), Lexicon::COMMON);
-    let mut block = Block::new();
-    while reader.read(&mut block) {
-        let unit = |word: &Word| {
-            let code = word.number().and_then(|number| number.to_integer());
-            matches!(code, Some(20 | 21 | 70 | 71))
-        };
-        if block.all(b'G').any(unit) {
-            return true;
-        }
-    }
-    false
-}
 
 /// The units that a comment near the beginning names, either next to a word such as `units` or `output` or in a
 /// comment of at most two words; `None` when there is no such comment.

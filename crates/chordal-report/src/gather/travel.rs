@@ -1,9 +1,7 @@
 //! Where the tool goes: in each work coordinate system, and against the machine's travel.
 
 use chordal::control::WorkNaming;
-use chordal::control::{
-    AxisMask, Command, CommandKind, Move, Position, WorkName,
-};
+use chordal::control::{AxisMask, Command, CommandKind, Move, Position, WorkName};
 use chordal::geometry::{Aabb, ParamCurve};
 use chordal::machine::{AXES, Axis, PerAxis};
 use chordal::path::{ProgramFrame, curve_of, places_on_axes};

@@ -8,8 +8,8 @@ use chordal_compare::{BlockRange, Category, Difference, DifferenceValue, FreePas
 
 use super::trace::{self, ProgramTrace};
 use super::{ConversionOptions, codes};
-use crate::{Certificate, prove, prove_contour};
 use crate::word_address::BlockControl;
+use crate::{Certificate, prove, prove_contour};
 
 /// Whole categories of differences that belong to the machines.
 const OF_MACHINES: &[Category] = &[Category::RapidPath, Category::PathMode, Category::Overrides];

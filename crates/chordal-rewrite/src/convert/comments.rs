@@ -83,7 +83,8 @@ mod tests {
 
     #[test]
     fn open_comments_are_closed() {
-        let [fadal, haas] = [ControlName::Fadal, ControlName::Haas].map(|name| table(name).expect("a table").lexicon);
+        let [fadal, haas] = [ControlName::Fadal, ControlName::Haas]
+            .map(|name| table(name).expect("a table").lexicon);
         let comment = |text: &str| super::comment(text, &fadal, &haas);
         assert_eq!(comment("(TOOL 3, .5 END MILL"), "(TOOL 3, .5 END MILL)");
         assert_eq!(comment("(CLOSED)"), "(CLOSED)");

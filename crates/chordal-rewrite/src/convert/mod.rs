@@ -61,8 +61,8 @@ use self::trace::ProgramTrace;
 pub(crate) use self::turning::station;
 use crate::sides::prove_other_sides;
 use crate::source::SourceBlocks;
-use crate::{Certificate, Change};
 use crate::word_address::{BlockControl, other_language};
+use crate::{Certificate, Change};
 
 /// How a program is converted.
 #[derive(Clone, Debug)]
@@ -163,8 +163,8 @@ pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conv
         return conversion;
     };
     conversion.machine = with_tables_of(old, target, [from, to]);
-    conversion.refusals = other_kind([from, to])
-        .map_or_else(|| own_problems(old, options), |refusal| vec![refusal]);
+    conversion.refusals =
+        other_kind([from, to]).map_or_else(|| own_problems(old, options), |refusal| vec![refusal]);
     let Some(empty) = job("", String::new(), &conversion.machine) else {
         conversion.refusals.push(ConvertRefusal {
             line: 0,

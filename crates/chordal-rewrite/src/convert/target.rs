@@ -9,11 +9,7 @@ use chordal::machine::{
 use chordal::{Job, Machine};
 
 /// The target with what the old machine's tables hold: the cut depends on both.
-pub(super) fn with_tables_of(
-    job: &Job,
-    target: &Machine,
-    tables: [&ControlTable; 2],
-) -> Machine {
+pub(super) fn with_tables_of(job: &Job, target: &Machine, tables: [&ControlTable; 2]) -> Machine {
     let old = job.machine();
     let mut machine = target.clone();
     // The shape of rapids is the machine's; compared with each other, both go alike.

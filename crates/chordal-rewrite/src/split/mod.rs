@@ -15,8 +15,8 @@ use self::points::{SafePointKind, SplitPoint, SplitSurvey};
 use self::text::PartWriter;
 use crate::ComparedSides;
 use crate::source::SourceBlocks;
-use crate::{Certificate, TransformRefusal};
 use crate::word_address::refuse_other_languages;
+use crate::{Certificate, TransformRefusal};
 
 /// So many places are given up before the parts are reported as not proved.
 const MAX_TRIES: usize = 12;

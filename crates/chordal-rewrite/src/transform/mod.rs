@@ -29,8 +29,8 @@ use chordal_compare::{Category, ComparisonOptions, ComparisonVerdict, RunMapping
 
 use crate::sides::prove_other_sides;
 use crate::source::first_text;
-use crate::{Certificate, Change, prove_mapped};
 use crate::word_address::refuse_other_languages;
+use crate::{Certificate, Change, prove_mapped};
 
 pub use edit::TransformRefusal;
 pub use heights::{HeightCorrection, HeightMap, HeightOptions, MapError, warp};

@@ -26,7 +26,7 @@ fn all_programs() {
         let old = job_of(&text_of(&path), &[]);
         table += &format!("{path}\n");
         for to in LATHES {
-            if old.control().table.name == to {
+            if old.profile().name == to {
                 continue;
             }
             let found = convert(&old, &machine(with_axes(&old, to)), &ConversionOptions::default());

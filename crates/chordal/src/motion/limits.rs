@@ -50,20 +50,19 @@ impl MachineLimits {
         let mut rapid = [None; AXES];
         let control = configured_control(machine).map(|(control, _)| control);
         let rules = control.as_ref().map(|control| control.rules().path);
-        let junctions =
-            rules.and_then(|rules| rules.junctions).map(|rules| JunctionRule {
-                deviation_mm: rules.deviation_mm,
-                blocks: rules.blocks as usize,
-                arc_tolerance_mm: rules.arc_tolerance_mm,
-                arc_segments: rules.arc_segments.map(|segments| ArcSegmentLengths {
-                    least_mm: segments.least_mm,
-                    most_mm: segments.most_mm,
-                    of_circle: f64::from(segments.of_circle),
-                }),
-                speed_steps_mm_s: rules.speed_steps_mm_s,
-                steps_per_mm: rules.steps_per_mm,
-                limited_jerk: rules.limited_jerk,
-            });
+        let junctions = rules.and_then(|rules| rules.junctions).map(|rules| JunctionRule {
+            deviation_mm: rules.deviation_mm,
+            blocks: rules.blocks as usize,
+            arc_tolerance_mm: rules.arc_tolerance_mm,
+            arc_segments: rules.arc_segments.map(|segments| ArcSegmentLengths {
+                least_mm: segments.least_mm,
+                most_mm: segments.most_mm,
+                of_circle: f64::from(segments.of_circle),
+            }),
+            speed_steps_mm_s: rules.speed_steps_mm_s,
+            steps_per_mm: rules.steps_per_mm,
+            limited_jerk: rules.limited_jerk,
+        });
         for axis in Axis::ALL {
             let Some(own) = machine.axis(axis) else { continue };
             let limit = of_axis(axis, own, &mut assumed);

@@ -4,8 +4,8 @@
 //! themselves, nothing is taken.
 
 use chordal_diagnostics::{FileId, Span};
-use chordal_machine::{Axis, Body, BodyShape};
 use chordal_dialect::Control;
+use chordal_machine::{Axis, Body, BodyShape};
 use chordal_syntax::{Block, BlockReader};
 
 use super::forms::{field, fields, number, numbers};

@@ -54,8 +54,7 @@ impl Job<'_> {
         files: SetupFileReader<'_>,
     ) -> Result<ApproachCheck, StockRunError> {
         let tools = tools_of(self);
-        let (naming, units) =
-            (self.profile().work_names, self.rules().units);
+        let (naming, units) = (self.profile().work_names, self.rules().units);
         let mut gathered =
             [TurnedMoves::new(&tools, naming, units), TurnedMoves::new(&tools, naming, units)];
         self.report_watched(&mut gathered[0]);

@@ -72,8 +72,7 @@ impl Job<'_> {
         files: SetupFileReader<'_>,
     ) -> Result<TurnedReport, StockRunError> {
         let tools = tools_of(self);
-        let mut gathered =
-            TurnedMoves::new(&tools, self.profile().work_names, self.rules().units);
+        let mut gathered = TurnedMoves::new(&tools, self.profile().work_names, self.rules().units);
         let report = self.report_watched(&mut gathered);
         let section_of = |name: &str, body: &Body| -> Result<Region, SetupError> {
             let named = NamedBody { name, body };
