@@ -83,9 +83,7 @@ A `chordal.toml` next to the programs names their machine, so that `--machine` i
 
 **Names that vary** are in angle brackets: `<axis>` is X, Y, Z, A, B or C; `<tool>` a number; `<offset>` a
 work offset; `<code>` an M code such as `M120`; `<setting>` a parameter by the name in the control's manual.
-The settings of each control: [Fadal](reference/controls/fadal.md#settings),
-[Haas](reference/controls/haas.md#settings), [Fanuc](reference/controls/fanuc.md#settings),
-[Mitsubishi](reference/controls/mitsubishi.md#settings), [LinuxCNC](reference/controls/linuxcnc.md#settings).
+The settings of a control are on [its page](reference/controls.md).
 ";
 
 /// What holds without a key, where its row does not say it.

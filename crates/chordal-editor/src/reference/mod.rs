@@ -18,11 +18,26 @@ pub fn pages() -> Vec<ReferencePage> {
     let mut pages = vec![
         ("docs/machine-files.md".to_string(), machine_files::page()),
         ("docs/reference/diagnostics.md".to_string(), diagnostics::page()),
+        ("docs/reference/controls.md".to_string(), index_of_controls()),
     ];
     for table in CONTROLS {
         pages.push((format!("docs/reference/controls/{}.md", table.name), control::page(table)));
     }
     pages
+}
+
+/// Every control with its name in machine files, a built-in machine and its page.
+fn index_of_controls() -> String {
+    let head = "| control | its name in machine files | the machine where only the control is known |\n|---|---|---|\n";
+    let mut text = format!(
+        "# Controls\n\n{HEAD}\nEach page has the codes, settings and alarms of a control.\n\n{head}"
+    );
+    for table in CONTROLS {
+        let page = format!("[{}](controls/{}.md)", table.title, table.name);
+        let names = [table.name, table.default_machine].map(|name| format!("`{name}`"));
+        text += &table_row(&[&[page][..], &names].concat());
+    }
+    text
 }
 
 pub use unsupported_codes::codes_not_carried_out;
