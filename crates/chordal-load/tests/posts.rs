@@ -10,6 +10,7 @@ mod post_set;
 
 use std::collections::BTreeMap;
 
+use chordal::machine::ControlName;
 use chordal::{Code, Report, Severity};
 use chordal_load::{Loaded, Request, text};
 use post_set::{PostProgram, programs};
@@ -21,28 +22,17 @@ const RECOGNIZED_PERCENT: usize = 96;
 /// source lie off its arcs.
 const SAME_END_MM: f64 = 0.05;
 
-/// The controls that are read. `any` is a program of which nobody can tell.
-const READ: &[&str] = &[
-    "any",
-    "fadal",
-    "fanuc",
-    "fanuc-lathe",
-    "fluidnc",
-    "grbl",
-    "grblhal",
-    "haas",
-    "haas-lathe",
-    "linuxcnc",
-    "linuxcnc-lathe",
-    "mach3",
-    "marlin",
-    "mitsubishi",
-    "mitsubishi-lathe",
-];
+/// A program of which nobody can tell for which control it is.
+const ANY: &str = "any";
+
+/// Whether programs with this label are read.
+fn is_read(label: &str) -> bool {
+    label == ANY || ControlName::ALL.iter().any(|name| name.as_str() == label)
+}
 
 impl PostProgram {
     fn is_read(&self) -> bool {
-        READ.contains(&self.controls[0].as_str())
+        is_read(&self.controls[0])
     }
 
     fn load(&self) -> Loaded {
@@ -50,7 +40,7 @@ impl PostProgram {
     }
 
     fn is_recognized(&self, control: &str) -> bool {
-        let any = self.controls[0] == "any" && READ.contains(&control);
+        let any = self.controls[0] == ANY && is_read(control);
         any || self.controls.iter().any(|name| name == control)
     }
 
@@ -123,7 +113,7 @@ fn no_program_is_silently_read_as_another_path() {
     let sum = |read: bool| {
         counts
             .iter()
-            .filter(|(name, _)| READ.contains(&name.as_str()) == read)
+            .filter(|(name, _)| is_read(name) == read)
             .fold((0, 0), |sum, (_, each)| (sum.0 + each.0, sum.1 + each.1))
     };
     let ((right, all), (named, others)) = (sum(true), sum(false));
