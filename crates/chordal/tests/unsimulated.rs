@@ -13,7 +13,7 @@ use chordal::{CommandKind, Job, Machine, Severity, Source, SourceMap};
 /// What stands before and after the block that is tried. Compensation, a length and a cut without codes
 /// come after it, so that what the block leaves behind shows.
 const HEAD: &str = "\
-G21 G90 G94 G17 G40 G49 G80
+G90 G94 G17 G40 G49 G80
 S500 M3
 F200.
 G0 X-40. Y2. Z50.
@@ -36,7 +36,7 @@ M30
 ";
 /// The same for a lathe with X and Z: it has no lengths to choose, and G1 ends its passes.
 const LATHE_HEAD: &str = "\
-G21 G98 G18 G40 G80
+G98 G18 G40 G80
 S500 M3
 T0101
 F200.
@@ -58,7 +58,7 @@ M30
 
 /// The same for a control without cutter compensation, tool table and cycles.
 const SMALL_HEAD: &str = "\
-G21 G90 G94 G17 G40 G49
+G90 G94 G17 G40 G49
 S500 M3
 F200.
 G0 X-40. Y2. Z50.
@@ -76,7 +76,6 @@ M30
 
 /// The same for a control that takes one command a line.
 const LINE_HEAD: &str = "\
-G21
 G90
 M3 S500
 G0 X-40 Y2 Z50 F200
@@ -161,6 +160,8 @@ fn run(machine: &Machine, block: &str) -> Ran {
 fn machine_of(table: &ControlTable) -> Machine {
     let mut machine = Machine::from_builtin(table.default_machine).unwrap();
     TOOLS.iter().for_each(|tool| machine.set(tool).unwrap());
+    // Not every control has a code for it.
+    machine.set("settings.units=\"mm\"").unwrap();
     // Codes that not every build of a firmware has are there.
     for setting in table.settings {
         if setting.field.is_build_option() {
