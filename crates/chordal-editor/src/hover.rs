@@ -12,7 +12,7 @@ use crate::meaning::{code_brief, code_name, codes, letter_text, word_meaning};
 use crate::names::{NameRole, SymbolName};
 use crate::{EditorProgram, RunMoves};
 
-/// The first of the axes that turn: A, B, C after X, Y, Z.
+/// The index of the first rotary axis: A, B and C come after X, Y and Z.
 const FIRST_ROTARY_AXIS: usize = 3;
 
 /// The text shown when the pointer rests on a word or a name.
@@ -56,7 +56,7 @@ impl EditorProgram {
         let letter = char::from(word.letter);
         let text = match code_of(word) {
             Some(code) => code_brief(word.letter, code, &views[0])
-                .map(|text| text + &self.words_of(word, code, block)),
+                .map(|text| text + &self.code_word_lines(word, code, block)),
             None => self.meaning_in_block(word, block),
         };
         let text = text.or_else(|| letter_text(word.letter, &views)).unwrap_or_else(|| {
@@ -65,8 +65,8 @@ impl EditorProgram {
         as_markdown(&text)
     }
 
-    /// What the words of a block mean to one of its codes, with their values: a line each.
-    fn words_of(&self, code_word: &Word, code: u16, block: &Block) -> String {
+    /// A line for each word that a code of the block takes: the source text of the word and its meaning.
+    fn code_word_lines(&self, code_word: &Word, code: u16, block: &Block) -> String {
         let view = self.view();
         let Some(row) = row_of(view.table, code_word.letter, code) else { return String::new() };
         let lines = block.words.iter().filter_map(|word| {
@@ -97,7 +97,7 @@ impl EditorProgram {
 
     fn name_text(&self, name: &SymbolName) -> Option<String> {
         let places = self.places_of(name);
-        let defined: Vec<u32> = places
+        let definition_lines: Vec<u32> = places
             .iter()
             .filter(|place| place.role == NameRole::Definition)
             .map(|place| self.source().line_of(place.range.start))
@@ -114,9 +114,9 @@ impl EditorProgram {
             SymbolName::LineLabel(label) => (format!("Label :{label}"), "stands"),
             SymbolName::Variable { name, .. } => (format!("Variable `{name}`"), "gets a value"),
         };
-        let lines = line_list(&defined);
-        let uses = places.len() - defined.len();
-        Some(match defined.len() {
+        let lines = line_list(&definition_lines);
+        let uses = places.len() - definition_lines.len();
+        Some(match definition_lines.len() {
             0 => format!("{what}: not set in this text; used {uses} times."),
             _ => format!("{what} {verb} on {lines}; used {uses} times."),
         })
@@ -141,34 +141,35 @@ impl EditorProgram {
         let axes = self.machine().axes.iter().enumerate().filter(|(_, axis)| axis.is_some());
         let coordinates: Vec<String> = axes.map(|(axis, _)| coordinate_text(axis)).collect();
         lines.push(format!("{} in {}", coordinates.join(" "), modal.work_name));
-        let mut facts = Vec::new();
-        facts.extend(modal.feed.map(|feed| feed_text(feed, modal)));
+        let mut details = Vec::new();
+        details.extend(modal.feed.map(|feed| feed_text(feed, modal)));
         if let Some(live) = modal.live {
             let direction =
                 if live.turns == SpindleState::Ccw { "counter-clockwise" } else { "clockwise" };
-            facts.push(format!("live tool {} rpm {direction}", number_text(live.rpm, 1)));
+            details.push(format!("live tool {} rpm {direction}", number_text(live.rpm, 1)));
         }
         match modal.spindle {
             SpindleState::Off => {}
-            SpindleState::Cw => facts.push(format!("S{} clockwise", number_text(modal.rpm, 1))),
+            SpindleState::Cw => details.push(format!("S{} clockwise", number_text(modal.rpm, 1))),
             SpindleState::Ccw => {
-                facts.push(format!("S{} counter-clockwise", number_text(modal.rpm, 1)));
+                details.push(format!("S{} counter-clockwise", number_text(modal.rpm, 1)));
             }
-            SpindleState::Oriented => facts.push("spindle oriented".into()),
+            SpindleState::Oriented => details.push("spindle oriented".into()),
         }
         if modal.tool > 0 {
-            facts.push(format!("T{}", modal.tool));
+            details.push(format!("T{}", modal.tool));
         }
-        facts.extend(modal.length_offset.map(|number| format!("H{number}")));
-        facts.extend(modal.radius_offset.map(|number| format!("D{number}")));
-        if !facts.is_empty() {
-            lines.push(facts.join(", "));
+        details.extend(modal.length_offset.map(|number| format!("H{number}")));
+        details.extend(modal.radius_offset.map(|number| format!("D{number}")));
+        if !details.is_empty() {
+            lines.push(details.join(", "));
         }
         lines.join("\n")
     }
 }
 
-/// A feed in mm/s, turns of the work per second (inverse time) or mm per revolution, by the feed mode.
+/// The text of a feed, which is in mm/s, in 1/s (inverse time: one divided by the time of the move) or in mm per
+/// revolution, by the feed mode.
 fn feed_text(feed: f64, modal: &Modal) -> String {
     match (modal.feed_mode, modal.units) {
         (FeedMode::PerTime, Units::Inch) => {
