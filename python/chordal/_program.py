@@ -78,7 +78,7 @@ def load(
     options = _options(
         machine, control, tools, settings, program, block_delete, max_blocks, shop_codes
     )
-    return _opened(_chordal.load_file(os.fspath(path), options), strict)
+    return _wrapped(_chordal.load_file(os.fspath(path), options), strict)
 
 
 def loads(
@@ -96,12 +96,12 @@ def loads(
     strict: bool = False,
 ) -> Program:
     """Load a program from a text. Messages show ``name``; the other arguments are as in :func:`load`."""
-    # Surrogates stay the invalid bytes that they stand for, which no program contains.
+    # A text that was decoded with `surrogateescape` gets its undecodable bytes back.
     data = text.encode("utf-8", "surrogateescape") if isinstance(text, str) else bytes(text)
     options = _options(
         machine, control, tools, settings, program, block_delete, max_blocks, shop_codes
     )
-    return _opened(_chordal.load_text(data, name, options), strict)
+    return _wrapped(_chordal.load_text(data, name, options), strict)
 
 
 def _options(
@@ -143,11 +143,11 @@ def _options(
     }
 
 
-def _opened(program: _chordal.Program, strict: bool) -> Program:
-    made = Program(program)
+def _wrapped(program: _chordal.Program, strict: bool) -> Program:
+    loaded = Program(program)
     if strict:
-        made.raise_errors()
-    return made
+        loaded.raise_errors()
+    return loaded
 
 
 class Program:
@@ -167,7 +167,7 @@ class Program:
 
     @property
     def text(self) -> bytes:
-        """The text, as the control reads it."""
+        """The text as the control reads it: without a byte order mark, and in UTF-8 if the file is UTF-16."""
         return self._program.text
 
     @cached_property
@@ -399,13 +399,12 @@ class Program:
         (True, b'X9. Z-0.91')
         """
         text = heights.encode() if isinstance(heights, str) else bytes(heights)
-        unit = 25.4 if units == "inch" else 1.0
-        return _transform.proved_text(*self._program.bend(text, unit, zero, float(tolerance), clamp))
+        mm_per_unit = 25.4 if units == "inch" else 1.0
+        return _transform.proved_text(*self._program.bend(text, mm_per_unit, zero, float(tolerance), clamp))
 
     def restart(self, line: int) -> Restarted:
-        """A program that begins at a line (from 1): a preamble with the modes, tool, offsets,
-        spindle and approach of that line, then the unchanged text.
-        Both programs are run, and from the line on they do the same.
+        """A program that begins at a line (from 1): a preamble with the modes, tool, offsets, spindle and
+        approach of that line, then the unchanged text. Both programs are run, and from the line on they do the same.
 
         If the program cannot begin there, :class:`~chordal.UsageError` says why, and where it can.
 

@@ -33,15 +33,15 @@ class StockMesh:
 
 @dataclass(frozen=True, slots=True)
 class StockDifference:
-    """The differences between two stocks: see :meth:`Stock.compare`. It is true if they certainly differ.
+    """The differences between two stocks: see :meth:`Stock.compare`. Its truth value is whether they certainly differ.
 
     Heights are those of columns, (rows along Y, columns along X), mm; the true values are between the bounds."""
 
-    #: The least height that the first stock has more; negative: that it has less.
+    #: By how much the first stock is certainly higher; negative where it is lower, 0 where the bounds overlap.
     least: npt.NDArray[np.float64]
-    #: The largest height that the first stock may have more.
+    #: By how much the first stock may be higher, at most.
     more: npt.NDArray[np.float64]
-    #: The largest height that the first stock may have less.
+    #: By how much the first stock may be lower, at most.
     less: npt.NDArray[np.float64]
     #: The side of a square column, mm.
     resolution_mm: float
@@ -69,7 +69,7 @@ class StockDifference:
 
 class Stock:
     """What a program leaves of its stock: see :meth:`Program.stock`. Coordinates are those of the first cut's work
-    offset, mm. It is true if it is proved that there are no collisions."""
+    offset, mm. Its truth value is whether it is proved that there are no collisions."""
 
     def __init__(self, stock: _chordal.Stock) -> None:
         self._stock = stock
@@ -86,7 +86,8 @@ class Stock:
 
     @property
     def verdict(self) -> Literal["clean", "problems", "not-proved"]:
-        """The verdict; ``"clean"`` only if it is proved."""
+        """``"clean"``: proved to have no collision; ``"problems"``: it has a collision, or the program has errors;
+        ``"not-proved"``: no collision was found, but some cannot be excluded."""
         verdict: Literal["clean", "problems", "not-proved"] = self.report["verdict"]
         return verdict
 
@@ -164,7 +165,7 @@ class Stock:
         )
 
     def mesh(self, tolerance: float | None = None) -> StockMesh:
-        """The remaining stock as a closed surface, with the height in the middle of each column. Columns whose
+        """The remaining stock as a closed surface, with the height at the centre of each column. Columns whose
         heights differ by at most ``tolerance`` mm become one face; without it, a tenth of the resolution."""
         vertices, faces = self._stock.mesh(self._tolerance(tolerance))
         return StockMesh(np.asarray(vertices), np.asarray(faces))
@@ -173,12 +174,12 @@ class Stock:
         self, path: str | os.PathLike[str], tolerance: float | None = None, *, smooth: float | None = None
     ) -> None:
         """Write the remaining stock in the format of the file extension: ``.stl``, ``.3mf``, ``.glb`` or a picture
-        ``.png``. With ``smooth``, a mesh has no steps but passes the middles of the columns within this distance, mm;
-        a part with undersides is then refused."""
+        ``.png``. With ``smooth``, a mesh has no steps; at the centre of each column it is within this distance of its
+        height, mm, and a part with undersides (material above a gap) is then refused."""
         smooth = None if smooth is None else float(smooth)
         path = Path(path)
-        ending = path.suffix.removeprefix(".").lower()
-        path.write_bytes(self._stock.file(ending, self._tolerance(tolerance), smooth, path.stem))
+        extension = path.suffix.removeprefix(".").lower()
+        path.write_bytes(self._stock.file(extension, self._tolerance(tolerance), smooth, path.stem))
 
     def png(self) -> bytes:
         """A picture of the remaining stock, seen from above."""

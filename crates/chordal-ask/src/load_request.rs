@@ -57,7 +57,11 @@ impl LoadRequest {
     }
 
     /// Refuses a format that the question does not have.
-    pub fn has(&self, list: &FormatList, format: OutputFormat) -> Result<(), QuestionFailure> {
+    pub fn require_format(
+        &self,
+        list: &FormatList,
+        format: OutputFormat,
+    ) -> Result<(), QuestionFailure> {
         if list.has(format) {
             return Ok(());
         }

@@ -29,7 +29,7 @@ pub fn path(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure
     command_rows(request, &QUESTION_PATH, true)
 }
 
-/// Commands as programmed, or of the tool centre.
+/// Commands as programmed, or with `of_path` those of the tool centre after cutter compensation.
 fn command_rows(
     request: &mut LoadRequest,
     list: &FormatList,
@@ -38,15 +38,15 @@ fn command_rows(
     let FormatOptions { format } = request.options()?;
     let loaded = request.load()?;
     let job = loaded.job()?;
-    request.has(list, format)?;
+    request.require_format(list, format)?;
     if format == OutputFormat::Object {
-        let mut rows = CommandColumns::of(&job, of_path);
+        let mut columns = CommandColumns::of(&job, of_path);
         let run_report = if of_path {
-            job.report_of_path(|path, _| rows.path_command(path))
+            job.report_of_path(|path, _| columns.path_command(path))
         } else {
-            job.report_of_commands(|command| rows.command(command))
+            job.report_of_commands(|command| columns.command(command))
         };
-        return table(&mut rows, report_member(&run_report, &job, &loaded));
+        return table(&mut columns, report_member(&run_report, &job, &loaded));
     }
     let mut out = CommandWriter::new(Vec::new(), format, &job, of_path).map_err(write_failure)?;
     let mut written = Ok(());
@@ -57,24 +57,24 @@ fn command_rows(
             write_unless_failed(&mut written, || out.command(command))
         });
     }
-    text(written.and_then(|()| out.finish()))
+    text_answer(written.and_then(|()| out.finish()))
 }
 
 pub fn curves(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
     let FormatOptions { format } = request.options()?;
-    request.has(&QUESTION_OBJECT, format)?;
+    request.require_format(&QUESTION_OBJECT, format)?;
     let loaded = request.load()?;
     let job = loaded.job()?;
-    let mut rows = PathColumns::new(&job);
+    let mut columns = PathColumns::new(&job);
     let run_report = job.report_of_path(|_, segments| {
-        segments.iter().for_each(|segment| rows.segment(segment));
+        segments.iter().for_each(|segment| columns.segment(segment));
     });
-    table(&mut rows, report_member(&run_report, &job, &loaded))
+    table(&mut columns, report_member(&run_report, &job, &loaded))
 }
 
 pub fn time(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
     let options: TimeOptions = request.options()?;
-    request.has(&QUESTION_JSON, options.format)?;
+    request.require_format(&QUESTION_JSON, options.format)?;
     let loaded = request.load()?;
     let job = loaded.job()?;
     let question = TimeQuestion {
@@ -83,8 +83,12 @@ pub fn time(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure
             operations: options.operations.start(),
             ..MotionOptions::default()
         },
-        again: if options.what_if { RepeatPlanning::Always } else { RepeatPlanning::IfShort },
-        bound: options.bound,
+        repeat_planning: if options.what_if {
+            RepeatPlanning::Always
+        } else {
+            RepeatPlanning::IfShort
+        },
+        computes_least: options.bound,
     };
     let (run_report, study) = job.time_study(&question);
     match study? {
@@ -107,53 +111,58 @@ pub fn sample(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailu
     let job = loaded.job()?;
     let run_report = job.report();
     let head = SampleHead::of(&job, &run_report, period_s);
-    let sampling =
-        SamplingRequest { period_s, level: options.level.level(), most: options.max_samples };
-    request.has(&QUESTION_SETPOINTS, options.format)?;
-    let mut rows = SampleColumns::new(&head);
+    let sampling = SamplingRequest {
+        period_s,
+        level: options.level.level(),
+        max_samples: options.max_samples,
+    };
+    request.require_format(&QUESTION_SETPOINTS, options.format)?;
+    let mut columns = SampleColumns::new(&head);
     if options.format != OutputFormat::Object {
-        let mut out = SampleWriter::new(Vec::new(), options.format, rows).map_err(write_failure)?;
+        let mut out =
+            SampleWriter::new(Vec::new(), options.format, columns).map_err(write_failure)?;
         let mut written = Ok(());
         let sampled = job.setpoints(&sampling, |sample, line| {
             write_unless_failed(&mut written, || out.sample(sample, line));
         });
         sampled.map_err(|error| sampling_failure(error, &sampling))?;
-        return text(written.and_then(|()| out.finish()));
+        return text_answer(written.and_then(|()| out.finish()));
     }
-    let sampled = job.setpoints(&sampling, |sample, line| rows.sample(sample, line));
+    let sampled = job.setpoints(&sampling, |sample, line| columns.sample(sample, line));
     let sampled = sampled.map_err(|error| sampling_failure(error, &sampling))?;
     let mut members = report_member(&run_report, &job, &loaded);
+    let (chord_error_mm, chord_error_line) = sampled.chord;
     members["time_s"] = json!(sampled.time_s);
-    members["chord_mm"] = json!(sampled.chord.0);
-    members["chord_line"] = json!(sampled.chord.1);
-    table(&mut rows, members)
+    members["chord_mm"] = json!(chord_error_mm);
+    members["chord_line"] = json!(chord_error_line);
+    table(&mut columns, members)
 }
 
 fn sampling_failure(error: SamplingError, sampling: &SamplingRequest) -> QuestionFailure {
     match error {
         SamplingError::Limit(error) => error.into(),
-        SamplingError::TooMany(seconds) => QuestionFailure::wrong(
+        SamplingError::TooMany { at_least_s } => QuestionFailure::wrong(
             format!(
-                "more than {} setpoints: the run takes at least {seconds:.3} s, with a setpoint every {} s",
-                sampling.most, sampling.period_s
+                "more than {} setpoints: the run takes at least {at_least_s:.3} s, with a setpoint every {} s",
+                sampling.max_samples, sampling.period_s
             ),
             "give a longer `period`, or a larger `maxSamples`",
         ),
     }
 }
 
-/// The member of the answer next to its columns: the report of the run.
+/// The answer's member `report`, next to its columns: the report of the run.
 fn report_member(run_report: &Report, job: &Job<'_>, loaded: &Loaded) -> Value {
     let report = report::json(run_report, job.sources(), loaded.name(), &loaded.reading());
     json!({ "report": serde_json::from_str::<Value>(&report).unwrap_or_default() })
 }
 
-fn text(written: io::Result<Vec<u8>>) -> Result<QuestionAnswer, QuestionFailure> {
+fn text_answer(written: io::Result<Vec<u8>>) -> Result<QuestionAnswer, QuestionFailure> {
     let text = written.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     text.map(QuestionAnswer::text).map_err(write_failure)
 }
 
-/// Only in theory: writing to a `Vec` does not fail.
+/// Cannot happen in practice: writing to a `Vec` does not fail.
 fn write_failure(error: io::Error) -> QuestionFailure {
     QuestionFailure::plain(format!("the answer could not be written: {error}"), None)
 }

@@ -6,7 +6,7 @@ use chordal::{EVERY_PLACE, KEPT_PER_CODE};
 use chordal_compare::{Category, ComparisonOptions, compare};
 use chordal_export::format::{QUESTION_DIFFERENCES, QUESTION_JSON, QUESTION_PROBLEMS};
 use chordal_export::report::{
-    self, GitlabReport, ReportDetail, RunOf, SarifReport, files_json, summary_json,
+    self, GitlabReport, ReportDetail, SarifReport, SummarizedRun, files_json, summary_json,
 };
 use chordal_export::{
     OutputFormat, comparison_json, comparison_names, comparison_text, conversion_json,
@@ -21,9 +21,8 @@ pub fn check(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailur
     let FormatOptions { format } = request.options()?;
     let loaded = request.load()?;
     let job = loaded.job()?;
-    request.has(&QUESTION_PROBLEMS, format)?;
-    let is_json = QUESTION_JSON.has(format);
-    let max_per_code = if is_json { EVERY_PLACE } else { KEPT_PER_CODE };
+    request.require_format(&QUESTION_PROBLEMS, format)?;
+    let max_per_code = if QUESTION_JSON.has(format) { EVERY_PLACE } else { KEPT_PER_CODE };
     let program_report = job.check_keeping(max_per_code);
     let object = || report::json(&program_report, job.sources(), loaded.name(), &loaded.reading());
     Ok(QuestionAnswer::text(match format {
@@ -48,14 +47,14 @@ pub fn check(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailur
 
 pub fn run(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
     let FormatOptions { format } = request.options()?;
-    request.has(&QUESTION_JSON, format)?;
+    request.require_format(&QUESTION_JSON, format)?;
     let loaded = request.load()?;
     let job = loaded.job()?;
     let max_moves = max_summarized_moves(loaded.size());
     let (run_report, timed) = job.report_timed(&MotionOptions::default(), max_moves, &mut ());
     // Axis limits with which no motion can be planned are an error of `time`; the summary only leaves the time out.
     let timed = timed.ok().flatten();
-    let run = RunOf { report: &run_report, timed: timed.as_ref(), stock: None };
+    let run = SummarizedRun { report: &run_report, timed: timed.as_ref(), stock: None };
     let object = summary_json(&run, &job, loaded.name(), &loaded.reading());
     Ok(QuestionAnswer::text(match format {
         OutputFormat::Json => files_json("chordal.run/1", &[object]),
@@ -70,7 +69,7 @@ pub fn comparison(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionF
     let (a, b) = (request.load()?, request.load()?);
     let (job_a, job_b) = (a.job()?, b.job()?);
     let jobs = [&job_a, &job_b];
-    let comparing = ComparisonOptions {
+    let comparison_options = ComparisonOptions {
         tolerance_mm,
         feed_tolerance: non_negative("feedTolerance", options.feed_tolerance)?,
         // One tolerance for feeds and speeds: both are relative.
@@ -78,8 +77,8 @@ pub fn comparison(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionF
         ignored,
         ..ComparisonOptions::default()
     };
-    request.has(&QUESTION_DIFFERENCES, options.format)?;
-    let differences = compare(jobs[0], jobs[1], &comparing);
+    request.require_format(&QUESTION_DIFFERENCES, options.format)?;
+    let differences = compare(jobs[0], jobs[1], &comparison_options);
     Ok(QuestionAnswer::text(match options.format {
         OutputFormat::Text => {
             let names = comparison_names([a.name(), b.name()], jobs);
@@ -91,7 +90,7 @@ pub fn comparison(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionF
 
 pub fn conversion(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
     let options: ConvertOptions = request.options()?;
-    request.has(&QUESTION_JSON, options.format)?;
+    request.require_format(&QUESTION_JSON, options.format)?;
     let target = request.machine(&options.to)?;
     let defaults = ConversionOptions::default();
     let tolerance_mm =
@@ -105,19 +104,19 @@ pub fn conversion(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionF
     }
     let loaded = request.load()?;
     let job = loaded.job()?;
-    let converting = ConversionOptions {
+    let conversion_options = ConversionOptions {
         tolerance_mm,
         digits: options.digits,
         despite_errors: options.despite_errors,
         exact_cycles: options.exact_cycles,
     };
-    Ok(QuestionAnswer::text(conversion_json(&convert(&job, &target, &converting), &job)))
+    Ok(QuestionAnswer::text(conversion_json(&convert(&job, &target, &conversion_options), &job)))
 }
 
-/// The largest number of decimals that may be requested of a computed word.
+/// The largest number of decimals that may be requested for computed words.
 const MAX_DECIMALS: usize = 9;
 
-/// Refuses a negative or infinite option.
+/// Refuses an option that is negative, infinite or NaN.
 fn non_negative(name: &str, value: f64) -> Result<f64, QuestionFailure> {
     if value >= 0.0 && value.is_finite() {
         return Ok(value);
@@ -126,8 +125,8 @@ fn non_negative(name: &str, value: f64) -> Result<f64, QuestionFailure> {
 }
 
 fn category(text: &str) -> Result<Category, QuestionFailure> {
-    let found = Category::ALL.into_iter().find(|category| category.word() == text);
-    found.ok_or_else(|| {
+    let category = Category::ALL.into_iter().find(|category| category.word() == text);
+    category.ok_or_else(|| {
         let words: Vec<&str> = Category::ALL.iter().map(|category| category.word()).collect();
         let help = format!("the categories are {}", words.join(", "));
         QuestionFailure::wrong(format!("there is no category `{text}` to ignore"), help)

@@ -84,7 +84,8 @@ pub fn run(mut args: Args, terminal: TerminalSupport) -> Result<ExitVerdict, Com
             _ => {
                 let ReportedRun { report, timed, stock, .. } = &done;
                 let reading = loaded.reading();
-                let run = report::RunOf { report, timed: timed.as_ref(), stock: stock.as_ref() };
+                let run =
+                    report::SummarizedRun { report, timed: timed.as_ref(), stock: stock.as_ref() };
                 let object = report::summary_json(&run, &job, loaded.name(), &reading);
                 objects.push(object);
             }

@@ -114,8 +114,11 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
     let reported = |error| trouble(path, error);
     let mut writer = SampleWriter::new(out, format, SampleColumns::new(&head)).map_err(reported)?;
     let mut done = Ok(());
-    let sampling =
-        SamplingRequest { period_s: args.period, level: args.level.of(), most: args.max_samples };
+    let sampling = SamplingRequest {
+        period_s: args.period,
+        level: args.level.of(),
+        max_samples: args.max_samples,
+    };
     let sampled = job.setpoints(&sampling, |sample, line| {
         write_unless_failed(&mut done, || writer.sample(sample, line));
     });
@@ -151,15 +154,15 @@ pub fn verdict(report: &Report) -> ExitVerdict {
     if report.worst() == Some(Severity::Error) { ExitVerdict::Problems } else { ExitVerdict::Clean }
 }
 
-/// Why there are no setpoints, of which there are to be `most` with `period_s` between them.
-pub fn failure(error: &SamplingError, most: u64, period_s: f64) -> CommandFailure {
+/// Why there are no setpoints: at most `max_samples` were requested, one every `period_s` seconds.
+pub fn failure(error: &SamplingError, max_samples: u64, period_s: f64) -> CommandFailure {
     match error {
         SamplingError::Limit(error) => wrong_limit(error),
-        SamplingError::TooMany(seconds) => CommandFailure::wrong(
+        SamplingError::TooMany { at_least_s } => CommandFailure::wrong(
             format!(
                 "more than {} setpoints: the run takes at least {}, with a setpoint every {}",
-                grouped(most),
-                duration(*seconds),
+                grouped(max_samples),
+                duration(*at_least_s),
                 time_text(period_s),
             ),
             "give a longer --period, or a larger --max-samples",

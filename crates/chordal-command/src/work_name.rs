@@ -46,7 +46,7 @@ impl WorkName {
     }
 
     /// The system with this ordinal; `None` for 0.
-    pub fn counted(number: u16) -> Option<WorkName> {
+    pub fn of_ordinal(number: u16) -> Option<WorkName> {
         match number {
             0 => None,
             1..=6 => Some(WorkName::G(number + 53)),

@@ -108,16 +108,17 @@ pub enum ModeCode {
     WorkOffset(u16),
     /// G59.1 to G59.3.
     WorkOffsetPoint(u16),
+    /// The extended work offset P (G54.1, Haas G154).
     WorkOffsetExtended,
-    /// G59, or the work offset P, counted from G54 on as 1 (Mach3).
-    WorkOffsetCounted,
+    /// G59, or with P the work offset of this ordinal: P1 is G54 (Mach3).
+    WorkOffsetByOrdinal,
     /// The present machine position becomes reference point 1 (G28.1) or 2 (G30.1).
     StoreReference {
         second: bool,
     },
     /// G41 with the tool's diameter in D (LinuxCNC G41.1).
-    CompensationLeftBy,
-    CompensationRightBy,
+    CompensationLeftByDiameter,
+    CompensationRightByDiameter,
     /// An extended work offset by a code of its own (Haas G110 is G154 P1).
     WorkOffsetNumbered(u16),
     ReturnInitial,
@@ -256,7 +257,7 @@ pub enum OnceCode {
         must_hit: bool,
     },
     /// An arc round an outside corner (G39), in a block of its own.
-    CornerArcAlone,
+    CornerArcBlock,
     /// A cycle of a lathe.
     Turning(TurnCycle),
     /// The coordinates lie on a surface that turns with a rotary axis, or no longer.
@@ -319,11 +320,11 @@ impl ModeCode {
 
     /// G41 for G42 and the other way round.
     pub fn other_side(self) -> Option<ModeCode> {
-        if self == ModeCode::CompensationLeftBy {
-            return Some(ModeCode::CompensationRightBy);
+        if self == ModeCode::CompensationLeftByDiameter {
+            return Some(ModeCode::CompensationRightByDiameter);
         }
-        if self == ModeCode::CompensationRightBy {
-            return Some(ModeCode::CompensationLeftBy);
+        if self == ModeCode::CompensationRightByDiameter {
+            return Some(ModeCode::CompensationLeftByDiameter);
         }
         if self == ModeCode::CompensationLeft {
             return Some(ModeCode::CompensationRight);
@@ -357,7 +358,7 @@ impl ModeCode {
             ModeCode::WorkOffset(_)
                 | ModeCode::WorkOffsetPoint(_)
                 | ModeCode::WorkOffsetExtended
-                | ModeCode::WorkOffsetCounted
+                | ModeCode::WorkOffsetByOrdinal
                 | ModeCode::WorkOffsetNumbered(_)
         )
     }

@@ -30,12 +30,12 @@ pub enum VariableRetention {
 }
 
 /// A range of variables that are empty after power-on.
-pub const fn common(first: u32, last: u32) -> VariableRange {
+pub const fn volatile(first: u32, last: u32) -> VariableRange {
     VariableRange { first, last, stored: first, retention: VariableRetention::UntilPowerOff }
 }
 
 /// A range of variables that keep their values while the control is off.
-pub const fn kept(first: u32, last: u32) -> VariableRange {
+pub const fn non_volatile(first: u32, last: u32) -> VariableRange {
     VariableRange { first, last, stored: first, retention: VariableRetention::OverPowerOff }
 }
 

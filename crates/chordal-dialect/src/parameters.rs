@@ -196,7 +196,7 @@ pub struct Parameters {
     /// The active G code system: 0 that of the table, 1 the first of its other systems.
     pub code_system: u8,
     /// I, K and R of a G1 are a chamfer or a rounding at its end, and `,A` is its angle from Z (lathes).
-    pub corners_of_lines: bool,
+    pub corner_words_in_g1: bool,
     /// The letter of the lead of threads in one pass.
     pub thread_lead: u8,
     /// The rules of motion, which do not depend on the language.
@@ -406,7 +406,7 @@ impl Parameters {
         arc_without_center_is_line: false,
         line_after_arc_is_usual: false,
         code_system: 0,
-        corners_of_lines: false,
+        corner_words_in_g1: false,
         thread_lead: b'K',
         rules: Rules::COMMON,
     };

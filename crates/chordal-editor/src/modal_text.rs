@@ -5,7 +5,7 @@ use chordal::machine::AXIS_NAMES;
 
 use crate::EditorProgram;
 
-/// The first of the axes that turn: A, B, C after X, Y, Z.
+/// The index of the first rotary axis: A, B and C come after X, Y and Z.
 const FIRST_ROTARY_AXIS: usize = 3;
 
 impl EditorProgram {
@@ -28,34 +28,35 @@ impl EditorProgram {
         let axes = self.machine().axes.iter().enumerate().filter(|(_, axis)| axis.is_some());
         let coordinates: Vec<String> = axes.map(|(axis, _)| coordinate_text(axis)).collect();
         lines.push(format!("{} in {}", coordinates.join(" "), modal.work_name));
-        let mut facts = Vec::new();
-        facts.extend(modal.feed.map(|feed| feed_text(feed, modal)));
+        let mut details = Vec::new();
+        details.extend(modal.feed.map(|feed| feed_text(feed, modal)));
         if let Some(live) = modal.live {
             let direction =
                 if live.turns == SpindleState::Ccw { "counter-clockwise" } else { "clockwise" };
-            facts.push(format!("live tool {} rpm {direction}", number_text(live.rpm, 1)));
+            details.push(format!("live tool {} rpm {direction}", number_text(live.rpm, 1)));
         }
         match modal.spindle {
             SpindleState::Off => {}
-            SpindleState::Cw => facts.push(format!("S{} clockwise", number_text(modal.rpm, 1))),
+            SpindleState::Cw => details.push(format!("S{} clockwise", number_text(modal.rpm, 1))),
             SpindleState::Ccw => {
-                facts.push(format!("S{} counter-clockwise", number_text(modal.rpm, 1)));
+                details.push(format!("S{} counter-clockwise", number_text(modal.rpm, 1)));
             }
-            SpindleState::Oriented => facts.push("spindle oriented".into()),
+            SpindleState::Oriented => details.push("spindle oriented".into()),
         }
         if modal.tool > 0 {
-            facts.push(format!("T{}", modal.tool));
+            details.push(format!("T{}", modal.tool));
         }
-        facts.extend(modal.length_offset.map(|number| format!("H{number}")));
-        facts.extend(modal.radius_offset.map(|number| format!("D{number}")));
-        if !facts.is_empty() {
-            lines.push(facts.join(", "));
+        details.extend(modal.length_offset.map(|number| format!("H{number}")));
+        details.extend(modal.radius_offset.map(|number| format!("D{number}")));
+        if !details.is_empty() {
+            lines.push(details.join(", "));
         }
         lines.join("\n")
     }
 }
 
-/// A feed in mm/s, turns of the work per second (inverse time) or mm per revolution, by the feed mode.
+/// The text of a feed, which is in mm/s, in 1/s (inverse time: one divided by the time of the move) or in mm per
+/// revolution, by the feed mode.
 fn feed_text(feed: f64, modal: &Modal) -> String {
     match (modal.feed_mode, modal.units) {
         (FeedMode::PerTime, Units::Inch) => {

@@ -143,9 +143,10 @@ pub fn period(py: Python<'_>, seconds: f64) -> PyResult<f64> {
     Err(error::usage(py, &message, Some("the period is in seconds: 0.001 is a millisecond")))
 }
 
-/// More setpoints than asked for at most.
-pub fn too_many(py: Python<'_>, most: u64, seconds: f64) -> PyErr {
-    let message = format!("more than {most} setpoints: the run takes at least {seconds:.3} s");
+/// The error for a run with more than `max_samples` setpoints, which takes at least `seconds`.
+pub fn too_many(py: Python<'_>, max_samples: u64, seconds: f64) -> PyErr {
+    let message =
+        format!("more than {max_samples} setpoints: the run takes at least {seconds:.3} s");
     error::usage(py, &message, Some("give a longer period, or a larger max_samples"))
 }
 
@@ -321,7 +322,7 @@ impl Program {
         max_samples: u64,
     ) -> PyResult<(Table, PlanSummary)> {
         let (period_s, level) = (period(py, period_s)?, level(py, level_word)?);
-        let sampling = SamplingRequest { period_s, level, most: max_samples };
+        let sampling = SamplingRequest { period_s, level, max_samples };
         let planned = self.ask(py, |job| {
             let mut columns = SampleColumns::new(&SampleHead::of(job, &job.report(), period_s));
             let sampled = job.setpoints(&sampling, |sample, line| columns.sample(sample, line));
@@ -341,7 +342,7 @@ impl Program {
         })?;
         planned.map_err(|error| match error {
             SamplingError::Limit(error) => wrong_limit(py, &error),
-            SamplingError::TooMany(seconds) => too_many(py, max_samples, seconds),
+            SamplingError::TooMany { at_least_s } => too_many(py, max_samples, at_least_s),
         })
     }
 
@@ -359,8 +360,8 @@ impl Program {
         let level = level(py, level_word)?;
         let options =
             MotionOptions { level, feed_override, rapid_override, ..MotionOptions::default() };
-        let again = if what_if { RepeatPlanning::Always } else { RepeatPlanning::Never };
-        let question = TimeQuestion { options, again, bound };
+        let repeat_planning = if what_if { RepeatPlanning::Always } else { RepeatPlanning::Never };
+        let question = TimeQuestion { options, repeat_planning, computes_least: bound };
         let timed = self.ask(py, |job| Ok(time_of(job, self.cached_report(job)?, &question)))?;
         timed.map_err(|error| wrong_limit(py, &error))
     }

@@ -34,11 +34,11 @@ export interface PlaybackParts {
 export class PlaybackController {
   private target: PlaybackTarget = { to: "start" };
   state: PlaybackState;
-  /** Run and row that are marked on the path. */
+  /** Key of the run and the row that are marked on the path. */
   private markedRowKey = "";
-  /** Run and line that are marked in the text. */
+  /** Key of the run and the line that are marked in the text. */
   private markedLineKey = "";
-  /** Run, tool, and rows of the path, for which the shape of the tool was made. */
+  /** Key of the run, the tool and the number of rows for which the tool was drawn. */
   private drawnToolKey = "";
   private textTask = new ThrottledTask(TEXT_INTERVAL_MS);
 
@@ -112,7 +112,7 @@ export class PlaybackController {
     this.showMarks(target, deferText);
   }
 
-  /** Draws the tool, or hides it where the position is unknown, it is switched off, or the view of a lathe draws it. */
+  /** Draws the tool, or hides it where the position is unknown, the tool is switched off, or the view of the lathe stock draws it. */
   showTool(): void {
     const { run, ui, view, latheStock } = this.parts;
     const { row, rotaryAngles } = this.state;
@@ -160,8 +160,8 @@ export class PlaybackController {
         return this.cutStock(rowsDone, undefined);
       default: {
         // At time 0 and at the end nothing is drawn pale.
-        const isWithin = seconds !== undefined && seconds > 0 && seconds < total && !(target.to === "row" && target.keepsPathInFull);
-        view.showDone(isWithin ? rowsDone : Infinity);
+        const isPartial = seconds !== undefined && seconds > 0 && seconds < total && !(target.to === "row" && target.keepsPathInFull);
+        view.showDone(isPartial ? rowsDone : Infinity);
         if (seconds === undefined || seconds < total) this.cutStock(seconds === 0 ? 0 : rowsDone, position);
         else this.cutStock(Infinity, undefined);
       }
@@ -194,6 +194,7 @@ export class PlaybackController {
     this.markLine(row, line);
   }
 
+  /** Marks a line in the text; `own` is false for a line of another file, which the editor does not show. */
   private markLine(row: number, { line, own }: { line: number; own: boolean }): void {
     const { run, editor, statePanel } = this.parts;
     const key = `${run.number} ${line}`;

@@ -1,4 +1,4 @@
-// Line segments with colours: wide ones where there are few, one pixel wide where there are many.
+// Line segments with colours: one pixel wide, or wide ones that are drawn as triangles.
 
 import { type Group, BufferAttribute, BufferGeometry, InstancedBufferAttribute, InstancedInterleavedBuffer, InterleavedBufferAttribute, LineBasicMaterial, LineSegments } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
@@ -9,6 +9,7 @@ import type { PathProgress } from "./progress";
 /** Width of a wide line, pixels. */
 const WIDE_LINE_PX = 1.8;
 
+/** The materials of the cuts of a path, one for each width; all of its meshes share them. */
 export class LineMaterials {
   thin = new LineBasicMaterial({ vertexColors: true });
   wide = new LineMaterial({ vertexColors: true, linewidth: WIDE_LINE_PX });
@@ -49,6 +50,7 @@ export class LineMesh {
     const colors = new InstancedInterleavedBuffer(this.colors, 6, 1);
     geometry.setAttribute("instanceColorStart", new InterleavedBufferAttribute(colors, 3, 0, true));
     geometry.setAttribute("instanceColorEnd", new InterleavedBufferAttribute(colors, 3, 3, true));
+    // Per segment; thin lines have one number per end instead, `rowAtEnd`.
     geometry.setAttribute("rowsAtEnds", new InstancedBufferAttribute(this.rowsAtEnds, 2));
     return geometry;
   }

@@ -130,7 +130,8 @@ impl<'a, 'b> StreamPlayback<'a, 'b> {
 
     fn play(mut self, args: &Args, job: &Job<'_>) -> Result<(), CommandFailure> {
         let period_s = args.period * args.rate;
-        let sampling = SamplingRequest { period_s, level: PlannerLevel::Fast, most: u64::MAX };
+        let sampling =
+            SamplingRequest { period_s, level: PlannerLevel::Fast, max_samples: u64::MAX };
         let sampled = job.setpoints(&sampling, |sample, line| self.show(sample, line));
         sampled.map_err(|error| failure(&error, u64::MAX, period_s))?;
         self.observations.set("execution", "PROGRAM_COMPLETED");

@@ -125,8 +125,9 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
         operations: args.operations.into(),
         ..MotionOptions::default()
     };
-    let again = if args.what_if { RepeatPlanning::Always } else { RepeatPlanning::IfShort };
-    let question = TimeQuestion { options, again, bound: args.bound };
+    let repeat_planning =
+        if args.what_if { RepeatPlanning::Always } else { RepeatPlanning::IfShort };
+    let question = TimeQuestion { options, repeat_planning, computes_least: args.bound };
     let (report, study) = job.time_study(&question);
     let Some(study) = study.map_err(|error| wrong_limit(&error))? else {
         return Ok(print_problems(&report, &loaded, &job, terminal));

@@ -6,55 +6,57 @@ use super::{WordMeanings, cycle, turn_facts};
 use crate::parameters::Parameters;
 use crate::table::{ArcTurns, ControlTable, DataTarget, DwellWord};
 
-/// What a letter means; `None` where it is accepted and does nothing to the path.
+/// What a letter means; `None` where it has no effect on the path, or where no meaning is on record.
 pub(super) fn meaning(
     words: WordMeanings,
     letter: u8,
     table: &ControlTable,
     parameters: &Parameters,
 ) -> Option<String> {
-    let of_rows = |rows: &[(&str, &'static str)]| {
+    let row_meaning = |rows: &[(&str, &'static str)]| {
         let has = |letters: &str| letters.is_empty() || letters.contains(char::from(letter));
         rows.iter().find(|(letters, _)| has(letters)).map(|(_, meaning)| *meaning)
     };
     let text = match words {
-        WordMeanings::Rows(rows) => of_rows(rows)?,
+        WordMeanings::Rows(rows) => row_meaning(rows)?,
         WordMeanings::Turning(cycle) => turn_facts(cycle).meaning(letter)?,
         WordMeanings::Cycle(kind) => return cycle::meaning(kind, letter, table, parameters),
-        WordMeanings::Data => data(letter, table)?,
-        WordMeanings::Call => call(letter, table, parameters)?,
-        WordMeanings::Arc => return arc(letter, table, parameters),
+        WordMeanings::Data => data_meaning(letter, table)?,
+        WordMeanings::Call => call_meaning(letter, table, parameters)?,
+        WordMeanings::Arc => return arc_meaning(letter, table, parameters),
         WordMeanings::Spiral => match letter {
             b'P' => "whole turns beyond the angle from start to end, 0 to 99",
-            b'I' | b'J' | b'K' => return Some(center(letter, parameters)),
+            b'I' | b'J' | b'K' => return Some(center_meaning(letter, parameters)),
             _ => return None,
         },
         WordMeanings::Dwell => {
             let word = table.dwell_words(parameters).find(|word| word.letter == letter)?;
             return Some(format!("time: {}", dwell_text(word)));
         }
-        WordMeanings::LookAhead { letter: own, on } => {
-            let on = on.iter().map(u32::to_string).collect::<Vec<_>>().join(" or ");
-            return (own == letter).then(|| format!("{on} switches look-ahead on, 0 off"));
+        WordMeanings::LookAhead { letter: code_letter, on } => {
+            let values = on.iter().map(u32::to_string).collect::<Vec<_>>().join(" or ");
+            return (code_letter == letter)
+                .then(|| format!("{values} switches look-ahead on, 0 off"));
         }
     };
     Some(text.into())
 }
 
-/// `P1 is 0.001 s, P1. is 1 s`.
+/// How long a dwell is with and without a decimal point: `P1 is 0.001 s, P1. is 1 s`.
 pub fn dwell_text(word: DwellWord) -> String {
-    let (letter, whole, point) = (char::from(word.letter), word.integer_s, word.point_s);
-    if !word.takes_point {
-        format!("{letter}1 is {whole} s; a point is an alarm")
-    } else if whole == point {
-        format!("{letter}1 is {whole} s, with a point or without")
+    let DwellWord { integer_s, point_s, takes_point, .. } = word;
+    let letter = char::from(word.letter);
+    if !takes_point {
+        format!("{letter}1 is {integer_s} s; a point is an alarm")
+    } else if integer_s == point_s {
+        format!("{letter}1 is {integer_s} s, with a point or without")
     } else {
-        format!("{letter}1 is {whole} s, {letter}1. is {point} s")
+        format!("{letter}1 is {integer_s} s, {letter}1. is {point_s} s")
     }
 }
 
 /// I, J and K: centre of an arc along X, Y or Z.
-fn center(letter: u8, parameters: &Parameters) -> String {
+fn center_meaning(letter: u8, parameters: &Parameters) -> String {
     let axis = match letter {
         b'I' => 'X',
         b'J' => 'Y',
@@ -67,15 +69,15 @@ fn center(letter: u8, parameters: &Parameters) -> String {
     }
 }
 
-fn arc(letter: u8, table: &ControlTable, parameters: &Parameters) -> Option<String> {
+fn arc_meaning(letter: u8, table: &ControlTable, parameters: &Parameters) -> Option<String> {
     let text = match (letter, parameters.rules.arc.spiral) {
         (b'I' | b'J' | b'K', SpiralForm::IncrementHeightCount) => {
-            let center = center(letter, parameters);
+            let center = center_meaning(letter, parameters);
             return Some(format!(
                 "{center}; of the axis that is not in the plane the rise of a spiral in one turn"
             ));
         }
-        (b'I' | b'J' | b'K', _) => return Some(center(letter, parameters)),
+        (b'I' | b'J' | b'K', _) => return Some(center_meaning(letter, parameters)),
         (b'R', _) => "radius; negative for an arc of more than half a turn",
         (b'P', _) => match table.arc_turns {
             ArcTurns::None => return None,
@@ -97,7 +99,7 @@ fn arc(letter: u8, table: &ControlTable, parameters: &Parameters) -> Option<Stri
     Some(text.into())
 }
 
-fn call(letter: u8, table: &ControlTable, parameters: &Parameters) -> Option<&'static str> {
+fn call_meaning(letter: u8, table: &ControlTable, parameters: &Parameters) -> Option<&'static str> {
     Some(match letter {
         b'P' if parameters.packed_calls => {
             "program number; with more than four digits the repeats come first: P51000 runs O1000 five times"
@@ -110,7 +112,7 @@ fn call(letter: u8, table: &ControlTable, parameters: &Parameters) -> Option<&'s
     })
 }
 
-fn data(letter: u8, table: &ControlTable) -> Option<&'static str> {
+fn data_meaning(letter: u8, table: &ControlTable) -> Option<&'static str> {
     let writes_tools = table.set_data.iter().any(|(_, target)| *target == DataTarget::ToolTable);
     Some(match letter {
         b'L' => "number of what is written",

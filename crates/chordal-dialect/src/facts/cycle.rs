@@ -9,7 +9,7 @@ use super::CycleWordRole;
 use crate::parameters::Parameters;
 use crate::table::ControlTable;
 
-/// What the number of Q, I, J or K of a cycle is.
+/// What the number of a word Q, I, J or K of a cycle stands for.
 pub fn cycle_word_role(kind: CycleKind, letter: u8) -> CycleWordRole {
     match kind.family() {
         CycleFamily::FineBore | CycleFamily::BackBore => match letter {
@@ -32,7 +32,7 @@ pub fn cycle_word_role(kind: CycleKind, letter: u8) -> CycleWordRole {
     }
 }
 
-/// What a letter means; `None` where it does nothing to the path.
+/// What a letter means; `None` where it has no effect on the path.
 pub(super) fn meaning(
     kind: CycleKind,
     letter: u8,
@@ -53,32 +53,31 @@ pub(super) fn meaning(
             true => "lift after each peck",
             false => "clearance above the last peck",
         },
-        b'P' => return dwell(kind, rules),
-        b'Q' => q(kind, rules)?,
-        b'I' | b'J' | b'K' => vector(kind, letter, rules)?,
+        b'P' => return dwell_meaning(kind, rules),
+        b'Q' => q_meaning(kind, rules)?,
+        b'I' | b'J' | b'K' => ijk_meaning(kind, letter, rules)?,
         _ => return None,
     };
     Some(text.into())
 }
 
-fn dwell(kind: CycleKind, rules: &CycleRules) -> Option<String> {
+fn dwell_meaning(kind: CycleKind, rules: &CycleRules) -> Option<String> {
     let text = match (kind.family(), rules.peck.dwell, kind.facts().dwell) {
         (CycleFamily::ChipBreak, PeckDwell::EachPeck, _) => "dwell at the bottom of each peck",
-        (CycleFamily::ChipBreak | CycleFamily::Peck, PeckDwell::Bottom, _) => BOTTOM,
-        (_, _, CycleDwell::Optional | CycleDwell::Essential) => BOTTOM,
+        (CycleFamily::ChipBreak | CycleFamily::Peck, PeckDwell::Bottom, _) => DWELL_AT_BOTTOM,
+        (_, _, CycleDwell::Optional | CycleDwell::Essential) => DWELL_AT_BOTTOM,
         (_, _, CycleDwell::None) => return None,
     };
-    let unit = |seconds: f64| if seconds == 1.0 { "1 s" } else { "0.001 s" };
-    let (whole, point) = (rules.dwell_integer_s, rules.dwell_point_s);
-    Some(match whole == point {
-        true => format!("{text}; P1 is {}", unit(whole)),
-        false => format!("{text}; P1 is {}, P1. is {}", unit(whole), unit(point)),
+    let (integer_s, point_s) = (rules.dwell_integer_s, rules.dwell_point_s);
+    Some(match integer_s == point_s {
+        true => format!("{text}; P1 is {integer_s} s"),
+        false => format!("{text}; P1 is {integer_s} s, P1. is {point_s} s"),
     })
 }
 
-const BOTTOM: &str = "dwell at the bottom of the hole";
+const DWELL_AT_BOTTOM: &str = "dwell at the bottom of the hole";
 
-fn q(kind: CycleKind, rules: &CycleRules) -> Option<&'static str> {
+fn q_meaning(kind: CycleKind, rules: &CycleRules) -> Option<&'static str> {
     let by_vector = rules.bore.shift == ShiftWords::Vector;
     match kind.family() {
         CycleFamily::ChipBreak | CycleFamily::Peck => Some("depth of each peck"),
@@ -93,7 +92,7 @@ fn q(kind: CycleKind, rules: &CycleRules) -> Option<&'static str> {
     }
 }
 
-fn vector(kind: CycleKind, letter: u8, rules: &CycleRules) -> Option<&'static str> {
+fn ijk_meaning(kind: CycleKind, letter: u8, rules: &CycleRules) -> Option<&'static str> {
     let up_and_down = rules.bore.back == BackBore::UpAndDown;
     match kind.family() {
         CycleFamily::ChipBreak if letter == b'K' && rules.peck.return_after_k => {

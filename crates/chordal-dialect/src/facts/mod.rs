@@ -1,8 +1,9 @@
 //! What is known of each code, whichever control has it: a row for each.
 //!
-//! The alarms of its page, the settings that change what it does, what its words mean and what their numbers are, an
-//! example. An editor asks it to explain a code, a transformation which words are lengths, a conversion what may be left
-//! out. Each enum of codes has its rows in one file, by one exhaustive `match`.
+//! A row has the problems that the code can cause, the settings that change what it does, the meaning of its words, the
+//! role of their numbers and an example. An editor explains a code by it, a transformation finds the words that are
+//! lengths, and a conversion finds what may be left out. Each enum of codes has its rows in one file, by one exhaustive
+//! `match`.
 
 mod computed;
 mod cycle;
@@ -27,7 +28,7 @@ pub use turning::{TurnFacts, turn_facts};
 /// What is known of a code.
 #[derive(Clone, Copy, Debug)]
 pub struct CodeFacts {
-    /// The problems that it can have by itself: the alarms that its page names.
+    /// The problems that it can cause by itself; its page shows their alarms.
     pub problems: &'static [Code],
     /// The settings that change what it does.
     pub settings: &'static [SettingField],
@@ -70,10 +71,10 @@ pub enum WordMeanings {
     Turning(TurnCycle),
 }
 
-/// What the words of a block are, where a code makes something else of them than a move does.
+/// What the words of a block with a code are.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum BlockSort {
-    /// What they are next to a move.
+    /// The words of a move.
     Move,
     /// Times.
     Dwell,
@@ -94,13 +95,13 @@ pub enum BlockSort {
 /// What the number of a word of a cycle is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum CycleWordRole {
-    /// What it is next to a move.
+    /// The same as in a block with a move.
     Move,
     /// A length without a direction.
     Length,
-    /// The same; without a point it counts least increments.
+    /// A length without a direction; without a decimal point it counts least increments.
     CountedLength,
-    /// The same where the cycle stands in two blocks; in one block it says how the tool is fed.
+    /// [`CountedLength`](Self::CountedLength) where the cycle takes two blocks; no length in its form with one block.
     CountedInTwoBlocks,
     /// A length where it is written with a point; otherwise a count.
     LengthByPoint,
@@ -108,7 +109,7 @@ pub enum CycleWordRole {
     Distance(usize),
     /// The lead of a thread.
     Lead,
-    /// It may be a length, and moving the path may concern it.
+    /// A length or a direction: nothing but a shift certainly leaves it as it is.
     Doubtful,
     /// No length.
     Other,
@@ -155,7 +156,7 @@ impl CodeFacts {
 }
 
 impl Action {
-    /// What is known of it on a control.
+    /// What is known of the code on a control.
     pub fn facts(self, table: &ControlTable, parameters: &Parameters) -> CodeFacts {
         match self {
             Action::Reading(code) => reading(code),
@@ -171,7 +172,8 @@ impl Action {
         }
     }
 
-    /// The meaning of a letter in its block; `None` where it is accepted and does nothing to the path.
+    /// The meaning of a letter in its block; `None` where the word is accepted without effect on the path, or where no
+    /// meaning is on record, as for codes that are not simulated.
     pub fn word_meaning(
         self,
         letter: u8,
@@ -294,23 +296,26 @@ fn after(code: AfterCode) -> CodeFacts {
 }
 
 fn call(code: CallCode) -> CodeFacts {
-    const CALLED: &[Code] = &[Code::MissingSubprogram, Code::MissingLabel, Code::NestingTooDeep];
-    const LEFT: &[Code] = &[Code::MissingLabel, Code::ReturnWithoutCall];
-    const SETTINGS: &[SettingField] = &[SettingField::NESTING, SettingField::PACKED_CALLS];
+    const CALL_PROBLEMS: &[Code] =
+        &[Code::MissingSubprogram, Code::MissingLabel, Code::NestingTooDeep];
+    const RETURN_PROBLEMS: &[Code] = &[Code::MissingLabel, Code::ReturnWithoutCall];
+    const CALL_SETTINGS: &[SettingField] = &[SettingField::NESTING, SettingField::PACKED_CALLS];
     match code {
-        CallCode::CallProgram => {
-            PLAIN.problems(CALLED).settings(SETTINGS).words(WordMeanings::Call).example("{} P1000")
-        }
+        CallCode::CallProgram => PLAIN
+            .problems(CALL_PROBLEMS)
+            .settings(CALL_SETTINGS)
+            .words(WordMeanings::Call)
+            .example("{} P1000"),
         CallCode::CallLabel => PLAIN
-            .problems(CALLED)
-            .settings(SETTINGS)
+            .problems(CALL_PROBLEMS)
+            .settings(CALL_SETTINGS)
             .rows(&[("P", "N number at which the call begins"), ("L", "how often it runs")])
             .example("{} P100"),
         CallCode::Return => PLAIN
-            .problems(LEFT)
+            .problems(RETURN_PROBLEMS)
             .settings(&[SettingField::RETURN_LABEL_IN_CALLEE])
             .rows(&[("P", "N number in the calling program where it continues")]),
-        CallCode::SubroutineEnd => PLAIN.problems(LEFT),
+        CallCode::SubroutineEnd => PLAIN.problems(RETURN_PROBLEMS),
         CallCode::MacroCall | CallCode::ModalMacroCall { .. } => PLAIN
             .problems(&[
                 Code::MissingSubprogram,

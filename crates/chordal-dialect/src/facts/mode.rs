@@ -6,7 +6,7 @@ use super::{BlockSort, CodeFacts, PLAIN, WordMeanings};
 use crate::action::{ModeCode, PathCode};
 use crate::settings::SettingField;
 
-/// What a start of cutter compensation, or the contour after it, can have.
+/// Problems of the start of cutter compensation and of the contour after it.
 const COMPENSATION: &[Code] = &[
     Code::CompensationOnArc,
     Code::CompensationWithoutOffset,
@@ -40,7 +40,7 @@ pub(super) fn facts(code: ModeCode) -> CodeFacts {
                 ("IJK", "direction of the offset at the end of this block"),
             ])
             .example("G1 {} D1 X20. F200."),
-        ModeCode::CompensationLeftBy | ModeCode::CompensationRightBy => {
+        ModeCode::CompensationLeftByDiameter | ModeCode::CompensationRightByDiameter => {
             PLAIN.problems(COMPENSATION).rows(&[
                 ("D", "diameter of the tool; below zero it goes on the other side"),
                 ("L", "position of the tip of a turning tool, 0 to 9"),
@@ -63,7 +63,7 @@ pub(super) fn facts(code: ModeCode) -> CodeFacts {
             .problems(&[Code::ShiftInCompensation])
             .rows(&[("P", "number of the extended work offset")])
             .example("{} P1"),
-        ModeCode::WorkOffsetCounted => PLAIN
+        ModeCode::WorkOffsetByOrdinal => PLAIN
             .problems(&[Code::ShiftInCompensation])
             .rows(&[("P", "number of the work offset; P1 is G54")])
             .example("{} P7"),

@@ -8,7 +8,7 @@ use crate::action::MotionCode;
 use crate::parameters::Parameters;
 use crate::settings::SettingField;
 
-/// What a cut in step with the spindle can have.
+/// Problems of a cut that is synchronized with the spindle.
 const THREAD: &[Code] = &[Code::CycleWithoutLead, Code::MissingFeed, Code::CycleSpindle];
 
 pub(super) fn facts(code: MotionCode, parameters: &Parameters) -> CodeFacts {
@@ -26,7 +26,7 @@ pub(super) fn facts(code: MotionCode, parameters: &Parameters) -> CodeFacts {
                 Code::CornerNextMotion,
                 Code::CornerTooLarge,
             ])
-            .rows(if parameters.corners_of_lines {
+            .rows(if parameters.corner_words_in_g1 {
                 &[
                     ("IK", "chamfer between this cut and the next, from the corner"),
                     ("R", "radius of a rounding between this cut and the next"),

@@ -11,7 +11,7 @@ use crate::parameters::Parameters;
 pub(super) const CORNER_ARC_WORDS: &[(&str, &str)] =
     &[("IJK", "direction at which the corner arc ends")];
 
-/// What a rotation, a scaling or a mirror can have.
+/// Problems of a rotation, a scaling or a mirror image.
 const FRAMES: &[Code] = &[
     Code::FrameValue,
     Code::UnequalScaleArc,
@@ -26,10 +26,10 @@ const FRAMES: &[Code] = &[
     Code::FrameInCycle,
 ];
 
-/// What a move to or from a reference point can have.
+/// Problems of a move to or from a reference point.
 const REFERENCES: &[Code] = &[Code::ReferenceInCompensation, Code::FrameWithReference];
 
-/// What a shift of the coordinates can have.
+/// Problems of a shift of the coordinates.
 const SHIFTS: &[Code] = &[Code::ShiftInCompensation];
 
 pub(super) fn facts(code: OnceCode, parameters: &Parameters) -> CodeFacts {
@@ -112,9 +112,9 @@ pub(super) fn facts(code: OnceCode, parameters: &Parameters) -> CodeFacts {
         OnceCode::Probe { .. } => {
             PLAIN.problems(&[Code::MissingFeed, Code::ProbeWithoutHit, Code::BadProbeMove])
         }
-        OnceCode::CornerArcAlone => PLAIN.problems(&[Code::CornerBlock]).rows(CORNER_ARC_WORDS),
+        OnceCode::CornerArcBlock => PLAIN.problems(&[Code::CornerBlock]).rows(CORNER_ARC_WORDS),
         OnceCode::Turning(cycle) => {
-            let own = turn_facts(cycle);
+            let turning = turn_facts(cycle);
             PLAIN
                 .problems(&[
                     Code::MissingLabel,
@@ -123,9 +123,9 @@ pub(super) fn facts(code: OnceCode, parameters: &Parameters) -> CodeFacts {
                     Code::CycleInCompensation,
                     Code::CycleSpindle,
                 ])
-                .settings(own.settings)
+                .settings(turning.settings)
                 .words(WordMeanings::Turning(cycle))
-                .example(own.example)
+                .example(turning.example)
         }
         OnceCode::Surface(code) => PLAIN
             .problems(&[Code::SurfaceCode, Code::SurfaceMode, Code::RotarySpeed])

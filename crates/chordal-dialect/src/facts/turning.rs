@@ -7,8 +7,8 @@ use super::CycleWordRole::{
 };
 use crate::settings::SettingField;
 
-/// The letters of some words; what they are in a block that only sets the cycle up, and in that of the cycle; what each
-/// means, and nothing where no page says it. Letters in no row are no lengths.
+/// Letters; the role of their numbers in a block that only sets the cycle up, and in the block that runs it; their meaning,
+/// empty where none is on record. The number of a letter in no row is no length.
 type TurnWordRow = (&'static str, [CycleWordRole; 2], &'static str);
 
 /// What is known of a cycle of a lathe, whichever control has it.
@@ -16,8 +16,8 @@ type TurnWordRow = (&'static str, [CycleWordRole; 2], &'static str);
 pub struct TurnFacts {
     /// Its words.
     words: &'static [TurnWordRow],
-    /// Without any of these letters a block only sets the cycle up, where the control has it in two blocks; empty for cycles
-    /// of one block.
+    /// A block without any of these letters only sets the cycle up, where the control programs it in two blocks; empty for
+    /// cycles of one block.
     pub ends: &'static str,
     /// The settings that change what it does.
     pub settings: &'static [SettingField],
@@ -39,7 +39,7 @@ impl TurnFacts {
     }
 }
 
-/// The first and the last block of the contour, and what a block of a cycle gives for all its cuts.
+/// The words of a cycle with a contour: its first and last block, and the feed and speed of all cuts.
 macro_rules! rows_of_contour {
     ($($own:expr),* $(,)?) => {
         &[
@@ -71,7 +71,7 @@ macro_rules! rows_of_pecks {
     };
 }
 
-/// The words of a contour in a subroutine, and what passes down to it say in addition.
+/// The words of a cycle whose contour is in a subroutine, after those of its own.
 macro_rules! rows_of_subroutine {
     ($($own:expr),* $(,)?) => {
         &[
@@ -190,7 +190,7 @@ pub fn turn_facts(cycle: TurnCycle) -> TurnFacts {
     TurnFacts { words, ..of_family(cycle) }
 }
 
-/// What the cycles of a family share; an example where no contour in blocks of its own belongs to it.
+/// What the cycles of a family share; `example` is empty for cycles that need the blocks of a contour, too.
 fn of_family(cycle: TurnCycle) -> TurnFacts {
     let facts = TurnFacts { words: &[], ends: "", settings: &[], example: "" };
     match cycle.family() {

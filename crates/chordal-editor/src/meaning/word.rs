@@ -4,7 +4,8 @@ use chordal::control::table::CodeRow;
 
 use crate::meaning::ControlView;
 
-/// The meaning of a letter in the block of a code; `None` where it is accepted and does nothing to the path.
+/// The meaning of a letter in the block of a code; `None` where the word is accepted without effect on the path, or where
+/// no meaning is on record, as for codes that are not simulated.
 pub fn word_meaning(row: &CodeRow, letter: u8, view: &ControlView) -> Option<String> {
     row.action.word_meaning(letter, view.table, &view.parameters)
 }
@@ -15,15 +16,15 @@ mod tests {
     use crate::meaning::codes;
 
     /// What a letter means with a G code (ten times its number) on a control.
-    fn says(control: &str, code: u16, letter: u8) -> Option<String> {
+    fn meaning_of(control: &str, code: u16, letter: u8) -> Option<String> {
         let view = ControlView::all().into_iter().find(|view| view.table.name == control).unwrap();
         let row = codes(view.table, b'G').iter().find(|row| row.code == code).unwrap();
         word_meaning(row, letter, &view)
     }
 
     #[test]
-    fn one_letter_means_what_its_code_makes_of_it() {
-        let text = |control, code, letter| says(control, code, letter).unwrap();
+    fn the_meaning_of_a_letter_depends_on_its_code() {
+        let text = |control, code, letter| meaning_of(control, code, letter).unwrap();
         assert_eq!(text("haas", 830, b'Q'), "depth of each peck");
         assert!(text("haas", 830, b'I').contains("first peck"));
         assert!(text("fanuc", 760, b'Q').contains("away from the wall"));
@@ -31,7 +32,7 @@ mod tests {
         assert!(text("fanuc", 830, b'K').contains("number of holes"));
         assert!(text("linuxcnc", 870, b'K').contains("top of the bore"));
         assert!(text("linuxcnc", 820, b'P').contains("P1 is 1 s"));
-        assert_eq!(says("fanuc", 830, b'L'), None);
-        assert_eq!(says("haas", 760, b'E'), None);
+        assert_eq!(meaning_of("fanuc", 830, b'L'), None);
+        assert_eq!(meaning_of("haas", 760, b'E'), None);
     }
 }

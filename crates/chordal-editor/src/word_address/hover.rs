@@ -27,7 +27,7 @@ impl WordAddressText<'_> {
         let letter = char::from(word.letter);
         let text = match code_of(word) {
             Some(code) => code_brief(word.letter, code, &views[0])
-                .map(|text| text + &self.words_of(word, code, block)),
+                .map(|text| text + &self.code_word_lines(word, code, block)),
             None => self.meaning_in_block(word, block),
         };
         let text = text
@@ -36,8 +36,8 @@ impl WordAddressText<'_> {
         as_markdown(&text)
     }
 
-    /// What the words of a block mean to one of its codes, with their values: a line each.
-    fn words_of(&self, code_word: &Word, code: u16, block: &Block) -> String {
+    /// A line for each word that a code of the block takes: the source text of the word and its meaning.
+    fn code_word_lines(&self, code_word: &Word, code: u16, block: &Block) -> String {
         let view = self.view();
         let Some(row) = row_of(view.table, code_word.letter, code) else { return String::new() };
         let lines = block.words.iter().filter_map(|word| {
@@ -68,7 +68,7 @@ impl WordAddressText<'_> {
 
     fn name_text(&self, name: &SymbolName) -> Option<String> {
         let places = self.places_of(name);
-        let defined: Vec<u32> = places
+        let definition_lines: Vec<u32> = places
             .iter()
             .filter(|place| place.role == NameRole::Definition)
             .map(|place| self.source().line_of(place.range.start))
@@ -85,9 +85,9 @@ impl WordAddressText<'_> {
             SymbolName::LineLabel(label) => (format!("Label :{label}"), "stands"),
             SymbolName::Variable { name, .. } => (format!("Variable `{name}`"), "gets a value"),
         };
-        let lines = line_list(&defined);
-        let uses = places.len() - defined.len();
-        Some(match defined.len() {
+        let lines = line_list(&definition_lines);
+        let uses = places.len() - definition_lines.len();
+        Some(match definition_lines.len() {
             0 => format!("{what}: not set in this text; used {uses} times."),
             _ => format!("{what} {verb} on {lines}; used {uses} times."),
         })

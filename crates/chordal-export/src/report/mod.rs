@@ -15,7 +15,7 @@ pub use gitlab::GitlabReport;
 pub use json::{files_json, json};
 pub use place::{SourceLocation, place};
 pub use sarif::SarifReport;
-pub use summary::{RunOf, summary_json};
+pub use summary::{SummarizedRun, summary_json};
 pub use text::{ReportDetail, excerpt, one, text};
 
 pub(crate) use excerpt::{ExcerptMark, ProblemExcerpts};

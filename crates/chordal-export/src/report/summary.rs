@@ -14,8 +14,8 @@ use super::json::problems;
 use crate::omissions::left_out_texts;
 use crate::stock::left_members;
 
-/// What a run came to.
-pub struct RunOf<'a> {
+/// A run for the summary.
+pub struct SummarizedRun<'a> {
     /// Its summary and its problems.
     pub report: &'a Report,
     /// Its times, where it was planned.
@@ -28,12 +28,12 @@ pub struct RunOf<'a> {
 /// [`json`](super::json()), `summary`, and with a stock `stock` as in `chordal.stock/1`. Lengths in mm, angles in
 /// degrees, times in s, feeds in mm/min; `time_s` is null where the run was not planned.
 pub fn summary_json(
-    run: &RunOf<'_>,
+    run: &SummarizedRun<'_>,
     job: &Job,
     file: &str,
     reading: &ProgramReading<'_>,
 ) -> String {
-    let RunOf { report, timed, stock } = *run;
+    let SummarizedRun { report, timed, stock } = *run;
     let mut object = problems("chordal.summary/1", report, job.sources(), file, reading);
     object.insert("summary".into(), summary(report, job, timed));
     if let Some(found) = stock {

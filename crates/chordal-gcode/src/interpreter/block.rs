@@ -74,7 +74,7 @@ impl Interpreter<'_> {
                 Some((row, motion))
             }
         };
-        if self.control.parameters.corners_of_lines
+        if self.control.parameters.corner_words_in_g1
             && letters.meets(Letters::of("IKR"))
             && self.cuts_line(block)
         {

@@ -240,7 +240,7 @@ impl Interpreter<'_> {
             row.takes_axes() && !leaves || row.action.cycle().is_some()
         };
         let drills = drills || codes.iter().any(|(row, _)| takes(row));
-        let own = self.control.parameters.corners_of_lines
+        let own = self.control.parameters.corner_words_in_g1
             && codes.iter().any(|(row, _)| row.action.motion().is_some());
         // A motion code in the block ends the active motion, whose words then do not count.
         let armed = self.control.table.motion == MotionModality::Armed;
@@ -259,7 +259,7 @@ impl Interpreter<'_> {
     pub(super) fn modal_arc_words(&self) -> Option<Letters> {
         let code = match self.kernel.state.motion {
             ModalMotion::Arc(_) => 20,
-            ModalMotion::Linear if self.control.parameters.corners_of_lines => 10,
+            ModalMotion::Linear if self.control.parameters.corner_words_in_g1 => 10,
             ModalMotion::Spiral(_) => 21,
             ModalMotion::Turn(_) | ModalMotion::Thread
                 if !self.control.parameters.increments.is_empty() =>
@@ -326,7 +326,7 @@ impl Interpreter<'_> {
             if word.letter == b'R' && self.tap_stands_in(block) {
                 continue;
             }
-            if word.letter == b'A' && self.control.parameters.corners_of_lines {
+            if word.letter == b'A' && self.control.parameters.corner_words_in_g1 {
                 continue;
             }
             if self.is_corner_word(word) {

@@ -85,7 +85,7 @@ impl Interpreter<'_> {
     /// Requests the corner of I, K or R of a straight cut, on lathes that write them without a comma.
     fn take_corner_of_line(&mut self, block: &Block) {
         let letters = block.letters();
-        if !self.control.parameters.corners_of_lines
+        if !self.control.parameters.corner_words_in_g1
             || !letters.meets(Letters::of("IKR"))
             || !self.cuts_line(block)
         {

@@ -120,7 +120,7 @@ impl Interpreter<'_> {
     /// The name of a work coordinate system, numbered the same for every control.
     fn work_name(&self, key: &str) -> String {
         let naming = self.control.table.work_names;
-        let names = (1..=u16::from(u8::MAX)).filter_map(WorkName::counted);
+        let names = (1..=u16::from(u8::MAX)).filter_map(WorkName::of_ordinal);
         let further = (1..=3).map(WorkName::G59).chain((1..=48).map(WorkName::E));
         let name = names.chain(further).find(|name| name.table_key(naming) == key);
         name.map_or_else(|| key.to_string(), |name| format!("work offset {}", name.ordinal()))

@@ -92,8 +92,8 @@ impl Interpreter<'_> {
             self.take_e_word(block);
         }
         let by_diameter = |row: &CodeRow| {
-            row.action == Action::Mode(ModeCode::CompensationLeftBy)
-                || row.action == Action::Mode(ModeCode::CompensationRightBy)
+            row.action == Action::Mode(ModeCode::CompensationLeftByDiameter)
+                || row.action == Action::Mode(ModeCode::CompensationRightByDiameter)
         };
         let turns = |row: &CodeRow| matches!(row.action, Action::Once(OnceCode::Turning(_)));
         let largest = self.control.parameters.largest_numbers.offset;
@@ -231,10 +231,10 @@ impl Interpreter<'_> {
             ModeCode::CompensationRight => {
                 self.set_compensation(block, at, CompensationSide::Right)
             }
-            ModeCode::CompensationLeftBy => {
+            ModeCode::CompensationLeftByDiameter => {
                 self.compensation_by_diameter(block, at, CompensationSide::Left)
             }
-            ModeCode::CompensationRightBy => {
+            ModeCode::CompensationRightByDiameter => {
                 self.compensation_by_diameter(block, at, CompensationSide::Right);
             }
             ModeCode::StoreReference { second } => self.store_reference(second),
@@ -251,7 +251,7 @@ impl Interpreter<'_> {
                 self.kernel.select_work(WorkName::Extended(number));
             }
             ModeCode::WorkOffsetExtended => self.select_extended_work(block, at),
-            ModeCode::WorkOffsetCounted => self.select_counted_work(block, at),
+            ModeCode::WorkOffsetByOrdinal => self.select_work_by_ordinal(block, at),
             ModeCode::Path(code) => self.take_path_mode(block, row, code, at),
             ModeCode::Overrides { on, rapid } => {
                 self.kernel.set_overrides(Some(on), rapid.then_some(on));

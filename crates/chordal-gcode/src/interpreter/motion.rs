@@ -197,7 +197,7 @@ impl Interpreter<'_> {
     fn exclusive_motion(&mut self, block: &Block, explicit: bool) {
         let arc_words = self.has_arc_words(block);
         let (mut target, mut named) = self.target(block);
-        if block.commas && self.control.parameters.corners_of_lines {
+        if block.commas && self.control.parameters.corner_words_in_g1 {
             self.line_by_angle(block, &mut target, &mut named);
         }
         if named != AxisMask::NONE && self.open_line.is_some() {

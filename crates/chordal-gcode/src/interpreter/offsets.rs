@@ -13,7 +13,7 @@ use chordal_machine::{AXIS_LETTERS, Axis, PerAxis};
 use chordal_syntax::{Block, Letters, WordValue};
 
 use super::Interpreter;
-use super::work_offsets::counted;
+use super::work_offsets::work_of_ordinal;
 use chordal_command::telling_number;
 
 /// How the words of G10 give the offsets of a tool.
@@ -455,7 +455,7 @@ impl Interpreter<'_> {
         };
         let name = match number {
             n if table.work_names.by_e => return (n <= MAX_BY_E).then(|| format!("E{n}")),
-            n if table.work_names.first > 1 => counted(n)?,
+            n if table.work_names.first > 1 => work_of_ordinal(n)?,
             0 if parameters.offset_zero_in_force => self.kernel.state.offsets.active(),
             0 => return Some("EXT".into()),
             n @ 1..=6 => WorkName::G(n as u16 + 53),

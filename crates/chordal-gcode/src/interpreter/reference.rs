@@ -114,7 +114,7 @@ impl Interpreter<'_> {
             OnceCode::CircularPocketCw => self.circular_pocket(block, at, TurnDirection::Cw),
             OnceCode::CircularPocketCcw => self.circular_pocket(block, at, TurnDirection::Ccw),
             OnceCode::GeneralPocket => self.general_pocket(block, at),
-            OnceCode::CornerArcAlone => self.corner_arc(block, true),
+            OnceCode::CornerArcBlock => self.corner_arc(block, true),
             OnceCode::Turning(cycle) => {
                 if cycle == TurnCycle::LineThread {
                     self.make_modal(code, ModalMotion::ThreadPasses);

@@ -481,8 +481,8 @@ fn mode_on_surface(code: ModeCode, state: &SurfaceState, rules: &SurfaceRules) -
         ModeCode::CompensationOff
         | ModeCode::CompensationLeft
         | ModeCode::CompensationRight
-        | ModeCode::CompensationLeftBy
-        | ModeCode::CompensationRightBy
+        | ModeCode::CompensationLeftByDiameter
+        | ModeCode::CompensationRightByDiameter
         | ModeCode::CornerArc
         | ModeCode::CancelCycle
         | ModeCode::Path(_)
@@ -494,7 +494,7 @@ fn mode_on_surface(code: ModeCode, state: &SurfaceState, rules: &SurfaceRules) -
         ModeCode::WorkOffset(_)
         | ModeCode::WorkOffsetPoint(_)
         | ModeCode::WorkOffsetExtended
-        | ModeCode::WorkOffsetCounted
+        | ModeCode::WorkOffsetByOrdinal
         | ModeCode::StoreReference { .. }
         | ModeCode::WorkOffsetNumbered(_)
         | ModeCode::ReturnInitial

@@ -9,11 +9,11 @@ use chordal_syntax::{Block, Letters};
 use super::Interpreter;
 
 /// The last work offset on controls where one code numbers all of them (Mach3).
-const MAX_COUNTED: u32 = 254;
+const MAX_WORK_ORDINAL: u32 = 254;
 
 /// The work offset with a number P; `None` above the last one.
-pub(super) fn counted(number: u32) -> Option<WorkName> {
-    WorkName::counted(u16::try_from(number).ok().filter(|n| u32::from(*n) <= MAX_COUNTED)?)
+pub(super) fn work_of_ordinal(number: u32) -> Option<WorkName> {
+    WorkName::of_ordinal(u16::try_from(number).ok().filter(|n| u32::from(*n) <= MAX_WORK_ORDINAL)?)
 }
 
 impl Interpreter<'_> {
@@ -51,13 +51,13 @@ impl Interpreter<'_> {
     }
 
     /// Carries out G59, or G59 P with the number of any work offset.
-    pub(super) fn select_counted_work(&mut self, block: &Block, at: usize) {
+    pub(super) fn select_work_by_ordinal(&mut self, block: &Block, at: usize) {
         let number = match block.letters().has(b'P') {
             true => self.count_of(block, b'P'),
             false => Some(6),
         };
         let Some(number) = number else { return };
-        match counted(number) {
+        match work_of_ordinal(number) {
             Some(name) => {
                 self.warn_of_work_change(block, at, name);
                 self.select_work(name);
@@ -65,7 +65,7 @@ impl Interpreter<'_> {
             None => self.report_no_offset(
                 block,
                 format!("there is no work offset P{number}"),
-                &format!("P1 to P6 are G54 to G59, and P{MAX_COUNTED} is the last"),
+                &format!("P1 to P6 are G54 to G59, and P{MAX_WORK_ORDINAL} is the last"),
             ),
         }
     }

@@ -78,7 +78,7 @@ impl TextTally {
         self.open.0 += u32::from(line.open);
         self.open.1 += u32::from(line.closed);
         self.bare &= !shows_a_memory(text, line);
-        self.style.line(text, line, at);
+        self.style.record_line(text, line, at);
         self.whole_line(line, at);
     }
 

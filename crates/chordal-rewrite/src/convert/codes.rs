@@ -103,10 +103,10 @@ pub(crate) fn work_offset(name: WorkName, control: &Control, style: WordStyle) -
         0 => None,
         1..=5 => code(ModeCode::WorkOffset(53 + number as u16)),
         // Where one code counts all of them it is this one without P.
-        6 => code(ModeCode::WorkOffset(59)).or_else(|| code(ModeCode::WorkOffsetCounted)),
+        6 => code(ModeCode::WorkOffset(59)).or_else(|| code(ModeCode::WorkOffsetByOrdinal)),
         _ => code(ModeCode::WorkOffsetPoint(number as u16 - 6))
             .or_else(|| by_p(ModeCode::WorkOffsetExtended, number - 6))
-            .or_else(|| by_p(ModeCode::WorkOffsetCounted, number)),
+            .or_else(|| by_p(ModeCode::WorkOffsetByOrdinal, number)),
     }
 }
 
@@ -349,8 +349,8 @@ fn offset_code(
     style: WordStyle,
 ) -> Result<(), NeedsExpansion> {
     let p = draft.place(b'P');
-    let is_counted = code == ModeCode::WorkOffsetCounted;
-    let by_code = code.work_name().or((is_counted && p.is_none()).then_some(WorkName::G(59)));
+    let is_by_ordinal = code == ModeCode::WorkOffsetByOrdinal;
+    let by_code = code.work_name().or((is_by_ordinal && p.is_none()).then_some(WorkName::G(59)));
     let name = match by_code {
         Some(name) => name,
         None => {
@@ -363,9 +363,9 @@ fn offset_code(
                 return Ok(());
             }
             draft.set(p.unwrap_or(at), "");
-            if is_counted {
+            if is_by_ordinal {
                 let none = || NeedsExpansion("there is no work offset 0".into());
-                WorkName::counted(number).ok_or_else(none)?
+                WorkName::of_ordinal(number).ok_or_else(none)?
             } else {
                 WorkName::Extended(number)
             }

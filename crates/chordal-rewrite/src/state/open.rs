@@ -57,8 +57,8 @@ impl OpenConstructs {
             Action::Mode(
                 ModeCode::CompensationLeft
                 | ModeCode::CompensationRight
-                | ModeCode::CompensationLeftBy
-                | ModeCode::CompensationRightBy,
+                | ModeCode::CompensationLeftByDiameter
+                | ModeCode::CompensationRightByDiameter,
             ) => self.compensation = line,
             Action::Once(OnceCode::Rotation) => (self.frame, self.frames.rotation) = (line, true),
             Action::Mode(ModeCode::RotationOff) => self.frames.rotation = false,

@@ -65,7 +65,7 @@ impl ActiveShift {
             | OnceCode::Pattern(_)
             | OnceCode::Probe { .. }
             | OnceCode::Turning(_)
-            | OnceCode::CornerArcAlone => return,
+            | OnceCode::CornerArcBlock => return,
         };
         let mut axes = block
             .words

@@ -71,7 +71,7 @@ pub(super) fn roles(block: &Block, context: &ReadingContext, control: &Control) 
             Action::Mode(ModeCode::CompensationLeft)
                 | Action::Mode(ModeCode::CompensationRight)
                 | Action::Mode(ModeCode::CornerArc)
-                | Action::Once(OnceCode::CornerArcAlone)
+                | Action::Once(OnceCode::CornerArcBlock)
         );
     }
     let left_to_right = control.table.distance_left_to_right;

@@ -17,8 +17,8 @@ pub struct SamplingRequest {
     pub period_s: f64,
     /// How much computing the planner spends on a faster motion.
     pub level: PlannerLevel,
-    /// Most setpoints; a longer run is an error.
-    pub most: u64,
+    /// The largest number of setpoints; a run with more is an error.
+    pub max_samples: u64,
 }
 
 /// How the run was planned and sampled.
@@ -42,8 +42,11 @@ pub struct SamplingReport {
 pub enum SamplingError {
     /// A limit of an axis that is not a positive number.
     Limit(LimitError),
-    /// There are more than [`SamplingRequest::most`]; the run takes at least this time, s.
-    TooMany(f64),
+    /// There are more than [`SamplingRequest::max_samples`].
+    TooMany {
+        /// A lower bound of the time of the run, s.
+        at_least_s: f64,
+    },
 }
 
 impl From<LimitError> for SamplingError {
@@ -64,17 +67,17 @@ impl Job<'_> {
         sampling: &SamplingRequest,
         take: impl FnMut(&MotionSample, u32),
     ) -> Result<SamplingReport, SamplingError> {
-        let SamplingRequest { period_s, level, most } = *sampling;
+        let SamplingRequest { period_s, level, max_samples } = *sampling;
         let options = MotionOptions { level, dog_leg_shape: true, ..MotionOptions::default() };
         let unknown = UnknownAxesQueue::default();
         let taker = SetpointTaker { take, period_s, count: 0, chord: (0.0, 0), unknown };
         let mut setpoints =
-            SetpointSink { sampler: SetpointSampler::new(period_s).at_most(most), taker };
+            SetpointSink { sampler: SetpointSampler::new(period_s).at_most(max_samples), taker };
         let motion = self.plan(&options, &mut setpoints)?;
         let SetpointSink { sampler, mut taker } = setpoints;
         let time_s = sampler.time_s();
         if sampler.is_exhausted() {
-            return Err(SamplingError::TooMany(time_s));
+            return Err(SamplingError::TooMany { at_least_s: time_s });
         }
         sampler.finish(|sample| taker.take(sample));
         let unknown_axes = taker.unknown.missing;

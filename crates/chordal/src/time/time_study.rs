@@ -34,10 +34,10 @@ pub enum RepeatPlanning {
 pub struct TimeQuestion {
     /// How the program is planned.
     pub options: MotionOptions,
-    /// Other overrides and path modes, and what short lines cost.
-    pub again: RepeatPlanning,
+    /// Whether to plan again with other overrides and path modes, and to compute what short lines cost.
+    pub repeat_planning: RepeatPlanning,
     /// Whether to compute the least times within the physical limits.
-    pub bound: bool,
+    pub computes_least: bool,
 }
 
 /// The time of a program and what was computed along with it.
@@ -89,7 +89,7 @@ impl Job<'_> {
         question: &TimeQuestion,
     ) -> Result<TimeStudy, LimitError> {
         let options = &question.options;
-        let again = match question.again {
+        let repeats_planning = match question.repeat_planning {
             RepeatPlanning::Never => false,
             RepeatPlanning::IfShort => {
                 options.level == PlannerLevel::Fast && timed.time.moves <= MAX_UNREQUESTED_MOVES
@@ -99,8 +99,8 @@ impl Job<'_> {
         // A run that was stopped by its budget has no whole time to compare with.
         let is_stopped =
             report.diagnostics.iter().any(|diagnostic| diagnostic.code == Code::BudgetReached);
-        let again = again && !is_stopped;
-        let (what_if, chords) = if again && timed.time.moves > 0 {
+        let repeats_planning = repeats_planning && !is_stopped;
+        let (what_if, chords) = if repeats_planning && timed.time.moves > 0 {
             (
                 self.what_if(options, &self.changes())?,
                 self.chord_costs(options, report.summary.inch)?,
@@ -108,7 +108,7 @@ impl Job<'_> {
         } else {
             (Vec::new(), Vec::new())
         };
-        let least = question.bound.then(|| self.least(options, effort())).transpose()?;
+        let least = question.computes_least.then(|| self.least(options, effort())).transpose()?;
         let range_s = self.time_of_sides(options, report, timed.time.total_s())?;
         Ok(TimeStudy { timed, range_s, level: options.level, what_if, least, chords })
     }

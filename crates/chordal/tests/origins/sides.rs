@@ -154,8 +154,8 @@ fn time_has_a_range() {
     let job = super::job("fanuc-0i", &[], &text);
     let question = TimeQuestion {
         options: MotionOptions::default(),
-        again: RepeatPlanning::Never,
-        bound: false,
+        repeat_planning: RepeatPlanning::Never,
+        computes_least: false,
     };
     let (report, study) = job.time_study(&question);
     let study = study.expect("limits").expect("a time");

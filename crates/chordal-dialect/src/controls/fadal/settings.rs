@@ -1,4 +1,4 @@
-//! What differs between machines with Fadal CNC 88, or is not documented. Parameters have the names of the manuals.
+//! Settings that differ between machines with a Fadal CNC 88, or that its manuals do not document.
 
 use crate::vocabulary::*;
 

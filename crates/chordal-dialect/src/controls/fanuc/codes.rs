@@ -45,7 +45,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(310, CodeGroup::OneShot, Once(Probe { must_hit: false }), "PQ", "skip move"),
     row(330, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "thread cutting"),
     row(370, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "tool length measurement"),
-    row(390, CodeGroup::OneShot, Once(CornerArcAlone), "IJK", "corner arc"),
+    row(390, CodeGroup::OneShot, Once(CornerArcBlock), "IJK", "corner arc"),
     row(400, CodeGroup::Compensation, Mode(CompensationOff), "IJK", "cutter compensation off"),
     row(401, CodeGroup::Auxiliary, NoEffect, "", "normal direction control off"),
     row(410, CodeGroup::Compensation, Mode(CompensationLeft), "DIJK", "cutter left of the contour"),

@@ -4,10 +4,10 @@ use crate::vocabulary::*;
 
 /// Fanuc custom macro B: B-63684EN and B-63944EN, and what macros of probe makers use beyond these.
 pub(in crate::controls) static MACROS: MacroRules =
-    MacroRules { common: COMMON, system: SYSTEM, modal_groups: GROUPS, ..MacroRules::MACRO_B };
+    MacroRules { common: COMMON, system: SYSTEM, modal_groups: MODAL_GROUPS, ..MacroRules::MACRO_B };
 
 /// Modal groups 1 to 17, as #4001 to #4017 report them.
-pub(in crate::controls) const GROUPS: &[ModalGroup] = &[
+pub(in crate::controls) const MODAL_GROUPS: &[ModalGroup] = &[
     ModalGroup::Motion,
     ModalGroup::Plane,
     ModalGroup::Distance,
@@ -28,7 +28,7 @@ pub(in crate::controls) const GROUPS: &[ModalGroup] = &[
 ];
 
 /// #150–199 and #532–999 are an option that most machines have; #98000–98999 are an option of the 30i.
-const COMMON: &[VariableRange] = &[common(100, 199), kept(500, 999), kept(98000, 98999)];
+const COMMON: &[VariableRange] = &[volatile(100, 199), non_volatile(500, 999), non_volatile(98000, 98999)];
 
 const SYSTEM: &[SystemRow] = &[
     system(1000, 1035, SystemVariable::Input),
@@ -84,7 +84,7 @@ const SYSTEM: &[SystemRow] = &[
     system(12001, 12999, SystemVariable::RadiusWear),
     system(13001, 13999, SystemVariable::RadiusGeometry),
     system(14001, 19986, SystemVariable::ExtendedOffsets),
-    // The same with fifty numbers for each kind of position and each work offset, for up to fifty axes (30i).
+    // The positions and work offsets again with fifty numbers each, for up to fifty axes (30i).
     system(100001, 100006, SystemVariable::BlockEnd),
     system(100051, 100056, SystemVariable::MachinePosition),
     system(100101, 100106, SystemVariable::WorkPosition),

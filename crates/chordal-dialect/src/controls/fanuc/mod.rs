@@ -10,7 +10,7 @@ mod settings;
 pub(in crate::controls) mod surface;
 
 pub(super) use alarms::ALARMS;
-pub(super) use macros::{GROUPS, MACROS};
+pub(super) use macros::{MACROS, MODAL_GROUPS};
 pub(super) use post::POST;
 
 use crate::vocabulary::*;

@@ -15,7 +15,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     m_groups: SPINDLE_CODES,
     largest_numbers: LargestNumbers { block: 99_999_999, program: 99_999_999, offset: 0, tool: 0 },
     line_after_arc_is_usual: true,
-    corners_of_lines: true,
+    corner_words_in_g1: true,
     thread_lead: b'F',
     live_tool_p: 12,
     second_spindle_p: 13,

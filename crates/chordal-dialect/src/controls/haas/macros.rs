@@ -45,7 +45,7 @@ const GROUPS: &[ModalGroup] = &[
 
 /// #100–199, #500–699 and #800–999 are other names of #10100–10199, #10500–10699 and #10800–10999.
 const COMMON: &[VariableRange] =
-    &[alias(100, 199, 10100), alias(500, 699, 10500), alias(800, 999, 10800), kept(10000, 10999)];
+    &[alias(100, 199, 10100), alias(500, 699, 10500), alias(800, 999, 10800), non_volatile(10000, 10999)];
 
 const SYSTEM: &[SystemRow] = &[
     system(1000, 1063, SystemVariable::Input),

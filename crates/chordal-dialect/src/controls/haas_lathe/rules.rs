@@ -14,7 +14,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
     arc_without_center_is_line: false,
     live_tool_p: 0,
     second_spindle_p: 0,
-    corners_of_lines: true,
+    corner_words_in_g1: true,
     rules: Rules {
         rapid: RapidPath::DogLeg,
         // How F counts the C axis of a lathe is not known.

@@ -15,14 +15,14 @@ pub(in crate::controls) static MACROS: MacroRules = MacroRules {
 
 /// Numbers that no system parameter has. Those that the control's parameter file lists are kept while it is off.
 const VARIABLES: &[VariableRange] = &[
-    common(31, 5020),
-    common(5030, 5060),
-    common(5071, 5160),
-    common(5170, 5180),
-    common(5190, 5209),
-    common(5391, 5398),
-    common(5414, 5419),
-    common(5429, 5601),
+    volatile(31, 5020),
+    volatile(5030, 5060),
+    volatile(5071, 5160),
+    volatile(5170, 5180),
+    volatile(5190, 5209),
+    volatile(5391, 5398),
+    volatile(5414, 5419),
+    volatile(5429, 5601),
 ];
 
 /// Values of the axes U, V and W, which are not simulated, are what the program writes into them.

@@ -62,7 +62,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(560, CodeGroup::WorkOffset, Mode(WorkOffset(56)), "", "work offset 3"),
     row(570, CodeGroup::WorkOffset, Mode(WorkOffset(57)), "", "work offset 4"),
     row(580, CodeGroup::WorkOffset, Mode(WorkOffset(58)), "", "work offset 5"),
-    row(590, CodeGroup::WorkOffset, Mode(WorkOffsetCounted), "P", "work offset 6, or that of P"),
+    row(590, CodeGroup::WorkOffset, Mode(WorkOffsetByOrdinal), "P", "work offset 6, or that of P"),
     row(610, CodeGroup::PathMode, Mode(Path(PathCode::ExactStop)), "", "exact stop"),
     row(640, CodeGroup::PathMode, Mode(Path(PathCode::Continuous)), "", "constant velocity"),
     row(680, CodeGroup::Rotation, Once(Rotation), "ABRI", "rotation about A, B by R"),

@@ -14,12 +14,12 @@ pub(super) static MACROS: MacroRules = MacroRules {
 
 /// Numbers up to #10320 that no system parameter has.
 const VARIABLES: &[VariableRange] = &[
-    common(1, 1999),
-    common(2006, 5160),
-    common(5167, 5180),
-    common(5187, 5190),
-    common(5197, 5210),
-    common(5217, 5219),
+    volatile(1, 1999),
+    volatile(2006, 5160),
+    volatile(5167, 5180),
+    volatile(5187, 5190),
+    volatile(5197, 5210),
+    volatile(5217, 5219),
 ];
 
 const SYSTEM: &[SystemRow] = &[

@@ -10,11 +10,11 @@ pub(super) static MACROS: MacroRules = MacroRules {
     loop_depth: 27,
     alarm_base: 0,
     alarm_last: 9999,
-    modal_groups: super::super::fanuc::GROUPS,
+    modal_groups: super::super::fanuc::MODAL_GROUPS,
     ..MacroRules::MACRO_B
 };
 
-const COMMON: &[VariableRange] = &[common(100, 199), kept(400, 999), kept(900_000, 907_399)];
+const COMMON: &[VariableRange] = &[volatile(100, 199), non_volatile(400, 999), non_volatile(900_000, 907_399)];
 
 const SYSTEM: &[SystemRow] = &[
     system(1000, 1035, SystemVariable::Input),

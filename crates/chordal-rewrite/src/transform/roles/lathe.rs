@@ -93,7 +93,8 @@ impl LatheBlockSort {
             LatheBlockSort::Preset => increment(word, control),
             LatheBlockSort::Move => match word.letter {
                 b'I' | b'K' | b'R'
-                    if control.parameters.corners_of_lines && context.did == BlockEffect::Line =>
+                    if control.parameters.corner_words_in_g1
+                        && context.did == BlockEffect::Line =>
                 {
                     Some(NumberRole::Length)
                 }
