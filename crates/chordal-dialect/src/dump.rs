@@ -4,7 +4,7 @@
 //! use chordal_dialect::{dump, table};
 //! use chordal_machine::ControlName;
 //!
-//! let rows = table(ControlName::Grbl).firmware.unwrap().dump;
+//! let rows = table(ControlName::Grbl).unwrap().firmware.unwrap().dump;
 //! let read = dump::read("dump.txt", "$11=0.020\n$110=5000.000\n", rows).unwrap();
 //! assert_eq!(read[0].assignment, "settings.$11=0.020 mm");
 //! assert_eq!(read[1].assignment, "axes.X.max_velocity=5000.000 mm/min");

@@ -5,9 +5,8 @@
 
 use chordal::Job;
 use chordal::control::{Control, control_title};
+use chordal::diagnostics::FileId;
 use chordal::machine::ControlName;
-
-use crate::TransformRefusal;
 
 /// What works on word-address blocks only.
 const HELP: &str =
@@ -26,20 +25,31 @@ impl BlockControl for Job<'_> {
     }
 }
 
+/// The refusal of a program in another language.
+#[derive(Debug)]
+pub(crate) struct OtherLanguage {
+    /// The first line of the program.
+    pub first_line: String,
+    /// What is refused.
+    pub what: String,
+    /// What to do instead.
+    pub help: &'static str,
+}
+
 /// Refuses a job whose programs are not made of word-address blocks.
 ///
 /// # Errors
 /// The refusal.
-pub(crate) fn refuse_other_languages(job: &Job) -> Result<(), TransformRefusal> {
+pub(crate) fn refuse_other_languages(job: &Job) -> Result<(), OtherLanguage> {
     if job.word_address().is_some() {
         return Ok(());
     }
-    let text = String::from_utf8_lossy(crate::source::first_text(job));
-    Err(TransformRefusal {
-        line: 1,
-        text: text.lines().next().unwrap_or_default().to_string(),
+    let text = job.sources().get(FileId(0)).map_or(&[][..], |source| source.text());
+    let text = String::from_utf8_lossy(text);
+    Err(OtherLanguage {
+        first_line: text.lines().next().unwrap_or_default().to_string(),
         what: other_language(job.machine().control),
-        help: HELP.into(),
+        help: HELP,
     })
 }
 

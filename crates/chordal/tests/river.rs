@@ -91,9 +91,15 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ),
     ("chordal-memory", &[]),
     ("chordal-page", &["chordal-editor", "chordal-load", "chordal-memory", "chordal-view"]),
+    // The kernel and what it uses only for its tests, which bring a language along.
     (
         "chordal-cli",
         &[
+            "chordal-command",
+            "chordal-diagnostics",
+            "chordal-geometry",
+            "chordal-kernel",
+            "chordal-machine",
             "chordal",
             "chordal-ask",
             "chordal-calc",

@@ -15,7 +15,6 @@ use chordal::control::{
 };
 use chordal::machine::ControlName;
 
-use crate::machine::typical_name;
 use excerpt::TrialExcerpt;
 use trace::MotionTrace;
 
@@ -43,7 +42,10 @@ pub(crate) struct PossibleReading {
 
 /// The built-in machine of a candidate: the one that its signs indicate, or the default one of its control.
 pub(crate) fn machine_name(candidate: &ControlCandidate) -> &'static str {
-    candidate.machine().unwrap_or_else(|| typical_name(candidate.control))
+    candidate.machine().unwrap_or_else(|| {
+        let profile = control_profile(candidate.control);
+        profile.map_or(candidate.name, |profile| profile.default_machine)
+    })
 }
 
 /// The machine of a reading.

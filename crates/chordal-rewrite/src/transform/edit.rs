@@ -1,5 +1,6 @@
 //! Changes of a text by places, and why one cannot be made.
 
+use crate::word_address::OtherLanguage;
 use chordal::diagnostics::{Source, TextRange};
 use chordal::syntax::{Block, Word};
 
@@ -47,6 +48,13 @@ impl TransformRefusal {
     ) -> TransformRefusal {
         let words = String::from_utf8_lossy(block.range.slice(text)).trim().to_string();
         TransformRefusal { line: block.line, text: words, what: what.into(), help: help.into() }
+    }
+}
+
+impl From<OtherLanguage> for TransformRefusal {
+    fn from(refused: OtherLanguage) -> TransformRefusal {
+        let OtherLanguage { first_line, what, help } = refused;
+        TransformRefusal { line: 1, text: first_line, what, help: help.into() }
     }
 }
 

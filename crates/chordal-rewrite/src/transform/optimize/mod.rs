@@ -132,7 +132,7 @@ pub fn optimize(
     options: &OptimizeOptions,
     files: SetupFiles<'_>,
 ) -> Result<OptimizedProgram, OptimizeError> {
-    refuse_other_languages(job)?;
+    refuse_other_languages(job).map_err(TransformRefusal::from)?;
     let mut slices = MoveSlices::default();
     let before = job.engagement_with(&options.engagement, files, &mut |number, slice| {
         if options.split {
