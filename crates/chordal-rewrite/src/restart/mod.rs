@@ -73,8 +73,10 @@ pub fn prove_head(job: &Job, line: u32, text: &[u8]) -> Result<RestartProgram, R
 }
 
 fn begin(job: &Job, line: u32, provided: Option<&[u8]>) -> Result<RestartProgram, RestartRefusal> {
-    refuse_other_languages(job)
-        .map_err(|refused| RestartRefusal { reason: RefusalReason::Form, refusal: refused.into() })?;
+    refuse_other_languages(job).map_err(|refused| RestartRefusal {
+        reason: RefusalReason::Form,
+        refusal: refused.into(),
+    })?;
     let source = SourceBlocks::of(job);
     let requested = RestartRequest { job, source: &source, line };
     let main = requested.main()?;
