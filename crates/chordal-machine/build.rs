@@ -9,7 +9,9 @@ fn main() {
     let root =
         PathBuf::from(env::var("CARGO_MANIFEST_DIR").expect("cargo names the crate's folder"));
     let controls = root.join("../chordal-dialect/src/controls");
+    let sinumerik = root.join("../chordal-sinumerik/machines");
     println!("cargo::rerun-if-changed={}", controls.display());
+    println!("cargo::rerun-if-changed={}", sinumerik.display());
     let mut files: Vec<PathBuf> = Vec::new();
     for control in entries(&controls) {
         let machines = control.join("machines");
@@ -17,6 +19,7 @@ fn main() {
             files.extend(entries(&machines));
         }
     }
+    files.extend(entries(&sinumerik));
     files.retain(|file| file.extension().is_some_and(|ending| ending == "toml"));
     files.sort_by_key(|file| file.file_stem().map(ToOwned::to_owned));
     let mut text = String::from(

@@ -13,8 +13,10 @@ use crate::state_items::{StateItem, StateValue};
 pub enum CornerForm {
     /// An arc that touches both moves.
     Rounding,
-    /// A straight line.
+    /// A straight line whose ends are at the size from the corner.
     Chamfer,
+    /// A straight line of this length, with both ends equally far from the corner (Sinumerik CHF).
+    ChamferOfLength,
     /// A straight line between the points where a rounding of this radius would touch both moves.
     ChordOfRounding,
 }

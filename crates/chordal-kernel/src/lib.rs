@@ -13,7 +13,7 @@
 //! assert_eq!(rules.start_mode(), PathMode::ExactStop);
 //! ```
 //!
-//! `tests/made_up_language.rs` drives the kernel by a language of ten lines.
+//! `tests/made_up_language.rs` drives the kernel by a language of eleven words.
 
 #![forbid(unsafe_code)]
 

@@ -12,24 +12,26 @@ static REGISTERED_NAMES: RwLock<Vec<&'static str>> = RwLock::new(Vec::new());
 pub struct RegisteredControl(&'static str);
 
 macro_rules! names {
-    ($($name:ident $folder:ident $word:literal,)*) => {
+    ($($name:ident $folder:ident $word:literal,)* ; $($other:ident $other_word:literal,)*) => {
         /// The control of a machine, by whose rules its programs are run.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[allow(missing_docs, reason = "each is the control of its folder")]
         pub enum ControlName {
             $($name,)*
+            $($other,)*
             /// A control of a language that the application has registered.
             Registered(RegisteredControl),
         }
 
         impl ControlName {
             /// Every built-in control.
-            pub const ALL: &'static [ControlName] = &[$(ControlName::$name),*];
+            pub const ALL: &'static [ControlName] = &[$(ControlName::$name,)* $(ControlName::$other,)*];
 
             /// The name in machine files, lower case.
             pub const fn as_str(self) -> &'static str {
                 match self {
                     $(ControlName::$name => $word,)*
+                    $(ControlName::$other => $other_word,)*
                     ControlName::Registered(RegisteredControl(word)) => word,
                 }
             }

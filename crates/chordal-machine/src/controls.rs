@@ -21,6 +21,10 @@ macro_rules! controls {
             Fluidnc fluidnc "fluidnc",
             Mach3 mach3 "mach3",
             Marlin marlin "marlin",
+            ;
+            // Controls whose programs are not made of word-address blocks: name in Rust, name in machine files. Each
+            // is a control of a language crate.
+            Sinumerik "sinumerik",
         }
     };
 }

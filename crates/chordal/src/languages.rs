@@ -8,9 +8,10 @@ use chordal_kernel::{
     SettingError,
 };
 use chordal_machine::{ControlName, Machine};
+use chordal_sinumerik::SinumerikLanguage;
 
 /// The languages that are built in.
-const BUILT_IN: [&dyn ProgrammingLanguage; 1] = [&WordAddressLanguage];
+const BUILT_IN: [&dyn ProgrammingLanguage; 2] = [&WordAddressLanguage, &SinumerikLanguage];
 
 /// The languages that the application has added.
 static REGISTERED: RwLock<Vec<&'static dyn ProgrammingLanguage>> = RwLock::new(Vec::new());

@@ -40,6 +40,16 @@ const MAY_USE: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "chordal-sinumerik",
+        &[
+            "chordal-diagnostics",
+            "chordal-geometry",
+            "chordal-machine",
+            "chordal-command",
+            "chordal-kernel",
+        ],
+    ),
+    (
         "chordal-path",
         &[
             "chordal-command",
@@ -62,6 +72,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "chordal-kernel",
             "chordal-dialect",
             "chordal-gcode",
+            "chordal-sinumerik",
             "chordal-path",
             "chordal-motion",
             "chordal-stock",

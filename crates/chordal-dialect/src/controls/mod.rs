@@ -6,7 +6,7 @@ use chordal_machine::ControlName;
 use crate::table::ControlTable;
 
 macro_rules! tables {
-    ($($name:ident $folder:ident $word:literal,)*) => {
+    ($($name:ident $folder:ident $word:literal,)* ; $($other:ident $other_word:literal,)*) => {
         $(pub(crate) mod $folder;)*
 
         /// Every control with word-address blocks, in the order of the list.
@@ -16,6 +16,7 @@ macro_rules! tables {
         pub fn table(name: ControlName) -> Option<&'static ControlTable> {
             match name {
                 $(ControlName::$name => Some(&$folder::TABLE),)*
+                $(ControlName::$other => None,)*
                 ControlName::Registered(_) => None,
             }
         }

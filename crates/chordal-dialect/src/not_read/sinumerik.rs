@@ -1,4 +1,4 @@
-//! Programs of SINUMERIK 840D and 828D.
+//! Programs of SINUMERIK 840D and 828D, which `chordal-sinumerik` reads.
 
 use super::NotRead;
 use crate::recognition::{RecognitionEvidence, RecognitionSign, TextForm, evidence};
@@ -7,11 +7,11 @@ use chordal_machine::ControlName;
 pub(super) const SINUMERIK: NotRead = NotRead {
     name: "sinumerik",
     what: "a program for a Sinumerik",
-    why: "Sinumerik programs are not read yet",
+    why: "",
     signs: SIGNS,
     needed: 7,
     own: &[],
-    shown_on: ControlName::Fanuc,
+    shown_on: ControlName::Sinumerik,
 };
 
 const NAMES: &[&str] = &["SINUMERIK", "SIEMENS", "840D", "828D", "810D", "SHOPMILL", "840DSL"];

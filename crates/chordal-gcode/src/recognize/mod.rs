@@ -85,7 +85,7 @@ fn candidate(
         name,
         title,
         control,
-        not_read: not_read.is_some(),
+        not_read: not_read.is_some_and(|language| !language.is_read()),
         weight,
         signs,
         errors: None,

@@ -71,6 +71,14 @@ fn turn(from: CornerPoint, to: CornerPoint, sense: f64) -> f64 {
     if angle > TAU - ROUNDING_RAD { 0.0 } else { angle }
 }
 
+/// How far the ends of a chamfer of a length are from the corner, mm: half the length over the cosine of half the
+/// change of direction.
+pub(super) fn leg_of_chamfer(one: &CornerLeg, two: &CornerLeg, length: f64) -> f64 {
+    let [from, to] = [one.direction_at(one.to), two.direction_at(two.from)];
+    let change = libm::atan2(cross(from, to), dot(from, to));
+    length / (2.0 * libm::cos(change / 2.0))
+}
+
 impl CornerLeg {
     /// Its length, mm.
     pub fn length(&self) -> f64 {

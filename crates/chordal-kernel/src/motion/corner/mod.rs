@@ -216,7 +216,7 @@ impl Kernel<'_> {
                 let what = format!("the move is an arc; {title} does this between straight moves");
                 return Err(refusal(other, what, "write the corner as a block of its own"));
             }
-            if corner.form == CornerForm::Chamfer {
+            if matches!(corner.form, CornerForm::Chamfer | CornerForm::ChamferOfLength) {
                 return Err(refusal(
                     Code::NotFollowed,
                     "the move is an arc; chamfers are carried out between straight moves only",
@@ -291,6 +291,10 @@ impl Kernel<'_> {
         let fit = match queued.corner.form {
             CornerForm::Rounding => fit::rounding(&one, &two, queued.corner.size_mm, straight),
             CornerForm::Chamfer => fit::chamfer(&one, &two, queued.corner.size_mm, straight),
+            CornerForm::ChamferOfLength => {
+                let leg = fit::leg_of_chamfer(&one, &two, queued.corner.size_mm);
+                fit::chamfer(&one, &two, leg, straight)
+            }
             CornerForm::ChordOfRounding => {
                 let fit = fit::rounding(&one, &two, queued.corner.size_mm, straight);
                 fit.map(|fit| fit.map(|fit| fit::CornerFit { arc: None, ..fit }))
@@ -360,7 +364,9 @@ impl Kernel<'_> {
     ) -> CornerRefusal {
         let form = match corner.form {
             CornerForm::Rounding => "a radius",
-            CornerForm::Chamfer | CornerForm::ChordOfRounding => "a chamfer",
+            CornerForm::Chamfer | CornerForm::ChamferOfLength | CornerForm::ChordOfRounding => {
+                "a chamfer"
+            }
         };
         let room = match misfit {
             CornerMisfit::Reversal => {
@@ -491,7 +497,9 @@ impl Kernel<'_> {
         }
         let form = match corner.form {
             CornerForm::Rounding => "rounding",
-            CornerForm::Chamfer | CornerForm::ChordOfRounding => "chamfer",
+            CornerForm::Chamfer | CornerForm::ChamferOfLength | CornerForm::ChordOfRounding => {
+                "chamfer"
+            }
         };
         let name = corner.name;
         let diagnostic = Diagnostic::new(

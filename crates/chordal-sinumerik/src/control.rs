@@ -1,0 +1,222 @@
+//! The controls of the language, and the language itself.
+
+use std::any::Any;
+use std::sync::Arc;
+
+use chordal_command::{AxisMask, RapidPath, Units, WorkNaming};
+use chordal_diagnostics::{Code, SourceMap};
+use chordal_kernel::rules::{
+    ArcRules, CompensationEntry, CompensationRules, CornerMoves, LengthRules, OutsideCorner,
+    RoundingRules, Rules,
+};
+use chordal_kernel::{
+    ConfiguredControl, ControlCandidate, ControlProfile, ProgramName, ProgramSet,
+    ProgrammingLanguage, RunOptions, SettingError,
+};
+use chordal_machine::{AXES, ControlName, Machine, SettingValue};
+
+use crate::run::SinumerikPrograms;
+use crate::syntax::{BlockReader, StatementKind, units};
+
+/// The facts of the control.
+pub const PROFILE: ControlProfile = ControlProfile {
+    name: "sinumerik",
+    title: "Sinumerik 840D",
+    source: "NC Programming 12/2019, Job Planning 07/2010, Fundamentals and Cycles 11/2006, Diagnostics 03/2013",
+    default_machine: "sinumerik-mill",
+    alarms: &[
+        (Code::MissingFeed, "10860 feedrate not programmed"),
+        (Code::RadiusMismatch, "14040 error in the end point of the circle"),
+        (Code::TravelExceeded, "10720 programmed end point lies behind the software limit switch"),
+        (Code::InsideArcTooSmall, "10751 danger of collision in tool radius compensation"),
+        (Code::CompensationInterference, "10751 danger of collision in tool radius compensation"),
+        (
+            Code::TooManyIdleBlocks,
+            "10762 too many empty blocks between two moves with tool radius compensation",
+        ),
+        (Code::NoOffsetIntersection, "10751 danger of collision in tool radius compensation"),
+    ],
+    work_names: WorkNaming { extended: "G505", first: 505, by_e: false },
+    turns: false,
+};
+
+/// The rules of the control: MD20150 at its defaults.
+const RULES: Rules = Rules {
+    units: Units::Millimetre,
+    starts_linear: true,
+    rapid: RapidPath::Straight,
+    outside_corner: OutsideCorner::Arc,
+    compensation_entry: CompensationEntry::A,
+    compensation: CompensationRules {
+        corner_of_next: true,
+        offset_of_tool: true,
+        ..CompensationRules::COMMON
+    },
+    arc: ArcRules {
+        arc_center: chordal_kernel::rules::ArcCenter::Absolute,
+        // The radii were compared before, and the centre is on the bisector.
+        judged_before: true,
+        ..ArcRules::COMMON
+    },
+    corner: RoundingRules { moves: CornerMoves::LinesAndArcs, ..RoundingRules::COMMON },
+    length: LengthRules::COMMON,
+    ..Rules::COMMON
+};
+
+/// Choices of the machine builder that the references leave open or that differ between machines.
+#[derive(Clone, Copy, Debug)]
+pub struct SinumerikSettings {
+    /// M6 changes the tool (MD22550 = 1); otherwise T does.
+    pub tool_change_by_m6: bool,
+    /// Number of R parameters (MD28050).
+    pub r_parameters: u32,
+}
+
+impl SinumerikSettings {
+    /// The defaults of the machine data.
+    const DEFAULT: SinumerikSettings =
+        SinumerikSettings { tool_change_by_m6: true, r_parameters: 100 };
+
+    /// Takes a setting of a machine file by the name of its machine datum.
+    ///
+    /// # Errors
+    /// What the datum takes, or that it is not known.
+    fn take(&mut self, name: &str, value: &SettingValue) -> Result<(), String> {
+        let number = match value {
+            SettingValue::Integer(number) => Some(*number),
+            _ => None,
+        };
+        match (name, number) {
+            ("MD22550", Some(number @ (0 | 1))) => self.tool_change_by_m6 = number == 1,
+            ("MD22550", _) => return Err("MD22550 is 1 (M6 changes the tool) or 0 (T does)".into()),
+            ("MD28050", Some(number @ 0..=32_535)) => self.r_parameters = number as u32,
+            ("MD28050", _) => {
+                return Err("MD28050 is the number of R parameters, 0 to 32535".into());
+            }
+            _ => return Err(format!("{} has no setting {name} here", PROFILE.title)),
+        }
+        Ok(())
+    }
+}
+
+/// The control of a machine.
+#[derive(Debug)]
+pub struct SinumerikControl {
+    rules: Rules,
+    axes: AxisMask,
+    /// Choices of the machine builder.
+    pub settings: SinumerikSettings,
+}
+
+impl ConfiguredControl for SinumerikControl {
+    fn profile(&self) -> ControlProfile {
+        PROFILE
+    }
+
+    fn rules(&self) -> &Rules {
+        &self.rules
+    }
+
+    fn axes(&self) -> AxisMask {
+        self.axes
+    }
+
+    fn open<'a>(
+        &'a self,
+        sources: &'a SourceMap<'a>,
+        machine: &'a Machine,
+        options: &'a RunOptions,
+    ) -> Box<dyn ProgramSet + 'a> {
+        Box::new(SinumerikPrograms::new(self, sources, machine, options))
+    }
+
+    fn program_names(&self, text: &[u8]) -> Vec<ProgramName> {
+        units(text).into_iter().filter_map(|unit| unit.name).map(ProgramName::from).collect()
+    }
+
+    fn called_programs(&self, text: &[u8]) -> Vec<ProgramName> {
+        let mut names: Vec<ProgramName> = Vec::new();
+        for block in BlockReader::new(text) {
+            for statement in block.statements {
+                let name = match statement.kind {
+                    StatementKind::Call(call) | StatementKind::ModalCall(Some(call)) => call.name,
+                    StatementKind::Name(name) => name,
+                    StatementKind::Word(word) if word.address.name == "L" => {
+                        String::from_utf8_lossy(statement.range.slice(text)).to_ascii_uppercase()
+                    }
+                    _ => continue,
+                };
+                if !crate::vocabulary::is_known_name(&name)
+                    && !crate::cycles::CYCLES.iter().any(|cycle| cycle.name == name)
+                {
+                    names.push(ProgramName::from(name));
+                }
+            }
+        }
+        names.sort();
+        names.dedup();
+        names
+    }
+
+    fn names_units(&self, _: &[u8]) -> bool {
+        // G71 is in force at power-on (MD20150).
+        true
+    }
+
+    fn subprogram_extensions(&self) -> &'static [&'static str] {
+        &["spf", "mpf"]
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
+    }
+}
+
+/// The language of Sinumerik part programs.
+#[derive(Debug)]
+pub struct SinumerikLanguage;
+
+impl ProgrammingLanguage for SinumerikLanguage {
+    fn title(&self) -> &'static str {
+        "Sinumerik"
+    }
+
+    fn profile(&self, control: ControlName) -> Option<ControlProfile> {
+        (control.as_str() == PROFILE.name).then_some(PROFILE)
+    }
+
+    fn configure(
+        &self,
+        machine: &Machine,
+    ) -> Option<(Arc<dyn ConfiguredControl>, Vec<SettingError>)> {
+        self.profile(machine.control)?;
+        let mut axes = AxisMask::NONE;
+        (0..AXES).filter(|axis| machine.axes[*axis].is_some()).for_each(|axis| axes.insert(axis));
+        let mut settings = SinumerikSettings::DEFAULT;
+        let mut refused = Vec::new();
+        for (name, entry) in &machine.settings {
+            if let Err(message) = settings.take(name, &entry.value) {
+                let help = Some("it has MD22550 and MD28050".to_string());
+                refused.push(SettingError { name: name.clone(), message, help });
+            }
+        }
+        let control = SinumerikControl { rules: RULES, axes, settings };
+        Some((Arc::new(control), refused))
+    }
+
+    fn has_program_line(&self, text: &[u8]) -> bool {
+        const BEGINNINGS: [&[u8]; 6] = [b"%_N_", b"MCALL", b"CYCLE", b"TRANS", b"DEF ", b"PROC "];
+        text.split(|byte| matches!(byte, b'\n' | b'\r')).any(|line| {
+            let line = line.trim_ascii_start();
+            BEGINNINGS.iter().any(|beginning| {
+                line.get(..beginning.len())
+                    .is_some_and(|start| start.eq_ignore_ascii_case(beginning))
+            })
+        })
+    }
+
+    fn recognize(&self, _: &[u8]) -> Vec<ControlCandidate> {
+        // The signs are searched with those of all other languages, in one pass over the text.
+        Vec::new()
+    }
+}

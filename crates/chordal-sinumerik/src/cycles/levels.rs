@@ -1,0 +1,113 @@
+//! The planes and depths of a hole, which all drilling cycles compute alike.
+
+use super::arguments::{CycleCall, CycleFault, NO_ALARM};
+
+/// The reference plane is defined incorrectly.
+pub(super) const REFERENCE_PLANE: u32 = 61_101;
+
+/// The levels of a hole: absolute coordinates of the drilling axis.
+#[derive(Clone, Copy)]
+pub(super) struct HoleLevels {
+    /// RTP: where the cycle ends.
+    pub(super) retract: f64,
+    /// RFP: the surface.
+    pub(super) reference: f64,
+    /// The reference plane and the safety distance: where the feed starts.
+    pub(super) start: f64,
+    /// The bottom of the hole.
+    pub(super) bottom: f64,
+    /// 1 when the hole goes toward smaller coordinates, otherwise -1.
+    pub(super) direction: f64,
+}
+
+/// Which of DP and DPR is the depth.
+#[derive(Clone, Copy, PartialEq)]
+enum DepthChoice {
+    /// DPR if it is not 0, otherwise DP: `_AMODE` is 0 or missing.
+    Compatible,
+    Relative,
+    Absolute,
+}
+
+impl HoleLevels {
+    /// The levels of a call; `None` when the reference plane is the depth, where the cycle does nothing (CYCLE82,
+    /// version 06.02.09).
+    ///
+    /// # Errors
+    /// 61101 when RTP = RFP with a relative depth, or when the retract plane and the depth are on the same side.
+    pub(super) fn of_call(call: &CycleCall<'_>) -> Result<Option<HoleLevels>, CycleFault> {
+        let (retract, reference) = (call.number("RTP"), call.number("RFP"));
+        let relative = call.magnitude("DPR");
+        let uses_relative = match depth_choice(call)? {
+            DepthChoice::Compatible => relative != 0.0,
+            DepthChoice::Relative => true,
+            DepthChoice::Absolute => false,
+        };
+        let bottom = if !uses_relative {
+            call.number("DP")
+        } else if retract == reference {
+            let text =
+                "with a relative depth the retract plane must differ from the reference plane";
+            return Err(call.fault(REFERENCE_PLANE, Some("RFP"), text));
+        } else {
+            reference - (retract - reference).signum() * relative
+        };
+        if reference == bottom {
+            return Ok(None);
+        }
+        let direction = (reference - bottom).signum();
+        if (retract - reference) * direction < 0.0 {
+            let text = "the reference plane must be between the retract plane and the depth";
+            return Err(call.fault(REFERENCE_PLANE, Some("RFP"), text));
+        }
+        let start = reference + direction * call.magnitude("SDIS");
+        Ok(Some(HoleLevels { retract, reference, start, bottom, direction }))
+    }
+
+    /// The depth of the bottom below the reference plane: more than 0.
+    pub(super) fn total(&self) -> f64 {
+        (self.reference - self.bottom).abs()
+    }
+
+    /// The level at a depth below the reference plane.
+    pub(super) fn at_depth(&self, depth: f64) -> f64 {
+        if depth == self.total() { self.bottom } else { self.reference - self.direction * depth }
+    }
+
+    /// The level at a depth, but not above the start plane.
+    pub(super) fn at_depth_below_start(&self, depth: f64) -> f64 {
+        let level = self.at_depth(depth);
+        if (level - self.start) * self.direction > 0.0 { self.start } else { level }
+    }
+}
+
+/// The last digit of `_AMODE` chooses between DP and DPR: 0 as older versions, 1 relative, 2 absolute.
+fn depth_choice(call: &CycleCall<'_>) -> Result<DepthChoice, CycleFault> {
+    match call.integer("_AMODE") % 10 {
+        0 => Ok(DepthChoice::Compatible),
+        1 => Ok(DepthChoice::Relative),
+        2 => Ok(DepthChoice::Absolute),
+        _ => Err(unmodelled(call, "_AMODE")),
+    }
+}
+
+/// The dwell DTB as G4 takes it: seconds, or revolutions when negative. The second digit of `_AMODE` chooses the unit: 0
+/// by the sign, 1 seconds, 2 revolutions.
+///
+/// # Errors
+/// `_AMODE` has digits that are not modelled: they choose the units of further arguments.
+pub(super) fn dwell_at_bottom(call: &CycleCall<'_>) -> Result<f64, CycleFault> {
+    let amount = call.number("DTB");
+    match call.integer("_AMODE") / 10 {
+        0 => Ok(amount),
+        1 => Ok(amount.abs()),
+        2 => Ok(-amount.abs()),
+        _ => Err(unmodelled(call, "_AMODE")),
+    }
+}
+
+pub(super) fn unmodelled(call: &CycleCall<'_>, parameter: &str) -> CycleFault {
+    let text =
+        format!("{} = {} of {} is not modelled", parameter, call.number(parameter), call.name());
+    call.fault(NO_ALARM, Some(parameter), &text)
+}

@@ -1,0 +1,17 @@
+//! The language of Sinumerik 840D and 828D: reads part programs and drives the kernel.
+//!
+//! `syntax` reads the text into blocks and never fails; `values` are those of variables and expressions; `cycles` says
+//! what the standard cycles do; `run` carries a program out.
+
+#![forbid(unsafe_code)]
+
+mod alarms;
+mod control;
+pub mod cycles;
+mod run;
+pub mod syntax;
+pub mod values;
+mod vocabulary;
+
+pub use control::{SinumerikControl, SinumerikLanguage, SinumerikSettings};
+pub use run::SinumerikPrograms;

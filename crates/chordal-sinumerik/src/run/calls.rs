@@ -1,0 +1,456 @@
+//! Subprograms, repeated parts and modal calls.
+
+use std::collections::HashMap;
+
+use chordal_diagnostics::{Code, Diagnostic, TextRange};
+use chordal_kernel::{EndReason, ProgramName};
+
+use super::interpreter::{BlockFlow, Interpreter, RunningProgram};
+use super::variables::{ProgramVariable, zero_of};
+use crate::syntax::{
+    Address, CallStatement, Expression, ExpressionKind, IndirectCall, JumpDirection, ProcedureHead,
+    ProgramBlock, RepeatPart, StatementKind, VariableDefinition, WordValue,
+};
+use crate::values::SinumerikValue;
+
+/// Levels of calls at most (MD of the channel: 16 of which the main program is one).
+const MAX_LEVELS: usize = 16;
+
+/// The cycle or program that runs after each block with path motion (`MCALL`).
+#[derive(Clone, Debug)]
+pub struct ModalCycle {
+    /// Its name in upper case.
+    pub name: String,
+    /// Its arguments, evaluated at the `MCALL`.
+    pub arguments: Vec<Option<SinumerikValue>>,
+    /// The text of the call.
+    pub range: TextRange,
+}
+
+/// A part of a program that is repeated (`REPEAT LABEL`).
+#[derive(Clone, Debug)]
+pub struct PartRepeat {
+    /// Its first block: byte and line.
+    pub start: (u32, u32),
+    /// The block after which it ends, by its first byte.
+    pub last: u32,
+    /// How often it still runs.
+    pub left: u32,
+    /// Where the program goes on: byte and line.
+    pub resume: (u32, u32),
+}
+
+/// What a call runs.
+struct CallRequest<'c> {
+    name: &'c str,
+    range: TextRange,
+    arguments: Vec<Option<SinumerikValue>>,
+    /// The caller's variables that are named alone as arguments, for `VAR` parameters.
+    names: Vec<Option<String>>,
+    passes: u32,
+    is_modal: bool,
+}
+
+impl Interpreter<'_> {
+    /// The value of an address as a number; `None` if it has none.
+    pub(super) fn read(&mut self, address: &Address) -> Option<f64> {
+        let kind = ExpressionKind::Variable(address.clone());
+        self.number(&Expression { range: address.range, kind })
+    }
+
+    /// Writes a variable; a problem is reported.
+    pub(super) fn write(&mut self, address: &Address, value: SinumerikValue) {
+        let indices: Option<Vec<i64>> = address
+            .indices
+            .iter()
+            .map(|index| self.number(index).map(|number| number.round() as i64))
+            .collect();
+        let Some(indices) = indices else { return };
+        if address.name.starts_with('$') {
+            let message = format!(
+                "{} is written and not followed: what it changes is missing here",
+                address.name
+            );
+            self.not_followed(address.range, message);
+        }
+        if let Err(error) = self.variables.write(address, &indices, value) {
+            self.report_evaluation(error);
+        }
+    }
+
+    /// `DEF`: variables of the running program.
+    pub(super) fn define(&mut self, definition: &VariableDefinition) -> BlockFlow {
+        for defined in &definition.variables {
+            let sizes: Option<Vec<usize>> = defined
+                .sizes
+                .iter()
+                .map(|size| self.count(size).map(|count| count as usize))
+                .collect();
+            let Some(sizes) = sizes else { continue };
+            let mut variable = match ProgramVariable::new(definition.kind, sizes) {
+                Ok(variable) => variable,
+                Err(message) => {
+                    self.alarm(12080, Code::BadStatement, defined.range, message);
+                    continue;
+                }
+            };
+            if let Some(initial) = &defined.initial {
+                self.fill(&mut variable, initial);
+            }
+            if let Some(locals) = self.variables.locals.last_mut() {
+                locals.insert(defined.name.clone(), variable);
+            }
+        }
+        BlockFlow::Next
+    }
+
+    /// Gives a variable its first values.
+    fn fill(&mut self, variable: &mut ProgramVariable, initial: &WordValue) {
+        let values: Vec<&Expression> = match initial {
+            WordValue::Plain(value)
+            | WordValue::Repeated(value)
+            | WordValue::Function(_, value) => {
+                vec![value; variable.values.len()]
+            }
+            WordValue::Set(values) => values.iter().collect(),
+        };
+        for (place, expression) in values.into_iter().enumerate().take(variable.values.len()) {
+            let Some(value) = self.value(expression) else { return };
+            match value.converted(variable.kind) {
+                Ok(value) => variable.values[place] = value,
+                Err(fault) => {
+                    return self.alarm(
+                        fault.alarm,
+                        Code::BadExpression,
+                        expression.range,
+                        fault.message,
+                    );
+                }
+            }
+        }
+    }
+
+    /// Assigns to an array, or to a single variable.
+    pub(super) fn assign(&mut self, address: &Address, value: &WordValue) {
+        match value {
+            WordValue::Plain(expression) | WordValue::Function(_, expression) => {
+                if let Some(value) = self.value(expression) {
+                    self.write(address, value);
+                }
+            }
+            WordValue::Set(_) | WordValue::Repeated(_) => {
+                let Some(mut variable) = self.variables.local(&address.name).cloned() else {
+                    let message = format!("the name {} is not defined", address.name);
+                    return self.alarm(12550, Code::BadVariable, address.range, message);
+                };
+                self.fill(&mut variable, value);
+                if let Some(own) = self.variables.local(&address.name) {
+                    *own = variable;
+                }
+            }
+        }
+    }
+
+    /// `REPEAT LABEL`: runs a part again.
+    pub(super) fn repeat_part(&mut self, block: &ProgramBlock, part: &RepeatPart) -> BlockFlow {
+        let times = match &part.times {
+            Some(times) => self.count(times).unwrap_or(0),
+            None => 1,
+        };
+        let Some(start) = self.find_target(&part.from, JumpDirection::Both) else {
+            let message = format!("no block has the label {}", part.from);
+            self.alarm(14080, Code::MissingLabel, block.range, message);
+            return BlockFlow::End(EndReason::LostJump);
+        };
+        let last = match (&part.to, part.is_single_block) {
+            (_, true) => start.0,
+            (Some(label), false) => match self.find_target(label, JumpDirection::Both) {
+                Some(place) => place.0,
+                None => {
+                    let message = format!("no block has the label {label}");
+                    self.alarm(14080, Code::MissingLabel, block.range, message);
+                    return BlockFlow::End(EndReason::LostJump);
+                }
+            },
+            (None, false) => self.end_label(start, block.range.start),
+        };
+        if times == 0 {
+            return BlockFlow::Next;
+        }
+        let resume = (self.running().reader.offset(), self.running().reader.line());
+        self.running().repeats.push(PartRepeat { start, last, left: times, resume });
+        self.running().reader.seek(start.0, start.1);
+        BlockFlow::Next
+    }
+
+    /// The last block of a part that begins at a label: the one with `ENDLABEL:`, or the one before the `REPEAT`.
+    fn end_label(&mut self, start: (u32, u32), repeat: u32) -> u32 {
+        let program = self.running().program;
+        let mut reader = self.programs.reader(program);
+        reader.seek(start.0, start.1);
+        let mut last = start.0;
+        for block in reader {
+            if block.range.start >= repeat && repeat > start.0 {
+                return last;
+            }
+            last = block.range.start;
+            if block.label.as_ref().is_some_and(|label| label.name == "ENDLABEL") {
+                return last;
+            }
+        }
+        last
+    }
+
+    /// After a block: whether the part that is repeated ends with it.
+    pub(super) fn part_ends(&mut self, block: &ProgramBlock) -> BlockFlow {
+        let ended =
+            self.running().repeats.last().is_some_and(|repeat| repeat.last == block.range.start);
+        if !ended {
+            return BlockFlow::Next;
+        }
+        let running = self.running();
+        let Some(repeat) = running.repeats.last_mut() else { return BlockFlow::Next };
+        repeat.left -= 1;
+        let place = if repeat.left > 0 { repeat.start } else { repeat.resume };
+        if repeat.left == 0 {
+            running.repeats.pop();
+        }
+        running.reader.seek(place.0, place.1);
+        BlockFlow::Next
+    }
+
+    /// The end of a program's text, or M17, RET, M30: a return to the caller, the next pass, or the end of the run.
+    pub(super) fn program_ends(&mut self) -> BlockFlow {
+        if self.running().passes_left > 0 {
+            let program = self.running().program;
+            let reader = self.programs.reader(program);
+            let running = self.running();
+            running.passes_left -= 1;
+            running.loops.clear();
+            running.reader = reader;
+            return BlockFlow::Next;
+        }
+        if self.stack.len() <= 1 {
+            return BlockFlow::End(EndReason::EndOfText);
+        }
+        let Some(ended) = self.stack.pop() else { return BlockFlow::End(EndReason::EndOfText) };
+        let locals = self.variables.locals.pop().unwrap_or_default();
+        for (own, callers) in ended.references {
+            if let (Some(from), Some(to)) = (locals.get(&own), self.variables.local(&callers)) {
+                to.values.clone_from(&from.values);
+            }
+        }
+        if let Some(saved) = ended.saved {
+            self.restore_modes(*saved);
+        }
+        BlockFlow::Next
+    }
+
+    /// A call by name: of a cycle, or of a program.
+    pub(super) fn call(&mut self, call: &CallStatement, passes: Option<u32>) -> BlockFlow {
+        let arguments = call.arguments.as_deref().unwrap_or_default();
+        let Some(values) = self.arguments(arguments) else { return BlockFlow::Next };
+        if self.is_cycle(&call.name) && self.programs.find_name(&call.name).is_none() {
+            self.run_cycle(&call.name, &values, call.range);
+            return BlockFlow::Next;
+        }
+        let name_of =
+            |argument: &Option<Expression>| match argument.as_ref().map(|value| &value.kind) {
+                Some(ExpressionKind::Variable(address)) if address.indices.is_empty() => {
+                    Some(address.name.clone())
+                }
+                _ => None,
+            };
+        self.call_program(CallRequest {
+            name: &call.name,
+            range: call.range,
+            arguments: values,
+            names: arguments.iter().map(name_of).collect(),
+            passes: passes.unwrap_or(1),
+            is_modal: false,
+        })
+    }
+
+    /// The values of arguments; `None` if one has no value, which is reported.
+    fn arguments(
+        &mut self,
+        arguments: &[Option<Expression>],
+    ) -> Option<Vec<Option<SinumerikValue>>> {
+        arguments
+            .iter()
+            .map(|argument| match argument {
+                None => Some(None),
+                Some(expression) => self.value(expression).map(Some),
+            })
+            .collect()
+    }
+
+    fn call_program(&mut self, request: CallRequest<'_>) -> BlockFlow {
+        let Some(program) = self.programs.find_name(request.name) else {
+            let name = ProgramName::from(request.name.to_string());
+            if !self.missing.contains(&name) {
+                self.missing.push(name);
+            }
+            let message = format!("there is no program {}", request.name);
+            let help = "give its file with the program, or put it into the same folder; what it moves is missing here";
+            let diagnostic =
+                Diagnostic::new(Code::MissingSubprogram, self.span(request.range), message);
+            self.report_alarm(14011, diagnostic.help(help));
+            return BlockFlow::Next;
+        };
+        if request.passes == 0 {
+            let message = "the number of passes must be 1 or more";
+            self.alarm(14013, Code::BadWordValue, request.range, message);
+            return BlockFlow::Next;
+        }
+        if self.stack.len() >= MAX_LEVELS {
+            let message = format!("more than {MAX_LEVELS} programs call each other");
+            self.alarm(14012, Code::NestingTooDeep, request.range, message);
+            return BlockFlow::End(EndReason::Alarm);
+        }
+        let block = self.span(self.here());
+        let caller = self.running().call;
+        let call = self.kernel.calls.enter(caller, block);
+        let reader = self.programs.reader(program);
+        let head = procedure_of(&mut self.programs.reader(program));
+        let (locals, references) = self.parameters(head.as_ref(), &request);
+        let saved = head.as_ref().filter(|head| head.saves).map(|_| Box::new(self.modes.clone()));
+        self.variables.locals.push(locals);
+        self.stack.push(RunningProgram {
+            program,
+            reader,
+            loops: Vec::new(),
+            repeats: Vec::new(),
+            passes_left: request.passes - 1,
+            call,
+            saved,
+            references,
+            is_modal_call: request.is_modal,
+            open_branches: 0,
+            has_jumped: false,
+            targets: None,
+        });
+        BlockFlow::Next
+    }
+
+    /// The variables of a program with parameters, and which of the caller's get their values back.
+    fn parameters(
+        &mut self,
+        head: Option<&ProcedureHead>,
+        request: &CallRequest<'_>,
+    ) -> (HashMap<String, ProgramVariable>, Vec<(String, String)>) {
+        let (mut locals, mut references) = (HashMap::new(), Vec::new());
+        let parameters = head.map_or(&[][..], |head| &head.parameters);
+        if request.arguments.len() > parameters.len() {
+            let message = format!(
+                "{} has {} parameters, and the call gives {}",
+                request.name,
+                parameters.len(),
+                request.arguments.len()
+            );
+            self.alarm(12340, Code::BadArgument, request.range, message);
+        }
+        for (place, parameter) in parameters.iter().enumerate() {
+            let given = request.arguments.get(place).cloned().flatten();
+            let given = given.or_else(|| self.value(parameter.default.as_ref()?));
+            let value = given.and_then(|value| value.converted(parameter.kind).ok());
+            let value = value.unwrap_or_else(|| zero_of(parameter.kind));
+            let variable =
+                ProgramVariable { kind: parameter.kind, sizes: Vec::new(), values: vec![value] };
+            locals.insert(parameter.name.clone(), variable);
+            if parameter.is_reference
+                && let Some(Some(name)) = request.names.get(place)
+            {
+                references.push((parameter.name.clone(), name.clone()));
+            }
+        }
+        (locals, references)
+    }
+
+    /// `CALL`, `PCALL`, `EXTCALL`.
+    pub(super) fn indirect_call(&mut self, range: TextRange, call: &IndirectCall) -> BlockFlow {
+        match call {
+            IndirectCall::Named(expression) => {
+                let Some(value) = self.value(expression) else { return BlockFlow::Next };
+                let name = value
+                    .to_text()
+                    .map_or_else(|_| String::new(), |text| text.to_ascii_uppercase());
+                self.call_program(CallRequest {
+                    name: super::programs::bare_name(&name),
+                    range,
+                    arguments: Vec::new(),
+                    names: Vec::new(),
+                    passes: 1,
+                    is_modal: false,
+                })
+            }
+            IndirectCall::Path(call) => self.call(call, None),
+            IndirectCall::Blocks { program: Some(_), .. } => {
+                self.not_followed(range, "CALL BLOCK in another program is not followed");
+                BlockFlow::Next
+            }
+            IndirectCall::Blocks { program: None, from, to } => {
+                let part = RepeatPart {
+                    from: from.clone(),
+                    to: Some(to.clone()),
+                    times: None,
+                    is_single_block: false,
+                };
+                let block = ProgramBlock {
+                    range,
+                    line: self.kernel.origin.line,
+                    skip_level: None,
+                    number: None,
+                    label: None,
+                    statements: Vec::new(),
+                    comment: None,
+                    faults: Vec::new(),
+                    doubtful_comparisons: Vec::new(),
+                };
+                self.repeat_part(&block, &part)
+            }
+        }
+    }
+
+    /// `MCALL`.
+    pub(super) fn set_modal_call(&mut self, call: Option<&CallStatement>) {
+        self.modal_call = None;
+        let Some(call) = call else { return };
+        let arguments = call.arguments.as_deref().unwrap_or_default();
+        let Some(arguments) = self.arguments(arguments) else { return };
+        self.modal_call =
+            Some(ModalCycle { name: call.name.clone(), arguments, range: call.range });
+    }
+
+    /// After a block with path motion: the cycle or program of the modal call.
+    pub(super) fn fire_modal_call(&mut self, range: TextRange) -> BlockFlow {
+        if self.running().is_modal_call {
+            return BlockFlow::Next;
+        }
+        let Some(modal) = self.modal_call.clone() else { return BlockFlow::Next };
+        if self.is_cycle(&modal.name) && self.programs.find_name(&modal.name).is_none() {
+            self.run_cycle(&modal.name, &modal.arguments, modal.range);
+            return BlockFlow::Next;
+        }
+        self.call_program(CallRequest {
+            name: &modal.name,
+            range,
+            arguments: modal.arguments,
+            names: Vec::new(),
+            passes: 1,
+            is_modal: true,
+        })
+    }
+}
+
+/// The head of a program with parameters; `None` without `PROC`.
+fn procedure_of(reader: &mut crate::syntax::BlockReader<'_>) -> Option<ProcedureHead> {
+    for block in reader.by_ref() {
+        let Some(first) = block.statements.into_iter().next() else { continue };
+        return match first.kind {
+            StatementKind::Procedure(head) => Some(head),
+            _ => None,
+        };
+    }
+    None
+}

@@ -1,0 +1,223 @@
+//! Statements → the words of a block, and the statements that stand alone in their block.
+
+use chordal_command::CommandKind;
+use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
+use chordal_kernel::EndReason;
+
+use super::interpreter::{BlockFlow, Interpreter};
+use super::words::{AXIS_NAMES, BlockWords, OTHER_ADDRESSES, ToolWord, ValueWord};
+use crate::syntax::{
+    AddressWord, CallStatement, Expression, ExpressionKind, ProgramBlock, StatementKind,
+    ValueFunction, WordValue,
+};
+use crate::values::SinumerikValue;
+use crate::vocabulary::{IGNORED_CALLS, is_known_name};
+
+/// From this number on SETAL shows an alarm of the user.
+const FIRST_USER_ALARM: f64 = 65_000.0;
+
+impl Interpreter<'_> {
+    /// Carries out a block that calls something; `None` for other blocks.
+    pub(super) fn call_statement(&mut self, block: &ProgramBlock) -> Option<BlockFlow> {
+        for statement in &block.statements {
+            match &statement.kind {
+                StatementKind::Call(call) => return self.called(block, call),
+                StatementKind::ModalCall(call) => {
+                    self.set_modal_call(call.as_ref());
+                    return Some(BlockFlow::Next);
+                }
+                StatementKind::IndirectCall(call) => {
+                    return Some(self.indirect_call(statement.range, call));
+                }
+                StatementKind::Word(word) if word.address.name == "L" && !word.has_equals => {
+                    return Some(self.call_l(block, word, statement.range));
+                }
+                StatementKind::Name(name) if !is_known_name(name) => {
+                    let is_alone = block.statements.len() == 1;
+                    if self.programs.find_name(name).is_none() && !self.is_cycle(name) && !is_alone
+                    {
+                        continue;
+                    }
+                    let call = CallStatement {
+                        name: name.clone(),
+                        range: statement.range,
+                        arguments: None,
+                    };
+                    let passes = self.passes(block);
+                    return Some(self.call(&call, passes));
+                }
+                _ => {}
+            }
+        }
+        None
+    }
+
+    /// `P3` of a call; `None` without.
+    fn passes(&mut self, block: &ProgramBlock) -> Option<u32> {
+        block.statements.iter().find_map(|statement| match &statement.kind {
+            StatementKind::Word(word) if word.address.name == "P" => match &word.value {
+                WordValue::Plain(value) => Some(self.count(value).unwrap_or(0)),
+                _ => None,
+            },
+            _ => None,
+        })
+    }
+
+    /// `L10`: the program L10; leading zeros count, so the name is that of the text.
+    fn call_l(&mut self, block: &ProgramBlock, _: &AddressWord, range: TextRange) -> BlockFlow {
+        let name = String::from_utf8_lossy(range.slice(self.text())).to_ascii_uppercase();
+        let call = CallStatement { name, range, arguments: None };
+        let passes = self.passes(block);
+        self.call(&call, passes)
+    }
+
+    /// A name with arguments: a message, a cycle, a program.
+    fn called(&mut self, block: &ProgramBlock, call: &CallStatement) -> Option<BlockFlow> {
+        let first = call.arguments.as_ref().and_then(|arguments| arguments.first()?.as_ref());
+        match call.name.as_str() {
+            "MSG" => {
+                if let Some(Expression { range, kind: ExpressionKind::Text(_) }) = first {
+                    self.kernel.emit(CommandKind::Message(*range));
+                }
+                // A message may stand with other words in a block.
+                (block.statements.len() == 1).then_some(BlockFlow::Next)
+            }
+            "SETAL" => {
+                let number = first.and_then(|number| self.number(number)).unwrap_or(0.0);
+                let span = self.span(call.range);
+                let message = format!("the program shows the alarm {number}");
+                let diagnostic = Diagnostic::new(Code::ProgramAlarm, span, message);
+                if number >= FIRST_USER_ALARM {
+                    self.report_alarm(number as u32, diagnostic);
+                    return Some(BlockFlow::End(EndReason::Alarm));
+                }
+                self.kernel.report(diagnostic.severity(Severity::Warning));
+                Some(BlockFlow::Next)
+            }
+            name if IGNORED_CALLS.contains(&name) && self.programs.find_name(name).is_none() => {
+                Some(BlockFlow::Next)
+            }
+            _ => {
+                let passes = self.passes(block);
+                Some(self.call(call, passes))
+            }
+        }
+    }
+
+    /// The words of a block with their values.
+    pub(super) fn collect(&mut self, block: &ProgramBlock) -> BlockWords {
+        let mut words = BlockWords::default();
+        for statement in &block.statements {
+            match &statement.kind {
+                StatementKind::Word(word) => self.take_word(&mut words, word, statement.range),
+                StatementKind::Name(name) => {
+                    if is_known_name(name) {
+                        words.names.push((name.clone(), statement.range));
+                    } else {
+                        let message =
+                            format!("the name {name} is not defined, and no program has it");
+                        self.alarm(12550, Code::UnknownCode, statement.range, message);
+                    }
+                }
+                _ => {}
+            }
+        }
+        words
+    }
+
+    fn take_word(&mut self, words: &mut BlockWords, word: &AddressWord, range: TextRange) {
+        let address = &word.address;
+        let name = address.name.as_str();
+        if !address.indices.is_empty() || address.name.starts_with('$') || name == "R" {
+            return self.assign_or_index(words, word, range);
+        }
+        if name == "T" {
+            return self.take_tool(words, word, range);
+        }
+        let is_between = matches!(name, "I" | "J" | "K") && address.extension == Some(1);
+        let is_axis = AXIS_NAMES.contains(&name) && matches!(address.extension, None | Some(1));
+        let is_address =
+            matches!(name, "G" | "M" | "I" | "J" | "K") || OTHER_ADDRESSES.contains(&name);
+        if !is_axis && !is_address {
+            return self.assign(address, &word.value);
+        }
+        if matches!(name, "S" | "M") && address.extension.is_some_and(|number| number != 1) {
+            // Another spindle, which is not simulated.
+            return;
+        }
+        let Some(value) = self.word_value(&word.value, range) else { return };
+        let place = |letters: &[&str]| letters.iter().position(|letter| *letter == name);
+        let slot = match name {
+            "G" => return words.g_codes.push((value.value.round().max(0.0) as u32, range)),
+            "M" => return words.m_codes.push((value.value.round().max(0.0) as u32, range)),
+            _ if is_axis => place(&AXIS_NAMES).map(|axis| &mut words.axes[axis]),
+            "I" | "J" | "K" if is_between => {
+                place(&["I", "J", "K"]).map(|axis| &mut words.between[axis])
+            }
+            "I" | "J" | "K" => place(&["I", "J", "K"]).map(|axis| &mut words.centers[axis]),
+            _ => {
+                let Some(known) = OTHER_ADDRESSES.iter().copied().find(|known| *known == name)
+                else {
+                    return;
+                };
+                if words.other(known).is_some() {
+                    let message = format!("{known} is programmed twice in this block");
+                    return self.alarm(12010, Code::RepeatedWord, range, message);
+                }
+                return words.others.push((known, value));
+            }
+        };
+        let Some(slot) = slot else { return };
+        if slot.is_some() {
+            let message = format!("{name} is programmed twice in this block");
+            return self.alarm(12010, Code::RepeatedWord, range, message);
+        }
+        *slot = Some(value);
+    }
+
+    /// `R5=…`, `$TC_DP6[1,1]=…`, `NAME[2]=…`; `LIMS[2]=`, `AX[…]=` and other indexed addresses of the control are taken as
+    /// their address.
+    fn assign_or_index(&mut self, words: &mut BlockWords, word: &AddressWord, range: TextRange) {
+        let name = word.address.name.as_str();
+        let known = OTHER_ADDRESSES.iter().copied().find(|known| *known == name);
+        match known.filter(|_| self.variables.local(name).is_none()) {
+            Some(known) => {
+                if let Some(value) = self.word_value(&word.value, range) {
+                    words.others.push((known, value));
+                }
+            }
+            None => self.assign(&word.address, &word.value),
+        }
+    }
+
+    fn take_tool(&mut self, words: &mut BlockWords, word: &AddressWord, range: TextRange) {
+        let WordValue::Plain(expression) = &word.value else { return };
+        let tool = match self.value(expression) {
+            Some(SinumerikValue::Text(name)) => ToolWord::Name(name.to_string()),
+            Some(value) => match value.to_real() {
+                Ok(number) if (0.0..=f64::from(u32::MAX)).contains(&number) => {
+                    ToolWord::Number(number.round() as u32)
+                }
+                _ => {
+                    return self.alarm(
+                        17190,
+                        Code::BadWordValue,
+                        range,
+                        "this is no number of a tool",
+                    );
+                }
+            },
+            None => return,
+        };
+        words.tool = Some((tool, range));
+    }
+
+    fn word_value(&mut self, value: &WordValue, range: TextRange) -> Option<ValueWord> {
+        let (function, expression): (Option<ValueFunction>, &Expression) = match value {
+            WordValue::Plain(expression) => (None, expression),
+            WordValue::Function(function, expression) => (Some(*function), expression),
+            WordValue::Set(_) | WordValue::Repeated(_) => return None,
+        };
+        Some(ValueWord { value: self.number(expression)?, function, range })
+    }
+}

@@ -1,0 +1,206 @@
+//! Carries out the drilling cycles and the patterns of holes.
+
+use chordal_command::{AxisMask, CommandKind, SpindleState};
+use chordal_diagnostics::{Code, Diagnostic, TextRange};
+
+use super::interpreter::Interpreter;
+use super::words::{BlockStatementView, BlockWords};
+use crate::cycles::{
+    CYCLES, CycleArguments, CycleFault, HoleContext, HoleStep, PatternContext, drilling_moves,
+    pattern_points,
+};
+use crate::values::SinumerikValue;
+
+/// Cycles of milling, turning and swivelling that are read and not carried out.
+const PATTERNS: [&str; 4] = ["HOLES1", "HOLES2", "CYCLE801", "CYCLE802"];
+
+impl Interpreter<'_> {
+    /// Whether a name is that of a standard cycle.
+    pub(super) fn is_cycle(&self, name: &str) -> bool {
+        CYCLES.iter().any(|cycle| cycle.name == name)
+    }
+
+    /// Carries out a standard cycle.
+    pub(super) fn run_cycle(
+        &mut self,
+        name: &str,
+        arguments: &[Option<SinumerikValue>],
+        range: TextRange,
+    ) {
+        let Some(cycle) = CYCLES.iter().find(|cycle| cycle.name == name) else { return };
+        let numbers: Vec<Option<f64>> = arguments
+            .iter()
+            .map(|value| value.as_ref().and_then(|value| value.to_real().ok()))
+            .collect();
+        if name == "CYCLE800" && numbers.iter().all(Option::is_none) {
+            // CYCLE800() ends the swivelled plane.
+            return;
+        }
+        if name == "CYCLE832" {
+            return;
+        }
+        if !cycle.is_carried_out {
+            let what =
+                format!("{name} ({}) is not followed: what it cuts is missing here", cycle.title);
+            return self.not_followed(range, what);
+        }
+        let arguments = CycleArguments::new(&numbers);
+        if PATTERNS.contains(&name) {
+            return self.run_pattern(name, &arguments, range);
+        }
+        if self.modes.edge == 0 {
+            self.alarm(
+                61000,
+                Code::OffsetNotSet,
+                range,
+                format!("{name} needs an active tool offset"),
+            );
+        }
+        // The feed of rigid tapping follows from the lead and the speed.
+        let taps = matches!(name, "CYCLE84" | "CYCLE840");
+        if !taps && !self.kernel.state.feed.is_some_and(|feed| feed > 0.0) {
+            self.alarm(61003, Code::MissingFeed, range, format!("{name} needs a feed"));
+        }
+        let (_, _, normal) = self.kernel.state.plane.axes();
+        let unit_mm = self.unit_mm();
+        let spindle_direction = match self.kernel.state.spindle {
+            SpindleState::Cw => 3,
+            SpindleState::Ccw => 4,
+            SpindleState::Off | SpindleState::Oriented => 5,
+        };
+        let current_level = self.programmed_position()[normal] / unit_mm;
+        let context =
+            HoleContext { current_level, spindle_direction, unit_mm, ..HoleContext::default() };
+        match drilling_moves(name, &arguments, &context) {
+            Ok(steps) => self.drill(&steps, range),
+            Err(fault) => self.report_cycle(fault, range),
+        }
+    }
+
+    fn report_cycle(&mut self, fault: CycleFault, range: TextRange) {
+        let diagnostic = Diagnostic::new(Code::CycleLevels, self.span(range), fault.message);
+        self.report_alarm(fault.alarm, diagnostic);
+    }
+
+    /// The holes of a pattern, at each of which the modal cycle runs.
+    fn run_pattern(&mut self, name: &str, arguments: &CycleArguments, range: TextRange) {
+        if self.modal_call.is_none() {
+            return self.alarm(
+                62100,
+                Code::NoCycle,
+                range,
+                format!("{name} needs a drilling cycle with MCALL before it"),
+            );
+        }
+        let unit = self.unit_mm();
+        let place = self.programmed_position();
+        let (a, b, _) = self.kernel.state.plane.axes();
+        let context = PatternContext {
+            position: [place[a] / unit, place[b] / unit],
+            ..PatternContext::default()
+        };
+        let points = match pattern_points(name, arguments, &context) {
+            Ok(points) => points,
+            Err(fault) => return self.report_cycle(fault, range),
+        };
+        for point in points {
+            let mut place = self.programmed_position();
+            (place[a], place[b]) = (point[0] * unit, point[1] * unit);
+            self.rapid_to(place, range);
+            if let Some(modal) = self.modal_call.clone()
+                && self.is_cycle(&modal.name)
+            {
+                self.run_cycle(&modal.name, &modal.arguments, modal.range);
+            }
+            if !self.kernel.count_repeated() {
+                return;
+            }
+        }
+    }
+
+    /// A rapid to programmed coordinates.
+    fn rapid_to(&mut self, place: [f64; 3], _: TextRange) {
+        let mapped = self.modes.frame.point(place);
+        let mut end = self.kernel.state.position;
+        end[..3].copy_from_slice(&mapped);
+        self.kernel.state.place(AxisMask::LINEAR);
+        self.kernel.rapid_to(end, AxisMask::LINEAR);
+    }
+
+    fn feed_to(&mut self, place: [f64; 3], range: TextRange, factor: f64) {
+        let mapped = self.modes.frame.point(place);
+        let mut end = self.kernel.state.position;
+        end[..3].copy_from_slice(&mapped);
+        let words = BlockWords::default();
+        let view = BlockStatementView { span: self.span(range), words: &words };
+        let feed = self.kernel.state.feed;
+        self.kernel.state.feed = feed.map(|feed| feed * factor);
+        self.kernel.line(&view, end, AxisMask::LINEAR);
+        self.kernel.state.feed = feed;
+    }
+
+    /// A straight cut at a feed of its own, mm/s.
+    fn tap_to(&mut self, place: [f64; 3], range: TextRange, feed: f64) {
+        let kept = self.kernel.state.feed.replace(feed);
+        self.feed_to(place, range, 1.0);
+        self.kernel.state.feed = kept;
+    }
+
+    fn drill(&mut self, steps: &[HoleStep], range: TextRange) {
+        let (a, b, normal) = self.kernel.state.plane.axes();
+        let (spindle, unit) = (self.kernel.state.spindle, self.unit_mm());
+        self.kernel.origin.cycle = true;
+        for step in steps {
+            let mut place = self.programmed_position();
+            match *step {
+                HoleStep::Rapid(level) => {
+                    place[normal] = level * unit;
+                    self.rapid_to(place, range);
+                }
+                HoleStep::Feed { to, factor } => {
+                    place[normal] = to * unit;
+                    self.feed_to(place, range, factor);
+                }
+                HoleStep::FeedAt { to, feed } => {
+                    place[normal] = to * unit;
+                    let now = self.kernel.state.feed.filter(|now| *now > 0.0).unwrap_or(1.0);
+                    let feed_unit = if self.modes.feed_in_units { unit } else { 1.0 };
+                    self.feed_to(place, range, feed * feed_unit / 60.0 / now);
+                }
+                HoleStep::Dwell { seconds } => {
+                    self.kernel.emit(CommandKind::Dwell { seconds, label: None });
+                }
+                HoleStep::DwellRevolutions { revolutions } => {
+                    let rpm = self.kernel.state.rpm;
+                    let seconds = if rpm > 0.0 { revolutions * 60.0 / rpm } else { 0.0 };
+                    self.kernel.emit(CommandKind::Dwell { seconds, label: None });
+                }
+                HoleStep::SpindleStop => self.kernel.set_spindle(SpindleState::Off),
+                HoleStep::SpindleReverse => self.kernel.set_spindle(match spindle {
+                    SpindleState::Cw => SpindleState::Ccw,
+                    _ => SpindleState::Cw,
+                }),
+                HoleStep::SpindleRestore(code) => self.kernel.set_spindle(match code {
+                    3 => SpindleState::Cw,
+                    4 => SpindleState::Ccw,
+                    _ => SpindleState::Off,
+                }),
+                HoleStep::Orient { .. } => self.kernel.set_spindle(SpindleState::Oriented),
+                HoleStep::Stop => self.kernel.emit(CommandKind::Stop { optional: false }),
+                HoleStep::RapidInPlane { a: along, b: across, normal: up } => {
+                    place[a] += along * unit;
+                    place[b] += across * unit;
+                    place[normal] += up * unit;
+                    self.rapid_to(place, range);
+                }
+                HoleStep::TapIn { to, pitch_mm, spindle_rpm }
+                | HoleStep::TapOut { to, pitch_mm, spindle_rpm } => {
+                    place[normal] = to * unit;
+                    let rpm = spindle_rpm.unwrap_or(self.kernel.state.rpm);
+                    self.tap_to(place, range, pitch_mm.abs() * rpm / 60.0);
+                }
+            }
+        }
+        self.kernel.origin.cycle = false;
+    }
+}

@@ -1,0 +1,74 @@
+//! TRANS, ROT, SCALE, MIRROR and their additive forms; CYCLE800 without angles.
+
+use chordal_diagnostics::TextRange;
+
+use super::frame_map::FrameMap;
+use super::interpreter::Interpreter;
+use super::words::BlockWords;
+
+impl Interpreter<'_> {
+    /// Sets the programmable frame. The axes do not move.
+    pub(super) fn set_frames(&mut self, range: TextRange, words: &BlockWords) {
+        for (name, _) in &words.names {
+            let is_additive = name.starts_with('A') && name != "ANG";
+            let bare = if is_additive { &name[1..] } else { name.as_str() };
+            let inner = match bare {
+                "TRANS" => FrameMap::shifted(self.lengths(words)),
+                "ROT" => self.rotation(words),
+                "SCALE" => FrameMap::scaled(factors(words)),
+                "MIRROR" => FrameMap::scaled(mirrors(words)),
+                _ => continue,
+            };
+            self.modes.frame = match is_additive {
+                true => self.modes.frame.then_inner(&inner),
+                false => inner,
+            };
+            self.modes.last_direction = None;
+        }
+        for (code, _) in &words.g_codes {
+            if matches!(code, 58 | 59) {
+                self.not_followed(
+                    range,
+                    format!("G{code} is not followed: where it shifts the axes is not known"),
+                );
+            }
+        }
+    }
+
+    /// The axis words of a block as lengths, mm; 0 where there is none.
+    fn lengths(&self, words: &BlockWords) -> [f64; 3] {
+        let unit = self.unit_mm();
+        std::array::from_fn(|axis| words.axes[axis].map_or(0.0, |word| word.value * unit))
+    }
+
+    /// `ROT X Y Z`, or `ROT RPL=` about the normal of the plane.
+    fn rotation(&self, words: &BlockWords) -> FrameMap {
+        if let Some(angle) = words.other("RPL") {
+            let (_, _, normal) = self.kernel.state.plane.axes();
+            return FrameMap::turned(normal, angle.value);
+        }
+        FrameMap::rotated(std::array::from_fn(|axis| {
+            words.axes[axis].map_or(0.0, |word| word.value)
+        }))
+    }
+}
+
+/// Whether a block is one of frames, whose axis words do not move.
+pub fn is_frame_block(words: &BlockWords) -> bool {
+    const NAMES: [&str; 8] =
+        ["TRANS", "ATRANS", "ROT", "AROT", "SCALE", "ASCALE", "MIRROR", "AMIRROR"];
+    words.names.iter().any(|(name, _)| NAMES.contains(&name.as_str()))
+        || words.g_codes.iter().any(|(code, _)| matches!(code, 58 | 59))
+}
+
+fn factors(words: &BlockWords) -> [f64; 3] {
+    std::array::from_fn(|axis| {
+        let factor = words.axes[axis].map_or(1.0, |word| word.value);
+        if factor == 0.0 { 1.0 } else { factor }
+    })
+}
+
+/// The value of a mirrored axis has no meaning (MD10612).
+fn mirrors(words: &BlockWords) -> [f64; 3] {
+    std::array::from_fn(|axis| if words.axes[axis].is_some() { -1.0 } else { 1.0 })
+}

@@ -1,0 +1,270 @@
+//! Reads blocks and carries them out in the order of the program.
+
+use std::collections::{BTreeMap, HashMap};
+
+use chordal_command::{CallPath, CommandKind, Origin};
+use chordal_diagnostics::{Code, FileId, TextRange};
+use chordal_kernel::{
+    CompletedRun, EndReason, Kernel, Modal, Outcome, ProgramName, RunSink, State,
+};
+
+use super::calls::{ModalCycle, PartRepeat};
+use super::flow::OpenLoop;
+use super::modes::LanguageModes;
+use super::programs::SinumerikPrograms;
+use super::variables::{ProgramVariable, VariableStore};
+use super::words::BlockWords;
+use crate::syntax::{BlockReader, Expression, ProgramBlock};
+use crate::values::{SinumerikValue, evaluate};
+
+/// Blocks between two questions whether the run is to end.
+const INTERRUPT_BLOCKS: u64 = 1024;
+
+/// What comes after a block.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum BlockFlow {
+    /// The next block.
+    Next,
+    /// The end of the run.
+    End(EndReason),
+}
+
+/// A program that runs: the main program, or a called one.
+pub struct RunningProgram<'a> {
+    /// Its index among the programs.
+    pub program: usize,
+    /// Reads its blocks.
+    pub reader: BlockReader<'a>,
+    /// The loops that are open, the innermost last.
+    pub loops: Vec<OpenLoop>,
+    /// The parts that are repeated, the innermost last.
+    pub repeats: Vec<PartRepeat>,
+    /// How often it is still run again (`P`).
+    pub passes_left: u32,
+    /// The chain of calls that led here.
+    pub call: CallPath,
+    /// The modes at the call, which `SAVE` restores.
+    pub saved: Option<Box<LanguageModes>>,
+    /// The caller's variables that get the values of `VAR` parameters at the return: name here, name there.
+    pub references: Vec<(String, String)>,
+    /// The calls stand in a modal call: it does not act on them.
+    pub is_modal_call: bool,
+    /// The branches that are open, as far as no jump was made.
+    pub open_branches: u32,
+    /// A jump was made, so that a structure may end that was not begun.
+    pub has_jumped: bool,
+    /// Labels and block numbers by their name, made at the first jump.
+    pub targets: Option<BTreeMap<String, Vec<(u32, u32)>>>,
+}
+
+/// Runs one program.
+pub struct Interpreter<'a> {
+    pub(super) programs: &'a SinumerikPrograms<'a>,
+    pub(super) kernel: Kernel<'a>,
+    pub(super) stack: Vec<RunningProgram<'a>>,
+    pub(super) variables: VariableStore,
+    pub(super) modes: LanguageModes,
+    pub(super) modal_call: Option<ModalCycle>,
+    pub(super) missing: Vec<ProgramName>,
+    /// Codes and names whose problem was reported once.
+    pub(super) reported: HashMap<String, u32>,
+    blocks: u64,
+}
+
+impl<'a> Interpreter<'a> {
+    /// At the start of a program.
+    pub fn new(
+        programs: &'a SinumerikPrograms<'a>,
+        program: usize,
+        sink: &'a mut (dyn RunSink + 'a),
+    ) -> Interpreter<'a> {
+        use chordal_kernel::ConfiguredControl as _;
+        let (control, machine) = (programs.control, programs.machine);
+        let offsets = control.initial_offsets(machine);
+        let home = machine.home.map(|place| place.unwrap_or(0.0));
+        let state = State::new(control.rules(), offsets, home);
+        let alarms = control.profile().alarms();
+        let mut kernel = Kernel::new(control.rules(), machine, alarms, state, sink);
+        kernel.max_repeated = programs.options.max_repeated_blocks;
+        let first = RunningProgram {
+            program,
+            reader: programs.reader(program),
+            loops: Vec::new(),
+            repeats: Vec::new(),
+            passes_left: 0,
+            call: CallPath::default(),
+            saved: None,
+            references: Vec::new(),
+            is_modal_call: false,
+            open_branches: 0,
+            has_jumped: false,
+            targets: None,
+        };
+        let mut variables = VariableStore::default();
+        variables.r_count = control.settings.r_parameters;
+        variables.locals.push(HashMap::<String, ProgramVariable>::new());
+        Interpreter {
+            programs,
+            kernel,
+            stack: vec![first],
+            variables,
+            modes: LanguageModes::default(),
+            modal_call: None,
+            missing: Vec::new(),
+            reported: HashMap::new(),
+            blocks: 0,
+        }
+    }
+
+    /// The file of the running program.
+    pub(super) fn file(&self) -> FileId {
+        self.stack.last().map_or(FileId(0), |running| self.programs.texts[running.program].file)
+    }
+
+    /// The text of the running program's file.
+    pub(super) fn text(&self) -> &'a [u8] {
+        self.programs.text(self.file())
+    }
+
+    /// The running program.
+    pub(super) fn running(&mut self) -> &mut RunningProgram<'a> {
+        let last = self.stack.len() - 1;
+        &mut self.stack[last]
+    }
+
+    /// Runs to the end.
+    pub fn run(mut self) -> CompletedRun {
+        let wants_blocks = self.kernel.sink.wants_blocks();
+        let end = self.run_blocks(wants_blocks);
+        self.kernel.end_corners();
+        if end == EndReason::ProgramEnd || end == EndReason::EndOfText {
+            self.kernel.emit(CommandKind::End);
+        }
+        let outcome = Outcome {
+            end,
+            blocks: self.blocks,
+            calls: self.kernel.calls,
+            missing_programs: self.missing,
+        };
+        CompletedRun { outcome, text_read: None }
+    }
+
+    fn run_blocks(&mut self, wants_blocks: bool) -> EndReason {
+        loop {
+            let Some(block) = self.running().reader.next() else {
+                match self.program_ends() {
+                    BlockFlow::Next => continue,
+                    BlockFlow::End(reason) => return reason,
+                }
+            };
+            if self.repeats_counted() && !self.kernel.count_repeated() {
+                return EndReason::Budget;
+            }
+            if self.is_skipped(&block) {
+                continue;
+            }
+            self.blocks += 1;
+            if self.blocks.is_multiple_of(INTERRUPT_BLOCKS) && self.is_interrupted() {
+                return EndReason::Interrupted;
+            }
+            let flow = self.block(&block);
+            if wants_blocks {
+                self.kernel.block_done(&|state| Modal::of(state, Vec::new()));
+            }
+            if let BlockFlow::End(reason) = flow {
+                return reason;
+            }
+            if let BlockFlow::End(reason) = self.part_ends(&block) {
+                return reason;
+            }
+        }
+    }
+
+    /// Blocks count against the budget where calls, loops, repeats or jumps may run without end.
+    fn repeats_counted(&mut self) -> bool {
+        self.stack.len() > 1 || self.modes.has_jumped_back || !self.running().repeats.is_empty()
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.programs.options.interrupt.as_ref().is_some_and(|interrupt| interrupt())
+    }
+
+    /// Whether the block delete switch leaves a block out.
+    fn is_skipped(&self, block: &ProgramBlock) -> bool {
+        let switches = &self.programs.machine.switches.block_delete;
+        block
+            .skip_level
+            .is_some_and(|level| switches.get(usize::from(level)).copied().unwrap_or(false))
+    }
+
+    /// Carries out a block.
+    fn block(&mut self, block: &ProgramBlock) -> BlockFlow {
+        let (file, call) = (self.file(), self.running().call);
+        self.kernel.call = call;
+        self.kernel.origin =
+            Origin { span: block.range.in_file(file), line: block.line, call, cycle: false };
+        if let Some(number) = block.number {
+            self.kernel.block_number = Some(f64::from(number.number));
+        }
+        for fault in &block.faults {
+            self.alarm(12080, Code::BadStatement, fault.range, fault.message.clone());
+        }
+        if let Some(flow) = self.flow_statement(block) {
+            return flow;
+        }
+        let words = self.collect(block);
+        self.carry_out(block, words)
+    }
+
+    /// Carries out the words of a block in the order of the control: modes, tool, speed and feed, motion, and what comes
+    /// at the end of the block.
+    fn carry_out(&mut self, block: &ProgramBlock, words: BlockWords) -> BlockFlow {
+        let range = block.range;
+        self.set_modes(range, &words);
+        self.set_frames(range, &words);
+        self.set_tool(&words);
+        self.set_feed_and_speed(&words);
+        self.functions_before(&words);
+        self.set_compensation(range, &words);
+        let has_moved = self.moves(range, &words);
+        self.end_block_modes(&words);
+        if has_moved && let flow @ BlockFlow::End(_) = self.fire_modal_call(range) {
+            return flow;
+        }
+        self.functions_after(range, &words)
+    }
+
+    /// The value of an expression; a problem is reported, and `None` returned.
+    pub(super) fn value(&mut self, expression: &Expression) -> Option<SinumerikValue> {
+        let (position, unit) = (self.programmed_position(), self.unit_mm());
+        self.variables.position = position.map(|mm| mm / unit);
+        match evaluate(expression, &mut self.variables) {
+            Ok(value) => Some(value),
+            Err(error) => {
+                self.report_evaluation(error);
+                None
+            }
+        }
+    }
+
+    /// The number of an expression; a problem is reported, and `None` returned.
+    pub(super) fn number(&mut self, expression: &Expression) -> Option<f64> {
+        let value = self.value(expression)?;
+        let number = value.to_real().ok();
+        if number.is_none() {
+            self.alarm(12150, Code::BadExpression, expression.range, "this is no number");
+        }
+        number.filter(|number| number.is_finite())
+    }
+
+    /// A whole number that is not negative.
+    pub(super) fn count(&mut self, expression: &Expression) -> Option<u32> {
+        let number = self.number(expression)?.round();
+        (0.0..=f64::from(u32::MAX)).contains(&number).then_some(number as u32)
+    }
+
+    /// The range of the text that follows from here on, for messages of a whole program.
+    pub(super) fn here(&self) -> TextRange {
+        self.kernel.origin.span.range
+    }
+}

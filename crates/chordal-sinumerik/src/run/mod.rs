@@ -1,0 +1,22 @@
+//! Runs part programs.
+//!
+//! `interpreter` reads blocks and follows jumps, loops and calls; `collect` turns statements into words; `modes`, `frames`,
+//! `tools` set what the following blocks use; `motion`, `arcs`, `corners` move; `drilling` carries out cycles.
+
+mod arcs;
+mod calls;
+mod collect;
+mod drilling;
+mod flow;
+mod frame_map;
+mod frames;
+mod interpreter;
+mod modes;
+mod motion;
+mod problems;
+mod programs;
+mod tools;
+mod variables;
+mod words;
+
+pub use programs::SinumerikPrograms;

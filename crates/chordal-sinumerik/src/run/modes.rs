@@ -1,0 +1,337 @@
+//! G groups, M functions, feed and speed.
+
+use chordal_command::{
+    CommandKind, CompensationSide, FeedMode, PathMode, SpindleState, Units, WorkName,
+};
+use chordal_diagnostics::{Code, TextRange};
+use chordal_geometry::{Plane, TurnDirection};
+use chordal_kernel::EndReason;
+
+use super::frame_map::FrameMap;
+use super::interpreter::{BlockFlow, Interpreter};
+use super::words::BlockWords;
+
+/// The motion of blocks with axis words.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum PathMotion {
+    /// G0.
+    Rapid,
+    /// G1, which is active at power-on (MD20150).
+    Linear,
+    /// G2 and G3.
+    Arc(TurnDirection),
+    /// CIP.
+    ThroughPoint,
+    /// CT.
+    Tangent,
+    /// A motion that is not carried out; its ends are taken as straight cuts.
+    NotFollowed,
+}
+
+/// What the language remembers from block to block in addition to the kernel.
+#[derive(Clone, Debug)]
+pub struct LanguageModes {
+    /// The motion.
+    pub motion: PathMotion,
+    /// The programmable frame.
+    pub frame: FrameMap,
+    /// The pole of polar coordinates, mm, programmed coordinates.
+    pub pole: [f64; 3],
+    /// The polar angle in force, degrees; `None` before one.
+    pub polar_angle: Option<f64>,
+    /// The polar radius in force, mm; `None` before one.
+    pub polar_radius: Option<f64>,
+    /// The radius of modal roundings, mm; 0 for none.
+    pub modal_rounding_mm: f64,
+    /// G700 and G710: the unit acts on feeds, too.
+    pub feed_in_units: bool,
+    /// This block is without settable and programmable frame (G53, G153, SUPA).
+    pub machine_block: bool,
+    /// The direction in which the last move ended, programmed coordinates of the plane, for CT.
+    pub last_direction: Option<[f64; 3]>,
+    /// G451: outside corners of compensation end at the intersection.
+    pub intersects_corners: bool,
+    /// KONT: compensation begins like a contour.
+    pub follows_contour: bool,
+    /// A loop, a jump or a repeat has gone back: from here on blocks count against the budget.
+    pub has_jumped_back: bool,
+    /// The edge that is active; 0 for none.
+    pub edge: u32,
+    /// The tool in the spindle has a name that no tool of the machine file has.
+    pub unknown_tool: bool,
+}
+
+impl Default for LanguageModes {
+    fn default() -> LanguageModes {
+        LanguageModes {
+            motion: PathMotion::Linear,
+            frame: FrameMap::IDENTITY,
+            pole: [0.0; 3],
+            polar_angle: None,
+            polar_radius: None,
+            modal_rounding_mm: 0.0,
+            feed_in_units: false,
+            machine_block: false,
+            last_direction: None,
+            intersects_corners: false,
+            follows_contour: false,
+            has_jumped_back: false,
+            edge: 0,
+            unknown_tool: false,
+        }
+    }
+}
+
+/// The group of a G code (Fundamentals, list of G functions); `None` for codes that are not known.
+fn group_of(code: u32) -> Option<u32> {
+    Some(match code {
+        0..=3 | 33..=35 | 331 | 332 => 1,
+        4 | 63 | 74 | 75 | 147 | 148 | 247 | 248 | 347 | 348 | 110..=112 | 58 | 59 => 2,
+        17..=19 => 6,
+        40..=42 => 7,
+        54..=57 | 500 | 505..=599 => 8,
+        53 | 153 => 9,
+        60 | 64 | 641..=645 => 10,
+        9 => 11,
+        601..=603 => 12,
+        70 | 71 | 700 | 710 => 13,
+        90 | 91 => 14,
+        93..=97 | 961 | 962 | 971..=973 => 15,
+        450 | 451 => 18,
+        290 | 291 => 47,
+        _ => return None,
+    })
+}
+
+impl Interpreter<'_> {
+    /// Millimetres of a length of one.
+    pub(super) fn unit_mm(&self) -> f64 {
+        self.kernel.state.units.mm()
+    }
+
+    /// Sets the G groups of a block.
+    pub(super) fn set_modes(&mut self, block: TextRange, words: &BlockWords) {
+        self.modes.machine_block = words.has_name("SUPA");
+        let mut seen: Vec<(u32, u32)> = Vec::new();
+        for (code, range) in &words.g_codes {
+            let Some(group) = group_of(*code) else {
+                let message = format!("there is no G function G{code}");
+                self.alarm(12470, Code::UnknownCode, *range, message);
+                continue;
+            };
+            if let Some((other, _)) =
+                seen.iter().find(|(other, own)| *own == group && other != code)
+            {
+                let message = format!("G{other} and G{code} are of one group and in one block");
+                self.alarm(12060, Code::SameGroup, *range, message);
+                continue;
+            }
+            seen.push((*code, group));
+            self.set_mode(*code, *range, words);
+        }
+        for (name, range) in &words.names {
+            self.set_named_mode(name, *range);
+        }
+        if let Some(radius) = words.other("RNDM") {
+            self.modes.modal_rounding_mm = radius.value * self.unit_mm();
+        }
+        let _ = block;
+    }
+
+    fn set_mode(&mut self, code: u32, range: TextRange, words: &BlockWords) {
+        let span = self.span(range);
+        match code {
+            0 => self.modes.motion = PathMotion::Rapid,
+            1 => self.modes.motion = PathMotion::Linear,
+            2 => self.modes.motion = PathMotion::Arc(TurnDirection::Cw),
+            3 => self.modes.motion = PathMotion::Arc(TurnDirection::Ccw),
+            4 => self.dwell(range, words),
+            9 => self.kernel.change_path_mode(|path| path.once = true),
+            17 => self.kernel.set_plane(span, Plane::Xy),
+            18 => self.kernel.set_plane(span, Plane::Zx),
+            19 => self.kernel.set_plane(span, Plane::Yz),
+            53 | 153 => self.modes.machine_block = true,
+            54..=57 => self.kernel.select_work(WorkName::G(code as u16)),
+            500 => self.kernel.select_work(WorkName::G(500)),
+            505..=599 => self.kernel.select_work(WorkName::G(code as u16)),
+            60 => self.kernel.change_path_mode(|path| path.set_mode(PathMode::ExactStop)),
+            64 => self.continuous(None),
+            641..=645 => {
+                let distance = words.other("ADIS").map(|word| word.value * self.unit_mm());
+                self.continuous(distance);
+            }
+            70 | 700 => self.kernel.set_units(Units::Inch),
+            71 | 710 => self.kernel.set_units(Units::Millimetre),
+            90 => self.kernel.set_incremental(false),
+            91 => self.kernel.set_incremental(true),
+            93 => self.kernel.set_feed_mode(FeedMode::InverseTime),
+            94 => self.kernel.set_feed_mode(FeedMode::PerTime),
+            95 => self.kernel.set_feed_mode(FeedMode::PerRevolution),
+            96 => {
+                self.kernel.set_feed_mode(FeedMode::PerRevolution);
+                self.kernel.keep_surface_speed();
+            }
+            97 => self.kernel.keep_spindle_speed(),
+            450 | 451 => self.modes.intersects_corners = code == 451,
+            33..=35 | 63 | 331 | 332 => {
+                self.modes.motion = PathMotion::NotFollowed;
+                self.not_followed(
+                    range,
+                    format!("G{code} is not followed: its ends are shown as straight cuts"),
+                );
+            }
+            74 | 75 => self.not_followed(
+                range,
+                format!("the position of G{code} is that of the machine and is not known"),
+            ),
+            147 | 148 | 247 | 248 | 347 | 348 => {
+                self.not_followed(range, format!("G{code} is not followed"));
+            }
+            291 => self.not_followed(range, "the ISO mode of the control (G291) is not read"),
+            // What they set acts in blocks of their own, or on nothing that is simulated.
+            _ => {}
+        }
+        if matches!(code, 70 | 71 | 700 | 710) {
+            self.modes.feed_in_units = matches!(code, 700 | 710);
+        }
+    }
+
+    fn continuous(&mut self, tolerance_mm: Option<f64>) {
+        let mode = PathMode::Continuous { tolerance_mm, joined: false };
+        self.kernel.change_path_mode(|path| path.set_mode(mode));
+    }
+
+    fn set_named_mode(&mut self, name: &str, range: TextRange) {
+        match name {
+            "CIP" => self.modes.motion = PathMotion::ThroughPoint,
+            "CT" => self.modes.motion = PathMotion::Tangent,
+            "NORM" => self.modes.follows_contour = false,
+            "KONT" | "KONTC" | "KONTT" => {
+                self.modes.follows_contour = true;
+                self.not_followed(
+                    range,
+                    format!("{name} is not followed: compensation begins as with NORM"),
+                );
+            }
+            "ASPLINE" | "BSPLINE" | "CSPLINE" | "POLY" | "INVCW" | "INVCCW" => {
+                self.modes.motion = PathMotion::NotFollowed;
+                self.not_followed(
+                    range,
+                    format!("{name} is not followed: its points are joined by straight cuts"),
+                );
+            }
+            "TRAORI" => self
+                .not_followed(range, "TRAORI is not followed: the axes of the tool are not known"),
+            "DIAMON" | "DIAM90" => self
+                .not_followed(range, format!("{name} is not followed: this machine is no lathe")),
+            _ => {}
+        }
+    }
+
+    /// G4 F seconds, G4 S revolutions.
+    fn dwell(&mut self, range: TextRange, words: &BlockWords) {
+        let seconds = match (words.other("F"), words.other("S")) {
+            (Some(seconds), _) => seconds.value,
+            (None, Some(turns)) if self.kernel.state.rpm > 0.0 => {
+                turns.value * 60.0 / self.kernel.state.rpm
+            }
+            (None, Some(_)) => {
+                return self.alarm(
+                    10900,
+                    Code::SpindleStopped,
+                    range,
+                    "a dwell in revolutions, and the spindle has no speed",
+                );
+            }
+            (None, None) => return self.alarm(12110, Code::MissingWord, range, "G4 needs F or S"),
+        };
+        self.kernel.emit(CommandKind::Dwell { seconds: seconds.max(0.0), label: None });
+    }
+
+    /// F and S, which G4 uses itself.
+    pub(super) fn set_feed_and_speed(&mut self, words: &BlockWords) {
+        if words.g_codes.iter().any(|(code, _)| *code == 4) {
+            return;
+        }
+        if let Some(limit) = words.other("LIMS") {
+            self.kernel.limit_speed(limit.value);
+        }
+        if let Some(speed) = words.other("S") {
+            if self.kernel.state.surface_speed.is_some() {
+                self.kernel.set_surface_speed(speed.value * 1000.0 / 60.0);
+            } else {
+                self.kernel.set_speed(speed.value);
+            }
+        }
+        if let Some(feed) = words.other("F") {
+            let unit = if self.modes.feed_in_units { self.unit_mm() } else { 1.0 };
+            let value = match self.kernel.state.feed_mode {
+                FeedMode::PerTime => feed.value * unit / 60.0,
+                FeedMode::PerRevolution => feed.value * unit,
+                FeedMode::InverseTime => feed.value / 60.0,
+            };
+            let angular = (feed.value / 60.0).to_radians();
+            self.kernel.set_feed(self.span(feed.range), value, angular);
+        }
+    }
+
+    /// The M functions that act before the motion.
+    pub(super) fn functions_before(&mut self, words: &BlockWords) {
+        for (code, range) in &words.m_codes {
+            match code {
+                3 => self.kernel.set_spindle(SpindleState::Cw),
+                4 => self.kernel.set_spindle(SpindleState::Ccw),
+                6 => self.change_tool(*range),
+                7 => self.kernel.set_coolant(|coolant| coolant.mist = true),
+                8 => self.kernel.set_coolant(|coolant| coolant.flood = true),
+                19 => self.kernel.set_spindle(SpindleState::Oriented),
+                _ => {}
+            }
+        }
+    }
+
+    /// The M functions that act after the motion, and `RET`.
+    pub(super) fn functions_after(&mut self, _: TextRange, words: &BlockWords) -> BlockFlow {
+        let mut flow = BlockFlow::Next;
+        for (code, _) in &words.m_codes {
+            match code {
+                0 | 1 => self.kernel.emit(CommandKind::Stop { optional: *code == 1 }),
+                5 => self.kernel.set_spindle(SpindleState::Off),
+                9 => self.kernel.set_coolant(|coolant| *coolant = Default::default()),
+                2 | 17 | 30 => flow = self.end_of_program(),
+                _ => {}
+            }
+        }
+        if words.has_name("RET") {
+            flow = self.end_of_program();
+        }
+        flow
+    }
+
+    /// M2, M17, M30, RET: in a subprogram a return.
+    fn end_of_program(&mut self) -> BlockFlow {
+        match self.program_ends() {
+            BlockFlow::End(_) => {
+                if self.kernel.state.side != CompensationSide::Off {
+                    self.kernel.state.side = CompensationSide::Off;
+                }
+                BlockFlow::End(EndReason::ProgramEnd)
+            }
+            next => next,
+        }
+    }
+
+    /// Ends what acts in one block only.
+    pub(super) fn end_block_modes(&mut self, words: &BlockWords) {
+        self.modes.machine_block = false;
+        if words.g_codes.iter().any(|(code, _)| *code == 9) {
+            self.kernel.end_exact_stop_once();
+        }
+    }
+
+    /// Restores the modes that `SAVE` keeps.
+    pub(super) fn restore_modes(&mut self, saved: LanguageModes) {
+        let has_jumped_back = self.modes.has_jumped_back;
+        self.modes = LanguageModes { has_jumped_back, ..saved };
+    }
+}

@@ -1,0 +1,260 @@
+//! Axis words → targets, straight moves, rapids, roundings.
+
+use chordal_command::{AxisMask, Position};
+use chordal_diagnostics::{Code, TextRange};
+use chordal_kernel::{CornerForm, ProgrammedCorner};
+
+use super::frame_map::sin_cos;
+use super::frames::is_frame_block;
+use super::interpreter::Interpreter;
+use super::modes::PathMotion;
+use super::words::{BlockStatementView, BlockWords, ValueWord};
+
+/// Where a block goes.
+#[derive(Clone, Copy, Debug)]
+pub struct BlockTarget {
+    /// The end in programmed coordinates, mm.
+    pub programmed: [f64; 3],
+    /// The start in programmed coordinates, mm.
+    pub start: [f64; 3],
+    /// The end in the coordinates of the settable frame, mm and rad.
+    pub end: Position,
+    /// The axes that move.
+    pub named: AxisMask,
+}
+
+impl Interpreter<'_> {
+    /// Moves, if the block has a motion; false if nothing moves.
+    pub(super) fn moves(&mut self, range: TextRange, words: &BlockWords) -> bool {
+        self.set_pole(words);
+        if is_frame_block(words)
+            || words.g_codes.iter().any(|(code, _)| matches!(code, 4 | 74 | 75 | 110..=112))
+        {
+            return false;
+        }
+        let is_full_circle = matches!(self.modes.motion, PathMotion::Arc(_))
+            && (words.centers.iter().any(Option::is_some) || words.other("AR").is_some());
+        if !words.has_path_motion() && !is_full_circle {
+            return false;
+        }
+        if self.modes.machine_block {
+            self.machine_move(range, words);
+            return true;
+        }
+        let Some(target) = self.target(range, words) else { return false };
+        let span = self.span(range);
+        let view = BlockStatementView { span, words };
+        self.request_corner(words);
+        let start = self.kernel.state.position;
+        match self.modes.motion {
+            PathMotion::Rapid => {
+                self.kernel.state.motion = chordal_kernel::ModalMotion::Rapid;
+                self.kernel.straight(&view, target.end, target.named);
+            }
+            PathMotion::Linear | PathMotion::NotFollowed => {
+                self.kernel.state.motion = chordal_kernel::ModalMotion::Linear;
+                self.kernel.straight(&view, target.end, target.named);
+            }
+            PathMotion::Arc(_) | PathMotion::ThroughPoint | PathMotion::Tangent => {
+                self.kernel.state.motion = chordal_kernel::ModalMotion::Linear;
+                self.arc(&view, range, words, &target);
+            }
+        }
+        if matches!(
+            self.modes.motion,
+            PathMotion::Rapid | PathMotion::Linear | PathMotion::NotFollowed
+        ) {
+            let end = self.kernel.state.position;
+            let along: [f64; 3] = std::array::from_fn(|axis| end[axis] - start[axis]);
+            if along.iter().any(|value| *value != 0.0) {
+                self.modes.last_direction = Some(along);
+            }
+        }
+        self.kernel.corner_move_done();
+        true
+    }
+
+    /// The programmed coordinates of the tool tip, mm.
+    pub(super) fn programmed_position(&self) -> [f64; 3] {
+        let place = self.kernel.state.position;
+        self.modes.frame.inverse_point([place[0], place[1], place[2]])
+    }
+
+    /// The end of a block.
+    fn target(&mut self, range: TextRange, words: &BlockWords) -> Option<BlockTarget> {
+        let start = self.programmed_position();
+        let mut programmed = start;
+        let (unit, incremental) = (self.unit_mm(), self.kernel.state.incremental);
+        if words.other("AP").is_some() || words.other("RP").is_some() {
+            self.polar_end(range, words, start, &mut programmed)?;
+        } else if (0..3).any(|axis| words.axes[axis].is_some()) {
+            (self.modes.polar_angle, self.modes.polar_radius) = (None, None);
+        }
+        for (axis, value) in programmed.iter_mut().enumerate() {
+            if let Some(word) = words.axes[axis] {
+                let length = word.value * unit;
+                *value =
+                    if word.is_incremental(incremental) { start[axis] + length } else { length };
+            }
+        }
+        self.line_by_angle(words, start, &mut programmed);
+        let mut named = words.axis_mask();
+        if words.other("AP").is_some()
+            || words.other("RP").is_some()
+            || words.other("ANG").is_some()
+        {
+            let (a, b, _) = self.kernel.state.plane.axes();
+            named.insert(a);
+            named.insert(b);
+        }
+        let mut end = self.kernel.state.position;
+        let mapped = self.modes.frame.point(programmed);
+        for axis in 0..3 {
+            if !self.modes.frame.is_diagonal() || named.has(axis) {
+                end[axis] = mapped[axis];
+            }
+        }
+        if !self.modes.frame.is_diagonal() && named.and(AxisMask::LINEAR) != AxisMask::NONE {
+            named = named.or(AxisMask::LINEAR.and(self.kernel.state.known.or(named)));
+        }
+        for (value, word) in end.iter_mut().zip(&words.axes).skip(3) {
+            let Some(word) = word else { continue };
+            let angle = word.value.to_radians();
+            *value = if word.is_incremental(incremental) { *value + angle } else { angle };
+        }
+        self.kernel.state.place(named);
+        Some(BlockTarget { programmed, start, end, named })
+    }
+
+    /// A move in machine coordinates (G53, G153, SUPA): the active tool length stays.
+    fn machine_move(&mut self, range: TextRange, words: &BlockWords) {
+        let unit = self.unit_mm();
+        let lengths = self.kernel.state.offsets.tool_in_force();
+        let mut place = [0.0; 6];
+        for (axis, value) in place.iter_mut().enumerate() {
+            let Some(word) = words.axes[axis] else { continue };
+            *value = match axis {
+                0..3 => word.value * unit + lengths[axis],
+                _ => word.value.to_radians(),
+            };
+        }
+        let motion = match self.modes.motion {
+            PathMotion::Rapid => chordal_kernel::ModalMotion::Rapid,
+            _ => chordal_kernel::ModalMotion::Linear,
+        };
+        self.kernel.state.motion = motion;
+        let span = self.span(range);
+        let view = BlockStatementView { span, words };
+        self.kernel.to_machine_point(&view, place, words.axis_mask());
+        self.modes.last_direction = None;
+    }
+
+    /// G110, G111, G112: the pole of polar coordinates.
+    fn set_pole(&mut self, words: &BlockWords) {
+        let code = words.g_codes.iter().find(|(code, _)| (110..=112).contains(code));
+        let Some((code, range)) = code.copied() else { return };
+        let from = match code {
+            110 => self.programmed_position(),
+            112 => self.modes.pole,
+            _ => [0.0; 3],
+        };
+        let (a, b, _) = self.kernel.state.plane.axes();
+        let unit = self.unit_mm();
+        let mut pole = from;
+        for axis in [a, b] {
+            pole[axis] += words.axes[axis].map_or(0.0, |word| word.value * unit);
+        }
+        if let (Some(angle), Some(radius)) = (words.other("AP"), words.other("RP")) {
+            let (sin, cos) = sin_cos(angle.value);
+            pole[a] += radius.value * unit * cos;
+            pole[b] += radius.value * unit * sin;
+        } else if words.other("AP").is_some() != words.other("RP").is_some() {
+            self.alarm(14270, Code::PolarWords, range, "a pole needs both AP and RP");
+        }
+        self.modes.pole = pole;
+    }
+
+    /// The end of a block with AP or RP.
+    fn polar_end(
+        &mut self,
+        range: TextRange,
+        words: &BlockWords,
+        start: [f64; 3],
+        end: &mut [f64; 3],
+    ) -> Option<()> {
+        let (a, b, _) = self.kernel.state.plane.axes();
+        let pole = self.modes.pole;
+        let (along, across) = (start[a] - pole[a], start[b] - pole[b]);
+        let angle_now =
+            self.modes.polar_angle.unwrap_or_else(|| libm::atan2(across, along).to_degrees());
+        let radius_now = self.modes.polar_radius.unwrap_or_else(|| along.hypot(across));
+        let incremental = |word: &ValueWord| word.is_incremental(false);
+        let angle = words.other("AP").map_or(angle_now, |word| match incremental(&word) {
+            true => angle_now + word.value,
+            false => word.value,
+        });
+        let unit = self.unit_mm();
+        let radius = words.other("RP").map_or(radius_now, |word| match incremental(&word) {
+            true => radius_now + word.value * unit,
+            false => word.value * unit,
+        });
+        if radius < 0.0 {
+            let message = format!("the polar radius is {}", self.kernel.length_text(radius));
+            self.alarm(14200, Code::PolarWords, range, message);
+            return None;
+        }
+        if angle.abs() > 360.0 && words.other("AP").is_some_and(|word| !incremental(&word)) {
+            self.alarm(
+                14210,
+                Code::PolarWords,
+                range,
+                format!("the polar angle {angle} is more than 360"),
+            );
+            return None;
+        }
+        let (sin, cos) = sin_cos(angle);
+        (end[a], end[b]) = (pole[a] + radius * cos, pole[b] + radius * sin);
+        (self.modes.polar_angle, self.modes.polar_radius) = (Some(angle), Some(radius));
+        Some(())
+    }
+
+    /// `ANG=` with one axis of the plane: the other one follows from the angle.
+    fn line_by_angle(&mut self, words: &BlockWords, start: [f64; 3], end: &mut [f64; 3]) {
+        let Some(angle) = words.other("ANG") else { return };
+        let (a, b, _) = self.kernel.state.plane.axes();
+        let (sin, cos) = sin_cos(angle.value);
+        match (words.axes[a], words.axes[b]) {
+            (Some(_), None) if cos != 0.0 => end[b] = start[b] + (end[a] - start[a]) * sin / cos,
+            (None, Some(_)) if sin != 0.0 => end[a] = start[a] + (end[b] - start[b]) * cos / sin,
+            _ => {
+                self.not_followed(angle.range, "ANG without one axis of the plane is not followed")
+            }
+        }
+    }
+
+    /// CHF, CHR, RND and RNDM at the end of this block's move.
+    fn request_corner(&mut self, words: &BlockWords) {
+        let unit = self.unit_mm();
+        let found = [
+            ("RND", CornerForm::Rounding),
+            ("CHR", CornerForm::Chamfer),
+            ("CHF", CornerForm::ChamferOfLength),
+        ]
+        .into_iter()
+        .find_map(|(name, form)| Some((name, form, words.other(name)?)));
+        let (name, form, size, range) = match found {
+            Some((name, form, word)) => (name, form, word.value * unit, word.range),
+            None if self.modes.modal_rounding_mm > 0.0
+                && self.modes.motion != PathMotion::Rapid =>
+            {
+                ("RNDM", CornerForm::Rounding, self.modes.modal_rounding_mm, self.here())
+            }
+            None => return,
+        };
+        if size <= 0.0 {
+            return;
+        }
+        let word = self.span(range);
+        self.kernel.request_corner(ProgrammedCorner { word, name, form, size_mm: size });
+    }
+}

@@ -1,0 +1,58 @@
+//! Problems with the alarm that the control shows.
+
+use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
+
+use super::interpreter::Interpreter;
+use super::variables::UNKNOWN_VALUE;
+use crate::values::EvaluationError;
+
+impl Interpreter<'_> {
+    /// A part of the running program's text as a span.
+    pub(super) fn span(&self, range: TextRange) -> Span {
+        range.in_file(self.file())
+    }
+
+    /// Reports a problem with the number of the control's alarm.
+    pub(super) fn alarm(
+        &mut self,
+        alarm: u32,
+        code: Code,
+        range: TextRange,
+        message: impl Into<String>,
+    ) {
+        let diagnostic = Diagnostic::new(code, self.span(range), message.into());
+        self.report_alarm(alarm, diagnostic);
+    }
+
+    /// The same for a diagnostic with notes or a help.
+    pub(super) fn report_alarm(&mut self, alarm: u32, mut diagnostic: Diagnostic) {
+        if alarm == UNKNOWN_VALUE {
+            return self.kernel.report(diagnostic);
+        }
+        let title = self.kernel.alarms.title;
+        let text = crate::alarms::text_of(alarm);
+        diagnostic.severity = Severity::Error;
+        diagnostic.alarm = Some(match text {
+            Some(text) => format!("{title}: {alarm} {text}"),
+            None => format!("{title}: {alarm}"),
+        });
+        self.kernel.report(diagnostic);
+    }
+
+    /// Reports an expression that has no value.
+    pub(super) fn report_evaluation(&mut self, error: EvaluationError) {
+        let code = match error.alarm {
+            UNKNOWN_VALUE => return self.not_followed(error.range, error.message),
+            14051 => Code::OutsideDomain,
+            17020 | 17030 | 12550 => Code::BadVariable,
+            _ => Code::BadExpression,
+        };
+        self.alarm(error.alarm, code, error.range, error.message);
+    }
+
+    /// Reports something that is read and not carried out: what follows from it is not verified.
+    pub(super) fn not_followed(&mut self, range: TextRange, what: impl Into<String>) {
+        let span = self.span(range);
+        self.kernel.report(Diagnostic::new(Code::NotFollowed, span, what.into()));
+    }
+}

@@ -1,0 +1,148 @@
+//! Tools, cutting edges and tool radius compensation.
+
+use chordal_command::CompensationSide;
+use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
+use chordal_kernel::LengthOffset;
+
+use super::interpreter::Interpreter;
+use super::modes::PathMotion;
+use super::words::{BlockStatementView, BlockWords, ToolWord};
+
+/// The largest number of an edge (MD18106 at its default).
+const MAX_EDGE: u32 = 9;
+
+impl Interpreter<'_> {
+    /// T and D.
+    pub(super) fn set_tool(&mut self, words: &BlockWords) {
+        if let Some((tool, range)) = &words.tool {
+            self.select_tool(tool, *range);
+        }
+        if let Some(edge) = words.other("D") {
+            let number = edge.value.round().max(0.0) as u32;
+            self.set_edge(number, edge.range, words);
+        }
+    }
+
+    fn select_tool(&mut self, tool: &ToolWord, range: TextRange) {
+        let number = match tool {
+            ToolWord::Number(number) => Some(*number),
+            ToolWord::Name(name) => self.tool_named(name),
+        };
+        match number {
+            Some(number) => {
+                self.modes.unknown_tool = false;
+                self.kernel.select_tool(number);
+            }
+            None => {
+                self.modes.unknown_tool = true;
+                self.kernel.select_unknown_tool();
+                let ToolWord::Name(name) = tool else { return };
+                if self.reported.insert(format!("T {name}"), 1).is_none() {
+                    let message = format!(
+                        "the machine file has no tool {name}: its length and radius are not known"
+                    );
+                    let diagnostic = Diagnostic::new(Code::OffsetNotSet, self.span(range), message);
+                    let help = "add a tool with this `description` to [tools] of the machine file";
+                    self.kernel.report(diagnostic.severity(Severity::Warning).help(help));
+                }
+            }
+        }
+        if !self.programs.control.settings.tool_change_by_m6 {
+            self.change_tool(range);
+        }
+    }
+
+    /// The number of the tool whose description in the machine file is a name. Names are compared with their case.
+    fn tool_named(&self, name: &str) -> Option<u32> {
+        let tools = self.kernel.machine.tools.iter();
+        let own =
+            |(_, tool): &(&u32, &chordal_machine::Tool)| tool.description.as_deref() == Some(name);
+        tools.clone().find(own).map(|(number, _)| *number).or_else(|| name.parse().ok())
+    }
+
+    /// M6: the prepared tool into the spindle. Its first edge becomes active (MD20270 = 1).
+    pub(super) fn change_tool(&mut self, range: TextRange) {
+        if self.kernel.state.selected_tool.is_none() && !self.modes.unknown_tool {
+            // M6 without T changes to the tool that is already in the spindle.
+            return;
+        }
+        let span = self.span(range);
+        self.kernel.tool_change(span);
+        self.set_edge(1, range, &BlockWords::default());
+    }
+
+    /// D: the edge whose length and radius act; D0 for none.
+    fn set_edge(&mut self, edge: u32, range: TextRange, words: &BlockWords) {
+        self.modes.edge = edge;
+        let tool = self.kernel.state.tool;
+        if edge > MAX_EDGE {
+            let message = format!("there is no D{edge}: a tool has {MAX_EDGE} edges at most");
+            return self.alarm(17180, Code::OffsetNotSet, range, message);
+        }
+        if edge > 1 && self.reported.insert(format!("D {tool} {edge}"), 1).is_none() {
+            let message = format!(
+                "D{edge} is not followed: the machine file has one edge for each tool, whose values are taken"
+            );
+            self.not_followed(range, message);
+        }
+        let number = (edge > 0 && tool > 0).then_some(tool);
+        let span = self.span(range);
+        let at = BlockStatementView { span, words };
+        self.kernel.set_length(&at, LengthOffset { number, minus: false });
+        self.kernel.state.radius_offset = Some(number.unwrap_or(0));
+    }
+
+    /// G41, G42 and G40.
+    pub(super) fn set_compensation(&mut self, range: TextRange, words: &BlockWords) {
+        let code = words.g_codes.iter().find(|(code, _)| (40..=42).contains(code));
+        let Some((code, code_range)) = code.copied() else { return };
+        let side = match code {
+            41 => CompensationSide::Left,
+            42 => CompensationSide::Right,
+            _ => CompensationSide::Off,
+        };
+        let (a, b, normal) = self.kernel.state.plane.axes();
+        let map = self.modes.frame.circle_in_plane(a, b, normal);
+        // A mirrored contour has the tool on its other side.
+        let side = match side {
+            CompensationSide::Left if map.is_some_and(|map| map.is_mirrored) => {
+                CompensationSide::Right
+            }
+            CompensationSide::Right if map.is_some_and(|map| map.is_mirrored) => {
+                CompensationSide::Left
+            }
+            side => side,
+        };
+        let before = self.kernel.state.side;
+        if side == before {
+            return;
+        }
+        let is_arc = !matches!(self.modes.motion, PathMotion::Rapid | PathMotion::Linear);
+        if is_arc && words.has_path_motion() {
+            let (alarm, what) = match side {
+                CompensationSide::Off => (10754, "off"),
+                _ => (10753, "on"),
+            };
+            let message =
+                format!("tool radius compensation is switched {what} in a block of an arc");
+            self.alarm(alarm, Code::CompensationOnArc, code_range, message);
+        }
+        if side != CompensationSide::Off && (self.modes.edge == 0 || self.kernel.state.tool == 0) {
+            let message = "tool radius compensation is switched on and no tool edge is active";
+            self.alarm(10750, Code::CompensationWithoutOffset, code_range, message);
+        }
+        self.kernel.state.side = side;
+        let number = self.kernel.state.radius_offset;
+        let number = number.filter(|_| side != CompensationSide::Off);
+        let span = self.span(range);
+        self.kernel.emit_compensation(number, None, span);
+        let is_first = || !self.reported.contains_key("G451");
+        if side != CompensationSide::Off && self.modes.intersects_corners && is_first() {
+            self.reported.insert("G451".into(), 1);
+            self.not_followed(
+                code_range,
+                "G451 is not followed: outside corners get the arcs of G450",
+            );
+        }
+    }
+}

@@ -1,0 +1,20 @@
+//! Text → blocks. Reading never fails: what cannot be read is a fault of its block.
+
+mod ast;
+mod definitions;
+mod expressions;
+mod flow;
+mod names;
+mod number_literal;
+mod parser;
+mod reader;
+mod recovery;
+mod scanner;
+mod tokens;
+mod units;
+mod words;
+
+pub use ast::*;
+pub use reader::{BlockReader, ComparisonPrecedence};
+pub use tokens::tokens;
+pub use units::{ProgramUnit, ProgramUnitKind, units};

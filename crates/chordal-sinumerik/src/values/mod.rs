@@ -1,0 +1,11 @@
+//! Values of variables and expressions.
+
+mod evaluate;
+mod functions;
+mod operators;
+mod text_functions;
+mod value;
+
+pub use evaluate::{EvaluationError, NAMED_INDEX, VariableSource, evaluate, evaluate_indices};
+pub use operators::{binary_operation, is_equal_number, unary_operation};
+pub use value::{SinumerikValue, ValueFault, number_text};

@@ -1,0 +1,302 @@
+//! Part programs with what is expected of them on the line; `tests/programs/README.md` has the format.
+
+#![allow(clippy::disallowed_methods, reason = "the programs are files")]
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use chordal::control::{Command, CommandKind, Origin};
+use chordal::diagnostics::FileId;
+use chordal::machine::Tool;
+use chordal::path::PathCommand;
+use chordal::{Diagnostic, Job, Machine, PathSink, RunOptions, Severity, Source, SourceMap};
+
+/// What a run leaves: the commands of the tool centre, each with its line of the main program.
+#[derive(Default)]
+struct RunRecord {
+    commands: Vec<(u32, Command)>,
+    /// With the lines of the problem and of the blocks that called it.
+    problems: Vec<(Vec<u32>, Diagnostic)>,
+}
+
+/// The commands of the tool centre, before the calls are resolved.
+#[derive(Default)]
+struct PathRecord {
+    commands: Vec<Command>,
+    /// The arcs of compensation before the next command of the program.
+    corners: Vec<Command>,
+}
+
+impl PathSink for PathRecord {
+    fn command(&mut self, path: PathCommand<'_>) {
+        // G450: the arc of a corner belongs to the block after it (Fundamentals 11/2006, 8.10).
+        if path.inserted {
+            return self.corners.push(path.command.clone());
+        }
+        for mut corner in self.corners.drain(..) {
+            corner.origin = path.command.origin;
+            self.commands.push(corner);
+        }
+        self.commands.push(path.command.clone());
+    }
+
+    fn diagnostic(&mut self, _: Diagnostic, _: &Origin) {}
+}
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../chordal-sinumerik/tests/programs")
+}
+
+/// The machine of the programs: the first edges of the tools of TOOLS.INI.
+fn machine() -> Machine {
+    let mut machine = Machine::from_builtin("sinumerik-mill").expect("a built-in machine");
+    let text = fs::read_to_string(folder().join("TOOLS.INI")).expect("the tools");
+    let mut tools: BTreeMap<u32, Tool> = BTreeMap::new();
+    for line in text.lines().filter(|line| line.starts_with("$TC_")) {
+        let (name, rest) = line.split_once('[').expect("an index");
+        let (indices, value) = rest.split_once("]=").expect("a value");
+        let indices: Vec<u32> =
+            indices.split(',').map(|index| index.parse().expect("a number")).collect();
+        if indices.get(1).is_some_and(|edge| *edge != 1) {
+            continue;
+        }
+        let tool = tools.entry(indices[0]).or_default();
+        let number = || value.parse::<f64>().expect("a number");
+        match name {
+            "$TC_TP2" => tool.description = Some(value.trim_matches('"').to_string()),
+            "$TC_DP3" => tool.offset[2] = Some(number()),
+            "$TC_DP6" => tool.diameter_mm = Some(2.0 * number()),
+            _ => {}
+        }
+    }
+    machine.tools.extend(tools);
+    // The programs are about the control, not about the travel of a machine.
+    machine.axes.iter_mut().flatten().for_each(|axis| axis.travel = None);
+    for name in ["G54", "G55", "G56", "G57", "G505", "G506", "G507", "G500"] {
+        let offset = machine.work_offsets.entry(name.to_string()).or_default();
+        offset.values = [Some(0.0), Some(0.0), Some(-500.0), None, None, None];
+    }
+    machine
+}
+
+/// The text with a dwell of the value after each line that expects one, and the line of the file for each line. Seconds
+/// say what a variable holds.
+fn with_values(text: &str) -> (String, Vec<u32>) {
+    let (mut out, mut lines) = (String::new(), vec![0]);
+    for (index, line) in text.lines().enumerate() {
+        let number = index as u32 + 1;
+        out.push_str(line);
+        out.push('\n');
+        lines.push(number);
+        for note in line.split(';').skip(1).filter_map(|note| note.trim().strip_prefix("= value "))
+        {
+            let name = note.split_whitespace().next().expect("a name");
+            out.push_str(&format!("G4 F={name}+{VALUE_SHIFT}\n"));
+            lines.push(number);
+        }
+    }
+    (out, lines)
+}
+
+/// Added to values that are told as seconds, so that negative ones can be told, too.
+const VALUE_SHIFT: f64 = 100_000.0;
+
+/// Runs a program with the subprograms of its folder.
+fn run(path: &Path) -> (String, RunRecord) {
+    let text = fs::read_to_string(path).expect("a program");
+    let (with_values, lines) = with_values(&text);
+    let mut sources = SourceMap::new();
+    sources.add(Source::new(path.to_string_lossy().into_owned(), with_values.into_bytes()));
+    for entry in fs::read_dir(path.parent().expect("a folder")).expect("a folder") {
+        let other = entry.expect("a file").path();
+        let is_sub = other.extension().is_some_and(|end| end.eq_ignore_ascii_case("spf"));
+        if is_sub && other != path {
+            let text = fs::read(&other).expect("a subprogram");
+            sources.add(Source::new(other.to_string_lossy().into_owned(), text));
+        }
+    }
+    let options = RunOptions { max_repeated_blocks: 20_000, ..RunOptions::default() };
+    let job = Job::new(sources, machine()).expect("a job").options(options);
+    let source = job.sources().get(FileId(0)).expect("the program");
+    let file_line = |line: u32| lines.get(line as usize).copied().unwrap_or(0);
+    let mut path = PathRecord::default();
+    let outcomes = job.compensated(None, &mut path);
+    let calls = outcomes.first().map(|outcome| outcome.calls.clone()).unwrap_or_default();
+    let main_line = |command: &Command| match calls.resolve(command.origin.call).last() {
+        Some(span) => source.line_of(span.range.start),
+        None => command.origin.line,
+    };
+    let report = job.check();
+    let problems = report.diagnostics.into_iter().map(|found| {
+        let spans = found.calls.iter().chain([&found.primary.span]);
+        let own = spans.filter(|span| span.file == FileId(0));
+        let lines = own.map(|span| file_line(source.line_of(span.range.start))).collect();
+        (lines, found)
+    });
+    let problems = problems.collect();
+    let commands =
+        path.commands.into_iter().map(|command| (file_line(main_line(&command)), command));
+    (text, RunRecord { commands: commands.collect(), problems })
+}
+
+/// The value after a letter: `X10.5`.
+fn value(words: &str, letter: char) -> Option<f64> {
+    words.split_whitespace().find_map(|word| word.strip_prefix(letter)?.parse().ok())
+}
+
+/// What is wrong with a program: an empty list where all expectations hold.
+fn faults(path: &Path) -> Vec<String> {
+    let (text, record) = run(path);
+    let text_of = |found: &Diagnostic| {
+        let alarm = found.alarm.as_deref().unwrap_or("no alarm");
+        format!("{} [{alarm}] {}", found.code.info().id, found.message)
+    };
+    let problems = record.problems.iter();
+    let errors: Vec<(Vec<u32>, String)> = problems
+        .filter(|(_, found)| found.severity == Severity::Error)
+        .map(|(lines, found)| (lines.clone(), text_of(found)))
+        .collect();
+    let mut wrong = Vec::new();
+    for (index, line) in text.lines().enumerate() {
+        let number = index as u32 + 1;
+        for note in line.split(';').skip(1).map(str::trim) {
+            if let Some(alarm) = note.strip_prefix('!') {
+                let alarm = alarm.split_whitespace().next().unwrap_or("");
+                if !errors.iter().any(|(at, text)| at.contains(&number) && text.contains(alarm)) {
+                    wrong.push(format!("line {number}: no alarm {alarm}; there is {errors:?}"));
+                }
+            } else if let Some(expected) = note.strip_prefix('=') {
+                wrong.extend(check(expected.trim(), number, &record.commands));
+            }
+        }
+    }
+    if text.contains("EXPECT clean") {
+        wrong.extend(errors.iter().map(|(lines, text)| format!("line {lines:?}: {text}")));
+    }
+    wrong
+}
+
+/// Checks an expectation of a line against the commands.
+fn check(expected: &str, line: u32, commands: &[(u32, Command)]) -> Option<String> {
+    let of_line = || commands.iter().filter(|(own, _)| *own == line).map(|(_, command)| command);
+    let (kind, words) = expected.split_once(' ')?;
+    match kind {
+        "at" => {
+            let up_to =
+                || commands.iter().filter(|(own, _)| *own <= line).map(|(_, command)| command);
+            let last = of_line().filter_map(|c| c.kind.motion()).next_back();
+            let last = last.or_else(|| up_to().filter_map(|c| c.kind.motion()).next_back());
+            let Some(motion) = last else {
+                return Some(format!("line {line}: no move for `{expected}`"));
+            };
+            ['X', 'Y', 'Z'].into_iter().enumerate().find_map(|(axis, letter)| {
+                let wanted = value(words, letter)?;
+                let found = motion.to[axis];
+                ((found - wanted).abs() > 1e-3)
+                    .then(|| format!("line {line}: {letter} is {found}, not {wanted}"))
+            })
+        }
+        "arc" => {
+            let Some(shape) = of_line().filter_map(|c| c.kind.shape()).next_back() else {
+                return Some(format!("line {line}: no arc"));
+            };
+            let (a, b, _) = shape.plane.axes();
+            let letters = ['X', 'Y', 'Z'];
+            let far = |at: usize, letter: char| {
+                value(words, letter).is_some_and(|wanted| (shape.center[at] - wanted).abs() > 1e-3)
+            };
+            let degrees = words.split_whitespace().last().and_then(|n| n.parse::<f64>().ok());
+            let sweep = shape.sweep.to_degrees();
+            let is_wrong = far(0, letters[a])
+                || far(1, letters[b])
+                || degrees.is_some_and(|degrees| (sweep.abs() - degrees).abs() > 0.02)
+                || (sweep < 0.0) != words.contains(" cw")
+                || value(words, 'R')
+                    .is_some_and(|radius| (shape.radius_from - radius).abs() > 2e-3);
+            is_wrong.then(|| {
+                let (center, radius) = (shape.center, shape.radius_from);
+                format!("line {line}: {center:?} R{radius} {sweep}, not {words}")
+            })
+        }
+        "moves" => {
+            let wanted: usize = words.trim().parse().expect("a count");
+            let found =
+                commands.iter().filter(|(_, command)| command.kind.motion().is_some()).count();
+            (found != wanted).then(|| format!("line {line}: {found} moves, not {wanted}"))
+        }
+        "value" => {
+            let wanted: f64 = words.split_whitespace().nth(1)?.parse().ok()?;
+            let dwells = of_line().filter_map(|command| match command.kind {
+                CommandKind::Dwell { seconds, .. } => Some(seconds - VALUE_SHIFT),
+                _ => None,
+            });
+            // Of several values of a line each is told once.
+            let found: Vec<f64> = dwells.collect();
+            let is_told = found.iter().any(|value| (value - wanted).abs() <= 1e-4);
+            (!is_told).then(|| format!("line {line}: {found:?}, not {words}"))
+        }
+        _ => Some(format!("line {line}: `{expected}` is not checked")),
+    }
+}
+
+fn programs(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("the programs");
+    let files = entries.map(|entry| entry.expect("a file").path());
+    let mut files: Vec<PathBuf> =
+        files.filter(|path| path.extension().is_some_and(|end| end == "mpf")).collect();
+    files.sort();
+    files
+}
+
+/// The programs that are known not to do what they say, and why; the list may only shrink.
+const KNOWN: &[(&str, &str)] = &[
+    ("clean/hand_comp_edge2", "second edges are not read"),
+    ("clean/hand_ep_read", "$P_GG is not read"),
+    ("clean/hand_g331", "G331 and G332 are not followed"),
+    ("clean/hand_g58_g59", "G58 and G59 are not followed"),
+    ("clean/hand_offsets", "written $P_UIFR are not followed"),
+    ("clean/hand_tool_data", "written $TC_DP are not followed"),
+    (EXACT_SWEEP, "the sweep of the table is that about the programmed centre"),
+    ("clean/row06_cip", "CIP in a tilted plane is not followed"),
+    ("clean/row13_involute", "involutes are not followed"),
+    ("clean/row17_swivel_axis_by_axis", "CYCLE800 is not followed"),
+    ("clean/row18_swivel_zxy", "CYCLE800 is not followed"),
+    ("clean/row19_square_g451", "G451 is not followed"),
+    ("clean/row20_acute_corner_g451", "G451 is not followed"),
+    ("faults/chamfer_too_long_ok", "chamfers that are too long are not shortened"),
+    ("faults/edge_missing", "which edges a tool has is not known"),
+    ("faults/edge_second_ok", "second edges are not read"),
+    ("faults/trc_side_change_ok", "the check of gouges sees a wall at the change of sides"),
+];
+
+/// The one program that runs otherwise than its expectation without an error.
+const EXACT_SWEEP: &str = "clean/row01_centre_rounding";
+
+#[test]
+fn programs_do_what_they_say() {
+    let mut wrong = BTreeMap::new();
+    let mut count = 0;
+    for part in ["clean", "faults"] {
+        for path in programs(&folder().join(part)) {
+            count += 1;
+            let name = format!("{part}/{}", path.file_stem().expect("a name").to_string_lossy());
+            let found = faults(&path);
+            if !found.is_empty() {
+                wrong.insert(name, found);
+            }
+        }
+    }
+    for (name, found) in &wrong {
+        println!("{name}");
+        found.iter().take(3).for_each(|line| println!("    {line}"));
+    }
+    println!("{} of {count} programs as expected", count - wrong.len());
+    let names: Vec<&str> = wrong.keys().map(String::as_str).collect();
+    let known: Vec<&str> = KNOWN.iter().map(|(name, _)| *name).collect();
+    assert_eq!(names, known);
+    // What is not followed is an error: no program goes another way in silence.
+    for (name, found) in wrong.iter().filter(|(name, _)| *name != EXACT_SWEEP) {
+        assert!(found.iter().any(|line| line.contains("[no alarm]")), "{name}: {found:?}");
+    }
+}
