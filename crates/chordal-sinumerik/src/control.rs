@@ -13,9 +13,10 @@ use chordal_kernel::{
     ConfiguredControl, ControlCandidate, ControlProfile, ProgramName, ProgramSet,
     ProgrammingLanguage, RunOptions, SettingError,
 };
-use chordal_machine::{AXES, ControlName, Machine, SettingValue};
+use chordal_machine::{AXES, ControlName, Machine};
 
 use crate::run::SinumerikPrograms;
+use crate::settings::SinumerikSettings;
 use crate::syntax::{BlockReader, StatementKind, units};
 
 /// The facts of the control.
@@ -63,42 +64,6 @@ const RULES: Rules = Rules {
     ..Rules::COMMON
 };
 
-/// Choices of the machine builder that the references leave open or that differ between machines.
-#[derive(Clone, Copy, Debug)]
-pub struct SinumerikSettings {
-    /// M6 changes the tool (MD22550 = 1); otherwise T does.
-    pub tool_change_by_m6: bool,
-    /// Number of R parameters (MD28050).
-    pub r_parameters: u32,
-}
-
-impl SinumerikSettings {
-    /// The defaults of the machine data.
-    const DEFAULT: SinumerikSettings =
-        SinumerikSettings { tool_change_by_m6: true, r_parameters: 100 };
-
-    /// Takes a setting of a machine file by the name of its machine datum.
-    ///
-    /// # Errors
-    /// What the datum takes, or that it is not known.
-    fn take(&mut self, name: &str, value: &SettingValue) -> Result<(), String> {
-        let number = match value {
-            SettingValue::Integer(number) => Some(*number),
-            _ => None,
-        };
-        match (name, number) {
-            ("MD22550", Some(number @ (0 | 1))) => self.tool_change_by_m6 = number == 1,
-            ("MD22550", _) => return Err("MD22550 is 1 (M6 changes the tool) or 0 (T does)".into()),
-            ("MD28050", Some(number @ 0..=32_535)) => self.r_parameters = number as u32,
-            ("MD28050", _) => {
-                return Err("MD28050 is the number of R parameters, 0 to 32535".into());
-            }
-            _ => return Err(format!("{} has no setting {name} here", PROFILE.title)),
-        }
-        Ok(())
-    }
-}
-
 /// The control of a machine.
 #[derive(Debug)]
 pub struct SinumerikControl {
@@ -127,7 +92,7 @@ impl ConfiguredControl for SinumerikControl {
         machine: &'a Machine,
         options: &'a RunOptions,
     ) -> Box<dyn ProgramSet + 'a> {
-        Box::new(SinumerikPrograms::new(self, sources, machine, options))
+        Box::new(SinumerikPrograms::new(self, self.settings, sources, machine, options))
     }
 
     fn program_names(&self, text: &[u8]) -> Vec<ProgramName> {

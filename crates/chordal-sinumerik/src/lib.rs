@@ -9,9 +9,11 @@ mod alarms;
 mod control;
 pub mod cycles;
 mod run;
+mod settings;
 pub mod syntax;
 pub mod values;
 mod vocabulary;
 
-pub use control::{SinumerikControl, SinumerikLanguage, SinumerikSettings};
+pub use control::{SinumerikControl, SinumerikLanguage};
 pub use run::SinumerikPrograms;
+pub use settings::SinumerikSettings;

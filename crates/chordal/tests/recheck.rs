@@ -189,7 +189,7 @@ fn machines() -> Vec<Machine> {
     let mut machines = Vec::new();
     for name in builtin_names() {
         let machine = Machine::from_builtin(name).expect(name);
-        if !seen.contains(&machine.control) {
+        if table(machine.control).is_some() && !seen.contains(&machine.control) {
             seen.push(machine.control);
             machines.push(machine);
         }

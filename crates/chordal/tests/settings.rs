@@ -7,7 +7,8 @@ use chordal::machine::{Machine, builtin_names};
 fn every_listed_value_can_be_written_back() {
     for name in builtin_names() {
         let machine = Machine::from_builtin(name).expect("a built-in machine");
-        let (control, errors) = Control::of(&machine).expect("a word-address control");
+        // Other languages have settings of their own.
+        let Some((control, errors)) = Control::of(&machine) else { continue };
         assert!(errors.is_empty(), "{name}: {errors:?}");
         for setting in control.table.settings.iter().chain(COMMON_SETTINGS) {
             let value = setting.field.value_text(&control.parameters);

@@ -1,6 +1,7 @@
 //! The arguments of a call, and what is wrong with them.
 
-use super::signatures::{CycleSignature, cycle_signature};
+use super::cycle_parameters::CycleSignature;
+use super::signatures::cycle_signature;
 
 /// The number of a fault that is no alarm of the control: a value or a variant that this model does not accept.
 pub const NO_ALARM: u32 = 0;

@@ -67,7 +67,7 @@ fn drill(call: &CycleCall<'_>, levels: &HoleLevels, list: &mut StepList) -> Resu
 mod tests {
     use super::*;
     use crate::cycles::CYCLES;
-    use crate::cycles::steps::notation::{arguments, steps, steps_in};
+    use crate::cycles::tests::notation::{arguments, steps, steps_in};
 
     #[test]
     fn plain_drilling() {

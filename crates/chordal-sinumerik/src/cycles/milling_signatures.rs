@@ -1,6 +1,6 @@
 //! The parameters of the cycles that are recognized and not carried out: milling, turning, swivelling, path modes.
 
-use super::signatures::{CycleParameter, CycleSignature, ONE, PGZ, from_depth, parameter};
+use super::cycle_parameters::{CycleParameter, CycleSignature, ONE, PGZ, from_depth, parameter};
 
 /// A cycle that is recognized only.
 const fn recognized(

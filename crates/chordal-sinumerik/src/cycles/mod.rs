@@ -6,6 +6,7 @@
 
 mod arguments;
 mod bores;
+mod cycle_parameters;
 mod holes;
 mod levels;
 mod milling_signatures;
@@ -17,9 +18,10 @@ mod taps;
 mod threads;
 
 pub use arguments::{CycleArguments, CycleFault, NO_ALARM};
+pub use cycle_parameters::{CycleParameter, CycleSignature};
 pub use holes::{drilling_axis, drilling_moves};
 pub use patterns::{PatternContext, pattern_points};
-pub use signatures::{CYCLES, CycleParameter, CycleSignature, cycle_signature};
+pub use signatures::{CYCLES, cycle_signature};
 pub use steps::{HoleContext, HoleStep};
 pub use threads::thread_depths;
 
@@ -67,6 +69,74 @@ impl Default for CycleSettings {
             grid_starts_near_tool: true,
             last_digit_is_first_point: true,
             max_repetitions: 100_000,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    /// Short texts of steps and arguments, in which the expectations of tests are written.
+    pub(in crate::cycles) mod notation {
+        use crate::cycles::{CycleArguments, HoleContext, HoleStep, drilling_moves};
+
+        /// Arguments from a text as in a call: `10,0,,-25`.
+        pub(in crate::cycles) fn arguments(text: &str) -> CycleArguments {
+            let value = |part: &str| match part.trim() {
+                "" => None,
+                number => Some(number.parse().expect("a number")),
+            };
+            CycleArguments::new(&text.split(',').map(value).collect::<Vec<_>>())
+        }
+
+        /// The steps of a call as `r2 f-10 d0.5s r10`; the number and the parameter of its fault otherwise.
+        pub(in crate::cycles) fn steps(call: &str) -> String {
+            steps_in(call, &HoleContext { current_level: 100.0, ..HoleContext::default() })
+        }
+
+        pub(in crate::cycles) fn steps_in(call: &str, context: &HoleContext) -> String {
+            let (name, list) = call.trim_end_matches(')').split_once('(').expect("a call");
+            match drilling_moves(name, &arguments(list), context) {
+                Ok(steps) => steps.iter().map(text).collect::<Vec<_>>().join(" "),
+                Err(fault) => {
+                    let number = format!("alarm {}:", fault.alarm);
+                    assert_eq!(fault.alarm != 0, fault.message.starts_with(&number), "{fault:?}");
+                    format!("{} at {:?}", fault.alarm, fault.parameter)
+                }
+            }
+        }
+
+        fn text(step: &HoleStep) -> String {
+            // Six places are the finest resolution of the control.
+            let short = |value: f64| {
+                let rounded = (value * 1e6).round() / 1e6;
+                format!("{}", if rounded == 0.0 { 0.0 } else { rounded })
+            };
+            let speed =
+                |rpm: Option<f64>| rpm.map_or(String::new(), |rpm| format!("@{}", short(rpm)));
+            match *step {
+                HoleStep::Rapid(to) => format!("r{}", short(to)),
+                HoleStep::Feed { to, factor: 1.0 } => format!("f{}", short(to)),
+                HoleStep::Feed { to, factor } => format!("f{}*{}", short(to), short(factor)),
+                HoleStep::FeedAt { to, feed } => format!("f{}@{}", short(to), short(feed)),
+                HoleStep::Dwell { seconds } => format!("d{}s", short(seconds)),
+                HoleStep::DwellRevolutions { revolutions } => format!("d{}rev", short(revolutions)),
+                HoleStep::SpindleStop => "M5".to_string(),
+                HoleStep::SpindleReverse => "reverse".to_string(),
+                HoleStep::SpindleRestore(direction) => format!("m{direction}"),
+                HoleStep::Orient { degrees } => {
+                    format!("spos{}", degrees.map_or(String::new(), short))
+                }
+                HoleStep::RapidInPlane { a, b, normal } => {
+                    format!("i{},{},{}", short(a), short(b), short(normal))
+                }
+                HoleStep::Stop => "M0".to_string(),
+                HoleStep::TapIn { to, pitch_mm, spindle_rpm } => {
+                    format!("in{}/{}{}", short(to), short(pitch_mm), speed(spindle_rpm))
+                }
+                HoleStep::TapOut { to, pitch_mm, spindle_rpm } => {
+                    format!("out{}/{}{}", short(to), short(pitch_mm), speed(spindle_rpm))
+                }
+            }
         }
     }
 }

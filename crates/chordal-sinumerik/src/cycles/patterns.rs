@@ -199,7 +199,7 @@ fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cycles::steps::notation::arguments;
+    use crate::cycles::tests::notation::arguments;
 
     fn points_in(call: &str, context: &PatternContext) -> Result<Vec<[f64; 2]>, CycleFault> {
         let (name, list) = call.trim_end_matches(')').split_once('(').expect("a call");

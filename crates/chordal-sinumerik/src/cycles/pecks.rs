@@ -171,7 +171,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::cycles::steps::notation::{arguments, steps, steps_in};
+    use crate::cycles::tests::notation::{arguments, steps, steps_in};
     use crate::cycles::{HoleStep, drilling_moves};
 
     /// The levels of the feeds alone.

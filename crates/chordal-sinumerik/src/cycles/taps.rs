@@ -192,7 +192,7 @@ fn lead_mm(call: &CycleCall<'_>, context: &HoleContext) -> Result<Option<f64>, C
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cycles::steps::notation::{steps, steps_in};
+    use crate::cycles::tests::notation::{steps, steps_in};
 
     #[test]
     fn rigid_tapping() {

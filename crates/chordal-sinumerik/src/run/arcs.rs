@@ -5,8 +5,8 @@ use chordal_geometry::TurnDirection;
 use chordal_kernel::ArcWords;
 
 use super::interpreter::Interpreter;
-use super::modes::PathMotion;
 use super::motion::BlockTarget;
+use super::run_state::PathMotion;
 use super::words::{BlockStatementView, BlockWords};
 use crate::syntax::ValueFunction;
 

@@ -5,7 +5,9 @@ use std::collections::HashMap;
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_kernel::{EndReason, ProgramName};
 
-use super::interpreter::{BlockFlow, Interpreter, RunningProgram};
+use super::interpreter::Interpreter;
+use super::program_texts::bare_name;
+use super::run_state::{BlockFlow, ModalCycle, PartRepeat, RunningProgram};
 use super::variables::{ProgramVariable, zero_of};
 use crate::syntax::{
     Address, CallStatement, Expression, ExpressionKind, IndirectCall, JumpDirection, ProcedureHead,
@@ -15,30 +17,6 @@ use crate::values::SinumerikValue;
 
 /// Levels of calls at most (MD of the channel: 16 of which the main program is one).
 const MAX_LEVELS: usize = 16;
-
-/// The cycle or program that runs after each block with path motion (`MCALL`).
-#[derive(Clone, Debug)]
-pub struct ModalCycle {
-    /// Its name in upper case.
-    pub name: String,
-    /// Its arguments, evaluated at the `MCALL`.
-    pub arguments: Vec<Option<SinumerikValue>>,
-    /// The text of the call.
-    pub range: TextRange,
-}
-
-/// A part of a program that is repeated (`REPEAT LABEL`).
-#[derive(Clone, Debug)]
-pub struct PartRepeat {
-    /// Its first block: byte and line.
-    pub start: (u32, u32),
-    /// The block after which it ends, by its first byte.
-    pub last: u32,
-    /// How often it still runs.
-    pub left: u32,
-    /// Where the program goes on: byte and line.
-    pub resume: (u32, u32),
-}
 
 /// What a call runs.
 struct CallRequest<'c> {
@@ -351,9 +329,9 @@ impl Interpreter<'_> {
             self.alarm(12340, Code::BadArgument, request.range, message);
         }
         for (place, parameter) in parameters.iter().enumerate() {
-            let given = request.arguments.get(place).cloned().flatten();
-            let given = given.or_else(|| self.value(parameter.default.as_ref()?));
-            let value = given.and_then(|value| value.converted(parameter.kind).ok());
+            let argument = request.arguments.get(place).cloned().flatten();
+            let argument = argument.or_else(|| self.value(parameter.default.as_ref()?));
+            let value = argument.and_then(|value| value.converted(parameter.kind).ok());
             let value = value.unwrap_or_else(|| zero_of(parameter.kind));
             let variable =
                 ProgramVariable { kind: parameter.kind, sizes: Vec::new(), values: vec![value] };
@@ -376,7 +354,7 @@ impl Interpreter<'_> {
                     .to_text()
                     .map_or_else(|_| String::new(), |text| text.to_ascii_uppercase());
                 self.call_program(CallRequest {
-                    name: super::programs::bare_name(&name),
+                    name: bare_name(&name),
                     range,
                     arguments: Vec::new(),
                     names: Vec::new(),

@@ -4,7 +4,8 @@ use chordal_command::CommandKind;
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_kernel::EndReason;
 
-use super::interpreter::{BlockFlow, Interpreter};
+use super::interpreter::Interpreter;
+use super::run_state::BlockFlow;
 use super::words::{AXIS_NAMES, BlockWords, OTHER_ADDRESSES, ToolWord, ValueWord};
 use crate::syntax::{
     AddressWord, CallStatement, Expression, ExpressionKind, ProgramBlock, StatementKind,
@@ -15,6 +16,18 @@ use crate::vocabulary::{IGNORED_CALLS, is_known_name};
 
 /// From this number on SETAL shows an alarm of the user.
 const FIRST_USER_ALARM: f64 = 65_000.0;
+
+/// Addresses that change the path and are not carried out.
+const UNFOLLOWED_ADDRESSES: &[&str] = &["OFFN", "TOFFL", "TOFFR", "DISR", "DISCL", "DISC"];
+
+/// Indexed addresses that move an axis by itself.
+const POSITIONING_AXES: &[&str] = &["POS", "POSA", "POSP"];
+
+/// Indexed addresses that change neither the path nor the position.
+const IGNORED_INDEXED: &[&str] = &[
+    "FA", "ACC", "OVRA", "VELOLIM", "ACCLIMA", "JERKLIM", "SPOS", "SPOSA", "FXS", "FXST", "FXSW",
+    "FOC",
+];
 
 impl Interpreter<'_> {
     /// Carries out a block that calls something; `None` for other blocks.
@@ -119,7 +132,18 @@ impl Interpreter<'_> {
                         self.alarm(12550, Code::UnknownCode, statement.range, message);
                     }
                 }
+                StatementKind::SynchronousAction => {
+                    let what =
+                        "synchronous actions are not followed: what this one does is missing here";
+                    self.not_followed(statement.range, what);
+                }
                 _ => {}
+            }
+        }
+        for (name, word) in words.others.clone() {
+            let acts = UNFOLLOWED_ADDRESSES.contains(&name) && word.value != 0.0;
+            if acts {
+                self.not_followed(word.range, format!("{name} is not followed"));
             }
         }
         words
@@ -186,6 +210,11 @@ impl Interpreter<'_> {
                     words.others.push((known, value));
                 }
             }
+            None if POSITIONING_AXES.contains(&name) && self.variables.local(name).is_none() => {
+                let what = format!("{name} moves an axis by itself and is not followed");
+                self.not_followed(range, what);
+            }
+            None if IGNORED_INDEXED.contains(&name) && self.variables.local(name).is_none() => {}
             None => self.assign(&word.address, &word.value),
         }
     }

@@ -5,34 +5,13 @@ use std::collections::BTreeMap;
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_kernel::EndReason;
 
-use super::interpreter::{BlockFlow, Interpreter};
+use super::interpreter::Interpreter;
+use super::run_state::{BlockFlow, LoopKind, OpenLoop};
 use crate::syntax::{
     Address, BlockReader, Expression, JumpDirection, JumpStatement, JumpTarget, ProgramBlock,
     StatementKind,
 };
 use crate::values::SinumerikValue;
-
-/// A loop whose end has not been reached.
-#[derive(Clone, Debug)]
-pub struct OpenLoop {
-    /// The first block after its head: byte and line.
-    pub body: (u32, u32),
-    /// What decides whether it goes on.
-    pub kind: LoopKind,
-}
-
-/// What decides whether a loop goes on.
-#[derive(Clone, Debug)]
-pub enum LoopKind {
-    /// `FOR`: the variable and its last value.
-    Counted(Address, f64),
-    /// `WHILE`: the condition.
-    While(Expression),
-    /// `REPEAT … UNTIL`.
-    Until,
-    /// `LOOP`.
-    Endless,
-}
 
 /// The structures whose ends are searched.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -1,65 +1,26 @@
 //! Reads blocks and carries them out in the order of the program.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 
 use chordal_command::{CallPath, CommandKind, Origin};
-use chordal_diagnostics::{Code, FileId, TextRange};
+use chordal_diagnostics::{Code, Diagnostic, FileId, Severity, TextRange};
 use chordal_kernel::{
     CompletedRun, EndReason, Kernel, Modal, Outcome, ProgramName, RunSink, State,
 };
 
-use super::calls::{ModalCycle, PartRepeat};
-use super::flow::OpenLoop;
-use super::modes::LanguageModes;
-use super::programs::SinumerikPrograms;
+use super::program_texts::ProgramTexts;
+use super::run_state::{BlockFlow, LanguageModes, ModalCycle, RunningProgram};
 use super::variables::{ProgramVariable, VariableStore};
 use super::words::BlockWords;
-use crate::syntax::{BlockReader, Expression, ProgramBlock};
+use crate::syntax::{Expression, ProgramBlock};
 use crate::values::{SinumerikValue, evaluate};
 
 /// Blocks between two questions whether the run is to end.
 const INTERRUPT_BLOCKS: u64 = 1024;
 
-/// What comes after a block.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum BlockFlow {
-    /// The next block.
-    Next,
-    /// The end of the run.
-    End(EndReason),
-}
-
-/// A program that runs: the main program, or a called one.
-pub struct RunningProgram<'a> {
-    /// Its index among the programs.
-    pub program: usize,
-    /// Reads its blocks.
-    pub reader: BlockReader<'a>,
-    /// The loops that are open, the innermost last.
-    pub loops: Vec<OpenLoop>,
-    /// The parts that are repeated, the innermost last.
-    pub repeats: Vec<PartRepeat>,
-    /// How often it is still run again (`P`).
-    pub passes_left: u32,
-    /// The chain of calls that led here.
-    pub call: CallPath,
-    /// The modes at the call, which `SAVE` restores.
-    pub saved: Option<Box<LanguageModes>>,
-    /// The caller's variables that get the values of `VAR` parameters at the return: name here, name there.
-    pub references: Vec<(String, String)>,
-    /// The calls stand in a modal call: it does not act on them.
-    pub is_modal_call: bool,
-    /// The branches that are open, as far as no jump was made.
-    pub open_branches: u32,
-    /// A jump was made, so that a structure may end that was not begun.
-    pub has_jumped: bool,
-    /// Labels and block numbers by their name, made at the first jump.
-    pub targets: Option<BTreeMap<String, Vec<(u32, u32)>>>,
-}
-
 /// Runs one program.
 pub struct Interpreter<'a> {
-    pub(super) programs: &'a SinumerikPrograms<'a>,
+    pub(super) programs: &'a ProgramTexts<'a>,
     pub(super) kernel: Kernel<'a>,
     pub(super) stack: Vec<RunningProgram<'a>>,
     pub(super) variables: VariableStore,
@@ -74,11 +35,10 @@ pub struct Interpreter<'a> {
 impl<'a> Interpreter<'a> {
     /// At the start of a program.
     pub fn new(
-        programs: &'a SinumerikPrograms<'a>,
+        programs: &'a ProgramTexts<'a>,
         program: usize,
         sink: &'a mut (dyn RunSink + 'a),
     ) -> Interpreter<'a> {
-        use chordal_kernel::ConfiguredControl as _;
         let (control, machine) = (programs.control, programs.machine);
         let offsets = control.initial_offsets(machine);
         let home = machine.home.map(|place| place.unwrap_or(0.0));
@@ -101,7 +61,7 @@ impl<'a> Interpreter<'a> {
             targets: None,
         };
         let mut variables = VariableStore::default();
-        variables.r_count = control.settings.r_parameters;
+        variables.r_count = programs.settings.r_parameters;
         variables.locals.push(HashMap::<String, ProgramVariable>::new());
         Interpreter {
             programs,
@@ -209,6 +169,12 @@ impl<'a> Interpreter<'a> {
         for fault in &block.faults {
             self.alarm(12080, Code::BadStatement, fault.range, fault.message.clone());
         }
+        for range in &block.doubtful_comparisons {
+            let message = "comparisons bind less than AND, OR and XOR: this is compared with the result of the operator";
+            let diagnostic = Diagnostic::new(Code::BadExpression, self.span(*range), message);
+            let help = "write the comparisons in parentheses if they were meant to come first";
+            self.kernel.report(diagnostic.severity(Severity::Warning).help(help));
+        }
         if let Some(flow) = self.flow_statement(block) {
             return flow;
         }
@@ -238,7 +204,9 @@ impl<'a> Interpreter<'a> {
     pub(super) fn value(&mut self, expression: &Expression) -> Option<SinumerikValue> {
         let (position, unit) = (self.programmed_position(), self.unit_mm());
         self.variables.position = position.map(|mm| mm / unit);
-        match evaluate(expression, &mut self.variables) {
+        let value = evaluate(expression, &mut self.variables);
+        self.report_unset_reads();
+        match value {
             Ok(value) => Some(value),
             Err(error) => {
                 self.report_evaluation(error);

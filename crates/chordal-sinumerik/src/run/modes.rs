@@ -7,80 +7,9 @@ use chordal_diagnostics::{Code, TextRange};
 use chordal_geometry::{Plane, TurnDirection};
 use chordal_kernel::EndReason;
 
-use super::frame_map::FrameMap;
-use super::interpreter::{BlockFlow, Interpreter};
+use super::interpreter::Interpreter;
+use super::run_state::{BlockFlow, LanguageModes, PathMotion};
 use super::words::BlockWords;
-
-/// The motion of blocks with axis words.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum PathMotion {
-    /// G0.
-    Rapid,
-    /// G1, which is active at power-on (MD20150).
-    Linear,
-    /// G2 and G3.
-    Arc(TurnDirection),
-    /// CIP.
-    ThroughPoint,
-    /// CT.
-    Tangent,
-    /// A motion that is not carried out; its ends are taken as straight cuts.
-    NotFollowed,
-}
-
-/// What the language remembers from block to block in addition to the kernel.
-#[derive(Clone, Debug)]
-pub struct LanguageModes {
-    /// The motion.
-    pub motion: PathMotion,
-    /// The programmable frame.
-    pub frame: FrameMap,
-    /// The pole of polar coordinates, mm, programmed coordinates.
-    pub pole: [f64; 3],
-    /// The polar angle in force, degrees; `None` before one.
-    pub polar_angle: Option<f64>,
-    /// The polar radius in force, mm; `None` before one.
-    pub polar_radius: Option<f64>,
-    /// The radius of modal roundings, mm; 0 for none.
-    pub modal_rounding_mm: f64,
-    /// G700 and G710: the unit acts on feeds, too.
-    pub feed_in_units: bool,
-    /// This block is without settable and programmable frame (G53, G153, SUPA).
-    pub machine_block: bool,
-    /// The direction in which the last move ended, programmed coordinates of the plane, for CT.
-    pub last_direction: Option<[f64; 3]>,
-    /// G451: outside corners of compensation end at the intersection.
-    pub intersects_corners: bool,
-    /// KONT: compensation begins like a contour.
-    pub follows_contour: bool,
-    /// A loop, a jump or a repeat has gone back: from here on blocks count against the budget.
-    pub has_jumped_back: bool,
-    /// The edge that is active; 0 for none.
-    pub edge: u32,
-    /// The tool in the spindle has a name that no tool of the machine file has.
-    pub unknown_tool: bool,
-}
-
-impl Default for LanguageModes {
-    fn default() -> LanguageModes {
-        LanguageModes {
-            motion: PathMotion::Linear,
-            frame: FrameMap::IDENTITY,
-            pole: [0.0; 3],
-            polar_angle: None,
-            polar_radius: None,
-            modal_rounding_mm: 0.0,
-            feed_in_units: false,
-            machine_block: false,
-            last_direction: None,
-            intersects_corners: false,
-            follows_contour: false,
-            has_jumped_back: false,
-            edge: 0,
-            unknown_tool: false,
-        }
-    }
-}
 
 /// The group of a G code (Fundamentals, list of G functions); `None` for codes that are not known.
 fn group_of(code: u32) -> Option<u32> {

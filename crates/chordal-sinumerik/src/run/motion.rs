@@ -7,7 +7,7 @@ use chordal_kernel::{CornerForm, ProgrammedCorner};
 use super::frame_map::sin_cos;
 use super::frames::is_frame_block;
 use super::interpreter::Interpreter;
-use super::modes::PathMotion;
+use super::run_state::PathMotion;
 use super::words::{BlockStatementView, BlockWords, ValueWord};
 
 /// Where a block goes.

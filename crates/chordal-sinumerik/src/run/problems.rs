@@ -50,6 +50,20 @@ impl Interpreter<'_> {
         self.alarm(error.alarm, code, error.range, error.message);
     }
 
+    /// Reports the R parameters that were read before the program set them: the control keeps the values of programs
+    /// before, which nobody knows here.
+    pub(super) fn report_unset_reads(&mut self) {
+        for (number, range) in std::mem::take(&mut self.variables.unset_reads) {
+            if self.reported.insert(format!("R{number}"), 1).is_some() {
+                continue;
+            }
+            let message = format!("R{number} is read before the program sets it: it is taken as 0");
+            let help = "the control keeps the value of the program before; set it at the start of the program";
+            let diagnostic = Diagnostic::new(Code::UnknownPath, self.span(range), message);
+            self.kernel.report(diagnostic.help(help));
+        }
+    }
+
     /// Reports something that is read and not carried out: what follows from it is not verified.
     pub(super) fn not_followed(&mut self, range: TextRange, what: impl Into<String>) {
         let span = self.span(range);

@@ -5,7 +5,7 @@ use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_kernel::LengthOffset;
 
 use super::interpreter::Interpreter;
-use super::modes::PathMotion;
+use super::run_state::PathMotion;
 use super::words::{BlockStatementView, BlockWords, ToolWord};
 
 /// The largest number of an edge (MD18106 at its default).
@@ -47,7 +47,7 @@ impl Interpreter<'_> {
                 }
             }
         }
-        if !self.programs.control.settings.tool_change_by_m6 {
+        if !self.programs.settings.tool_change_by_m6 {
             self.change_tool(range);
         }
     }

@@ -73,6 +73,8 @@ pub struct VariableStore {
     pub r_count: u32,
     /// R parameters by their number; those that nobody wrote are 0.
     r: HashMap<u32, f64>,
+    /// R parameters that were read before the program set them, with the place of the read.
+    pub unset_reads: Vec<(u32, TextRange)>,
     /// The variables of the running programs, the innermost last.
     pub locals: Vec<HashMap<String, ProgramVariable>>,
     /// What the program has written into system variables such as `$TC_DP6[1,1]`.
@@ -141,7 +143,11 @@ impl VariableSource for VariableStore {
         let range = address.range;
         if let Some(number) = VariableStore::r_number(address, indices) {
             let number = r_place(number, self.r_count, range)?;
-            return Ok(SinumerikValue::Real(self.r.get(&number).copied().unwrap_or(0.0)));
+            let value = self.r.get(&number).copied();
+            if value.is_none() {
+                self.unset_reads.push((number, range));
+            }
+            return Ok(SinumerikValue::Real(value.unwrap_or(0.0)));
         }
         if address.name == "$P_EP"
             && let Some(axis) = axis_of_index(address)

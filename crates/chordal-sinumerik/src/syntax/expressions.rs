@@ -5,7 +5,7 @@ use chordal_diagnostics::TextRange;
 use super::ast::{BinaryOperator, Expression, ExpressionKind, UnaryOperator};
 use super::number_literal::bit_constant;
 use super::parser::BlockParser;
-use super::reader::ComparisonPrecedence;
+use super::precedence::ComparisonPrecedence;
 use super::scanner::{begins_name, decoded_text};
 use super::words::number_kind;
 

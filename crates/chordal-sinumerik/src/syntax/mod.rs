@@ -7,6 +7,8 @@ mod flow;
 mod names;
 mod number_literal;
 mod parser;
+mod pending_fault;
+mod precedence;
 mod reader;
 mod recovery;
 mod scanner;
@@ -15,6 +17,7 @@ mod units;
 mod words;
 
 pub use ast::*;
-pub use reader::{BlockReader, ComparisonPrecedence};
+pub use precedence::ComparisonPrecedence;
+pub use reader::BlockReader;
 pub use tokens::tokens;
 pub use units::{ProgramUnit, ProgramUnitKind, units};

@@ -3,8 +3,8 @@
 use chordal_diagnostics::TextRange;
 
 use super::ast::{BlockNumber, BlockStatement, LabelName, ProgramBlock, StatementKind};
-use super::reader::ComparisonPrecedence;
-use super::recovery::PendingFault;
+use super::pending_fault::PendingFault;
+use super::precedence::ComparisonPrecedence;
 use super::scanner::{LineScanner, begins_name};
 
 /// Reads one block. A function that cannot read its part notes the fault and returns `None`; the statement is then left

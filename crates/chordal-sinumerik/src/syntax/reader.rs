@@ -4,17 +4,8 @@ use chordal_diagnostics::{TextRange, line_end_length};
 
 use super::ast::ProgramBlock;
 use super::parser::BlockParser;
+use super::precedence::ComparisonPrecedence;
 use super::scanner::is_blank;
-
-/// Which of comparisons and AND, OR, XOR binds more tightly.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum ComparisonPrecedence {
-    /// Comparisons bind least of all, as the manual says (Job Planning 07/2010, 1.7).
-    #[default]
-    Last,
-    /// Comparisons bind more tightly than AND, OR and XOR, as some programs are written.
-    BeforeLogic,
-}
 
 /// Reads the blocks of a text from a place on. Lines without content and lines with `%` at their start are no blocks; a
 /// line with only a comment is one.

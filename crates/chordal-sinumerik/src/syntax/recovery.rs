@@ -3,17 +3,12 @@
 
 use super::ast::SyntaxFault;
 use super::parser::BlockParser;
+use super::pending_fault::PendingFault;
 use super::scanner::is_blank;
 use chordal_diagnostics::TextRange;
 
 /// A line with more faults is no block of a program; its rest is one fault.
 const MAX_FAULTS_OF_BLOCK: usize = 16;
-
-/// A fault of the statement that is being read.
-pub(super) struct PendingFault {
-    at: usize,
-    message: String,
-}
 
 impl BlockParser<'_> {
     /// Notes a fault at the next byte. The first fault of a statement counts.

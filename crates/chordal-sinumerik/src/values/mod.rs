@@ -1,6 +1,7 @@
 //! Values of variables and expressions.
 
 mod evaluate;
+mod function_arguments;
 mod functions;
 mod operators;
 mod text_functions;

@@ -1,6 +1,6 @@
 //! The functions of texts (Job Planning 07/2010, 1.9). Positions count from 0; -1 is no position.
 
-use super::functions::FunctionArguments;
+use super::function_arguments::FunctionArguments;
 use super::value::{SinumerikValue, ValueFault, single_character};
 
 /// The value of a function of texts; `None` when it is none.

@@ -1,0 +1,166 @@
+//! What a run remembers from block to block.
+
+use std::collections::BTreeMap;
+
+use chordal_command::CallPath;
+use chordal_diagnostics::TextRange;
+use chordal_geometry::TurnDirection;
+use chordal_kernel::EndReason;
+
+use super::frame_map::FrameMap;
+use crate::syntax::{Address, BlockReader, Expression};
+use crate::values::SinumerikValue;
+
+/// What comes after a block.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum BlockFlow {
+    /// The next block.
+    Next,
+    /// The end of the run.
+    End(EndReason),
+}
+
+/// A program that runs: the main program, or a called one.
+pub struct RunningProgram<'a> {
+    /// Its index among the programs.
+    pub program: usize,
+    /// Reads its blocks.
+    pub reader: BlockReader<'a>,
+    /// The loops that are open, the innermost last.
+    pub loops: Vec<OpenLoop>,
+    /// The parts that are repeated, the innermost last.
+    pub repeats: Vec<PartRepeat>,
+    /// How often it is still run again (`P`).
+    pub passes_left: u32,
+    /// The chain of calls that led here.
+    pub call: CallPath,
+    /// The modes at the call, which `SAVE` restores.
+    pub saved: Option<Box<LanguageModes>>,
+    /// The caller's variables that get the values of `VAR` parameters at the return: name here, name there.
+    pub references: Vec<(String, String)>,
+    /// The calls stand in a modal call: it does not act on them.
+    pub is_modal_call: bool,
+    /// The branches that are open, as far as no jump was made.
+    pub open_branches: u32,
+    /// A jump was made, so that a structure may end that was not begun.
+    pub has_jumped: bool,
+    /// Labels and block numbers by their name, made at the first jump.
+    pub targets: Option<BTreeMap<String, Vec<(u32, u32)>>>,
+}
+
+/// A loop whose end has not been reached.
+#[derive(Clone, Debug)]
+pub struct OpenLoop {
+    /// The first block after its head: byte and line.
+    pub body: (u32, u32),
+    /// What decides whether it goes on.
+    pub kind: LoopKind,
+}
+
+/// What decides whether a loop goes on.
+#[derive(Clone, Debug)]
+pub enum LoopKind {
+    /// `FOR`: the variable and its last value.
+    Counted(Address, f64),
+    /// `WHILE`: the condition.
+    While(Expression),
+    /// `REPEAT … UNTIL`.
+    Until,
+    /// `LOOP`.
+    Endless,
+}
+
+/// The cycle or program that runs after each block with path motion (`MCALL`).
+#[derive(Clone, Debug)]
+pub struct ModalCycle {
+    /// Its name in upper case.
+    pub name: String,
+    /// Its arguments, evaluated at the `MCALL`.
+    pub arguments: Vec<Option<SinumerikValue>>,
+    /// The text of the call.
+    pub range: TextRange,
+}
+
+/// A part of a program that is repeated (`REPEAT LABEL`).
+#[derive(Clone, Debug)]
+pub struct PartRepeat {
+    /// Its first block: byte and line.
+    pub start: (u32, u32),
+    /// The block after which it ends, by its first byte.
+    pub last: u32,
+    /// How often it still runs.
+    pub left: u32,
+    /// Where the program goes on: byte and line.
+    pub resume: (u32, u32),
+}
+
+/// The motion of blocks with axis words.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum PathMotion {
+    /// G0.
+    Rapid,
+    /// G1, which is active at power-on (MD20150).
+    Linear,
+    /// G2 and G3.
+    Arc(TurnDirection),
+    /// CIP.
+    ThroughPoint,
+    /// CT.
+    Tangent,
+    /// A motion that is not carried out; its ends are taken as straight cuts.
+    NotFollowed,
+}
+
+/// What the language remembers from block to block in addition to the kernel.
+#[derive(Clone, Debug)]
+pub struct LanguageModes {
+    /// The motion.
+    pub motion: PathMotion,
+    /// The programmable frame.
+    pub frame: FrameMap,
+    /// The pole of polar coordinates, mm, programmed coordinates.
+    pub pole: [f64; 3],
+    /// The polar angle in force, degrees; `None` before one.
+    pub polar_angle: Option<f64>,
+    /// The polar radius in force, mm; `None` before one.
+    pub polar_radius: Option<f64>,
+    /// The radius of modal roundings, mm; 0 for none.
+    pub modal_rounding_mm: f64,
+    /// G700 and G710: the unit acts on feeds, too.
+    pub feed_in_units: bool,
+    /// This block is without settable and programmable frame (G53, G153, SUPA).
+    pub machine_block: bool,
+    /// The direction in which the last move ended, programmed coordinates of the plane, for CT.
+    pub last_direction: Option<[f64; 3]>,
+    /// G451: outside corners of compensation end at the intersection.
+    pub intersects_corners: bool,
+    /// KONT: compensation begins like a contour.
+    pub follows_contour: bool,
+    /// A loop, a jump or a repeat has gone back: from here on blocks count against the budget.
+    pub has_jumped_back: bool,
+    /// The edge that is active; 0 for none.
+    pub edge: u32,
+    /// The tool in the spindle has a name that no tool of the machine file has.
+    pub unknown_tool: bool,
+}
+
+impl Default for LanguageModes {
+    fn default() -> LanguageModes {
+        LanguageModes {
+            motion: PathMotion::Linear,
+            frame: FrameMap::IDENTITY,
+            pole: [0.0; 3],
+            polar_angle: None,
+            polar_radius: None,
+            modal_rounding_mm: 0.0,
+            feed_in_units: false,
+            machine_block: false,
+            last_direction: None,
+            intersects_corners: false,
+            follows_contour: false,
+            has_jumped_back: false,
+            edge: 0,
+            unknown_tool: false,
+        }
+    }
+}
