@@ -19,4 +19,5 @@ if TYPE_CHECKING:
         "fluidnc",
         "mach3",
         "marlin",
+        "sinumerik",
     ]

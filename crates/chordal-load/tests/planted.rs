@@ -82,6 +82,10 @@ fn every_planted_fault_is_found_in_its_line() {
     assert!(planted >= FEWEST && KINDS.len() >= FEWEST_KINDS, "{planted} plants");
 }
 
+/// Languages with statements call most slips of the fingers a statement that cannot be read, or a name that is not
+/// defined: their alarms say no more.
+const UNREADABLE: [&str; 2] = ["CH704", "CH705"];
+
 /// The lathe programs among the examples, as they are loaded when nobody says for which control they are.
 fn turned_parts() -> Vec<Part> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
@@ -129,7 +133,8 @@ fn plant_all(kinds: &[Kind], parts: &[Part]) -> usize {
                 let after = said(&part.check(&text), &text);
                 let is_new = |at: usize, id: &str| !before.iter().any(|b| b.0 == at && b.1 == id);
                 let right = after.iter().any(|&(at, id, _)| {
-                    let said = kind.codes.contains(&id) || id == REFUSED;
+                    let is_unreadable = part.control == "sinumerik" && UNREADABLE.contains(&id);
+                    let said = kind.codes.contains(&id) || id == REFUSED || is_unreadable;
                     let in_line = at == place && said;
                     (in_line || id == NOT_RUN && at <= place) && is_new(at, id)
                 });

@@ -42,6 +42,9 @@ const LATHES: &[&str] = &["fanuc-lathe", "haas-lathe", "linuxcnc-lathe", "mitsub
 /// Many of their machines have a spindle that is switched by hand, and their programs need no end.
 const SMALL: &[&str] = &["grbl", "grblhal", "fluidnc", "marlin"];
 
+/// Controls whose programs need no end.
+const NO_END: &[&str] = &["grbl", "grblhal", "fluidnc", "marlin", "sinumerik"];
+
 /// The feed of a hole begins where the tool is.
 const NO_R: &[&str] =
     &["fadal", "haas", "fanuc-lathe", "haas-lathe", "linuxcnc-lathe", "mitsubishi-lathe"];
@@ -82,6 +85,7 @@ pub const KINDS: &[Kind] = &[
         "mitsubishi",
         "mitsubishi-lathe",
         "mach3",
+        "sinumerik",
     ]),
     kind("G0 and G1 in one block", two_motions, &["CH302", "CH307"]),
     kind("G54 and G55 in one block", two_offsets, &["CH302"]).not_on(&["fadal"]),
@@ -116,7 +120,8 @@ pub const KINDS: &[Kind] = &[
     // Programs.
     kind("called program is not there", lost_program, &["CH201", "CH202"]),
     kind("call without its number", call_without_number, &["CH202", "CH308"]),
-    kind("no end of program", no_end, &["CH205"]).at(last_line).not_on(SMALL),
+    // The end of the text is the end of a Sinumerik program.
+    kind("no end of program", no_end, &["CH205"]).at(last_line).not_on(NO_END),
     // Macros.
     kind("jump to a number that is not there", lost_label, &["CH202"]),
     kind("bracket not closed", open_bracket, &["CH701", "CH700", "CH704"]),

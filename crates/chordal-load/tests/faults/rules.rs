@@ -225,7 +225,8 @@ pub fn no_feed(part: &Part, line: &Line) -> Planted {
     // Blocks that may be deleted have one, too; that of a tap is its speed there.
     let deleted = part.lines[..line.number].iter().any(|line| line.text.starts_with('/'));
     let speed = part.control == "fadal" && line.g(&["84", "84.1"]).is_some();
-    let macros = part.lines.iter().any(|line| line.text.contains('#') && line.text.contains('F'));
+    let computes = |line: &Line| line.text.contains(['#', '=']) && line.text.contains('F');
+    let macros = part.lines.iter().any(computes);
     if deleted || speed || macros {
         return None;
     }

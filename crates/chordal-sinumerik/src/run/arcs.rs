@@ -68,8 +68,12 @@ impl Interpreter<'_> {
         end: [f64; 2],
         end_by_angle: &mut Option<[f64; 2]>,
     ) -> Option<PlaneArc> {
-        let (a, b, _) = self.kernel.state.plane.axes();
+        let (a, b, normal) = self.kernel.state.plane.axes();
         let unit = self.unit_mm();
+        if let Some(word) = words.centers[normal] {
+            self.center_outside_plane(word.range, normal);
+            return None;
+        }
         let has_center = words.centers[a].is_some() || words.centers[b].is_some();
         if let Some(radius) = words.other("CR") {
             return self.arc_by_radius(radius.range, radius.value * unit, direction, start, end);
@@ -109,6 +113,19 @@ impl Interpreter<'_> {
             return None;
         }
         self.fitted(range, PlaneArc { center, direction }, start, end)
+    }
+
+    /// A centre word of the axis that is not in the plane.
+    fn center_outside_plane(&mut self, range: TextRange, normal: usize) {
+        let letter = ['I', 'J', 'K'][normal];
+        let code = ["G19", "G18", "G17"][normal];
+        let diagnostic = Diagnostic::new(
+            Code::CenterOutsidePlane,
+            self.span(range),
+            format!("{letter} does not belong to the plane of {code}"),
+        )
+        .help("remove the word, or choose the plane with G17, G18 or G19");
+        self.report_alarm(14040, diagnostic);
     }
 
     /// The arc with a centre on the bisector of the chord, if the radii agree within the tolerance of the control.

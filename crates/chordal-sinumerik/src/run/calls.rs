@@ -6,12 +6,12 @@ use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_kernel::{EndReason, ProgramName};
 
 use super::interpreter::Interpreter;
-use super::program_texts::bare_name;
+use super::program_texts::{bare_name, procedure_of};
 use super::run_state::{BlockFlow, ModalCycle, PartRepeat, RunningProgram};
 use super::variables::{ProgramVariable, zero_of};
 use crate::syntax::{
     Address, CallStatement, Expression, ExpressionKind, IndirectCall, JumpDirection, ProcedureHead,
-    ProgramBlock, RepeatPart, StatementKind, VariableDefinition, WordValue,
+    ProgramBlock, RepeatPart, VariableDefinition, WordValue,
 };
 use crate::values::SinumerikValue;
 
@@ -290,7 +290,7 @@ impl Interpreter<'_> {
         let caller = self.running().call;
         let call = self.kernel.calls.enter(caller, block);
         let reader = self.programs.reader(program);
-        let head = procedure_of(&mut self.programs.reader(program));
+        let head = procedure_of(&mut self.programs.reader(program)).map(|(_, head)| head);
         let (locals, references) = self.parameters(head.as_ref(), &request);
         let saved = head.as_ref().filter(|head| head.saves).map(|_| Box::new(self.modes.clone()));
         self.variables.locals.push(locals);
@@ -396,8 +396,7 @@ impl Interpreter<'_> {
         let Some(call) = call else { return };
         let arguments = call.arguments.as_deref().unwrap_or_default();
         let Some(arguments) = self.arguments(arguments) else { return };
-        self.modal_call =
-            Some(ModalCycle { name: call.name.clone(), arguments, range: call.range });
+        self.modal_call = Some(ModalCycle { name: call.name.clone(), arguments });
     }
 
     /// After a block with path motion: the cycle or program of the modal call.
@@ -407,7 +406,7 @@ impl Interpreter<'_> {
         }
         let Some(modal) = self.modal_call.clone() else { return BlockFlow::Next };
         if self.is_cycle(&modal.name) && self.programs.find_name(&modal.name).is_none() {
-            self.run_cycle(&modal.name, &modal.arguments, modal.range);
+            self.run_cycle(&modal.name, &modal.arguments, range);
             return BlockFlow::Next;
         }
         self.call_program(CallRequest {
@@ -419,16 +418,4 @@ impl Interpreter<'_> {
             is_modal: true,
         })
     }
-}
-
-/// The head of a program with parameters; `None` without `PROC`.
-fn procedure_of(reader: &mut crate::syntax::BlockReader<'_>) -> Option<ProcedureHead> {
-    for block in reader.by_ref() {
-        let Some(first) = block.statements.into_iter().next() else { continue };
-        return match first.kind {
-            StatementKind::Procedure(head) => Some(head),
-            _ => None,
-        };
-    }
-    None
 }

@@ -162,6 +162,15 @@ impl Interpreter<'_> {
         let is_axis = AXIS_NAMES.contains(&name) && matches!(address.extension, None | Some(1));
         let is_address =
             matches!(name, "G" | "M" | "I" | "J" | "K") || OTHER_ADDRESSES.contains(&name);
+        if matches!(name, "A" | "B" | "C") && matches!(address.extension, Some(2..=7)) {
+            if self.reported.insert("tool direction".into(), 1).is_none() {
+                self.not_followed(
+                    range,
+                    "the direction of the tool is not followed: this machine has three axes",
+                );
+            }
+            return;
+        }
         if !is_axis && !is_address {
             return self.assign(address, &word.value);
         }

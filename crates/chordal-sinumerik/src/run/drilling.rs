@@ -9,6 +9,7 @@ use crate::cycles::{
     CYCLES, CycleArguments, CycleFault, HoleContext, HoleStep, PatternContext, drilling_moves,
     pattern_points,
 };
+use crate::syntax::ProgramUnitKind;
 use crate::values::SinumerikValue;
 
 /// Cycles of milling, turning and swivelling that are read and not carried out.
@@ -84,6 +85,15 @@ impl Interpreter<'_> {
 
     /// The holes of a pattern, at each of which the modal cycle runs.
     fn run_pattern(&mut self, name: &str, arguments: &CycleArguments, range: TextRange) {
+        let main = self.stack.first().map(|main| main.program);
+        let is_called =
+            main.is_some_and(|main| self.programs.texts[main].unit.kind == ProgramUnitKind::Sub);
+        if self.modal_call.is_none() && is_called {
+            return self.not_followed(
+                range,
+                format!("{name} works with the cycle of its caller, which is not known here"),
+            );
+        }
         if self.modal_call.is_none() {
             return self.alarm(
                 62100,
@@ -110,7 +120,7 @@ impl Interpreter<'_> {
             if let Some(modal) = self.modal_call.clone()
                 && self.is_cycle(&modal.name)
             {
-                self.run_cycle(&modal.name, &modal.arguments, modal.range);
+                self.run_cycle(&modal.name, &modal.arguments, range);
             }
             if !self.kernel.count_repeated() {
                 return;

@@ -8,7 +8,7 @@ use chordal_kernel::{
     CompletedRun, EndReason, Kernel, Modal, Outcome, ProgramName, RunSink, State,
 };
 
-use super::program_texts::ProgramTexts;
+use super::program_texts::{ProgramTexts, procedure_of};
 use super::run_state::{BlockFlow, LanguageModes, ModalCycle, RunningProgram};
 use super::variables::{ProgramVariable, VariableStore};
 use super::words::BlockWords;
@@ -94,6 +94,11 @@ impl<'a> Interpreter<'a> {
 
     /// Runs to the end.
     pub fn run(mut self) -> CompletedRun {
+        let program = self.running().program;
+        let head = procedure_of(&mut self.programs.reader(program));
+        if let Some((range, head)) = head.filter(|(_, head)| !head.parameters.is_empty()) {
+            return self.without_caller(range, &head.name);
+        }
         let wants_blocks = self.kernel.sink.wants_blocks();
         let end = self.run_blocks(wants_blocks);
         self.kernel.end_corners();
@@ -105,6 +110,22 @@ impl<'a> Interpreter<'a> {
             blocks: self.blocks,
             calls: self.kernel.calls,
             missing_programs: self.missing,
+        };
+        CompletedRun { outcome, text_read: None }
+    }
+
+    /// A program with parameters is not run without the program that calls it.
+    fn without_caller(mut self, range: TextRange, name: &str) -> CompletedRun {
+        let message =
+            format!("{name} has parameters and is not run without the program that calls it");
+        let diagnostic = Diagnostic::new(Code::MacroAlone, self.span(range), message);
+        self.kernel.report(diagnostic.help("give the program that calls it, or both in one file"));
+        // One block, so that the text does not count as empty.
+        let outcome = Outcome {
+            end: EndReason::NotRun,
+            blocks: 1,
+            calls: self.kernel.calls,
+            missing_programs: Vec::new(),
         };
         CompletedRun { outcome, text_read: None }
     }

@@ -43,6 +43,7 @@ impl Interpreter<'_> {
     pub(super) fn report_evaluation(&mut self, error: EvaluationError) {
         let code = match error.alarm {
             UNKNOWN_VALUE => return self.not_followed(error.range, error.message),
+            14051 if error.message.contains("zero") => Code::DivisionByZero,
             14051 => Code::OutsideDomain,
             17020 | 17030 | 12550 => Code::BadVariable,
             _ => Code::BadExpression,

@@ -1,11 +1,11 @@
 //! The texts of a job, and the programs in them.
 
-use chordal_diagnostics::{FileId, SourceMap};
+use chordal_diagnostics::{FileId, SourceMap, TextRange};
 use chordal_kernel::{ConfiguredControl, RunOptions};
 use chordal_machine::Machine;
 
 use crate::settings::SinumerikSettings;
-use crate::syntax::{BlockReader, ProgramUnit, units};
+use crate::syntax::{BlockReader, ProcedureHead, ProgramUnit, StatementKind, units};
 
 /// A program and its text.
 #[derive(Clone, Debug)]
@@ -82,4 +82,14 @@ pub fn bare_name(name: &str) -> &str {
 fn file_stem(file: &str) -> String {
     let file = file.rsplit(['/', '\\']).next().unwrap_or(file);
     file.rsplit_once('.').map_or(file, |(stem, _)| stem).to_ascii_uppercase()
+}
+
+/// The head of a program with parameters and its text; `None` without `PROC`.
+pub fn procedure_of(reader: &mut BlockReader<'_>) -> Option<(TextRange, ProcedureHead)> {
+    let block = reader.find(|block| !block.statements.is_empty())?;
+    let first = block.statements.into_iter().next()?;
+    match first.kind {
+        StatementKind::Procedure(head) => Some((first.range, head)),
+        _ => None,
+    }
 }

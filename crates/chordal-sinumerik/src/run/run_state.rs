@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use chordal_command::CallPath;
-use chordal_diagnostics::TextRange;
 use chordal_geometry::TurnDirection;
 use chordal_kernel::EndReason;
 
@@ -77,8 +76,6 @@ pub struct ModalCycle {
     pub name: String,
     /// Its arguments, evaluated at the `MCALL`.
     pub arguments: Vec<Option<SinumerikValue>>,
-    /// The text of the call.
-    pub range: TextRange,
 }
 
 /// A part of a program that is repeated (`REPEAT LABEL`).
