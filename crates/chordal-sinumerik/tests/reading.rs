@@ -27,7 +27,7 @@ fn words() {
         ("S2=900 M2=3 X1=5 S900 M3", "S.2=900 M.2=3 X.1=5 S:900 M:3"),
         (
             "I1=AC(2) J=IC(-3) C=DC(90) X=DIC(R1*2)",
-            "I.1=Absolute<2> J=Incremental<-3> C=ShortWay<90> X=IncrementalDiameter<(R.1 Multiply 2)>",
+            "I.1=Absolute<2> J=Incremental<-3> C=ShortestPath<90> X=IncrementalDiameter<(R.1 Multiply 2)>",
         ),
         ("CR=5 CR=-R1 LIMS[2]=3000 FA[X]=100", "CR=5 CR=(Minus R.1) LIMS[2]=3000 FA[X]=100"),
         ("T=\"MILL 10\" D1", "T=\"MILL 10\" D:1"),
