@@ -71,6 +71,14 @@ impl ProgrammingLanguage for WordAddressLanguage {
 #[derive(Clone, Debug)]
 pub struct WordAddressControl(pub Control);
 
+impl WordAddressControl {
+    /// The tables of a control; `None` when its programs are written in another language.
+    pub fn tables(control: &dyn ConfiguredControl) -> Option<&Control> {
+        let own: &WordAddressControl = control.as_any().downcast_ref()?;
+        Some(&own.0)
+    }
+}
+
 impl Deref for WordAddressControl {
     type Target = Control;
 

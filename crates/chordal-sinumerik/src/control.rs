@@ -15,6 +15,7 @@ use chordal_kernel::{
 };
 use chordal_machine::{AXES, ControlName, Machine};
 
+use crate::alarms::listed_text;
 use crate::run::SinumerikPrograms;
 use crate::settings::SinumerikSettings;
 use crate::syntax::{BlockReader, StatementKind, units};
@@ -26,16 +27,13 @@ pub const PROFILE: ControlProfile = ControlProfile {
     source: "NC Programming 12/2019, Job Planning 07/2010, Fundamentals and Cycles 11/2006, Diagnostics 03/2013",
     default_machine: "sinumerik-mill",
     alarms: &[
-        (Code::MissingFeed, "10860 feedrate not programmed"),
-        (Code::RadiusMismatch, "14040 error in the end point of the circle"),
-        (Code::TravelExceeded, "10720 programmed end point lies behind the software limit switch"),
-        (Code::InsideArcTooSmall, "10751 danger of collision in tool radius compensation"),
-        (Code::CompensationInterference, "10751 danger of collision in tool radius compensation"),
-        (
-            Code::TooManyIdleBlocks,
-            "10762 too many empty blocks between two moves with tool radius compensation",
-        ),
-        (Code::NoOffsetIntersection, "10751 danger of collision in tool radius compensation"),
+        (Code::MissingFeed, listed_text(10860)),
+        (Code::RadiusMismatch, listed_text(14040)),
+        (Code::TravelExceeded, listed_text(10720)),
+        (Code::InsideArcTooSmall, listed_text(10751)),
+        (Code::CompensationInterference, listed_text(10751)),
+        (Code::TooManyIdleBlocks, listed_text(10762)),
+        (Code::NoOffsetIntersection, listed_text(10751)),
     ],
     work_names: WorkNaming { extended: "G505", first: 505, by_e: false },
     turns: false,
@@ -112,7 +110,7 @@ impl ConfiguredControl for SinumerikControl {
                     _ => continue,
                 };
                 if !crate::vocabulary::is_known_name(&name)
-                    && !crate::cycles::CYCLES.iter().any(|cycle| cycle.name == name)
+                    && crate::cycles::cycle_signature(&name).is_none()
                 {
                     names.push(ProgramName::from(name));
                 }

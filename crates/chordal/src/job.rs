@@ -195,8 +195,7 @@ impl<'a> Job<'a> {
     /// The control with its tables, for what works on word-address blocks only; `None` when its programs are written
     /// in another language.
     pub fn word_address(&self) -> Option<&Control> {
-        let control: Option<&WordAddressControl> = self.control.as_any().downcast_ref();
-        control.map(|control| &control.0)
+        WordAddressControl::tables(&*self.control)
     }
 
     /// The control's own setting of a rule; `None` where it has none, or no settings of its own.

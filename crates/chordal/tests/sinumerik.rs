@@ -300,3 +300,31 @@ fn programs_do_what_they_say() {
         assert!(found.iter().any(|line| line.contains("[no alarm]")), "{name}: {found:?}");
     }
 }
+
+/// The point between of CIP is a length of the program's unit, as the end point is.
+#[test]
+fn an_arc_through_a_point_is_read_in_inches_too() {
+    let program = |height: &str| {
+        let text = format!(
+            "G17 G54 G90 G70\nT1 D1 M6\nS3000 M3\nG0 X0 Y0 Z0.1\nG1 F20 X1\n\
+             CIP X3 Y0 I1=2 J1=1 K1={height}\nG0 Z2\nM30\n"
+        );
+        let mut sources = SourceMap::new();
+        sources.add(Source::new("cip.mpf", text.into_bytes()));
+        Job::new(sources, machine()).expect("a machine of this control")
+    };
+    let mut radii_mm = Vec::new();
+    program("0.1").path(|segment| {
+        if let chordal::geometry::Curve::Arc(arc) = &segment.curve {
+            radii_mm.push(arc.radius);
+        }
+    });
+    assert_eq!(radii_mm.len(), 1, "{radii_mm:?}");
+    assert!((radii_mm[0] - 25.4).abs() < 1e-9, "{radii_mm:?}");
+    let is_tilted = |height| {
+        let found = program(height).check().diagnostics;
+        found.iter().any(|each| each.message.contains("tilted"))
+    };
+    assert!(!is_tilted("0.1"));
+    assert!(is_tilted("2.54"));
+}

@@ -39,7 +39,7 @@ impl Deref for WordAddressText<'_> {
 impl EditorProgram {
     /// The program as one of word-address blocks; `None` when its language is another one.
     pub(crate) fn word_address(&self) -> Option<WordAddressText<'_>> {
-        let control: &WordAddressControl = self.configured_control().as_any().downcast_ref()?;
+        let control = WordAddressControl::tables(self.configured_control())?;
         Some(WordAddressText { program: self, control })
     }
 }

@@ -27,6 +27,11 @@ impl FrameMap {
         offset: [0.0; AXES],
     };
 
+    /// Adds an offset, mm and rad.
+    pub const fn translation(offset: Position) -> FrameMap {
+        FrameMap { offset, ..FrameMap::IDENTITY }
+    }
+
     /// Scales each axis by its own factor about a centre.
     pub fn scaling(center: &Position, factors: &Position) -> FrameMap {
         let mut map = FrameMap::IDENTITY;
@@ -139,14 +144,15 @@ impl FrameMap {
     pub fn in_plane(&self, plane: Plane) -> InPlane {
         let (a, b, normal) = plane.axes();
         let m = &self.rows;
-        let tilts = [(a, normal), (b, normal), (normal, a), (normal, b)];
-        if tilts.iter().any(|&(row, column)| m[row][column] != 0.0) {
-            return InPlane::Tilted;
-        }
         let (first, second) = ([m[a][a], m[b][a]], [m[a][b], m[b][b]]);
         let lengths = [first, second].map(|[x, y]| (x * x + y * y).sqrt());
         let largest = lengths[0].max(lengths[1]);
+        // Rotations about several axes that cancel each other leave the rounding of their sines.
         let near = 1e-12 * largest;
+        let tilts = [(a, normal), (b, normal), (normal, a), (normal, b)];
+        if tilts.iter().any(|&(row, column)| m[row][column].abs() > near) {
+            return InPlane::Tilted;
+        }
         let square = (first[0] * second[0] + first[1] * second[1]).abs() <= near * largest;
         let mirrored = first[0] * second[1] - first[1] * second[0] < 0.0;
         if square && (lengths[0] - lengths[1]).abs() <= near {
@@ -197,7 +203,7 @@ impl InPlane {
 }
 
 /// Sine and cosine, exact for whole quarter turns.
-pub(crate) fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
+pub fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
     let turned = degrees.rem_euclid(360.0);
     match turned {
         0.0 => (0.0, 1.0),

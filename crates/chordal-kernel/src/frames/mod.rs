@@ -13,8 +13,7 @@ use chordal_command::{AxisMask, Position};
 use chordal_geometry::Plane;
 use chordal_machine::{AXES, PerAxis};
 
-pub(crate) use map::sin_cos_degrees;
-pub use map::{FrameMap, InPlane};
+pub use map::{FrameMap, InPlane, sin_cos_degrees};
 pub use polar::{PolarReading, PolarWords};
 
 /// Scaling of each axis by its own factor.

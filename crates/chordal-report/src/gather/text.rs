@@ -1,6 +1,6 @@
 //! What the program's own text says to people: titles, comments, words of a block.
 
-use chordal::control::{Origin, ProgramPlace, Token, TokenClass};
+use chordal::control::{Origin, ProgramPlace, ProgramSet, Token, TokenClass};
 use chordal::diagnostics::{FileId, TextRange};
 use chordal::syntax::{Block, BlockKind, BlockPosition, BlockReader};
 use chordal::{Job, Source, Span};
@@ -68,6 +68,8 @@ struct HeadComment {
 /// Finds the comments next to the blocks.
 pub struct CommentFinder<'j> {
     job: &'j Job<'j>,
+    /// The programs in a language other than word-address blocks; `None` for such blocks.
+    other_language: Option<Box<dyn ProgramSet + 'j>>,
     head: Vec<HeadComment>,
     /// The last line of the head in the first text.
     head_end: u32,
@@ -76,10 +78,13 @@ pub struct CommentFinder<'j> {
 impl<'j> CommentFinder<'j> {
     /// Of a job whose run begins with this program of the first text.
     pub fn new(job: &'j Job<'j>, main: Option<&ProgramPlace>) -> CommentFinder<'j> {
-        let mut comments = CommentFinder { job, head: Vec::new(), head_end: 0 };
+        let mut comments =
+            CommentFinder { job, other_language: None, head: Vec::new(), head_end: 0 };
         let Some(source) = job.sources().get(FileId(0)) else { return comments };
         let Some(control) = job.word_address() else {
-            comments.take_first_lines(source);
+            let programs = job.program_set();
+            comments.take_first_lines(source, &*programs);
+            comments.other_language = Some(programs);
             return comments;
         };
         let mut reader = BlockReader::new(source.text(), FileId(0), control.table.lexicon);
@@ -111,8 +116,8 @@ impl<'j> CommentFinder<'j> {
     }
 
     /// Takes the lines that are only comments at the beginning of a text in another language.
-    fn take_first_lines(&mut self, source: &Source<'_>) {
-        let tokens = tokens(self.job, TextRange::new(0, source.text().len() as u32));
+    fn take_first_lines(&mut self, source: &Source<'_>, programs: &dyn ProgramSet) {
+        let tokens = programs.tokens(TextRange::new(0, source.text().len() as u32));
         let comments = tokens.iter().take_while(|token| token.class == TokenClass::Comment);
         for token in comments.take(MAX_HEAD_COMMENTS) {
             self.head_end = source.line_of(token.range.start);
@@ -161,13 +166,14 @@ impl<'j> CommentFinder<'j> {
     fn of_line(&self, file: FileId, line: u32) -> Option<(String, bool)> {
         let source = self.job.sources().get(file).filter(|_| line > 0)?;
         let (start, text) = (source.line_start(line), source.line_text(line));
-        let Some(control) = self.job.word_address() else {
-            let tokens = tokens(self.job, TextRange::new(start, start + text.len() as u32));
+        if let Some(programs) = &self.other_language {
+            let tokens = programs.tokens(TextRange::new(start, start + text.len() as u32));
             let of_comment = |token: &&Token| token.class == TokenClass::Comment;
             let found = tokens.iter().find(of_comment).filter(|_| file == FileId(0))?;
             let text = comment(found.range.in_file(file), self.job)?;
             return Some((text, tokens.iter().all(|token| of_comment(&token))));
-        };
+        }
+        let control = self.job.word_address()?;
         let mut reader = BlockReader::new(text, file, control.table.lexicon);
         let mut block = Block::new();
         if !reader.read(&mut block) {
@@ -183,11 +189,6 @@ impl<'j> CommentFinder<'j> {
         });
         found.map(|text| (text, alone))
     }
-}
-
-/// The tokens of a part of the first text, for languages other than word-address blocks.
-fn tokens(job: &Job, part: TextRange) -> Vec<Token> {
-    job.program_set().tokens(part)
 }
 
 /// A block that carries nothing out: `%`, a program's number, comments.

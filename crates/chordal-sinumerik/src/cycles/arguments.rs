@@ -2,9 +2,7 @@
 
 use super::cycle_parameters::CycleSignature;
 use super::signatures::cycle_signature;
-
-/// The number of a fault that is no alarm of the control: a value or a variant that this model does not accept.
-pub const NO_ALARM: u32 = 0;
+use crate::alarms::NO_ALARM;
 
 /// Too many arguments in a call.
 const TOO_MANY_ARGUMENTS: u32 = 12_340;

@@ -1,9 +1,10 @@
 //! One hole: CYCLE81 to CYCLE89 and CYCLE840.
 
-use super::arguments::{CycleArguments, CycleCall, CycleFault, NO_ALARM};
+use super::arguments::{CycleArguments, CycleCall, CycleFault};
 use super::levels::{HoleLevels, dwell_at_bottom, unmodelled};
 use super::steps::{HoleContext, HoleStep, StepList};
 use super::{bores, pecks, taps};
+use crate::alarms::NO_ALARM;
 
 /// The steps of a drilling cycle at the place where the tool is. There are none when the depth is the reference plane.
 ///

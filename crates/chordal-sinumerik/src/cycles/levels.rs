@@ -1,6 +1,7 @@
 //! The planes and depths of a hole, which all drilling cycles compute alike.
 
-use super::arguments::{CycleCall, CycleFault, NO_ALARM};
+use super::arguments::{CycleCall, CycleFault};
+use crate::alarms::NO_ALARM;
 
 /// The reference plane is defined incorrectly.
 pub(super) const REFERENCE_PLANE: u32 = 61_101;

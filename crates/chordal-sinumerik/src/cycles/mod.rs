@@ -17,7 +17,8 @@ mod steps;
 mod taps;
 mod threads;
 
-pub use arguments::{CycleArguments, CycleFault, NO_ALARM};
+pub use crate::alarms::NO_ALARM;
+pub use arguments::{CycleArguments, CycleFault};
 pub use cycle_parameters::{CycleParameter, CycleSignature};
 pub use holes::{drilling_axis, drilling_moves};
 pub use patterns::{PatternContext, pattern_points};

@@ -1,8 +1,11 @@
 //! Patterns of holes: HOLES1, HOLES2, CYCLE801, CYCLE802 (PGZ; cycle files of version 06.02.09).
 
+use chordal_kernel::frames::sin_cos_degrees;
+
 use super::CycleSettings;
-use super::arguments::{CycleArguments, CycleCall, CycleFault, NO_ALARM};
+use super::arguments::{CycleArguments, CycleCall, CycleFault};
 use super::levels::unmodelled;
+use crate::alarms::NO_ALARM;
 
 /// The number of holes is 0.
 const NO_HOLES: u32 = 61_103;
@@ -183,17 +186,6 @@ fn count(
 fn too_many(call: &CycleCall<'_>, parameter: &str, context: &PatternContext) -> CycleFault {
     let text = format!("a pattern of more than {} holes", context.settings.max_repetitions);
     call.fault(NO_ALARM, Some(parameter), &text)
-}
-
-/// Sine and cosine of degrees, in that order; exact for quarter turns.
-fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
-    match degrees.rem_euclid(360.0) {
-        0.0 => (0.0, 1.0),
-        90.0 => (1.0, 0.0),
-        180.0 => (0.0, -1.0),
-        270.0 => (-1.0, 0.0),
-        turned => libm::sincos(turned.to_radians()),
-    }
 }
 
 #[cfg(test)]

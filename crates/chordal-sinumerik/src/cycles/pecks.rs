@@ -1,9 +1,10 @@
 //! Deep holes, CYCLE83 (PGZ): the pecks, and the moves between them.
 
 use super::CycleSettings;
-use super::arguments::{CycleCall, CycleFault, NO_ALARM};
+use super::arguments::{CycleCall, CycleFault};
 use super::levels::{HoleLevels, dwell_at_bottom};
 use super::steps::{HoleContext, StepList};
+use crate::alarms::NO_ALARM;
 
 /// The first drilling depth is defined incorrectly.
 const FIRST_DEPTH: u32 = 61_107;

@@ -3,11 +3,12 @@
 
 use core::f64::consts::PI;
 
-use super::arguments::{CycleCall, CycleFault, NO_ALARM};
+use super::arguments::{CycleCall, CycleFault};
 use super::bores::NO_SPINDLE_DIRECTION;
 use super::levels::{HoleLevels, dwell_at_bottom, unmodelled};
 use super::pecks::{DEPTH_EPSILON, chip_break};
 use super::steps::{HoleContext, HoleStep, StepList};
+use crate::alarms::NO_ALARM;
 
 /// The lead of the thread is defined incorrectly.
 const THREAD_LEAD: u32 = 61_001;

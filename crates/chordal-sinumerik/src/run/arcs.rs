@@ -1,13 +1,14 @@
 //! Arcs: G2 and G3 by centre, radius or angle, CIP, CT; helices with TURN.
 
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
-use chordal_geometry::TurnDirection;
+use chordal_geometry::{HalfCircleTolerance, TurnDirection, Vec2, center_from_radius};
 use chordal_kernel::ArcWords;
+use chordal_kernel::frames::InPlane;
 
 use super::interpreter::Interpreter;
 use super::motion::BlockTarget;
 use super::run_state::PathMotion;
-use super::words::{BlockStatementView, BlockWords};
+use super::words::{BlockStatementView, BlockWords, CENTER_NAMES, ValueWord};
 use crate::syntax::ValueFunction;
 
 /// Largest difference of the radii at start and end, mm (MD21000), and as a fraction of the radius (MD21010).
@@ -47,7 +48,7 @@ impl Interpreter<'_> {
         let mut target = *target;
         if let Some(place) = end_by_angle {
             (target.programmed[a], target.programmed[b]) = (place[0], place[1]);
-            let mapped = self.modes.frame.point(target.programmed);
+            let mapped = self.mapped(target.programmed);
             (target.end[a], target.end[b]) = (mapped[a], mapped[b]);
             target.named.insert(a);
             target.named.insert(b);
@@ -94,8 +95,7 @@ impl Interpreter<'_> {
                 self.alarm(14040, Code::BadWordValue, angle.range, message);
                 return None;
             }
-            let sense = if direction == TurnDirection::Ccw { 1.0 } else { -1.0 };
-            let sweep = sense * angle.value.to_radians();
+            let sweep = direction.sign() * angle.value.to_radians();
             if has_center {
                 *end_by_angle = Some(turned_about(start, center, sweep));
                 return Some(PlaneArc { center, direction });
@@ -117,7 +117,7 @@ impl Interpreter<'_> {
 
     /// A centre word of the axis that is not in the plane.
     fn center_outside_plane(&mut self, range: TextRange, normal: usize) {
-        let letter = ['I', 'J', 'K'][normal];
+        let letter = CENTER_NAMES[normal];
         let code = ["G19", "G18", "G17"][normal];
         let diagnostic = Diagnostic::new(
             Code::CenterOutsidePlane,
@@ -177,22 +177,20 @@ impl Interpreter<'_> {
             self.alarm(14040, Code::FullCircleByRadius, range, message);
             return None;
         }
-        let short = length / 2.0 - radius.abs();
-        if short > RADIUS_DIFFERENCE_MM {
+        let plane = self.kernel.state.plane;
+        let [from, to] = [start, end].map(|[a, b]| plane.point(Vec2::new(a, b), 0.0));
+        let tolerance =
+            HalfCircleTolerance { too_short_mm: 2.0 * RADIUS_DIFFERENCE_MM, too_long_mm: 0.0 };
+        let found = center_from_radius(plane, from, to, radius, direction, tolerance);
+        let Ok((along, across)) = found else {
             let [is, needed] = [radius.abs(), length / 2.0].map(|mm| self.kernel.length_text(mm));
             let message = format!(
                 "start and end are further apart than a radius of {is} reaches: it must be {needed} or more"
             );
             self.alarm(14095, Code::RadiusTooShort, range, message);
             return None;
-        }
-        let height = (radius * radius - length * length / 4.0).max(0.0).sqrt();
-        // Seen along the chord the centre of a short arc is on the right when it goes clockwise.
-        let is_left = (direction == TurnDirection::Ccw) == (radius > 0.0);
-        let height = if is_left { height } else { -height };
-        let normal = [-chord[1] / length, chord[0] / length];
-        let center = [0, 1].map(|axis| start[axis] + chord[axis] / 2.0 + normal[axis] * height);
-        Some(PlaneArc { center, direction })
+        };
+        Some(PlaneArc { center: [along, across], direction })
     }
 
     /// CIP: the arc through the point of I1, J1, K1.
@@ -204,14 +202,10 @@ impl Interpreter<'_> {
         end: [f64; 2],
     ) -> Option<PlaneArc> {
         let (a, b, normal) = self.kernel.state.plane.axes();
+        let (unit, incremental) = (self.unit_mm(), self.kernel.state.incremental);
         let level = self.programmed_position()[normal];
-        let is_tilted = |word: super::words::ValueWord| {
-            let height = if word.is_incremental(self.kernel.state.incremental) {
-                level + word.value
-            } else {
-                word.value
-            };
-            (height - level).abs() > COINCIDENT_MM
+        let is_tilted = |word: ValueWord| {
+            (word.coordinate(level, unit, incremental) - level).abs() > COINCIDENT_MM
         };
         if words.between[normal].is_some_and(is_tilted) {
             self.not_followed(
@@ -220,12 +214,8 @@ impl Interpreter<'_> {
             );
             return None;
         }
-        let (unit, incremental) = (self.unit_mm(), self.kernel.state.incremental);
-        let middle = [(a, 0), (b, 1)].map(|(axis, place)| {
-            words.between[axis].map_or(start[place], |word| {
-                let length = word.value * unit;
-                if word.is_incremental(incremental) { start[place] + length } else { length }
-            })
+        let middle = [(a, start[0]), (b, start[1])].map(|(axis, from)| {
+            words.between[axis].map_or(from, |word| word.coordinate(from, unit, incremental))
         });
         let Some(center) = center_through([start, middle, end]) else {
             self.alarm(14040, Code::NoCenter, range, "start, point between and end are on a line");
@@ -279,15 +269,15 @@ impl Interpreter<'_> {
         arc: &PlaneArc,
     ) {
         let plane = self.kernel.state.plane;
-        let (a, b, normal) = plane.axes();
-        let Some(map) = self.modes.frame.circle_in_plane(a, b, normal) else {
+        let (a, b, _) = plane.axes();
+        let InPlane::Similar { mirrored, .. } = self.modes.frame.in_plane(plane) else {
             self.not_followed(range, "an arc in a tilted or unequally scaled frame is not followed: it is shown as a straight cut");
             return self.kernel.straight_instead(view, target.end, target.named);
         };
         let mut center = target.programmed;
         (center[a], center[b]) = (arc.center[0], arc.center[1]);
-        let center = self.modes.frame.point(center);
-        let direction = arc.direction.mirrored_if(map.is_mirrored);
+        let center = self.mapped(center);
+        let direction = arc.direction.mirrored_if(mirrored);
         let programmed = words.other("TURN").map_or(0.0, |word| word.value.round());
         let turns = programmed.clamp(0.0, 999.0) as u32;
         if f64::from(turns) != programmed {
@@ -306,7 +296,7 @@ impl Interpreter<'_> {
         let (a, b, _) = self.kernel.state.plane.axes();
         let [Some(x), Some(y)] = arc.center else { return };
         let radius = [target.end[a] - x, target.end[b] - y];
-        let sense = if arc.direction == TurnDirection::Ccw { 1.0 } else { -1.0 };
+        let sense = arc.direction.sign();
         let mut along = [0.0; 3];
         (along[a], along[b]) = (-radius[1] * sense, radius[0] * sense);
         self.modes.last_direction = Some(along);

@@ -295,18 +295,11 @@ impl Interpreter<'_> {
         let saved = head.as_ref().filter(|head| head.saves).map(|_| Box::new(self.modes.clone()));
         self.variables.locals.push(locals);
         self.stack.push(RunningProgram {
-            program,
-            reader,
-            loops: Vec::new(),
-            repeats: Vec::new(),
             passes_left: request.passes - 1,
-            call,
             saved,
             references,
             is_modal_call: request.is_modal,
-            open_branches: 0,
-            has_jumped: false,
-            targets: None,
+            ..RunningProgram::new(program, reader, call)
         });
         BlockFlow::Next
     }

@@ -3,10 +3,11 @@
 use chordal_command::CommandKind;
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_kernel::EndReason;
+use chordal_machine::AXIS_NAMES;
 
 use super::interpreter::Interpreter;
 use super::run_state::BlockFlow;
-use super::words::{AXIS_NAMES, BlockWords, OTHER_ADDRESSES, ToolWord, ValueWord};
+use super::words::{BlockWords, CENTER_NAMES, OTHER_ADDRESSES, ToolWord, ValueWord};
 use crate::syntax::{
     AddressWord, CallStatement, Expression, ExpressionKind, ProgramBlock, StatementKind,
     ValueFunction, WordValue,
@@ -43,7 +44,7 @@ impl Interpreter<'_> {
                     return Some(self.indirect_call(statement.range, call));
                 }
                 StatementKind::Word(word) if word.address.name == "L" && !word.has_equals => {
-                    return Some(self.call_l(block, word, statement.range));
+                    return Some(self.call_l(block, statement.range));
                 }
                 StatementKind::Name(name) if !is_known_name(name) => {
                     let is_alone = block.statements.len() == 1;
@@ -77,7 +78,7 @@ impl Interpreter<'_> {
     }
 
     /// `L10`: the program L10; leading zeros count, so the name is that of the text.
-    fn call_l(&mut self, block: &ProgramBlock, _: &AddressWord, range: TextRange) -> BlockFlow {
+    fn call_l(&mut self, block: &ProgramBlock, range: TextRange) -> BlockFlow {
         let name = String::from_utf8_lossy(range.slice(self.text())).to_ascii_uppercase();
         let call = CallStatement { name, range, arguments: None };
         let passes = self.passes(block);
@@ -140,8 +141,8 @@ impl Interpreter<'_> {
                 _ => {}
             }
         }
-        for (name, word) in words.others.clone() {
-            let acts = UNFOLLOWED_ADDRESSES.contains(&name) && word.value != 0.0;
+        for (name, word) in &words.others {
+            let acts = UNFOLLOWED_ADDRESSES.contains(name) && word.value != 0.0;
             if acts {
                 self.not_followed(word.range, format!("{name} is not followed"));
             }
@@ -163,7 +164,7 @@ impl Interpreter<'_> {
         let is_address =
             matches!(name, "G" | "M" | "I" | "J" | "K") || OTHER_ADDRESSES.contains(&name);
         if matches!(name, "A" | "B" | "C") && matches!(address.extension, Some(2..=7)) {
-            if self.reported.insert("tool direction".into(), 1).is_none() {
+            if self.is_first_report("tool direction") {
                 self.not_followed(
                     range,
                     "the direction of the tool is not followed: this machine has three axes",
@@ -185,9 +186,9 @@ impl Interpreter<'_> {
             "M" => return words.m_codes.push((value.value.round().max(0.0) as u32, range)),
             _ if is_axis => place(&AXIS_NAMES).map(|axis| &mut words.axes[axis]),
             "I" | "J" | "K" if is_between => {
-                place(&["I", "J", "K"]).map(|axis| &mut words.between[axis])
+                place(&CENTER_NAMES).map(|axis| &mut words.between[axis])
             }
-            "I" | "J" | "K" => place(&["I", "J", "K"]).map(|axis| &mut words.centers[axis]),
+            "I" | "J" | "K" => place(&CENTER_NAMES).map(|axis| &mut words.centers[axis]),
             _ => {
                 let Some(known) = OTHER_ADDRESSES.iter().copied().find(|known| *known == name)
                 else {

@@ -6,8 +6,8 @@ use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use super::interpreter::Interpreter;
 use super::words::{BlockStatementView, BlockWords};
 use crate::cycles::{
-    CYCLES, CycleArguments, CycleFault, HoleContext, HoleStep, PatternContext, drilling_moves,
-    pattern_points,
+    CycleArguments, CycleFault, HoleContext, HoleStep, PatternContext, cycle_signature,
+    drilling_moves, pattern_points,
 };
 use crate::syntax::ProgramUnitKind;
 use crate::values::SinumerikValue;
@@ -18,7 +18,7 @@ const PATTERNS: [&str; 4] = ["HOLES1", "HOLES2", "CYCLE801", "CYCLE802"];
 impl Interpreter<'_> {
     /// Whether a name is that of a standard cycle.
     pub(super) fn is_cycle(&self, name: &str) -> bool {
-        CYCLES.iter().any(|cycle| cycle.name == name)
+        cycle_signature(name).is_some()
     }
 
     /// Carries out a standard cycle.
@@ -28,7 +28,7 @@ impl Interpreter<'_> {
         arguments: &[Option<SinumerikValue>],
         range: TextRange,
     ) {
-        let Some(cycle) = CYCLES.iter().find(|cycle| cycle.name == name) else { return };
+        let Some(cycle) = cycle_signature(name) else { return };
         let numbers: Vec<Option<f64>> = arguments
             .iter()
             .map(|value| value.as_ref().and_then(|value| value.to_real().ok()))
@@ -116,7 +116,7 @@ impl Interpreter<'_> {
         for point in points {
             let mut place = self.programmed_position();
             (place[a], place[b]) = (point[0] * unit, point[1] * unit);
-            self.rapid_to(place, range);
+            self.rapid_to(place);
             if let Some(modal) = self.modal_call.clone()
                 && self.is_cycle(&modal.name)
             {
@@ -129,18 +129,14 @@ impl Interpreter<'_> {
     }
 
     /// A rapid to programmed coordinates.
-    fn rapid_to(&mut self, place: [f64; 3], _: TextRange) {
-        let mapped = self.modes.frame.point(place);
-        let mut end = self.kernel.state.position;
-        end[..3].copy_from_slice(&mapped);
+    fn rapid_to(&mut self, place: [f64; 3]) {
+        let end = self.mapped(place);
         self.kernel.state.place(AxisMask::LINEAR);
         self.kernel.rapid_to(end, AxisMask::LINEAR);
     }
 
     fn feed_to(&mut self, place: [f64; 3], range: TextRange, factor: f64) {
-        let mapped = self.modes.frame.point(place);
-        let mut end = self.kernel.state.position;
-        end[..3].copy_from_slice(&mapped);
+        let end = self.mapped(place);
         let words = BlockWords::default();
         let view = BlockStatementView { span: self.span(range), words: &words };
         let feed = self.kernel.state.feed;
@@ -165,7 +161,7 @@ impl Interpreter<'_> {
             match *step {
                 HoleStep::Rapid(level) => {
                     place[normal] = level * unit;
-                    self.rapid_to(place, range);
+                    self.rapid_to(place);
                 }
                 HoleStep::Feed { to, factor } => {
                     place[normal] = to * unit;
@@ -201,7 +197,7 @@ impl Interpreter<'_> {
                     place[a] += along * unit;
                     place[b] += across * unit;
                     place[normal] += up * unit;
-                    self.rapid_to(place, range);
+                    self.rapid_to(place);
                 }
                 HoleStep::TapIn { to, pitch_mm, spindle_rpm }
                 | HoleStep::TapOut { to, pitch_mm, spindle_rpm } => {

@@ -1,27 +1,35 @@
 //! TRANS, ROT, SCALE, MIRROR and their additive forms; CYCLE800 without angles.
 
+use chordal_command::Position;
 use chordal_diagnostics::TextRange;
+use chordal_kernel::frames::FrameMap;
 
-use super::frame_map::FrameMap;
 use super::interpreter::Interpreter;
+use super::programmable_frame::{ProgrammableFrame, linear, rotated, scaled};
 use super::words::BlockWords;
 
 impl Interpreter<'_> {
+    /// The position with X, Y and Z at a programmed point (mm) and the rotary axes where they are.
+    pub(super) fn mapped(&self, [x, y, z]: [f64; 3]) -> Position {
+        let [_, _, _, a, b, c] = self.kernel.state.position;
+        self.modes.frame.point(&[x, y, z, a, b, c])
+    }
+
     /// Sets the programmable frame. The axes do not move.
     pub(super) fn set_frames(&mut self, range: TextRange, words: &BlockWords) {
         for (name, _) in &words.names {
             let is_additive = name.starts_with('A') && name != "ANG";
             let bare = if is_additive { &name[1..] } else { name.as_str() };
             let inner = match bare {
-                "TRANS" => FrameMap::shifted(self.lengths(words)),
+                "TRANS" => FrameMap::translation(linear(self.lengths(words), 0.0)),
                 "ROT" => self.rotation(words),
-                "SCALE" => FrameMap::scaled(factors(words)),
-                "MIRROR" => FrameMap::scaled(mirrors(words)),
+                "SCALE" => scaled(factors(words)),
+                "MIRROR" => scaled(mirrors(words)),
                 _ => continue,
             };
             self.modes.frame = match is_additive {
-                true => self.modes.frame.then_inner(&inner),
-                false => inner,
+                true => self.modes.frame.with_inner(&inner),
+                false => ProgrammableFrame::new(inner),
             };
             self.modes.last_direction = None;
         }
@@ -44,12 +52,9 @@ impl Interpreter<'_> {
     /// `ROT X Y Z`, or `ROT RPL=` about the normal of the plane.
     fn rotation(&self, words: &BlockWords) -> FrameMap {
         if let Some(angle) = words.other("RPL") {
-            let (_, _, normal) = self.kernel.state.plane.axes();
-            return FrameMap::turned(normal, angle.value);
+            return FrameMap::rotation(self.kernel.state.plane, [0.0; 2], angle.value);
         }
-        FrameMap::rotated(std::array::from_fn(|axis| {
-            words.axes[axis].map_or(0.0, |word| word.value)
-        }))
+        rotated(std::array::from_fn(|axis| words.axes[axis].map_or(0.0, |word| word.value)))
     }
 }
 

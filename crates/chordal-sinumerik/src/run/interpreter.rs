@@ -1,6 +1,6 @@
 //! Reads blocks and carries them out in the order of the program.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use chordal_command::{CallPath, CommandKind, Origin};
 use chordal_diagnostics::{Code, Diagnostic, FileId, Severity, TextRange};
@@ -27,8 +27,8 @@ pub struct Interpreter<'a> {
     pub(super) modes: LanguageModes,
     pub(super) modal_call: Option<ModalCycle>,
     pub(super) missing: Vec<ProgramName>,
-    /// Codes and names whose problem was reported once.
-    pub(super) reported: HashMap<String, u32>,
+    /// The subjects of problems that are reported once.
+    pub(super) reported: HashSet<String>,
     blocks: u64,
 }
 
@@ -46,20 +46,7 @@ impl<'a> Interpreter<'a> {
         let alarms = control.profile().alarms();
         let mut kernel = Kernel::new(control.rules(), machine, alarms, state, sink);
         kernel.max_repeated = programs.options.max_repeated_blocks;
-        let first = RunningProgram {
-            program,
-            reader: programs.reader(program),
-            loops: Vec::new(),
-            repeats: Vec::new(),
-            passes_left: 0,
-            call: CallPath::default(),
-            saved: None,
-            references: Vec::new(),
-            is_modal_call: false,
-            open_branches: 0,
-            has_jumped: false,
-            targets: None,
-        };
+        let first = RunningProgram::new(program, programs.reader(program), CallPath::default());
         let mut variables = VariableStore::default();
         variables.r_count = programs.settings.r_parameters;
         variables.locals.push(HashMap::<String, ProgramVariable>::new());
@@ -71,7 +58,7 @@ impl<'a> Interpreter<'a> {
             modes: LanguageModes::default(),
             modal_call: None,
             missing: Vec::new(),
-            reported: HashMap::new(),
+            reported: HashSet::new(),
             blocks: 0,
         }
     }
@@ -184,6 +171,8 @@ impl<'a> Interpreter<'a> {
         self.kernel.call = call;
         self.kernel.origin =
             Origin { span: block.range.in_file(file), line: block.line, call, cycle: false };
+        let unit = self.unit_mm();
+        self.variables.position = self.programmed_position().map(|mm| mm / unit);
         if let Some(number) = block.number {
             self.kernel.block_number = Some(f64::from(number.number));
         }
@@ -207,7 +196,7 @@ impl<'a> Interpreter<'a> {
     /// at the end of the block.
     fn carry_out(&mut self, block: &ProgramBlock, words: BlockWords) -> BlockFlow {
         let range = block.range;
-        self.set_modes(range, &words);
+        self.set_modes(&words);
         self.set_frames(range, &words);
         self.set_tool(&words);
         self.set_feed_and_speed(&words);
@@ -218,13 +207,11 @@ impl<'a> Interpreter<'a> {
         if has_moved && let flow @ BlockFlow::End(_) = self.fire_modal_call(range) {
             return flow;
         }
-        self.functions_after(range, &words)
+        self.functions_after(&words)
     }
 
     /// The value of an expression; a problem is reported, and `None` returned.
     pub(super) fn value(&mut self, expression: &Expression) -> Option<SinumerikValue> {
-        let (position, unit) = (self.programmed_position(), self.unit_mm());
-        self.variables.position = position.map(|mm| mm / unit);
         let value = evaluate(expression, &mut self.variables);
         self.report_unset_reads();
         match value {

@@ -39,7 +39,7 @@ impl Interpreter<'_> {
     }
 
     /// Sets the G groups of a block.
-    pub(super) fn set_modes(&mut self, block: TextRange, words: &BlockWords) {
+    pub(super) fn set_modes(&mut self, words: &BlockWords) {
         self.modes.machine_block = words.has_name("SUPA");
         let mut seen: Vec<(u32, u32)> = Vec::new();
         for (code, range) in &words.g_codes {
@@ -64,7 +64,6 @@ impl Interpreter<'_> {
         if let Some(radius) = words.other("RNDM") {
             self.modes.modal_rounding_mm = radius.value * self.unit_mm();
         }
-        let _ = block;
     }
 
     fn set_mode(&mut self, code: u32, range: TextRange, words: &BlockWords) {
@@ -80,9 +79,7 @@ impl Interpreter<'_> {
             18 => self.kernel.set_plane(span, Plane::Zx),
             19 => self.kernel.set_plane(span, Plane::Yz),
             53 | 153 => self.modes.machine_block = true,
-            54..=57 => self.kernel.select_work(WorkName::G(code as u16)),
-            500 => self.kernel.select_work(WorkName::G(500)),
-            505..=599 => self.kernel.select_work(WorkName::G(code as u16)),
+            54..=57 | 500 | 505..=599 => self.kernel.select_work(WorkName::G(code as u16)),
             60 => self.kernel.change_path_mode(|path| path.set_mode(PathMode::ExactStop)),
             64 => self.continuous(None),
             641..=645 => {
@@ -134,14 +131,10 @@ impl Interpreter<'_> {
         match name {
             "CIP" => self.modes.motion = PathMotion::ThroughPoint,
             "CT" => self.modes.motion = PathMotion::Tangent,
-            "NORM" => self.modes.follows_contour = false,
-            "KONT" | "KONTC" | "KONTT" => {
-                self.modes.follows_contour = true;
-                self.not_followed(
-                    range,
-                    format!("{name} is not followed: compensation begins as with NORM"),
-                );
-            }
+            "KONT" | "KONTC" | "KONTT" => self.not_followed(
+                range,
+                format!("{name} is not followed: compensation begins as with NORM"),
+            ),
             "ASPLINE" | "BSPLINE" | "CSPLINE" | "POLY" | "INVCW" | "INVCCW" => {
                 self.modes.motion = PathMotion::NotFollowed;
                 self.not_followed(
@@ -220,7 +213,7 @@ impl Interpreter<'_> {
     }
 
     /// The M functions that act after the motion, and `RET`.
-    pub(super) fn functions_after(&mut self, _: TextRange, words: &BlockWords) -> BlockFlow {
+    pub(super) fn functions_after(&mut self, words: &BlockWords) -> BlockFlow {
         let mut flow = BlockFlow::Next;
         for (code, _) in &words.m_codes {
             match code {
@@ -241,9 +234,7 @@ impl Interpreter<'_> {
     fn end_of_program(&mut self) -> BlockFlow {
         match self.program_ends() {
             BlockFlow::End(_) => {
-                if self.kernel.state.side != CompensationSide::Off {
-                    self.kernel.state.side = CompensationSide::Off;
-                }
+                self.kernel.state.side = CompensationSide::Off;
                 BlockFlow::End(EndReason::ProgramEnd)
             }
             next => next,

@@ -2,9 +2,9 @@
 
 use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, TextRange};
-use chordal_kernel::{CornerForm, ProgrammedCorner};
+use chordal_kernel::frames::sin_cos_degrees;
+use chordal_kernel::{CornerForm, ModalMotion, ProgrammedCorner};
 
-use super::frame_map::sin_cos;
 use super::frames::is_frame_block;
 use super::interpreter::Interpreter;
 use super::run_state::PathMotion;
@@ -46,38 +46,35 @@ impl Interpreter<'_> {
         let view = BlockStatementView { span, words };
         self.request_corner(words);
         let start = self.kernel.state.position;
+        self.kernel.state.motion = self.kernel_motion();
         match self.modes.motion {
-            PathMotion::Rapid => {
-                self.kernel.state.motion = chordal_kernel::ModalMotion::Rapid;
+            PathMotion::Rapid | PathMotion::Linear | PathMotion::NotFollowed => {
                 self.kernel.straight(&view, target.end, target.named);
-            }
-            PathMotion::Linear | PathMotion::NotFollowed => {
-                self.kernel.state.motion = chordal_kernel::ModalMotion::Linear;
-                self.kernel.straight(&view, target.end, target.named);
+                let end = self.kernel.state.position;
+                let along: [f64; 3] = std::array::from_fn(|axis| end[axis] - start[axis]);
+                if along.iter().any(|value| *value != 0.0) {
+                    self.modes.last_direction = Some(along);
+                }
             }
             PathMotion::Arc(_) | PathMotion::ThroughPoint | PathMotion::Tangent => {
-                self.kernel.state.motion = chordal_kernel::ModalMotion::Linear;
                 self.arc(&view, range, words, &target);
-            }
-        }
-        if matches!(
-            self.modes.motion,
-            PathMotion::Rapid | PathMotion::Linear | PathMotion::NotFollowed
-        ) {
-            let end = self.kernel.state.position;
-            let along: [f64; 3] = std::array::from_fn(|axis| end[axis] - start[axis]);
-            if along.iter().any(|value| *value != 0.0) {
-                self.modes.last_direction = Some(along);
             }
         }
         self.kernel.corner_move_done();
         true
     }
 
+    /// The motion as the kernel knows it: an arc that cannot be made is cut as a line.
+    fn kernel_motion(&self) -> ModalMotion {
+        match self.modes.motion {
+            PathMotion::Rapid => ModalMotion::Rapid,
+            _ => ModalMotion::Linear,
+        }
+    }
+
     /// The programmed coordinates of the tool tip, mm.
     pub(super) fn programmed_position(&self) -> [f64; 3] {
-        let place = self.kernel.state.position;
-        self.modes.frame.inverse_point([place[0], place[1], place[2]])
+        self.modes.frame.programmed(&self.kernel.state.position)
     }
 
     /// The end of a block.
@@ -92,9 +89,7 @@ impl Interpreter<'_> {
         }
         for (axis, value) in programmed.iter_mut().enumerate() {
             if let Some(word) = words.axes[axis] {
-                let length = word.value * unit;
-                *value =
-                    if word.is_incremental(incremental) { start[axis] + length } else { length };
+                *value = word.coordinate(start[axis], unit, incremental);
             }
         }
         self.line_by_angle(words, start, &mut programmed);
@@ -108,19 +103,14 @@ impl Interpreter<'_> {
             named.insert(b);
         }
         let mut end = self.kernel.state.position;
-        let mapped = self.modes.frame.point(programmed);
-        for axis in 0..3 {
-            if !self.modes.frame.is_diagonal() || named.has(axis) {
-                end[axis] = mapped[axis];
-            }
-        }
-        if !self.modes.frame.is_diagonal() && named.and(AxisMask::LINEAR) != AxisMask::NONE {
-            named = named.or(AxisMask::LINEAR.and(self.kernel.state.known.or(named)));
-        }
+        // A rotated frame moves axes that are not programmed.
+        let reached = self.modes.frame.reached(named);
+        let mapped = self.mapped(programmed);
+        (0..3).filter(|axis| reached.has(*axis)).for_each(|axis| end[axis] = mapped[axis]);
+        named = named.or(reached.and(self.kernel.state.known));
         for (value, word) in end.iter_mut().zip(&words.axes).skip(3) {
             let Some(word) = word else { continue };
-            let angle = word.value.to_radians();
-            *value = if word.is_incremental(incremental) { *value + angle } else { angle };
+            *value = word.coordinate(*value, 1_f64.to_radians(), incremental);
         }
         self.kernel.state.place(named);
         Some(BlockTarget { programmed, start, end, named })
@@ -138,11 +128,7 @@ impl Interpreter<'_> {
                 _ => word.value.to_radians(),
             };
         }
-        let motion = match self.modes.motion {
-            PathMotion::Rapid => chordal_kernel::ModalMotion::Rapid,
-            _ => chordal_kernel::ModalMotion::Linear,
-        };
-        self.kernel.state.motion = motion;
+        self.kernel.state.motion = self.kernel_motion();
         let span = self.span(range);
         let view = BlockStatementView { span, words };
         self.kernel.to_machine_point(&view, place, words.axis_mask());
@@ -165,7 +151,7 @@ impl Interpreter<'_> {
             pole[axis] += words.axes[axis].map_or(0.0, |word| word.value * unit);
         }
         if let (Some(angle), Some(radius)) = (words.other("AP"), words.other("RP")) {
-            let (sin, cos) = sin_cos(angle.value);
+            let (sin, cos) = sin_cos_degrees(angle.value);
             pole[a] += radius.value * unit * cos;
             pole[b] += radius.value * unit * sin;
         } else if words.other("AP").is_some() != words.other("RP").is_some() {
@@ -212,7 +198,7 @@ impl Interpreter<'_> {
             );
             return None;
         }
-        let (sin, cos) = sin_cos(angle);
+        let (sin, cos) = sin_cos_degrees(angle);
         (end[a], end[b]) = (pole[a] + radius * cos, pole[b] + radius * sin);
         (self.modes.polar_angle, self.modes.polar_radius) = (Some(angle), Some(radius));
         Some(())
@@ -222,7 +208,7 @@ impl Interpreter<'_> {
     fn line_by_angle(&mut self, words: &BlockWords, start: [f64; 3], end: &mut [f64; 3]) {
         let Some(angle) = words.other("ANG") else { return };
         let (a, b, _) = self.kernel.state.plane.axes();
-        let (sin, cos) = sin_cos(angle.value);
+        let (sin, cos) = sin_cos_degrees(angle.value);
         match (words.axes[a], words.axes[b]) {
             (Some(_), None) if cos != 0.0 => end[b] = start[b] + (end[a] - start[a]) * sin / cos,
             (None, Some(_)) if sin != 0.0 => end[a] = start[a] + (end[b] - start[b]) * cos / sin,

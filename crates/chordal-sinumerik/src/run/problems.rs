@@ -3,8 +3,8 @@
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextRange};
 
 use super::interpreter::Interpreter;
-use super::variables::UNKNOWN_VALUE;
-use crate::values::EvaluationError;
+use crate::alarms::{NO_ALARM, text_of};
+use crate::values::{DIVISION_BY_ZERO, EvaluationError};
 
 impl Interpreter<'_> {
     /// A part of the running program's text as a span.
@@ -26,14 +26,13 @@ impl Interpreter<'_> {
 
     /// The same for a diagnostic with notes or a help.
     pub(super) fn report_alarm(&mut self, alarm: u32, mut diagnostic: Diagnostic) {
-        if alarm == UNKNOWN_VALUE {
+        if alarm == NO_ALARM {
             return self.kernel.report(diagnostic);
         }
         let title = self.kernel.alarms.title;
-        let text = crate::alarms::text_of(alarm);
         diagnostic.severity = Severity::Error;
-        diagnostic.alarm = Some(match text {
-            Some(text) => format!("{title}: {alarm} {text}"),
+        diagnostic.alarm = Some(match text_of(alarm) {
+            Some(text) => format!("{title}: {text}"),
             None => format!("{title}: {alarm}"),
         });
         self.kernel.report(diagnostic);
@@ -42,8 +41,8 @@ impl Interpreter<'_> {
     /// Reports an expression that has no value.
     pub(super) fn report_evaluation(&mut self, error: EvaluationError) {
         let code = match error.alarm {
-            UNKNOWN_VALUE => return self.not_followed(error.range, error.message),
-            14051 if error.message.contains("zero") => Code::DivisionByZero,
+            NO_ALARM => return self.not_followed(error.range, error.message),
+            14051 if error.message == DIVISION_BY_ZERO => Code::DivisionByZero,
             14051 => Code::OutsideDomain,
             17020 | 17030 | 12550 => Code::BadVariable,
             _ => Code::BadExpression,
@@ -51,11 +50,16 @@ impl Interpreter<'_> {
         self.alarm(error.alarm, code, error.range, error.message);
     }
 
+    /// True the first time that a run asks for a subject; for problems that are reported once.
+    pub(super) fn is_first_report(&mut self, subject: &str) -> bool {
+        self.reported.insert(subject.to_string())
+    }
+
     /// Reports the R parameters that were read before the program set them: the control keeps the values of programs
     /// before, which nobody knows here.
     pub(super) fn report_unset_reads(&mut self) {
         for (number, range) in std::mem::take(&mut self.variables.unset_reads) {
-            if self.reported.insert(format!("R{number}"), 1).is_some() {
+            if !self.is_first_report(&format!("R{number}")) {
                 continue;
             }
             let message = format!("R{number} is read before the program sets it: it is taken as 0");

@@ -6,7 +6,7 @@ use chordal_command::CallPath;
 use chordal_geometry::TurnDirection;
 use chordal_kernel::EndReason;
 
-use super::frame_map::FrameMap;
+use super::programmable_frame::ProgrammableFrame;
 use crate::syntax::{Address, BlockReader, Expression};
 use crate::values::SinumerikValue;
 
@@ -45,6 +45,26 @@ pub struct RunningProgram<'a> {
     pub has_jumped: bool,
     /// Labels and block numbers by their name, made at the first jump.
     pub targets: Option<BTreeMap<String, Vec<(u32, u32)>>>,
+}
+
+impl<'a> RunningProgram<'a> {
+    /// A program at the reader's place, run once.
+    pub fn new(program: usize, reader: BlockReader<'a>, call: CallPath) -> RunningProgram<'a> {
+        RunningProgram {
+            program,
+            reader,
+            loops: Vec::new(),
+            repeats: Vec::new(),
+            passes_left: 0,
+            call,
+            saved: None,
+            references: Vec::new(),
+            is_modal_call: false,
+            open_branches: 0,
+            has_jumped: false,
+            targets: None,
+        }
+    }
 }
 
 /// A loop whose end has not been reached.
@@ -114,7 +134,7 @@ pub struct LanguageModes {
     /// The motion.
     pub motion: PathMotion,
     /// The programmable frame.
-    pub frame: FrameMap,
+    pub frame: ProgrammableFrame,
     /// The pole of polar coordinates, mm, programmed coordinates.
     pub pole: [f64; 3],
     /// The polar angle in force, degrees; `None` before one.
@@ -131,8 +151,6 @@ pub struct LanguageModes {
     pub last_direction: Option<[f64; 3]>,
     /// G451: outside corners of compensation end at the intersection.
     pub intersects_corners: bool,
-    /// KONT: compensation begins like a contour.
-    pub follows_contour: bool,
     /// A loop, a jump or a repeat has gone back: from here on blocks count against the budget.
     pub has_jumped_back: bool,
     /// The edge that is active; 0 for none.
@@ -145,7 +163,7 @@ impl Default for LanguageModes {
     fn default() -> LanguageModes {
         LanguageModes {
             motion: PathMotion::Linear,
-            frame: FrameMap::IDENTITY,
+            frame: ProgrammableFrame::IDENTITY,
             pole: [0.0; 3],
             polar_angle: None,
             polar_radius: None,
@@ -154,7 +172,6 @@ impl Default for LanguageModes {
             machine_block: false,
             last_direction: None,
             intersects_corners: false,
-            follows_contour: false,
             has_jumped_back: false,
             edge: 0,
             unknown_tool: false,

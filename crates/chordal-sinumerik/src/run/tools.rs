@@ -37,7 +37,7 @@ impl Interpreter<'_> {
                 self.modes.unknown_tool = true;
                 self.kernel.select_unknown_tool();
                 let ToolWord::Name(name) = tool else { return };
-                if self.reported.insert(format!("T {name}"), 1).is_none() {
+                if self.is_first_report(&format!("T {name}")) {
                     let message = format!(
                         "the machine file has no tool {name}: its length and radius are not known"
                     );
@@ -79,7 +79,7 @@ impl Interpreter<'_> {
             let message = format!("there is no D{edge}: a tool has {MAX_EDGE} edges at most");
             return self.alarm(17180, Code::OffsetNotSet, range, message);
         }
-        if edge > 1 && self.reported.insert(format!("D {tool} {edge}"), 1).is_none() {
+        if edge > 1 && self.is_first_report(&format!("D {tool} {edge}")) {
             let message = format!(
                 "D{edge} is not followed: the machine file has one edge for each tool, whose values are taken"
             );
@@ -101,16 +101,11 @@ impl Interpreter<'_> {
             42 => CompensationSide::Right,
             _ => CompensationSide::Off,
         };
-        let (a, b, normal) = self.kernel.state.plane.axes();
-        let map = self.modes.frame.circle_in_plane(a, b, normal);
+        let is_mirrored = self.modes.frame.in_plane(self.kernel.state.plane).is_mirrored();
         // A mirrored contour has the tool on its other side.
         let side = match side {
-            CompensationSide::Left if map.is_some_and(|map| map.is_mirrored) => {
-                CompensationSide::Right
-            }
-            CompensationSide::Right if map.is_some_and(|map| map.is_mirrored) => {
-                CompensationSide::Left
-            }
+            CompensationSide::Left if is_mirrored => CompensationSide::Right,
+            CompensationSide::Right if is_mirrored => CompensationSide::Left,
             side => side,
         };
         let before = self.kernel.state.side;
@@ -136,9 +131,8 @@ impl Interpreter<'_> {
         let number = number.filter(|_| side != CompensationSide::Off);
         let span = self.span(range);
         self.kernel.emit_compensation(number, None, span);
-        let is_first = || !self.reported.contains_key("G451");
-        if side != CompensationSide::Off && self.modes.intersects_corners && is_first() {
-            self.reported.insert("G451".into(), 1);
+        let intersects = side != CompensationSide::Off && self.modes.intersects_corners;
+        if intersects && self.is_first_report("G451") {
             self.not_followed(
                 code_range,
                 "G451 is not followed: outside corners get the arcs of G450",

@@ -3,7 +3,9 @@
 use std::collections::HashMap;
 
 use chordal_diagnostics::TextRange;
+use chordal_machine::AXIS_NAMES;
 
+use crate::alarms::NO_ALARM;
 use crate::syntax::{Address, ExpressionKind, VariableType};
 use crate::values::{EvaluationError, SinumerikValue, VariableSource};
 
@@ -36,7 +38,7 @@ impl ProgramVariable {
 
     /// The place of an element.
     fn place(&self, range: TextRange, indices: &[i64]) -> Result<usize, EvaluationError> {
-        let wrong = |alarm: u32, message: String| EvaluationError { range, alarm, message };
+        let wrong = |alarm, message: String| EvaluationError::new(range, alarm, message);
         if indices.len() != self.sizes.len() {
             let message = format!("{} indices for {} dimensions", indices.len(), self.sizes.len());
             return Err(wrong(17020, message));
@@ -107,10 +109,9 @@ impl VariableStore {
         value: SinumerikValue,
     ) -> Result<(), EvaluationError> {
         let range = address.range;
-        let wrong = |alarm: u32, message: String| EvaluationError { range, alarm, message };
         if let Some(number) = VariableStore::r_number(address, indices) {
             let number = r_place(number, self.r_count, range)?;
-            let real = value.to_real().map_err(|fault| wrong(fault.alarm, fault.message))?;
+            let real = value.to_real().map_err(|fault| fault.at(range))?;
             self.r.insert(number, real);
             return Ok(());
         }
@@ -119,11 +120,11 @@ impl VariableStore {
             return Ok(());
         }
         let Some(variable) = self.local(&address.name) else {
-            return Err(wrong(12550, format!("the name {} is not defined", address.name)));
+            return Err(not_defined(address));
         };
         let place = variable.place(range, indices)?;
         let converted = value.converted(variable.kind);
-        variable.values[place] = converted.map_err(|fault| wrong(fault.alarm, fault.message))?;
+        variable.values[place] = converted.map_err(|fault| fault.at(range))?;
         Ok(())
     }
 }
@@ -158,19 +159,16 @@ impl VariableSource for VariableStore {
             let known = self.system.get(&(address.name.clone(), indices.to_vec())).cloned();
             let message =
                 format!("the value of {} depends on the machine and is not known", address.name);
-            return known.ok_or(EvaluationError { range, alarm: UNKNOWN_VALUE, message });
+            return known.ok_or(EvaluationError { range, alarm: NO_ALARM, message });
         }
         if let Some(variable) = self.local(&address.name) {
             let place = variable.place(range, indices)?;
             return Ok(variable.values[place].clone());
         }
-        if matches!(address.name.as_str(), "X" | "Y" | "Z" | "A" | "B" | "C")
-            && address.extension.is_none()
-        {
+        if AXIS_NAMES.contains(&address.name.as_str()) && address.extension.is_none() {
             return Ok(SinumerikValue::Axis(address.name.clone()));
         }
-        let message = format!("the name {} is not defined", address.name);
-        Err(EvaluationError { range, alarm: 12550, message })
+        Err(not_defined(address))
     }
 
     fn call(
@@ -182,15 +180,16 @@ impl VariableSource for VariableStore {
     }
 }
 
+fn not_defined(address: &Address) -> EvaluationError {
+    EvaluationError::new(address.range, 12550, format!("the name {} is not defined", address.name))
+}
+
 /// The axis that the first index of an address names.
 fn axis_of_index(address: &Address) -> Option<usize> {
     match &address.indices.first()?.kind {
         ExpressionKind::Variable(name) => {
-            ["X", "Y", "Z"].iter().position(|axis| *axis == name.name)
+            AXIS_NAMES[..3].iter().position(|axis| *axis == name.name)
         }
         _ => None,
     }
 }
-
-/// The alarm number of a value that only the machine has: the control itself shows nothing.
-pub const UNKNOWN_VALUE: u32 = 0;

@@ -7,8 +7,8 @@ use chordal_kernel::{Statement, WordMeaning};
 
 use crate::syntax::ValueFunction;
 
-/// Letters of the axes by their index.
-pub const AXIS_NAMES: [&str; 6] = ["X", "Y", "Z", "A", "B", "C"];
+/// Letters of the centre by the index of their axis.
+pub const CENTER_NAMES: [&str; 3] = ["I", "J", "K"];
 
 /// A value with the function around it.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -33,6 +33,12 @@ impl ValueWord {
             Some(_) => false,
             None => incremental,
         }
+    }
+
+    /// The coordinate that it programs from a start, where one is `unit`.
+    pub fn coordinate(&self, start: f64, unit: f64, incremental: bool) -> f64 {
+        let value = self.value * unit;
+        if self.is_incremental(incremental) { start + value } else { value }
     }
 }
 
@@ -158,7 +164,7 @@ impl Statement for BlockStatementView<'_> {
 
     fn center_names(&self, plane: Plane) -> [&'static str; 2] {
         let (a, b, _) = plane.axes();
-        [a, b].map(|axis| ["I", "J", "K"][axis])
+        [a, b].map(|axis| CENTER_NAMES[axis])
     }
 
     fn number(&self, what: WordMeaning) -> Option<String> {

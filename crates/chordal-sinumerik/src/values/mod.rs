@@ -8,5 +8,5 @@ mod text_functions;
 mod value;
 
 pub use evaluate::{EvaluationError, NAMED_INDEX, VariableSource, evaluate, evaluate_indices};
-pub use operators::{binary_operation, is_equal_number, unary_operation};
+pub use operators::{DIVISION_BY_ZERO, binary_operation, is_equal_number, unary_operation};
 pub use value::{SinumerikValue, ValueFault, number_text};

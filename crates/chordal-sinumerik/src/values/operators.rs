@@ -125,8 +125,11 @@ fn arithmetic(
     SinumerikValue::finite(decimal(left.real(), right.real()))
 }
 
+/// The message of a division by zero, which has the alarm of other arithmetic errors.
+pub const DIVISION_BY_ZERO: &str = "division by zero";
+
 fn division_by_zero() -> ValueFault {
-    ValueFault::arithmetic("division by zero")
+    ValueFault::arithmetic(DIVISION_BY_ZERO)
 }
 
 /// `/` gives a REAL, also of two INT.
