@@ -115,6 +115,11 @@ pub enum CommandKind {
         /// Direction of the next block on the axes of the plane; `None` where the block does not give it.
         toward: Option<[f64; 2]>,
     },
+    /// From here on the outside corners of compensation end where the offset paths meet, or they are arcs.
+    CornerMode {
+        /// They meet as far as the control lets them.
+        meets: bool,
+    },
     /// A block without motion, emitted while compensation is on: controls limit how many may follow each other.
     Idle,
     /// The spindle starts, stops or changes its speed.

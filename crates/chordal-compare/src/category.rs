@@ -254,6 +254,7 @@ impl Category {
             CommandKind::Effect(effect) => Some(Category::of_effect(effect)),
             // The effects of these are in the moves that follow; the end of the program is the end of the run.
             CommandKind::CornerArc { .. }
+            | CommandKind::CornerMode { .. }
             | CommandKind::Idle
             | CommandKind::End
             | CommandKind::Units(_)

@@ -455,6 +455,7 @@ impl<'j> RunRecorder<'j> {
             | Kind::Spline { .. }
             | Kind::Dwell { .. }
             | Kind::CornerArc { .. }
+            | Kind::CornerMode { .. }
             | Kind::Idle
             | Kind::Units(_)
             | Kind::Plane(_)

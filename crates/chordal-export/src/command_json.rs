@@ -323,6 +323,10 @@ fn state(object: &mut JsonObject, kind: &CommandKind) {
             object.optional("radius", *radius_mm);
         }
         CommandKind::CornerArc { .. } => object.word("kind", "corner_arc"),
+        CommandKind::CornerMode { meets } => {
+            object.word("kind", "corner_mode");
+            object.boolean("meets", *meets);
+        }
         CommandKind::Spindle { state, rpm } => {
             object.word("kind", "spindle");
             object.word("state", spindle_word(*state));

@@ -21,6 +21,9 @@ const MAX_FOLDERS: usize = 64;
 /// The most files of a folder whose program heads are read.
 const MAX_HEADS: usize = 10_000;
 
+/// The most files of definitions and tables that are read with a program.
+const MAX_TABLES: usize = 64;
+
 /// How much of a file is read to find its program head, bytes.
 const HEAD: u64 = 4096;
 
@@ -44,7 +47,8 @@ impl FolderCache {
         let mut found: Vec<ProgramText> = Vec::new();
         let mut pending: BTreeSet<ProgramName> =
             control.called_programs(text).into_iter().collect();
-        if pending.is_empty() {
+        let has_tables = !control.table_extensions().is_empty();
+        if pending.is_empty() && !has_tables {
             return found;
         }
         let keys = |text: &[u8]| -> Vec<u32> {
@@ -78,6 +82,13 @@ impl FolderCache {
             }
             pending.extend(control.called_programs(text.bytes()));
             found.push(text);
+        }
+        for path in folder.tables(control) {
+            let input = ProgramInput { path: Some(path), root: None };
+            let Ok(text) = ProgramText::read_of(files, &input) else { continue };
+            if control.is_table(text.bytes()) {
+                found.push(text);
+            }
         }
         found
     }
@@ -186,12 +197,15 @@ impl FolderListing {
     ) -> Option<PathBuf> {
         let named = self.names.get(&name.to_ascii_lowercase())?;
         let extensions = control.subprogram_extensions();
-        let has_extension = |path: &&PathBuf| {
-            let extension =
-                path.extension().map(|text| text.to_string_lossy().to_ascii_lowercase());
-            extension.is_some_and(|own| extensions.contains(&own.as_str()))
-        };
-        named.iter().filter(has_extension).find(|path| *path != caller).cloned()
+        let is_subprogram = |path: &&PathBuf| has_extension(path, extensions);
+        named.iter().filter(is_subprogram).find(|path| *path != caller).cloned()
+    }
+
+    /// The files that may have definitions and tables of a control.
+    fn tables(&self, control: &dyn ConfiguredControl) -> Vec<PathBuf> {
+        let extensions = control.table_extensions();
+        let tables = self.files.iter().filter(|path| has_extension(path, extensions));
+        tables.take(MAX_TABLES).cloned().collect()
     }
 
     /// The file of a program number, other than the caller's file. Preferred is a file with this number in its name
@@ -222,6 +236,11 @@ impl FolderListing {
             })
             .cloned()
     }
+}
+
+fn has_extension(path: &Path, extensions: &[&str]) -> bool {
+    let own = path.extension().map(|text| text.to_string_lossy().to_ascii_lowercase());
+    own.is_some_and(|own| extensions.contains(&own.as_str()))
 }
 
 fn first_head(files: &FileAccess, path: &Path) -> Option<u32> {

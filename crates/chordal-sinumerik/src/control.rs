@@ -6,8 +6,8 @@ use std::sync::Arc;
 use chordal_command::{AxisMask, RapidPath, Units, WorkNaming};
 use chordal_diagnostics::{Code, SourceMap};
 use chordal_kernel::rules::{
-    ArcRules, CompensationEntry, CompensationRules, CornerMoves, LengthRules, OutsideCorner,
-    RoundingRules, Rules,
+    ArcRules, CompensationEntry, CompensationRules, CornerAngles, CornerMoves, LengthRules,
+    OutsideCorner, RoundingRules, Rules,
 };
 use chordal_kernel::{
     ConfiguredControl, ControlCandidate, ControlProfile, ProgramName, ProgramSet,
@@ -18,7 +18,7 @@ use chordal_machine::{AXES, ControlName, Machine};
 use crate::alarms::listed_text;
 use crate::run::SinumerikPrograms;
 use crate::settings::SinumerikSettings;
-use crate::syntax::{BlockReader, StatementKind, units};
+use crate::syntax::{BlockReader, StatementKind, is_table_text, units};
 
 /// The facts of the control.
 pub const PROFILE: ControlProfile = ControlProfile {
@@ -49,6 +49,11 @@ const RULES: Rules = Rules {
     compensation: CompensationRules {
         corner_of_next: true,
         offset_of_tool: true,
+        // MD20230 and MD20210 at their defaults.
+        corner_angles: Some(CornerAngles {
+            always_meets_rad: 10.0_f64.to_radians(),
+            meets_rad: 100.0_f64.to_radians(),
+        }),
         ..CompensationRules::COMMON
     },
     arc: ArcRules {
@@ -130,6 +135,14 @@ impl ConfiguredControl for SinumerikControl {
         &["spf", "mpf"]
     }
 
+    fn table_extensions(&self) -> &'static [&'static str] {
+        &["def", "gud", "ini", "toa", "uif", "rpa"]
+    }
+
+    fn is_table(&self, text: &[u8]) -> bool {
+        is_table_text(text)
+    }
+
     fn as_any(&self) -> &dyn Any {
         self
     }
@@ -159,7 +172,7 @@ impl ProgrammingLanguage for SinumerikLanguage {
         let mut refused = Vec::new();
         for (name, entry) in &machine.settings {
             if let Err(message) = settings.take(name, &entry.value) {
-                let help = Some("it has MD22550 and MD28050".to_string());
+                let help = Some("it has MD22550, MD28050 and undefined_names".to_string());
                 refused.push(SettingError { name: name.clone(), message, help });
             }
         }

@@ -9,18 +9,41 @@ pub struct SinumerikSettings {
     pub tool_change_by_m6: bool,
     /// Number of R parameters (MD28050).
     pub r_parameters: u32,
+    /// What a name is that no program and no file of definitions has.
+    pub undefined_names: UndefinedNames,
+}
+
+/// What a name is that no program and no file of definitions has: the control may have its program or its variable in
+/// a memory that is not given here.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum UndefinedNames {
+    /// Perhaps a program or user datum of the control: a warning, and the run is not verified from there on.
+    Warning,
+    /// There is nothing else on the control: its alarm.
+    Alarm,
 }
 
 impl SinumerikSettings {
     /// The defaults of the machine data.
-    pub const DEFAULT: SinumerikSettings =
-        SinumerikSettings { tool_change_by_m6: true, r_parameters: 100 };
+    pub const DEFAULT: SinumerikSettings = SinumerikSettings {
+        tool_change_by_m6: true,
+        r_parameters: 100,
+        undefined_names: UndefinedNames::Warning,
+    };
 
     /// Takes a setting of a machine file by the name of its machine datum.
     ///
     /// # Errors
     /// What the datum takes, or that it is not known.
     pub fn take(&mut self, name: &str, value: &SettingValue) -> Result<(), String> {
+        if name == "undefined_names" {
+            self.undefined_names = match value {
+                SettingValue::Text(text) if text == "warning" => UndefinedNames::Warning,
+                SettingValue::Text(text) if text == "alarm" => UndefinedNames::Alarm,
+                _ => return Err("undefined_names is \"warning\" or \"alarm\"".into()),
+            };
+            return Ok(());
+        }
         let number = match value {
             SettingValue::Integer(number) => Some(*number),
             _ => None,

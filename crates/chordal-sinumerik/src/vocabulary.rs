@@ -212,6 +212,12 @@ pub fn is_known_name(name: &str) -> bool {
     WITHOUT_PATH.contains(&name) || WITH_EFFECT.contains(&name)
 }
 
+/// The names without a value that are words of the language, and those that editors explain.
+pub fn known_names() -> impl Iterator<Item = &'static str> {
+    let words = WORDS.iter().map(|(word, _)| *word);
+    WITHOUT_PATH.iter().chain(WITH_EFFECT).chain(IGNORED_CALLS).copied().chain(words)
+}
+
 /// The words and what they do.
 pub fn words() -> impl Iterator<Item = (&'static str, &'static str)> {
     WORDS.iter().copied()

@@ -414,6 +414,7 @@ impl<'a> CommandColumns<'a> {
                 "path_mode"
             }
             CommandKind::CornerArc { .. } => "corner_arc",
+            CommandKind::CornerMode { .. } => "corner_mode",
             CommandKind::End => "end",
             // Moves and texts are taken before this is asked.
             _ => "idle",

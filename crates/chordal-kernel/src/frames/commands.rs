@@ -64,6 +64,7 @@ impl FrameMap {
             | CommandKind::ToolNumber { .. }
             | CommandKind::ToolSelect { .. }
             | CommandKind::ToolLength { .. }
+            | CommandKind::CornerMode { .. }
             | CommandKind::Idle
             | CommandKind::Spindle { .. }
             | CommandKind::Coolant(_)

@@ -89,6 +89,17 @@ pub trait ConfiguredControl: fmt::Debug + Send + Sync {
     /// The extensions, in lower case, of the files in which a called program with a name is searched.
     fn subprogram_extensions(&self) -> &'static [&'static str];
 
+    /// The extensions, in lower case, of files with definitions and tables of the control that are read with every
+    /// program of their folder; empty where the control has none.
+    fn table_extensions(&self) -> &'static [&'static str] {
+        &[]
+    }
+
+    /// Whether a text of such a file has definitions or tables of the control.
+    fn is_table(&self, _text: &[u8]) -> bool {
+        false
+    }
+
     /// The control itself, for what works with one language only.
     fn as_any(&self) -> &dyn Any;
 }

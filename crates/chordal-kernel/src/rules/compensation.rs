@@ -21,6 +21,15 @@ pub enum OutsideCorner {
     Arc,
 }
 
+/// Up to which change of direction an outside corner ends where the offset paths meet; beyond, it is an arc.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct CornerAngles {
+    /// The largest change of direction of such a corner whatever the program chooses, rad (Sinumerik MD20230).
+    pub always_meets_rad: f64,
+    /// The same where the program chooses the meeting point, rad (Sinumerik G451, MD20210).
+    pub meets_rad: f64,
+}
+
 /// How compensation starts and ends.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
 pub enum CompensationEntry {
@@ -127,6 +136,8 @@ pub struct CompensationRules {
     pub tangent_mm: f64,
     /// A corner up to this angle counts as tangent and is not trimmed, rad (LinuxCNC 0.05).
     pub tangent_rad: f64,
+    /// Where the control lets the program choose between arcs and meeting points; `None` where it does not.
+    pub corner_angles: Option<CornerAngles>,
     /// The second of two corner points is dropped if it differs by at most this on both axes, mm; 0 keeps all.
     pub drop_link_mm: f64,
     /// Largest number of blocks without motion in the plane between two moves; `None` for no limit.
@@ -204,6 +215,7 @@ impl CompensationRules {
     pub const COMMON: CompensationRules = CompensationRules {
         tangent_mm: 0.002,
         tangent_rad: 0.0,
+        corner_angles: None,
         drop_link_mm: 0.0,
         idle_blocks: None,
         zero_move_counts: 1,

@@ -85,6 +85,9 @@ impl CornerPath {
     }
 }
 
+/// An angle of the program is a little more or less than what it is meant to be.
+const ANGLE_ROUNDING_RAD: f64 = 1e-9;
+
 /// The rules of the control that a corner needs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CornerRuleSet {
@@ -92,6 +95,9 @@ pub(super) struct CornerRuleSet {
     /// Sine of the largest turn that is treated as tangent.
     pub tangent_sine: f64,
     pub round: bool,
+    /// The largest change of direction at which an outside corner ends where the offset paths meet, rad; `None` where
+    /// the control has no such choice.
+    pub meets_rad: Option<f64>,
     /// A path that reverses into or out of an arc, with the tool outside of it, has an inside corner there.
     pub cusps_meet: bool,
 }
@@ -134,6 +140,12 @@ pub(super) fn corner(
         corner.inside = true;
         return corner;
     }
+    let change_rad = libm::atan2(turn.abs(), ahead);
+    if rules.meets_rad.is_some_and(|most| change_rad <= most + ANGLE_ROUNDING_RAD)
+        && let Some(point) = meeting(at, end, start, rules.tangent_mm)
+    {
+        return CornerPath::at(point);
+    }
     if rules.round {
         let mut corner = CornerPath::of(&[at + n1 * r, at + n2 * r]);
         let least = super::plane::angle(n1, n2).abs();
@@ -171,5 +183,5 @@ pub(super) fn rounded(
     start: &OffsetEdge,
     rules: &CornerRuleSet,
 ) -> CornerPath {
-    corner(at, end, start, &CornerRuleSet { round: true, ..*rules })
+    corner(at, end, start, &CornerRuleSet { round: true, meets_rad: None, ..*rules })
 }

@@ -147,6 +147,8 @@ pub struct Compensator {
     again: bool,
     /// The block of a G39 that applies to the next corner.
     round_next: Option<Origin>,
+    /// Outside corners end where the offset paths meet, as far as the control lets them.
+    corners_meet: bool,
     queue: VecDeque<Box<QueuedBlock>>,
     /// The programmed point of a turning tool relative to the centre of its nose, mm.
     tip: Vec2,
@@ -194,6 +196,7 @@ impl Compensator {
             toward: None,
             again: false,
             round_next: None,
+            corners_meet: false,
             queue: VecDeque::new(),
             tip: Vec2::new(0.0, 0.0),
             at: None,
@@ -268,6 +271,7 @@ impl Compensator {
         match &command.kind {
             CommandKind::Idle => self.idle(&command.origin),
             CommandKind::CornerArc { .. } => self.round_next = Some(command.origin),
+            CommandKind::CornerMode { meets } => self.corners_meet = *meets,
             CommandKind::Compensation { side, number: _, radius_mm, toward, tip } => {
                 self.pass_on(command, out);
                 let radius = self.radius_override.filter(|_| radius_mm != &Some(0.0));
@@ -429,6 +433,7 @@ fn concerns(kind: &CommandKind) -> bool {
             | CommandKind::Units(_)
             | CommandKind::Idle
             | CommandKind::CornerArc { .. }
+            | CommandKind::CornerMode { .. }
             | CommandKind::End
     )
 }

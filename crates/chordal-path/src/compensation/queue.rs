@@ -384,6 +384,9 @@ impl Compensator {
             tangent_sine: if rules.tangent_rad > 0.0 { libm::sin(rules.tangent_rad) } else { 0.0 },
             round: self.rules.outside_corner == OutsideCorner::Arc,
             cusps_meet: rules.cusps_meet,
+            meets_rad: rules.corner_angles.map(|angles| {
+                if self.corners_meet { angles.meets_rad } else { angles.always_meets_rad }
+            }),
         }
     }
 

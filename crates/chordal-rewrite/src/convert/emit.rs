@@ -287,6 +287,9 @@ impl<'a> CommandEmitter<'a> {
             CommandKind::Overrides(overrides) => self.overrides(*overrides)?,
             CommandKind::WorkOffset { name, .. } => self.work_offset(*name)?,
             CommandKind::CornerArc { .. } => return Err("a programmed corner arc".into()),
+            CommandKind::CornerMode { .. } => {
+                return Err("a choice of the form of outside corners".into());
+            }
             CommandKind::Probed { .. } => return Err("a probing move".into()),
             CommandKind::Surface { .. } => {
                 return Err("polar or cylindrical interpolation".into());

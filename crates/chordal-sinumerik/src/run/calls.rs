@@ -8,12 +8,12 @@ use chordal_kernel::{EndReason, ProgramName};
 use super::interpreter::Interpreter;
 use super::program_texts::{bare_name, procedure_of};
 use super::run_state::{BlockFlow, ModalCycle, PartRepeat, RunningProgram};
-use super::variables::{ProgramVariable, zero_of};
+use super::variables::{ProgramVariable, r_number, zero_of};
 use crate::syntax::{
     Address, CallStatement, Expression, ExpressionKind, IndirectCall, JumpDirection, ProcedureHead,
     ProgramBlock, RepeatPart, VariableDefinition, WordValue,
 };
-use crate::values::SinumerikValue;
+use crate::values::{IndexValue, SinumerikValue, evaluate_index};
 
 /// Levels of calls at most (MD of the channel: 16 of which the main program is one).
 const MAX_LEVELS: usize = 16;
@@ -38,22 +38,28 @@ impl Interpreter<'_> {
 
     /// Writes a variable; a problem is reported.
     pub(super) fn write(&mut self, address: &Address, value: SinumerikValue) {
-        let indices: Option<Vec<i64>> = address
-            .indices
-            .iter()
-            .map(|index| self.number(index).map(|number| number.round() as i64))
-            .collect();
-        let Some(indices) = indices else { return };
-        if address.name.starts_with('$') {
-            let message = format!(
-                "{} is written and not followed: what it changes is missing here",
-                address.name
-            );
-            self.not_followed(address.range, message);
+        let mut indices = Vec::with_capacity(address.indices.len());
+        for index in &address.indices {
+            match evaluate_index(index, &mut self.scope()) {
+                Ok(IndexValue::Known(index)) => indices.push(index),
+                Ok(IndexValue::Unknown(cause)) => {
+                    self.report_undefined_names();
+                    return self.variables.lose(&address.name, &cause);
+                }
+                Err(error) => return self.report_evaluation(error),
+            }
         }
-        if let Err(error) = self.variables.write(address, &indices, value) {
+        if address.name.starts_with('$') {
+            return self.write_system(address, &indices, value);
+        }
+        let written = match r_number(address, &indices) {
+            Some(number) => self.variables.write_r(number, address.range, value),
+            None => self.variables.write_named(address, &indices, value),
+        };
+        if let Err(error) = written {
             self.report_evaluation(error);
         }
+        self.report_undefined_names();
     }
 
     /// `DEF`: variables of the running program.
@@ -83,7 +89,7 @@ impl Interpreter<'_> {
     }
 
     /// Gives a variable its first values.
-    fn fill(&mut self, variable: &mut ProgramVariable, initial: &WordValue) {
+    pub(super) fn fill(&mut self, variable: &mut ProgramVariable, initial: &WordValue) {
         let values: Vec<&Expression> = match initial {
             WordValue::Plain(value)
             | WordValue::Repeated(value)
@@ -110,6 +116,9 @@ impl Interpreter<'_> {
 
     /// Assigns to an array, or to a single variable.
     pub(super) fn assign(&mut self, address: &Address, value: &WordValue) {
+        if self.write_settable_shift(address, value) {
+            return;
+        }
         match value {
             WordValue::Plain(expression) | WordValue::Function(_, expression) => {
                 if let Some(value) = self.value(expression) {
@@ -117,12 +126,15 @@ impl Interpreter<'_> {
                 }
             }
             WordValue::Set(_) | WordValue::Repeated(_) => {
-                let Some(mut variable) = self.variables.local(&address.name).cloned() else {
-                    let message = format!("the name {} is not defined", address.name);
-                    return self.alarm(12550, Code::BadVariable, address.range, message);
+                if address.name.starts_with('$') {
+                    return self.write(address, SinumerikValue::Real(0.0));
+                }
+                let Some(mut variable) = self.variables.named(&address.name).cloned() else {
+                    self.variables.undefined.push((address.name.clone(), address.range));
+                    return self.report_undefined_names();
                 };
                 self.fill(&mut variable, value);
-                if let Some(own) = self.variables.local(&address.name) {
+                if let Some(own) = self.variables.named(&address.name) {
                     *own = variable;
                 }
             }
@@ -214,7 +226,7 @@ impl Interpreter<'_> {
         let Some(ended) = self.stack.pop() else { return BlockFlow::End(EndReason::EndOfText) };
         let locals = self.variables.locals.pop().unwrap_or_default();
         for (own, callers) in ended.references {
-            if let (Some(from), Some(to)) = (locals.get(&own), self.variables.local(&callers)) {
+            if let (Some(from), Some(to)) = (locals.get(&own), self.variables.named(&callers)) {
                 to.values.clone_from(&from.values);
             }
         }
@@ -269,11 +281,7 @@ impl Interpreter<'_> {
             if !self.missing.contains(&name) {
                 self.missing.push(name);
             }
-            let message = format!("there is no program {}", request.name);
-            let help = "give its file with the program, or put it into the same folder; what it moves is missing here";
-            let diagnostic =
-                Diagnostic::new(Code::MissingSubprogram, self.span(request.range), message);
-            self.report_alarm(14011, diagnostic.help(help));
+            self.report_missing_program(request.name, request.range);
             return BlockFlow::Next;
         };
         if request.passes == 0 {
@@ -298,10 +306,25 @@ impl Interpreter<'_> {
             passes_left: request.passes - 1,
             saved,
             references,
+            given_parameters: request.arguments.iter().map(Option::is_some).collect(),
             is_modal_call: request.is_modal,
             ..RunningProgram::new(program, reader, call)
         });
         BlockFlow::Next
+    }
+
+    fn report_missing_program(&mut self, name: &str, range: TextRange) {
+        let similar = self.similar_name(&name.to_ascii_uppercase());
+        let message = format!("there is no program {name}");
+        let diagnostic = Diagnostic::new(Code::MissingSubprogram, self.span(range), message);
+        let diagnostic = match &similar {
+            Some(similar) => diagnostic.help(format!("is {similar} meant?")),
+            None => diagnostic.help(
+                "give its file with the program, or put it into the same folder; what it moves is missing here",
+            ),
+        };
+        self.report_missing_name(14011, diagnostic, similar.is_some());
+        self.lose_path(range, "the path", &format!("the program {name}"));
     }
 
     /// The variables of a program with parameters, and which of the caller's get their values back.
@@ -343,6 +366,10 @@ impl Interpreter<'_> {
         match call {
             IndirectCall::Named(expression) => {
                 let Some(value) = self.value(expression) else { return BlockFlow::Next };
+                if let Some(cause) = value.unknown_cause() {
+                    self.lose_path(range, "the called program", &cause.clone());
+                    return BlockFlow::Next;
+                }
                 let name = value
                     .to_text()
                     .map_or_else(|_| String::new(), |text| text.to_ascii_uppercase());

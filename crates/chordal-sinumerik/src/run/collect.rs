@@ -7,6 +7,7 @@ use chordal_machine::AXIS_NAMES;
 
 use super::interpreter::Interpreter;
 use super::run_state::BlockFlow;
+use super::unknown_values::UnknownUse;
 use super::words::{BlockWords, CENTER_NAMES, OTHER_ADDRESSES, ToolWord, ValueWord};
 use crate::syntax::{
     AddressWord, CallStatement, Expression, ExpressionKind, ProgramBlock, StatementKind,
@@ -128,9 +129,8 @@ impl Interpreter<'_> {
                     if is_known_name(name) {
                         words.names.push((name.clone(), statement.range));
                     } else {
-                        let message =
-                            format!("the name {name} is not defined, and no program has it");
-                        self.alarm(12550, Code::UnknownCode, statement.range, message);
+                        self.variables.undefined.push((name.clone(), statement.range));
+                        self.report_undefined_names();
                     }
                 }
                 StatementKind::SynchronousAction => {
@@ -179,7 +179,13 @@ impl Interpreter<'_> {
             // Another spindle, which is not simulated.
             return;
         }
-        let Some(value) = self.word_value(&word.value, range) else { return };
+        let used_for = match AXIS_NAMES.iter().position(|axis| is_axis && *axis == name) {
+            Some(axis) => UnknownUse::Axis(axis),
+            None => UnknownUse::of_address(name),
+        };
+        let Some(value) = self.word_value(words, name, used_for, &word.value, range) else {
+            return;
+        };
         let place = |letters: &[&str]| letters.iter().position(|letter| *letter == name);
         let slot = match name {
             "G" => return words.g_codes.push((value.value.round().max(0.0) as u32, range)),
@@ -214,17 +220,19 @@ impl Interpreter<'_> {
     fn assign_or_index(&mut self, words: &mut BlockWords, word: &AddressWord, range: TextRange) {
         let name = word.address.name.as_str();
         let known = OTHER_ADDRESSES.iter().copied().find(|known| *known == name);
-        match known.filter(|_| self.variables.local(name).is_none()) {
+        match known.filter(|_| self.variables.named(name).is_none()) {
             Some(known) => {
-                if let Some(value) = self.word_value(&word.value, range) {
+                let used_for = UnknownUse::of_address(name);
+                let value = self.word_value(words, name, used_for, &word.value, range);
+                if let Some(value) = value {
                     words.others.push((known, value));
                 }
             }
-            None if POSITIONING_AXES.contains(&name) && self.variables.local(name).is_none() => {
+            None if POSITIONING_AXES.contains(&name) && self.variables.named(name).is_none() => {
                 let what = format!("{name} moves an axis by itself and is not followed");
                 self.not_followed(range, what);
             }
-            None if IGNORED_INDEXED.contains(&name) && self.variables.local(name).is_none() => {}
+            None if IGNORED_INDEXED.contains(&name) && self.variables.named(name).is_none() => {}
             None => self.assign(&word.address, &word.value),
         }
     }
@@ -233,6 +241,10 @@ impl Interpreter<'_> {
         let WordValue::Plain(expression) = &word.value else { return };
         let tool = match self.value(expression) {
             Some(SinumerikValue::Text(name)) => ToolWord::Name(name.to_string()),
+            Some(SinumerikValue::Unknown(cause)) => {
+                self.lose_path(range, "T", &cause);
+                ToolWord::Name(cause.to_string())
+            }
             Some(value) => match value.to_real() {
                 Ok(number) if (0.0..=f64::from(u32::MAX)).contains(&number) => {
                     ToolWord::Number(number.round() as u32)
@@ -251,12 +263,26 @@ impl Interpreter<'_> {
         words.tool = Some((tool, range));
     }
 
-    fn word_value(&mut self, value: &WordValue, range: TextRange) -> Option<ValueWord> {
+    /// The value of a word; `None` if it has none, or none that is known, which is reported.
+    fn word_value(
+        &mut self,
+        words: &mut BlockWords,
+        name: &str,
+        used_for: UnknownUse,
+        value: &WordValue,
+        range: TextRange,
+    ) -> Option<ValueWord> {
         let (function, expression): (Option<ValueFunction>, &Expression) = match value {
             WordValue::Plain(expression) => (None, expression),
             WordValue::Function(function, expression) => (Some(*function), expression),
             WordValue::Set(_) | WordValue::Repeated(_) => return None,
         };
-        Some(ValueWord { value: self.number(expression)?, function, range })
+        let value = self.value(expression)?;
+        if let Some(cause) = value.unknown_cause() {
+            self.take_unknown_word(words, name, range, used_for, cause);
+            return None;
+        }
+        let value = self.number_of(&value, expression.range)?;
+        Some(ValueWord { value, function, range })
     }
 }

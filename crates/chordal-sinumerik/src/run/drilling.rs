@@ -1,6 +1,6 @@
 //! Carries out the drilling cycles and the patterns of holes.
 
-use chordal_command::{AxisMask, CommandKind, SpindleState};
+use chordal_command::{AxisMask, CommandKind, FeedMode, SpindleState};
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 
 use super::interpreter::Interpreter;
@@ -44,6 +44,10 @@ impl Interpreter<'_> {
             let what =
                 format!("{name} ({}) is not followed: what it cuts is missing here", cycle.title);
             return self.not_followed(range, what);
+        }
+        let unknown = arguments.iter().flatten().find_map(SinumerikValue::unknown_cause);
+        if let Some(cause) = unknown {
+            return self.lose_path(range, name, &cause.clone());
         }
         let arguments = CycleArguments::new(&numbers);
         if PATTERNS.contains(&name) {
@@ -147,9 +151,7 @@ impl Interpreter<'_> {
 
     /// A straight cut at a feed of its own, mm/s.
     fn tap_to(&mut self, place: [f64; 3], range: TextRange, feed: f64) {
-        let kept = self.kernel.state.feed.replace(feed);
-        self.feed_to(place, range, 1.0);
-        self.kernel.state.feed = kept;
+        self.with_path_speed(feed, |own| own.feed_to(place, range, 1.0));
     }
 
     fn drill(&mut self, steps: &[HoleStep], range: TextRange) {
@@ -169,9 +171,12 @@ impl Interpreter<'_> {
                 }
                 HoleStep::FeedAt { to, feed } => {
                     place[normal] = to * unit;
-                    let now = self.kernel.state.feed.filter(|now| *now > 0.0).unwrap_or(1.0);
                     let feed_unit = if self.modes.feed_in_units { unit } else { 1.0 };
-                    self.feed_to(place, range, feed * feed_unit / 60.0 / now);
+                    let per_minute = self.kernel.state.feed_mode != FeedMode::PerRevolution;
+                    let turns_per_s = self.kernel.state.rpm / 60.0;
+                    let speed =
+                        feed * feed_unit * if per_minute { 1.0 / 60.0 } else { turns_per_s };
+                    self.tap_to(place, range, speed);
                 }
                 HoleStep::Dwell { seconds } => {
                     self.kernel.emit(CommandKind::Dwell { seconds, label: None });

@@ -8,10 +8,10 @@ use chordal_kernel::EndReason;
 use super::interpreter::Interpreter;
 use super::run_state::{BlockFlow, LoopKind, OpenLoop};
 use crate::syntax::{
-    Address, BlockReader, Expression, JumpDirection, JumpStatement, JumpTarget, ProgramBlock,
-    StatementKind,
+    Address, BinaryOperator, BlockReader, Expression, JumpDirection, JumpStatement, JumpTarget,
+    ProgramBlock, StatementKind,
 };
-use crate::values::SinumerikValue;
+use crate::values::{SinumerikValue, binary_operation};
 
 /// The structures whose ends are searched.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -48,16 +48,22 @@ impl Interpreter<'_> {
             StatementKind::Jump(_) | StatementKind::Case { .. } => Some(self.jumps(block)),
             StatementKind::RepeatPart(part) => Some(self.repeat_part(block, part)),
             StatementKind::Define(definition) => Some(self.define(definition)),
-            StatementKind::Procedure(_)
-            | StatementKind::External(_)
-            | StatementKind::Macro { .. } => Some(BlockFlow::Next),
+            StatementKind::Macro { name, text } => {
+                self.define_macro(name, *text);
+                Some(BlockFlow::Next)
+            }
+            StatementKind::Procedure(_) | StatementKind::External(_) => Some(BlockFlow::Next),
             _ => self.call_statement(block),
         }
     }
 
     /// Whether a condition is fulfilled; one that has no value counts as not fulfilled, and is reported.
     fn is_true(&mut self, condition: &Expression) -> bool {
-        self.value(condition).and_then(|value| value.to_boolean().ok()).unwrap_or(false)
+        let Some(value) = self.value(condition) else { return false };
+        match value.unknown_cause() {
+            Some(cause) => self.assume(condition.range, &cause.clone()),
+            None => value.to_boolean().unwrap_or(false),
+        }
     }
 
     fn branch(&mut self, condition: &Expression) -> BlockFlow {
@@ -174,7 +180,16 @@ impl Interpreter<'_> {
             );
             return BlockFlow::End(EndReason::Alarm);
         }
-        let goes_on = !self.is_true(condition);
+        let goes_on = match self.value(condition) {
+            // A loop that waits for something unknown ends, as if it had come.
+            Some(value) if value.unknown_cause().is_some() => {
+                let cause = value.unknown_cause().cloned().unwrap_or_default();
+                self.assume(condition.range, &cause);
+                false
+            }
+            Some(value) => !value.to_boolean().unwrap_or(false),
+            None => false,
+        };
         self.close_or_repeat(open, goes_on)
     }
 
@@ -203,9 +218,14 @@ impl Interpreter<'_> {
                     }
                 }
                 StatementKind::Case { selector, branches, default } => {
-                    let Some(value) = self.number(selector) else { return BlockFlow::Next };
+                    let Some(value) = self.value(selector) else { return BlockFlow::Next };
+                    if let Some(cause) = value.unknown_cause() {
+                        self.assume(selector.range, &cause.clone());
+                    }
                     for (constant, jump) in branches {
-                        if self.number(constant) == Some(value) {
+                        let Some(other) = self.value(constant) else { continue };
+                        let is_equal = binary_operation(BinaryOperator::Equal, &value, &other);
+                        if matches!(is_equal, Ok(SinumerikValue::Boolean(true))) {
                             return self.jump(jump);
                         }
                     }
@@ -235,6 +255,10 @@ impl Interpreter<'_> {
                 format!("{}{number}", if *is_main { ':' } else { 'N' })
             }
             Some(JumpTarget::Computed(expression)) => match self.value(expression) {
+                Some(SinumerikValue::Unknown(cause)) => {
+                    self.lose_path(jump.range, "the target of the jump", &cause);
+                    return BlockFlow::End(EndReason::LostJump);
+                }
                 Some(value) => {
                     value.to_text().map_or_else(|_| String::new(), |text| text.to_ascii_uppercase())
                 }
@@ -266,7 +290,7 @@ impl Interpreter<'_> {
 
     /// The text that a variable holds, in upper case; `None` if no text variable has the name.
     fn text_of_variable(&mut self, name: &str) -> Option<String> {
-        match self.variables.local(name)?.values.first()? {
+        match self.variables.named(name)?.values.first()? {
             SinumerikValue::Text(text) => Some(text.to_ascii_uppercase()),
             _ => None,
         }

@@ -32,15 +32,42 @@ impl Interpreter<'_> {
                 false => ProgrammableFrame::new(inner),
             };
             self.modes.last_direction = None;
+            // TRANS and its like begin anew; ATRANS adds to what G59 replaces.
+            let shift = if bare == "TRANS" { linear(self.lengths(words), 0.0) } else { [0.0; 6] };
+            for axis in 0..3 {
+                let kept = if is_additive { self.modes.additive_shift[axis] } else { 0.0 };
+                self.modes.additive_shift[axis] =
+                    kept + if is_additive { shift[axis] } else { 0.0 };
+            }
         }
         for (code, _) in &words.g_codes {
             if matches!(code, 58 | 59) {
-                self.not_followed(
-                    range,
-                    format!("G{code} is not followed: where it shifts the axes is not known"),
-                );
+                self.replace_shift(*code == 59, range, words);
             }
         }
+    }
+
+    /// G58 and G59: replace the absolute or the additive part of the programmable shift on the named axes
+    /// (Fundamentals 11/2006, 6.3).
+    fn replace_shift(&mut self, is_additive: bool, range: TextRange, words: &BlockWords) {
+        let Some(mut shift) = self.modes.frame.translation() else {
+            let what = "G58 and G59 in a rotated, scaled or mirrored frame are not followed";
+            return self.not_followed(range, what);
+        };
+        let unit = self.unit_mm();
+        for axis in 0..3 {
+            let Some(word) = words.axes[axis] else { continue };
+            let value = word.value * unit;
+            let additive = self.modes.additive_shift[axis];
+            if is_additive {
+                shift[axis] += value - additive;
+                self.modes.additive_shift[axis] = value;
+            } else {
+                shift[axis] = value + additive;
+            }
+        }
+        let map = FrameMap::translation(linear([shift[0], shift[1], shift[2]], 0.0));
+        self.modes.frame = ProgrammableFrame::new(map);
     }
 
     /// The axis words of a block as lengths, mm; 0 where there is none.

@@ -3,13 +3,15 @@
 use std::collections::{HashMap, HashSet};
 
 use chordal_command::{CallPath, CommandKind, Origin};
-use chordal_diagnostics::{Code, Diagnostic, FileId, Severity, TextRange};
+use chordal_diagnostics::{Code, Diagnostic, FileId, Severity, Span, TextRange};
 use chordal_kernel::{
     CompletedRun, EndReason, Kernel, Modal, Outcome, ProgramName, RunSink, State,
 };
 
 use super::program_texts::{ProgramTexts, procedure_of};
 use super::run_state::{BlockFlow, LanguageModes, ModalCycle, RunningProgram};
+use super::scope::ValueScope;
+use super::system_variables::SystemState;
 use super::variables::{ProgramVariable, VariableStore};
 use super::words::BlockWords;
 use crate::syntax::{Expression, ProgramBlock};
@@ -29,6 +31,14 @@ pub struct Interpreter<'a> {
     pub(super) missing: Vec<ProgramName>,
     /// The subjects of problems that are reported once.
     pub(super) reported: HashSet<String>,
+    /// How often a condition of unknown value was assumed, by file and offset.
+    pub(super) assumed: HashMap<(FileId, u32), u32>,
+    /// Numbers of tools by the names that the program gives them (`$TC_TP2`).
+    pub(super) tool_names: HashMap<String, u32>,
+    /// The texts of macros by their names.
+    pub(super) macros: HashMap<String, Span>,
+    /// Where the block uses a macro of another file; `None` if it does not.
+    pub(super) macro_use: Option<TextRange>,
     blocks: u64,
 }
 
@@ -50,7 +60,7 @@ impl<'a> Interpreter<'a> {
         let mut variables = VariableStore::default();
         variables.r_count = programs.settings.r_parameters;
         variables.locals.push(HashMap::<String, ProgramVariable>::new());
-        Interpreter {
+        let mut interpreter = Interpreter {
             programs,
             kernel,
             stack: vec![first],
@@ -59,8 +69,14 @@ impl<'a> Interpreter<'a> {
             modal_call: None,
             missing: Vec::new(),
             reported: HashSet::new(),
+            assumed: HashMap::new(),
+            tool_names: HashMap::new(),
+            macros: HashMap::new(),
+            macro_use: None,
             blocks: 0,
-        }
+        };
+        interpreter.read_tables();
+        interpreter
     }
 
     /// The file of the running program.
@@ -135,6 +151,7 @@ impl<'a> Interpreter<'a> {
             if self.blocks.is_multiple_of(INTERRUPT_BLOCKS) && self.is_interrupted() {
                 return EndReason::Interrupted;
             }
+            let block = if self.macros.is_empty() { block } else { self.expanded(block) };
             let flow = self.block(&block);
             if wants_blocks {
                 self.kernel.block_done(&|state| Modal::of(state, Vec::new()));
@@ -171,8 +188,6 @@ impl<'a> Interpreter<'a> {
         self.kernel.call = call;
         self.kernel.origin =
             Origin { span: block.range.in_file(file), line: block.line, call, cycle: false };
-        let unit = self.unit_mm();
-        self.variables.position = self.programmed_position().map(|mm| mm / unit);
         if let Some(number) = block.number {
             self.kernel.block_number = Some(f64::from(number.number));
         }
@@ -212,8 +227,9 @@ impl<'a> Interpreter<'a> {
 
     /// The value of an expression; a problem is reported, and `None` returned.
     pub(super) fn value(&mut self, expression: &Expression) -> Option<SinumerikValue> {
-        let value = evaluate(expression, &mut self.variables);
+        let value = evaluate(expression, &mut self.scope());
         self.report_unset_reads();
+        self.report_undefined_names();
         match value {
             Ok(value) => Some(value),
             Err(error) => {
@@ -223,12 +239,44 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The number of an expression; a problem is reported, and `None` returned.
+    /// What expressions read in this block.
+    pub(super) fn scope(&mut self) -> ValueScope<'_> {
+        let unit = self.unit_mm();
+        let place = self.programmed_position();
+        let state = &self.kernel.state;
+        let known = self.modes.frame.reached(state.known);
+        let position = std::array::from_fn(|axis| known.has(axis).then_some(place[axis] / unit));
+        let given_parameters =
+            self.stack.last().map_or(&[][..], |running| &running.given_parameters);
+        ValueScope {
+            variables: &mut self.variables,
+            system: SystemState {
+                state,
+                modes: &self.modes,
+                position,
+                has_modal_call: self.modal_call.is_some(),
+                level: self.stack.len() - 1,
+                given_parameters,
+            },
+        }
+    }
+
+    /// The number of an expression; a problem is reported, and `None` returned. A value that is not known loses the
+    /// path.
     pub(super) fn number(&mut self, expression: &Expression) -> Option<f64> {
         let value = self.value(expression)?;
+        if let Some(cause) = value.unknown_cause() {
+            self.lose_path(expression.range, "this", &cause.clone());
+            return None;
+        }
+        self.number_of(&value, expression.range)
+    }
+
+    /// The number of a known value; a problem is reported, and `None` returned.
+    pub(super) fn number_of(&mut self, value: &SinumerikValue, range: TextRange) -> Option<f64> {
         let number = value.to_real().ok();
         if number.is_none() {
-            self.alarm(12150, Code::BadExpression, expression.range, "this is no number");
+            self.alarm(12150, Code::BadExpression, range, "this is no number");
         }
         number.filter(|number| number.is_finite())
     }

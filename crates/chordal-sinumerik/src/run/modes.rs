@@ -98,18 +98,21 @@ impl Interpreter<'_> {
                 self.kernel.keep_surface_speed();
             }
             97 => self.kernel.keep_spindle_speed(),
-            450 | 451 => self.modes.intersects_corners = code == 451,
-            33..=35 | 63 | 331 | 332 => {
+            450 | 451 => {
+                let meets = code == 451;
+                if std::mem::replace(&mut self.modes.intersects_corners, meets) != meets {
+                    self.kernel.emit(CommandKind::CornerMode { meets });
+                }
+            }
+            33 | 331 | 332 => self.modes.motion = PathMotion::Thread,
+            63 => {}
+            34 | 35 => {
                 self.modes.motion = PathMotion::NotFollowed;
                 self.not_followed(
                     range,
                     format!("G{code} is not followed: its ends are shown as straight cuts"),
                 );
             }
-            74 | 75 => self.not_followed(
-                range,
-                format!("the position of G{code} is that of the machine and is not known"),
-            ),
             147 | 148 | 247 | 248 | 347 | 348 => {
                 self.not_followed(range, format!("G{code} is not followed"));
             }

@@ -28,8 +28,14 @@ impl Interpreter<'_> {
     pub(super) fn moves(&mut self, range: TextRange, words: &BlockWords) -> bool {
         self.set_pole(words);
         if is_frame_block(words)
-            || words.g_codes.iter().any(|(code, _)| matches!(code, 4 | 74 | 75 | 110..=112))
+            || words.g_codes.iter().any(|(code, _)| matches!(code, 4 | 110..=112))
         {
+            return false;
+        }
+        if let Some((code, range)) =
+            words.g_codes.iter().find(|(code, _)| matches!(code, 74 | 75)).copied()
+        {
+            self.go_to_point_of_machine(code, range, words);
             return false;
         }
         let is_full_circle = matches!(self.modes.motion, PathMotion::Arc(_))
@@ -37,8 +43,16 @@ impl Interpreter<'_> {
         if !words.has_path_motion() && !is_full_circle {
             return false;
         }
+        if words.has_unknown_path {
+            self.go_astray(words);
+            return true;
+        }
         if self.modes.machine_block {
             self.machine_move(range, words);
+            return true;
+        }
+        if words.astray != AxisMask::NONE && !self.goes_straight() {
+            self.go_astray(words);
             return true;
         }
         let Some(target) = self.target(range, words) else { return false };
@@ -56,12 +70,30 @@ impl Interpreter<'_> {
                     self.modes.last_direction = Some(along);
                 }
             }
+            PathMotion::Thread => self.thread_move(&view, range, words, &target),
             PathMotion::Arc(_) | PathMotion::ThroughPoint | PathMotion::Tangent => {
                 self.arc(&view, range, words, &target);
             }
         }
+        self.lose_axes(words.astray);
         self.kernel.corner_move_done();
         true
+    }
+
+    /// Whether the motion in force is a straight one.
+    fn goes_straight(&self) -> bool {
+        matches!(self.modes.motion, PathMotion::Rapid | PathMotion::Linear | PathMotion::Thread)
+    }
+
+    /// G74: the reference point of the named axes. G75: a fixed point, whose place no reference of a machine file gives.
+    fn go_to_point_of_machine(&mut self, code: u32, range: TextRange, words: &BlockWords) {
+        let named = words.axis_mask();
+        if code == 74 {
+            let home = self.kernel.machine.home;
+            return self.kernel.go_to_reference(named, &home);
+        }
+        self.kernel.go_astray(named);
+        self.lose_path(range, "the place of G75", "the fixed point of the machine");
     }
 
     /// The motion as the kernel knows it: an arc that cannot be made is cut as a line.

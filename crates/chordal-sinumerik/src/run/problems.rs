@@ -9,7 +9,7 @@ use crate::values::{DIVISION_BY_ZERO, EvaluationError};
 impl Interpreter<'_> {
     /// A part of the running program's text as a span.
     pub(super) fn span(&self, range: TextRange) -> Span {
-        range.in_file(self.file())
+        self.macro_use.unwrap_or(range).in_file(self.file())
     }
 
     /// Reports a problem with the number of the control's alarm.
@@ -35,6 +35,13 @@ impl Interpreter<'_> {
             Some(text) => format!("{title}: {text}"),
             None => format!("{title}: {alarm}"),
         });
+        self.kernel.report(diagnostic);
+    }
+
+    /// Reports a problem that is an alarm of the control only if it has nothing more than what is given here.
+    pub(super) fn report_possible_alarm(&mut self, alarm: u32, mut diagnostic: Diagnostic) {
+        let title = self.kernel.alarms.title;
+        diagnostic.alarm = text_of(alarm).map(|text| format!("{title}: {text}"));
         self.kernel.report(diagnostic);
     }
 

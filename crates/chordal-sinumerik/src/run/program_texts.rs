@@ -5,7 +5,9 @@ use chordal_kernel::{ConfiguredControl, RunOptions};
 use chordal_machine::Machine;
 
 use crate::settings::SinumerikSettings;
-use crate::syntax::{BlockReader, ProcedureHead, ProgramUnit, StatementKind, units};
+use crate::syntax::{
+    BlockReader, ProcedureHead, ProgramUnit, ProgramUnitKind, StatementKind, is_table_text, units,
+};
 
 /// A program and its text.
 #[derive(Clone, Debug)]
@@ -39,7 +41,11 @@ impl<'a> ProgramTexts<'a> {
     ) -> ProgramTexts<'a> {
         let mut texts = Vec::new();
         for (file, source) in sources.iter() {
-            for unit in units(source.text()) {
+            let is_table = file != FileId(0) && is_table_text(source.text());
+            for mut unit in units(source.text()) {
+                if is_table {
+                    unit.kind = ProgramUnitKind::Table;
+                }
                 let name = unit.name.clone().unwrap_or_else(|| file_stem(source.name()));
                 texts.push(ProgramText { file, unit, name: bare_name(&name).to_string() });
             }
@@ -65,7 +71,9 @@ impl<'a> ProgramTexts<'a> {
     /// The index of the program with a name, without `_MPF` or `_SPF`, in upper case.
     pub fn find_name(&self, name: &str) -> Option<usize> {
         let name = bare_name(name);
-        self.texts.iter().position(|text| text.name.eq_ignore_ascii_case(name))
+        self.texts.iter().position(|text| {
+            text.unit.kind != ProgramUnitKind::Table && text.name.eq_ignore_ascii_case(name)
+        })
     }
 }
 

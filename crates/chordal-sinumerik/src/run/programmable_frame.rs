@@ -42,6 +42,13 @@ impl ProgrammableFrame {
         [x, y, z]
     }
 
+    /// Its shift, mm, if it does nothing else.
+    pub fn translation(&self) -> Option<[f64; 3]> {
+        let [x, y, z, ..] = self.map.point(&[0.0; 6]);
+        let only_shift = FrameMap::translation(linear([x, y, z], 0.0));
+        (self.map == only_shift).then_some([x, y, z])
+    }
+
     /// What it does to the circles of a plane.
     pub fn in_plane(&self, plane: Plane) -> InPlane {
         self.map.in_plane(plane)

@@ -37,6 +37,8 @@ pub struct RunningProgram<'a> {
     pub saved: Option<Box<LanguageModes>>,
     /// The caller's variables that get the values of `VAR` parameters at the return: name here, name there.
     pub references: Vec<(String, String)>,
+    /// Which of its parameters the call gives.
+    pub given_parameters: Vec<bool>,
     /// The calls stand in a modal call: it does not act on them.
     pub is_modal_call: bool,
     /// The branches that are open, as far as no jump was made.
@@ -59,6 +61,7 @@ impl<'a> RunningProgram<'a> {
             call,
             saved: None,
             references: Vec::new(),
+            given_parameters: Vec::new(),
             is_modal_call: false,
             open_branches: 0,
             has_jumped: false,
@@ -124,6 +127,8 @@ pub enum PathMotion {
     ThroughPoint,
     /// CT.
     Tangent,
+    /// G33, G331 and G332.
+    Thread,
     /// A motion that is not carried out; its ends are taken as straight cuts.
     NotFollowed,
 }
@@ -143,6 +148,10 @@ pub struct LanguageModes {
     pub polar_radius: Option<f64>,
     /// The radius of modal roundings, mm; 0 for none.
     pub modal_rounding_mm: f64,
+    /// The axis and the lead of the last thread, mm; `None` before one.
+    pub lead: Option<(usize, f64)>,
+    /// The additive part of the programmable frame's shift (G59), mm.
+    pub additive_shift: [f64; 3],
     /// G700 and G710: the unit acts on feeds, too.
     pub feed_in_units: bool,
     /// This block is without settable and programmable frame (G53, G153, SUPA).
@@ -168,6 +177,8 @@ impl Default for LanguageModes {
             polar_angle: None,
             polar_radius: None,
             modal_rounding_mm: 0.0,
+            lead: None,
+            additive_shift: [0.0; 3],
             feed_in_units: false,
             machine_block: false,
             last_direction: None,

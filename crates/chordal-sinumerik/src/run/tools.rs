@@ -6,6 +6,7 @@ use chordal_kernel::LengthOffset;
 
 use super::interpreter::Interpreter;
 use super::run_state::PathMotion;
+use super::tool_edges::edge_offset_number;
 use super::words::{BlockStatementView, BlockWords, ToolWord};
 
 /// The largest number of an edge (MD18106 at its default).
@@ -57,7 +58,10 @@ impl Interpreter<'_> {
         let tools = self.kernel.machine.tools.iter();
         let own =
             |(_, tool): &(&u32, &chordal_machine::Tool)| tool.description.as_deref() == Some(name);
-        tools.clone().find(own).map(|(number, _)| *number).or_else(|| name.parse().ok())
+        let written = || self.tool_names.get(name).copied();
+        written()
+            .or_else(|| tools.clone().find(own).map(|(number, _)| *number))
+            .or_else(|| name.parse().ok())
     }
 
     /// M6: the prepared tool into the spindle. Its first edge becomes active (MD20270 = 1).
@@ -79,13 +83,19 @@ impl Interpreter<'_> {
             let message = format!("there is no D{edge}: a tool has {MAX_EDGE} edges at most");
             return self.alarm(17180, Code::OffsetNotSet, range, message);
         }
-        if edge > 1 && self.is_first_report(&format!("D {tool} {edge}")) {
-            let message = format!(
-                "D{edge} is not followed: the machine file has one edge for each tool, whose values are taken"
-            );
-            self.not_followed(range, message);
+        let mut number = edge_offset_number(tool, edge);
+        let is_given = number.is_none_or(|number| self.kernel.state.offsets.tool(number).is_some());
+        if edge > 1 && !is_given {
+            // The values of the first edge are drawn, so that there is something to see.
+            number = edge_offset_number(tool, 1);
+            if self.is_first_report(&format!("D {tool} {edge}")) {
+                let message = format!("the values of D{edge} of tool {tool} are not given");
+                let diagnostic = Diagnostic::new(Code::OffsetNotSet, self.span(range), message);
+                let help = "put the control's tool data (TOA or INI) next to the program, or set $TC_DP in it";
+                self.kernel.report(diagnostic.severity(Severity::Warning).help(help));
+                self.lose_path(range, &format!("D{edge}"), "the tool data of the control");
+            }
         }
-        let number = (edge > 0 && tool > 0).then_some(tool);
         let span = self.span(range);
         let at = BlockStatementView { span, words };
         self.kernel.set_length(&at, LengthOffset { number, minus: false });
@@ -131,12 +141,5 @@ impl Interpreter<'_> {
         let number = number.filter(|_| side != CompensationSide::Off);
         let span = self.span(range);
         self.kernel.emit_compensation(number, None, span);
-        let intersects = side != CompensationSide::Off && self.modes.intersects_corners;
-        if intersects && self.is_first_report("G451") {
-            self.not_followed(
-                code_range,
-                "G451 is not followed: outside corners get the arcs of G450",
-            );
-        }
     }
 }

@@ -3,11 +3,9 @@
 use std::collections::HashMap;
 
 use chordal_diagnostics::TextRange;
-use chordal_machine::AXIS_NAMES;
 
-use crate::alarms::NO_ALARM;
-use crate::syntax::{Address, ExpressionKind, VariableType};
-use crate::values::{EvaluationError, SinumerikValue, VariableSource};
+use crate::syntax::{Address, VariableType};
+use crate::values::{EvaluationError, SinumerikValue};
 
 /// Elements of an array at most.
 const MAX_ELEMENTS: usize = 100_000;
@@ -34,6 +32,32 @@ impl ProgramVariable {
         let count =
             count.ok_or_else(|| format!("the array has more than {MAX_ELEMENTS} elements"))?;
         Ok(ProgramVariable { kind, sizes, values: vec![zero_of(kind); count] })
+    }
+
+    /// A variable with a value that nobody gave.
+    ///
+    /// # Errors
+    /// More elements than the budget allows.
+    pub fn unknown(
+        kind: VariableType,
+        sizes: Vec<usize>,
+        name: &str,
+    ) -> Result<ProgramVariable, String> {
+        let mut variable = ProgramVariable::new(kind, sizes)?;
+        variable.values.fill(SinumerikValue::Unknown(name.into()));
+        Ok(variable)
+    }
+
+    /// The value of an element.
+    ///
+    /// # Errors
+    /// The indices are not those of an element.
+    pub fn value(
+        &self,
+        range: TextRange,
+        indices: &[i64],
+    ) -> Result<SinumerikValue, EvaluationError> {
+        Ok(self.values[self.place(range, indices)?].clone())
     }
 
     /// The place of an element.
@@ -74,122 +98,121 @@ pub struct VariableStore {
     /// How many R parameters there are (MD28050).
     pub r_count: u32,
     /// R parameters by their number; those that nobody wrote are 0.
-    r: HashMap<u32, f64>,
+    r: HashMap<u32, SinumerikValue>,
     /// R parameters that were read before the program set them, with the place of the read.
     pub unset_reads: Vec<(u32, TextRange)>,
     /// The variables of the running programs, the innermost last.
     pub locals: Vec<HashMap<String, ProgramVariable>>,
-    /// What the program has written into system variables such as `$TC_DP6[1,1]`.
-    pub system: HashMap<(String, Vec<i64>), SinumerikValue>,
-    /// The programmed position of X, Y and Z, for `$P_EP`.
-    pub position: [f64; 3],
+    /// What the program has written into system variables such as `$AC_MARKER[1]`, by name and indices.
+    system: HashMap<(String, Vec<String>), SinumerikValue>,
+    /// User data of the control by name (GUD): those of definition files, and names that the program writes and
+    /// nothing defines.
+    pub user_data: HashMap<String, ProgramVariable>,
+    /// Names that nothing defines, with the place where each was used.
+    pub undefined: Vec<(String, TextRange)>,
 }
 
 impl VariableStore {
-    /// The variable of the running program; `None` if the name is not defined.
-    pub fn local(&mut self, name: &str) -> Option<&mut ProgramVariable> {
-        self.locals.last_mut()?.get_mut(name)
+    /// The variable of the running program, or the user data of a name; `None` if the name is not defined.
+    pub fn named(&mut self, name: &str) -> Option<&mut ProgramVariable> {
+        match self.locals.last_mut()?.get_mut(name) {
+            Some(own) => Some(own),
+            None => self.user_data.get_mut(name),
+        }
     }
 
-    /// The number of the R parameter that an address names; `None` for other addresses.
-    fn r_number(address: &Address, indices: &[i64]) -> Option<i64> {
-        let is_r = address.name == "R";
-        let indexed = || indices.first().copied().filter(|_| indices.len() == 1);
-        is_r.then(|| address.extension.map(i64::from).or_else(indexed)).flatten()
-    }
-
-    /// Writes a variable.
+    /// Reads an R parameter; one that nobody wrote is 0, and is noted.
     ///
     /// # Errors
-    /// The name is not defined, the index is outside, or the value does not fit the type.
-    pub fn write(
+    /// There is no R parameter of this number.
+    pub fn read_r(
+        &mut self,
+        number: i64,
+        range: TextRange,
+    ) -> Result<SinumerikValue, EvaluationError> {
+        let number = r_place(number, self.r_count, range)?;
+        let value = self.r.get(&number).cloned();
+        if value.is_none() {
+            self.unset_reads.push((number, range));
+        }
+        Ok(value.unwrap_or(SinumerikValue::Real(0.0)))
+    }
+
+    /// The value that the program has written into a system variable; `None` without one.
+    pub fn written_system_value(&self, name: &str, key: &[String]) -> Option<SinumerikValue> {
+        self.system.get(&(name.to_string(), key.to_vec())).cloned()
+    }
+
+    /// Writes an R parameter.
+    ///
+    /// # Errors
+    /// There is none of this number, or the value is no number.
+    pub fn write_r(
+        &mut self,
+        number: i64,
+        range: TextRange,
+        value: SinumerikValue,
+    ) -> Result<(), EvaluationError> {
+        let number = r_place(number, self.r_count, range)?;
+        let converted = value.converted(VariableType::Real).map_err(|fault| fault.at(range))?;
+        self.r.insert(number, converted);
+        Ok(())
+    }
+
+    /// Remembers what the program writes into a system variable.
+    pub fn write_system_value(&mut self, name: &str, key: Vec<String>, value: SinumerikValue) {
+        if self.system.len() < MAX_ELEMENTS {
+            self.system.insert((name.to_string(), key), value);
+        }
+    }
+
+    /// Writes a variable of the program or a user datum. A name that nothing defines becomes one, and is noted.
+    ///
+    /// # Errors
+    /// The index is outside, or the value does not fit the type.
+    pub fn write_named(
         &mut self,
         address: &Address,
         indices: &[i64],
         value: SinumerikValue,
     ) -> Result<(), EvaluationError> {
         let range = address.range;
-        if let Some(number) = VariableStore::r_number(address, indices) {
-            let number = r_place(number, self.r_count, range)?;
-            let real = value.to_real().map_err(|fault| fault.at(range))?;
-            self.r.insert(number, real);
+        if self.named(&address.name).is_none() {
+            self.undefined.push((address.name.clone(), range));
+            if indices.is_empty() {
+                let variable = ProgramVariable {
+                    kind: VariableType::Real,
+                    sizes: Vec::new(),
+                    values: vec![value],
+                };
+                self.user_data.insert(address.name.clone(), variable);
+            }
             return Ok(());
         }
-        if address.name.starts_with('$') {
-            self.system.insert((address.name.clone(), indices.to_vec()), value);
-            return Ok(());
-        }
-        let Some(variable) = self.local(&address.name) else {
-            return Err(not_defined(address));
-        };
+        let Some(variable) = self.named(&address.name) else { return Ok(()) };
         let place = variable.place(range, indices)?;
         let converted = value.converted(variable.kind);
         variable.values[place] = converted.map_err(|fault| fault.at(range))?;
         Ok(())
     }
+
+    /// A variable one of whose elements gets a value at an index that nobody knows: none of them is known any more.
+    pub fn lose(&mut self, name: &str, cause: &SinumerikValue) {
+        if let Some(variable) = self.named(name) {
+            variable.values.fill(cause.clone());
+        }
+    }
+}
+
+/// The number of the R parameter that an address names; `None` for other addresses.
+pub fn r_number(address: &Address, indices: &[i64]) -> Option<i64> {
+    let is_r = address.name == "R";
+    let indexed = || indices.first().copied().filter(|_| indices.len() == 1);
+    is_r.then(|| address.extension.map(i64::from).or_else(indexed)).flatten()
 }
 
 fn r_place(number: i64, count: u32, range: TextRange) -> Result<u32, EvaluationError> {
     let inside = u32::try_from(number).ok().filter(|number| *number < count);
     let message = format!("there is no R{number}: they end with R{}", count.saturating_sub(1));
     inside.ok_or(EvaluationError { range, alarm: 17020, message })
-}
-
-impl VariableSource for VariableStore {
-    fn read(
-        &mut self,
-        address: &Address,
-        indices: &[i64],
-    ) -> Result<SinumerikValue, EvaluationError> {
-        let range = address.range;
-        if let Some(number) = VariableStore::r_number(address, indices) {
-            let number = r_place(number, self.r_count, range)?;
-            let value = self.r.get(&number).copied();
-            if value.is_none() {
-                self.unset_reads.push((number, range));
-            }
-            return Ok(SinumerikValue::Real(value.unwrap_or(0.0)));
-        }
-        if address.name == "$P_EP"
-            && let Some(axis) = axis_of_index(address)
-        {
-            return Ok(SinumerikValue::Real(self.position[axis]));
-        }
-        if address.name.starts_with('$') {
-            let known = self.system.get(&(address.name.clone(), indices.to_vec())).cloned();
-            let message =
-                format!("the value of {} depends on the machine and is not known", address.name);
-            return known.ok_or(EvaluationError { range, alarm: NO_ALARM, message });
-        }
-        if let Some(variable) = self.local(&address.name) {
-            let place = variable.place(range, indices)?;
-            return Ok(variable.values[place].clone());
-        }
-        if AXIS_NAMES.contains(&address.name.as_str()) && address.extension.is_none() {
-            return Ok(SinumerikValue::Axis(address.name.clone()));
-        }
-        Err(not_defined(address))
-    }
-
-    fn call(
-        &mut self,
-        _: &str,
-        _: &[Option<SinumerikValue>],
-    ) -> Option<Result<SinumerikValue, EvaluationError>> {
-        None
-    }
-}
-
-fn not_defined(address: &Address) -> EvaluationError {
-    EvaluationError::new(address.range, 12550, format!("the name {} is not defined", address.name))
-}
-
-/// The axis that the first index of an address names.
-fn axis_of_index(address: &Address) -> Option<usize> {
-    match &address.indices.first()?.kind {
-        ExpressionKind::Variable(name) => {
-            AXIS_NAMES[..3].iter().position(|axis| *axis == name.name)
-        }
-        _ => None,
-    }
 }

@@ -70,6 +70,12 @@ pub struct BlockWords {
     pub others: Vec<(&'static str, ValueWord)>,
     /// T.
     pub tool: Option<(ToolWord, TextRange)>,
+    /// Axes that are programmed with a value that is not known.
+    pub astray: AxisMask,
+    /// A centre, a radius or another word of the path has a value that is not known.
+    pub has_unknown_path: bool,
+    /// A feed, a speed or a dwell has a value that is not known.
+    pub has_unknown_time: bool,
 }
 
 impl BlockWords {
@@ -86,6 +92,7 @@ impl BlockWords {
     /// Whether one of the axes of the plane or its normal, or a polar coordinate, is programmed.
     pub fn has_path_motion(&self) -> bool {
         self.axes.iter().any(Option::is_some)
+            || self.astray != AxisMask::NONE
             || self.other("AP").is_some()
             || self.other("RP").is_some()
     }

@@ -7,6 +7,7 @@ mod flow;
 mod names;
 mod number_literal;
 mod parser;
+mod parts;
 mod pending_fault;
 mod precedence;
 mod reader;
@@ -17,7 +18,8 @@ mod units;
 mod words;
 
 pub use ast::*;
+pub use parts::{constant_of, statements_of};
 pub use precedence::ComparisonPrecedence;
 pub use reader::BlockReader;
 pub use tokens::tokens;
-pub use units::{ProgramUnit, ProgramUnitKind, units};
+pub use units::{ProgramUnit, ProgramUnitKind, is_table_text, units};

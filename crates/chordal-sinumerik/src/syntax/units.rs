@@ -15,6 +15,8 @@ pub enum ProgramUnitKind {
     Sub,
     /// Neither is stated.
     Unknown,
+    /// Definitions and tables of the control: no program.
+    Table,
 }
 
 /// A program of a text.
@@ -105,6 +107,40 @@ fn name_by_procedure(text: &[u8], unit: &mut ProgramUnit) {
     if unit.kind == ProgramUnitKind::Unknown {
         unit.kind = ProgramUnitKind::Sub;
     }
+}
+
+/// Blocks of a text that are looked at to find out what it is.
+const BLOCKS_OF_RECOGNITION: usize = 50;
+
+/// Whether a text is one of definitions (`DEF NCK REAL …`) or a dump of the control's tables (`$TC_DP3[1,1]=100`,
+/// `$P_UIFR[1]=CTRANS(…)`, `R[1]=0`), not a program.
+pub fn is_table_text(text: &[u8]) -> bool {
+    let mut has_entry = false;
+    for block in BlockReader::new(text).take(BLOCKS_OF_RECOGNITION) {
+        for statement in &block.statements {
+            match &statement.kind {
+                StatementKind::Define(_) => {
+                    let words = statement.range.slice(text).to_ascii_uppercase();
+                    let has = |word: &[u8]| words.windows(word.len()).any(|part| part == word);
+                    if !has(b" NCK ") && !has(b" CHAN ") {
+                        return false;
+                    }
+                    has_entry = true;
+                }
+                StatementKind::Word(word) => match word.address.name.as_str() {
+                    "M" => {}
+                    "R" => has_entry = true,
+                    name if name.starts_with('$') => has_entry = true,
+                    _ => return false,
+                },
+                StatementKind::Macro { .. } => has_entry = true,
+                StatementKind::Call(call) if call.name == "CHANDATA" => {}
+                StatementKind::Name(name) if name == "METRIC" || name == "INCH" => {}
+                _ => return false,
+            }
+        }
+    }
+    has_entry
 }
 
 fn trimmed(line: &[u8]) -> &[u8] {

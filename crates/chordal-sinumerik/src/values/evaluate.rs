@@ -14,6 +14,9 @@ const UNKNOWN_NAME_ALARM: u32 = 12550;
 /// `$P_UIFR[1,X,TR]`. The source finds the name in the indices of the address.
 pub const NAMED_INDEX: i64 = i64::MIN;
 
+/// The parts of a frame as indices: translation, rotation, mirror, scale, fine translation.
+const FRAME_PARTS: [&str; 5] = ["TR", "RT", "MI", "SC", "FI"];
+
 /// Where the values of variables come from.
 pub trait VariableSource {
     /// The value of a variable. An index that is no number is [`NAMED_INDEX`]. The name of an axis is a
@@ -101,29 +104,41 @@ fn variable(
     if address.name == "$PI" {
         return Ok(SinumerikValue::Real(std::f64::consts::PI));
     }
-    let indices = evaluate_indices(address, source)?;
+    let mut indices = Vec::with_capacity(address.indices.len());
+    for index in &address.indices {
+        match evaluate_index(index, source)? {
+            IndexValue::Known(index) => indices.push(index),
+            IndexValue::Unknown(value) => return Ok(value),
+        }
+    }
     source.read(address, &indices)
 }
 
-/// The indices of an address. REAL indices are rounded as in an assignment to INT.
-pub fn evaluate_indices(
-    address: &Address,
-    source: &mut dyn VariableSource,
-) -> Result<Vec<i64>, EvaluationError> {
-    address.indices.iter().map(|index| evaluate_index(index, source)).collect()
+/// The value of an index.
+pub enum IndexValue {
+    /// A whole number, or [`NAMED_INDEX`].
+    Known(i64),
+    /// It depends on something that nobody gave.
+    Unknown(SinumerikValue),
 }
 
-fn evaluate_index(
+/// The value of an index. REAL indices are rounded as in an assignment to INT.
+pub fn evaluate_index(
     index: &Expression,
     source: &mut dyn VariableSource,
-) -> Result<i64, EvaluationError> {
-    let is_name = matches!(index.kind, ExpressionKind::Variable(_));
-    match evaluate(index, source) {
-        Ok(SinumerikValue::Axis(_)) => Ok(NAMED_INDEX),
-        Ok(value) => value.to_integer().map(i64::from).map_err(|fault| fault.at(index.range)),
-        // The parts of frames (TR, RT, MI, SC, FI) are names without a value.
-        Err(error) if is_name && error.alarm == UNKNOWN_NAME_ALARM => Ok(NAMED_INDEX),
-        Err(error) => Err(error),
+) -> Result<IndexValue, EvaluationError> {
+    // The parts of frames (TR, RT, MI, SC, FI) are names without a value.
+    if matches!(&index.kind, ExpressionKind::Variable(name) if FRAME_PARTS.contains(&name.name.as_str()))
+    {
+        return Ok(IndexValue::Known(NAMED_INDEX));
+    }
+    match evaluate(index, source)? {
+        SinumerikValue::Axis(_) => Ok(IndexValue::Known(NAMED_INDEX)),
+        value if value.unknown_cause().is_some() => Ok(IndexValue::Unknown(value)),
+        value => match value.to_integer() {
+            Ok(index) => Ok(IndexValue::Known(i64::from(index))),
+            Err(fault) => Err(fault.at(index.range)),
+        },
     }
 }
 
@@ -139,6 +154,9 @@ fn function(
             Some(argument) => Some(evaluate(argument, source)?),
             None => None,
         });
+    }
+    if let Some(unknown) = values.iter().flatten().find(|value| value.unknown_cause().is_some()) {
+        return Ok(unknown.clone());
     }
     if let Some(result) = function_value(name, &values) {
         return result.map_err(|fault| fault.at(range));

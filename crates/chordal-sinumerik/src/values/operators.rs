@@ -19,6 +19,9 @@ pub fn unary_operation(
     operator: UnaryOperator,
     value: SinumerikValue,
 ) -> Result<SinumerikValue, ValueFault> {
+    if value.unknown_cause().is_some() {
+        return Ok(value);
+    }
     match operator {
         UnaryOperator::Plus => Ok(match numeric("+", &value)? {
             NumericOperand::Whole(whole) => SinumerikValue::Integer(whole),
@@ -43,6 +46,9 @@ pub fn binary_operation(
     left: &SinumerikValue,
     right: &SinumerikValue,
 ) -> Result<SinumerikValue, ValueFault> {
+    if let Some(value) = with_unknown(operator, left, right) {
+        return Ok(value);
+    }
     match operator {
         BinaryOperator::Chain => Err(ValueFault {
             alarm: WRONG_TYPE_ALARM,
@@ -76,6 +82,29 @@ pub fn binary_operation(
     }
 }
 
+/// The value of an operation with an operand that is not known: not known either, unless the other operand alone
+/// decides (`FALSE AND …`, `TRUE OR …`). `None` when both operands are known.
+fn with_unknown(
+    operator: BinaryOperator,
+    left: &SinumerikValue,
+    right: &SinumerikValue,
+) -> Option<SinumerikValue> {
+    let (unknown, other) = match (left.unknown_cause(), right.unknown_cause()) {
+        (Some(_), _) => (left, right),
+        (None, Some(_)) => (right, left),
+        (None, None) => return None,
+    };
+    let decides = match operator {
+        BinaryOperator::And => Some(false),
+        BinaryOperator::Or => Some(true),
+        _ => None,
+    };
+    match decides.filter(|value| other.to_boolean().as_ref() == Ok(value)) {
+        Some(value) => Some(SinumerikValue::Boolean(value)),
+        None => Some(unknown.clone()),
+    }
+}
+
 /// A number with its type.
 #[derive(Clone, Copy)]
 enum NumericOperand {
@@ -99,7 +128,9 @@ fn numeric(operator: &str, value: &SinumerikValue) -> Result<NumericOperand, Val
         SinumerikValue::Real(value) => Ok(NumericOperand::Decimal(*value)),
         SinumerikValue::Boolean(value) => Ok(NumericOperand::Whole(i32::from(*value))),
         SinumerikValue::Character(code) => Ok(NumericOperand::Whole(i32::from(*code))),
-        SinumerikValue::Text(_) | SinumerikValue::Axis(_) => Err(wrong_type(operator, value)),
+        SinumerikValue::Text(_) | SinumerikValue::Axis(_) | SinumerikValue::Unknown(_) => {
+            Err(wrong_type(operator, value))
+        }
     }
 }
 

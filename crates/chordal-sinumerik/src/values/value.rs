@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::alarms::NO_ALARM;
 use crate::syntax::VariableType;
 
 /// The alarm of an operation between types that do not go together.
@@ -28,6 +29,8 @@ pub enum SinumerikValue {
     Text(Arc<str>),
     /// AXIS: the name of an axis in upper case.
     Axis(String),
+    /// A value that nobody gave, of any type, with the name of what it depends on: `$AA_IM[X]`.
+    Unknown(Arc<str>),
 }
 
 /// Why a value cannot be computed.
@@ -45,6 +48,14 @@ impl ValueFault {
         ValueFault { alarm: ARITHMETIC_ALARM, message: message.into() }
     }
 
+    /// No fault of the program: the value depends on something that nobody gave.
+    fn unknown(cause: &str) -> ValueFault {
+        ValueFault {
+            alarm: NO_ALARM,
+            message: format!("this depends on {cause}, which is not known"),
+        }
+    }
+
     fn conversion(value: &SinumerikValue, kind: &str) -> ValueFault {
         let message = format!("{} cannot be converted to {kind}", value.description());
         ValueFault { alarm: CONVERSION_ALARM, message }
@@ -52,6 +63,14 @@ impl ValueFault {
 }
 
 impl SinumerikValue {
+    /// What the value depends on if it is not known; `None` for known values.
+    pub fn unknown_cause(&self) -> Option<&Arc<str>> {
+        match self {
+            SinumerikValue::Unknown(cause) => Some(cause),
+            _ => None,
+        }
+    }
+
     /// A text.
     pub fn text(text: &str) -> SinumerikValue {
         SinumerikValue::Text(Arc::from(text))
@@ -90,6 +109,9 @@ impl SinumerikValue {
     /// The value as it is assigned to a variable of this type. Errors when the types do not convert or the value is out
     /// of range.
     pub fn converted(self, kind: VariableType) -> Result<SinumerikValue, ValueFault> {
+        if matches!(self, SinumerikValue::Unknown(_)) {
+            return Ok(self);
+        }
         Ok(match kind {
             VariableType::Integer => SinumerikValue::Integer(self.to_integer()?),
             VariableType::Real => SinumerikValue::Real(self.to_real()?),
@@ -125,6 +147,7 @@ impl SinumerikValue {
             SinumerikValue::Real(value) => Ok(*value),
             SinumerikValue::Boolean(value) => Ok(f64::from(u8::from(*value))),
             SinumerikValue::Character(code) => Ok(f64::from(*code)),
+            SinumerikValue::Unknown(cause) => Err(ValueFault::unknown(cause)),
             SinumerikValue::Text(_) | SinumerikValue::Axis(_) => {
                 Err(ValueFault::conversion(self, "REAL"))
             }
@@ -136,6 +159,9 @@ impl SinumerikValue {
     pub fn to_integer(&self) -> Result<i32, ValueFault> {
         if let SinumerikValue::Integer(value) = self {
             return Ok(*value);
+        }
+        if let SinumerikValue::Unknown(cause) = self {
+            return Err(ValueFault::unknown(cause));
         }
         let value = self.to_real().map_err(|_| ValueFault::conversion(self, "INT"))?;
         exact_integer(value.round()).ok_or_else(|| ValueFault::conversion(self, "INT"))
@@ -170,6 +196,7 @@ impl SinumerikValue {
             SinumerikValue::Boolean(value) => Ok(Arc::from(if *value { "1" } else { "0" })),
             SinumerikValue::Character(0) => Ok(Arc::from("")),
             SinumerikValue::Character(code) => Ok(Arc::from(char::from(*code).to_string())),
+            SinumerikValue::Unknown(cause) => Err(ValueFault::unknown(cause)),
             SinumerikValue::Axis(_) => Err(ValueFault::conversion(self, "STRING")),
         }
     }
@@ -185,6 +212,7 @@ impl SinumerikValue {
             SinumerikValue::Character(code) => format!("the CHAR {code}"),
             SinumerikValue::Text(text) => format!("the STRING \"{text}\""),
             SinumerikValue::Axis(name) => format!("the AXIS {name}"),
+            SinumerikValue::Unknown(cause) => format!("{cause}, which is not known"),
         }
     }
 }
