@@ -12,6 +12,7 @@ use chordal_command::{
 };
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextShift};
 use chordal_geometry::{Aabb, Curve, ParamCurve, Plane, Vec3};
+use chordal_kernel::Alarms;
 use chordal_kernel::rules::ToolLengths;
 use chordal_machine::{AXES, Axis, Machine, PerAxis};
 
@@ -49,6 +50,8 @@ pub struct RunChecks<'a> {
     turns: bool,
     /// An example of how programs limit the spindle speed with a constant cutting speed, for help texts.
     speed_limit_example: &'static str,
+    /// What the control shows when an axis would leave its travel; `None` where it is not known.
+    travel_alarm: Option<String>,
     /// No machine was chosen, and its limits are assumed: exceeding them is one note at the end.
     assumed: bool,
     /// The memory at the start of a program.
@@ -162,6 +165,7 @@ impl<'a> RunChecks<'a> {
             clearance_mm: clearance_mm(machine),
             turns: machine.turns(),
             speed_limit_example: "",
+            travel_alarm: None,
             assumed: false,
             start: now.clone(),
             now,
@@ -179,6 +183,13 @@ impl<'a> RunChecks<'a> {
     /// Sets the example of how programs limit the spindle speed with a constant cutting speed, for help texts.
     pub fn with_speed_limit_example(self, example: &'static str) -> RunChecks<'a> {
         RunChecks { speed_limit_example: example, ..self }
+    }
+
+    /// Sets the alarms of the control.
+    pub fn with_alarms(self, alarms: Alarms) -> RunChecks<'a> {
+        let text = alarms.text(Code::TravelExceeded);
+        let travel_alarm = text.map(|text| format!("{}: {text}", alarms.title));
+        RunChecks { travel_alarm, ..self }
     }
 
     /// Sets whether no machine was chosen, so that its limits are assumed.
@@ -414,7 +425,7 @@ impl<'a> RunChecks<'a> {
         origin: Origin,
     ) -> Diagnostic {
         let text = |value: f64| self.axis_text(axis, value);
-        Diagnostic::new(
+        let mut diagnostic = Diagnostic::new(
             Code::TravelExceeded,
             origin.span,
             format!(
@@ -425,7 +436,9 @@ impl<'a> RunChecks<'a> {
             ),
         )
         .label(format!("travel is {} to {}", text(low), text(high)))
-        .help("check the work offset and the tool length in the machine file, then this block")
+        .help("check the work offset and the tool length in the machine file, then this block");
+        diagnostic.alarm.clone_from(&self.travel_alarm);
+        diagnostic
     }
 
     fn axis_text(&self, axis: Axis, value: f64) -> String {

@@ -7,7 +7,7 @@ use chordal_command::{AxisMask, RapidPath, Units, WorkNaming};
 use chordal_diagnostics::{Code, SourceMap};
 use chordal_kernel::rules::{
     ArcRules, CompensationEntry, CompensationRules, CornerAngles, CornerMoves, LengthRules,
-    OutsideCorner, RoundingRules, Rules,
+    OutsideCorner, RoundingRules, Rules, SideChange,
 };
 use chordal_kernel::{
     ConfiguredControl, ControlCandidate, ControlProfile, ProgramName, ProgramSet,
@@ -49,6 +49,7 @@ const RULES: Rules = Rules {
     compensation: CompensationRules {
         corner_of_next: true,
         offset_of_tool: true,
+        side_change: SideChange::Along,
         // MD20230 and MD20210 at their defaults.
         corner_angles: Some(CornerAngles {
             always_meets_rad: 10.0_f64.to_radians(),
@@ -62,7 +63,11 @@ const RULES: Rules = Rules {
         judged_before: true,
         ..ArcRules::COMMON
     },
-    corner: RoundingRules { moves: CornerMoves::LinesAndArcs, ..RoundingRules::COMMON },
+    corner: RoundingRules {
+        moves: CornerMoves::LinesAndArcs,
+        shortens: true,
+        ..RoundingRules::COMMON
+    },
     length: LengthRules::COMMON,
     ..Rules::COMMON
 };

@@ -205,6 +205,19 @@ pub const IGNORED_CALLS: &[&str] = &[
     "ORIRESET",
     "CPROT",
     "EXTOPEN",
+    "EXTCLOSE",
+    "CANCEL",
+    "LOCK",
+    "UNLOCK",
+    "RESET",
+    "MMC",
+    "STOPREOF",
+    "ENABLE",
+    "DISABLE",
+    "CANCELSUB",
+    "WAITP",
+    "RELEASE",
+    "GETD",
 ];
 
 /// Whether a name without a value is a word of the language.

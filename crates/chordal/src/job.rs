@@ -362,6 +362,7 @@ impl<'a> Job<'a> {
             .assumed(self.has_assumed_machine())
             .with_tool_lengths(rules.length.source)
             .with_speed_limit_example(rules.turning.speed_limit_example)
+            .with_alarms(self.profile().alarms())
     }
 
     /// The builder that makes the path of one run of this job from its commands.

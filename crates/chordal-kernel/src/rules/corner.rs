@@ -20,10 +20,16 @@ pub struct RoundingRules {
     pub dwells_between: u32,
     /// Up to this angle, degrees, the moves count as straight and get no corner.
     pub straight_deg: f64,
+    /// A corner that is too large for its moves is made as large as they let it; otherwise it is refused.
+    pub shortens: bool,
 }
 
 impl RoundingRules {
     /// No corners; a table names what its control has.
-    pub const COMMON: RoundingRules =
-        RoundingRules { moves: CornerMoves::None, dwells_between: 0, straight_deg: 0.0 };
+    pub const COMMON: RoundingRules = RoundingRules {
+        moves: CornerMoves::None,
+        dwells_between: 0,
+        straight_deg: 0.0,
+        shortens: false,
+    };
 }

@@ -41,6 +41,10 @@ impl HoleLevels {
         let relative = call.magnitude("DPR");
         let uses_relative = match depth_choice(call)? {
             DepthChoice::Compatible => relative != 0.0,
+            // Which of the two is meant is not clear.
+            DepthChoice::Relative if relative == 0.0 && call.argument("DP").is_some() => {
+                return Err(unmodelled(call, "_AMODE"));
+            }
             DepthChoice::Relative => true,
             DepthChoice::Absolute => false,
         };

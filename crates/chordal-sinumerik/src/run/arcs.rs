@@ -1,5 +1,8 @@
 //! Arcs: G2 and G3 by centre, radius or angle, CIP, CT; helices with TURN.
 
+use std::f64::consts::TAU;
+
+use chordal_command::AxisMask;
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_geometry::{HalfCircleTolerance, TurnDirection, Vec2, center_from_radius};
 use chordal_kernel::ArcWords;
@@ -14,6 +17,15 @@ use crate::syntax::ValueFunction;
 /// Largest difference of the radii at start and end, mm (MD21000), and as a fraction of the radius (MD21010).
 const RADIUS_DIFFERENCE_MM: f64 = 0.01;
 const RADIUS_DIFFERENCE_FACTOR: f64 = 0.001;
+
+/// How far the chords of an arc may be off it where no circle of the machine's planes is possible, mm.
+const CHORD_DEVIATION_MM: f64 = 0.001;
+
+/// Chords of an arc at most.
+const MAX_CHORDS: f64 = 100_000.0;
+
+/// A smaller angle between the ends of an arc is none: the arc is a full circle, rad.
+const FULL_CIRCLE_RAD: f64 = 1e-9;
 
 /// Points closer than this are one, mm.
 const COINCIDENT_MM: f64 = 1e-6;
@@ -249,6 +261,13 @@ impl Interpreter<'_> {
         let normal = [-along[1] / length, along[0] / length];
         let chord = [end[0] - start[0], end[1] - start[1]];
         let across = chord[0] * normal[0] + chord[1] * normal[1];
+        let ahead = chord[0] * along[0] + chord[1] * along[1];
+        if across.abs() <= COINCIDENT_MM && ahead < 0.0 {
+            let message =
+                "the end lies straight behind the move before: no tangential arc leads there";
+            self.alarm(14045, Code::NoCenter, range, message);
+            return None;
+        }
         if across.abs() <= COINCIDENT_MM {
             // The end lies on the tangent: the arc is a straight line.
             return None;
@@ -271,8 +290,7 @@ impl Interpreter<'_> {
         let plane = self.kernel.state.plane;
         let (a, b, _) = plane.axes();
         let InPlane::Similar { mirrored, .. } = self.modes.frame.in_plane(plane) else {
-            self.not_followed(range, "an arc in a tilted or unequally scaled frame is not followed: it is shown as a straight cut");
-            return self.kernel.straight_instead(view, target.end, target.named);
+            return self.chords_in_frame(view, range, words, target, arc);
         };
         let mut center = target.programmed;
         (center[a], center[b]) = (arc.center[0], arc.center[1]);
@@ -284,11 +302,55 @@ impl Interpreter<'_> {
             self.alarm(14048, Code::BadWordValue, range, "TURN must be 0 to 999");
             return self.kernel.straight_instead(view, target.end, target.named);
         }
+        let from = self.kernel.state.position;
+        let radius = [from[a] - center[a], from[b] - center[b]];
+        let sense = direction.sign();
+        self.contour_begins([from[a], from[b]], [-radius[1] * sense, radius[0] * sense]);
         let words = ArcWords { direction, center: [Some(center[a]), Some(center[b])], turns };
         let mut end = target.end;
         self.kernel.snap_to_start(&mut end);
         self.kernel.arc_by_center(view, &words, end, target.named);
         self.remember_direction(&words, target);
+    }
+
+    /// An arc in a frame that tilts or distorts its plane: no circle of a plane of the machine, so it is cut in chords.
+    fn chords_in_frame(
+        &mut self,
+        view: &BlockStatementView<'_>,
+        range: TextRange,
+        words: &BlockWords,
+        target: &BlockTarget,
+        arc: &PlaneArc,
+    ) {
+        self.lose_path(range, "the exact path", "the arc outside of the machine's planes");
+        let (a, b, normal) = self.kernel.state.plane.axes();
+        let start = [target.start[a], target.start[b]];
+        let [x, y] = [start[0] - arc.center[0], start[1] - arc.center[1]];
+        let end = [target.programmed[a] - arc.center[0], target.programmed[b] - arc.center[1]];
+        let radius_mm = x.hypot(y);
+        let sense = arc.direction.sign();
+        let least = sense * (libm::atan2(end[1], end[0]) - libm::atan2(y, x));
+        let turns = words.other("TURN").map_or(0.0, |word| word.value.round().clamp(0.0, 999.0));
+        let mut sweep = least.rem_euclid(TAU);
+        if sweep < FULL_CIRCLE_RAD {
+            sweep = TAU;
+        }
+        sweep += turns * TAU;
+        // The chord of an angle t is r (1 - cos t/2) off its arc.
+        let step = 2.0 * libm::acos((1.0 - CHORD_DEVIATION_MM / radius_mm).clamp(-1.0, 1.0));
+        let count = (sweep / step).ceil().clamp(1.0, MAX_CHORDS);
+        let rise = target.programmed[normal] - target.start[normal];
+        for number in 1..=count as u32 {
+            let part = f64::from(number) / count;
+            let mut place = target.programmed;
+            if part < 1.0 {
+                [place[a], place[b]] = turned_about(start, arc.center, sense * sweep * part);
+                place[normal] = target.start[normal] + rise * part;
+            }
+            let end = self.mapped(place);
+            self.kernel.straight(view, end, target.named.or(AxisMask::LINEAR));
+        }
+        self.modes.last_direction = None;
     }
 
     /// The direction in which an arc ends, for CT.

@@ -73,8 +73,8 @@ impl Interpreter<'_> {
             let Some(sizes) = sizes else { continue };
             let mut variable = match ProgramVariable::new(definition.kind, sizes) {
                 Ok(variable) => variable,
-                Err(message) => {
-                    self.alarm(12080, Code::BadStatement, defined.range, message);
+                Err(fault) => {
+                    self.alarm(fault.alarm, Code::BadStatement, defined.range, fault.message);
                     continue;
                 }
             };
@@ -88,8 +88,31 @@ impl Interpreter<'_> {
         BlockFlow::Next
     }
 
+    /// The element that an address names; the first one without indices. A problem is reported.
+    fn place_of(&mut self, address: &Address, variable: &ProgramVariable) -> Option<usize> {
+        if address.indices.is_empty() {
+            return Some(0);
+        }
+        let mut indices = Vec::with_capacity(address.indices.len());
+        for index in &address.indices {
+            indices.push(self.number(index)?.round() as i64);
+        }
+        match variable.place(address.range, &indices) {
+            Ok(place) => Some(place),
+            Err(error) => {
+                self.report_evaluation(error);
+                None
+            }
+        }
+    }
+
     /// Gives a variable its first values.
     pub(super) fn fill(&mut self, variable: &mut ProgramVariable, initial: &WordValue) {
+        self.fill_from(variable, 0, initial);
+    }
+
+    /// Gives the elements of a variable values from one on.
+    fn fill_from(&mut self, variable: &mut ProgramVariable, from: usize, initial: &WordValue) {
         let values: Vec<&Expression> = match initial {
             WordValue::Plain(value)
             | WordValue::Repeated(value)
@@ -98,7 +121,8 @@ impl Interpreter<'_> {
             }
             WordValue::Set(values) => values.iter().collect(),
         };
-        for (place, expression) in values.into_iter().enumerate().take(variable.values.len()) {
+        let places = from..variable.values.len();
+        for (place, expression) in places.zip(values) {
             let Some(value) = self.value(expression) else { return };
             match value.converted(variable.kind) {
                 Ok(value) => variable.values[place] = value,
@@ -133,7 +157,12 @@ impl Interpreter<'_> {
                     self.variables.undefined.push((address.name.clone(), address.range));
                     return self.report_undefined_names();
                 };
-                self.fill(&mut variable, value);
+                // `NAME[2]=SET(…)` fills from this element on.
+                let from = match self.place_of(address, &variable) {
+                    Some(place) => place,
+                    None => return,
+                };
+                self.fill_from(&mut variable, from, value);
                 if let Some(own) = self.variables.named(&address.name) {
                     *own = variable;
                 }
@@ -300,7 +329,7 @@ impl Interpreter<'_> {
         let reader = self.programs.reader(program);
         let head = procedure_of(&mut self.programs.reader(program)).map(|(_, head)| head);
         let (locals, references) = self.parameters(head.as_ref(), &request);
-        let saved = head.as_ref().filter(|head| head.saves).map(|_| Box::new(self.modes.clone()));
+        let saved = head.as_ref().filter(|head| head.saves).map(|_| Box::new(self.saved_modes()));
         self.variables.locals.push(locals);
         self.stack.push(RunningProgram {
             passes_left: request.passes - 1,

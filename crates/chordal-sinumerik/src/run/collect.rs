@@ -36,8 +36,16 @@ impl Interpreter<'_> {
     pub(super) fn call_statement(&mut self, block: &ProgramBlock) -> Option<BlockFlow> {
         for statement in &block.statements {
             match &statement.kind {
-                StatementKind::Call(call) => return self.called(block, call),
+                StatementKind::Call(call) => {
+                    let is_known =
+                        IGNORED_CALLS.contains(&call.name.as_str()) || call.name == "SETAL";
+                    if !is_known {
+                        self.check_call_alone(block, statement.range, &call.name);
+                    }
+                    return self.called(block, call);
+                }
                 StatementKind::ModalCall(call) => {
+                    self.check_call_alone(block, statement.range, "MCALL");
                     self.set_modal_call(call.as_ref());
                     return Some(BlockFlow::Next);
                 }
@@ -45,6 +53,7 @@ impl Interpreter<'_> {
                     return Some(self.indirect_call(statement.range, call));
                 }
                 StatementKind::Word(word) if word.address.name == "L" && !word.has_equals => {
+                    self.check_call_alone(block, statement.range, "a call");
                     return Some(self.call_l(block, statement.range));
                 }
                 StatementKind::Name(name) if !is_known_name(name) => {
@@ -93,6 +102,9 @@ impl Interpreter<'_> {
             "MSG" => {
                 if let Some(Expression { range, kind: ExpressionKind::Text(_) }) = first {
                     self.kernel.emit(CommandKind::Message(*range));
+                } else if let Some(text) = first {
+                    // A text that is put together: its names must be defined.
+                    self.value(text);
                 }
                 // A message may stand with other words in a block.
                 (block.statements.len() == 1).then_some(BlockFlow::Next)
@@ -134,9 +146,7 @@ impl Interpreter<'_> {
                     }
                 }
                 StatementKind::SynchronousAction => {
-                    let what =
-                        "synchronous actions are not followed: what this one does is missing here";
-                    self.not_followed(statement.range, what);
+                    self.lose_path(statement.range, "what follows", "the synchronous action");
                 }
                 _ => {}
             }
@@ -229,8 +239,16 @@ impl Interpreter<'_> {
                 }
             }
             None if POSITIONING_AXES.contains(&name) && self.variables.named(name).is_none() => {
-                let what = format!("{name} moves an axis by itself and is not followed");
-                self.not_followed(range, what);
+                let moved = word.address.indices.first().and_then(|axis| match &axis.kind {
+                    ExpressionKind::Variable(axis) => {
+                        AXIS_NAMES.iter().position(|own| *own == axis.name)
+                    }
+                    _ => None,
+                });
+                match moved {
+                    Some(axis) => words.positioned.insert(axis),
+                    None => self.lose_path(range, "what moves", "the axis of the machine"),
+                }
             }
             None if IGNORED_INDEXED.contains(&name) && self.variables.named(name).is_none() => {}
             None => self.assign(&word.address, &word.value),

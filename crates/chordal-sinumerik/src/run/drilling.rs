@@ -5,6 +5,7 @@ use chordal_diagnostics::{Code, Diagnostic, TextRange};
 
 use super::interpreter::Interpreter;
 use super::words::{BlockStatementView, BlockWords};
+use crate::alarms::NO_ALARM;
 use crate::cycles::{
     CycleArguments, CycleFault, HoleContext, HoleStep, PatternContext, cycle_signature,
     drilling_moves, pattern_points,
@@ -33,9 +34,8 @@ impl Interpreter<'_> {
             .iter()
             .map(|value| value.as_ref().and_then(|value| value.to_real().ok()))
             .collect();
-        if name == "CYCLE800" && numbers.iter().all(Option::is_none) {
-            // CYCLE800() ends the swivelled plane.
-            return;
+        if name == "CYCLE800" {
+            return self.swivel_plane(&numbers, range);
         }
         if name == "CYCLE832" {
             return;
@@ -83,6 +83,14 @@ impl Interpreter<'_> {
     }
 
     fn report_cycle(&mut self, fault: CycleFault, range: TextRange) {
+        if fault.alarm == NO_ALARM {
+            // Not the program is at fault: the cycle has a form that is not carried out.
+            let (_, _, normal) = self.kernel.state.plane.axes();
+            let mut axes = AxisMask::NONE;
+            axes.insert(normal);
+            self.kernel.go_astray(axes);
+            return self.lose_path(range, "what the cycle does", &fault.message);
+        }
         let diagnostic = Diagnostic::new(Code::CycleLevels, self.span(range), fault.message);
         self.report_alarm(fault.alarm, diagnostic);
     }

@@ -283,9 +283,51 @@ impl Interpreter<'_> {
             self.modes.has_jumped_back = true;
         }
         self.running().has_jumped = true;
-        self.running().loops.clear();
+        self.leave_loops(place.0);
         self.running().reader.seek(place.0, place.1);
         BlockFlow::Next
+    }
+
+    /// Ends the loops that a jump leaves; a jump within a loop does not end it.
+    fn leave_loops(&mut self, target: u32) {
+        while let Some(open) = self.running().loops.last().cloned() {
+            let body = open.body.0;
+            if target >= body && target <= self.loop_end(&open) {
+                return;
+            }
+            self.running().loops.pop();
+        }
+    }
+
+    /// The first byte of the block that ends a loop.
+    fn loop_end(&mut self, open: &OpenLoop) -> u32 {
+        if let Some(end) = self.running().loop_ends.get(&open.body.0) {
+            return *end;
+        }
+        let structure = match &open.kind {
+            LoopKind::Counted(..) => Structure::For,
+            LoopKind::While(_) => Structure::While,
+            LoopKind::Until => Structure::Repeat,
+            LoopKind::Endless => Structure::Loop,
+        };
+        let mut reader = self.running().reader.clone();
+        reader.seek(open.body.0, open.body.1);
+        let mut depth = 0_u32;
+        let mut end = u32::MAX;
+        for block in reader {
+            let Some(first) = block.statements.first() else { continue };
+            match structure_of(&first.kind) {
+                (Some(opened), _) if opened == structure => depth += 1,
+                (_, Some(closed)) if closed == structure && depth == 0 => {
+                    end = block.range.start;
+                    break;
+                }
+                (_, Some(closed)) if closed == structure => depth -= 1,
+                _ => {}
+            }
+        }
+        self.running().loop_ends.insert(open.body.0, end);
+        end
     }
 
     /// The text that a variable holds, in upper case; `None` if no text variable has the name.

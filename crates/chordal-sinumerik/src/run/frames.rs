@@ -5,7 +5,7 @@ use chordal_diagnostics::TextRange;
 use chordal_kernel::frames::FrameMap;
 
 use super::interpreter::Interpreter;
-use super::programmable_frame::{ProgrammableFrame, linear, rotated, scaled};
+use super::programmable_frame::{linear, rotated, scaled, shift_of};
 use super::words::BlockWords;
 
 impl Interpreter<'_> {
@@ -27,10 +27,11 @@ impl Interpreter<'_> {
                 "MIRROR" => scaled(mirrors(words)),
                 _ => continue,
             };
-            self.modes.frame = match is_additive {
-                true => self.modes.frame.with_inner(&inner),
-                false => ProgrammableFrame::new(inner),
+            let map = match is_additive {
+                true => inner.then(&self.modes.programmable),
+                false => inner,
             };
+            self.modes.set_frames(map, self.modes.swivel);
             self.modes.last_direction = None;
             // TRANS and its like begin anew; ATRANS adds to what G59 replaces.
             let shift = if bare == "TRANS" { linear(self.lengths(words), 0.0) } else { [0.0; 6] };
@@ -50,7 +51,7 @@ impl Interpreter<'_> {
     /// G58 and G59: replace the absolute or the additive part of the programmable shift on the named axes
     /// (Fundamentals 11/2006, 6.3).
     fn replace_shift(&mut self, is_additive: bool, range: TextRange, words: &BlockWords) {
-        let Some(mut shift) = self.modes.frame.translation() else {
+        let Some(mut shift) = shift_of(&self.modes.programmable) else {
             let what = "G58 and G59 in a rotated, scaled or mirrored frame are not followed";
             return self.not_followed(range, what);
         };
@@ -67,7 +68,7 @@ impl Interpreter<'_> {
             }
         }
         let map = FrameMap::translation(linear([shift[0], shift[1], shift[2]], 0.0));
-        self.modes.frame = ProgrammableFrame::new(map);
+        self.modes.set_frames(map, self.modes.swivel);
     }
 
     /// The axis words of a block as lengths, mm; 0 where there is none.

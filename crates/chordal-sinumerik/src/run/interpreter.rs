@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use chordal_command::{CallPath, CommandKind, Origin};
+use chordal_command::{AxisMask, CallPath, CommandKind, Origin};
 use chordal_diagnostics::{Code, Diagnostic, FileId, Severity, Span, TextRange};
 use chordal_kernel::{
     CompletedRun, EndReason, Kernel, Modal, Outcome, ProgramName, RunSink, State,
@@ -33,6 +33,10 @@ pub struct Interpreter<'a> {
     pub(super) reported: HashSet<String>,
     /// How often a condition of unknown value was assumed, by file and offset.
     pub(super) assumed: HashMap<(FileId, u32), u32>,
+    /// Tables of the control next to the program list its tools.
+    pub(super) has_tool_tables: bool,
+    /// The edges of tools that a table of the control or the program gives: tool and edge.
+    pub(super) given_edges: HashSet<(u32, u32)>,
     /// Numbers of tools by the names that the program gives them (`$TC_TP2`).
     pub(super) tool_names: HashMap<String, u32>,
     /// The texts of macros by their names.
@@ -70,6 +74,8 @@ impl<'a> Interpreter<'a> {
             missing: Vec::new(),
             reported: HashSet::new(),
             assumed: HashMap::new(),
+            has_tool_tables: false,
+            given_edges: HashSet::new(),
             tool_names: HashMap::new(),
             macros: HashMap::new(),
             macro_use: None,
@@ -218,6 +224,11 @@ impl<'a> Interpreter<'a> {
         self.functions_before(&words);
         self.set_compensation(range, &words);
         let has_moved = self.moves(range, &words);
+        if words.positioned != AxisMask::NONE {
+            // They move at their own pace, and not to the end before the next block begins (POSA).
+            self.kernel.go_astray(words.positioned);
+            self.lose_path(range, "where the axis is", "the motion of POS");
+        }
         self.end_block_modes(&words);
         if has_moved && let flow @ BlockFlow::End(_) = self.fire_modal_call(range) {
             return flow;

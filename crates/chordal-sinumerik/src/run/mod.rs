@@ -3,7 +3,9 @@
 //! `interpreter` reads blocks and follows jumps, loops and calls; `collect` turns statements into words; `modes`, `frames`,
 //! `tools` set what the following blocks use; `motion`, `arcs`, `corners` move; `drilling` carries out cycles.
 
+mod approach;
 mod arcs;
+mod block_checks;
 mod calls;
 mod collect;
 mod drilling;
@@ -20,6 +22,7 @@ mod programs;
 mod run_state;
 mod scope;
 mod similar_names;
+mod swivel;
 mod system_variables;
 mod system_writes;
 mod tables;

@@ -8,7 +8,7 @@ use chordal_geometry::{Plane, TurnDirection};
 use chordal_kernel::EndReason;
 
 use super::interpreter::Interpreter;
-use super::run_state::{BlockFlow, LanguageModes, PathMotion};
+use super::run_state::{BlockFlow, LanguageModes, PathMotion, SavedModes};
 use super::words::BlockWords;
 
 /// The group of a G code (Fundamentals, list of G functions); `None` for codes that are not known.
@@ -58,9 +58,12 @@ impl Interpreter<'_> {
             seen.push((*code, group));
             self.set_mode(*code, *range, words);
         }
+        self.check_groups_of_names(words, &seen);
+        self.check_alone(words);
         for (name, range) in &words.names {
             self.set_named_mode(name, *range);
         }
+        self.check_centers(words);
         if let Some(radius) = words.other("RNDM") {
             self.modes.modal_rounding_mm = radius.value * self.unit_mm();
         }
@@ -134,7 +137,9 @@ impl Interpreter<'_> {
         match name {
             "CIP" => self.modes.motion = PathMotion::ThroughPoint,
             "CT" => self.modes.motion = PathMotion::Tangent,
-            "KONT" | "KONTC" | "KONTT" => self.not_followed(
+            "NORM" => self.modes.approaches_round = false,
+            "KONT" => self.modes.approaches_round = true,
+            "KONTC" | "KONTT" => self.not_followed(
                 range,
                 format!("{name} is not followed: compensation begins as with NORM"),
             ),
@@ -187,6 +192,11 @@ impl Interpreter<'_> {
             } else {
                 self.kernel.set_speed(speed.value);
             }
+        }
+        let keeps_surface = words.g_codes.iter().any(|(code, _)| *code == 96);
+        if keeps_surface && self.kernel.state.surface_speed.is_none_or(|speed| speed <= 0.0) {
+            let message = "G96 needs S, the cutting speed";
+            self.alarm(10900, Code::SpindleStopped, self.here(), message);
         }
         if let Some(feed) = words.other("F") {
             let unit = if self.modes.feed_in_units { self.unit_mm() } else { 1.0 };
@@ -252,9 +262,37 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Restores the modes that `SAVE` keeps.
-    pub(super) fn restore_modes(&mut self, saved: LanguageModes) {
-        let has_jumped_back = self.modes.has_jumped_back;
-        self.modes = LanguageModes { has_jumped_back, ..saved };
+    /// The modes that `SAVE` keeps.
+    pub(super) fn saved_modes(&self) -> SavedModes {
+        let state = &self.kernel.state;
+        SavedModes {
+            modes: self.modes.clone(),
+            plane: state.plane,
+            units: state.units,
+            incremental: state.incremental,
+            feed_mode: state.feed_mode,
+            work: state.offsets.active(),
+            path: state.path,
+        }
+    }
+
+    /// Restores the modes that `SAVE` keeps. The tool stays.
+    pub(super) fn restore_modes(&mut self, saved: SavedModes) {
+        let span = self.span(self.here());
+        let LanguageModes { has_jumped_back, edge, unknown_tool, .. } = self.modes;
+        self.modes = LanguageModes { has_jumped_back, edge, unknown_tool, ..saved.modes };
+        let feed = self.kernel.state.feed;
+        self.kernel.set_plane(span, saved.plane);
+        self.kernel.set_units(saved.units);
+        self.kernel.set_incremental(saved.incremental);
+        if self.kernel.state.feed_mode != saved.feed_mode {
+            self.kernel.set_feed_mode(saved.feed_mode);
+        } else {
+            self.kernel.state.feed = feed;
+        }
+        self.kernel.select_work(saved.work);
+        if self.kernel.state.path != saved.path {
+            self.kernel.change_path_mode(|path| *path = saved.path);
+        }
     }
 }

@@ -23,6 +23,9 @@ pub struct BlockTarget {
     pub named: AxisMask,
 }
 
+/// How far the end point of a line may be off the direction of its ANG, mm.
+const COINCIDENT_LINE_MM: f64 = 0.001;
+
 impl Interpreter<'_> {
     /// Moves, if the block has a motion; false if nothing moves.
     pub(super) fn moves(&mut self, range: TextRange, words: &BlockWords) -> bool {
@@ -63,6 +66,7 @@ impl Interpreter<'_> {
         self.kernel.state.motion = self.kernel_motion();
         match self.modes.motion {
             PathMotion::Rapid | PathMotion::Linear | PathMotion::NotFollowed => {
+                self.line_of_contour(words, &target);
                 self.kernel.straight(&view, target.end, target.named);
                 let end = self.kernel.state.position;
                 let along: [f64; 3] = std::array::from_fn(|axis| end[axis] - start[axis]);
@@ -78,6 +82,17 @@ impl Interpreter<'_> {
         self.lose_axes(words.astray);
         self.kernel.corner_move_done();
         true
+    }
+
+    /// A straight move after the one with which compensation began tells how the contour begins.
+    fn line_of_contour(&mut self, words: &BlockWords, target: &BlockTarget) {
+        let begins = words.g_codes.iter().any(|(code, _)| matches!(code, 41 | 42));
+        let (a, b, _) = self.kernel.state.plane.axes();
+        let start = self.kernel.state.position;
+        let along = [target.end[a] - start[a], target.end[b] - start[b]];
+        if !begins && along != [0.0; 2] {
+            self.contour_begins([start[a], start[b]], along);
+        }
     }
 
     /// Whether the motion in force is a straight one.
@@ -179,6 +194,12 @@ impl Interpreter<'_> {
         let (a, b, _) = self.kernel.state.plane.axes();
         let unit = self.unit_mm();
         let mut pole = from;
+        let outside = (0..3).find(|axis| *axis != a && *axis != b && words.axes[*axis].is_some());
+        if let Some(axis) = outside {
+            let letter = chordal_machine::AXIS_NAMES[axis];
+            let message = format!("{letter} is no axis of the plane, in which the pole is");
+            self.alarm(14270, Code::PolarWords, range, message);
+        }
         for axis in [a, b] {
             pole[axis] += words.axes[axis].map_or(0.0, |word| word.value * unit);
         }
@@ -244,6 +265,15 @@ impl Interpreter<'_> {
         match (words.axes[a], words.axes[b]) {
             (Some(_), None) if cos != 0.0 => end[b] = start[b] + (end[a] - start[a]) * sin / cos,
             (None, Some(_)) if sin != 0.0 => end[a] = start[a] + (end[b] - start[b]) * cos / sin,
+            (Some(_), Some(_)) => {
+                let [along, across] = [end[a] - start[a], end[b] - start[b]];
+                let off_mm = across * cos - along * sin;
+                if off_mm.abs() > 2.0 * COINCIDENT_LINE_MM || along * cos + across * sin < 0.0 {
+                    let message =
+                        format!("the end point is not in the direction of {} degrees", angle.value);
+                    self.alarm(10795, Code::PolarWords, angle.range, message);
+                }
+            }
             _ => {
                 self.not_followed(angle.range, "ANG without one axis of the plane is not followed")
             }

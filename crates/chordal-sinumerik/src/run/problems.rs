@@ -51,7 +51,7 @@ impl Interpreter<'_> {
             NO_ALARM => return self.not_followed(error.range, error.message),
             14051 if error.message == DIVISION_BY_ZERO => Code::DivisionByZero,
             14051 => Code::OutsideDomain,
-            17020 | 17030 | 12550 => Code::BadVariable,
+            12400 | 17020 | 17030 | 12550 => Code::BadVariable,
             _ => Code::BadExpression,
         };
         self.alarm(error.alarm, code, error.range, error.message);

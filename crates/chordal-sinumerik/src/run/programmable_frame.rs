@@ -21,11 +21,6 @@ impl ProgrammableFrame {
         ProgrammableFrame { map, inverse: map.inverse() }
     }
 
-    /// This frame with another one inside it, whose points this one maps: the A forms (ATRANS, AROT …).
-    pub fn with_inner(&self, inner: &FrameMap) -> ProgrammableFrame {
-        ProgrammableFrame::new(inner.then(&self.map))
-    }
-
     /// The position of a programmed position.
     pub fn point(&self, programmed: &Position) -> Position {
         self.map.point(programmed)
@@ -42,17 +37,17 @@ impl ProgrammableFrame {
         [x, y, z]
     }
 
-    /// Its shift, mm, if it does nothing else.
-    pub fn translation(&self) -> Option<[f64; 3]> {
-        let [x, y, z, ..] = self.map.point(&[0.0; 6]);
-        let only_shift = FrameMap::translation(linear([x, y, z], 0.0));
-        (self.map == only_shift).then_some([x, y, z])
-    }
-
     /// What it does to the circles of a plane.
     pub fn in_plane(&self, plane: Plane) -> InPlane {
         self.map.in_plane(plane)
     }
+}
+
+/// The shift of a map, mm, if it does nothing else.
+pub fn shift_of(map: &FrameMap) -> Option<[f64; 3]> {
+    let [x, y, z, ..] = map.point(&[0.0; 6]);
+    let only_shift = FrameMap::translation(linear([x, y, z], 0.0));
+    (*map == only_shift).then_some([x, y, z])
 }
 
 /// X, Y and Z with the same value for each rotary axis.

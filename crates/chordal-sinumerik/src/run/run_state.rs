@@ -2,9 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use chordal_command::CallPath;
-use chordal_geometry::TurnDirection;
-use chordal_kernel::EndReason;
+use chordal_command::{CallPath, FeedMode, Units, WorkName};
+use chordal_diagnostics::TextRange;
+use chordal_geometry::{Plane, TurnDirection};
+use chordal_kernel::frames::FrameMap;
+use chordal_kernel::{EndReason, PathState};
 
 use super::programmable_frame::ProgrammableFrame;
 use crate::syntax::{Address, BlockReader, Expression};
@@ -34,7 +36,7 @@ pub struct RunningProgram<'a> {
     /// The chain of calls that led here.
     pub call: CallPath,
     /// The modes at the call, which `SAVE` restores.
-    pub saved: Option<Box<LanguageModes>>,
+    pub saved: Option<Box<SavedModes>>,
     /// The caller's variables that get the values of `VAR` parameters at the return: name here, name there.
     pub references: Vec<(String, String)>,
     /// Which of its parameters the call gives.
@@ -45,6 +47,8 @@ pub struct RunningProgram<'a> {
     pub open_branches: u32,
     /// A jump was made, so that a structure may end that was not begun.
     pub has_jumped: bool,
+    /// The ends of loops by the first byte of their body, as far as they were looked for.
+    pub loop_ends: BTreeMap<u32, u32>,
     /// Labels and block numbers by their name, made at the first jump.
     pub targets: Option<BTreeMap<String, Vec<(u32, u32)>>>,
 }
@@ -65,6 +69,7 @@ impl<'a> RunningProgram<'a> {
             is_modal_call: false,
             open_branches: 0,
             has_jumped: false,
+            loop_ends: BTreeMap::new(),
             targets: None,
         }
     }
@@ -133,13 +138,40 @@ pub enum PathMotion {
     NotFollowed,
 }
 
+/// What `SAVE` keeps: the modal G functions and the frames.
+#[derive(Clone, Debug)]
+pub struct SavedModes {
+    /// The modes of the language.
+    pub modes: LanguageModes,
+    /// G17, G18, G19.
+    pub plane: Plane,
+    /// G70, G71.
+    pub units: Units,
+    /// G90, G91.
+    pub incremental: bool,
+    /// G93, G94, G95.
+    pub feed_mode: FeedMode,
+    /// G54 and its like.
+    pub work: WorkName,
+    /// G60, G64 and their like.
+    pub path: PathState,
+}
+
 /// What the language remembers from block to block in addition to the kernel.
 #[derive(Clone, Debug)]
 pub struct LanguageModes {
     /// The motion.
     pub motion: PathMotion,
-    /// The programmable frame.
+    /// What all frames after the settable one do together: the swivelled plane, and in it the programmable frame.
     pub frame: ProgrammableFrame,
+    /// The programmable frame: TRANS, ROT and their like.
+    pub programmable: FrameMap,
+    /// The frame of a swivelled plane (CYCLE800).
+    pub swivel: FrameMap,
+    /// KONT: compensation begins and ends round the start and the end of the contour.
+    pub approaches_round: bool,
+    /// Where compensation with KONT began, as long as the direction of the contour is not known.
+    pub open_approach: Option<OpenApproach>,
     /// The pole of polar coordinates, mm, programmed coordinates.
     pub pole: [f64; 3],
     /// The polar angle in force, degrees; `None` before one.
@@ -168,11 +200,34 @@ pub struct LanguageModes {
     pub unknown_tool: bool,
 }
 
+/// A move on which compensation begins with KONT.
+#[derive(Clone, Copy, Debug)]
+pub struct OpenApproach {
+    /// Where it starts in the plane, mm.
+    pub from: [f64; 2],
+    /// The side of the tool: 1 for left, -1 for right.
+    pub side: f64,
+    /// The text of the code.
+    pub range: TextRange,
+}
+
+impl LanguageModes {
+    /// Sets the programmable frame and the frame of the swivelled plane.
+    pub fn set_frames(&mut self, programmable: FrameMap, swivel: FrameMap) {
+        (self.programmable, self.swivel) = (programmable, swivel);
+        self.frame = ProgrammableFrame::new(programmable.then(&swivel));
+    }
+}
+
 impl Default for LanguageModes {
     fn default() -> LanguageModes {
         LanguageModes {
             motion: PathMotion::Linear,
             frame: ProgrammableFrame::IDENTITY,
+            programmable: FrameMap::IDENTITY,
+            swivel: FrameMap::IDENTITY,
+            approaches_round: false,
+            open_approach: None,
             pole: [0.0; 3],
             polar_angle: None,
             polar_radius: None,

@@ -37,6 +37,12 @@ impl Interpreter<'_> {
     ) {
         let (name, range) = (address.name.as_str(), address.range);
         let keys = index_keys(address, indices);
+        if name.starts_with("$TC_DP")
+            && let [tool, edge] = indices
+            && let (Ok(tool), Ok(edge)) = (u32::try_from(*tool), u32::try_from(*edge))
+        {
+            self.given_edges.insert((tool, edge));
+        }
         if let Some(datum) = ToolDatum::named(name) {
             return self.write_tool_datum(datum, indices, range, value);
         }

@@ -32,6 +32,7 @@ impl Interpreter<'_> {
         match number {
             Some(number) => {
                 self.modes.unknown_tool = false;
+                self.check_tool_number(number, range);
                 self.kernel.select_tool(number);
             }
             None => {
@@ -50,6 +51,17 @@ impl Interpreter<'_> {
         }
         if !self.programs.settings.tool_change_by_m6 {
             self.change_tool(range);
+        }
+    }
+
+    /// T of a tool that the tool data of the control do not have; without such data nobody knows which tools there are.
+    fn check_tool_number(&mut self, number: u32, range: TextRange) {
+        let has_data = self.has_tool_tables;
+        let is_listed = self.given_edges.contains(&(number, 1))
+            || self.kernel.machine.tools.contains_key(&number);
+        if number > 0 && has_data && !is_listed {
+            let message = format!("the tool data of the control have no tool {number}");
+            self.alarm(17190, Code::OffsetNotSet, range, message);
         }
     }
 
@@ -81,6 +93,11 @@ impl Interpreter<'_> {
         let tool = self.kernel.state.tool;
         if edge > MAX_EDGE {
             let message = format!("there is no D{edge}: a tool has {MAX_EDGE} edges at most");
+            return self.alarm(17180, Code::OffsetNotSet, range, message);
+        }
+        let lists_tool = self.given_edges.contains(&(tool, 1));
+        if edge > 0 && tool > 0 && lists_tool && !self.given_edges.contains(&(tool, edge)) {
+            let message = format!("the tool data of the control give tool {tool} no D{edge}");
             return self.alarm(17180, Code::OffsetNotSet, range, message);
         }
         let mut number = edge_offset_number(tool, edge);
@@ -136,6 +153,7 @@ impl Interpreter<'_> {
             let message = "tool radius compensation is switched on and no tool edge is active";
             self.alarm(10750, Code::CompensationWithoutOffset, code_range, message);
         }
+        self.note_approach(side, range, words);
         self.kernel.state.side = side;
         let number = self.kernel.state.radius_offset;
         let number = number.filter(|_| side != CompensationSide::Off);

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use chordal_diagnostics::TextRange;
 
 use crate::syntax::{Address, VariableType};
-use crate::values::{EvaluationError, SinumerikValue};
+use crate::values::{EvaluationError, SinumerikValue, ValueFault};
 
 /// Elements of an array at most.
 const MAX_ELEMENTS: usize = 100_000;
@@ -25,24 +25,30 @@ impl ProgramVariable {
     /// A variable with the value of its type at the start: zero, FALSE, an empty text.
     ///
     /// # Errors
-    /// More elements than the budget allows.
-    pub fn new(kind: VariableType, sizes: Vec<usize>) -> Result<ProgramVariable, String> {
+    /// A size of 0, or more elements than the budget allows.
+    pub fn new(kind: VariableType, sizes: Vec<usize>) -> Result<ProgramVariable, ValueFault> {
+        if sizes.contains(&0) {
+            let message = "the size of an array must be 1 or more".to_string();
+            return Err(ValueFault { alarm: 12430, message });
+        }
         let count = sizes.iter().try_fold(1_usize, |all, size| all.checked_mul(*size));
         let count = count.filter(|count| *count <= MAX_ELEMENTS);
-        let count =
-            count.ok_or_else(|| format!("the array has more than {MAX_ELEMENTS} elements"))?;
+        let count = count.ok_or_else(|| ValueFault {
+            alarm: 12080,
+            message: format!("the array has more than {MAX_ELEMENTS} elements"),
+        })?;
         Ok(ProgramVariable { kind, sizes, values: vec![zero_of(kind); count] })
     }
 
     /// A variable with a value that nobody gave.
     ///
     /// # Errors
-    /// More elements than the budget allows.
+    /// A size of 0, or more elements than the budget allows.
     pub fn unknown(
         kind: VariableType,
         sizes: Vec<usize>,
         name: &str,
-    ) -> Result<ProgramVariable, String> {
+    ) -> Result<ProgramVariable, ValueFault> {
         let mut variable = ProgramVariable::new(kind, sizes)?;
         variable.values.fill(SinumerikValue::Unknown(name.into()));
         Ok(variable)
@@ -61,11 +67,14 @@ impl ProgramVariable {
     }
 
     /// The place of an element.
-    fn place(&self, range: TextRange, indices: &[i64]) -> Result<usize, EvaluationError> {
+    ///
+    /// # Errors
+    /// The indices are not those of an element.
+    pub fn place(&self, range: TextRange, indices: &[i64]) -> Result<usize, EvaluationError> {
         let wrong = |alarm, message: String| EvaluationError::new(range, alarm, message);
         if indices.len() != self.sizes.len() {
             let message = format!("{} indices for {} dimensions", indices.len(), self.sizes.len());
-            return Err(wrong(17020, message));
+            return Err(wrong(12400, message));
         }
         let mut place = 0;
         for (number, (index, size)) in indices.iter().zip(&self.sizes).enumerate() {

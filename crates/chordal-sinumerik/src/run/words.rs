@@ -70,6 +70,8 @@ pub struct BlockWords {
     pub others: Vec<(&'static str, ValueWord)>,
     /// T.
     pub tool: Option<(ToolWord, TextRange)>,
+    /// Axes that POS moves by themselves.
+    pub positioned: AxisMask,
     /// Axes that are programmed with a value that is not known.
     pub astray: AxisMask,
     /// A centre, a radius or another word of the path has a value that is not known.

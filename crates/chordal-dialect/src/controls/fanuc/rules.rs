@@ -64,7 +64,12 @@ const COMPENSATION: CompensationRules = CompensationRules {
 /// Operator's Manual of the 30i, optional chamfering and corner R: one block with G4 is allowed between the two
 /// moves, and a corner whose direction changes by 1 degree or less gets neither chamfer nor rounding.
 const CORNER: RoundingRules =
-    RoundingRules { moves: CornerMoves::LinesAndArcs, dwells_between: 1, straight_deg: 1.0 };
+    RoundingRules {
+        moves: CornerMoves::LinesAndArcs,
+        dwells_between: 1,
+        straight_deg: 1.0,
+        ..RoundingRules::COMMON
+    };
 
 /// Coordinates have eight digits; from practice: no cycle along a mirrored or scaled axis.
 const FRAMES: FrameRules = FrameRules {

@@ -63,4 +63,9 @@ const COMPENSATION: CompensationRules = CompensationRules {
 
 /// Chamfer and corner R with a comma, as on mills.
 const CORNER: RoundingRules =
-    RoundingRules { moves: CornerMoves::LinesAndArcs, dwells_between: 1, straight_deg: 1.0 };
+    RoundingRules {
+        moves: CornerMoves::LinesAndArcs,
+        dwells_between: 1,
+        straight_deg: 1.0,
+        ..RoundingRules::COMMON
+    };

@@ -288,18 +288,18 @@ impl Kernel<'_> {
             ..refusal
         })?;
         let straight = self.rules.corner.straight_deg.to_radians();
-        let fit = match queued.corner.form {
-            CornerForm::Rounding => fit::rounding(&one, &two, queued.corner.size_mm, straight),
-            CornerForm::Chamfer => fit::chamfer(&one, &two, queued.corner.size_mm, straight),
-            CornerForm::ChamferOfLength => {
-                let leg = fit::leg_of_chamfer(&one, &two, queued.corner.size_mm);
-                fit::chamfer(&one, &two, leg, straight)
-            }
-            CornerForm::ChordOfRounding => {
-                let fit = fit::rounding(&one, &two, queued.corner.size_mm, straight);
-                fit.map(|fit| fit.map(|fit| fit::CornerFit { arc: None, ..fit }))
-            }
+        let legs = [&one, &two];
+        let form = queued.corner.form;
+        let size_mm = match form {
+            CornerForm::ChamferOfLength => fit::leg_of_chamfer(&one, &two, queued.corner.size_mm),
+            _ => queued.corner.size_mm,
         };
+        let mut fit = fit_of(form, legs, size_mm, straight);
+        if let Err(CornerMisfit::TooLarge(room)) = fit
+            && self.rules.corner.shortens
+        {
+            fit = fit_of(form, legs, room, straight);
+        }
         let fit = match fit {
             Ok(Some(fit)) => fit,
             Ok(None) => return Ok(None),
@@ -553,5 +553,25 @@ fn trimmed(kind: &CommandKind, motion: Move, lost: f64, at_end: bool) -> Command
             CommandKind::Arc { motion, shape, feed: *feed }
         }
         other => other.clone(),
+    }
+}
+
+/// A corner of a form and a size (radius, or leg of the chamfer, mm) between two legs; `None` when they continue
+/// straight.
+fn fit_of(
+    form: CornerForm,
+    [one, two]: [&CornerLeg; 2],
+    size_mm: f64,
+    straight_rad: f64,
+) -> Result<Option<fit::CornerFit>, CornerMisfit> {
+    match form {
+        CornerForm::Rounding => fit::rounding(one, two, size_mm, straight_rad),
+        CornerForm::Chamfer | CornerForm::ChamferOfLength => {
+            fit::chamfer(one, two, size_mm, straight_rad)
+        }
+        CornerForm::ChordOfRounding => {
+            let fit = fit::rounding(one, two, size_mm, straight_rad);
+            fit.map(|fit| fit.map(|fit| fit::CornerFit { arc: None, ..fit }))
+        }
     }
 }

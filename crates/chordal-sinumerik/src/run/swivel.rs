@@ -1,0 +1,76 @@
+//! CYCLE800: the plane is swivelled.
+
+use chordal_command::AxisMask;
+use chordal_diagnostics::TextRange;
+use chordal_geometry::Plane;
+use chordal_kernel::frames::FrameMap;
+
+use super::interpreter::Interpreter;
+use super::programmable_frame::linear;
+
+/// Places of the parameters (Cycles 11/2006, 3.10).
+const RETRACT: usize = 0;
+const STATUS: usize = 2;
+const MODE: usize = 3;
+const SHIFT_BEFORE: usize = 4;
+const ANGLES: usize = 7;
+const SHIFT_AFTER: usize = 10;
+
+impl Interpreter<'_> {
+    /// Swivels the plane. The frame is carried out; the rotary axes are those of a machine that is not known here, so
+    /// that positions are right on the part and not on the machine.
+    pub(super) fn swivel_plane(&mut self, numbers: &[Option<f64>], range: TextRange) {
+        if numbers.iter().all(Option::is_none) {
+            // CYCLE800() ends the swivelled plane.
+            let was_swivelled = self.modes.swivel != FrameMap::IDENTITY;
+            self.modes.set_frames(self.modes.programmable, FrameMap::IDENTITY);
+            if was_swivelled {
+                self.kernel.go_astray(AxisMask::LINEAR);
+            }
+            return;
+        }
+        let number = |place: usize| numbers.get(place).copied().flatten().unwrap_or(0.0);
+        let mode = number(MODE).round() as i64;
+        let degrees: [f64; 3] = std::array::from_fn(|place| number(ANGLES + place));
+        let is_turned = degrees.iter().any(|angle| *angle != 0.0);
+        if is_turned && mode & 0b1100_0000 != 0 {
+            let what = "CYCLE800 with solid or projected angles or positions of the rotary axes is not followed";
+            return self.not_followed(range, what);
+        }
+        let unit = self.unit_mm();
+        let shift = |from: usize| {
+            FrameMap::translation(linear(
+                std::array::from_fn(|axis| number(from + axis) * unit),
+                0.0,
+            ))
+        };
+        let map = shift(SHIFT_AFTER).then(&rotation(mode, degrees)).then(&shift(SHIFT_BEFORE));
+        let is_additive = number(STATUS).round() as i64 % 10 == 1;
+        let swivel = if is_additive { map.then(&self.modes.swivel) } else { map };
+        self.modes.set_frames(self.modes.programmable, swivel);
+        self.modes.last_direction = None;
+        if is_turned {
+            self.kernel.go_astray(AxisMask::LINEAR);
+            self.lose_path(range, "where the machine is in the swivelled plane", "its rotary axes");
+        } else if number(RETRACT) != 0.0 {
+            let mut axes = AxisMask::NONE;
+            axes.insert(2);
+            self.kernel.go_astray(axes);
+        }
+    }
+}
+
+/// The rotations axis by axis: the mode names the first, the second and the third axis by two bits each, and the first one
+/// is outermost.
+fn rotation(mode: i64, degrees: [f64; 3]) -> FrameMap {
+    let turn = |place: usize| {
+        let plane = match (mode >> (2 * place)) & 0b11 {
+            1 => Plane::Yz,
+            2 => Plane::Zx,
+            3 => Plane::Xy,
+            _ => return FrameMap::IDENTITY,
+        };
+        FrameMap::rotation(plane, [0.0; 2], degrees[place])
+    };
+    turn(2).then(&turn(1)).then(&turn(0))
+}
