@@ -7,12 +7,12 @@ use super::interpreter::Interpreter;
 use super::words::{BlockStatementView, BlockWords};
 use crate::cycles::{
     CycleArguments, CycleFault, HoleContext, HoleStep, PatternContext, cycle_signature,
-    drilling_moves, pattern_points,
+    drilling_moves, is_milling_cycle, pattern_points,
 };
 use crate::syntax::ProgramUnitKind;
 use crate::values::SinumerikValue;
 
-/// Cycles of milling, turning and swivelling that are read and not carried out.
+/// The patterns of holes.
 const PATTERNS: [&str; 4] = ["HOLES1", "HOLES2", "CYCLE801", "CYCLE802"];
 
 impl Interpreter<'_> {
@@ -49,6 +49,9 @@ impl Interpreter<'_> {
         if PATTERNS.contains(&name) {
             return self.run_pattern(name, &arguments, range);
         }
+        if is_milling_cycle(name) {
+            return self.run_milling(name, &arguments, range);
+        }
         if self.modes.edge == 0 {
             self.alarm(
                 61000,
@@ -78,7 +81,8 @@ impl Interpreter<'_> {
         }
     }
 
-    fn report_cycle(&mut self, fault: CycleFault, range: TextRange) {
+    /// Reports why the control refuses a cycle.
+    pub(super) fn report_cycle(&mut self, fault: CycleFault, range: TextRange) {
         let diagnostic = Diagnostic::new(Code::CycleLevels, self.span(range), fault.message);
         self.report_alarm(fault.alarm, diagnostic);
     }
@@ -129,13 +133,14 @@ impl Interpreter<'_> {
     }
 
     /// A rapid to programmed coordinates.
-    fn rapid_to(&mut self, place: [f64; 3]) {
+    pub(super) fn rapid_to(&mut self, place: [f64; 3]) {
         let end = self.mapped(place);
         self.kernel.state.place(AxisMask::LINEAR);
         self.kernel.rapid_to(end, AxisMask::LINEAR);
     }
 
-    fn feed_to(&mut self, place: [f64; 3], range: TextRange, factor: f64) {
+    /// A straight cut to programmed coordinates, at the active feed times a factor.
+    pub(super) fn feed_to(&mut self, place: [f64; 3], range: TextRange, factor: f64) {
         let end = self.mapped(place);
         let words = BlockWords::default();
         let view = BlockStatementView { span: self.span(range), words: &words };

@@ -1,7 +1,8 @@
 //! Runs part programs.
 //!
 //! `interpreter` reads blocks and follows jumps, loops and calls; `collect` turns statements into words; `modes`, `frames`,
-//! `tools` set what the following blocks use; `motion`, `arcs`, `corners` move; `drilling` carries out cycles.
+//! `tools` set what the following blocks use; `motion`, `arcs`, `corners` move; `drilling` and
+//! `milling` carry out cycles.
 
 mod arcs;
 mod calls;
@@ -10,6 +11,7 @@ mod drilling;
 mod flow;
 mod frames;
 mod interpreter;
+mod milling;
 mod modes;
 mod motion;
 mod problems;
