@@ -341,8 +341,8 @@ fn a_face_between_corners() {
         ["r -36.5,3.5,100", "r -36.5,3.5,35.8", "r -36.5,3.5,30.88", "r -36.5,3.5,0.2"]
     );
     assert_eq!(found.iter().filter(|line| line.starts_with('l')).count(), 5);
-    let elsewhere = "CYCLE61(35.8,25.88,5,0,1,0,102,105,2,80,0.2,3000,31,0,1,11010)";
-    assert_eq!(moves_in(elsewhere, &face), ["0 at Some(4)"]);
+    let off_zero = "CYCLE61(35.8,25.88,5,0,1,0,102,105,2,80,0.2,3000,31,0,1,11010)";
+    assert_eq!(moves_in(off_zero, &face), ["0 at Some(4)"]);
     assert_eq!(fault("CYCLE71(50,1,2,0,0,0,40,15,0,1,0,0,0,300,31,0)"), "61122 at Some(11)");
     assert_eq!(fault("CYCLE71(50,1,2,0,0,0,40,15,0,1,0,3,0,300,51,0)"), "61002 at Some(14)");
 }

@@ -112,15 +112,15 @@ fn mill(
     }
     let safety = (levels.start - levels.reference).abs();
     let blank = (call.magnitude("_AP1") / 2.0).max(start[0] - tool);
-    let beside = [blank + tool + safety, 0.0];
+    let infeed_point = [blank + tool + safety, 0.0];
     let semicircle = |to| OutlinePiece::Arc {
-        center: [(start[0] + beside[0]) / 2.0, 0.0],
+        center: [(start[0] + infeed_point[0]) / 2.0, 0.0],
         // Tangent to the loop from outside: it turns the other direction.
         direction: turn.reversed(),
         to,
     };
-    let has_room = beside[0] - start[0] > COINCIDENT;
-    path.rapid_over(beside, levels.retract, levels.direction);
+    let has_room = infeed_point[0] - start[0] > COINCIDENT;
+    path.rapid_over(infeed_point, levels.retract, levels.direction);
     path.rapid_to_level(levels.start);
     for depth in depths {
         path.cut_to_level(levels.at_depth(depth), down);
@@ -129,7 +129,7 @@ fn mill(
         }
         path.cut_pieces(&pieces, plane);
         if has_room {
-            path.cut_pieces(&[semicircle(beside)], plane);
+            path.cut_pieces(&[semicircle(infeed_point)], plane);
         }
     }
     path.rapid_to_level(levels.retract);

@@ -41,7 +41,7 @@ pub(super) fn mill(
     let Some(levels) = HoleLevels::of_call(call)? else { return Ok(()) };
     let thread = ThreadMilling::of_call(call, context)?;
     path.set_frame(ShapeFrame::new(reference_point(call, context, ["CPA", "CPO"]), 0.0));
-    path.rapid_over(thread.beside(0.0, -1.0), levels.retract, levels.direction);
+    path.rapid_over(thread.quarter_end(0.0, -1.0), levels.retract, levels.direction);
     path.rapid_to_level(levels.start);
     thread.cut(&levels, path);
     path.rapid_to_level(levels.retract);
@@ -100,7 +100,7 @@ impl ThreadMilling {
     }
 
     /// Where a quarter circle on (-1) or off (1) at an angle of the helix has its other end.
-    fn beside(&self, angle: f64, end: f64) -> [f64; 2] {
+    fn quarter_end(&self, angle: f64, end: f64) -> [f64; 2] {
         let (sin, cos) = libm::sincos(angle);
         let [a, b] = self.quarter_center(angle);
         let along = end * self.turn.sign() * self.approach;
@@ -131,7 +131,7 @@ impl ThreadMilling {
             let end = [self.radius * cos, self.radius * sin];
             path.arc([0.0; 2], self.turn, (end, levels.bottom), 0, self.feed);
         }
-        let off = (self.beside(angle, 1.0), levels.bottom - down * self.overrun);
+        let off = (self.quarter_end(angle, 1.0), levels.bottom - down * self.overrun);
         path.arc(self.quarter_center(angle), quarter, off, 0, self.feed);
     }
 }
