@@ -76,6 +76,7 @@ impl ContourLevel {
         let role = match piece.role {
             BlockRole::StartUp => gouge::GougeRole::LeadIn,
             BlockRole::Contour if piece.rapid => gouge::GougeRole::Passing,
+            BlockRole::Contour if crosses(piece) => gouge::GougeRole::LeadIn,
             BlockRole::Contour => gouge::GougeRole::Offset,
             BlockRole::Cancel => gouge::GougeRole::LeadOut,
         };
@@ -96,6 +97,17 @@ impl ContourLevel {
         let side = if self.sign > 0.0 { ToolSide::Left } else { ToolSide::Right };
         Some(Contour { blocks: std::mem::take(&mut self.blocks), side, radius: self.radius })
     }
+}
+
+/// Whether the tool goes over from the other side of the contour on a straight block, which is then no wall.
+fn crosses(piece: &ContourPiece) -> bool {
+    let (Some(line @ CompensationCurve::Line { .. }), Some(centre)) =
+        (&piece.programmed, piece.centre.first())
+    else {
+        return false;
+    };
+    let across = (line.to() - line.from()).cross(centre.from() - line.from());
+    across * piece.sign < 0.0
 }
 
 /// A block that is no wall at this height.

@@ -111,6 +111,7 @@ impl Code {
             | Code::AssumedBranch
             | Code::SkipAssumed
             | Code::InputNotAnswered
+            | Code::CyclePathAssumed
             | Code::MacroAlone => true,
             // As a note it only says that the tip is taken as programmed.
             Code::TipNotKnown => !matches!(severity, Severity::Note),

@@ -60,4 +60,13 @@ the start hole is milled. Use a smaller tool, or mill the other parts as separat
     r#"The control's manual gives the size, the depth, the start and the end of this routine, but not every move
 of it. Chordal shows a path that clears the whole pocket and never leaves it; the control's own order and
 stepover may differ, and so may the time."#;
+
+    CyclePathAssumed = 829, "cycle-path-assumed", Note;
+    "the order of the cuts of a milling cycle is assumed";
+    r#"The control's manual gives the shape, the depth, the infeeds, the start and the end of this cycle, but not every
+move of it. Chordal clears the shape in loops from the inside out, or in rows. The control's own order of the cuts
+may differ, the shape does not. What is computed from the path alone, such as time and load of the tool, is that
+of the assumed path, and no proof that two programs move alike holds over it.
+
+    POCKET3(10,0,2,-15,60,40,8,0,0,0,4,0.2,0.1,500,150,0,11,5)"#;
 }

@@ -8,7 +8,7 @@ use super::steps::{HoleStep, StepList};
 pub(super) const NO_SPINDLE_DIRECTION: u32 = 61_102;
 
 /// No feed is programmed.
-const NO_FEED: u32 = 61_003;
+pub(super) const NO_FEED: u32 = 61_003;
 
 /// CYCLE85: in and out at feeds that are arguments.
 pub(super) fn ream(

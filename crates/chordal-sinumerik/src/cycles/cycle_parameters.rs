@@ -34,6 +34,16 @@ pub(super) const fn parameter(
     CycleParameter { name, meaning, unit }
 }
 
+/// A cycle that is carried out.
+pub(super) const fn carried_out(
+    name: &'static str,
+    title: &'static str,
+    parameters: &'static [CycleParameter],
+    source: &'static str,
+) -> CycleSignature {
+    CycleSignature { name, title, parameters, is_carried_out: true, source }
+}
+
 /// The Cycles manual.
 pub(super) const PGZ: &str = "Cycles, Programming Guide 11/2006 (PGZ)";
 

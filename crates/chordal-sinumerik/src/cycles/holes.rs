@@ -3,7 +3,7 @@
 use super::arguments::{CycleArguments, CycleCall, CycleFault};
 use super::levels::{HoleLevels, dwell_at_bottom, unmodelled};
 use super::steps::{HoleContext, HoleStep, StepList};
-use super::{bores, pecks, taps};
+use super::{bores, is_milling_cycle, pecks, taps};
 use crate::alarms::NO_ALARM;
 
 /// The steps of a drilling cycle at the place where the tool is. There are none when the depth is the reference plane.
@@ -17,7 +17,8 @@ pub fn drilling_moves(
     context: &HoleContext,
 ) -> Result<Vec<HoleStep>, CycleFault> {
     let call = CycleCall::new(name, arguments)?;
-    if call.signature.parameters.first().is_none_or(|first| first.name != "RTP") {
+    let is_drilling = call.signature.parameters.first().is_some_and(|first| first.name == "RTP");
+    if !is_drilling || is_milling_cycle(call.name()) {
         let text = format!("{} is no drilling cycle", call.name());
         return Err(call.fault(NO_ALARM, None, &text));
     }
@@ -120,7 +121,7 @@ mod tests {
         assert_eq!(steps("CYCLE81(10,0,2,25)"), "61101 at Some(1)");
         assert_eq!(steps("CYCLE81(-10,0,2,-25)"), "61101 at Some(1)");
         for cycle in CYCLES.iter().filter(|cycle| cycle.parameters[0].name == "RTP") {
-            if cycle.is_carried_out {
+            if cycle.is_carried_out && !is_milling_cycle(cycle.name) {
                 assert_eq!(steps(&format!("{}(10,0,2,25)", cycle.name)), "61101 at Some(1)");
             }
         }

@@ -21,6 +21,26 @@ pub(super) struct HoleLevels {
     pub(super) direction: f64,
 }
 
+/// The names of the parameters of the levels.
+pub(super) struct LevelNames {
+    pub(super) retract: &'static str,
+    pub(super) reference: &'static str,
+    pub(super) safety: &'static str,
+    pub(super) depth: &'static str,
+    pub(super) relative_depth: &'static str,
+}
+
+impl LevelNames {
+    /// Those of the drilling cycles.
+    const USUAL: LevelNames = LevelNames {
+        retract: "RTP",
+        reference: "RFP",
+        safety: "SDIS",
+        depth: "DP",
+        relative_depth: "DPR",
+    };
+}
+
 /// Which of DP and DPR is the depth.
 #[derive(Clone, Copy, PartialEq)]
 enum DepthChoice {
@@ -31,14 +51,22 @@ enum DepthChoice {
 }
 
 impl HoleLevels {
-    /// The levels of a call; `None` when the reference plane is the depth, where the cycle does nothing (CYCLE82,
-    /// version 06.02.09).
+    /// The levels of a call with the usual names; `None` when the reference plane is the depth, where the cycle does
+    /// nothing (CYCLE82, version 06.02.09).
     ///
     /// # Errors
     /// 61101 when RTP = RFP with a relative depth, or when the retract plane and the depth are on the same side.
     pub(super) fn of_call(call: &CycleCall<'_>) -> Result<Option<HoleLevels>, CycleFault> {
-        let (retract, reference) = (call.number("RTP"), call.number("RFP"));
-        let relative = call.magnitude("DPR");
+        HoleLevels::of_names(call, &LevelNames::USUAL)
+    }
+
+    /// The same with other names of the parameters.
+    pub(super) fn of_names(
+        call: &CycleCall<'_>,
+        names: &LevelNames,
+    ) -> Result<Option<HoleLevels>, CycleFault> {
+        let (retract, reference) = (call.number(names.retract), call.number(names.reference));
+        let relative = call.magnitude(names.relative_depth);
         let uses_relative = match depth_choice(call)? {
             DepthChoice::Compatible => relative != 0.0,
             // Which of the two is meant is not clear.
@@ -49,23 +77,37 @@ impl HoleLevels {
             DepthChoice::Absolute => false,
         };
         let bottom = if !uses_relative {
-            call.number("DP")
+            call.number(names.depth)
         } else if retract == reference {
             let text =
                 "with a relative depth the retract plane must differ from the reference plane";
-            return Err(call.fault(REFERENCE_PLANE, Some("RFP"), text));
+            return Err(call.fault(REFERENCE_PLANE, Some(names.reference), text));
         } else {
             reference - (retract - reference).signum() * relative
         };
+        let safety = call.magnitude(names.safety);
+        HoleLevels::between(call, names.reference, [retract, reference, safety, bottom])
+    }
+
+    /// The levels between a retract plane, a reference plane with a safety distance above it, and a bottom. The name is that
+    /// of the parameter of the reference plane.
+    ///
+    /// # Errors
+    /// 61101 when the retract plane and the depth are on the same side.
+    pub(super) fn between(
+        call: &CycleCall<'_>,
+        reference_name: &str,
+        [retract, reference, safety, bottom]: [f64; 4],
+    ) -> Result<Option<HoleLevels>, CycleFault> {
         if reference == bottom {
             return Ok(None);
         }
         let direction = (reference - bottom).signum();
         if (retract - reference) * direction < 0.0 {
             let text = "the reference plane must be between the retract plane and the depth";
-            return Err(call.fault(REFERENCE_PLANE, Some("RFP"), text));
+            return Err(call.fault(REFERENCE_PLANE, Some(reference_name), text));
         }
-        let start = reference + direction * call.magnitude("SDIS");
+        let start = reference + direction * safety;
         Ok(Some(HoleLevels { retract, reference, start, bottom, direction }))
     }
 

@@ -1,6 +1,27 @@
-//! The parameters of the cycles that are recognized and not carried out: milling, turning, swivelling, path modes.
+//! The parameters of the cycles that mill, and of those that are recognized and not carried out: a contour, turning,
+//! swivelling, path modes.
+//!
+//! The parameters of milling cycles up to those of PGZ stand first; those from `_UMODE`, `_FS` or `_GMODE` on were added later
+//! (NC Programming 12/2019).
 
-use super::cycle_parameters::{CycleParameter, CycleSignature, ONE, PGZ, from_depth, parameter};
+use super::cycle_parameters::{
+    CycleParameter, CycleSignature, ONE, PGZ, carried_out, from_depth, parameter,
+};
+
+const UMODE: CycleParameter = parameter("_UMODE", "reserved", "");
+const FS: CycleParameter = parameter("_FS", "width of a chamfer", "mm");
+const ZFS: CycleParameter = parameter("_ZFS", "depth of the tip in a chamfer", "mm");
+const GMODE: CycleParameter = parameter(
+    "_GMODE",
+    "digits from the hundreds: machining or start point, reference point, whether the blank counts",
+    "",
+);
+const DMODE: CycleParameter = parameter("_DMODE", "digits: plane and display", "");
+const AMODE: CycleParameter = parameter(
+    "_AMODE",
+    "digits from the last: depth 1 incremental, 2 absolute, 0 as older versions; stepover in mm (0) or % (1)",
+    "",
+);
 
 /// A cycle that is recognized only.
 const fn recognized(
@@ -22,7 +43,7 @@ macro_rules! p {
 }
 
 pub(super) const POCKETS: [CycleSignature; 4] = [
-    recognized(
+    carried_out(
         "POCKET1",
         "rectangular pocket with a face cutter",
         from_depth![
@@ -44,7 +65,7 @@ pub(super) const POCKETS: [CycleSignature; 4] = [
         ],
         PGZ,
     ),
-    recognized(
+    carried_out(
         "POCKET2",
         "circular pocket with a face cutter",
         from_depth![
@@ -63,7 +84,7 @@ pub(super) const POCKETS: [CycleSignature; 4] = [
         ],
         PGZ,
     ),
-    recognized(
+    carried_out(
         "POCKET3",
         "rectangular pocket",
         &[
@@ -90,10 +111,16 @@ pub(super) const POCKETS: [CycleSignature; 4] = [
             p!("_AD", "depth of the blank", "mm"),
             p!("_RAD1", "radius of the helix or largest angle of the ramp", "mm or degrees"),
             p!("_DP1", "depth of a turn of the helix", "mm"),
+            UMODE,
+            FS,
+            ZFS,
+            GMODE,
+            DMODE,
+            AMODE,
         ],
         PGZ,
     ),
-    recognized(
+    carried_out(
         "POCKET4",
         "circular pocket",
         &[
@@ -116,6 +143,12 @@ pub(super) const POCKETS: [CycleSignature; 4] = [
             p!("_AD", "depth of the blank", "mm"),
             p!("_RAD1", "radius of the helix", "mm"),
             p!("_DP1", "depth of a turn of the helix", "mm"),
+            UMODE,
+            FS,
+            ZFS,
+            GMODE,
+            DMODE,
+            AMODE,
         ],
         PGZ,
     ),
@@ -123,7 +156,7 @@ pub(super) const POCKETS: [CycleSignature; 4] = [
 
 /// The parameters of slots on a circle, which differ in the size of a slot.
 macro_rules! slots {
-    ($size:expr) => {
+    ($size:expr, $($more:expr),*) => {
         from_depth![
             p!("NUM", "number of slots"),
             $size,
@@ -142,21 +175,41 @@ macro_rules! slots {
             p!("MIDF", "largest infeed of finishing", "mm"),
             p!("FFP2", "feed of finishing", "mm/min"),
             p!("SSF", "speed of finishing", "rpm"),
+            $($more,)*
+            UMODE,
+            FS,
+            ZFS,
+            GMODE,
+            DMODE,
+            AMODE,
         ]
     };
 }
 
 pub(super) const SLOTS: [CycleSignature; 2] = [
-    recognized("SLOT1", "radial slots on a circle", slots!(p!("LENG", "length", "mm")), PGZ),
-    recognized(
+    carried_out(
+        "SLOT1",
+        "radial slots on a circle",
+        slots!(
+            p!("LENG", "length", "mm"),
+            p!("_FALD", "finishing allowance at the base", "mm"),
+            p!("_STA2", "largest angle of insertion to and fro", "degrees"),
+            p!("_DP1", "depth of a turn of the helix", "mm")
+        ),
+        PGZ,
+    ),
+    carried_out(
         "SLOT2",
         "slots along a circle",
-        slots!(p!("AFSL", "angle that a slot covers", "degrees")),
+        slots!(
+            p!("AFSL", "angle that a slot covers", "degrees"),
+            p!("_FFCP", "feed between slots along the circle", "mm/min")
+        ),
         PGZ,
     ),
 ];
 
-pub(super) const LONG_HOLES: [CycleSignature; 1] = [recognized(
+pub(super) const LONG_HOLES: [CycleSignature; 1] = [carried_out(
     "LONGHOLE",
     "radial slots as wide as the tool on a circle",
     from_depth![
@@ -170,12 +223,17 @@ pub(super) const LONG_HOLES: [CycleSignature; 1] = [recognized(
         p!("FFD", "feed of infeed", "mm/min"),
         p!("FFP1", "feed in the plane", "mm/min"),
         p!("MID", "largest infeed", "mm"),
+        p!("_VARI", "kind of insertion"),
+        UMODE,
+        GMODE,
+        DMODE,
+        AMODE,
     ],
     PGZ,
 )];
 
 pub(super) const FACE_MILLING: [CycleSignature; 2] = [
-    recognized(
+    carried_out(
         "CYCLE61",
         "face milling",
         &[
@@ -198,7 +256,7 @@ pub(super) const FACE_MILLING: [CycleSignature; 2] = [
         ],
         ONE,
     ),
-    recognized(
+    carried_out(
         "CYCLE71",
         "face milling",
         &[
@@ -249,7 +307,7 @@ pub(super) const CONTOUR_CUTTING: [CycleSignature; 1] = [recognized(
 )];
 
 pub(super) const SPIGOTS: [CycleSignature; 2] = [
-    recognized(
+    carried_out(
         "CYCLE76",
         "rectangular spigot",
         &[
@@ -273,10 +331,15 @@ pub(super) const SPIGOTS: [CycleSignature; 2] = [
             p!("_VARI", "1 rough, 2 finish"),
             p!("_AP1", "length of the blank", "mm"),
             p!("_AP2", "width of the blank", "mm"),
+            FS,
+            ZFS,
+            GMODE,
+            DMODE,
+            AMODE,
         ],
         PGZ,
     ),
-    recognized(
+    carried_out(
         "CYCLE77",
         "circular spigot",
         &[
@@ -296,13 +359,18 @@ pub(super) const SPIGOTS: [CycleSignature; 2] = [
             p!("_CDIR", "direction of milling: 0 climb, 1 conventional, 2 G2, 3 G3"),
             p!("_VARI", "1 rough, 2 finish"),
             p!("_AP1", "diameter of the blank", "mm"),
+            FS,
+            ZFS,
+            GMODE,
+            DMODE,
+            AMODE,
         ],
         PGZ,
     ),
 ];
 
 pub(super) const THREADS: [CycleSignature; 2] = [
-    recognized(
+    carried_out(
         "CYCLE90",
         "thread milling",
         from_depth![

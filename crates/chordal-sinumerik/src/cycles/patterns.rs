@@ -8,10 +8,10 @@ use super::levels::unmodelled;
 use crate::alarms::NO_ALARM;
 
 /// The number of holes is 0.
-const NO_HOLES: u32 = 61_103;
+pub(super) const NO_HOLES: u32 = 61_103;
 
 /// The number or the distance of elements on a circle is wrong.
-const CIRCLE_ELEMENTS: u32 = 61_106;
+pub(super) const CIRCLE_ELEMENTS: u32 = 61_106;
 
 /// The number of rows or columns is 0.
 const NO_ROWS: u32 = 62_105;

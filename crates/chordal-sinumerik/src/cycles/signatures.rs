@@ -1,6 +1,8 @@
 //! The parameters of the standard cycles.
 
-use super::cycle_parameters::{CycleParameter, CycleSignature, ONE, PGZ, from_depth, parameter};
+use super::cycle_parameters::{
+    CycleParameter, CycleSignature, ONE, PGZ, carried_out, from_depth, parameter,
+};
 use super::milling_signatures::{
     CONTOUR_CUTTING, FACE_MILLING, HIGH_SPEED, LONG_HOLES, POCKETS, SLOTS, SPIGOTS, STOCK_REMOVAL,
     SWIVEL, THREADS,
@@ -38,16 +40,6 @@ const VARI_PATTERN: CycleParameter = parameter("_VARI", "variant of the pattern"
 const UMODE: CycleParameter = parameter("_UMODE", "reserved", "");
 const HIDE: CycleParameter = parameter("_HIDE", "points that are left out (text)", "");
 const NSP: CycleParameter = parameter("_NSP", "reserved", "");
-
-/// A cycle that is carried out.
-const fn carried_out(
-    name: &'static str,
-    title: &'static str,
-    parameters: &'static [CycleParameter],
-    source: &'static str,
-) -> CycleSignature {
-    CycleSignature { name, title, parameters, is_carried_out: true, source }
-}
 
 const DRILLING: [CycleSignature; 10] = [
     carried_out("CYCLE81", "centring, drilling", from_depth![DTB, GMODE, DMODE, AMODE], ONE),
@@ -280,7 +272,7 @@ const CYCLE_COUNT: usize = DRILLING.len()
     + SWIVEL.len()
     + HIGH_SPEED.len();
 
-/// The standard cycles: those that drill, patterns of holes, and those that are recognized only.
+/// The standard cycles: those that drill, patterns of holes, those that mill, and those that are recognized only.
 pub const CYCLES: &[CycleSignature] = &joined([
     &DRILLING,
     &PATTERNS,
@@ -336,13 +328,13 @@ mod tests {
     #[test]
     fn the_table_is_complete() {
         let carried_out = CYCLES.iter().filter(|cycle| cycle.is_carried_out).count();
-        assert_eq!((CYCLES.len(), carried_out), (32, 14));
+        assert_eq!((CYCLES.len(), carried_out), (32, 26));
         let count = |name| cycle_signature(name).map(|cycle| cycle.parameters.len());
         // Counted in the lists of the manuals.
         assert_eq!(count("CYCLE82"), Some(14));
         assert_eq!(count("cycle83"), Some(20));
-        assert_eq!(count("POCKET3"), Some(23));
-        assert_eq!(count("SLOT1"), Some(22));
+        assert_eq!(count("POCKET3"), Some(29));
+        assert_eq!(count("SLOT1"), Some(31));
         assert_eq!(count("CYCLE97"), Some(17));
         assert_eq!(count("CYCLE800"), Some(16));
         assert_eq!(count("CYCLE9"), None);

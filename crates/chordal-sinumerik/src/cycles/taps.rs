@@ -11,7 +11,7 @@ use super::steps::{HoleContext, HoleStep, StepList};
 use crate::alarms::NO_ALARM;
 
 /// The lead of the thread is defined incorrectly.
-const THREAD_LEAD: u32 = 61_001;
+pub(super) const THREAD_LEAD: u32 = 61_001;
 
 /// Leads in millimetres that differ by less are the same: MPIT and PIT may both be written.
 const LEAD_EPSILON_MM: f64 = 1e-3;

@@ -42,7 +42,9 @@ impl Interpreter<'_> {
                 .map_or(start[axis], |word| word.coordinate(start[axis], unit, incremental))
         });
         let away = [end[0] - start[a], end[1] - start[b]];
-        if before * (along[a] * away[1] - along[b] * away[0]) < 0.0 {
+        let is_on_side = before * (along[a] * away[1] - along[b] * away[0]) >= 0.0;
+        let is_ahead = along[a] * away[0] + along[b] * away[1] >= 0.0;
+        if !is_on_side || !is_ahead {
             self.report_round_approach(range);
         }
     }
@@ -51,7 +53,10 @@ impl Interpreter<'_> {
     pub(super) fn contour_begins(&mut self, start: [f64; 2], along: [f64; 2]) {
         let Some(open) = self.modes.open_approach.take() else { return };
         let from = [open.from[0] - start[0], open.from[1] - start[1]];
-        if open.side * (along[0] * from[1] - along[1] * from[0]) < 0.0 {
+        // Whether the front ends at the tangent or at the normal of the contour is not sure: both must hold.
+        let is_on_side = open.side * (along[0] * from[1] - along[1] * from[0]) >= 0.0;
+        let is_before = along[0] * from[0] + along[1] * from[1] <= 0.0;
+        if !is_on_side || !is_before {
             self.report_round_approach(open.range);
         }
     }

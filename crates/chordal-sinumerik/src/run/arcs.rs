@@ -32,9 +32,9 @@ const COINCIDENT_MM: f64 = 1e-6;
 
 /// An arc of the plane in programmed coordinates.
 #[derive(Clone, Copy, Debug)]
-struct PlaneArc {
-    center: [f64; 2],
-    direction: TurnDirection,
+pub(super) struct PlaneArc {
+    pub(super) center: [f64; 2],
+    pub(super) direction: TurnDirection,
 }
 
 impl Interpreter<'_> {
@@ -279,7 +279,7 @@ impl Interpreter<'_> {
     }
 
     /// Emits an arc through the programmable frame.
-    fn cut_arc(
+    pub(super) fn cut_arc(
         &mut self,
         view: &BlockStatementView<'_>,
         range: TextRange,

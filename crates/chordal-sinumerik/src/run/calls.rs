@@ -89,7 +89,7 @@ impl Interpreter<'_> {
     }
 
     /// The element that an address names; the first one without indices. A problem is reported.
-    fn place_of(&mut self, address: &Address, variable: &ProgramVariable) -> Option<usize> {
+    fn element_of(&mut self, address: &Address, variable: &ProgramVariable) -> Option<usize> {
         if address.indices.is_empty() {
             return Some(0);
         }
@@ -158,7 +158,7 @@ impl Interpreter<'_> {
                     return self.report_undefined_names();
                 };
                 // `NAME[2]=SET(…)` fills from this element on.
-                let from = match self.place_of(address, &variable) {
+                let from = match self.element_of(address, &variable) {
                     Some(place) => place,
                     None => return,
                 };

@@ -8,12 +8,12 @@ use super::words::{BlockStatementView, BlockWords};
 use crate::alarms::NO_ALARM;
 use crate::cycles::{
     CycleArguments, CycleFault, HoleContext, HoleStep, PatternContext, cycle_signature,
-    drilling_moves, pattern_points,
+    drilling_moves, is_milling_cycle, pattern_points,
 };
 use crate::syntax::ProgramUnitKind;
 use crate::values::SinumerikValue;
 
-/// Cycles of milling, turning and swivelling that are read and not carried out.
+/// The patterns of holes.
 const PATTERNS: [&str; 4] = ["HOLES1", "HOLES2", "CYCLE801", "CYCLE802"];
 
 impl Interpreter<'_> {
@@ -53,6 +53,9 @@ impl Interpreter<'_> {
         if PATTERNS.contains(&name) {
             return self.run_pattern(name, &arguments, range);
         }
+        if is_milling_cycle(name) {
+            return self.run_milling(name, &arguments, range);
+        }
         if self.modes.edge == 0 {
             self.alarm(
                 61000,
@@ -82,14 +85,15 @@ impl Interpreter<'_> {
         }
     }
 
-    fn report_cycle(&mut self, fault: CycleFault, range: TextRange) {
+    /// Reports why the control refuses a cycle, or that its form is not carried out.
+    pub(super) fn report_cycle(&mut self, fault: CycleFault, range: TextRange) {
         if fault.alarm == NO_ALARM {
             // Not the program is at fault: the cycle has a form that is not carried out.
             let (_, _, normal) = self.kernel.state.plane.axes();
             let mut axes = AxisMask::NONE;
             axes.insert(normal);
             self.kernel.go_astray(axes);
-            return self.lose_path(range, "what the cycle does", &fault.message);
+            return self.lose_path_because(range, fault.message);
         }
         let diagnostic = Diagnostic::new(Code::CycleLevels, self.span(range), fault.message);
         self.report_alarm(fault.alarm, diagnostic);
@@ -141,13 +145,14 @@ impl Interpreter<'_> {
     }
 
     /// A rapid to programmed coordinates.
-    fn rapid_to(&mut self, place: [f64; 3]) {
+    pub(super) fn rapid_to(&mut self, place: [f64; 3]) {
         let end = self.mapped(place);
         self.kernel.state.place(AxisMask::LINEAR);
         self.kernel.rapid_to(end, AxisMask::LINEAR);
     }
 
-    fn feed_to(&mut self, place: [f64; 3], range: TextRange, factor: f64) {
+    /// A straight cut to programmed coordinates, at the active feed times a factor.
+    pub(super) fn feed_to(&mut self, place: [f64; 3], range: TextRange, factor: f64) {
         let end = self.mapped(place);
         let words = BlockWords::default();
         let view = BlockStatementView { span: self.span(range), words: &words };

@@ -1,7 +1,8 @@
 //! Runs part programs.
 //!
 //! `interpreter` reads blocks and follows jumps, loops and calls; `collect` turns statements into words; `modes`, `frames`,
-//! `tools` set what the following blocks use; `motion`, `arcs`, `corners` move; `drilling` carries out cycles.
+//! `tools` set what the following blocks use; `motion`, `arcs`, `corners` move; `drilling` and
+//! `milling` carry out cycles.
 
 mod approach;
 mod arcs;
@@ -13,6 +14,7 @@ mod flow;
 mod frames;
 mod interpreter;
 mod macros;
+mod milling;
 mod modes;
 mod motion;
 mod problems;

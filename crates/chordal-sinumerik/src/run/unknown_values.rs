@@ -15,6 +15,9 @@ use crate::vocabulary::{is_known_name, known_names};
 /// How often a branch with a condition of unknown value is taken as fulfilled, where a run is told to do so.
 const MAX_FULFILLED: u32 = 1;
 
+/// The label of the place from which on the path is not known.
+const UNKNOWN_FROM_HERE: &str = "from here on the path is not known";
+
 /// What an unknown value is used for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum UnknownUse {
@@ -85,9 +88,18 @@ impl Interpreter<'_> {
         }
         let message = format!("{what} depends on {cause}, which is not known");
         let diagnostic = Diagnostic::new(Code::UnknownPath, self.span(range), message)
-            .label("from here on the path is not known")
+            .label(UNKNOWN_FROM_HERE)
             .help(help_of(cause));
         self.kernel.report(diagnostic);
+    }
+
+    /// Reports that the path is not known from here on, once for each cause.
+    pub(super) fn lose_path_because(&mut self, range: TextRange, cause: String) {
+        if !self.is_first_report(&cause) {
+            return;
+        }
+        let diagnostic = Diagnostic::new(Code::UnknownPath, self.span(range), cause);
+        self.kernel.report(diagnostic.label(UNKNOWN_FROM_HERE));
     }
 
     fn lose_time(&mut self, range: TextRange, what: &str, cause: &str) {

@@ -1,0 +1,153 @@
+//! Carries out the milling cycles.
+
+use chordal_command::{AxisMask, CompensationSide, FeedMode, SpindleState};
+use chordal_diagnostics::{Code, Diagnostic, TextRange};
+use chordal_geometry::{Plane, TurnDirection};
+
+use super::arcs::PlaneArc;
+use super::interpreter::Interpreter;
+use super::motion::BlockTarget;
+use super::words::{BlockStatementView, BlockWords, ValueWord};
+use crate::alarms::NO_ALARM;
+use crate::cycles::{CycleArguments, MillStep, MillingContext, MillingMoves, milling_moves};
+
+impl Interpreter<'_> {
+    /// Carries out a milling cycle.
+    pub(super) fn run_milling(&mut self, name: &str, arguments: &CycleArguments, range: TextRange) {
+        if self.modes.edge == 0 {
+            let message = format!("{name} needs an active tool offset");
+            return self.alarm(61000, Code::OffsetNotSet, range, message);
+        }
+        if self.kernel.state.side != CompensationSide::Off {
+            let message =
+                format!("{name} offsets by the tool radius itself: end the compensation before it");
+            return self.alarm(61815, Code::CycleInCompensation, range, message);
+        }
+        match milling_moves(name, arguments, &self.milling_context(name)) {
+            Ok(moves) => {
+                self.report_milling(name, &moves, range);
+                self.mill(&moves.steps, range);
+            }
+            Err(fault) if fault.alarm == NO_ALARM => {
+                let message = format!("{}: what {name} cuts is missing here", fault.message);
+                self.not_followed(range, message);
+            }
+            Err(fault) => self.report_cycle(fault, range),
+        }
+    }
+
+    fn milling_context(&self, name: &str) -> MillingContext {
+        let state = &self.kernel.state;
+        let unit_mm = self.unit_mm();
+        let (a, b, normal) = state.plane.axes();
+        let place = self.programmed_position();
+        let number = state.radius_offset.filter(|number| *number > 0);
+        let radius_mm = number.and_then(|number| state.offsets.radius_mm(number));
+        MillingContext {
+            position: [a, b, normal].map(|axis| place[axis] / unit_mm),
+            unit_mm,
+            tool_radius: radius_mm.map(|radius| radius / unit_mm),
+            has_feed: state.feed.is_some_and(|feed| feed > 0.0),
+            spindle_direction: match state.spindle {
+                SpindleState::Cw => 3,
+                SpindleState::Ccw => 4,
+                SpindleState::Off | SpindleState::Oriented => 5,
+            },
+            plane_code: match state.plane {
+                Plane::Xy => 17,
+                Plane::Zx => 18,
+                Plane::Yz => 19,
+            },
+            is_modal: self.modal_call.as_ref().is_some_and(|modal| modal.name == name),
+            ..MillingContext::default()
+        }
+    }
+
+    /// What is not sure about a cycle, and what it does otherwise than the program asks.
+    fn report_milling(&mut self, name: &str, moves: &MillingMoves, range: TextRange) {
+        if !moves.steps.is_empty() && self.is_first_report(&format!("path of {name}")) {
+            let message =
+                format!("the manuals do not give every move of {name}: its path is assumed");
+            let help = "shape, depth and end are those of the control; the order of the cuts and the time may differ";
+            let diagnostic = Diagnostic::new(Code::CyclePathAssumed, self.span(range), message);
+            self.kernel.report(diagnostic.help(help));
+        }
+        if let Some(radius) = moves.enlarged_corner {
+            let radius = self.kernel.length_text(radius * self.unit_mm());
+            let message = format!(
+                "the tool is too large for the corners of {name}: they get its radius, {radius}"
+            );
+            let diagnostic = Diagnostic::new(Code::PocketUnreached, self.span(range), message);
+            self.kernel.report(diagnostic.help("use a smaller tool, or finish the corners"));
+        }
+    }
+
+    fn mill(&mut self, steps: &[MillStep], range: TextRange) {
+        let rpm = self.kernel.state.rpm;
+        self.kernel.origin.cycle = true;
+        for step in steps {
+            match *step {
+                MillStep::Rapid(to) => {
+                    let place = self.place_of(to);
+                    self.rapid_to(place);
+                }
+                MillStep::Line { to, feed } => {
+                    let place = self.place_of(to);
+                    let kept = self.take_feed(feed);
+                    self.feed_to(place, range, 1.0);
+                    self.kernel.state.feed = kept;
+                }
+                MillStep::Arc { center, direction, to, turns, feed } => {
+                    let [a, b] = center.map(|coordinate| coordinate * self.unit_mm());
+                    let place = self.place_of(to);
+                    let kept = self.take_feed(feed);
+                    self.cycle_arc(([a, b], direction), place, turns, range);
+                    self.kernel.state.feed = kept;
+                }
+                MillStep::SpindleSpeed(speed) => self.kernel.set_speed(speed.unwrap_or(rpm)),
+            }
+        }
+        self.kernel.origin.cycle = false;
+    }
+
+    /// The programmed coordinates, mm, of a point of a cycle.
+    fn place_of(&self, to: [f64; 3]) -> [f64; 3] {
+        let (a, b, normal) = self.kernel.state.plane.axes();
+        let unit = self.unit_mm();
+        let mut place = [0.0; 3];
+        (place[a], place[b], place[normal]) = (to[0] * unit, to[1] * unit, to[2] * unit);
+        place
+    }
+
+    /// Makes a feed of a cycle the active one, if it gives one. Returns the feed before.
+    fn take_feed(&mut self, feed: Option<f64>) -> Option<f64> {
+        let kept = self.kernel.state.feed;
+        if let Some(feed) = feed {
+            let unit = if self.modes.feed_in_units { self.unit_mm() } else { 1.0 };
+            let value = match self.kernel.state.feed_mode {
+                FeedMode::PerRevolution => feed * unit,
+                FeedMode::PerTime | FeedMode::InverseTime => feed * unit / 60.0,
+            };
+            self.kernel.state.feed = Some(value);
+        }
+        kept
+    }
+
+    /// An arc of a cycle about a centre in the plane, programmed coordinates in mm.
+    fn cycle_arc(
+        &mut self,
+        (center, direction): ([f64; 2], TurnDirection),
+        programmed: [f64; 3],
+        turns: u32,
+        range: TextRange,
+    ) {
+        let start = self.programmed_position();
+        self.kernel.state.place(AxisMask::LINEAR);
+        let named = AxisMask::LINEAR;
+        let target = BlockTarget { programmed, start, end: self.mapped(programmed), named };
+        let turns = ValueWord { value: f64::from(turns), function: None, range };
+        let words = BlockWords { others: vec![("TURN", turns)], ..BlockWords::default() };
+        let view = BlockStatementView { span: self.span(range), words: &words };
+        self.cut_arc(&view, range, &words, &target, &PlaneArc { center, direction });
+    }
+}
