@@ -25,6 +25,7 @@ macro_rules! controls {
             // Controls whose programs are not made of word-address blocks: name in Rust, name in machine files. Each
             // is a control of a language crate.
             Sinumerik "sinumerik",
+            SinumerikLathe "sinumerik-lathe",
         }
     };
 }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use chordal_command::{AxisMask, RapidPath, Units, WorkNaming};
 use chordal_diagnostics::{Code, SourceMap};
+use chordal_geometry::Plane;
 use chordal_kernel::rules::{
     ArcRules, CompensationEntry, CompensationRules, CornerAngles, CornerMoves, LengthRules,
     OutsideCorner, RoundingRules, Rules, SideChange,
@@ -39,6 +40,18 @@ pub const PROFILE: ControlProfile = ControlProfile {
     turns: false,
 };
 
+/// The facts of the control of a lathe.
+pub const LATHE_PROFILE: ControlProfile = ControlProfile {
+    name: "sinumerik-lathe",
+    title: "Sinumerik 840D, lathe",
+    default_machine: "sinumerik-lathe",
+    turns: true,
+    ..PROFILE
+};
+
+/// The rules of the control of a lathe.
+const LATHE_RULES: Rules = Rules { starts_in: Plane::Zx, ..RULES };
+
 /// The rules of the control: MD20150 at its defaults.
 const RULES: Rules = Rules {
     units: Units::Millimetre,
@@ -48,6 +61,8 @@ const RULES: Rules = Rules {
     compensation_entry: CompensationEntry::A,
     compensation: CompensationRules {
         corner_of_next: true,
+        // Infeeds between the blocks of a corner are carried out at the start of its arc (Fundamentals 11/2006, 8.10).
+        moves_before_corner: true,
         offset_of_tool: true,
         side_change: SideChange::Along,
         // MD20230 and MD20210 at their defaults.
@@ -75,6 +90,7 @@ const RULES: Rules = Rules {
 /// The control of a machine.
 #[derive(Debug)]
 pub struct SinumerikControl {
+    profile: ControlProfile,
     rules: Rules,
     axes: AxisMask,
     /// Choices of the machine builder.
@@ -83,7 +99,7 @@ pub struct SinumerikControl {
 
 impl ConfiguredControl for SinumerikControl {
     fn profile(&self) -> ControlProfile {
-        PROFILE
+        self.profile
     }
 
     fn rules(&self) -> &Rules {
@@ -163,17 +179,19 @@ impl ProgrammingLanguage for SinumerikLanguage {
     }
 
     fn profile(&self, control: ControlName) -> Option<ControlProfile> {
-        (control.as_str() == PROFILE.name).then_some(PROFILE)
+        [PROFILE, LATHE_PROFILE].into_iter().find(|profile| control.as_str() == profile.name)
     }
 
     fn configure(
         &self,
         machine: &Machine,
     ) -> Option<(Arc<dyn ConfiguredControl>, Vec<SettingError>)> {
-        self.profile(machine.control)?;
+        let profile = self.profile(machine.control)?;
         let mut axes = AxisMask::NONE;
         (0..AXES).filter(|axis| machine.axes[*axis].is_some()).for_each(|axis| axes.insert(axis));
-        let mut settings = SinumerikSettings::DEFAULT;
+        let mut settings =
+            if profile.turns { SinumerikSettings::LATHE } else { SinumerikSettings::DEFAULT };
+        let rules = if profile.turns { LATHE_RULES } else { RULES };
         let mut refused = Vec::new();
         for (name, entry) in &machine.settings {
             if let Err(message) = settings.take(name, &entry.value) {
@@ -181,7 +199,7 @@ impl ProgrammingLanguage for SinumerikLanguage {
                 refused.push(SettingError { name: name.clone(), message, help });
             }
         }
-        let control = SinumerikControl { rules: RULES, axes, settings };
+        let control = SinumerikControl { profile, rules, axes, settings };
         Some((Arc::new(control), refused))
     }
 

@@ -31,6 +31,10 @@ impl SinumerikSettings {
         undefined_names: UndefinedNames::Warning,
     };
 
+    /// The defaults of a lathe: T changes the tool.
+    pub const LATHE: SinumerikSettings =
+        SinumerikSettings { tool_change_by_m6: false, ..SinumerikSettings::DEFAULT };
+
     /// Takes a setting of a machine file by the name of its machine datum.
     ///
     /// # Errors

@@ -49,8 +49,8 @@ fn folder() -> PathBuf {
 }
 
 /// The machine of the programs: the first edges of the tools of TOOLS.INI.
-fn machine() -> Machine {
-    let mut machine = Machine::from_builtin("sinumerik-mill").expect("a built-in machine");
+fn machine(name: &str) -> Machine {
+    let mut machine = Machine::from_builtin(name).expect("a built-in machine");
     let text = fs::read_to_string(folder().join("TOOLS.INI")).expect("the tools");
     let mut tools: BTreeMap<u32, Tool> = BTreeMap::new();
     for line in text.lines().filter(|line| line.starts_with("$TC_")) {
@@ -70,7 +70,9 @@ fn machine() -> Machine {
             _ => {}
         }
     }
-    machine.tools.extend(tools);
+    if !machine.turns() {
+        machine.tools.extend(tools);
+    }
     // The programs stand alone: a name that they do not define is none of the control either.
     let setting = SettingEntry { value: SettingValue::Text("alarm".into()), location: None };
     machine.settings.insert("undefined_names".to_string(), setting);
@@ -141,10 +143,14 @@ fn run(path: &Path) -> (String, RunRecord) {
             sources.add(Source::new(other.to_string_lossy().into_owned(), text));
         }
     }
-    let tools = fs::read(folder().join("TOOLS.INI")).expect("the tools");
+    let own = path.with_file_name("TOOLS.INI");
+    let tools = if own.exists() { own } else { folder().join("TOOLS.INI") };
+    let tools = fs::read(tools).expect("the tools");
     sources.add(Source::new("TOOLS.INI", tools));
     let options = RunOptions { max_repeated_blocks: 20_000, ..RunOptions::default() };
-    let job = Job::new(sources, machine()).expect("a job").options(options);
+    let is_lathe = path.components().any(|part| part.as_os_str() == "clean_lathe");
+    let machine = machine(if is_lathe { "sinumerik-lathe" } else { "sinumerik-mill" });
+    let job = Job::new(sources, machine).expect("a job").options(options);
     let source = job.sources().get(FileId(0)).expect("the program");
     let file_line = |line: u32| lines.get(line as usize).copied().unwrap_or(0);
     let mut path = PathRecord::default();
@@ -362,7 +368,7 @@ fn programs_do_what_they_say() {
 /// The second set, by another author.
 #[test]
 fn programs_of_the_second_set_do_what_they_say() {
-    let (wrong, _) = wrong_programs(&["second/clean", "second/faults"]);
+    let (wrong, _) = wrong_programs(&["second/clean", "second/clean_lathe", "second/faults"]);
     assert_known(&wrong, KNOWN_OF_SECOND_SET, &[]);
 }
 
@@ -376,7 +382,7 @@ fn an_arc_through_a_point_is_read_in_inches_too() {
         );
         let mut sources = SourceMap::new();
         sources.add(Source::new("cip.mpf", text.into_bytes()));
-        Job::new(sources, machine()).expect("a machine of this control")
+        Job::new(sources, machine("sinumerik-mill")).expect("a machine of this control")
     };
     let mut radii_mm = Vec::new();
     program("0.1").path(|segment| {

@@ -50,6 +50,7 @@ impl NotRead {
 pub const ALL: &[&NotRead] = &[
     &heidenhain::HEIDENHAIN,
     &sinumerik::SINUMERIK,
+    &sinumerik::SINUMERIK_LATHE,
     &okuma::OKUMA,
     &printer::PRINTER,
     &grbl_kin::GRBL_KIN,

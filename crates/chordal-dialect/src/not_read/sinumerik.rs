@@ -14,6 +14,41 @@ pub(super) const SINUMERIK: NotRead = NotRead {
     shown_on: ControlName::Sinumerik,
 };
 
+pub(super) const SINUMERIK_LATHE: NotRead = NotRead {
+    name: "sinumerik-lathe",
+    what: "a lathe program for a Sinumerik",
+    own: TURNING_SIGNS,
+    shown_on: ControlName::SinumerikLathe,
+    ..SINUMERIK
+};
+
+/// What only lathes have.
+const TURNING_SIGNS: &[RecognitionEvidence] = &[
+    evidence(RecognitionSign::Code(&["DIAMON", "DIAM90"]), 10, "DIAMON: X is a diameter"),
+    evidence(RecognitionSign::Code(&["LIMS="]), 6, "LIMS= limits the speed of a cutting speed"),
+    evidence(
+        RecognitionSign::Code(&[
+            "CYCLE95(",
+            "CYCLE97(",
+            "CYCLE93(",
+            "CYCLE94(",
+            "CYCLE96(",
+            "CYCLE98(",
+            "CYCLE930(",
+            "CYCLE951(",
+            "CYCLE952(",
+            "CYCLE99(",
+        ]),
+        10,
+        "a turning cycle is called",
+    ),
+    evidence(
+        RecognitionSign::Code(&["=DAC(", "=DIC(", "=RAC(", "=RIC("]),
+        8,
+        "X=DAC(…) is a diameter",
+    ),
+];
+
 const NAMES: &[&str] = &["SINUMERIK", "SIEMENS", "840D", "828D", "810D", "SHOPMILL", "840DSL"];
 
 const SIGNS: &[RecognitionEvidence] = &[

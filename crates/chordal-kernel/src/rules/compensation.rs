@@ -159,6 +159,8 @@ pub struct CompensationRules {
     pub inverse_time_as_speed: bool,
     /// The arc round a corner belongs to the next block and has its feed; before a rapid it is a straight rapid.
     pub corner_of_next: bool,
+    /// Moves outside of the plane between the two blocks of a corner come before its arc.
+    pub moves_before_corner: bool,
     /// G40 with I J ends the last block at the intersection with that direction.
     pub off_toward: bool,
     /// Compensation may start on an arc.
@@ -226,6 +228,7 @@ impl CompensationRules {
         cusps_meet: false,
         inverse_time_as_speed: false,
         corner_of_next: false,
+        moves_before_corner: false,
         off_toward: false,
         start_on_arc: false,
         repeated: RepeatedCodeRule::Ignored,

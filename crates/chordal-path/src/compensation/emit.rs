@@ -58,9 +58,25 @@ impl Compensator {
         let curve = self.centre_curve(&block, at, corner.first(), out);
         self.put_main(&block, &curve, out);
         centre.push(curve);
-        self.links(&block, &corner, &mut centre, out);
-        self.at = Some(corner.last());
-        self.emit_contour(&block, centre, out);
+        let end = block.command.kind.motion().map(|motion| motion.to);
+        let last_trailing =
+            block.trailing.iter().rev().find_map(|command| Some(command.kind.motion()?.to));
+        if self.rules.compensation.moves_before_corner && last_trailing.is_some() {
+            self.at = Some(corner.first());
+            self.put_trailing(&block, out);
+            self.links(&block, &corner, last_trailing, &mut centre, out);
+            self.at = Some(corner.last());
+            self.emit_contour(&block, centre, out);
+        } else {
+            self.links(&block, &corner, end, &mut centre, out);
+            self.at = Some(corner.last());
+            self.emit_contour(&block, centre, out);
+            self.put_trailing(&block, out);
+        }
+    }
+
+    /// Emits the commands after a block that are no part of the contour.
+    fn put_trailing(&mut self, block: &QueuedBlock, out: &mut dyn PathSink) {
         let (side, radius) = (self.side, self.radius);
         (self.side, self.radius) = (block.side, block.radii.1);
         for command in &block.trailing {
@@ -185,11 +201,11 @@ impl Compensator {
         &mut self,
         block: &QueuedBlock,
         corner: &CornerPath,
+        to: Option<PerAxis<f64>>,
         centre: &mut Vec<CompensationCurve>,
         out: &mut dyn PathSink,
     ) {
         let points = corner.points();
-        let to = block.command.kind.motion().map(|motion| motion.to);
         if let Some((center, sweep)) = corner.arc {
             let radius = block.radii.1;
             let link = CompensationCurve::Arc {

@@ -35,11 +35,11 @@ impl Interpreter<'_> {
         }
         let Some(along) = self.modes.last_direction else { return };
         let start = self.programmed_position();
-        let unit = self.unit_mm();
         let incremental = self.kernel.state.incremental;
         let end = [a, b].map(|axis| {
-            words.axes[axis]
-                .map_or(start[axis], |word| word.coordinate(start[axis], unit, incremental))
+            words.axes[axis].map_or(start[axis], |word| {
+                word.coordinate(start[axis], self.unit_of_axis(axis, &word), incremental)
+            })
         });
         let away = [end[0] - start[a], end[1] - start[b]];
         let is_on_side = before * (along[a] * away[1] - along[b] * away[0]) >= 0.0;

@@ -94,7 +94,7 @@ impl Interpreter<'_> {
         let center = [a, b].map(|axis| {
             let from = if axis == a { start[0] } else { start[1] };
             words.centers[axis].map_or(from, |word| match word.function {
-                Some(ValueFunction::Absolute) => word.value * unit,
+                Some(ValueFunction::Absolute) => word.value * self.unit_of_axis(axis, &word),
                 _ => from + word.value * unit,
             })
         });
@@ -214,9 +214,10 @@ impl Interpreter<'_> {
         end: [f64; 2],
     ) -> Option<PlaneArc> {
         let (a, b, normal) = self.kernel.state.plane.axes();
-        let (unit, incremental) = (self.unit_mm(), self.kernel.state.incremental);
+        let incremental = self.kernel.state.incremental;
         let level = self.programmed_position()[normal];
         let is_tilted = |word: ValueWord| {
+            let unit = self.unit_of_axis(normal, &word);
             (word.coordinate(level, unit, incremental) - level).abs() > COINCIDENT_MM
         };
         if words.between[normal].is_some_and(is_tilted) {
@@ -227,7 +228,9 @@ impl Interpreter<'_> {
             return None;
         }
         let middle = [(a, start[0]), (b, start[1])].map(|(axis, from)| {
-            words.between[axis].map_or(from, |word| word.coordinate(from, unit, incremental))
+            words.between[axis].map_or(from, |word| {
+                word.coordinate(from, self.unit_of_axis(axis, &word), incremental)
+            })
         });
         let Some(center) = center_through([start, middle, end]) else {
             self.alarm(14040, Code::NoCenter, range, "start, point between and end are on a line");

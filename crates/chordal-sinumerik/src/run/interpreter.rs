@@ -9,7 +9,7 @@ use chordal_kernel::{
 };
 
 use super::program_texts::{ProgramTexts, procedure_of};
-use super::run_state::{BlockFlow, LanguageModes, ModalCycle, RunningProgram};
+use super::run_state::{BlockFlow, LanguageModes, ModalCycle, RunningProgram, TransverseReading};
 use super::scope::ValueScope;
 use super::system_variables::SystemState;
 use super::variables::{ProgramVariable, VariableStore};
@@ -256,7 +256,12 @@ impl<'a> Interpreter<'a> {
         let place = self.programmed_position();
         let state = &self.kernel.state;
         let known = self.modes.frame.reached(state.known);
-        let position = std::array::from_fn(|axis| known.has(axis).then_some(place[axis] / unit));
+        let turns = self.kernel.machine.turns();
+        let is_diameter = turns && self.modes.transverse != TransverseReading::Radius;
+        let position = std::array::from_fn(|axis| {
+            let scale = if axis == 0 && is_diameter { 2.0 } else { 1.0 };
+            known.has(axis).then_some(scale * place[axis] / unit)
+        });
         let given_parameters =
             self.stack.last().map_or(&[][..], |running| &running.given_parameters);
         ValueScope {
@@ -265,6 +270,7 @@ impl<'a> Interpreter<'a> {
                 state,
                 modes: &self.modes,
                 position,
+                turns,
                 has_modal_call: self.modal_call.is_some(),
                 level: self.stack.len() - 1,
                 given_parameters,

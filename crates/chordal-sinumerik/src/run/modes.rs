@@ -8,8 +8,9 @@ use chordal_geometry::{Plane, TurnDirection};
 use chordal_kernel::EndReason;
 
 use super::interpreter::Interpreter;
-use super::run_state::{BlockFlow, LanguageModes, PathMotion, SavedModes};
-use super::words::BlockWords;
+use super::run_state::{BlockFlow, LanguageModes, PathMotion, SavedModes, TransverseReading};
+use super::words::{BlockWords, ValueWord};
+use crate::syntax::ValueFunction;
 
 /// The group of a G code (Fundamentals, list of G functions); `None` for codes that are not known.
 fn group_of(code: u32) -> Option<u32> {
@@ -36,6 +37,25 @@ impl Interpreter<'_> {
     /// Millimetres of a length of one.
     pub(super) fn unit_mm(&self) -> f64 {
         self.kernel.state.units.mm()
+    }
+
+    /// Millimetres of one in the word of an axis: half on the transverse axis of a lathe where it is a diameter.
+    pub(super) fn unit_of_axis(&self, axis: usize, word: &ValueWord) -> f64 {
+        let unit = self.unit_mm();
+        if axis != 0 || !self.kernel.machine.turns() {
+            return unit;
+        }
+        let is_distance = word.is_incremental(self.kernel.state.incremental);
+        let is_diameter = match word.function {
+            Some(ValueFunction::AbsoluteDiameter | ValueFunction::IncrementalDiameter) => true,
+            Some(ValueFunction::AbsoluteRadius | ValueFunction::IncrementalRadius) => false,
+            _ => match self.modes.transverse {
+                TransverseReading::Radius => false,
+                TransverseReading::Diameter => true,
+                TransverseReading::DiameterOfCoordinates => !is_distance,
+            },
+        };
+        if is_diameter { unit / 2.0 } else { unit }
     }
 
     /// Sets the G groups of a block.
@@ -152,8 +172,11 @@ impl Interpreter<'_> {
             }
             "TRAORI" => self
                 .not_followed(range, "TRAORI is not followed: the axes of the tool are not known"),
-            "DIAMON" | "DIAM90" => self
+            "DIAMON" | "DIAM90" if !self.kernel.machine.turns() => self
                 .not_followed(range, format!("{name} is not followed: this machine is no lathe")),
+            "DIAMON" => self.modes.transverse = TransverseReading::Diameter,
+            "DIAM90" => self.modes.transverse = TransverseReading::DiameterOfCoordinates,
+            "DIAMOF" => self.modes.transverse = TransverseReading::Radius,
             _ => {}
         }
     }

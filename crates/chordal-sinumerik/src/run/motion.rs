@@ -128,7 +128,7 @@ impl Interpreter<'_> {
     fn target(&mut self, range: TextRange, words: &BlockWords) -> Option<BlockTarget> {
         let start = self.programmed_position();
         let mut programmed = start;
-        let (unit, incremental) = (self.unit_mm(), self.kernel.state.incremental);
+        let incremental = self.kernel.state.incremental;
         if words.other("AP").is_some() || words.other("RP").is_some() {
             self.polar_end(range, words, start, &mut programmed)?;
         } else if (0..3).any(|axis| words.axes[axis].is_some()) {
@@ -136,6 +136,7 @@ impl Interpreter<'_> {
         }
         for (axis, value) in programmed.iter_mut().enumerate() {
             if let Some(word) = words.axes[axis] {
+                let unit = self.unit_of_axis(axis, &word);
                 *value = word.coordinate(start[axis], unit, incremental);
             }
         }
@@ -165,13 +166,12 @@ impl Interpreter<'_> {
 
     /// A move in machine coordinates (G53, G153, SUPA): the active tool length stays.
     fn machine_move(&mut self, range: TextRange, words: &BlockWords) {
-        let unit = self.unit_mm();
         let lengths = self.kernel.state.offsets.tool_in_force();
         let mut place = [0.0; 6];
         for (axis, value) in place.iter_mut().enumerate() {
             let Some(word) = words.axes[axis] else { continue };
             *value = match axis {
-                0..3 => word.value * unit + lengths[axis],
+                0..3 => word.value * self.unit_of_axis(axis, &word) + lengths[axis],
                 _ => word.value.to_radians(),
             };
         }
@@ -201,7 +201,8 @@ impl Interpreter<'_> {
             self.alarm(14270, Code::PolarWords, range, message);
         }
         for axis in [a, b] {
-            pole[axis] += words.axes[axis].map_or(0.0, |word| word.value * unit);
+            pole[axis] +=
+                words.axes[axis].map_or(0.0, |word| word.value * self.unit_of_axis(axis, &word));
         }
         if let (Some(angle), Some(radius)) = (words.other("AP"), words.other("RP")) {
             let (sin, cos) = sin_cos_degrees(angle.value);

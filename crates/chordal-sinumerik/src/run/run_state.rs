@@ -138,6 +138,17 @@ pub enum PathMotion {
     NotFollowed,
 }
 
+/// Whether X is programmed as a diameter, on a lathe.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum TransverseReading {
+    /// DIAMOF: a radius.
+    Radius,
+    /// DIAMON: a diameter.
+    Diameter,
+    /// DIAM90: a diameter where it is a coordinate, a radius where it is a distance.
+    DiameterOfCoordinates,
+}
+
 /// What `SAVE` keeps: the modal G functions and the frames.
 #[derive(Clone, Debug)]
 pub struct SavedModes {
@@ -184,6 +195,8 @@ pub struct LanguageModes {
     pub lead: Option<(usize, f64)>,
     /// The additive part of the programmable frame's shift (G59), mm.
     pub additive_shift: [f64; 3],
+    /// DIAMON, DIAMOF and DIAM90.
+    pub transverse: TransverseReading,
     /// G700 and G710: the unit acts on feeds, too.
     pub feed_in_units: bool,
     /// This block is without settable and programmable frame (G53, G153, SUPA).
@@ -234,6 +247,7 @@ impl Default for LanguageModes {
             modal_rounding_mm: 0.0,
             lead: None,
             additive_shift: [0.0; 3],
+            transverse: TransverseReading::Radius,
             feed_in_units: false,
             machine_block: false,
             last_direction: None,

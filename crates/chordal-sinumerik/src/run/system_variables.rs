@@ -18,6 +18,8 @@ pub struct SystemState<'s> {
     pub modes: &'s LanguageModes,
     /// The programmed position of X, Y and Z in the unit of the program; `None` where it is not known.
     pub position: [Option<f64>; 3],
+    /// The machine is a lathe.
+    pub turns: bool,
     /// A modal call is active.
     pub has_modal_call: bool,
     /// The level of the running program: 0 for the main program.
@@ -76,7 +78,7 @@ pub fn system_value(
         "$P_UIFRNUM" => whole(offset_index(state.offsets.active())?),
         "$P_UIFR" => SinumerikValue::Real(settable_value(system, keys)?),
         "$MN_SCALING_SYSTEM_IS_METRIC" => SinumerikValue::Boolean(true),
-        _ => return tool_value(state, name, number(0)?, number(1)?),
+        _ => return tool_value(state, name, number(0)?, number(1)?, system.turns),
     })
 }
 
@@ -169,10 +171,16 @@ fn group_index(system: &SystemState<'_>, group: u32) -> Option<u32> {
 }
 
 /// `$TC_DP3[tool,edge]` and its like: the data of a tool that the machine file or the program gives, mm.
-fn tool_value(state: &State, name: &str, tool: u32, edge: u32) -> Option<SinumerikValue> {
+fn tool_value(
+    state: &State,
+    name: &str,
+    tool: u32,
+    edge: u32,
+    turns: bool,
+) -> Option<SinumerikValue> {
     let tool = state.offsets.tool(edge_offset_number(tool, edge)?)?;
     let field = ToolDatum::named(name)?;
-    Some(SinumerikValue::Real(field.read(tool)?))
+    Some(SinumerikValue::Real(field.read(tool, turns)?))
 }
 
 /// A datum of a cutting edge that acts here.
@@ -180,6 +188,8 @@ fn tool_value(state: &State, name: &str, tool: u32, edge: u32) -> Option<Sinumer
 pub enum ToolDatum {
     /// `$TC_DP3` to `$TC_DP5`: the lengths L1, L2 and L3, by their place.
     Length(usize),
+    /// `$TC_DP2`: the position of the edge of a turning tool.
+    EdgePosition,
     /// `$TC_DP6`.
     Radius,
     /// `$TC_DP12` to `$TC_DP14`: the wear of the lengths.
@@ -193,6 +203,7 @@ impl ToolDatum {
     pub fn named(name: &str) -> Option<ToolDatum> {
         let number: usize = name.strip_prefix("$TC_DP")?.parse().ok()?;
         Some(match number {
+            2 => ToolDatum::EdgePosition,
             3..=5 => ToolDatum::Length(number - 3),
             6 => ToolDatum::Radius,
             12..=14 => ToolDatum::LengthWear(number - 12),
@@ -201,34 +212,39 @@ impl ToolDatum {
         })
     }
 
-    /// The axis of a length of a mill in G17 (Fundamentals 11/2006, 8.3).
-    pub const fn axis_of_length(place: usize) -> usize {
-        [2, 1, 0][place]
+    /// The axis of a length: L1 of a mill is that of Z, L1 and L2 of a turning tool those of X and Z (Fundamentals
+    /// 11/2006, 8.3).
+    pub const fn axis_of_length(place: usize, turns: bool) -> usize {
+        if turns { [0, 2, 1][place] } else { [2, 1, 0][place] }
     }
 
-    fn read(self, tool: &Tool) -> Option<f64> {
+    fn read(self, tool: &Tool, turns: bool) -> Option<f64> {
         match self {
             ToolDatum::Length(place) => {
-                let value = tool.offset[ToolDatum::axis_of_length(place)];
+                let value = tool.offset[ToolDatum::axis_of_length(place, turns)];
                 if place == 0 { value } else { Some(value.unwrap_or(0.0)) }
             }
+            ToolDatum::EdgePosition => tool.tip.map(f64::from),
+            ToolDatum::Radius if turns => tool.nose_radius_mm,
             ToolDatum::Radius => tool.diameter_mm.map(|diameter| diameter / 2.0),
             ToolDatum::LengthWear(place) => {
-                Some(tool.offset_wear[ToolDatum::axis_of_length(place)].unwrap_or(0.0))
+                Some(tool.offset_wear[ToolDatum::axis_of_length(place, turns)].unwrap_or(0.0))
             }
             ToolDatum::RadiusWear => Some(tool.diameter_wear_mm.unwrap_or(0.0) / 2.0),
         }
     }
 
     /// Writes the datum, mm.
-    pub fn write(self, tool: &mut Tool, mm: f64) {
+    pub fn write(self, tool: &mut Tool, mm: f64, turns: bool) {
         match self {
             ToolDatum::Length(place) => {
-                tool.offset[ToolDatum::axis_of_length(place)] = Some(mm);
+                tool.offset[ToolDatum::axis_of_length(place, turns)] = Some(mm);
             }
+            ToolDatum::EdgePosition => tool.tip = (1.0..=9.0).contains(&mm).then_some(mm as u32),
+            ToolDatum::Radius if turns => tool.nose_radius_mm = Some(mm),
             ToolDatum::Radius => tool.diameter_mm = Some(2.0 * mm),
             ToolDatum::LengthWear(place) => {
-                tool.offset_wear[ToolDatum::axis_of_length(place)] = Some(mm);
+                tool.offset_wear[ToolDatum::axis_of_length(place, turns)] = Some(mm);
             }
             ToolDatum::RadiusWear => tool.diameter_wear_mm = Some(2.0 * mm),
         }

@@ -90,7 +90,10 @@ impl Interpreter<'_> {
             return self.lose_path(range, "this datum of a tool", &cause);
         }
         let Ok(mm) = value.to_real() else { return };
-        self.kernel.state.shift_coordinates(|offsets| datum.write(offsets.tool_mut(entry), mm));
+        let turns = self.kernel.machine.turns();
+        self.kernel
+            .state
+            .shift_coordinates(|offsets| datum.write(offsets.tool_mut(entry), mm, turns));
         if self.kernel.state.offsets.length().number == Some(entry) {
             self.kernel.emit_tool_length();
         }
