@@ -35,6 +35,24 @@ impl Kernel<'_> {
         self.origin.cycle = false;
     }
 
+    /// Follows a contour once from a start point beyond it, and returns there.
+    pub fn follow_contour(
+        &mut self,
+        at: &dyn Statement,
+        profile: &ContourProfile,
+        start: [f64; 2],
+    ) {
+        self.origin.cycle = true;
+        self.turn_rapid(start);
+        self.turn_rapid([profile.start[0], start[1]]);
+        self.turn_cut(at, profile.start);
+        self.turn_contour(at, profile.edges.iter().copied());
+        let [_, z] = self.turned_place();
+        self.turn_rapid([start[0], z]);
+        self.turn_rapid(start);
+        self.origin.cycle = false;
+    }
+
     /// Returns to the start after the contour of a finishing cycle.
     pub fn turn_back(&mut self, start: [f64; 2]) {
         self.origin.cycle = true;

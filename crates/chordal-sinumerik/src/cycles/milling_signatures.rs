@@ -281,7 +281,7 @@ pub(super) const FACE_MILLING: [CycleSignature; 2] = [
     ),
 ];
 
-pub(super) const CONTOUR_CUTTING: [CycleSignature; 1] = [recognized(
+pub(super) const CONTOUR_CUTTING: [CycleSignature; 1] = [carried_out(
     "CYCLE72",
     "contour milling",
     &[
@@ -385,7 +385,7 @@ pub(super) const THREADS: [CycleSignature; 2] = [
         ],
         PGZ,
     ),
-    recognized(
+    carried_out(
         "CYCLE97",
         "thread turning",
         &[
@@ -406,13 +406,16 @@ pub(super) const THREADS: [CycleSignature; 2] = [
             p!("VARI", "1 and 2 equal infeeds, 3 and 4 equal sections; odd is external"),
             p!("NUMT", "number of starts"),
             p!("_VRT", "retraction", "mm"),
+            p!("_PITA", "unit of PIT"),
+            p!("_PITM", "size of the thread (text)"),
+            p!("_PTAB", "table of threads (text)"),
         ],
         PGZ,
     ),
 ];
 
 pub(super) const STOCK_REMOVAL: [CycleSignature; 2] = [
-    recognized(
+    carried_out(
         "CYCLE95",
         "stock removal along a contour",
         &[

@@ -26,7 +26,7 @@ pub use milling::{MillStep, MillingContext, MillingMoves, is_milling_cycle, mill
 pub use patterns::{PatternContext, pattern_points};
 pub use signatures::{CYCLES, cycle_signature};
 pub use steps::{HoleContext, HoleStep};
-pub use threads::thread_depths;
+pub use threads::{ThreadStep, thread_depths, thread_moves};
 
 /// What the sources leave open about the standard cycles, and what a builder or the control may set. Lengths are in
 /// millimetres, whatever unit the program uses.

@@ -162,7 +162,10 @@ fn required_lead(call: &CycleCall<'_>, context: &HoleContext) -> Result<f64, Cyc
 }
 
 /// The lead in millimetres a revolution; negative for a left-hand thread. `None` when neither MPIT nor PIT is written.
-fn lead_mm(call: &CycleCall<'_>, context: &HoleContext) -> Result<Option<f64>, CycleFault> {
+pub(super) fn lead_mm(
+    call: &CycleCall<'_>,
+    context: &HoleContext,
+) -> Result<Option<f64>, CycleFault> {
     let (size, pitch) = (call.number("MPIT"), call.number("PIT"));
     let by_size = METRIC_LEADS_MM
         .iter()

@@ -1,8 +1,5 @@
 //! Arcs: G2 and G3 by centre, radius or angle, CIP, CT; helices with TURN.
 
-use std::f64::consts::TAU;
-
-use chordal_command::AxisMask;
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_geometry::{HalfCircleTolerance, TurnDirection, Vec2, center_from_radius};
 use chordal_kernel::ArcWords;
@@ -11,24 +8,15 @@ use chordal_kernel::frames::InPlane;
 use super::interpreter::Interpreter;
 use super::motion::BlockTarget;
 use super::run_state::PathMotion;
-use super::words::{BlockStatementView, BlockWords, CENTER_NAMES, ValueWord};
+use super::words::{BlockStatementView, BlockWords, CENTER_NAMES};
 use crate::syntax::ValueFunction;
 
 /// Largest difference of the radii at start and end, mm (MD21000), and as a fraction of the radius (MD21010).
 const RADIUS_DIFFERENCE_MM: f64 = 0.01;
 const RADIUS_DIFFERENCE_FACTOR: f64 = 0.001;
 
-/// How far the chords of an arc may be off it where no circle of the machine's planes is possible, mm.
-const CHORD_DEVIATION_MM: f64 = 0.001;
-
-/// Chords of an arc at most.
-const MAX_CHORDS: f64 = 100_000.0;
-
-/// A smaller angle between the ends of an arc is none: the arc is a full circle, rad.
-const FULL_CIRCLE_RAD: f64 = 1e-9;
-
 /// Points closer than this are one, mm.
-const COINCIDENT_MM: f64 = 1e-6;
+pub(super) const COINCIDENT_MM: f64 = 1e-6;
 
 /// An arc of the plane in programmed coordinates.
 #[derive(Clone, Copy, Debug)]
@@ -49,6 +37,11 @@ impl Interpreter<'_> {
         let (a, b, _) = self.kernel.state.plane.axes();
         let start = [target.start[a], target.start[b]];
         let end = [target.programmed[a], target.programmed[b]];
+        if self.modes.motion == PathMotion::ThroughPoint
+            && let Some(middle) = self.point_outside_plane(words, target)
+        {
+            return self.arc_in_space(view, range, middle, target);
+        }
         let mut end_by_angle = None;
         let found = match self.modes.motion {
             PathMotion::Arc(direction) => {
@@ -213,20 +206,8 @@ impl Interpreter<'_> {
         start: [f64; 2],
         end: [f64; 2],
     ) -> Option<PlaneArc> {
-        let (a, b, normal) = self.kernel.state.plane.axes();
+        let (a, b, _) = self.kernel.state.plane.axes();
         let incremental = self.kernel.state.incremental;
-        let level = self.programmed_position()[normal];
-        let is_tilted = |word: ValueWord| {
-            let unit = self.unit_of_axis(normal, &word);
-            (word.coordinate(level, unit, incremental) - level).abs() > COINCIDENT_MM
-        };
-        if words.between[normal].is_some_and(is_tilted) {
-            self.not_followed(
-                range,
-                "CIP in a tilted plane is not followed: it is shown as a straight cut",
-            );
-            return None;
-        }
         let middle = [(a, start[0]), (b, start[1])].map(|(axis, from)| {
             words.between[axis].map_or(from, |word| {
                 word.coordinate(from, self.unit_of_axis(axis, &word), incremental)
@@ -316,46 +297,6 @@ impl Interpreter<'_> {
         self.remember_direction(&words, target);
     }
 
-    /// An arc in a frame that tilts or distorts its plane: no circle of a plane of the machine, so it is cut in chords.
-    fn chords_in_frame(
-        &mut self,
-        view: &BlockStatementView<'_>,
-        range: TextRange,
-        words: &BlockWords,
-        target: &BlockTarget,
-        arc: &PlaneArc,
-    ) {
-        self.lose_path(range, "the exact path", "the arc outside of the machine's planes");
-        let (a, b, normal) = self.kernel.state.plane.axes();
-        let start = [target.start[a], target.start[b]];
-        let [x, y] = [start[0] - arc.center[0], start[1] - arc.center[1]];
-        let end = [target.programmed[a] - arc.center[0], target.programmed[b] - arc.center[1]];
-        let radius_mm = x.hypot(y);
-        let sense = arc.direction.sign();
-        let least = sense * (libm::atan2(end[1], end[0]) - libm::atan2(y, x));
-        let turns = words.other("TURN").map_or(0.0, |word| word.value.round().clamp(0.0, 999.0));
-        let mut sweep = least.rem_euclid(TAU);
-        if sweep < FULL_CIRCLE_RAD {
-            sweep = TAU;
-        }
-        sweep += turns * TAU;
-        // The chord of an angle t is r (1 - cos t/2) off its arc.
-        let step = 2.0 * libm::acos((1.0 - CHORD_DEVIATION_MM / radius_mm).clamp(-1.0, 1.0));
-        let count = (sweep / step).ceil().clamp(1.0, MAX_CHORDS);
-        let rise = target.programmed[normal] - target.start[normal];
-        for number in 1..=count as u32 {
-            let part = f64::from(number) / count;
-            let mut place = target.programmed;
-            if part < 1.0 {
-                [place[a], place[b]] = turned_about(start, arc.center, sense * sweep * part);
-                place[normal] = target.start[normal] + rise * part;
-            }
-            let end = self.mapped(place);
-            self.kernel.straight(view, end, target.named.or(AxisMask::LINEAR));
-        }
-        self.modes.last_direction = None;
-    }
-
     /// The direction in which an arc ends, for CT.
     fn remember_direction(&mut self, arc: &ArcWords, target: &BlockTarget) {
         let (a, b, _) = self.kernel.state.plane.axes();
@@ -369,7 +310,7 @@ impl Interpreter<'_> {
 }
 
 /// A point turned about a centre.
-fn turned_about(point: [f64; 2], center: [f64; 2], angle: f64) -> [f64; 2] {
+pub(super) fn turned_about(point: [f64; 2], center: [f64; 2], angle: f64) -> [f64; 2] {
     let (sin, cos) = libm::sincos(angle);
     let [x, y] = [point[0] - center[0], point[1] - center[1]];
     [center[0] + cos * x - sin * y, center[1] + sin * x + cos * y]

@@ -49,9 +49,16 @@ impl Interpreter<'_> {
         if let Some(cause) = unknown {
             return self.lose_path(range, name, &cause.clone());
         }
+        let values = arguments;
         let arguments = CycleArguments::new(&numbers);
         if PATTERNS.contains(&name) {
             return self.run_pattern(name, &arguments, range);
+        }
+        if matches!(name, "CYCLE95" | "CYCLE97") {
+            return self.run_turning(name, values, &arguments, range);
+        }
+        if name == "CYCLE72" {
+            return self.mill_contour(values, &arguments, range);
         }
         if is_milling_cycle(name) {
             return self.run_milling(name, &arguments, range);

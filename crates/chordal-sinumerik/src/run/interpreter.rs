@@ -181,7 +181,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Whether the block delete switch leaves a block out.
-    fn is_skipped(&self, block: &ProgramBlock) -> bool {
+    pub(super) fn is_skipped(&self, block: &ProgramBlock) -> bool {
         let switches = &self.programs.machine.switches.block_delete;
         block
             .skip_level
@@ -189,7 +189,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Carries out a block.
-    fn block(&mut self, block: &ProgramBlock) -> BlockFlow {
+    pub(super) fn block(&mut self, block: &ProgramBlock) -> BlockFlow {
         let (file, call) = (self.file(), self.running().call);
         self.kernel.call = call;
         self.kernel.origin =

@@ -65,12 +65,8 @@ impl Interpreter<'_> {
 
     /// What is not sure about a cycle, and what it does otherwise than the program asks.
     fn report_milling(&mut self, name: &str, moves: &MillingMoves, range: TextRange) {
-        if !moves.steps.is_empty() && self.is_first_report(&format!("path of {name}")) {
-            let message =
-                format!("the manuals do not give every move of {name}: its path is assumed");
-            let help = "shape, depth and end are those of the control; the order of the cuts and the time may differ";
-            let diagnostic = Diagnostic::new(Code::CyclePathAssumed, self.span(range), message);
-            self.kernel.report(diagnostic.help(help));
+        if !moves.steps.is_empty() {
+            self.report_assumed_path(name, range);
         }
         if let Some(radius) = moves.enlarged_corner {
             let radius = self.kernel.length_text(radius * self.unit_mm());
