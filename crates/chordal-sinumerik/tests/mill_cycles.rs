@@ -446,3 +446,43 @@ proptest! {
         }
     }
 }
+
+/// An argument as a slip may write it.
+fn odd_argument() -> impl Strategy<Value = String> {
+    prop_oneof![
+        Just(String::new()),
+        Just("0".to_string()),
+        (-9_i32..40).prop_map(|number| number.to_string()),
+        (-50.0..50.0_f64).prop_map(|number| number.to_string()),
+        prop_oneof![Just("1e-9"), Just("-1e10"), Just("1e10"), Just("720"), Just("11111")]
+            .prop_map(str::to_string),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4000))]
+
+    /// Any arguments get moves of finite numbers, or a fault.
+    #[test]
+    fn odd_arguments(
+        cycle in prop::sample::select(vec![
+            "POCKET1", "POCKET2", "POCKET3", "POCKET4", "SLOT1", "SLOT2", "LONGHOLE", "CYCLE61",
+            "CYCLE71", "CYCLE76", "CYCLE77", "CYCLE90",
+        ]),
+        list in prop::collection::vec(odd_argument(), 0..32),
+        radius in prop_oneof![Just(0.0), 1e-6..1e-3_f64, 0.1..30.0_f64],
+    ) {
+        let context = MillingContext {
+            tool_radius: Some(radius), max_repetitions: 300, ..MillingContext::default()
+        };
+        if let Ok(moves) = swept(cycle, &[list.join(",")], &context) {
+            for each in &moves {
+                let points = match each {
+                    SweptMove::Rapid(from, to) => [*from, *to],
+                    SweptMove::Cut(piece) => [piece.at(0.0), piece.at(1.0)],
+                };
+                prop_assert!(points.iter().flatten().all(|number| number.is_finite()), "{each:?}");
+            }
+        }
+    }
+}
