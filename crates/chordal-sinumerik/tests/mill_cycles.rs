@@ -100,7 +100,8 @@ fn from_arc_slot(point: [f64; 2], radius: f64, half_angle: f64, half_width: f64)
     (point[0] - center[0]).hypot(point[1] - center[1]) - half_width
 }
 
-/// Holds for every clearing cycle: `distance` is signed, negative inside the finished shape.
+/// A cycle that clears a shape: `distance` is signed, negative inside the finished shape.
+#[derive(Clone, Copy)]
 struct ClearedShape<'a> {
     choice: &'a MillingChoice,
     radius: f64,
@@ -203,14 +204,24 @@ proptest! {
             choice: &choice, radius, scale: 200.0, moves: &moves, distance: &distance,
         };
         shape.check_inside(-choice.depth * choice.up());
+        let rough = ClearedShape { radius: radius + edge, moves: &roughing, ..shape };
+        rough.check_inside(-(choice.depth - base) * choice.up());
         if tens == 1 {
             shape.check_infeeds(&roughing, choice.depth - base, infeed);
         }
         shape.check_rapids();
-        let point = [0, 1].map(|axis| half[axis] * (2.0 * choice.sample[axis] - 1.0));
+        let place = |point| global(point, choice.place, choice.degrees);
+        let bottom = -choice.depth * choice.up();
         // What a round tool reaches: corners of its radius.
-        if from_rectangle(point, half, corner.max(radius)) <= 0.0 {
-            shape.check_cut(global(point, choice.place, choice.degrees), -choice.depth * choice.up());
+        let check = |point| {
+            if from_rectangle(point, half, corner.max(radius)) <= 0.0 {
+                shape.check_cut(place(point), bottom);
+            }
+        };
+        check([0, 1].map(|axis| half[axis] * (2.0 * choice.sample[axis] - 1.0)));
+        // Loops are furthest apart on the lines from the corners inward.
+        for index in 0..40 {
+            check(half.map(|side| side - narrow * f64::from(index) / 39.0));
         }
     }
 
@@ -240,6 +251,8 @@ proptest! {
             choice: &choice, radius, scale: 200.0, moves: &moves, distance: &distance,
         };
         shape.check_inside(-choice.depth * choice.up());
+        let rough = ClearedShape { radius: radius + edge, moves: &roughing, ..shape };
+        rough.check_inside(-(choice.depth - base) * choice.up());
         if tens == 1 {
             shape.check_infeeds(&roughing, choice.depth - base, infeed);
         }
