@@ -100,7 +100,8 @@ fn from_arc_slot(point: [f64; 2], radius: f64, half_angle: f64, half_width: f64)
     (point[0] - center[0]).hypot(point[1] - center[1]) - half_width
 }
 
-/// Holds for every clearing cycle: `distance` is signed, negative inside the finished shape.
+/// A cycle that clears a shape: `distance` is signed, negative inside the finished shape.
+#[derive(Clone, Copy)]
 struct ClearedShape<'a> {
     choice: &'a MillingChoice,
     radius: f64,
@@ -203,14 +204,24 @@ proptest! {
             choice: &choice, radius, scale: 200.0, moves: &moves, distance: &distance,
         };
         shape.check_inside(-choice.depth * choice.up());
+        let rough = ClearedShape { radius: radius + edge, moves: &roughing, ..shape };
+        rough.check_inside(-(choice.depth - base) * choice.up());
         if tens == 1 {
             shape.check_infeeds(&roughing, choice.depth - base, infeed);
         }
         shape.check_rapids();
-        let point = [0, 1].map(|axis| half[axis] * (2.0 * choice.sample[axis] - 1.0));
+        let place = |point| global(point, choice.place, choice.degrees);
+        let bottom = -choice.depth * choice.up();
         // What a round tool reaches: corners of its radius.
-        if from_rectangle(point, half, corner.max(radius)) <= 0.0 {
-            shape.check_cut(global(point, choice.place, choice.degrees), -choice.depth * choice.up());
+        let check = |point| {
+            if from_rectangle(point, half, corner.max(radius)) <= 0.0 {
+                shape.check_cut(place(point), bottom);
+            }
+        };
+        check([0, 1].map(|axis| half[axis] * (2.0 * choice.sample[axis] - 1.0)));
+        // Loops are furthest apart on the lines from the corners inward.
+        for index in 0..40 {
+            check(half.map(|side| side - narrow * f64::from(index) / 39.0));
         }
     }
 
@@ -240,6 +251,8 @@ proptest! {
             choice: &choice, radius, scale: 200.0, moves: &moves, distance: &distance,
         };
         shape.check_inside(-choice.depth * choice.up());
+        let rough = ClearedShape { radius: radius + edge, moves: &roughing, ..shape };
+        rough.check_inside(-(choice.depth - base) * choice.up());
         if tens == 1 {
             shape.check_infeeds(&roughing, choice.depth - base, infeed);
         }
@@ -442,6 +455,46 @@ proptest! {
                 let drop = (levels[0] - levels[1]) * up;
                 let turns = sweep.abs() / std::f64::consts::TAU;
                 prop_assert!((drop - turns * lead).abs() <= 1e-6, "{drop} in {turns} turns of {lead}");
+            }
+        }
+    }
+}
+
+/// An argument as a slip may write it.
+fn odd_argument() -> impl Strategy<Value = String> {
+    prop_oneof![
+        Just(String::new()),
+        Just("0".to_string()),
+        (-9_i32..40).prop_map(|number| number.to_string()),
+        (-50.0..50.0_f64).prop_map(|number| number.to_string()),
+        prop_oneof![Just("1e-9"), Just("-1e10"), Just("1e10"), Just("720"), Just("11111")]
+            .prop_map(str::to_string),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4000))]
+
+    /// Any arguments get moves of finite numbers, or a fault.
+    #[test]
+    fn odd_arguments(
+        cycle in prop::sample::select(vec![
+            "POCKET1", "POCKET2", "POCKET3", "POCKET4", "SLOT1", "SLOT2", "LONGHOLE", "CYCLE61",
+            "CYCLE71", "CYCLE76", "CYCLE77", "CYCLE90",
+        ]),
+        list in prop::collection::vec(odd_argument(), 0..32),
+        radius in prop_oneof![Just(0.0), 1e-6..1e-3_f64, 0.1..30.0_f64],
+    ) {
+        let context = MillingContext {
+            tool_radius: Some(radius), max_repetitions: 300, ..MillingContext::default()
+        };
+        if let Ok(moves) = swept(cycle, &[list.join(",")], &context) {
+            for each in &moves {
+                let points = match each {
+                    SweptMove::Rapid(from, to) => [*from, *to],
+                    SweptMove::Cut(piece) => [piece.at(0.0), piece.at(1.0)],
+                };
+                prop_assert!(points.iter().flatten().all(|number| number.is_finite()), "{each:?}");
             }
         }
     }

@@ -30,6 +30,9 @@ pub(super) const NO_SIZE: u32 = 61_118;
 /// The stepover when none is programmed, as a fraction of the diameter of the tool (PGZ, POCKET3).
 const DEFAULT_STEPOVER: f64 = 0.8;
 
+/// The largest number of full circles in one helix (TURN).
+const MAX_TURNS: u32 = 999;
+
 /// On which side of the tool's path the part stays.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum MilledSide {
@@ -165,6 +168,18 @@ pub(super) fn equal_parts(
         return Err(call.fault(NO_ALARM, None, &text));
     }
     Ok(parts as u32)
+}
+
+/// Refuses a helix of more turns than one block has.
+///
+/// # Errors
+/// [`NO_ALARM`].
+pub(super) fn check_turns(call: &CycleCall<'_>, turns: f64) -> Result<(), CycleFault> {
+    if turns > f64::from(MAX_TURNS) {
+        let text = format!("{} would take {turns:.0} turns of a helix", call.name());
+        return Err(call.fault(NO_ALARM, None, &text));
+    }
+    Ok(())
 }
 
 /// The depths below the reference plane after each of equal infeeds from one depth to another.

@@ -3,7 +3,9 @@
 use chordal_geometry::TurnDirection;
 
 use super::MillingContext;
-use super::call_values::{INSERTION_VALUES, TOOL_TOO_LARGE, equal_parts, infeed_depths};
+use super::call_values::{
+    INSERTION_VALUES, TOOL_TOO_LARGE, check_turns, equal_parts, infeed_depths,
+};
 use super::mill_path::{COINCIDENT, MillPath, OutlinePiece};
 use super::outlines::PocketOutline;
 use crate::alarms::NO_ALARM;
@@ -133,6 +135,7 @@ impl ClearingJob<'_> {
             let open = self.open_part.filter(|part| *depth <= part.depth + COINCIDENT);
             self.insert(path, level, open)?;
             self.clear_level(path, self.edge_allowance, open)?;
+            path.check_length(self.call)?;
             if index + 1 < depths.len() {
                 self.return_to_entry(path, level);
             }
@@ -228,6 +231,7 @@ impl ClearingJob<'_> {
         let height = (path.level() - level).abs();
         let turns = equal_parts(self.call, self.context, height, depth)?;
         let begin = [radius, 0.0];
+        check_turns(self.call, f64::from(turns))?;
         path.cut_to(begin, self.depth_feed);
         if turns > 0 {
             path.arc([0.0; 2], self.direction, (begin, level), turns - 1, self.depth_feed);
@@ -292,6 +296,7 @@ impl ClearingJob<'_> {
             path.cut_pieces(&quarter.on(), feed);
             path.cut_pieces(&self.outline.inner_loop(distance, self.direction), feed);
             path.cut_pieces(&quarter.off(), feed);
+            path.check_length(self.call)?;
             path.rapid_to_level(self.levels.start);
         }
         Ok(())

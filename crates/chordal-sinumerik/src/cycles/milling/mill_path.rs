@@ -4,6 +4,11 @@ use chordal_geometry::TurnDirection;
 use chordal_kernel::frames::sin_cos_degrees;
 
 use super::MillStep;
+use crate::alarms::NO_ALARM;
+use crate::cycles::arguments::{CycleCall, CycleFault};
+
+/// More moves than these in one cycle are a slip in an argument.
+const MAX_MOVES: usize = 500_000;
 
 /// Lengths below this are 0, in units of the program.
 pub(super) const COINCIDENT: f64 = 1e-7;
@@ -72,6 +77,18 @@ impl MillPath {
     /// Points are those of another shape from here on.
     pub(super) fn set_frame(&mut self, frame: ShapeFrame) {
         self.frame = frame;
+    }
+
+    /// Refuses a path of more moves than a run carries out.
+    ///
+    /// # Errors
+    /// [`NO_ALARM`].
+    pub(super) fn check_length(&self, call: &CycleCall<'_>) -> Result<(), CycleFault> {
+        if self.steps.len() > MAX_MOVES {
+            let text = format!("{} would take more than {MAX_MOVES} moves", call.name());
+            return Err(call.fault(NO_ALARM, None, &text));
+        }
+        Ok(())
     }
 
     /// The coordinates of the program in the plane at which the tool is.

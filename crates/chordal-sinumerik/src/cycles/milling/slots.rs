@@ -173,6 +173,7 @@ fn slots(
     }
     for frame in frames {
         path.set_frame(frame);
+        path.check_length(call)?;
         job.approach(path);
         rough_and_finish(&job, kind % 10, path)?;
         job.retract(path);
@@ -234,6 +235,7 @@ pub(super) fn long_holes(
             path.cut_to([order[1], 0.0], plane);
             order.reverse();
         }
+        path.check_length(call)?;
         path.rapid_to_level(levels.retract);
     }
     Ok(())

@@ -4,7 +4,7 @@ use chordal_geometry::TurnDirection;
 
 use super::MillingContext;
 use super::call_values::{
-    MilledSide, TOOL_TOO_LARGE, direction, feed, reference_point, tool_radius,
+    MilledSide, TOOL_TOO_LARGE, check_turns, direction, feed, reference_point, tool_radius,
 };
 use super::mill_path::{COINCIDENT, MillPath, ShapeFrame};
 use crate::cycles::arguments::{CycleCall, CycleFault};
@@ -43,6 +43,7 @@ pub(super) fn mill(
     path.set_frame(ShapeFrame::new(reference_point(call, context, ["CPA", "CPO"]), 0.0));
     path.rapid_over(thread.quarter_end(0.0, -1.0), levels.retract, levels.direction);
     path.rapid_to_level(levels.start);
+    check_turns(call, (levels.start - levels.bottom).abs() / thread.lead)?;
     thread.cut(&levels, path);
     path.rapid_to_level(levels.retract);
     Ok(())
