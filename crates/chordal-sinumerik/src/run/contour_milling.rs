@@ -63,7 +63,10 @@ impl Interpreter<'_> {
         let radius = self.kernel.state.radius_offset.filter(|number| *number > 0);
         let radius = radius.and_then(|number| self.kernel.state.offsets.radius_mm(number));
         let Some(radius) = radius.filter(|radius| *radius > 0.0) else {
-            return self.not_followed(range, "the radius of the tool is not given: what CYCLE72 cuts is missing here");
+            return self.not_followed(
+                range,
+                "the radius of the tool is not given: what CYCLE72 cuts is missing here",
+            );
         };
         let Some(commands) = self.record_contour(&name.clone(), range) else { return };
         let moves: Vec<Command> =
@@ -83,7 +86,11 @@ impl Interpreter<'_> {
         self.cycle_rapid(place);
     }
 
-    fn contour_job(&mut self, numbers: &CycleArguments, range: TextRange) -> Option<ContourMilling> {
+    fn contour_job(
+        &mut self,
+        numbers: &CycleArguments,
+        range: TextRange,
+    ) -> Option<ContourMilling> {
         let unit = self.unit_mm();
         let number = |place: usize| numbers.get(place).unwrap_or(0.0);
         let [retract, reference, safety, bottom] = [1, 2, 3, 4].map(|place| number(place) * unit);

@@ -74,7 +74,9 @@ impl Interpreter<'_> {
                 "the tool is too large for the corners of {name}: they get its radius, {radius}"
             );
             let diagnostic = Diagnostic::new(Code::PocketUnreached, self.span(range), message);
-            self.kernel.report(diagnostic.help("use a smaller tool, or finish the corners"));
+            let diagnostic = diagnostic.help("use a smaller tool, or finish the corners");
+            // Older versions of the cycle refuse the tool.
+            self.report_possible_alarm(61105, diagnostic);
         }
     }
 
