@@ -21,10 +21,10 @@ impl VariableSource for SampleSource {
         address: &Address,
         indices: &[i64],
     ) -> Result<SinumerikValue, EvaluationError> {
-        match (address.name.as_str(), address.extension, indices) {
+        match (&*address.name, address.extension, indices) {
             ("R", Some(number), []) => Ok(SinumerikValue::Real(f64::from(number))),
             ("R", None, [index]) => Ok(SinumerikValue::Real(*index as f64 * 10.0)),
-            ("X" | "Y", None, []) => Ok(SinumerikValue::Axis(address.name.clone())),
+            ("X" | "Y", None, []) => Ok(SinumerikValue::Axis(address.name.to_string())),
             ("$P_UIFR", None, indices) => {
                 self.indices = indices.to_vec();
                 Ok(SinumerikValue::Real(7.0))

@@ -154,7 +154,7 @@ impl Interpreter<'_> {
                     return self.write(address, SinumerikValue::Real(0.0));
                 }
                 let Some(mut variable) = self.variables.named(&address.name).cloned() else {
-                    self.variables.undefined.push((address.name.clone(), address.range));
+                    self.variables.undefined.push((address.name.to_string(), address.range));
                     return self.report_undefined_names();
                 };
                 // `NAME[2]=SET(…)` fills from this element on.
@@ -276,7 +276,7 @@ impl Interpreter<'_> {
         let name_of =
             |argument: &Option<Expression>| match argument.as_ref().map(|value| &value.kind) {
                 Some(ExpressionKind::Variable(address)) if address.indices.is_empty() => {
-                    Some(address.name.clone())
+                    Some(address.name.to_string())
                 }
                 _ => None,
             };

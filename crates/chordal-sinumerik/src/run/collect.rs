@@ -162,7 +162,7 @@ impl Interpreter<'_> {
 
     fn take_word(&mut self, words: &mut BlockWords, word: &AddressWord, range: TextRange) {
         let address = &word.address;
-        let name = address.name.as_str();
+        let name = &*address.name;
         if !address.indices.is_empty() || address.name.starts_with('$') || name == "R" {
             return self.assign_or_index(words, word, range);
         }
@@ -228,7 +228,7 @@ impl Interpreter<'_> {
     /// `R5=…`, `$TC_DP6[1,1]=…`, `NAME[2]=…`; `LIMS[2]=`, `AX[…]=` and other indexed addresses of the control are taken as
     /// their address.
     fn assign_or_index(&mut self, words: &mut BlockWords, word: &AddressWord, range: TextRange) {
-        let name = word.address.name.as_str();
+        let name = &*word.address.name;
         let known = OTHER_ADDRESSES.iter().copied().find(|known| *known == name);
         match known.filter(|_| self.variables.named(name).is_none()) {
             Some(known) => {

@@ -14,7 +14,7 @@ use super::scope::ValueScope;
 use super::system_variables::SystemState;
 use super::variables::{ProgramVariable, VariableStore};
 use super::words::BlockWords;
-use crate::syntax::{Expression, ProgramBlock};
+use crate::syntax::{Expression, ExpressionKind, ProgramBlock};
 use crate::values::{SinumerikValue, evaluate};
 
 /// Blocks between two questions whether the run is to end.
@@ -238,6 +238,16 @@ impl<'a> Interpreter<'a> {
 
     /// The value of an expression; a problem is reported, and `None` returned.
     pub(super) fn value(&mut self, expression: &Expression) -> Option<SinumerikValue> {
+        // Nearly all values are numbers, which need nothing of the program.
+        match expression.kind {
+            ExpressionKind::Real(number) if number.is_finite() => {
+                return Some(SinumerikValue::Real(number));
+            }
+            ExpressionKind::Integer(number) if i32::try_from(number).is_ok() => {
+                return Some(SinumerikValue::Integer(number as i32));
+            }
+            _ => {}
+        }
         let value = evaluate(expression, &mut self.scope());
         self.report_unset_reads();
         self.report_undefined_names();

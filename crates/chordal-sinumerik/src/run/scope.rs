@@ -77,7 +77,7 @@ impl VariableSource for ValueScope<'_> {
         address: &Address,
         indices: &[i64],
     ) -> Result<SinumerikValue, EvaluationError> {
-        let (range, name) = (address.range, address.name.as_str());
+        let (range, name) = (address.range, &*address.name);
         if let Some(number) = r_number(address, indices) {
             return self.variables.read_r(number, range);
         }
@@ -95,7 +95,7 @@ impl VariableSource for ValueScope<'_> {
         if AXIS_NAMES.contains(&name) || address.extension.is_some() {
             return Ok(SinumerikValue::Axis(axis_text(address)));
         }
-        self.variables.undefined.push((address.name.clone(), range));
+        self.variables.undefined.push((address.name.to_string(), range));
         Ok(SinumerikValue::Unknown(name.into()))
     }
 
@@ -122,7 +122,7 @@ impl VariableSource for ValueScope<'_> {
 fn axis_text(address: &Address) -> String {
     match address.extension {
         Some(number) if number != 1 => format!("{}{number}", address.name),
-        _ => address.name.clone(),
+        _ => address.name.to_string(),
     }
 }
 

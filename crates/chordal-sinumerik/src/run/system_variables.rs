@@ -31,7 +31,7 @@ pub struct SystemState<'s> {
 /// The indices of an address as texts: numbers, and names of axes and parts of frames in upper case.
 pub fn index_keys(address: &Address, indices: &[i64]) -> Vec<String> {
     let name_of = |place: usize| match &address.indices.get(place)?.kind {
-        ExpressionKind::Variable(name) => Some(name.name.clone()),
+        ExpressionKind::Variable(name) => Some(name.name.to_string()),
         _ => None,
     };
     let key = |(place, index): (usize, &i64)| match *index {

@@ -35,7 +35,7 @@ impl Interpreter<'_> {
         indices: &[i64],
         value: SinumerikValue,
     ) {
-        let (name, range) = (address.name.as_str(), address.range);
+        let (name, range) = (&*address.name, address.range);
         let keys = index_keys(address, indices);
         if name.starts_with("$TC_DP")
             && let [tool, edge] = indices

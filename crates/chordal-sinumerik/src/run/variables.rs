@@ -187,14 +187,14 @@ impl VariableStore {
     ) -> Result<(), EvaluationError> {
         let range = address.range;
         if self.named(&address.name).is_none() {
-            self.undefined.push((address.name.clone(), range));
+            self.undefined.push((address.name.to_string(), range));
             if indices.is_empty() {
                 let variable = ProgramVariable {
                     kind: VariableType::Real,
                     sizes: Vec::new(),
                     values: vec![value],
                 };
-                self.user_data.insert(address.name.clone(), variable);
+                self.user_data.insert(address.name.to_string(), variable);
             }
             return Ok(());
         }

@@ -1,5 +1,7 @@
 //! The blocks of a part program as data. Every part keeps the range of its text.
 
+use std::borrow::Cow;
+
 use chordal_diagnostics::TextRange;
 
 /// A block: one line of a program.
@@ -143,7 +145,7 @@ pub struct Address {
     /// Its text.
     pub range: TextRange,
     /// The name in upper case, without the extension: `S` of `S2`, `R` of `R10`, `$TC_DP6`, `CR`.
-    pub name: String,
+    pub name: Cow<'static, str>,
     /// The number after a letter: 2 of `S2=900` and of `R2`, 1 of `I1=`; `None` without. Names of several letters keep
     /// their digits (`$TC_DP6`, `MY_VAR2`).
     pub extension: Option<u32>,

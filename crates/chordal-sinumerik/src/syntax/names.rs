@@ -31,7 +31,7 @@ impl BlockParser<'_> {
         let extension = if has_extension { Some(self.extension()?) } else { None };
         let indices = self.indices()?;
         let range = self.scan.range_from(name.start as usize);
-        Some(Address { range, name: self.scan.upper(name), extension, indices })
+        Some(Address { range, name: self.scan.address_name(name), extension, indices })
     }
 
     fn extension(&mut self) -> Option<u32> {

@@ -7,6 +7,9 @@ use super::pending_fault::PendingFault;
 use super::precedence::ComparisonPrecedence;
 use super::scanner::{LineScanner, begins_name};
 
+/// How many statements most blocks have at most.
+const USUAL_STATEMENTS: usize = 6;
+
 /// Reads one block. A function that cannot read its part notes the fault and returns `None`; the statement is then left
 /// out and reading goes on after the fault.
 pub(super) struct BlockParser<'t> {
@@ -37,7 +40,7 @@ impl<'t> BlockParser<'t> {
                 skip_level: None,
                 number: None,
                 label: None,
-                statements: Vec::new(),
+                statements: Vec::with_capacity(USUAL_STATEMENTS),
                 comment: None,
                 doubtful_comparisons: Vec::new(),
                 faults: Vec::new(),

@@ -1,5 +1,7 @@
 //! A cursor over the bytes of a line that knows the lexical elements: blanks, names, numbers, texts.
 
+use std::borrow::Cow;
+
 use chordal_diagnostics::TextRange;
 
 use super::number_literal::{NumberLiteral, read_number};
@@ -59,6 +61,18 @@ impl<'t> LineScanner<'t> {
     /// The text of a range of ASCII characters, in upper case.
     pub fn upper(&self, range: TextRange) -> String {
         String::from_utf8(self.slice(range).to_ascii_uppercase()).unwrap_or_default()
+    }
+
+    /// The name of an address in upper case; most are letters, which need no memory of their own.
+    pub fn address_name(&self, range: TextRange) -> Cow<'static, str> {
+        const LETTERS: &str = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+        match self.slice(range) {
+            [letter] if letter.is_ascii_alphabetic() => {
+                let place = usize::from(letter.to_ascii_uppercase() - b'A');
+                Cow::Borrowed(&LETTERS[place..=place])
+            }
+            _ => Cow::Owned(self.upper(range)),
+        }
     }
 
     /// Skips blanks, control characters and `&`, which is a blank (Fundamentals 11/2006, 2.1).

@@ -127,7 +127,7 @@ pub fn is_table_text(text: &[u8]) -> bool {
                     }
                     has_entry = true;
                 }
-                StatementKind::Word(word) => match word.address.name.as_str() {
+                StatementKind::Word(word) => match &*word.address.name {
                     "M" => {}
                     "R" => has_entry = true,
                     name if name.starts_with('$') => has_entry = true,

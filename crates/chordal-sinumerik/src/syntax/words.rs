@@ -61,7 +61,7 @@ impl BlockParser<'_> {
         }
         let address = Address {
             range: letter,
-            name: self.scan.upper(letter),
+            name: self.scan.address_name(letter),
             extension: None,
             indices: Vec::new(),
         };

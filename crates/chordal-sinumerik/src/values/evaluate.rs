@@ -128,8 +128,7 @@ pub fn evaluate_index(
     source: &mut dyn VariableSource,
 ) -> Result<IndexValue, EvaluationError> {
     // The parts of frames (TR, RT, MI, SC, FI) are names without a value.
-    if matches!(&index.kind, ExpressionKind::Variable(name) if FRAME_PARTS.contains(&name.name.as_str()))
-    {
+    if matches!(&index.kind, ExpressionKind::Variable(name) if FRAME_PARTS.contains(&&*name.name)) {
         return Ok(IndexValue::Known(NAMED_INDEX));
     }
     match evaluate(index, source)? {

@@ -1,0 +1,133 @@
+//! What a part program needs and does not say: values of the machine, user data, tables of the control, names that nothing
+//! defines.
+
+use chordal::diagnostics::Code;
+use chordal::machine::{SettingEntry, SettingValue};
+use chordal::{Diagnostic, Job, Machine, Severity, Source, SourceMap};
+
+fn machine() -> Machine {
+    let mut machine = Machine::from_builtin("sinumerik-mill").expect("a built-in machine");
+    machine.set("tools.1.length=100 mm").expect("a good assignment");
+    machine.set("tools.1.diameter=10 mm").expect("a good assignment");
+    machine.set("work_offsets.G54.Z=-400 mm").expect("a good assignment");
+    machine
+}
+
+/// A program with other files of its folder.
+fn job(text: &str, tables: &[(&str, &str)], machine: Machine) -> Job<'static> {
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("part.mpf", text.as_bytes().to_vec()));
+    for (name, text) in tables {
+        sources.add(Source::new(*name, text.as_bytes().to_vec()));
+    }
+    Job::new(sources, machine).expect("a machine of this control")
+}
+
+fn found(text: &str, tables: &[(&str, &str)]) -> Vec<Diagnostic> {
+    job(text, tables, machine()).check().diagnostics
+}
+
+/// The codes of a program with their severities, without notes about what is assumed of the machine.
+fn codes(text: &str, tables: &[(&str, &str)]) -> Vec<(Code, Severity)> {
+    let found = found(text, tables);
+    found.iter().map(|found| (found.code, found.severity)).collect()
+}
+
+/// The ends of the moves, X Y Z.
+fn ends(text: &str, tables: &[(&str, &str)]) -> Vec<[f64; 3]> {
+    let mut ends = Vec::new();
+    job(text, tables, machine()).path(|segment| {
+        let end = chordal::geometry::ParamCurve::end(&segment.curve);
+        ends.push([end.x, end.y, end.z]);
+    });
+    ends
+}
+
+const HEAD: &str = "G17 G90 G710 G54\nT1 D1 M6\nS3000 M3 F200\nG0 X0 Y0 Z10\n";
+
+#[test]
+fn a_value_of_the_machine_is_unknown_and_no_error() {
+    let text = format!("{HEAD}R1=$AA_IM[X]+1\nG1 X=R1\nY20\nX30\nM30\n");
+    assert_eq!(codes(&text, &[]), [(Code::UnknownPath, Severity::Note)]);
+    let report = job(&text, &[], machine()).check();
+    assert!(report.diagnostics[0].message.contains("$AA_IM[X]"), "{:?}", report.diagnostics);
+}
+
+#[test]
+fn a_condition_of_unknown_value_is_assumed() {
+    let text = format!("{HEAD}IF $A_IN[3]==1 GOTOF WEITER\nG1 X10\nWEITER:\nG1 Y10\nM30\n");
+    assert_eq!(codes(&text, &[]), [(Code::AssumedBranch, Severity::Note)]);
+    // FALSE AND … is FALSE, whatever the other operand is.
+    let text = format!("{HEAD}IF (1==2) AND ($A_IN[3]==1) GOTOF WEITER\nG1 X10\nWEITER:\nM30\n");
+    assert_eq!(codes(&text, &[]), []);
+}
+
+#[test]
+fn a_feed_of_unknown_value_leaves_the_path() {
+    let text = format!("{HEAD}G1 X10 F=$A_DBR[4]\nY10\nM30\n");
+    assert_eq!(codes(&text, &[]), [(Code::UnknownTime, Severity::Note)]);
+}
+
+#[test]
+fn a_name_that_nothing_defines_is_an_alarm_only_where_nothing_else_can_have_it() {
+    let text = format!("{HEAD}ZUSTELLUNG=2\nG1 X10\nM30\n");
+    let warned = found(&text, &[]);
+    assert_eq!(warned[0].severity, Severity::Warning);
+    assert!(warned[0].alarm.as_deref().is_some_and(|alarm| alarm.contains("12550")), "{warned:?}");
+    assert!(warned.iter().any(|found| found.code == Code::UnknownPath));
+
+    let mut strict = machine();
+    let setting = SettingEntry { value: SettingValue::Text("alarm".into()), location: None };
+    strict.settings.insert("undefined_names".to_string(), setting);
+    let found = job(&text, &[], strict).check().diagnostics;
+    assert_eq!(found[0].severity, Severity::Error);
+
+    // A typing error is one, whatever the control may have.
+    let text = format!("DEF REAL TIEFE=5\n{HEAD}G1 Z=-TIEFFE\nM30\n");
+    let found = job(&text, &[], machine()).check().diagnostics;
+    assert!(found.iter().any(|found| found.severity == Severity::Error
+        && found.alarm.as_deref().is_some_and(|alarm| alarm.contains("12550"))));
+}
+
+#[test]
+fn a_program_that_nothing_has_is_a_warning_with_the_alarm() {
+    let found = found(&format!("{HEAD}SPINDLE_WARMUP(3)\nG1 X10\nM30\n"), &[]);
+    assert_eq!((found[0].code, found[0].severity), (Code::MissingSubprogram, Severity::Warning));
+    assert!(found[0].alarm.as_deref().is_some_and(|alarm| alarm.contains("14011")), "{found:?}");
+}
+
+#[test]
+fn user_data_come_from_a_file_of_definitions() {
+    let definitions =
+        ("GUD.DEF", "%_N_GUD_DEF\nDEF CHAN REAL CLEARANCE=12.5\nDEF NCK REAL PROBED\nM17\n");
+    let text = format!("{HEAD}G1 Z=-2 X=CLEARANCE\nM30\n");
+    assert_eq!(codes(&text, &[definitions]), []);
+    assert_eq!(ends(&text, &[definitions]).last(), Some(&[12.5, 0.0, -2.0]));
+    // What the control holds where the file gives no value is not known.
+    let text = format!("{HEAD}G1 X=PROBED\nX10\nM30\n");
+    assert_eq!(codes(&text, &[definitions]), [(Code::UnknownPath, Severity::Note)]);
+}
+
+#[test]
+fn a_macro_stands_for_its_text() {
+    let definitions = ("MACRO.DEF", "DEFINE HOME AS G0 X50 Y60\nDEFINE SAFE AS 25\nM17\n");
+    let text = format!("{HEAD}HOME\nZ=SAFE\nM30\n");
+    assert_eq!(codes(&text, &[definitions]), []);
+    assert_eq!(ends(&text, &[definitions]).last(), Some(&[50.0, 60.0, 25.0]));
+    let text = format!("DEFINE DOWN AS G1 Z-3\n{HEAD}DOWN X5\nM30\n");
+    assert_eq!(ends(&text, &[]).last(), Some(&[5.0, 0.0, -3.0]));
+}
+
+#[test]
+fn a_table_of_tools_decides_which_edges_there_are() {
+    let table =
+        ("TOOLS.INI", "$TC_DP3[1,1]=100\n$TC_DP6[1,1]=5\n$TC_DP3[1,2]=98\n$TC_DP6[1,2]=4\nM17\n");
+    let text = |edge: u32| format!("{HEAD}D{edge}\nG1 Z-1\nM30\n");
+    assert_eq!(codes(&text(2), &[table]), []);
+    let found = found(&text(3), &[table]);
+    assert!(
+        found.iter().any(|found| found.severity == Severity::Error
+            && found.alarm.as_deref().is_some_and(|alarm| alarm.contains("17180"))),
+        "{found:?}"
+    );
+}
