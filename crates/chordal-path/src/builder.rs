@@ -316,6 +316,10 @@ pub fn duration_s(feed: &Feed, motion: &Move, curve: &Curve) -> f64 {
     if !positive {
         return 0.0;
     }
+    // Cuts whose spindle stands take no time, as those without a feed.
+    if feed.surface.is_some_and(|surface| surface.mm_per_s <= 0.0) {
+        return 0.0;
+    }
     if feed.surface.is_some()
         && let Some(seconds) = crate::surface::surface_time(feed, curve)
     {

@@ -125,7 +125,11 @@ impl ConfiguredControl for SinumerikControl {
 
     fn called_programs(&self, text: &[u8]) -> Vec<ProgramName> {
         let mut names: Vec<ProgramName> = Vec::new();
-        for block in BlockReader::new(text) {
+        let mut reader = BlockReader::new(text);
+        loop {
+            // Plain lines call nothing.
+            while reader.next_plain().is_some() {}
+            let Some(block) = reader.next() else { break };
             for statement in block.statements {
                 let name = match statement.kind {
                     StatementKind::Call(call) | StatementKind::ModalCall(Some(call)) => call.name,

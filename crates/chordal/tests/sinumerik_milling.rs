@@ -211,7 +211,7 @@ fn alarms_and_what_is_not_followed() {
     of("POCKET4(50,0,2,-4,4,0,0,4,0,0,300,100,3,11,0)", "61105");
     of("POCKET4(-50,0,2,-4,12,0,0,4,0,0,300,100,3,11,0)", "61101");
     of(&format!("T2 M6\n{POCKET}"), "CH312");
-    of("CYCLE72(\"A\",50,0,2,-4,4,0,0,300,100,11,41,1,5)", "CH312");
+    of("CYCLE72(\"A\",50,0,2,-4,4,0,0,300,100,11,41,1,5)", "14011");
     let corners = first(&POCKET.replace(",20,6,", ",20,4,"));
     assert!(corners.starts_with("CH827") && corners.contains("5 mm"), "{corners}");
     // A cycle that is refused does not move.
@@ -242,4 +242,55 @@ fn all_milling_cycles_run() {
             .expect("a plane");
         assert_eq!(ends(&commands).last().map(|end| end[2]), Some(retract), "{call}");
     }
+}
+
+/// The contour of a rectangle of 40 by 20, cut from its left side upwards with the tool outside, in two depths.
+fn contour_milled(approach: u32) -> Vec<Command> {
+    let blocks = format!(
+        "CYCLE72(\"AA:BB\",50,0,2,-6,3,0,0,300,100,1,41,{approach},8,300,{approach},8)\nGOTOF CC\n\
+         AA: G1 X0 Y0\nY20\nX40\nY0\nBB: X0\nCC: G0 Z100"
+    );
+    let (commands, report) = run(&blocks);
+    let found = problems(&report);
+    assert!(found.iter().all(|found| found.is_empty()), "{found:?}");
+    commands
+}
+
+/// The tool's centre is its radius off the contour, which begins and ends with the lead of the call.
+#[test]
+fn a_contour_is_milled_on_the_tools_side() {
+    let places = |commands: &[Command]| -> Vec<[f64; 3]> {
+        let moves = commands.iter().filter_map(|command| command.kind.motion());
+        moves.map(|motion| [motion.to[0], motion.to[1], motion.to[2]]).collect()
+    };
+    let straight = places(&contour_milled(1));
+    let has = |place: [f64; 3]| {
+        straight.iter().any(|at| (0..3).all(|axis| (at[axis] - place[axis]).abs() < 1e-9))
+    };
+    for level in [-3.0, -6.0] {
+        // From 8 before the start, up the left side, round the corners, back to the start and 8 beyond.
+        for place in [
+            [-5.0, -8.0, level],
+            [-5.0, 0.0, level],
+            [-5.0, 20.0, level],
+            [40.0, 25.0, level],
+            [0.0, -5.0, level],
+            [-8.0, -5.0, level],
+        ] {
+            assert!(has(place), "{place:?} in {straight:?}");
+        }
+    }
+    let lowest = straight.iter().map(|at| at[2]).fold(f64::INFINITY, f64::min);
+    assert_eq!(lowest, -6.0);
+    // Quarter circles of 8 lead in from the left and out downwards.
+    let curved = contour_milled(2);
+    let radii: Vec<f64> = curved
+        .iter()
+        .filter_map(|command| command.kind.shape())
+        .map(|shape| (shape.radius_from * 1e6).round() / 1e6)
+        .collect();
+    assert_eq!(radii.iter().filter(|radius| **radius == 8.0).count(), 4, "{radii:?}");
+    assert!(
+        places(&curved).iter().any(|at| (at[0] + 13.0).abs() < 1e-9 && (at[1] + 8.0).abs() < 1e-9)
+    );
 }

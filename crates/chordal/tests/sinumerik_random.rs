@@ -7,8 +7,10 @@ use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use chordal::control::Origin;
 use chordal::diagnostics::FileId;
-use chordal::{Job, Machine, RunOptions, Source, SourceMap};
+use chordal::path::PathCommand;
+use chordal::{Diagnostic, Job, Machine, PathSink, RunOptions, Source, SourceMap};
 
 /// Programs of one run of the tests.
 const PROGRAMS: u32 = 1_500;
@@ -109,4 +111,75 @@ fn mixed_and_mistyped_programs_end() {
         count += 1;
     }
     println!("{count} programs");
+}
+
+/// The commands of a program as text, without their places in the text.
+fn commands(text: &str) -> Vec<String> {
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("plain.mpf", text.as_bytes().to_vec()));
+    let machine = Machine::from_builtin("sinumerik-mill").expect("a machine");
+    let job = Job::new(sources, machine).expect("a machine of this control");
+    let mut sink = CommandTexts::default();
+    job.compensated(None, &mut sink);
+    sink.0
+}
+
+/// The commands as text.
+#[derive(Default)]
+struct CommandTexts(Vec<String>);
+
+impl PathSink for CommandTexts {
+    fn command(&mut self, path: PathCommand<'_>) {
+        self.0.push(format!("{:?}", path.command.kind));
+    }
+
+    fn diagnostic(&mut self, _: Diagnostic, _: &Origin) {}
+}
+
+/// Lines of coordinates alone are read in a way of their own: a comment at their end, which leads to the other way, changes
+/// nothing.
+#[test]
+fn plain_lines_do_what_all_lines_do() {
+    let mut random = RandomNumbers(7);
+    let heads = [
+        "G90",
+        "G91",
+        "G70",
+        "G700",
+        "TRANS X5",
+        "ROT RPL=30",
+        "RNDM=1",
+        "G41",
+        "G95 S500 M3",
+        "G2 X1 Y1 CR=9",
+        "AP=20 RP=5",
+        "SUPA Z0",
+    ];
+    for _ in 0..300 {
+        let mut lines: Vec<String> =
+            vec!["G17 G710 G54".into(), "T1 D1 M6".into(), "S1000 M3 F100".into()];
+        for _ in 0..40 {
+            if random.below(8) == 0 {
+                lines.push(heads[random.below(heads.len())].into());
+                continue;
+            }
+            let mut line = String::new();
+            for (word, most) in [("N", 6), ("G", 3), ("X", 2), ("Y", 2), ("Z", 4), ("F", 6)] {
+                if random.below(most) > 0 {
+                    continue;
+                }
+                let number = random.below(100_000) as f64 / 1000.0 - 50.0;
+                match word {
+                    "N" => line += &format!("N{} ", random.below(1000)),
+                    "G" => line += &format!("G{}", random.below(2)),
+                    "F" => line += &format!(" F{}", 1 + random.below(900)),
+                    axis => line += &format!("{axis}{number:.3} "),
+                }
+            }
+            lines.push(line);
+        }
+        let plain = lines.join("\n");
+        let commented: Vec<String> = lines.iter().map(|line| format!("{line} ;")).collect();
+        assert_eq!(commands(&plain), commands(&commented.join("\n")), "{plain}");
+    }
 }

@@ -35,6 +35,11 @@ impl Interpreter<'_> {
         target: &BlockTarget,
     ) {
         let (a, b, _) = self.kernel.state.plane.axes();
+        let astray = self.kernel.state.astray;
+        if astray.has(a) || astray.has(b) {
+            // From an unknown place no arc can be told: its end is reached.
+            return self.kernel.straight_instead(view, target.end, target.named);
+        }
         let start = [target.start[a], target.start[b]];
         let end = [target.programmed[a], target.programmed[b]];
         if self.modes.motion == PathMotion::ThroughPoint

@@ -220,10 +220,9 @@ impl Interpreter<'_> {
         last
     }
 
-    /// After a block: whether the part that is repeated ends with it.
-    pub(super) fn part_ends(&mut self, block: &ProgramBlock) -> BlockFlow {
-        let ended =
-            self.running().repeats.last().is_some_and(|repeat| repeat.last == block.range.start);
+    /// After the block that begins at an offset: whether the part that is repeated ends with it.
+    pub(super) fn part_ends(&mut self, start: u32) -> BlockFlow {
+        let ended = self.running().repeats.last().is_some_and(|repeat| repeat.last == start);
         if !ended {
             return BlockFlow::Next;
         }
@@ -354,6 +353,7 @@ impl Interpreter<'_> {
         };
         self.report_missing_name(14011, diagnostic, similar.is_some());
         self.lose_path(range, "the path", &format!("the program {name}"));
+        self.lose_state();
     }
 
     /// The variables of a program with parameters, and which of the caller's get their values back.

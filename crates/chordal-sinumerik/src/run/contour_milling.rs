@@ -51,7 +51,7 @@ impl Interpreter<'_> {
         numbers: &CycleArguments,
         range: TextRange,
     ) {
-        if self.modes.edge == 0 {
+        if self.modes.edge == 0 && !self.modes.is_state_unknown {
             let message = "CYCLE72 needs an active tool offset";
             return self.alarm(61000, Code::OffsetNotSet, range, message);
         }

@@ -87,7 +87,7 @@ impl Interpreter<'_> {
             if flow != BlockFlow::Next || self.stack.len() < depth {
                 break;
             }
-            self.part_ends(&block);
+            self.part_ends(block.range.start);
         }
         while self.stack.len() >= depth {
             self.stack.pop();

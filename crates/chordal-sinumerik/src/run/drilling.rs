@@ -63,7 +63,7 @@ impl Interpreter<'_> {
         if is_milling_cycle(name) {
             return self.run_milling(name, &arguments, range);
         }
-        if self.modes.edge == 0 {
+        if self.modes.edge == 0 && !self.modes.is_state_unknown {
             self.alarm(
                 61000,
                 Code::OffsetNotSet,
@@ -73,7 +73,8 @@ impl Interpreter<'_> {
         }
         // The feed of rigid tapping follows from the lead and the speed.
         let taps = matches!(name, "CYCLE84" | "CYCLE840");
-        if !taps && !self.kernel.state.feed.is_some_and(|feed| feed > 0.0) {
+        let has_feed = self.kernel.state.feed.is_some_and(|feed| feed > 0.0);
+        if !taps && !has_feed && !self.kernel.state.unknown.feed {
             self.alarm(61003, Code::MissingFeed, range, format!("{name} needs a feed"));
         }
         let (_, _, normal) = self.kernel.state.plane.axes();
@@ -111,7 +112,7 @@ impl Interpreter<'_> {
         let main = self.stack.first().map(|main| main.program);
         let is_called =
             main.is_some_and(|main| self.programs.texts[main].unit.kind == ProgramUnitKind::Sub);
-        if self.modal_call.is_none() && is_called {
+        if self.modal_call.is_none() && (is_called || self.modes.is_state_unknown) {
             return self.not_followed(
                 range,
                 format!("{name} works with the cycle of its caller, which is not known here"),

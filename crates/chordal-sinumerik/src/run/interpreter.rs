@@ -14,7 +14,7 @@ use super::scope::ValueScope;
 use super::system_variables::SystemState;
 use super::variables::{ProgramVariable, VariableStore};
 use super::words::BlockWords;
-use crate::syntax::{Expression, ExpressionKind, ProgramBlock};
+use crate::syntax::{Expression, ExpressionKind, ProgramBlock, ProgramUnitKind};
 use crate::values::{SinumerikValue, evaluate};
 
 /// Blocks between two questions whether the run is to end.
@@ -108,6 +108,7 @@ impl<'a> Interpreter<'a> {
         if let Some((range, head)) = head.filter(|(_, head)| !head.parameters.is_empty()) {
             return self.without_caller(range, &head.name);
         }
+        self.begin_subprogram();
         let wants_blocks = self.kernel.sink.wants_blocks();
         let end = self.run_blocks(wants_blocks);
         self.kernel.end_corners();
@@ -139,36 +140,79 @@ impl<'a> Interpreter<'a> {
         CompletedRun { outcome, text_read: None }
     }
 
+    /// A subprogram that is run by itself: nobody knows what its caller has set.
+    fn begin_subprogram(&mut self) {
+        let text = &self.programs.texts[self.running().program];
+        if text.unit.kind != ProgramUnitKind::Sub {
+            return;
+        }
+        self.lose_state();
+        let message =
+            format!("{} is a subprogram: what its caller has set is not known", text.name);
+        let span = Span { file: text.file, range: text.unit.head };
+        let diagnostic = Diagnostic::new(Code::MacroAlone, span, message);
+        self.kernel.report(diagnostic.help("run the program that calls it to verify both"));
+    }
+
     fn run_blocks(&mut self, wants_blocks: bool) -> EndReason {
         loop {
-            let Some(block) = self.running().reader.next() else {
-                match self.program_ends() {
-                    BlockFlow::Next => continue,
-                    BlockFlow::End(reason) => return reason,
-                }
+            let plain = self.takes_plain_lines();
+            let plain = if plain { self.running().reader.next_plain() } else { None };
+            let flow = match plain {
+                Some(line) => match self.count_block() {
+                    Some(reason) => return reason,
+                    None => {
+                        self.plain_line(&line);
+                        self.block_ends(line.range.start, wants_blocks)
+                    }
+                },
+                None => self.next_block(wants_blocks),
             };
-            if self.repeats_counted() && !self.kernel.count_repeated() {
-                return EndReason::Budget;
-            }
-            if self.is_skipped(&block) {
-                continue;
-            }
-            self.blocks += 1;
-            if self.blocks.is_multiple_of(INTERRUPT_BLOCKS) && self.is_interrupted() {
-                return EndReason::Interrupted;
-            }
-            let block = if self.macros.is_empty() { block } else { self.expanded(block) };
-            let flow = self.block(&block);
-            if wants_blocks {
-                self.kernel.block_done(&|state| Modal::of(state, Vec::new()));
-            }
             if let BlockFlow::End(reason) = flow {
                 return reason;
             }
-            if let BlockFlow::End(reason) = self.part_ends(&block) {
-                return reason;
-            }
         }
+    }
+
+    /// Reads and carries out a block.
+    fn next_block(&mut self, wants_blocks: bool) -> BlockFlow {
+        let Some(block) = self.running().reader.next() else { return self.program_ends() };
+        if self.is_skipped(&block) {
+            return match self.repeats_counted() && !self.kernel.count_repeated() {
+                true => BlockFlow::End(EndReason::Budget),
+                false => BlockFlow::Next,
+            };
+        }
+        if let Some(reason) = self.count_block() {
+            return BlockFlow::End(reason);
+        }
+        let block = if self.macros.is_empty() { block } else { self.expanded(block) };
+        let flow = self.block(&block);
+        if flow != BlockFlow::Next {
+            if wants_blocks {
+                self.kernel.block_done(&|state| Modal::of(state, Vec::new()));
+            }
+            return flow;
+        }
+        self.block_ends(block.range.start, wants_blocks)
+    }
+
+    /// Counts a block; the reason if the run ends before it.
+    fn count_block(&mut self) -> Option<EndReason> {
+        if self.repeats_counted() && !self.kernel.count_repeated() {
+            return Some(EndReason::Budget);
+        }
+        self.blocks += 1;
+        let is_asked = self.blocks.is_multiple_of(INTERRUPT_BLOCKS);
+        (is_asked && self.is_interrupted()).then_some(EndReason::Interrupted)
+    }
+
+    /// After a block, which began at an offset of its text.
+    fn block_ends(&mut self, start: u32, wants_blocks: bool) -> BlockFlow {
+        if wants_blocks {
+            self.kernel.block_done(&|state| Modal::of(state, Vec::new()));
+        }
+        self.part_ends(start)
     }
 
     /// Blocks count against the budget where calls, loops, repeats or jumps may run without end.

@@ -14,7 +14,7 @@ use crate::cycles::{CycleArguments, MillStep, MillingContext, MillingMoves, mill
 impl Interpreter<'_> {
     /// Carries out a milling cycle.
     pub(super) fn run_milling(&mut self, name: &str, arguments: &CycleArguments, range: TextRange) {
-        if self.modes.edge == 0 {
+        if self.modes.edge == 0 && !self.modes.is_state_unknown {
             let message = format!("{name} needs an active tool offset");
             return self.alarm(61000, Code::OffsetNotSet, range, message);
         }
@@ -47,7 +47,7 @@ impl Interpreter<'_> {
             position: [a, b, normal].map(|axis| place[axis] / unit_mm),
             unit_mm,
             tool_radius: radius_mm.map(|radius| radius / unit_mm),
-            has_feed: state.feed.is_some_and(|feed| feed > 0.0),
+            has_feed: state.unknown.feed || state.feed.is_some_and(|feed| feed > 0.0),
             spindle_direction: match state.spindle {
                 SpindleState::Cw => 3,
                 SpindleState::Ccw => 4,

@@ -19,6 +19,7 @@ mod macros;
 mod milling;
 mod modes;
 mod motion;
+mod plain_lines;
 mod problems;
 mod program_texts;
 mod programmable_frame;

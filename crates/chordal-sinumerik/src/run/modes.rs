@@ -15,8 +15,24 @@ use crate::syntax::ValueFunction;
 /// The group of a G code (Fundamentals, list of G functions); `None` for codes that are not known.
 fn group_of(code: u32) -> Option<u32> {
     Some(match code {
-        0..=3 | 33..=35 | 331 | 332 => 1,
-        4 | 63 | 74 | 75 | 147 | 148 | 247 | 248 | 347 | 348 | 110..=112 | 58 | 59 => 2,
+        0..=3 | 33..=35 | 331 | 332 | 335 | 336 => 1,
+        25 | 26 => 3,
+        4
+        | 5
+        | 7
+        | 63
+        | 74
+        | 75
+        | 751
+        | 147
+        | 148
+        | 247
+        | 248
+        | 347
+        | 348
+        | 110..=112
+        | 58
+        | 59 => 2,
         17..=19 => 6,
         40..=42 => 7,
         54..=57 | 500 | 505..=599 => 8,
@@ -26,9 +42,14 @@ fn group_of(code: u32) -> Option<u32> {
         601..=603 => 12,
         70 | 71 | 700 | 710 => 13,
         90 | 91 => 14,
-        93..=97 | 961 | 962 | 971..=973 => 15,
+        93..=97 | 931 | 942 | 952 | 961 | 962 | 971..=973 => 15,
         450 | 451 => 18,
+        140..=143 => 40,
+        340 | 341 => 44,
         290 | 291 => 47,
+        460..=462 => 48,
+        62 | 621 => 57,
+        810..=829 => 31,
         _ => return None,
     })
 }
@@ -129,7 +150,7 @@ impl Interpreter<'_> {
             }
             33 | 331 | 332 => self.modes.motion = PathMotion::Thread,
             63 => {}
-            34 | 35 => {
+            34 | 35 | 335 | 336 | 5 | 7 => {
                 self.modes.motion = PathMotion::NotFollowed;
                 self.not_followed(
                     range,
@@ -170,8 +191,10 @@ impl Interpreter<'_> {
                     format!("{name} is not followed: its points are joined by straight cuts"),
                 );
             }
-            "TRAORI" => self
-                .not_followed(range, "TRAORI is not followed: the axes of the tool are not known"),
+            "TRAORI" => {
+                // The tip goes where the program says; where the axes are depends on the machine.
+                self.lose_path(range, "where the axes are", "the rotary axes of TRAORI");
+            }
             "DIAMON" | "DIAM90" if !self.kernel.machine.turns() => self
                 .not_followed(range, format!("{name} is not followed: this machine is no lathe")),
             "DIAMON" => self.modes.transverse = TransverseReading::Diameter,
@@ -188,6 +211,7 @@ impl Interpreter<'_> {
             (None, Some(turns)) if self.kernel.state.rpm > 0.0 => {
                 turns.value * 60.0 / self.kernel.state.rpm
             }
+            (None, Some(_)) if self.kernel.state.unknown.speed => 0.0,
             (None, Some(_)) => {
                 return self.alarm(
                     10900,
@@ -217,20 +241,28 @@ impl Interpreter<'_> {
             }
         }
         let keeps_surface = words.g_codes.iter().any(|(code, _)| *code == 96);
-        if keeps_surface && self.kernel.state.surface_speed.is_none_or(|speed| speed <= 0.0) {
+        if keeps_surface
+            && !self.modes.is_state_unknown
+            && self.kernel.state.surface_speed.is_none_or(|speed| speed <= 0.0)
+        {
             let message = "G96 needs S, the cutting speed";
             self.alarm(10900, Code::SpindleStopped, self.here(), message);
         }
         if let Some(feed) = words.other("F") {
-            let unit = if self.modes.feed_in_units { self.unit_mm() } else { 1.0 };
-            let value = match self.kernel.state.feed_mode {
-                FeedMode::PerTime => feed.value * unit / 60.0,
-                FeedMode::PerRevolution => feed.value * unit,
-                FeedMode::InverseTime => feed.value / 60.0,
-            };
-            let angular = (feed.value / 60.0).to_radians();
-            self.kernel.set_feed(self.span(feed.range), value, angular);
+            self.set_feed_word(feed.value, feed.range);
         }
+    }
+
+    /// F.
+    pub(super) fn set_feed_word(&mut self, feed: f64, range: TextRange) {
+        let unit = if self.modes.feed_in_units { self.unit_mm() } else { 1.0 };
+        let value = match self.kernel.state.feed_mode {
+            FeedMode::PerTime => feed * unit / 60.0,
+            FeedMode::PerRevolution => feed * unit,
+            FeedMode::InverseTime => feed / 60.0,
+        };
+        let angular = (feed / 60.0).to_radians();
+        self.kernel.set_feed(self.span(range), value, angular);
     }
 
     /// The M functions that act before the motion.

@@ -31,12 +31,12 @@ impl Interpreter<'_> {
     pub(super) fn moves(&mut self, range: TextRange, words: &BlockWords) -> bool {
         self.set_pole(words);
         if is_frame_block(words)
-            || words.g_codes.iter().any(|(code, _)| matches!(code, 4 | 110..=112))
+            || words.g_codes.iter().any(|(code, _)| matches!(code, 4 | 25 | 26 | 110..=112))
         {
             return false;
         }
         if let Some((code, range)) =
-            words.g_codes.iter().find(|(code, _)| matches!(code, 74 | 75)).copied()
+            words.g_codes.iter().find(|(code, _)| matches!(code, 74 | 75 | 751)).copied()
         {
             self.go_to_point_of_machine(code, range, words);
             return false;

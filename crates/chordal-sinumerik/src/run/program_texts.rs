@@ -45,6 +45,8 @@ impl<'a> ProgramTexts<'a> {
             for mut unit in units(source.text()) {
                 if is_table {
                     unit.kind = ProgramUnitKind::Table;
+                } else if unit.kind == ProgramUnitKind::Unknown && is_subprogram(source.name()) {
+                    unit.kind = ProgramUnitKind::Sub;
                 }
                 let name = unit.name.clone().unwrap_or_else(|| file_stem(source.name()));
                 texts.push(ProgramText { file, unit, name: bare_name(&name).to_string() });
@@ -84,6 +86,11 @@ pub fn bare_name(name: &str) -> &str {
     let upper = name.to_ascii_uppercase();
     let ends = ["_MPF", "_SPF", ".MPF", ".SPF"].iter().any(|end| upper.ends_with(end));
     if ends { &name[..name.len() - 4] } else { name }
+}
+
+/// Whether a file is one of subprograms by its extension.
+fn is_subprogram(file: &str) -> bool {
+    file.rsplit_once('.').is_some_and(|(_, end)| end.eq_ignore_ascii_case("spf"))
 }
 
 /// The name of a file without folder and extension, in upper case.

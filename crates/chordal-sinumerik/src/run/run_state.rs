@@ -175,6 +175,8 @@ pub struct LanguageModes {
     pub motion: PathMotion,
     /// What all frames after the settable one do together: the swivelled plane, and in it the programmable frame.
     pub frame: ProgrammableFrame,
+    /// `frame` changes nothing.
+    pub is_plain_frame: bool,
     /// The programmable frame: TRANS, ROT and their like.
     pub programmable: FrameMap,
     /// The frame of a swivelled plane (CYCLE800).
@@ -207,6 +209,8 @@ pub struct LanguageModes {
     pub intersects_corners: bool,
     /// A loop, a jump or a repeat has gone back: from here on blocks count against the budget.
     pub has_jumped_back: bool,
+    /// What the caller, or a program that is not given, has set is not known: tool, edge, feed, speed, modal cycle.
+    pub is_state_unknown: bool,
     /// The edge that is active; 0 for none.
     pub edge: u32,
     /// The tool in the spindle has a name that no tool of the machine file has.
@@ -229,6 +233,7 @@ impl LanguageModes {
     pub fn set_frames(&mut self, programmable: FrameMap, swivel: FrameMap) {
         (self.programmable, self.swivel) = (programmable, swivel);
         self.frame = ProgrammableFrame::new(programmable.then(&swivel));
+        self.is_plain_frame = self.frame == ProgrammableFrame::IDENTITY;
     }
 }
 
@@ -237,6 +242,7 @@ impl Default for LanguageModes {
         LanguageModes {
             motion: PathMotion::Linear,
             frame: ProgrammableFrame::IDENTITY,
+            is_plain_frame: true,
             programmable: FrameMap::IDENTITY,
             swivel: FrameMap::IDENTITY,
             approaches_round: false,
@@ -253,6 +259,7 @@ impl Default for LanguageModes {
             last_direction: None,
             intersects_corners: false,
             has_jumped_back: false,
+            is_state_unknown: false,
             edge: 0,
             unknown_tool: false,
         }

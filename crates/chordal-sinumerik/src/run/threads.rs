@@ -29,7 +29,7 @@ impl Interpreter<'_> {
             },
         };
         self.modes.lead = Some(lead);
-        if self.kernel.state.rpm <= 0.0 {
+        if self.kernel.state.rpm <= 0.0 && !self.kernel.state.unknown.speed {
             let message = "a thread, and the spindle has no speed";
             self.alarm(10900, Code::SpindleStopped, range, message);
         }

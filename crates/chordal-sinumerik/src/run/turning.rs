@@ -38,7 +38,7 @@ impl Interpreter<'_> {
             let what = format!("{name} is not followed: this machine is no lathe");
             return self.not_followed(range, what);
         }
-        if self.modes.edge == 0 {
+        if self.modes.edge == 0 && !self.modes.is_state_unknown {
             let message = format!("{name} needs an active tool offset");
             return self.alarm(61000, Code::OffsetNotSet, range, message);
         }
@@ -55,7 +55,8 @@ impl Interpreter<'_> {
             Err(fault) => return self.report_cycle(fault, range),
         };
         self.report_assumed_path("CYCLE97", range);
-        if self.kernel.state.rpm <= 0.0 && self.kernel.state.surface_speed.is_none() {
+        let state = &self.kernel.state;
+        if state.rpm <= 0.0 && state.surface_speed.is_none() && !state.unknown.speed {
             let message = "a thread, and the spindle has no speed";
             self.alarm(10900, Code::SpindleStopped, range, message);
         }

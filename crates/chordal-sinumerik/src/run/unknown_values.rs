@@ -81,6 +81,16 @@ impl Interpreter<'_> {
         }
     }
 
+    /// A program that is not given may have set tool, feed and speed: what follows needs no such word any more.
+    pub(super) fn lose_state(&mut self) {
+        self.modes.is_state_unknown = true;
+        let state = &mut self.kernel.state;
+        state.unknown.feed |= state.feed.is_none();
+        state.unknown.speed |= state.rpm == 0.0;
+        state.unknown.tool |= state.tool == 0;
+        state.unknown.radius_offset |= state.radius_offset.is_none();
+    }
+
     /// Reports once that the path is not known from here on.
     pub(super) fn lose_path(&mut self, range: TextRange, what: &str, cause: &str) {
         if !self.is_first_report("unknown path") {

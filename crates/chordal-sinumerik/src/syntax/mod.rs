@@ -9,6 +9,7 @@ mod number_literal;
 mod parser;
 mod parts;
 mod pending_fault;
+mod plain_line;
 mod precedence;
 mod reader;
 mod recovery;
@@ -19,6 +20,7 @@ mod words;
 
 pub use ast::*;
 pub use parts::{constant_of, statements_of};
+pub use plain_line::{PlainLine, PlainValue};
 pub use precedence::ComparisonPrecedence;
 pub use reader::BlockReader;
 pub use tokens::tokens;

@@ -52,6 +52,17 @@ impl<'t> BlockReader<'t> {
         self.line
     }
 
+    /// What is not read yet.
+    pub(super) fn rest(&self) -> &'t [u8] {
+        self.text.get(self.at..self.end).unwrap_or(&[])
+    }
+
+    /// Goes on after some bytes, which end a line or not.
+    pub(super) fn advance(&mut self, bytes: usize, ends_line: bool) {
+        self.at += bytes;
+        self.line += u32::from(ends_line);
+    }
+
     /// The next line with its number, whatever is in it; `None` at the end.
     pub(super) fn next_line(&mut self) -> Option<(TextRange, u32)> {
         let rest = self.text.get(self.at..self.end).filter(|rest| !rest.is_empty())?;

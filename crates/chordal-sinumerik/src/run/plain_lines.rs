@@ -1,0 +1,72 @@
+//! Carries out plain lines: straight moves between points that stand in the text.
+
+use chordal_command::{AxisMask, Origin};
+use chordal_kernel::ModalMotion;
+
+use super::interpreter::Interpreter;
+use super::run_state::{PathMotion, TransverseReading};
+use super::words::{BlockStatementView, BlockWords, ValueWord};
+use crate::syntax::PlainLine;
+
+impl Interpreter<'_> {
+    /// Whether a plain line does nothing but move to its coordinates: no frame, no modal cycle, no rounding and no other
+    /// motion acts on it.
+    pub(super) fn takes_plain_lines(&self) -> bool {
+        let modes = &self.modes;
+        self.modal_call.is_none()
+            && matches!(modes.motion, PathMotion::Rapid | PathMotion::Linear)
+            && !self.kernel.state.incremental
+            && modes.is_plain_frame
+            && modes.modal_rounding_mm == 0.0
+            && modes.transverse == TransverseReading::Radius
+            && modes.open_approach.is_none()
+    }
+
+    /// Carries out a plain line, as `block` would do it.
+    pub(super) fn plain_line(&mut self, line: &PlainLine) {
+        let (file, call) = (self.file(), self.running().call);
+        let span = line.range.in_file(file);
+        self.kernel.call = call;
+        self.kernel.origin = Origin { span, line: line.line, call, cycle: false };
+        if let Some(number) = line.number {
+            self.kernel.block_number = Some(f64::from(number));
+        }
+        if let Some(is_rapid) = line.is_rapid {
+            self.modes.motion = if is_rapid { PathMotion::Rapid } else { PathMotion::Linear };
+        }
+        let mut words = BlockWords::default();
+        if let Some(feed) = line.feed {
+            self.set_feed_word(feed.value, feed.range);
+            let word = ValueWord { value: feed.value, function: None, range: feed.range };
+            words.others.push(("F", word));
+        }
+        let unit = self.unit_mm();
+        let start = self.kernel.state.position;
+        let mut end = start;
+        let mut named = AxisMask::NONE;
+        for axis in 0..3 {
+            let Some(word) = line.axes[axis] else { continue };
+            end[axis] = word.value * unit;
+            named.insert(axis);
+            words.axes[axis] =
+                Some(ValueWord { value: word.value, function: None, range: word.range });
+        }
+        if named == AxisMask::NONE {
+            return;
+        }
+        (self.modes.polar_angle, self.modes.polar_radius) = (None, None);
+        self.kernel.state.place(named);
+        self.kernel.state.motion = match self.modes.motion {
+            PathMotion::Rapid => ModalMotion::Rapid,
+            _ => ModalMotion::Linear,
+        };
+        let view = BlockStatementView { span, words: &words };
+        self.kernel.straight(&view, end, named);
+        let end = self.kernel.state.position;
+        let along: [f64; 3] = std::array::from_fn(|axis| end[axis] - start[axis]);
+        if along != [0.0; 3] {
+            self.modes.last_direction = Some(along);
+        }
+        self.kernel.corner_move_done();
+    }
+}
