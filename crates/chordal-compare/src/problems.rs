@@ -82,6 +82,7 @@ const VALUES: &[Code] = &[
     Code::UnknownTime,
     Code::AssumedBranch,
     Code::SkipAssumed,
+    Code::CyclePathAssumed,
     Code::DateNotSet,
 ];
 

@@ -103,6 +103,9 @@ impl Loader {
             }
             if let Some(path) = &input.path {
                 let found = self.folders.find(&request.files, path, texts[0].bytes(), &*control);
+                for text in found.iter().filter(|text| control.is_table(text.bytes())) {
+                    control.take_table(text.bytes(), &mut machine);
+                }
                 texts.extend(found);
             }
         }

@@ -17,6 +17,7 @@ use chordal_kernel::{
 use chordal_machine::{AXES, ControlName, Machine};
 
 use crate::alarms::listed_text;
+use crate::machine_tables::take_table;
 use crate::run::SinumerikPrograms;
 use crate::settings::SinumerikSettings;
 use crate::syntax::{BlockReader, StatementKind, is_table_text, units};
@@ -166,6 +167,10 @@ impl ConfiguredControl for SinumerikControl {
 
     fn is_table(&self, text: &[u8]) -> bool {
         is_table_text(text)
+    }
+
+    fn take_table(&self, text: &[u8], machine: &mut Machine) {
+        take_table(text, machine);
     }
 
     fn as_any(&self) -> &dyn Any {

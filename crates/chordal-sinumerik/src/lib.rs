@@ -8,6 +8,7 @@
 mod alarms;
 mod control;
 pub mod cycles;
+mod machine_tables;
 mod run;
 mod settings;
 pub mod syntax;

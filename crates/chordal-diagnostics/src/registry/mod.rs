@@ -111,7 +111,6 @@ impl Code {
             | Code::AssumedBranch
             | Code::SkipAssumed
             | Code::InputNotAnswered
-            | Code::CyclePathAssumed
             | Code::MacroAlone => true,
             // As a note it only says that the tip is taken as programmed.
             Code::TipNotKnown => !matches!(severity, Severity::Note),
@@ -119,9 +118,10 @@ impl Code {
         }
     }
 
-    /// Whether the time is unknown from there on, because a feed, a speed or a wait depends on an unknown value.
+    /// Whether the time is unknown from there on, because a feed, a speed or a wait depends on an unknown value, or the order
+    /// of the cuts of a cycle is assumed.
     pub const fn loses_time(self) -> bool {
-        matches!(self, Code::UnknownTime)
+        matches!(self, Code::UnknownTime | Code::CyclePathAssumed)
     }
 
     /// The registry entry.

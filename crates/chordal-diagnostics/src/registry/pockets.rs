@@ -62,11 +62,11 @@ of it. Chordal shows a path that clears the whole pocket and never leaves it; th
 stepover may differ, and so may the time."#;
 
     CyclePathAssumed = 829, "cycle-path-assumed", Note;
-    "the order of the cuts of a milling cycle is assumed";
+    "the order of the cuts of a cycle is assumed";
     r#"The control's manual gives the shape, the depth, the infeeds, the start and the end of this cycle, but not every
 move of it. Chordal clears the shape in loops from the inside out, or in rows. The control's own order of the cuts
-may differ, the shape does not. What is computed from the path alone, such as time and load of the tool, is that
-of the assumed path, and no proof that two programs move alike holds over it.
+may differ, the shape and what comes after the cycle do not. Time and load of the tool are those of the assumed
+path: the time is not verified from this line on, and no proof that two programs move alike holds over it.
 
     POCKET3(10,0,2,-15,60,40,8,0,0,0,4,0.2,0.1,500,150,0,11,5)"#;
 }

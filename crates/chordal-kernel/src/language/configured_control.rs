@@ -100,6 +100,9 @@ pub trait ConfiguredControl: fmt::Debug + Send + Sync {
         false
     }
 
+    /// Takes tools and work offsets of such a text over into a machine.
+    fn take_table(&self, _text: &[u8], _machine: &mut Machine) {}
+
     /// The control itself, for what works with one language only.
     fn as_any(&self) -> &dyn Any;
 }

@@ -17,8 +17,13 @@ use crate::walk::{first_x_factor, walk, x_factor_after};
 use crate::word_address::BlockControl;
 
 /// Reported where what a run does depends on a value that nobody gave.
-const OF_UNKNOWN_VALUES: &[Code] =
-    &[Code::UnknownPath, Code::UnknownTime, Code::AssumedBranch, Code::SkipAssumed];
+const OF_UNKNOWN_VALUES: &[Code] = &[
+    Code::UnknownPath,
+    Code::UnknownTime,
+    Code::AssumedBranch,
+    Code::SkipAssumed,
+    Code::CyclePathAssumed,
+];
 
 /// What is active after a block.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -41,3 +41,4 @@ mod variables;
 mod words;
 
 pub use programs::SinumerikPrograms;
+pub use system_variables::{ToolDatum, settable_name};

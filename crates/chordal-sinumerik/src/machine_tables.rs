@@ -1,0 +1,142 @@
+//! Tools and work offsets of the control's tables as a machine file has them.
+
+use chordal_machine::{Machine, Tool, ToolShape};
+
+use crate::run::{ToolDatum, settable_name};
+use crate::syntax::{
+    AddressWord, BlockReader, Expression, ExpressionKind, StatementKind, UnaryOperator, WordValue,
+};
+
+/// Takes the tools and the work offsets of a table over into a machine: what the control holds wins, what it does not say
+/// stays.
+pub fn take_table(text: &[u8], machine: &mut Machine) {
+    for block in BlockReader::new(text) {
+        for statement in &block.statements {
+            if let StatementKind::Word(word) = &statement.kind {
+                take_entry(word, machine);
+            }
+        }
+    }
+}
+
+fn take_entry(word: &AddressWord, machine: &mut Machine) -> Option<()> {
+    let WordValue::Plain(value) = &word.value else { return None };
+    let name = &*word.address.name;
+    let index = |place: usize| number(word.address.indices.get(place)?);
+    if name == "$P_UIFR" {
+        return take_offset(word, value, machine);
+    }
+    if !name.starts_with("$TC_") {
+        return None;
+    }
+    let (turns, tool) = (machine.turns(), index(0)? as u32);
+    if name == "$TC_TP2" {
+        if let ExpressionKind::Text(text) = &value.kind {
+            machine.tools.entry(tool).or_default().description = Some(text.clone());
+        }
+        return Some(());
+    }
+    // A machine file has one edge for each tool.
+    if index(1)? != 1.0 {
+        return None;
+    }
+    let entry = machine.tools.entry(tool).or_default();
+    let value = number(value)?;
+    match name {
+        "$TC_DP1" => entry.shape = entry.shape.or(shape_of(value as u32)),
+        "$TC_DP7" if value > 0.0 => entry.corner_radius_mm = Some(value),
+        _ => ToolDatum::named(name)?.write(entry, value, turns),
+    }
+    keep_plausible(entry);
+    Some(())
+}
+
+/// A radius of 0 is that of an entry nobody filled.
+fn keep_plausible(tool: &mut Tool) {
+    tool.diameter_mm = tool.diameter_mm.filter(|diameter| *diameter != 0.0);
+}
+
+/// The shape of a tool type (Fundamentals 11/2006, 8.4); `None` for types with a form that more data give.
+fn shape_of(kind: u32) -> Option<ToolShape> {
+    match kind {
+        110 | 111 => Some(ToolShape::Ball),
+        120 | 140 => Some(ToolShape::Flat),
+        121 => Some(ToolShape::Bull),
+        200 => Some(ToolShape::Drill),
+        _ => None,
+    }
+}
+
+/// `$P_UIFR[1]=CTRANS(X,10,Y,20):CFINE(…)` or `$P_UIFR[1,X,TR]=10`.
+fn take_offset(word: &AddressWord, value: &Expression, machine: &mut Machine) -> Option<()> {
+    let indices = &word.address.indices;
+    let name = settable_name(number(indices.first()?)? as u32)?;
+    let key = name.table_key(crate::control::PROFILE.work_names);
+    let mut values = Vec::new();
+    match indices.as_slice() {
+        [_] => translations(value, &mut values),
+        [_, axis, part] if is_name(part, "TR") => values.push((axis_of(axis)?, number(value)?)),
+        _ => return None,
+    }
+    let offset = machine.work_offsets.entry(key).or_default();
+    for (axis, mm) in values {
+        offset.values[axis] = Some(mm);
+    }
+    Some(())
+}
+
+/// The translations of a chain of frames.
+fn translations(frame: &Expression, values: &mut Vec<(usize, f64)>) {
+    match &frame.kind {
+        ExpressionKind::Binary(_, left, right) => {
+            translations(left, values);
+            translations(right, values);
+        }
+        ExpressionKind::Function(name, arguments) if name == "CTRANS" => {
+            for pair in arguments.chunks(2) {
+                let [Some(axis), Some(length)] = pair else { return };
+                if let (Some(axis), Some(mm)) = (axis_of(axis), number(length)) {
+                    values.push((axis, mm));
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
+fn axis_of(expression: &Expression) -> Option<usize> {
+    (0..3).find(|axis| is_name(expression, chordal_machine::AXIS_NAMES[*axis]))
+}
+
+fn is_name(expression: &Expression, name: &str) -> bool {
+    matches!(&expression.kind, ExpressionKind::Variable(address) if address.name == name)
+}
+
+/// The number that an expression is; `None` for anything that is computed.
+fn number(expression: &Expression) -> Option<f64> {
+    match &expression.kind {
+        ExpressionKind::Integer(value) => Some(*value as f64),
+        ExpressionKind::Real(value) => Some(*value),
+        ExpressionKind::Unary(UnaryOperator::Minus, inner) => number(inner).map(|value| -value),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_dump_gives_tools_and_offsets() {
+        let mut machine = Machine::from_builtin("haas-vf2").expect("a machine");
+        let text = b"$TC_TP2[3]=\"MILL\"\n$TC_DP1[3,1]=120\n$TC_DP3[3,1]=112.5\n$TC_DP6[3,1]=5\n\
+            $TC_DP6[3,2]=4\n$P_UIFR[1]=CTRANS(X,-400,Y,20.5,Z,-1):CFINE(X,0)\n$P_UIFR[5,Z,TR]=-7\nM17\n";
+        take_table(text, &mut machine);
+        let tool = &machine.tools[&3];
+        assert_eq!(tool.description.as_deref(), Some("MILL"));
+        assert_eq!((tool.length_mm(), tool.diameter_mm), (Some(112.5), Some(10.0)));
+        assert_eq!(tool.shape, Some(ToolShape::Flat));
+        assert_eq!(machine.work_offsets["G54"].values[..3], [Some(-400.0), Some(20.5), Some(-1.0)]);
+        assert_eq!(machine.work_offsets["G505"].values[2], Some(-7.0));
+    }
+}
