@@ -29,6 +29,7 @@ const WALKS: &[&str] = &[
     "docs/getting-started/lathe.md",
     "docs/getting-started/machinist.md",
     "docs/getting-started/post-developer.md",
+    "docs/getting-started/siemens.md",
     "docs/optimize.md",
     "docs/transform.md",
 ];
