@@ -10,15 +10,16 @@ use chordal_kernel::rules::{
     RoundingRules, Rules,
 };
 use chordal_kernel::{
-    ConfiguredControl, ControlCandidate, ControlProfile, ProgramName, ProgramSet,
+    ConfiguredControl, ControlCandidate, ControlProfile, ProgramName, ProgramSet, ProgramWriter,
     ProgrammingLanguage, RunOptions, SettingError,
 };
-use chordal_machine::{AXES, ControlName, Machine};
+use chordal_machine::{AXES, ControlName, Machine, RapidShape};
 
 use crate::alarms::listed_text;
 use crate::run::SinumerikPrograms;
 use crate::settings::SinumerikSettings;
 use crate::syntax::{BlockReader, StatementKind, units};
+use crate::writer::PartProgramWriter;
 
 /// The facts of the control.
 pub const PROFILE: ControlProfile = ControlProfile {
@@ -35,7 +36,7 @@ pub const PROFILE: ControlProfile = ControlProfile {
         (Code::TooManyIdleBlocks, listed_text(10762)),
         (Code::NoOffsetIntersection, listed_text(10751)),
     ],
-    work_names: WorkNaming { extended: "G505", first: 505, by_e: false },
+    work_names: WorkNaming { extended: "", first: 507, by_e: false },
     turns: false,
 };
 
@@ -130,6 +131,10 @@ impl ConfiguredControl for SinumerikControl {
         &["spf", "mpf"]
     }
 
+    fn program_writer(&self) -> Option<Box<dyn ProgramWriter + '_>> {
+        Some(Box::new(PartProgramWriter::new(self.settings)))
+    }
+
     fn as_any(&self) -> &dyn Any {
         self
     }
@@ -163,7 +168,13 @@ impl ProgrammingLanguage for SinumerikLanguage {
                 refused.push(SettingError { name: name.clone(), message, help });
             }
         }
-        let control = SinumerikControl { rules: RULES, axes, settings };
+        let mut rules = RULES;
+        // MD20730: G0 is a straight line (1), or each axis moves on its own (0).
+        rules.rapid = match machine.rapid {
+            Some(RapidShape::DogLeg) => RapidPath::DogLeg,
+            Some(RapidShape::Straight) | None => RULES.rapid,
+        };
+        let control = SinumerikControl { rules, axes, settings };
         Some((Arc::new(control), refused))
     }
 

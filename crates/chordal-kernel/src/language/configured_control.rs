@@ -8,6 +8,7 @@ use chordal_diagnostics::{Code, SourceMap};
 use chordal_machine::{Machine, PerAxis};
 
 use super::program_set::ProgramSet;
+use super::program_writer::ProgramWriter;
 use super::programs::ProgramName;
 use super::run_options::RunOptions;
 use crate::kernel::Alarms;
@@ -88,6 +89,12 @@ pub trait ConfiguredControl: fmt::Debug + Send + Sync {
 
     /// The extensions, in lower case, of the files in which a called program with a name is searched.
     fn subprogram_extensions(&self) -> &'static [&'static str];
+
+    /// Writes programs for this control from what they do; `None` where programs of other languages are not converted
+    /// to it.
+    fn program_writer(&self) -> Option<Box<dyn ProgramWriter + '_>> {
+        None
+    }
 
     /// The control itself, for what works with one language only.
     fn as_any(&self) -> &dyn Any;

@@ -1,0 +1,350 @@
+//! Writes word-address programs from what a program does.
+
+use chordal::control::{
+    Action, AxisMask, Control, Coolant, DrilledHole, FeedMode, PathMode, PostedKind, PostedProgram,
+    PostedStep, ProgramWriter, SpindleState, Units, WriterNote, WriterOptions, WrittenLine,
+    WrittenProgram,
+};
+use chordal::control::{ModeCode, Position, ReadingCode, WorkName};
+use chordal::machine::AXES;
+use chordal::{CommandKind, Effect};
+
+use super::super::codes;
+use super::super::emit::{CommandEmitter, WrittenCycle};
+use super::super::structure::program_name;
+use crate::source::WordStyle;
+
+/// The axis of the tool length.
+const TOOL_AXIS: usize = 2;
+
+/// The spelling of codes in the first block.
+const STYLE: WordStyle = WordStyle { spaced: true, leading_zero: true, two_digits: false };
+
+/// Writes programs for a word-address control.
+pub(super) struct WordAddressWriter<'c> {
+    pub control: &'c Control,
+}
+
+impl ProgramWriter for WordAddressWriter<'_> {
+    fn write(&self, program: &PostedProgram, options: &WriterOptions) -> WrittenProgram {
+        let start = program.start;
+        let mut run = RunWriter {
+            emitter: CommandEmitter::of_run(
+                self.control,
+                start,
+                options.tolerance_mm,
+                options.digits,
+            ),
+            control: self.control,
+            program,
+            options,
+            written: WrittenProgram::default(),
+            step: 0,
+            place: [0.0; AXES],
+            modes: ActiveState::of(program),
+            cycle: None,
+            approach: None,
+        };
+        run.begin();
+        for (at, step) in program.steps.iter().enumerate() {
+            run.step = at;
+            if let Err(reason) = run.one(step) {
+                run.written.refusals.push(WriterNote { step: at, words: String::new(), reason });
+            }
+            run.take_lines(Some(at));
+        }
+        run.finish();
+        run.written
+    }
+
+    fn comment(&self, text: &str) -> String {
+        format!("({})", text.replace('(', "[").replace(')', "]"))
+    }
+}
+
+/// What is active in the program that is written.
+struct ActiveState {
+    units: Units,
+    feed_mode: FeedMode,
+    work: u32,
+    path_mode: Option<PathMode>,
+    coolant: Coolant,
+    spindle: (SpindleState, f64),
+    /// The tool length that the program wants, and the one that is written.
+    lengths: [Option<u32>; 2],
+    /// The length must be written again.
+    is_length_due: bool,
+}
+
+impl ActiveState {
+    fn of(program: &PostedProgram) -> ActiveState {
+        ActiveState {
+            units: program.start.units,
+            feed_mode: program.start.feed_mode,
+            work: program.start.work,
+            path_mode: None,
+            coolant: Coolant::default(),
+            spindle: (SpindleState::Off, 0.0),
+            lengths: [None; 2],
+            is_length_due: false,
+        }
+    }
+}
+
+struct RunWriter<'a> {
+    emitter: CommandEmitter<'a>,
+    control: &'a Control,
+    program: &'a PostedProgram,
+    options: &'a WriterOptions,
+    written: WrittenProgram,
+    step: usize,
+    /// Where the tool is.
+    place: Position,
+    modes: ActiveState,
+    cycle: Option<WrittenCycle>,
+    /// The place before a rapid to a hole that its cycle makes.
+    approach: Option<Position>,
+}
+
+impl RunWriter<'_> {
+    fn take_lines(&mut self, step: Option<usize>) {
+        let lines = std::mem::take(&mut self.emitter.lines);
+        self.written.lines.extend(lines.into_iter().map(|text| WrittenLine { text, step }));
+    }
+
+    fn frame_line(&mut self, text: String) {
+        self.written.lines.push(WrittenLine { text, step: None });
+    }
+
+    fn note(&mut self, words: &str, reason: &str) {
+        let (words, reason) = (words.to_string(), reason.to_string());
+        self.written.notes.push(WriterNote { step: self.step, words, reason });
+    }
+
+    /// Whether the text has a tape: its number stands there.
+    fn number(&self) -> Option<u32> {
+        let numbers = self.control.table.program_numbers;
+        let own = self.program.number.filter(|number| (1..=numbers.largest).contains(number));
+        match numbers.required {
+            true => Some(own.unwrap_or(1)),
+            false => own,
+        }
+    }
+
+    fn begin(&mut self) {
+        if let Some(number) = self.number() {
+            self.frame_line("%".into());
+            self.frame_line(program_name(number, self.control));
+        }
+        let own = self.number().map(|number| program_name(number, self.control));
+        if let Some(name) = self.program.name.as_ref().filter(|name| own.as_ref() != Some(name)) {
+            self.frame_line(format!("({name})"));
+        }
+        let start = self.program.start;
+        let actions = [
+            Action::from(start.units),
+            Action::from(start.plane),
+            Action::Reading(ReadingCode::Absolute),
+            Action::Mode(ModeCode::CompensationOff),
+            Action::Mode(ModeCode::CancelCycle),
+            Action::from(start.feed_mode),
+        ];
+        let names =
+            actions.into_iter().filter_map(|action| codes::name(action, self.control, STYLE));
+        let mut words: Vec<String> = names.collect();
+        let work = u16::try_from(start.work).ok().and_then(WorkName::of_ordinal);
+        words.extend(work.and_then(|name| codes::work_offset(name, self.control, STYLE)));
+        self.frame_line(words.join(" "));
+    }
+
+    fn finish(&mut self) {
+        self.emitter.finish();
+        self.take_lines(None);
+        if self.number().is_some() {
+            self.frame_line("%".into());
+        }
+    }
+
+    fn one(&mut self, step: &PostedStep) -> Result<(), String> {
+        match &step.kind {
+            PostedKind::Hole(hole) => self.hole(hole),
+            PostedKind::MachineMove { place, axes } => {
+                self.end_cycle()?;
+                if axes.has(TOOL_AXIS) {
+                    self.modes.is_length_due = self.modes.lengths[0].is_some();
+                }
+                self.emitter.machine_rapid(place, *axes)
+            }
+            PostedKind::Command(command) => self.command(command),
+        }
+    }
+
+    fn end_cycle(&mut self) -> Result<(), String> {
+        match self.cycle.take() {
+            Some(_) => self.emitter.end_cycle(),
+            None => Ok(()),
+        }
+    }
+
+    fn command(&mut self, command: &CommandKind) -> Result<(), String> {
+        if let Some(motion) = command.motion() {
+            if self.waits_for_hole(command) {
+                self.approach = Some(motion.from);
+                self.place = motion.to;
+                return Ok(());
+            }
+            self.end_cycle()?;
+            if motion.from[TOOL_AXIS] != motion.to[TOOL_AXIS] {
+                self.write_length()?;
+            }
+            self.place = motion.to;
+            return self.emitter.step(command);
+        }
+        if matches!(
+            command,
+            CommandKind::Idle | CommandKind::FeedRate { .. } | CommandKind::Message(_)
+        ) {
+            return Ok(());
+        }
+        self.end_cycle()?;
+        self.mode(command)
+    }
+
+    /// A command that does not move.
+    fn mode(&mut self, command: &CommandKind) -> Result<(), String> {
+        let modes = &mut self.modes;
+        let is_new = match command {
+            CommandKind::Units(units) => std::mem::replace(&mut modes.units, *units) != *units,
+            CommandKind::FeedMode(mode) => std::mem::replace(&mut modes.feed_mode, *mode) != *mode,
+            CommandKind::PathMode(mode) => modes.path_mode.replace(*mode) != Some(*mode),
+            CommandKind::WorkOffset { name, turned, .. } => {
+                if *turned != 0.0 {
+                    return Err("a work coordinate system that is rotated".into());
+                }
+                std::mem::replace(&mut modes.work, name.ordinal()) != name.ordinal()
+            }
+            CommandKind::Spindle { state, rpm } => {
+                std::mem::replace(&mut modes.spindle, (*state, *rpm)) != (*state, *rpm)
+            }
+            CommandKind::ToolLength { number, is_subtracted, offset, .. } => {
+                let is_own = number.is_none() && offset.iter().any(|value| *value != 0.0);
+                if *is_subtracted || is_own {
+                    return Err(
+                        "a tool length that is subtracted, or that the program gives itself".into(),
+                    );
+                }
+                modes.lengths[0] = *number;
+                // It is written with the next move along the tool.
+                false
+            }
+            CommandKind::Dwell { seconds, .. } => *seconds > 0.0,
+            CommandKind::Coolant(coolant) => return self.coolant(*coolant),
+            CommandKind::Tool { .. } => return self.change_tool(command),
+            CommandKind::Effect(effect) => return effect_refusal(effect),
+            CommandKind::Output { .. } => return Err("text that the program prints".into()),
+            _ => true,
+        };
+        if is_new { self.emitter.step(command) } else { Ok(()) }
+    }
+
+    fn change_tool(&mut self, command: &CommandKind) -> Result<(), String> {
+        self.modes.is_length_due = self.modes.lengths[0].is_some();
+        self.emitter.step(command)?;
+        let (state, rpm) = self.modes.spindle;
+        let stops = self.control.parameters.rules.spindle_stops_at_tool_change;
+        if stops && matches!(state, SpindleState::Cw | SpindleState::Ccw) {
+            return self.emitter.step(&CommandKind::Spindle { state, rpm });
+        }
+        Ok(())
+    }
+
+    /// Codes of coolant open valves: what is to be closed alone is closed with all others first.
+    fn coolant(&mut self, coolant: Coolant) -> Result<(), String> {
+        let before = std::mem::replace(&mut self.modes.coolant, coolant);
+        let closes = before.mist && !coolant.mist
+            || before.flood && !coolant.flood
+            || before.through_tool && !coolant.through_tool;
+        if closes && coolant != Coolant::default() {
+            self.emitter.step(&CommandKind::Coolant(Coolant::default()))?;
+        }
+        self.emitter.step(&CommandKind::Coolant(coolant))
+    }
+
+    /// The tool length, where another one is written.
+    fn write_length(&mut self) -> Result<(), String> {
+        let [wanted, written] = self.modes.lengths;
+        if wanted == written && !self.modes.is_length_due {
+            return Ok(());
+        }
+        self.modes.lengths = [wanted; 2];
+        self.modes.is_length_due = false;
+        self.emitter.step(&CommandKind::ToolLength {
+            number: wanted,
+            length_mm: None,
+            is_subtracted: false,
+            offset: [0.0; AXES],
+            known: AxisMask::NONE,
+        })
+    }
+
+    /// The hole after this step, where a cycle makes it.
+    fn next_hole(&self) -> Option<&DrilledHole> {
+        let next = self.step + 1;
+        let PostedKind::Hole(hole) = &self.program.steps.get(next)?.kind else { return None };
+        self.is_kept(hole, next).then_some(hole)
+    }
+
+    fn is_kept(&self, hole: &DrilledHole, at: usize) -> bool {
+        let [wanted, written] = self.modes.lengths;
+        let has_length = wanted == written && !self.modes.is_length_due;
+        let goes_on = self.cycle.as_ref().is_some_and(|cycle| cycle.goes_on(hole));
+        has_length
+            && !self.options.written_out.contains(&at)
+            && (goes_on || self.emitter.cycle_of(hole).is_some())
+    }
+
+    /// A rapid in the plane to a hole whose cycle makes it.
+    fn waits_for_hole(&self, command: &CommandKind) -> bool {
+        let CommandKind::Rapid { motion, .. } = command else { return false };
+        let is_in_plane = (TOOL_AXIS..AXES).all(|axis| motion.from[axis] == motion.to[axis]);
+        is_in_plane && self.next_hole().is_some()
+    }
+
+    fn hole(&mut self, hole: &DrilledHole) -> Result<(), String> {
+        let approach = self.approach.take();
+        if !self.is_kept(hole, self.step) {
+            self.end_cycle()?;
+            self.note("", "a hole that is written out as moves: no cycle has the same steps");
+            for command in &hole.written_out {
+                self.command(command)?;
+            }
+            return Ok(());
+        }
+        let from = approach.unwrap_or(self.place);
+        match &self.cycle {
+            Some(cycle) if cycle.goes_on(hole) => self.emitter.next_hole(&from, &self.place),
+            _ => {
+                self.end_cycle()?;
+                let cycle = self.emitter.cycle_of(hole).ok_or("no cycle for this hole")?;
+                self.emitter.begin_cycle(&cycle, &self.place)?;
+                self.cycle = Some(cycle);
+                let words = self.emitter.lines.last().cloned().unwrap_or_default();
+                self.note(&words, "the cycle with the same steps");
+            }
+        }
+        self.place[TOOL_AXIS] = hole.retract_mm;
+        Ok(())
+    }
+}
+
+/// Why an effect has no words here.
+fn effect_refusal(effect: &Effect) -> Result<(), String> {
+    match effect {
+        Effect::Code(_) | Effect::Variable { .. } => Ok(()),
+        Effect::Written { name, .. } => {
+            Err(format!("a value that the control keeps is written ({name})"))
+        }
+        Effect::Alarm { .. } => Err("the program stops itself with an alarm".into()),
+        Effect::Deletable { .. } => Err("a block that block delete may leave out".into()),
+    }
+}
