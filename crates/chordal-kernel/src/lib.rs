@@ -54,8 +54,8 @@ pub use language::{
     DrilledHole, EndReason, EvidenceStrength, FoundSign, HoleForm, HoleMotion, InterruptCheck,
     Outcome, PostedKind, PostedProgram, PostedStep, ProgramName, ProgramPlace, ProgramSet,
     ProgramWriter, ProgrammingLanguage, Recognition, RunOptions, SettingError, ShopAnswer,
-    ShopCall, ShopCodes, ShopRecord, StartingModes, TextSymbol, Token, TokenClass, WordCompletion,
-    WriterNote, WriterOptions, WrittenLine, WrittenProgram, are_same_motions,
+    ShopCall, ShopCodes, ShopRecord, StartingModes, TappedHole, TextSymbol, Token, TokenClass,
+    WordCompletion, WriterNote, WriterOptions, WrittenLine, WrittenProgram, are_same_motions,
 };
 pub use modal::{Modal, MotionMode};
 pub use motion::{ArcWords, MisfitArc, SpiralWords, is_over};

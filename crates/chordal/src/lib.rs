@@ -31,8 +31,8 @@ pub mod control {
         Outcome, PostedKind, PostedProgram, PostedStep, ProgramName, ProgramPlace, ProgramSet,
         ProgramWriter, ProgrammingLanguage, Recognition, RunOptions, RunSink, SettingError,
         ShopAnswer, ShopCall, ShopCodes, ShopRecord, SplineForm, StartingModes, StateItem,
-        StateValue, TextSymbol, Token, TokenClass, ToolValue, TurnPass, WordCompletion, WriterNote,
-        WriterOptions, WrittenLine, WrittenProgram,
+        StateValue, TappedHole, TextSymbol, Token, TokenClass, ToolValue, TurnPass, WordCompletion,
+        WriterNote, WriterOptions, WrittenLine, WrittenProgram,
     };
 
     pub use crate::languages::{

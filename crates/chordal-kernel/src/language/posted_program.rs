@@ -1,6 +1,6 @@
 //! A program as what its run does: the form in which a program goes from one language to another.
 
-use chordal_command::{AxisMask, CommandKind, Feed, FeedMode, Position, Units};
+use chordal_command::{AxisMask, CommandKind, Feed, FeedMode, Position, SpindleState, Units};
 use chordal_geometry::Plane;
 
 /// What a program does, in order, in no language. Positions are those of the work coordinate system: shifts and frames of
@@ -54,6 +54,46 @@ pub enum PostedKind {
     },
     /// A hole below the tool.
     Hole(DrilledHole),
+    /// A thread below the tool.
+    Tap(TappedHole),
+}
+
+/// A thread that a tapping cycle cuts along the normal of the plane, in and out at one lead.
+#[derive(Clone, PartialEq, Debug)]
+pub struct TappedHole {
+    /// The plane.
+    pub plane: Plane,
+    /// Where the tap begins and ends.
+    pub start: Position,
+    /// The bottom, mm along the normal.
+    pub bottom_mm: f64,
+    /// The feed.
+    pub feed: Feed,
+    /// How much faster than in it goes out; the spindle with it.
+    pub out_factor: f64,
+    /// The thread is left-handed.
+    pub is_left: bool,
+    /// The dwell at the bottom, s.
+    pub dwell_s: f64,
+    /// The spindle before it and after it.
+    pub spindle: [SpindleState; 2],
+}
+
+impl TappedHole {
+    /// The speed of the spindle, rev/min.
+    pub fn rpm(&self) -> f64 {
+        self.feed.spindle_rev_per_s * 60.0
+    }
+
+    /// The lead of the thread, mm; `None` where nothing gives it.
+    pub fn lead_mm(&self) -> Option<f64> {
+        let lead = match self.feed.mode {
+            FeedMode::PerRevolution => self.feed.value,
+            FeedMode::PerTime => self.feed.value / self.feed.spindle_rev_per_s,
+            FeedMode::InverseTime => return None,
+        };
+        (lead.is_finite() && lead > 0.0).then_some(lead)
+    }
 }
 
 /// A hole drilled by a cycle, along the normal of the plane.

@@ -47,8 +47,21 @@ pub(super) struct BlockWriter<'a> {
     pub path_mode: Option<PathMode>,
     /// The cycle of the active MCALL.
     pub modal_call: Option<String>,
-    /// Words of the next block that moves.
-    pub pending: Vec<String>,
+    /// Words of the next block that moves, one of each group.
+    pending: Vec<(WordGroup, String)>,
+}
+
+/// What a word that waits for a move is about: a later one takes its place.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum WordGroup {
+    Plane,
+    FeedMode,
+    PathMode,
+    Work,
+    Side,
+    Corner,
+    Feed,
+    Edge,
 }
 
 impl<'a> BlockWriter<'a> {
@@ -113,9 +126,14 @@ impl<'a> BlockWriter<'a> {
     /// Writes the words that wait for a move as a block.
     pub fn flush(&mut self) {
         if !self.pending.is_empty() {
-            let words = std::mem::take(&mut self.pending);
+            let words = self.take_pending();
             self.line(words.join(" "));
         }
+    }
+
+    /// The words that wait for a move.
+    pub fn take_pending(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.pending).into_iter().map(|(_, word)| word).collect()
     }
 
     /// A block without a move: what waits for a move comes before it.
@@ -125,8 +143,12 @@ impl<'a> BlockWriter<'a> {
     }
 
     /// A word of the next block that moves.
-    pub fn wait(&mut self, word: impl Into<String>) {
-        self.pending.push(word.into());
+    pub fn wait(&mut self, group: WordGroup, word: impl Into<String>) {
+        let word = word.into();
+        match self.pending.iter_mut().find(|(own, _)| *own == group) {
+            Some((_, waiting)) => *waiting = word,
+            None => self.pending.push((group, word)),
+        }
     }
 
     /// Says what became of the step.

@@ -1,11 +1,11 @@
 //! Drilling cycles: kept where they make the same moves as the hole.
 
-use chordal_command::CommandKind;
+use chordal_command::{CommandKind, SpindleState};
 use chordal_kernel::{
-    DrilledHole, HoleForm, HoleMotion, PostedKind, PostedProgram, are_same_motions,
+    DrilledHole, HoleForm, HoleMotion, PostedKind, PostedProgram, TappedHole, are_same_motions,
 };
 
-use super::block_writer::BlockWriter;
+use super::block_writer::{BlockWriter, WordGroup};
 use super::words::plain;
 use crate::cycles::{CycleArguments, HoleContext, HoleStep, drilling_moves};
 
@@ -57,8 +57,7 @@ impl BlockWriter<'_> {
             self.alone(format!("MCALL {text}"));
             self.modal_call = Some(text);
         }
-        let feed = self.cycle_feed(&hole.feed);
-        self.pending.extend(feed);
+        self.wait_for_feed(hole);
         self.edge_of_hole();
     }
 
@@ -72,14 +71,13 @@ impl BlockWriter<'_> {
         let after_move = at.checked_sub(1).and_then(|before| program.steps.get(before));
         let is_after_move = after_move.is_some_and(|step| match &step.kind {
             PostedKind::Command(command) => command.motion().is_some(),
-            PostedKind::MachineMove { .. } | PostedKind::Hole(_) => false,
+            PostedKind::MachineMove { .. } | PostedKind::Hole(_) | PostedKind::Tap(_) => false,
         });
         if let Some(words) = self.kept_cycle(hole, at) {
             let text = words.text();
             if !(is_after_move && self.modal_call.as_ref() == Some(&text)) {
                 self.end_modal_call();
-                let feed = self.cycle_feed(&hole.feed);
-                self.pending.extend(feed);
+                self.wait_for_feed(hole);
                 self.edge_of_hole();
                 self.alone(text.clone());
             }
@@ -94,12 +92,59 @@ impl BlockWriter<'_> {
         Ok(())
     }
 
+    /// A thread: CYCLE84, which leads the tap in step with the spindle.
+    pub fn tap(&mut self, tap: &TappedHole) -> Result<(), String> {
+        self.end_modal_call();
+        if self.edge.wanted != Some(self.tool) || self.tool == 0 {
+            return Err("a tap without the length of its tool: CYCLE84 needs D".into());
+        }
+        if tap.plane != self.plane {
+            return Err("a tap that is not along the normal of the plane".into());
+        }
+        let lead = tap.lead_mm().ok_or("a tap without a lead")?;
+        let (_, _, normal) = tap.plane.axes();
+        let unit = self.lengths.units.mm();
+        let level = |mm: f64| self.lengths.rounded(mm) / unit;
+        let (start, bottom) = (level(tap.start[normal]), level(tap.bottom_mm));
+        let after = match tap.spindle[1] {
+            SpindleState::Cw => 3.0,
+            SpindleState::Ccw => 4.0,
+            SpindleState::Off | SpindleState::Oriented => 5.0,
+        };
+        let hand = if tap.is_left { -1.0 } else { 1.0 };
+        let more = [
+            (tap.dwell_s > 0.0).then_some(tap.dwell_s),
+            Some(after),
+            None,
+            Some(hand * lead / unit),
+            Some(0.0),
+            Some(tap.rpm()),
+            (tap.out_factor != 1.0).then_some(tap.rpm() * tap.out_factor),
+        ];
+        let words = CycleWords::new("CYCLE84", [start, start, bottom], &more).text();
+        self.edge_of_hole();
+        self.alone(words.clone());
+        self.spindle.0 = tap.spindle[1];
+        self.note(
+            words,
+            "the tap in step with the spindle: it needs a spindle in position control",
+        );
+        Ok(())
+    }
+
+    /// F of a hole, where another one is active.
+    fn wait_for_feed(&mut self, hole: &DrilledHole) {
+        if let Some(word) = self.cycle_feed(&hole.feed) {
+            self.wait(WordGroup::Feed, word);
+        }
+    }
+
     /// The edge before a hole, whose moves go along the tool. A kept cycle has a length of this control.
     fn edge_of_hole(&mut self) {
         if self.edge.is_due
             && let Ok(word) = self.set_edge()
         {
-            self.pending.extend(word.map(String::from));
+            word.into_iter().for_each(|word| self.wait(WordGroup::Edge, word));
         }
     }
 

@@ -53,6 +53,7 @@ impl ProgramWriter for PartProgramWriter {
 fn step(writer: &mut BlockWriter<'_>, program: &PostedProgram, at: usize) -> Result<(), String> {
     match &program.steps[at].kind {
         PostedKind::Hole(hole) => writer.hole(program, at, hole),
+        PostedKind::Tap(tap) => writer.tap(tap),
         PostedKind::MachineMove { place, axes } => {
             writer.end_modal_call();
             writer.machine_move(place, *axes);

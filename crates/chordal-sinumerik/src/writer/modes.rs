@@ -5,7 +5,9 @@ use chordal_command::{
 };
 use chordal_geometry::Plane;
 
-use super::block_writer::{BlockWriter, feed_mode_code, plane_code, units_code, work_code};
+use super::block_writer::{
+    BlockWriter, WordGroup, feed_mode_code, plane_code, units_code, work_code,
+};
 use super::words::{seconds, significant};
 
 /// The largest number of a settable frame: G599.
@@ -150,25 +152,27 @@ impl BlockWriter<'_> {
         self.side = side;
         let code = match side {
             CompensationSide::Off => {
-                self.wait("G40");
+                self.wait(WordGroup::Side, "G40");
                 return Ok(());
             }
             CompensationSide::Left => "G41",
             CompensationSide::Right => "G42",
         };
-        if number.is_some_and(|number| number != self.tool) {
+        let Some(number) = number else {
+            return Err("a radius that is no offset of the tool table".into());
+        };
+        if number != self.tool {
             return Err(format!(
-                "the radius of offset {} with tool {}: an edge belongs to its tool",
-                number.unwrap_or(0),
+                "the radius of offset {number} with tool {}: an edge belongs to its tool",
                 self.tool
             ));
         }
         if !self.edge.is_on {
             self.edge.is_on = true;
-            self.wait("D1");
+            self.wait(WordGroup::Edge, "D1");
         }
-        self.wait(code);
-        self.wait("G450");
+        self.wait(WordGroup::Side, code);
+        self.wait(WordGroup::Corner, "G450");
         Ok(())
     }
 
@@ -221,7 +225,7 @@ impl BlockWriter<'_> {
         self.plane = plane;
         self.end_modal_call();
         let code = plane_code(plane);
-        self.wait(code);
+        self.wait(WordGroup::Plane, code);
         if plane != Plane::Xy && self.edge.is_on {
             self.note(
                 code,
@@ -234,7 +238,7 @@ impl BlockWriter<'_> {
         if self.feed_mode != mode {
             self.feed_mode = mode;
             self.feed = None;
-            self.wait(feed_mode_code(mode));
+            self.wait(WordGroup::FeedMode, feed_mode_code(mode));
         }
     }
 
@@ -243,14 +247,14 @@ impl BlockWriter<'_> {
             return;
         }
         match mode {
-            PathMode::ExactStop => self.wait("G60"),
+            PathMode::ExactStop => self.wait(WordGroup::PathMode, "G60"),
             // The control has no exact path without a stop: G64 leaves the path as it is programmed.
             PathMode::ExactPath | PathMode::Continuous { tolerance_mm: None, .. } => {
-                self.wait("G64");
+                self.wait(WordGroup::PathMode, "G64");
             }
             PathMode::Continuous { tolerance_mm: Some(tolerance), .. } => {
                 let distance = self.lengths.text(tolerance);
-                self.wait(format!("G641 ADIS={distance}"));
+                self.wait(WordGroup::PathMode, format!("G641 ADIS={distance}"));
             }
         }
     }
@@ -264,7 +268,7 @@ impl BlockWriter<'_> {
         }
         if self.work != ordinal {
             self.work = ordinal;
-            self.wait(work_code(ordinal));
+            self.wait(WordGroup::Work, work_code(ordinal));
         }
         Ok(())
     }

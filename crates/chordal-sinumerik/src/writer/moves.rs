@@ -50,7 +50,7 @@ impl BlockWriter<'_> {
         }
         self.check_rotary_feed(motion, feed)?;
         let edge = self.edge_of(motion)?;
-        let mut words = std::mem::take(&mut self.pending);
+        let mut words = self.take_pending();
         if self.motion != Some(code) {
             words.push(motion_code(code).to_string());
             self.motion = Some(code);
@@ -80,7 +80,7 @@ impl BlockWriter<'_> {
             return Err(format!("an arc of {turns} turns: TURN is {MAX_TURNS} at most"));
         }
         let edge = self.edge_of(motion)?;
-        let mut words = std::mem::take(&mut self.pending);
+        let mut words = self.take_pending();
         words.push(if shape.sweep < 0.0 { "G2" } else { "G3" }.to_string());
         words.extend(self.axis_words(motion));
         for (axis, center) in [a, b].into_iter().zip(shape.center) {

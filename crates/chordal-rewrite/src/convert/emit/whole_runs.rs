@@ -1,12 +1,15 @@
 //! Programs that are written from their run alone.
 
 use chordal::CommandKind;
-use chordal::control::{Action, AxisMask, Control, MotionCode, OnceCode, Position, StartingModes};
+use chordal::control::{
+    Action, AxisMask, Control, MotionCode, OnceCode, Position, StartingModes, TappedHole, WorkName,
+};
 use chordal::machine::AXIS_LETTERS;
 
 use super::lathe::LatheModes;
 use super::{CommandEmitter, EmitRefusal};
 use crate::convert::numbers;
+use crate::convert::tap::TappedThread;
 use crate::source::WordStyle;
 
 impl<'a> CommandEmitter<'a> {
@@ -40,6 +43,16 @@ impl<'a> CommandEmitter<'a> {
     /// Writes one command. Words that belong to the next move wait for it.
     pub(in crate::convert) fn step(&mut self, command: &CommandKind) -> Result<(), EmitRefusal> {
         self.command(command)
+    }
+
+    /// Chooses a work offset with the next move.
+    pub(in crate::convert) fn work_system(&mut self, name: WorkName) -> Result<(), EmitRefusal> {
+        self.work_offset(name)
+    }
+
+    /// A tap where the tool stands.
+    pub(in crate::convert) fn tapped_hole(&mut self, hole: &TappedHole) -> Result<(), EmitRefusal> {
+        self.tap(&TappedThread::of_hole(hole))
     }
 
     /// A rapid of some axes in machine coordinates (G53).

@@ -1,53 +1,62 @@
 //! The holes of drilling cycles among the commands of a run.
 
-use chordal::control::{DrilledHole, HoleMotion, PostedKind, PostedStep};
+use chordal::control::{DrilledHole, HoleMotion, PostedKind, PostedStep, SpindleState};
 use chordal::geometry::Plane;
 use chordal::{Command, CommandKind};
 
-use super::places::PlacedCommand;
+use super::places::{PlacedCommand, UnplacedCommand};
+use super::taps;
 
-/// The steps of a program, each with the index of its first command: the commands, with those that drill a hole as one
-/// step.
+/// The steps of a program, each with the index of its first command: the commands, with those that drill or tap a hole as
+/// one step.
 pub(super) fn steps_with_holes(
     placed: &[PlacedCommand],
     commands: &[Command],
-) -> Vec<(PostedStep, usize)> {
+) -> Result<Vec<(PostedStep, usize)>, UnplacedCommand> {
     let mut steps = Vec::new();
-    let mut plane = Plane::Xy;
+    let (mut plane, mut spindle) = (Plane::Xy, SpindleState::Off);
     let mut at = 0;
     while let Some(one) = placed.get(at) {
-        let origin = &commands[one.index].origin;
-        if let PostedKind::Command(CommandKind::Plane(now)) = one.kind {
-            plane = now;
+        let group = block_length(&placed[at..], commands);
+        if let Some(tap) = taps::tap_of(&placed[at..at + group], plane, spindle) {
+            let tap = tap.map_err(|reason| UnplacedCommand { index: one.index, reason })?;
+            spindle = tap.hole.spindle[1];
+            let line = commands[one.index].origin.line;
+            steps.push((PostedStep { kind: PostedKind::Tap(tap.hole), line }, one.index));
+            at += tap.length;
+            continue;
         }
-        let length = hole_length(&placed[at..], commands, plane);
+        match one.kind {
+            PostedKind::Command(CommandKind::Plane(now)) => plane = now,
+            PostedKind::Command(CommandKind::Spindle { state, .. }) => spindle = state,
+            _ => {}
+        }
+        let length = hole_length(&placed[at..at + group], plane);
         let hole = drilled_hole(&placed[at..at + length], plane);
-        let kind = match hole {
-            Some(hole) => {
-                at += length;
-                PostedKind::Hole(hole)
-            }
-            None => {
-                at += 1;
-                one.kind.clone()
-            }
+        let (kind, length) = match hole {
+            Some(hole) => (PostedKind::Hole(hole), length),
+            None => (one.kind.clone(), 1),
         };
-        steps.push((PostedStep { kind, line: origin.line }, one.index));
+        at += length;
+        steps.push((PostedStep { kind, line: commands[one.index].origin.line }, one.index));
     }
-    steps
+    Ok(steps)
 }
 
-/// How many commands from here on drill along the normal of the plane in one block; 0 where none does.
-fn hole_length(placed: &[PlacedCommand], commands: &[Command], plane: Plane) -> usize {
+/// How many commands from here on a cycle of one block makes; 0 where none does.
+fn block_length(placed: &[PlacedCommand], commands: &[Command]) -> usize {
     let Some(first) = placed.first() else { return 0 };
     let span = commands[first.index].origin.span;
-    let is_of_hole = |one: &&PlacedCommand| {
+    let is_of_block = |one: &&PlacedCommand| {
         let origin = &commands[one.index].origin;
-        origin.cycle && origin.span == span && is_along_normal(&one.kind, plane)
+        origin.cycle && origin.span == span
     };
-    let length = placed.iter().take_while(is_of_hole).count();
-    // Holes of one block at the same place: each ends with a rapid before the next begins with a feed from the start.
-    length
+    placed.iter().take_while(is_of_block).count()
+}
+
+/// How many of the commands of a cycle go along the normal of the plane.
+fn hole_length(placed: &[PlacedCommand], plane: Plane) -> usize {
+    placed.iter().take_while(|one| is_along_normal(&one.kind, plane)).count()
 }
 
 fn is_along_normal(kind: &PostedKind, plane: Plane) -> bool {
@@ -67,7 +76,7 @@ fn drilled_hole(placed: &[PlacedCommand], plane: Plane) -> Option<DrilledHole> {
     let (_, _, normal) = plane.axes();
     let command = |one: &PlacedCommand| match &one.kind {
         PostedKind::Command(command) => Some(command.clone()),
-        PostedKind::MachineMove { .. } | PostedKind::Hole(_) => None,
+        PostedKind::MachineMove { .. } | PostedKind::Hole(_) | PostedKind::Tap(_) => None,
     };
     let written_out: Vec<CommandKind> = placed.iter().map(command).collect::<Option<_>>()?;
     let motion = |command: &CommandKind| match command {

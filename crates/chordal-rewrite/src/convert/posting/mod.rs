@@ -12,6 +12,7 @@ mod places;
 mod recorded;
 mod remarks;
 mod tables;
+mod taps;
 mod word_writer;
 
 use std::collections::BTreeSet;
@@ -21,15 +22,19 @@ use chordal::control::{
     StartingModes, Units, WriterOptions, WrittenProgram, control_profile,
 };
 use chordal::diagnostics::FileId;
+use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::{Command, CommandKind, Diagnostic, Job, Machine};
 
 use self::assembly::{AssembledText, StepLines, assemble, main_line};
 use self::certificate::{PostedProof, ProofOutcome};
+use self::places::UnplacedCommand;
 use self::recorded::RecordedRun;
 use self::remarks::SourceRemarks;
 use self::tables::{TableSet, UsedNumbers, with_tables_of};
 use self::word_writer::WordAddressWriter;
-use super::{Conversion, ConversionOptions, ConvertRefusal, MAX_ROUNDS, own_problems};
+use super::{
+    Conversion, ConversionOptions, ConvertRefusal, MAX_ROUNDS, other_diameters, own_problems,
+};
 use crate::word_address::other_language;
 use crate::{Certificate, Change};
 
@@ -80,6 +85,9 @@ fn converted(
     let writer = writer_of(empty.configured_control())
         .ok_or_else(|| refusal(other_language(machine.control)))?;
     check_kinds(old, &empty)?;
+    if let Some(differs) = other_diameters(old, &machine) {
+        return Err(vec![differs]);
+    }
     let problems = own_problems(old, options);
     if !problems.is_empty() {
         return Err(problems);
@@ -89,6 +97,7 @@ fn converted(
     let first = RecordedRun::of(old);
     let used = UsedNumbers::of(old, &first.commands);
     let posted = PostedRun::of(old, &used, options)?;
+    check_axes(old, &machine, &posted)?;
     let proof = PostedProof { old, machine: &machine, used: &used, options };
     let rounds = ConversionRounds {
         old,
@@ -123,6 +132,26 @@ fn check_kinds(old: &Job, new: &Job) -> Result<(), Vec<ConvertRefusal>> {
             from.title, to.title
         ))),
         false => Ok(()),
+    }
+}
+
+/// Axes that the program moves and the target does not have.
+fn check_axes(old: &Job, target: &Machine, posted: &PostedRun) -> Result<(), Vec<ConvertRefusal>> {
+    let is_missing = |step: &PostedStep| {
+        let PostedKind::Command(command) = &step.kind else { return None };
+        let motion = command.motion()?;
+        (0..AXES)
+            .find(|axis| target.axes[*axis].is_none() && motion.from[*axis] != motion.to[*axis])
+    };
+    let found = posted.program.steps.iter().zip(&posted.commands);
+    let missing = found.filter_map(|(step, command)| Some((is_missing(step)?, command.origin)));
+    match missing.into_iter().next() {
+        Some((axis, origin)) => {
+            let letter = char::from(AXIS_LETTERS.as_bytes()[axis]);
+            let reason = format!("{} has no {letter} axis", target.name);
+            Err(vec![line_refusal(old, origin.span.file, origin.line, reason)])
+        }
+        None => Ok(()),
     }
 }
 
@@ -185,13 +214,14 @@ impl PostedRun {
         let [one, other] = [RecordedRun::of(&jobs[0]), RecordedRun::of(&jobs[1])];
         let placed =
             places::placed_commands([&jobs[0], &jobs[1]], [&one, &other], options.tolerance_mm);
-        let placed = placed.map_err(|unplaced| {
+        let refuse = |unplaced: UnplacedCommand| {
             let origin = one.commands.get(unplaced.index).map(|command| command.origin);
             let origin = origin.unwrap_or_default();
             vec![line_refusal(old, origin.span.file, origin.line, unplaced.reason)]
-        })?;
+        };
+        let placed = placed.map_err(refuse)?;
         let (steps, first): (Vec<PostedStep>, Vec<usize>) =
-            holes::steps_with_holes(&placed, &one.commands).into_iter().unzip();
+            holes::steps_with_holes(&placed, &one.commands).map_err(refuse)?.into_iter().unzip();
         let commands = first.into_iter().map(|index| one.commands[index].clone()).collect();
         let programs = old.programs();
         let main = programs.iter().find(|program| program.is_main);
@@ -207,7 +237,10 @@ fn starting_modes(old: &Job, steps: &[PostedStep]) -> StartingModes {
     let rules = old.rules();
     let before_moves = steps.iter().map_while(|step| match &step.kind {
         PostedKind::Command(command) if command.motion().is_none() => Some(command),
-        PostedKind::Command(_) | PostedKind::MachineMove { .. } | PostedKind::Hole(_) => None,
+        PostedKind::Command(_)
+        | PostedKind::MachineMove { .. }
+        | PostedKind::Hole(_)
+        | PostedKind::Tap(_) => None,
     });
     let units = before_moves.filter_map(|command| match command {
         CommandKind::Units(units) => Some(*units),

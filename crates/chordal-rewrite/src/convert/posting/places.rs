@@ -97,6 +97,7 @@ pub(super) fn placed_commands(
 ) -> Result<Vec<PlacedCommand>, UnplacedCommand> {
     let mut offsets = jobs.map(OffsetTracker::new);
     let mut placed = Vec::new();
+    let mut has_cut = false;
     let [one, other] = runs.map(|run| run.commands.as_slice());
     for (index, command) in one.iter().enumerate() {
         let refuse = |reason: &str| UnplacedCommand { index, reason: reason.into() };
@@ -117,9 +118,14 @@ pub(super) fn placed_commands(
                 placed.extend(kinds.map(|kind| PlacedCommand { kind, index }));
             }
             Ok(Some(kind)) => placed.push(PlacedCommand { kind, index }),
+            Ok(None) if !has_cut && command.kind.feed().is_some() => {
+                let kind = shown_in_full(command.kind.clone());
+                placed.push(PlacedCommand { kind: PostedKind::Command(kind), index });
+            }
             Ok(None) => {}
             Err(reason) => return Err(refuse(reason)),
         }
+        has_cut |= command.kind.feed().is_some();
     }
     match other.len() > one.len() {
         true => Err(UnplacedCommand {
@@ -129,6 +135,17 @@ pub(super) fn placed_commands(
         }),
         false => Ok(placed),
     }
+}
+
+/// The first cut of a program, which moves nothing, as one that is written with all its words: the work offset of the first
+/// cut is the frame of the run.
+fn shown_in_full(mut kind: CommandKind) -> CommandKind {
+    if let CommandKind::Line { motion, .. } = &mut kind {
+        for axis in 0..3 {
+            motion.from[axis] = motion.to[axis] + 1.0;
+        }
+    }
+    kind
 }
 
 /// Whether two commands are of one kind and one block.

@@ -117,6 +117,12 @@ pub(super) fn with_tables_of(old: &Job, target: &Machine) -> Machine {
         RapidPath::DogLeg => RapidShape::DogLeg,
         RapidPath::Straight | RapidPath::AtFeed(_) => RapidShape::Straight,
     });
+    // Where a dog-leg bends follows from the speeds of the axes.
+    for (limits, own) in machine.axes.iter_mut().zip(&from.axes) {
+        if let (Some(limits), Some(own)) = (limits, own) {
+            limits.max_velocity = own.max_velocity;
+        }
+    }
     machine.tools = from.tools.clone();
     machine.home = from.home;
     machine.reference_points = from.reference_points;

@@ -2,10 +2,11 @@
 
 use chordal::control::{
     Action, AxisMask, Control, Coolant, DrilledHole, FeedMode, PathMode, PostedKind, PostedProgram,
-    PostedStep, ProgramWriter, SpindleState, Units, WriterNote, WriterOptions, WrittenLine,
-    WrittenProgram,
+    PostedStep, ProgramWriter, SpindleState, TappedHole, Units, WriterNote, WriterOptions,
+    WrittenLine, WrittenProgram,
 };
 use chordal::control::{ModeCode, Position, ReadingCode, WorkName};
+use chordal::geometry::Plane;
 use chordal::machine::AXES;
 use chordal::{CommandKind, Effect};
 
@@ -65,9 +66,10 @@ impl ProgramWriter for WordAddressWriter<'_> {
 /// What is active in the program that is written.
 struct ActiveState {
     units: Units,
-    feed_mode: FeedMode,
-    work: u32,
-    path_mode: Option<PathMode>,
+    /// What the next move needs.
+    wanted: MovingModes,
+    /// What is written.
+    written: MovingModes,
     coolant: Coolant,
     spindle: (SpindleState, f64),
     /// The tool length that the program wants, and the one that is written.
@@ -80,13 +82,34 @@ impl ActiveState {
     fn of(program: &PostedProgram) -> ActiveState {
         ActiveState {
             units: program.start.units,
-            feed_mode: program.start.feed_mode,
-            work: program.start.work,
-            path_mode: None,
+            wanted: MovingModes::of(program),
+            written: MovingModes::of(program),
             coolant: Coolant::default(),
             spindle: (SpindleState::Off, 0.0),
             lengths: [None; 2],
             is_length_due: false,
+        }
+    }
+}
+
+/// Modes that act on moves alone: they are written with the next move, each once.
+#[derive(Clone, Copy)]
+struct MovingModes {
+    plane: Plane,
+    feed_mode: FeedMode,
+    work: WorkName,
+    path_mode: Option<PathMode>,
+}
+
+impl MovingModes {
+    fn of(program: &PostedProgram) -> MovingModes {
+        let start = program.start;
+        let work = u16::try_from(start.work).ok().and_then(WorkName::of_ordinal);
+        MovingModes {
+            plane: start.plane,
+            feed_mode: start.feed_mode,
+            work: work.unwrap_or(WorkName::Machine),
+            path_mode: None,
         }
     }
 }
@@ -168,6 +191,7 @@ impl RunWriter<'_> {
     fn one(&mut self, step: &PostedStep) -> Result<(), String> {
         match &step.kind {
             PostedKind::Hole(hole) => self.hole(hole),
+            PostedKind::Tap(tap) => self.tap(tap),
             PostedKind::MachineMove { place, axes } => {
                 self.end_cycle()?;
                 if axes.has(TOOL_AXIS) {
@@ -176,6 +200,36 @@ impl RunWriter<'_> {
                 self.emitter.machine_rapid(place, *axes)
             }
             PostedKind::Command(command) => self.command(command),
+        }
+    }
+
+    /// A thread, with the spindle turning into it before and as it was after.
+    fn tap(&mut self, tap: &TappedHole) -> Result<(), String> {
+        self.end_cycle()?;
+        if tap.out_factor != 1.0 {
+            return Err("a tap that feeds out at a different speed than in".into());
+        }
+        let (inward, rpm) = match tap.is_left {
+            true => (SpindleState::Ccw, tap.rpm()),
+            false => (SpindleState::Cw, tap.rpm()),
+        };
+        self.mode(&CommandKind::Spindle { state: inward, rpm })?;
+        self.write_modes(true)?;
+        self.write_length()?;
+        self.emitter.tapped_hole(tap)?;
+        let words = self.emitter.lines.iter().rev().nth(1).cloned().unwrap_or_default();
+        self.note(
+            &words,
+            "the tap of this control: look whether it is one in step with the spindle",
+        );
+        match tap.spindle[1] {
+            after if after == inward => Ok(()),
+            state @ (SpindleState::Cw | SpindleState::Ccw) => {
+                self.mode(&CommandKind::Spindle { state, rpm })
+            }
+            SpindleState::Off | SpindleState::Oriented => {
+                self.mode(&CommandKind::Spindle { state: SpindleState::Off, rpm: 0.0 })
+            }
         }
     }
 
@@ -194,6 +248,7 @@ impl RunWriter<'_> {
                 return Ok(());
             }
             self.end_cycle()?;
+            self.write_modes(command.feed().is_some())?;
             if motion.from[TOOL_AXIS] != motion.to[TOOL_AXIS] {
                 self.write_length()?;
             }
@@ -212,16 +267,34 @@ impl RunWriter<'_> {
 
     /// A command that does not move.
     fn mode(&mut self, command: &CommandKind) -> Result<(), String> {
+        if let CommandKind::Units(units) = command {
+            if std::mem::replace(&mut self.modes.units, *units) != *units {
+                self.emitter.step(command)?;
+                // F of a block may be read before its units: they stand alone.
+                self.emitter.finish();
+            }
+            return Ok(());
+        }
         let modes = &mut self.modes;
         let is_new = match command {
-            CommandKind::Units(units) => std::mem::replace(&mut modes.units, *units) != *units,
-            CommandKind::FeedMode(mode) => std::mem::replace(&mut modes.feed_mode, *mode) != *mode,
-            CommandKind::PathMode(mode) => modes.path_mode.replace(*mode) != Some(*mode),
+            CommandKind::Plane(plane) => {
+                modes.wanted.plane = *plane;
+                false
+            }
+            CommandKind::FeedMode(mode) => {
+                modes.wanted.feed_mode = *mode;
+                false
+            }
+            CommandKind::PathMode(mode) => {
+                modes.wanted.path_mode = Some(*mode);
+                false
+            }
             CommandKind::WorkOffset { name, turned, .. } => {
                 if *turned != 0.0 {
                     return Err("a work coordinate system that is rotated".into());
                 }
-                std::mem::replace(&mut modes.work, name.ordinal()) != name.ordinal()
+                modes.wanted.work = *name;
+                false
             }
             CommandKind::Spindle { state, rpm } => {
                 std::mem::replace(&mut modes.spindle, (*state, *rpm)) != (*state, *rpm)
@@ -247,15 +320,32 @@ impl RunWriter<'_> {
         if is_new { self.emitter.step(command) } else { Ok(()) }
     }
 
-    fn change_tool(&mut self, command: &CommandKind) -> Result<(), String> {
-        self.modes.is_length_due = self.modes.lengths[0].is_some();
-        self.emitter.step(command)?;
-        let (state, rpm) = self.modes.spindle;
-        let stops = self.control.parameters.rules.spindle_stops_at_tool_change;
-        if stops && matches!(state, SpindleState::Cw | SpindleState::Ccw) {
-            return self.emitter.step(&CommandKind::Spindle { state, rpm });
+    /// What the next move needs; the feed mode where it cuts.
+    fn write_modes(&mut self, is_cut: bool) -> Result<(), String> {
+        let wanted = self.modes.wanted;
+        let written = &mut self.modes.written;
+        let mut commands = Vec::new();
+        if std::mem::replace(&mut written.plane, wanted.plane) != wanted.plane {
+            commands.push(CommandKind::Plane(wanted.plane));
+        }
+        if std::mem::replace(&mut written.path_mode, wanted.path_mode) != wanted.path_mode {
+            commands.extend(wanted.path_mode.map(CommandKind::PathMode));
+        }
+        if is_cut && std::mem::replace(&mut written.feed_mode, wanted.feed_mode) != wanted.feed_mode
+        {
+            commands.push(CommandKind::FeedMode(wanted.feed_mode));
+        }
+        commands.iter().try_for_each(|command| self.emitter.step(command))?;
+        if self.modes.written.work.ordinal() != wanted.work.ordinal() {
+            self.modes.written.work = wanted.work;
+            self.emitter.work_system(wanted.work)?;
         }
         Ok(())
+    }
+
+    fn change_tool(&mut self, command: &CommandKind) -> Result<(), String> {
+        self.modes.is_length_due = self.modes.lengths[0].is_some();
+        self.emitter.step(command)
     }
 
     /// Codes of coolant open valves: what is to be closed alone is closed with all others first.
@@ -325,6 +415,7 @@ impl RunWriter<'_> {
             Some(cycle) if cycle.goes_on(hole) => self.emitter.next_hole(&from, &self.place),
             _ => {
                 self.end_cycle()?;
+                self.write_modes(true)?;
                 let cycle = self.emitter.cycle_of(hole).ok_or("no cycle for this hole")?;
                 self.emitter.begin_cycle(&cycle, &self.place)?;
                 self.cycle = Some(cycle);
