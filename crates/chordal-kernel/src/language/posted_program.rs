@@ -82,7 +82,8 @@ pub struct TappedHole {
 impl TappedHole {
     /// The speed of the spindle, rev/min.
     pub fn rpm(&self) -> f64 {
-        self.feed.spindle_rev_per_s * 60.0
+        // Without what the way over revolutions per second has left.
+        (self.feed.spindle_rev_per_s * 60.0 / EQUAL).round() * EQUAL
     }
 
     /// The lead of the thread, mm; `None` where nothing gives it.

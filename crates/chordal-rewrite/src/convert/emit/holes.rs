@@ -1,5 +1,6 @@
 //! Holes as canned cycles.
 
+use chordal::control::table::DwellWord;
 use chordal::control::{Action, CycleKind, DrilledHole, FeedMode, HoleForm, ModeCode, Position};
 use chordal::geometry::Plane;
 
@@ -87,8 +88,14 @@ impl CommandEmitter<'_> {
             Some(HoleForm::Drilled { dwell_s } | HoleForm::FedOut { dwell_s, .. })
                 if dwell_s > 0.0 =>
             {
-                let count = dwell_s / self.to.parameters.rules.cycles.dwell_point_s;
-                words.push(format!("P{}", numbers::plain(count, 3, self.style)));
+                let rules = &self.to.parameters.rules.cycles;
+                let word = DwellWord {
+                    letter: b'P',
+                    integer_s: rules.dwell_integer_s,
+                    point_s: rules.dwell_point_s,
+                    takes_point: true,
+                };
+                words.push(numbers::time_word(dwell_s, word));
             }
             Some(HoleForm::Pecked { first_mm, .. }) => {
                 words.push(format!("Q{}", self.length(first_mm)));

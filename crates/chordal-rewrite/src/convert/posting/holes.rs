@@ -32,6 +32,10 @@ pub(super) fn steps_with_holes(
             _ => {}
         }
         let length = hole_length(&placed[at..at + group], plane);
+        // What the spindle does in a hole is no part of a form that languages share.
+        let goes_on =
+            placed[at + length..at + group].first().is_some_and(|next| !moves(&next.kind));
+        let length = if goes_on { 0 } else { length };
         let hole = drilled_hole(&placed[at..at + length], plane);
         let (kind, length) = match hole {
             Some(hole) => (PostedKind::Hole(hole), length),
@@ -57,6 +61,13 @@ fn block_length(placed: &[PlacedCommand], commands: &[Command]) -> usize {
 /// How many of the commands of a cycle go along the normal of the plane.
 fn hole_length(placed: &[PlacedCommand], plane: Plane) -> usize {
     placed.iter().take_while(|one| is_along_normal(&one.kind, plane)).count()
+}
+
+fn moves(kind: &PostedKind) -> bool {
+    match kind {
+        PostedKind::Command(command) => command.motion().is_some(),
+        PostedKind::MachineMove { .. } | PostedKind::Hole(_) | PostedKind::Tap(_) => true,
+    }
 }
 
 fn is_along_normal(kind: &PostedKind, plane: Plane) -> bool {

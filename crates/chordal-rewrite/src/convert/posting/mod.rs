@@ -24,6 +24,7 @@ use chordal::control::{
 use chordal::diagnostics::FileId;
 use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::{Command, CommandKind, Diagnostic, Job, Machine};
+use chordal_compare::ComparisonVerdict;
 
 use self::assembly::{AssembledText, StepLines, assemble, main_line};
 use self::certificate::{PostedProof, ProofOutcome};
@@ -54,7 +55,11 @@ pub(super) fn prove_posted(
 ) -> Option<Certificate> {
     let used = UsedNumbers::of(old, &RecordedRun::of(old).commands);
     let proof = PostedProof { old, machine, used: &used, options };
-    proof.of(&text).map(|outcome| outcome.certificate)
+    let ProofOutcome { mut certificate, other_tool_axis } = proof.of(&text)?;
+    if other_tool_axis.is_some() {
+        certificate.comparison.verdict = ComparisonVerdict::Different;
+    }
+    Some(certificate)
 }
 
 fn refusal(reason: impl Into<String>) -> Vec<ConvertRefusal> {
@@ -98,6 +103,7 @@ fn converted(
     let used = UsedNumbers::of(old, &first.commands);
     let posted = PostedRun::of(old, &used, options)?;
     check_axes(old, &machine, &posted)?;
+    check_tools(old, &posted)?;
     let proof = PostedProof { old, machine: &machine, used: &used, options };
     let rounds = ConversionRounds {
         old,
@@ -133,6 +139,28 @@ fn check_kinds(old: &Job, new: &Job) -> Result<(), Vec<ConvertRefusal>> {
         ))),
         false => Ok(()),
     }
+}
+
+/// A tool that has a name in the program, and no number in the machine file, is tool 0 of the run.
+fn check_tools(old: &Job, posted: &PostedRun) -> Result<(), Vec<ConvertRefusal>> {
+    let mut is_without_number = false;
+    for (step, command) in posted.program.steps.iter().zip(&posted.commands) {
+        let cuts = match &step.kind {
+            PostedKind::Command(CommandKind::Tool { number }) => {
+                is_without_number = *number == 0;
+                false
+            }
+            PostedKind::Command(command) => command.feed().is_some(),
+            PostedKind::Hole(_) | PostedKind::Tap(_) => true,
+            PostedKind::MachineMove { .. } => false,
+        };
+        if is_without_number && cuts {
+            let origin = command.origin;
+            let reason = "the tool that cuts here has no number: a tool with a name needs one with this `description` in [tools] of the machine file";
+            return Err(vec![line_refusal(old, origin.span.file, origin.line, reason)]);
+        }
+    }
+    Ok(())
 }
 
 /// Axes that the program moves and the target does not have.

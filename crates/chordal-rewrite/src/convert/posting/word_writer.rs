@@ -297,7 +297,9 @@ impl RunWriter<'_> {
                 false
             }
             CommandKind::Spindle { state, rpm } => {
-                std::mem::replace(&mut modes.spindle, (*state, *rpm)) != (*state, *rpm)
+                let turns = matches!(state, SpindleState::Cw | SpindleState::Ccw);
+                let now = (*state, if turns { *rpm } else { 0.0 });
+                std::mem::replace(&mut modes.spindle, now) != now
             }
             CommandKind::ToolLength { number, is_subtracted, offset, .. } => {
                 let is_own = number.is_none() && offset.iter().any(|value| *value != 0.0);
