@@ -69,6 +69,8 @@ pub struct TappedHole {
     pub bottom_mm: f64,
     /// The feed.
     pub feed: Feed,
+    /// The speed of the spindle on the way in, rev/min.
+    pub rpm: f64,
     /// How much faster than in it goes out; the spindle with it.
     pub out_factor: f64,
     /// The thread is left-handed.
@@ -80,17 +82,11 @@ pub struct TappedHole {
 }
 
 impl TappedHole {
-    /// The speed of the spindle, rev/min.
-    pub fn rpm(&self) -> f64 {
-        // Without what the way over revolutions per second has left.
-        (self.feed.spindle_rev_per_s * 60.0 / EQUAL).round() * EQUAL
-    }
-
     /// The lead of the thread, mm; `None` where nothing gives it.
     pub fn lead_mm(&self) -> Option<f64> {
         let lead = match self.feed.mode {
             FeedMode::PerRevolution => self.feed.value,
-            FeedMode::PerTime => self.feed.value / self.feed.spindle_rev_per_s,
+            FeedMode::PerTime => self.feed.value * 60.0 / self.rpm,
             FeedMode::InverseTime => return None,
         };
         (lead.is_finite() && lead > 0.0).then_some(lead)

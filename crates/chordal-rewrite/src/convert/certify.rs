@@ -27,8 +27,8 @@ pub(super) struct ProofTerms {
     pub(super) free: FreeCycleLines,
     /// Text that was printed is a comment now.
     pub(super) printed: bool,
-    /// The number of the tool length is compared in another way.
-    pub(super) other_lengths: bool,
+    /// The languages are two: tool lengths are compared in another way, and variables have no counterpart.
+    pub(super) is_other_language: bool,
 }
 
 /// Compares two programs; `commands` are those of the old one.
@@ -38,7 +38,7 @@ pub(super) fn proof(
     options: &ConversionOptions,
     terms: ProofTerms,
 ) -> Certificate {
-    let ProofTerms { free, printed, other_lengths } = terms;
+    let ProofTerms { free, printed, is_other_language } = terms;
     let compensates = commands.iter().any(|command| {
         matches!(command.kind, CommandKind::Compensation { side, .. } if side != CompensationSide::Off)
     });
@@ -59,11 +59,12 @@ pub(super) fn proof(
     let turns = old.profile().turns;
     // Without a tool table each tool is set to the work zero.
     let has_lengths = |job: &Job| job.word_address().is_none_or(codes::has_lengths);
-    let no_lengths = other_lengths || ![old, new].into_iter().all(has_lengths);
+    let no_lengths = is_other_language || ![old, new].into_iter().all(has_lengths);
     let is_expected = |difference: &Difference| {
         is_of_machine(difference, turns)
             || (no_lengths && difference.category == Category::LengthOffset)
             || (printed && difference.category == Category::Output)
+            || (is_other_language && difference.category == Category::Value)
             || follows_the_diameter(difference, &surface)
             || is_left_out(difference, [old, new])
     };

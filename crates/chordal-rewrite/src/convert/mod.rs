@@ -221,7 +221,7 @@ pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conv
                 passes: passes::lines(&context, &plan, &layout),
             },
         };
-        let now = ProofTerms { free, printed, other_lengths: false };
+        let now = ProofTerms { free, printed, is_other_language: false };
         let certificate = proof(&trace.commands, [old, &new], options, now.clone());
         let holds = certificate.holds() && refusals.is_empty();
         let more = !holds

@@ -78,7 +78,7 @@ impl TappedThread {
             kind: if hole.is_left { CycleKind::LeftTap } else { CycleKind::Tap },
             from: [x, y, z],
             depth: hole.bottom_mm,
-            feed: hole.feed,
+            feed: Feed { spindle_rev_per_s: hole.rpm / 60.0, ..hole.feed },
             dwell_s: hole.dwell_s,
         }
     }

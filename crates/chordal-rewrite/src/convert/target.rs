@@ -63,7 +63,7 @@ fn goes_on_after_refusal(machine: &mut Machine, table: &ControlTable) {
 }
 
 /// The name under which the target has a work offset: E7 is G54.1 P1 and G154 P1.
-fn renamed(name: &str, names: WorkNaming) -> String {
+pub(super) fn renamed(name: &str, names: WorkNaming) -> String {
     let number = |text: &str| text.trim().parse::<u32>().ok();
     let ordinal = match name.split_once(" P") {
         Some((code, extended)) => {

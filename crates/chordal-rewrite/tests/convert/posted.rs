@@ -59,6 +59,35 @@ fn programs_of_the_suite() {
     insta::assert_snapshot!(table);
 }
 
+/// The examples for mills with three axes.
+#[test]
+fn examples() {
+    let machines = [
+        ("fadal", "fadal-4020"),
+        ("fanuc", "fanuc-30i"),
+        ("haas", "haas-vf2"),
+        ("linuxcnc", "linuxcnc-mill"),
+        ("mitsubishi", "mitsubishi-m700"),
+    ];
+    let mut table = String::new();
+    let (mut there_holds, mut back_holds, mut all) = (0, 0, 0);
+    for (folder, name) in machines {
+        let folder = format!("examples/{folder}");
+        let programs = names_in(&folder);
+        for program in programs.iter().filter(|name| name.contains(".n")) {
+            let text = text_of(&format!("{folder}/{program}"));
+            let trip = RoundTrip::of(&job(&text, wide(name)));
+            let [there, back] = trip.holds();
+            all += 1;
+            there_holds += usize::from(there);
+            back_holds += usize::from(back);
+            table += &format!("{folder}/{program}\n    {}\n", trip.verdict());
+        }
+    }
+    table += &format!("\n{there_holds} of {all} proved, {back_holds} of them back again\n");
+    insta::assert_snapshot!(table);
+}
+
 /// The part programs of the repository for word-address controls.
 #[test]
 fn part_programs() {

@@ -17,11 +17,11 @@ pub(super) enum WrittenMotion {
 /// The tool length that a program wants, and the edge that is active.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct WrittenEdge {
-    /// The number of the length that is wanted; `None` for none.
-    pub wanted: Option<u32>,
+    /// The number of the length that is desired; `None` for none.
+    pub desired: Option<u32>,
     /// D1 is active; `false` for D0.
     pub is_on: bool,
-    /// The wanted length has not been written since it was programmed.
+    /// The desired length has not been written since it was programmed.
     pub is_due: bool,
 }
 
@@ -127,13 +127,17 @@ impl<'a> BlockWriter<'a> {
     pub fn flush(&mut self) {
         if !self.pending.is_empty() {
             let words = self.take_pending();
-            self.line(words.join(" "));
+            self.line(words.concat().join(" "));
         }
     }
 
-    /// The words that wait for a move.
-    pub fn take_pending(&mut self) -> Vec<String> {
-        std::mem::take(&mut self.pending).into_iter().map(|(_, word)| word).collect()
+    /// The words that wait for a move: those before its own words, and those after them.
+    pub fn take_pending(&mut self) -> [Vec<String>; 2] {
+        let is_last = |group| matches!(group, WordGroup::Feed | WordGroup::Edge);
+        let pending = std::mem::take(&mut self.pending);
+        let (last, first): (Vec<_>, Vec<_>) =
+            pending.into_iter().partition(|(group, _)| is_last(*group));
+        [first, last].map(|words| words.into_iter().map(|(_, word)| word).collect())
     }
 
     /// A block without a move: what waits for a move comes before it.

@@ -95,7 +95,7 @@ impl BlockWriter<'_> {
     /// A thread: CYCLE84, which leads the tap in step with the spindle.
     pub fn tap(&mut self, tap: &TappedHole) -> Result<(), String> {
         self.end_modal_call();
-        if self.edge.wanted != Some(self.tool) || self.tool == 0 {
+        if self.edge.desired != Some(self.tool) || self.tool == 0 {
             return Err("a tap without the length of its tool: CYCLE84 needs D".into());
         }
         if tap.plane != self.plane {
@@ -118,8 +118,8 @@ impl BlockWriter<'_> {
             None,
             Some(hand * lead / unit),
             Some(0.0),
-            Some(tap.rpm()),
-            (tap.out_factor != 1.0).then_some(tap.rpm() * tap.out_factor),
+            Some(tap.rpm),
+            (tap.out_factor != 1.0).then_some(tap.rpm * tap.out_factor),
         ];
         let words = CycleWords::new("CYCLE84", [start, start, bottom], &more).text();
         self.edge_of_hole();
@@ -151,7 +151,7 @@ impl BlockWriter<'_> {
     /// The cycle that makes exactly this hole.
     fn kept_cycle(&self, hole: &DrilledHole, at: usize) -> Option<CycleWords> {
         // Without an edge the control drills no cycle.
-        let has_edge = self.edge.wanted == Some(self.tool) && self.tool > 0;
+        let has_edge = self.edge.desired == Some(self.tool) && self.tool > 0;
         let is_kept = has_edge
             && !self.options.written_out.contains(&at)
             && hole.plane == self.plane

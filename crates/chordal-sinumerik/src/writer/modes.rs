@@ -92,7 +92,14 @@ impl BlockWriter<'_> {
             CommandKind::CornerArc { .. } => Err("a programmed corner arc (G39)".into()),
             CommandKind::Probed { .. } => Err("a probing move".into()),
             CommandKind::Surface { .. } => Err("polar or cylindrical interpolation".into()),
-            CommandKind::Output { .. } => Err("text that the program prints (DPRNT)".into()),
+            CommandKind::Output { text } => {
+                self.alone(format!("; PRINTED: {}", text.trim()));
+                self.note(
+                    "",
+                    "printed text is a comment: this control has no statement for it here",
+                );
+                Ok(())
+            }
             // F stands with its cut, messages are comments, and the rest does nothing.
             CommandKind::FeedRate { .. } | CommandKind::Idle | CommandKind::Message(_) => Ok(()),
         }
@@ -102,7 +109,7 @@ impl BlockWriter<'_> {
         self.tool = number;
         // M6 makes the first edge active (MD20270 = 1).
         self.edge.is_on = number > 0;
-        self.edge.is_due = self.edge.wanted.is_some();
+        self.edge.is_due = self.edge.desired.is_some();
         self.alone(match self.settings.tool_change_by_m6 {
             true => format!("T{number} M6"),
             false => format!("T{number}"),
@@ -135,7 +142,7 @@ impl BlockWriter<'_> {
         if is_own {
             return Err("a tool length that the program gives itself (G43.1)".into());
         }
-        self.edge.wanted = number;
+        self.edge.desired = number;
         self.edge.is_due = true;
         Ok(())
     }
@@ -169,6 +176,7 @@ impl BlockWriter<'_> {
         }
         if !self.edge.is_on {
             self.edge.is_on = true;
+            self.edge.is_due = false;
             self.wait(WordGroup::Edge, "D1");
         }
         self.wait(WordGroup::Side, code);
@@ -294,7 +302,7 @@ impl BlockWriter<'_> {
     /// # Errors
     /// Why the length is none of this control.
     pub fn set_edge(&mut self) -> Result<Option<&'static str>, String> {
-        let word = match self.edge.wanted {
+        let word = match self.edge.desired {
             Some(number) if number != self.tool => {
                 return Err(format!(
                     "length offset {number} with tool {}: an edge belongs to its tool",
@@ -308,7 +316,7 @@ impl BlockWriter<'_> {
             None if self.edge.is_on => Some("D0"),
             Some(_) | None => None,
         };
-        self.edge.is_on = self.edge.wanted.is_some();
+        self.edge.is_on = self.edge.desired.is_some();
         self.edge.is_due = false;
         Ok(word)
     }

@@ -50,7 +50,7 @@ impl BlockWriter<'_> {
         }
         self.check_rotary_feed(motion, feed)?;
         let edge = self.edge_of(motion)?;
-        let mut words = self.take_pending();
+        let [mut words, last] = self.take_pending();
         if self.motion != Some(code) {
             words.push(motion_code(code).to_string());
             self.motion = Some(code);
@@ -59,6 +59,7 @@ impl BlockWriter<'_> {
         if let Some((mode, value)) = feed {
             words.extend(self.feed_word(mode, value));
         }
+        words.extend(last);
         words.extend(edge.map(String::from));
         self.line(words.join(" "));
         Ok(())
@@ -80,7 +81,7 @@ impl BlockWriter<'_> {
             return Err(format!("an arc of {turns} turns: TURN is {MAX_TURNS} at most"));
         }
         let edge = self.edge_of(motion)?;
-        let mut words = self.take_pending();
+        let [mut words, last] = self.take_pending();
         words.push(if shape.sweep < 0.0 { "G2" } else { "G3" }.to_string());
         words.extend(self.axis_words(motion));
         for (axis, center) in [a, b].into_iter().zip(shape.center) {
@@ -92,6 +93,7 @@ impl BlockWriter<'_> {
         }
         let value = self.feed_value(feed) * self.helix_scale(motion, shape, feed);
         words.extend(self.feed_word(feed.mode, value));
+        words.extend(last);
         words.extend(edge.map(String::from));
         self.motion = None;
         self.line(words.join(" "));
@@ -105,7 +107,7 @@ impl BlockWriter<'_> {
             axes.iter().map(|axis| self.axis_word(axis as usize, place[axis as usize])).collect();
         self.motion = Some(WrittenMotion::Rapid);
         self.edge.is_on = false;
-        self.edge.is_due = self.edge.wanted.is_some();
+        self.edge.is_due = self.edge.desired.is_some();
         self.line(format!("SUPA G0 {} D0", words.join(" ")));
     }
 

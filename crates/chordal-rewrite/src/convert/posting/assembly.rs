@@ -66,7 +66,7 @@ pub(super) fn assemble(
         }
         let is_new = own.is_some_and(|own| own > last || is_first) && numbered.insert(own);
         let number = own.filter(|_| is_new).and_then(|line| from.remarks.number(line));
-        let comment = own.filter(|_| is_new).and_then(|line| from.remarks.beside(line));
+        let comment = own.filter(|_| is_new).and_then(|line| from.remarks.at_line_end(line));
         let mut words = number.map_or_else(String::new, |number| format!("N{number} "));
         words.push_str(&line.text);
         if let Some(comment) = comment {

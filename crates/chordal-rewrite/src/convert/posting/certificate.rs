@@ -1,6 +1,6 @@
 //! The proof that a program written from its run does the same.
 
-use chordal::{Job, Machine};
+use chordal::{CommandKind, Job, Machine};
 
 use super::super::ConversionOptions;
 use super::super::certify::{ProofTerms, proof};
@@ -38,7 +38,10 @@ impl PostedProof<'_> {
     fn paths(&self, text: &str) -> Option<Certificate> {
         let [old, new] = self.jobs(text, TableSet::WITHOUT_LENGTHS)?;
         let commands = RecordedRun::of(&old).commands;
-        let terms = ProofTerms { other_lengths: true, ..ProofTerms::default() };
+        // Text that was printed is a comment now.
+        let printed =
+            commands.iter().any(|command| matches!(command.kind, CommandKind::Output { .. }));
+        let terms = ProofTerms { is_other_language: true, printed, ..ProofTerms::default() };
         Some(proof(&commands, [&old, &new], self.options, terms))
     }
 

@@ -14,22 +14,23 @@ pub(super) fn steps_with_holes(
     commands: &[Command],
 ) -> Result<Vec<(PostedStep, usize)>, UnplacedCommand> {
     let mut steps = Vec::new();
-    let (mut plane, mut spindle) = (Plane::Xy, SpindleState::Off);
+    let (mut plane, mut spindle) = (Plane::Xy, (SpindleState::Off, 0.0));
     let mut at = 0;
     while let Some(one) = placed.get(at) {
         let group = block_length(&placed[at..], commands);
         if let Some(tap) = taps::tap_of(&placed[at..at + group], plane, spindle) {
             let tap = tap.map_err(|reason| UnplacedCommand { index: one.index, reason })?;
-            spindle = tap.hole.spindle[1];
+            spindle = tap.spindle;
             let line = commands[one.index].origin.line;
             steps.push((PostedStep { kind: PostedKind::Tap(tap.hole), line }, one.index));
             at += tap.length;
             continue;
         }
-        match one.kind {
-            PostedKind::Command(CommandKind::Plane(now)) => plane = now,
-            PostedKind::Command(CommandKind::Spindle { state, .. }) => spindle = state,
-            _ => {}
+        if let PostedKind::Command(CommandKind::Plane(now)) = one.kind {
+            plane = now;
+        }
+        if let PostedKind::Command(CommandKind::Spindle { state, rpm }) = one.kind {
+            spindle = (state, rpm);
         }
         let length = hole_length(&placed[at..at + group], plane);
         // What the spindle does in a hole is no part of a form that languages share.
@@ -72,14 +73,15 @@ fn moves(kind: &PostedKind) -> bool {
 
 fn is_along_normal(kind: &PostedKind, plane: Plane) -> bool {
     let PostedKind::Command(command) = kind else { return false };
-    match command {
-        CommandKind::Rapid { motion, .. } | CommandKind::Line { motion, .. } => {
-            let (_, _, normal) = plane.axes();
-            (0..motion.to.len()).all(|axis| axis == normal || motion.from[axis] == motion.to[axis])
-        }
-        CommandKind::Dwell { .. } => true,
-        _ => false,
+    if matches!(command, CommandKind::Dwell { .. }) {
+        return true;
     }
+    let (_, _, normal) = plane.axes();
+    let is_straight = matches!(command, CommandKind::Rapid { .. } | CommandKind::Line { .. });
+    let motion = command.motion().filter(|_| is_straight);
+    motion.is_some_and(|motion| {
+        (0..motion.to.len()).all(|axis| axis == normal || motion.from[axis] == motion.to[axis])
+    })
 }
 
 /// The hole of some commands; `None` where they are none that a cycle could make.
@@ -90,19 +92,19 @@ fn drilled_hole(placed: &[PlacedCommand], plane: Plane) -> Option<DrilledHole> {
         PostedKind::MachineMove { .. } | PostedKind::Hole(_) | PostedKind::Tap(_) => None,
     };
     let written_out: Vec<CommandKind> = placed.iter().map(command).collect::<Option<_>>()?;
-    let motion = |command: &CommandKind| match command {
-        CommandKind::Rapid { motion, .. } => Some(HoleMotion::Rapid(motion.to[normal])),
-        CommandKind::Line { motion, feed } => {
-            Some(HoleMotion::Cut { to_mm: motion.to[normal], feed: feed.value })
+    let motion = |command: &CommandKind| {
+        if let CommandKind::Dwell { seconds, .. } = command {
+            return Some(HoleMotion::Dwell(*seconds));
         }
-        CommandKind::Dwell { seconds, .. } => Some(HoleMotion::Dwell(*seconds)),
-        _ => None,
+        let to_mm = command.motion()?.to[normal];
+        Some(match command.feed() {
+            Some(feed) => HoleMotion::Cut { to_mm, feed: feed.value },
+            None => HoleMotion::Rapid(to_mm),
+        })
     };
     let motions: Vec<HoleMotion> = written_out.iter().map(motion).collect::<Option<_>>()?;
-    let first_cut = written_out.iter().find_map(|command| match command {
-        CommandKind::Line { motion, feed } => Some((motion, *feed)),
-        _ => None,
-    });
+    let first_cut =
+        written_out.iter().find_map(|command| Some((command.motion()?, *command.feed()?)));
     let (first, feed) = first_cut?;
     let moves = || written_out.iter().filter_map(CommandKind::motion);
     let start_mm = first.from[normal];

@@ -23,7 +23,7 @@ use chordal::control::{
 };
 use chordal::diagnostics::FileId;
 use chordal::machine::{AXES, AXIS_LETTERS};
-use chordal::{Command, CommandKind, Diagnostic, Job, Machine};
+use chordal::{Command, CommandKind, Diagnostic, Job, Machine, Span};
 use chordal_compare::ComparisonVerdict;
 
 use self::assembly::{AssembledText, StepLines, assemble, main_line};
@@ -226,6 +226,8 @@ struct PostedRun {
     /// The command that each step begins with.
     commands: Vec<Command>,
     carried_out: BTreeSet<u32>,
+    /// The blocks of the main program that call something, in the order of their first run.
+    callers: Vec<Span>,
 }
 
 impl PostedRun {
@@ -256,7 +258,8 @@ impl PostedRun {
         let number = main.and_then(|program| program.number());
         let name = main.and_then(|program| Some(program.name.as_ref()?.to_string()));
         let program = PostedProgram { number, name, start: starting_modes(old, &steps), steps };
-        Ok(PostedRun { program, commands, carried_out: one.main_lines })
+        let callers = one.callers();
+        Ok(PostedRun { program, commands, carried_out: one.main_lines, callers })
     }
 }
 
@@ -270,9 +273,9 @@ fn starting_modes(old: &Job, steps: &[PostedStep]) -> StartingModes {
         | PostedKind::Hole(_)
         | PostedKind::Tap(_) => None,
     });
-    let units = before_moves.filter_map(|command| match command {
-        CommandKind::Units(units) => Some(*units),
-        _ => None,
+    let units = before_moves.filter_map(|command| {
+        let CommandKind::Units(units) = command else { return None };
+        Some(*units)
     });
     let units: Option<Units> = units.last();
     StartingModes {
@@ -393,7 +396,15 @@ impl ConversionRounds<'_> {
                 reason: note.reason.clone(),
             }
         };
-        let mut changes: Vec<Change> = written.notes.iter().map(change).collect();
+        let called = self.posted.callers.iter().filter_map(|span| {
+            let source = self.old.sources().get(span.file)?;
+            let line = source.line_of(span.range.start);
+            let before = String::from_utf8_lossy(source.line_text(line)).trim().to_string();
+            let reason = "what it calls is written out as it runs".to_string();
+            Some(Change { line, before, after: String::new(), reason })
+        });
+        let mut changes: Vec<Change> = called.chain(written.notes.iter().map(change)).collect();
+        changes.sort_by_key(|change| change.line);
         changes.dedup();
         changes
     }

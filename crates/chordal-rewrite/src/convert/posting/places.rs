@@ -44,12 +44,11 @@ impl OffsetTracker {
     }
 
     fn follow(&mut self, command: &CommandKind) {
-        match command {
-            CommandKind::WorkOffset { offset, zero, .. } => {
-                (self.work, self.system) = (*offset, zero.system);
-            }
-            CommandKind::ToolLength { offset, .. } => self.length = *offset,
-            _ => {}
+        if let CommandKind::WorkOffset { offset, zero, .. } = command {
+            (self.work, self.system) = (*offset, zero.system);
+        }
+        if let CommandKind::ToolLength { offset, .. } = command {
+            self.length = *offset;
         }
     }
 
@@ -194,11 +193,9 @@ fn place(
             "some axes of this move go to positions of the machine, and others of the part",
         );
     }
-    match kinds[0] {
-        CommandKind::Rapid { .. } => {
-            Ok(Some(PostedKind::MachineMove { place: machine[0], axes: of_machine }))
-        }
-        _ => Err("a cut to a position of the machine"),
+    match kinds[0].feed() {
+        None => Ok(Some(PostedKind::MachineMove { place: machine[0], axes: of_machine })),
+        Some(_) => Err("a cut to a position of the machine"),
     }
 }
 
@@ -222,23 +219,25 @@ fn in_system(
         to_known: AxisMask::ALL,
     };
     let mut kind = kinds[0].clone();
-    match &mut kind {
-        CommandKind::Rapid { motion, .. }
-        | CommandKind::Line { motion, .. }
-        | CommandKind::Spline { motion, .. } => *motion = moved(motion),
-        CommandKind::Arc { motion, shape, .. } | CommandKind::Spiral { motion, shape, .. } => {
-            let (a, b, _) = shape.plane.axes();
-            let centers = [0, 1].map(|run: usize| {
-                let center = kinds[run].shape().map_or([0.0; 2], |shape| shape.center);
-                [center[0] + offsets[run].shift(a), center[1] + offsets[run].shift(b)]
-            });
-            let is_same = (0..2).all(|at| (centers[0][at] - centers[1][at]).abs() < EQUAL);
-            if !is_same {
-                return Err("the centre of this arc depends on where the program begins");
-            }
-            (*motion, shape.center) = (moved(motion), centers[0]);
+    if let CommandKind::Rapid { motion, .. }
+    | CommandKind::Line { motion, .. }
+    | CommandKind::Spline { motion, .. }
+    | CommandKind::Arc { motion, .. }
+    | CommandKind::Spiral { motion, .. } = &mut kind
+    {
+        *motion = moved(motion);
+    }
+    if let CommandKind::Arc { shape, .. } | CommandKind::Spiral { shape, .. } = &mut kind {
+        let (a, b, _) = shape.plane.axes();
+        let centers = [0, 1].map(|run: usize| {
+            let center = kinds[run].shape().map_or([0.0; 2], |shape| shape.center);
+            [center[0] + offsets[run].shift(a), center[1] + offsets[run].shift(b)]
+        });
+        let is_same = (0..2).all(|at| (centers[0][at] - centers[1][at]).abs() < EQUAL);
+        if !is_same {
+            return Err("the centre of this arc depends on where the program begins");
         }
-        _ => {}
+        shape.center = centers[0];
     }
     Ok(kind)
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use chordal::control::{AfterBlock, CallPath, Origin};
 use chordal::diagnostics::FileId;
-use chordal::{Command, Diagnostic, Job, Outcome, RunSink, Sink};
+use chordal::{Command, Diagnostic, Job, Outcome, RunSink, Sink, Span};
 
 /// What a run does, and which lines of the main program it carries out.
 #[derive(Default)]
@@ -21,6 +21,23 @@ impl RecordedRun {
         let outcomes = job.run(&mut run);
         run.outcomes = outcomes;
         run
+    }
+}
+
+impl RecordedRun {
+    /// The blocks of the main program through which commands were reached, each once, in the order of their first run.
+    pub fn callers(&self) -> Vec<Span> {
+        let Some(outcome) = self.outcomes.first() else { return Vec::new() };
+        let mut known = BTreeSet::new();
+        let calls = self.commands.iter().map(|command| command.origin.call);
+        let new_calls = calls.filter(|call| *call != CallPath::default() && known.insert(*call));
+        let mut callers: Vec<Span> = Vec::new();
+        for call in new_calls {
+            // The chain ends with the block of the main program.
+            let outermost = outcome.calls.resolve(call).last().copied();
+            callers.extend(outermost.filter(|block| !callers.contains(block)));
+        }
+        callers
     }
 }
 

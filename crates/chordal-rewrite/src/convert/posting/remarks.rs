@@ -73,7 +73,7 @@ impl SourceRemarks {
     }
 
     /// The comment of a line with words.
-    pub fn beside(&self, line: u32) -> Option<&str> {
+    pub fn at_line_end(&self, line: u32) -> Option<&str> {
         let comment = self.comments.get(&line)?;
         self.with_words.contains(&line).then_some(comment)
     }
@@ -85,7 +85,7 @@ impl SourceRemarks {
         if lines.is_empty() {
             return Vec::new();
         }
-        let is_wanted = |line: u32| {
+        let belongs_here = |line: u32| {
             if self.with_words.contains(&line) {
                 return carried_out.contains(&line);
             }
@@ -95,7 +95,7 @@ impl SourceRemarks {
         };
         self.comments
             .range(lines)
-            .filter(|(line, _)| is_wanted(**line))
+            .filter(|(line, _)| belongs_here(**line))
             .map(|(_, comment)| comment.as_str())
             .collect()
     }

@@ -5,9 +5,11 @@
 
 use std::collections::BTreeSet;
 
-use chordal::control::{ControlProfile, RapidPath};
+use chordal::control::{ControlProfile, RapidPath, control_profile};
 use chordal::machine::{AXES, RapidShape, WorkOffset};
 use chordal::{Command, CommandKind, Job, Machine};
+
+use super::super::target::renamed;
 
 /// The numbers of tables that a program uses.
 #[derive(Clone, Debug, Default)]
@@ -23,21 +25,22 @@ impl UsedNumbers {
         let mut used = UsedNumbers::default();
         used.work.insert(job.initial_work_offset().ordinal());
         for command in commands {
-            match &command.kind {
-                CommandKind::Tool { number } | CommandKind::ToolSelect { number } => {
-                    used.tools.insert(*number);
-                }
-                CommandKind::ToolLength { number: Some(number), .. }
-                | CommandKind::Compensation { number: Some(number), .. } => {
-                    used.tools.insert(*number);
-                }
-                CommandKind::WorkOffset { name, .. } => {
-                    used.work.insert(name.ordinal());
-                }
-                _ => {}
-            }
+            used.note(&command.kind);
         }
         used
+    }
+
+    fn note(&mut self, command: &CommandKind) {
+        if let CommandKind::Tool { number }
+        | CommandKind::ToolSelect { number }
+        | CommandKind::ToolLength { number: Some(number), .. }
+        | CommandKind::Compensation { number: Some(number), .. } = command
+        {
+            self.tools.insert(*number);
+        }
+        if let CommandKind::WorkOffset { name, .. } = command {
+            self.work.insert(name.ordinal());
+        }
     }
 }
 
@@ -124,6 +127,11 @@ pub(super) fn with_tables_of(old: &Job, target: &Machine) -> Machine {
         }
     }
     machine.tools = from.tools.clone();
+    if let Some(profile) = control_profile(target.control) {
+        let rename =
+            |(name, offset): (&String, &WorkOffset)| (renamed(name, profile.work_names), *offset);
+        machine.work_offsets = from.work_offsets.iter().map(rename).collect();
+    }
     machine.home = from.home;
     machine.reference_points = from.reference_points;
     machine.probe = from.probe;

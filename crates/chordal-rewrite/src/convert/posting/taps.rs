@@ -13,13 +13,15 @@ const SAME_SPEED: f64 = 1e-9;
 pub(super) struct FoundTap {
     pub hole: TappedHole,
     pub length: usize,
+    /// The spindle after it, and its speed, rev/min.
+    pub spindle: (SpindleState, f64),
 }
 
 /// Reads the commands of a cycle one after the other.
 struct TapReader<'p> {
     placed: &'p [PlacedCommand],
     at: usize,
-    spindle: SpindleState,
+    spindle: (SpindleState, f64),
     dwell_s: f64,
     /// The cycle has switched the feed override off, as only taps do.
     is_sure: bool,
@@ -36,11 +38,14 @@ impl<'p> TapReader<'p> {
     /// Passes over what the spindle does, and dwells.
     fn skip(&mut self) {
         while let Some(command) = self.command() {
-            match command {
-                CommandKind::Spindle { state, .. } => self.spindle = *state,
-                CommandKind::Overrides(overrides) => self.is_sure |= !overrides.feed,
-                CommandKind::Dwell { seconds, .. } => self.dwell_s += seconds,
-                _ => return,
+            if let CommandKind::Spindle { state, rpm } = command {
+                self.spindle = (*state, *rpm);
+            } else if let CommandKind::Overrides(overrides) = command {
+                self.is_sure |= !overrides.feed;
+            } else if let CommandKind::Dwell { seconds, .. } = command {
+                self.dwell_s += seconds;
+            } else {
+                return;
             }
             self.at += 1;
         }
@@ -57,18 +62,18 @@ impl<'p> TapReader<'p> {
 pub(super) fn tap_of(
     placed: &[PlacedCommand],
     plane: Plane,
-    before: SpindleState,
+    before: (SpindleState, f64),
 ) -> Option<Result<FoundTap, String>> {
     let mut reader = TapReader { placed, at: 0, spindle: before, dwell_s: 0.0, is_sure: false };
     reader.skip();
     if reader.dwell_s > 0.0 {
         return None;
     }
-    let inward = reader.spindle;
+    let (inward, rpm) = reader.spindle;
     let (down, feed) = reader.cut()?;
     reader.skip();
     let is_reversed = matches!(
-        (inward, reader.spindle),
+        (inward, reader.spindle.0),
         (SpindleState::Cw, SpindleState::Ccw) | (SpindleState::Ccw, SpindleState::Cw)
     );
     if !is_reversed {
@@ -84,7 +89,7 @@ pub(super) fn tap_of(
     let out_factor = match feed.mode {
         FeedMode::PerTime => out.value / feed.value,
         FeedMode::PerRevolution | FeedMode::InverseTime => {
-            out.spindle_rev_per_s / feed.spindle_rev_per_s
+            out.spindle_rev_per_s / feed.spindle_rev_per_s * out.value / feed.value
         }
     };
     let problem = if up.to[..3] != down.from[..3] || !(0..6).all(is_along) {
@@ -99,6 +104,9 @@ pub(super) fn tap_of(
     if let Some(problem) = problem {
         return Some(Err(problem.into()));
     }
+    if rpm <= 0.0 {
+        return Some(Err("a tap without a spindle speed".into()));
+    }
     let hole = TappedHole {
         plane,
         start: down.from,
@@ -107,7 +115,8 @@ pub(super) fn tap_of(
         out_factor: if (out_factor - 1.0).abs() > SAME_SPEED { out_factor } else { 1.0 },
         is_left: inward == SpindleState::Ccw,
         dwell_s,
-        spindle: [before, reader.spindle],
+        rpm,
+        spindle: [before.0, reader.spindle.0],
     };
-    Some(Ok(FoundTap { hole, length: reader.at }))
+    Some(Ok(FoundTap { hole, length: reader.at, spindle: reader.spindle }))
 }

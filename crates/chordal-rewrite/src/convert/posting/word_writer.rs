@@ -67,7 +67,7 @@ impl ProgramWriter for WordAddressWriter<'_> {
 struct ActiveState {
     units: Units,
     /// What the next move needs.
-    wanted: MovingModes,
+    desired: MovingModes,
     /// What is written.
     written: MovingModes,
     coolant: Coolant,
@@ -82,7 +82,7 @@ impl ActiveState {
     fn of(program: &PostedProgram) -> ActiveState {
         ActiveState {
             units: program.start.units,
-            wanted: MovingModes::of(program),
+            desired: MovingModes::of(program),
             written: MovingModes::of(program),
             coolant: Coolant::default(),
             spindle: (SpindleState::Off, 0.0),
@@ -209,10 +209,8 @@ impl RunWriter<'_> {
         if tap.out_factor != 1.0 {
             return Err("a tap that feeds out at a different speed than in".into());
         }
-        let (inward, rpm) = match tap.is_left {
-            true => (SpindleState::Ccw, tap.rpm()),
-            false => (SpindleState::Cw, tap.rpm()),
-        };
+        let rpm = tap.rpm;
+        let inward = if tap.is_left { SpindleState::Ccw } else { SpindleState::Cw };
         self.mode(&CommandKind::Spindle { state: inward, rpm })?;
         self.write_modes(true)?;
         self.write_length()?;
@@ -278,22 +276,22 @@ impl RunWriter<'_> {
         let modes = &mut self.modes;
         let is_new = match command {
             CommandKind::Plane(plane) => {
-                modes.wanted.plane = *plane;
+                modes.desired.plane = *plane;
                 false
             }
             CommandKind::FeedMode(mode) => {
-                modes.wanted.feed_mode = *mode;
+                modes.desired.feed_mode = *mode;
                 false
             }
             CommandKind::PathMode(mode) => {
-                modes.wanted.path_mode = Some(*mode);
+                modes.desired.path_mode = Some(*mode);
                 false
             }
             CommandKind::WorkOffset { name, turned, .. } => {
                 if *turned != 0.0 {
                     return Err("a work coordinate system that is rotated".into());
                 }
-                modes.wanted.work = *name;
+                modes.desired.work = *name;
                 false
             }
             CommandKind::Spindle { state, rpm } => {
@@ -316,31 +314,50 @@ impl RunWriter<'_> {
             CommandKind::Coolant(coolant) => return self.coolant(*coolant),
             CommandKind::Tool { .. } => return self.change_tool(command),
             CommandKind::Effect(effect) => return effect_refusal(effect),
-            CommandKind::Output { .. } => return Err("text that the program prints".into()),
-            _ => true,
+            CommandKind::Output { .. } => true,
+            CommandKind::ToolNumber { .. }
+            | CommandKind::ToolSelect { .. }
+            | CommandKind::Compensation { .. }
+            | CommandKind::Stop { .. }
+            | CommandKind::End
+            | CommandKind::Overrides(_)
+            | CommandKind::CornerArc { .. }
+            | CommandKind::Surface { .. }
+            | CommandKind::Probed { .. } => true,
+            // Moves and units are written before, and the rest does nothing.
+            CommandKind::Rapid { .. }
+            | CommandKind::Line { .. }
+            | CommandKind::Arc { .. }
+            | CommandKind::Spiral { .. }
+            | CommandKind::Spline { .. }
+            | CommandKind::Units(_)
+            | CommandKind::FeedRate { .. }
+            | CommandKind::Idle
+            | CommandKind::Message(_) => false,
         };
         if is_new { self.emitter.step(command) } else { Ok(()) }
     }
 
     /// What the next move needs; the feed mode where it cuts.
     fn write_modes(&mut self, is_cut: bool) -> Result<(), String> {
-        let wanted = self.modes.wanted;
+        let desired = self.modes.desired;
         let written = &mut self.modes.written;
         let mut commands = Vec::new();
-        if std::mem::replace(&mut written.plane, wanted.plane) != wanted.plane {
-            commands.push(CommandKind::Plane(wanted.plane));
+        if std::mem::replace(&mut written.plane, desired.plane) != desired.plane {
+            commands.push(CommandKind::Plane(desired.plane));
         }
-        if std::mem::replace(&mut written.path_mode, wanted.path_mode) != wanted.path_mode {
-            commands.extend(wanted.path_mode.map(CommandKind::PathMode));
+        if std::mem::replace(&mut written.path_mode, desired.path_mode) != desired.path_mode {
+            commands.extend(desired.path_mode.map(CommandKind::PathMode));
         }
-        if is_cut && std::mem::replace(&mut written.feed_mode, wanted.feed_mode) != wanted.feed_mode
+        if is_cut
+            && std::mem::replace(&mut written.feed_mode, desired.feed_mode) != desired.feed_mode
         {
-            commands.push(CommandKind::FeedMode(wanted.feed_mode));
+            commands.push(CommandKind::FeedMode(desired.feed_mode));
         }
         commands.iter().try_for_each(|command| self.emitter.step(command))?;
-        if self.modes.written.work.ordinal() != wanted.work.ordinal() {
-            self.modes.written.work = wanted.work;
-            self.emitter.work_system(wanted.work)?;
+        if self.modes.written.work.ordinal() != desired.work.ordinal() {
+            self.modes.written.work = desired.work;
+            self.emitter.work_system(desired.work)?;
         }
         Ok(())
     }
@@ -364,14 +381,17 @@ impl RunWriter<'_> {
 
     /// The tool length, where another one is written.
     fn write_length(&mut self) -> Result<(), String> {
-        let [wanted, written] = self.modes.lengths;
-        if wanted == written && !self.modes.is_length_due {
+        let [desired, written] = self.modes.lengths;
+        if desired == written && !self.modes.is_length_due {
             return Ok(());
         }
-        self.modes.lengths = [wanted; 2];
+        self.modes.lengths = [desired; 2];
         self.modes.is_length_due = false;
+        if !codes::has_lengths(self.control) {
+            self.note("", &codes::without_lengths(self.control));
+        }
         self.emitter.step(&CommandKind::ToolLength {
-            number: wanted,
+            number: desired,
             length_mm: None,
             is_subtracted: false,
             offset: [0.0; AXES],
@@ -387,8 +407,8 @@ impl RunWriter<'_> {
     }
 
     fn is_kept(&self, hole: &DrilledHole, at: usize) -> bool {
-        let [wanted, written] = self.modes.lengths;
-        let has_length = wanted == written && !self.modes.is_length_due;
+        let [desired, written] = self.modes.lengths;
+        let has_length = desired == written && !self.modes.is_length_due;
         let goes_on = self.cycle.as_ref().is_some_and(|cycle| cycle.goes_on(hole));
         has_length
             && !self.options.written_out.contains(&at)
