@@ -354,7 +354,6 @@ fn what_rewrites_blocks_refuses_it_with_one_sentence() {
     let haas = Machine::from_builtin("haas-vf2").expect("a machine");
     let options = convert::ConversionOptions::default();
     let mut refusals = vec![
-        convert::convert(&job, &haas, &options).refusals[0].reason.clone(),
         transform(&job, &[TransformStep::Shift([1.0, 0.0, 0.0])]).unwrap_err().what,
         restart::restart(&job, 3).unwrap_err().refusal.what,
         restart::prove_head(&job, 3, b"END").unwrap_err().refusal.what,
@@ -369,7 +368,6 @@ fn what_rewrites_blocks_refuses_it_with_one_sentence() {
         assert!(refusal.starts_with(REFUSAL), "{refusal}");
     }
     for command in [
-        "convert part.lines --machine mill.toml --to haas-vf2 -o new.txt",
         "transform part.lines --machine mill.toml --shift X1mm -o new.txt",
         "restart part.lines --machine mill.toml --line 5 -o new.txt",
         "optimize part.lines --machine mill.toml -o new.txt",
@@ -377,4 +375,17 @@ fn what_rewrites_blocks_refuses_it_with_one_sentence() {
         assert_ne!(shop.run(command), 0, "{command}");
         assert!(!shop.path("new.txt").exists(), "{command}");
     }
+}
+
+#[test]
+fn it_is_converted_to_blocks_by_its_run() {
+    let shop = Shop::new();
+    let job = shop.job(PART);
+    let haas = Machine::from_builtin("haas-vf2").expect("a machine");
+    let found = convert::convert(&job, &haas, &convert::ConversionOptions::default());
+    assert!(found.holds(), "{:?}\n{}", found.refusals, found.text);
+    assert!(found.text.contains("T1 M6") && found.text.contains("G98 G81"), "{}", found.text);
+    let command = "convert part.lines --machine mill.toml --to haas-vf2 -o new.nc";
+    assert_eq!(shop.run(command), 0);
+    assert_eq!(shop.text("new.nc"), found.text);
 }

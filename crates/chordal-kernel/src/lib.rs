@@ -51,9 +51,11 @@ pub use frames::{FrameKinds, Frames, PolarReading, PolarWords};
 pub use kernel::{Alarms, Kernel, KernelMemory, KernelReports};
 pub use language::{
     ANOTHER_KIND, CompletedRun, ConfiguredControl, ControlCandidate, ControlProfile, CustomCode,
-    EndReason, EvidenceStrength, FoundSign, InterruptCheck, Outcome, ProgramName, ProgramPlace,
-    ProgramSet, ProgrammingLanguage, Recognition, RunOptions, SettingError, ShopAnswer, ShopCall,
-    ShopCodes, ShopRecord, TextSymbol, Token, TokenClass, WordCompletion,
+    DrilledHole, EndReason, EvidenceStrength, FoundSign, HoleForm, HoleMotion, InterruptCheck,
+    Outcome, PostedKind, PostedProgram, PostedStep, ProgramName, ProgramPlace, ProgramSet,
+    ProgramWriter, ProgrammingLanguage, Recognition, RunOptions, SettingError, ShopAnswer,
+    ShopCall, ShopCodes, ShopRecord, StartingModes, TappedHole, TextSymbol, Token, TokenClass,
+    WordCompletion, WriterNote, WriterOptions, WrittenLine, WrittenProgram, are_same_motions,
 };
 pub use modal::{Modal, MotionMode};
 pub use motion::{ArcWords, MisfitArc, SpiralWords, is_over};

@@ -4,7 +4,7 @@
 /// is `G154 P1`, `e3` is `E3`. `None`: no such work offset.
 ///
 /// The normalized names are: `G52`, `G54` to `G59`, `G59.1` to `G59.3`, `G54.1 P1` to `P300`, `G154 P1`
-/// to `P99`, `G59 P7` to `P254`, `E1` to `E48`, `EXT` (the common shift of all of them).
+/// to `P99`, `G59 P7` to `P254`, `E1` to `E48`, `G505` to `G599`, `EXT` (the common shift of all of them).
 pub fn work_offset_name(text: &str) -> Option<String> {
     let text: String =
         text.chars().filter(|c| !c.is_whitespace()).map(|c| c.to_ascii_uppercase()).collect();
@@ -32,6 +32,9 @@ pub fn work_offset_name(text: &str) -> Option<String> {
         }
         _ => {
             let number = whole(code)?;
+            if (505..=599).contains(&number) {
+                return Some(format!("G{number}"));
+            }
             (110..=129).contains(&number).then(|| format!("G154 P{}", number - 109))
         }
     }
@@ -64,12 +67,14 @@ mod tests {
             ("E48", "E48"),
             ("ext", "EXT"),
             ("G52", "G52"),
+            ("g505", "G505"),
+            ("G599", "G599"),
         ] {
             assert_eq!(name(text).as_deref(), Some(expected), "{text}");
         }
         for text in [
             "", "G", "G53", "G60", "G59.4", "G59 P0", "G59 P255", "E0", "E49", "E", "G154 P0",
-            "G54 P", "G130", "X",
+            "G54 P", "G130", "G504", "G600", "X",
         ] {
             assert_eq!(name(text), None, "{text}");
         }

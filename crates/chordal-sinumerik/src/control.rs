@@ -11,16 +11,17 @@ use chordal_kernel::rules::{
     OutsideCorner, RoundingRules, Rules, SideChange,
 };
 use chordal_kernel::{
-    ConfiguredControl, ControlCandidate, ControlProfile, ProgramName, ProgramSet,
+    ConfiguredControl, ControlCandidate, ControlProfile, ProgramName, ProgramSet, ProgramWriter,
     ProgrammingLanguage, RunOptions, SettingError,
 };
-use chordal_machine::{AXES, ControlName, Machine};
+use chordal_machine::{AXES, ControlName, Machine, RapidShape};
 
 use crate::alarms::listed_text;
 use crate::machine_tables::take_table;
 use crate::run::SinumerikPrograms;
 use crate::settings::SinumerikSettings;
 use crate::syntax::{BlockReader, StatementKind, is_table_text, units};
+use crate::writer::PartProgramWriter;
 
 /// The facts of the control.
 pub const PROFILE: ControlProfile = ControlProfile {
@@ -37,7 +38,7 @@ pub const PROFILE: ControlProfile = ControlProfile {
         (Code::TooManyIdleBlocks, listed_text(10762)),
         (Code::NoOffsetIntersection, listed_text(10751)),
     ],
-    work_names: WorkNaming { extended: "G505", first: 505, by_e: false },
+    work_names: WorkNaming { extended: "", first: 507, by_e: false },
     turns: false,
 };
 
@@ -173,6 +174,10 @@ impl ConfiguredControl for SinumerikControl {
         take_table(text, machine);
     }
 
+    fn program_writer(&self) -> Option<Box<dyn ProgramWriter + '_>> {
+        Some(Box::new(PartProgramWriter::new(self.settings)))
+    }
+
     fn as_any(&self) -> &dyn Any {
         self
     }
@@ -200,7 +205,7 @@ impl ProgrammingLanguage for SinumerikLanguage {
         (0..AXES).filter(|axis| machine.axes[*axis].is_some()).for_each(|axis| axes.insert(axis));
         let mut settings =
             if profile.turns { SinumerikSettings::LATHE } else { SinumerikSettings::DEFAULT };
-        let rules = if profile.turns { LATHE_RULES } else { RULES };
+        let mut rules = if profile.turns { LATHE_RULES } else { RULES };
         let mut refused = Vec::new();
         for (name, entry) in &machine.settings {
             if let Err(message) = settings.take(name, &entry.value) {
@@ -208,6 +213,11 @@ impl ProgrammingLanguage for SinumerikLanguage {
                 refused.push(SettingError { name: name.clone(), message, help });
             }
         }
+        // MD20730: G0 is a straight line (1), or each axis moves on its own (0).
+        rules.rapid = match machine.rapid {
+            Some(RapidShape::DogLeg) => RapidPath::DogLeg,
+            Some(RapidShape::Straight) | None => rules.rapid,
+        };
         let control = SinumerikControl { profile, rules, axes, settings };
         Some((Arc::new(control), refused))
     }

@@ -111,6 +111,19 @@ impl<'a> Job<'a> {
         self
     }
 
+    /// The same job on another machine.
+    ///
+    /// # Errors
+    /// When no language reads the programs of the machine's control, or the control does not know a setting.
+    pub fn on_machine(&self, machine: Machine) -> Result<Job<'_>, JobError> {
+        let mut sources = SourceMap::new();
+        for (_, source) in self.sources.iter() {
+            sources.add(Source::new(source.name(), source.text()));
+        }
+        let job = Job::new(sources, machine)?;
+        Ok(Job { options: self.options.clone(), program: self.program, ..job })
+    }
+
     /// The same job with other texts.
     pub(crate) fn with_sources<'s>(&self, sources: SourceMap<'s>) -> Job<'s> {
         Job {

@@ -26,11 +26,13 @@ pub mod control {
     pub use chordal_kernel::rules::*;
     pub use chordal_kernel::{
         ANOTHER_KIND, AfterBlock, Alarms, Checkpoint, CompletedRun, ConfiguredControl,
-        ControlCandidate, ControlProfile, CustomCode, EndReason, EvidenceStrength, FoundSign,
-        FrameKinds, InterruptCheck, LiveTool, Modal, MotionMode, Outcome, ProgramName,
-        ProgramPlace, ProgramSet, ProgrammingLanguage, Recognition, RunOptions, RunSink,
-        SettingError, ShopAnswer, ShopCall, ShopCodes, ShopRecord, SplineForm, StateItem,
-        StateValue, TextSymbol, Token, TokenClass, ToolValue, TurnPass, WordCompletion,
+        ControlCandidate, ControlProfile, CustomCode, DrilledHole, EndReason, EvidenceStrength,
+        FoundSign, FrameKinds, HoleForm, HoleMotion, InterruptCheck, LiveTool, Modal, MotionMode,
+        Outcome, PostedKind, PostedProgram, PostedStep, ProgramName, ProgramPlace, ProgramSet,
+        ProgramWriter, ProgrammingLanguage, Recognition, RunOptions, RunSink, SettingError,
+        ShopAnswer, ShopCall, ShopCodes, ShopRecord, SplineForm, StartingModes, StateItem,
+        StateValue, TappedHole, TextSymbol, Token, TokenClass, ToolValue, TurnPass, WordCompletion,
+        WriterNote, WriterOptions, WrittenLine, WrittenProgram,
     };
 
     pub use crate::languages::{

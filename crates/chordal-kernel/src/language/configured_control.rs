@@ -8,6 +8,7 @@ use chordal_diagnostics::{Code, SourceMap};
 use chordal_machine::{Machine, PerAxis};
 
 use super::program_set::ProgramSet;
+use super::program_writer::ProgramWriter;
 use super::programs::ProgramName;
 use super::run_options::RunOptions;
 use crate::kernel::Alarms;
@@ -102,6 +103,12 @@ pub trait ConfiguredControl: fmt::Debug + Send + Sync {
 
     /// Takes tools and work offsets of such a text over into a machine.
     fn take_table(&self, _text: &[u8], _machine: &mut Machine) {}
+
+    /// Writes programs for this control from what they do; `None` where programs of other languages are not converted
+    /// to it.
+    fn program_writer(&self) -> Option<Box<dyn ProgramWriter + '_>> {
+        None
+    }
 
     /// The control itself, for what works with one language only.
     fn as_any(&self) -> &dyn Any;

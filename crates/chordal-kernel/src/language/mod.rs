@@ -7,13 +7,17 @@
 //! - [`ConfiguredControl`]: one control with the settings of a machine, which opens texts;
 //! - [`ProgramSet`]: the opened texts, which run, and answer the questions of editors.
 //!
+//! A control to which programs of other languages are converted has a [`ProgramWriter`] as well.
+//!
 //! A run drives the [`Kernel`](crate::Kernel). Whatever is above a language (checks, planner, stock, editors, reports)
 //! uses these traits and needs to know no more of it.
 
 mod configured_control;
 mod custom_codes;
 mod outcome;
+mod posted_program;
 mod program_set;
+mod program_writer;
 mod programming_language;
 mod programs;
 mod recognition;
@@ -23,7 +27,12 @@ mod tokens;
 pub use configured_control::{ConfiguredControl, ControlProfile};
 pub use custom_codes::{CustomCode, ShopAnswer, ShopCall, ShopCodes, ShopRecord};
 pub use outcome::{CompletedRun, EndReason, Outcome};
+pub use posted_program::{
+    DrilledHole, HoleForm, HoleMotion, PostedKind, PostedProgram, PostedStep, StartingModes,
+    TappedHole, are_same_motions,
+};
 pub use program_set::ProgramSet;
+pub use program_writer::{ProgramWriter, WriterNote, WriterOptions, WrittenLine, WrittenProgram};
 pub use programming_language::{ProgrammingLanguage, SettingError};
 pub use programs::{ProgramName, ProgramPlace};
 pub use recognition::{ANOTHER_KIND, ControlCandidate, EvidenceStrength, FoundSign, Recognition};

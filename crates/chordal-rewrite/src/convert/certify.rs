@@ -3,12 +3,11 @@
 use std::collections::BTreeSet;
 
 use chordal::control::{CompensationSide, SurfaceShape};
-use chordal::{Code, CommandKind, Job, Report};
+use chordal::{Code, Command, CommandKind, Control, Job, Report};
 use chordal_compare::{BlockRange, Category, Difference, DifferenceValue, FreePasses};
 
-use super::trace::{self, ProgramTrace};
+use super::trace;
 use super::{ConversionOptions, codes};
-use crate::word_address::BlockControl;
 use crate::{Certificate, prove, prove_contour};
 
 /// Whole categories of differences that belong to the machines.
@@ -21,21 +20,33 @@ pub(super) struct FreeCycleLines {
     pub(super) passes: [FreePasses; 2],
 }
 
+/// What a proof does not count as a difference.
+#[derive(Clone, Default)]
+pub(super) struct ProofTerms {
+    /// The lines of cycles that may be made in other steps.
+    pub(super) free: FreeCycleLines,
+    /// Text that was printed is a comment now.
+    pub(super) printed: bool,
+    /// The languages are two: tool lengths are compared in another way, and variables have no counterpart.
+    pub(super) is_other_language: bool,
+}
+
+/// Compares two programs; `commands` are those of the old one.
 pub(super) fn proof(
-    trace: &ProgramTrace,
+    commands: &[Command],
     [old, new]: [&Job; 2],
     options: &ConversionOptions,
-    free: FreeCycleLines,
-    printed: bool,
+    terms: ProofTerms,
 ) -> Certificate {
-    let compensates = trace.commands.iter().any(|command| {
+    let ProofTerms { free, printed, is_other_language } = terms;
+    let compensates = commands.iter().any(|command| {
         matches!(command.kind, CommandKind::Compensation { side, .. } if side != CompensationSide::Off)
     });
     let compare = chordal_compare::ComparisonOptions {
         tolerance_mm: options.tolerance_mm,
         feed_tolerance: 1e-5,
         speed_tolerance: 1e-5,
-        rotary_tolerance_rad: rotary_tolerance(trace, options),
+        rotary_tolerance_rad: rotary_tolerance(commands, options),
         // Both begin at the same place, and both machines have the same tables.
         assume_known: true,
         separate_sides: true,
@@ -47,11 +58,13 @@ pub(super) fn proof(
     let surface = [old, new].map(trace::surface_lines);
     let turns = old.profile().turns;
     // Without a tool table each tool is set to the work zero.
-    let no_lengths = ![old, new].map(Job::control).into_iter().all(codes::has_lengths);
+    let has_lengths = |job: &Job| job.word_address().is_none_or(codes::has_lengths);
+    let no_lengths = is_other_language || ![old, new].into_iter().all(has_lengths);
     let is_expected = |difference: &Difference| {
         is_of_machine(difference, turns)
             || (no_lengths && difference.category == Category::LengthOffset)
             || (printed && difference.category == Category::Output)
+            || (is_other_language && difference.category == Category::Value)
             || follows_the_diameter(difference, &surface)
             || is_left_out(difference, [old, new])
     };
@@ -74,7 +87,10 @@ pub(super) fn proof(
 fn is_left_out(difference: &Difference, [old, new]: [&Job; 2]) -> bool {
     match (difference.category, &difference.values) {
         (Category::Code, Some([DifferenceValue::Text(words), DifferenceValue::Nothing])) => {
-            codes::is_only_of(words, old.control(), new.control())
+            let controls: [Option<&Control>; 2] = [old, new].map(Job::word_address);
+            // Another language has no codes of the old one.
+            let [Some(from), Some(to)] = controls else { return true };
+            codes::is_only_of(words, from, to)
         }
         (Category::Message | Category::Alarm | Category::Variable, _) => true,
         _ => false,
@@ -83,8 +99,8 @@ fn is_left_out(difference: &Difference, [old, new]: [&Job; 2]) -> bool {
 
 /// How far rotary axes may be apart: on a cylinder one control gives lengths and the other one angles, and both are rounded. At its
 /// radius that is no more than the tolerance.
-fn rotary_tolerance(trace: &ProgramTrace, options: &ConversionOptions) -> f64 {
-    let radii = trace.commands.iter().filter_map(|command| match &command.kind {
+fn rotary_tolerance(commands: &[Command], options: &ConversionOptions) -> f64 {
+    let radii = commands.iter().filter_map(|command| match &command.kind {
         CommandKind::Surface { surface: Some(surface), .. } => match surface.shape {
             SurfaceShape::Cylinder { radius_mm } => Some(radius_mm),
             SurfaceShape::Face { .. } => None,

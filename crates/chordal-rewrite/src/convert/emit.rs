@@ -26,14 +26,19 @@ use super::turning;
 use crate::source::WordStyle;
 
 mod effects;
+mod holes;
 mod lathe;
+mod whole_runs;
+
+pub(super) use self::holes::WrittenCycle;
 
 use self::lathe::{LatheModes, reads_distances};
 
 /// Writes commands as blocks in absolute coordinates.
 #[derive(Clone)]
 pub(crate) struct CommandEmitter<'a> {
-    pub(super) from: &'a Control,
+    /// The old control; `None` where its language is another one.
+    pub(super) from: Option<&'a Control>,
     to: &'a Control,
     style: WordStyle,
     tolerance_mm: f64,
@@ -68,7 +73,7 @@ impl<'a> CommandEmitter<'a> {
     ) -> CommandEmitter<'a> {
         let (to, style) = (context.to, context.style());
         CommandEmitter {
-            from: context.from,
+            from: Some(context.from),
             to,
             style,
             tolerance_mm,

@@ -5,6 +5,8 @@
 //! control, `macros` its statements, `emit` writes blocks from what they do where there are no such words, `plan` decides
 //! which of the two it is, `layout` puts the text together. The comparison of both programs has the
 //! last word: what moves otherwise is written out, until nothing does.
+//!
+//! Where one of the controls does not read word-address blocks, `posting` writes the program from its run.
 
 mod arcs;
 mod certify;
@@ -27,6 +29,7 @@ mod offsets;
 mod passes;
 mod pecks;
 mod plan;
+mod posting;
 mod rendering;
 mod spiral;
 mod structure;
@@ -45,7 +48,7 @@ use chordal::machine::AXIS_LETTERS;
 use chordal::{CommandKind, Job, Machine, Severity, Source as Text, SourceMap};
 use chordal_compare::{Category, ComparisonVerdict, Difference};
 
-use self::certify::{FreeCycleLines, LIMITS, proof};
+use self::certify::{FreeCycleLines, LIMITS, ProofTerms, proof};
 use self::context::ConvertContext;
 pub(crate) use self::contours::{CycleContour, CycleContours};
 use self::layout::TextLayout;
@@ -61,7 +64,7 @@ use self::trace::ProgramTrace;
 pub(crate) use self::turning::station;
 use crate::sides::prove_other_sides;
 use crate::source::SourceBlocks;
-use crate::word_address::{BlockControl, other_language};
+use crate::word_address::BlockControl;
 use crate::{Certificate, Change};
 
 /// How a program is converted.
@@ -157,9 +160,7 @@ pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conv
     };
     let controls = [old.machine().control, target.control];
     let [Some(from), Some(to)] = controls.map(table) else {
-        let other = controls.into_iter().find(|control| table(*control).is_none());
-        let reason = other.map(other_language).unwrap_or_default();
-        conversion.refusals.push(ConvertRefusal { line: 0, words: String::new(), reason });
+        posting::convert_by_run(old, options, &mut conversion);
         return conversion;
     };
     conversion.machine = with_tables_of(old, target, [from, to]);
@@ -207,7 +208,7 @@ pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conv
     let mut plan = ConvertPlan::new(&context, options);
     // Writing out more may end worse than before: the nearest attempt is the one that is shown.
     let mut best = usize::MAX;
-    let mut terms = (FreeCycleLines::default(), false);
+    let mut terms = ProofTerms::default();
     let mut tried: BTreeMap<u32, ConvertRefusal> = BTreeMap::new();
     for round in 0..MAX_ROUNDS {
         let RenderedPlan { lines, changes, refusals, printed, unwritten } = plan.render();
@@ -220,7 +221,8 @@ pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conv
                 passes: passes::lines(&context, &plan, &layout),
             },
         };
-        let certificate = proof(&trace, [old, &new], options, free.clone(), printed);
+        let now = ProofTerms { free, printed, is_other_language: false };
+        let certificate = proof(&trace.commands, [old, &new], options, now.clone());
         let holds = certificate.holds() && refusals.is_empty();
         let more = !holds
             && round + 1 < MAX_ROUNDS
@@ -231,7 +233,7 @@ pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conv
         let faults = refusals.len() + certificate.comparison.differences.len();
         if holds || faults < best {
             best = faults;
-            terms = (free, printed);
+            terms = now;
             conversion.text = layout.text;
             conversion.changes = changes;
             conversion.refusals = refusals;
@@ -245,8 +247,7 @@ pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conv
     }
     explain(&mut conversion, tried);
     prove_sides(&mut conversion, old, |old, new| {
-        let (free, printed) = terms.clone();
-        proof(&trace, [old, new], options, free, printed)
+        proof(&trace.commands, [old, new], options, terms.clone())
     });
     conversion
 }
@@ -293,10 +294,13 @@ pub fn prove_text(
     text: String,
     options: &ConversionOptions,
 ) -> Option<Certificate> {
+    if old.word_address().is_none() || table(found.machine.control).is_none() {
+        return posting::prove_posted(old, &found.machine, text, options);
+    }
     let new = job("converted", text, &found.machine)?;
     let source = SourceBlocks::of(old);
     let trace = ProgramTrace::of(old, &source);
-    Some(proof(&trace, [old, &new], options, FreeCycleLines::default(), false))
+    Some(proof(&trace.commands, [old, &new], options, ProofTerms::default()))
 }
 
 /// Writes out the blocks that differ; false where there is nothing left to do.

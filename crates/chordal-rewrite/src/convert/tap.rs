@@ -3,7 +3,7 @@
 
 use chordal::control::Action;
 use chordal::control::CycleKind;
-use chordal::control::{Control, Feed, FeedMode, SpindleState, TapFeed, Units};
+use chordal::control::{Control, Feed, FeedMode, SpindleState, TapFeed, TappedHole, Units};
 use chordal::{Command, CommandKind};
 
 use super::numbers;
@@ -69,6 +69,18 @@ impl TappedThread {
         };
         let from = [down.from[0], down.from[1], down.from[2]];
         Ok(TappedThread { kind, from, depth: down.to[2], feed: **feed, dwell_s })
+    }
+
+    /// The thread of a program that is written from its run.
+    pub fn of_hole(hole: &TappedHole) -> TappedThread {
+        let [x, y, z, ..] = hole.start;
+        TappedThread {
+            kind: if hole.is_left { CycleKind::LeftTap } else { CycleKind::Tap },
+            from: [x, y, z],
+            depth: hole.bottom_mm,
+            feed: Feed { spindle_rev_per_s: hole.rpm / 60.0, ..hole.feed },
+            dwell_s: hole.dwell_s,
+        }
     }
 
     /// The words after the code, for a tool that stands where the tap begins; nothing where F cannot be

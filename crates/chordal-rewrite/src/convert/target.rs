@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use chordal::control::{ControlTable, RapidPath, SettingField, ToolLengths, WorkNaming};
+use chordal::control::{ControlTable, RapidPath, SettingField, ToolLengths, WorkName, WorkNaming};
 use chordal::machine::{
     RapidShape, SettingEntry, SettingValue, WorkOffset, mirrored_tip, work_offset_name,
 };
@@ -63,7 +63,7 @@ fn goes_on_after_refusal(machine: &mut Machine, table: &ControlTable) {
 }
 
 /// The name under which the target has a work offset: E7 is G54.1 P1 and G154 P1.
-fn renamed(name: &str, names: WorkNaming) -> String {
+pub(super) fn renamed(name: &str, names: WorkNaming) -> String {
     let number = |text: &str| text.trim().parse::<u32>().ok();
     let ordinal = match name.split_once(" P") {
         Some((code, extended)) => {
@@ -76,14 +76,19 @@ fn renamed(name: &str, names: WorkNaming) -> String {
             None => name
                 .strip_prefix('E')
                 .and_then(number)
-                .or_else(|| name.strip_prefix('G').and_then(number)?.checked_sub(53)),
+                .or_else(|| name.strip_prefix('G').and_then(number).map(ordinal_of_code)),
         },
     };
-    let Some(ordinal) = ordinal else { return name.into() };
-    let new = match (names.by_e, ordinal) {
-        (true, _) => format!("E{ordinal}"),
-        (false, 1..=6) => format!("G{}", 53 + ordinal),
-        (false, _) => names.extended_key(ordinal.saturating_sub(6) as u16),
+    let Some(ordinal) = ordinal.filter(|ordinal| *ordinal > 0) else { return name.into() };
+    let ordinal = u16::try_from(ordinal).ok();
+    let Some(new) = ordinal.and_then(|ordinal| names.key_of_ordinal(ordinal)) else {
+        return name.into();
     };
     work_offset_name(&new).unwrap_or(new)
+}
+
+/// The number of the work offset with a code of its own: G54 to G59, G505 to G599.
+fn ordinal_of_code(code: u32) -> u32 {
+    let code = u16::try_from(code).unwrap_or(0);
+    WorkName::G(code).ordinal()
 }

@@ -5,6 +5,7 @@ mod documents;
 mod forms;
 mod kept;
 mod lathes;
+mod posted;
 mod random;
 mod rotary;
 mod suite;

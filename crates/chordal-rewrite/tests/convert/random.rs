@@ -9,7 +9,7 @@ use super::{MACHINES, converted, job, machine, verdict};
 
 /// A block, before it is written for a control.
 #[derive(Clone, Debug)]
-enum Piece {
+pub(super) enum Piece {
     Rapid([i32; 3], u8),
     Line([i32; 3], u8, Option<u16>),
     /// Quarter turns from 1 to 4 of an arc of a radius, and a rise.
@@ -81,7 +81,7 @@ fn place() -> impl Strategy<Value = [i32; 3]> {
     prop::array::uniform3(-20_000..20_000i32)
 }
 
-fn piece() -> impl Strategy<Value = Piece> {
+pub(super) fn piece() -> impl Strategy<Value = Piece> {
     let arc = (1..=4u8, 500..30_000i32, any::<bool>(), -5_000..5_000i32, any::<bool>(), 0..4u8);
     let holes = prop::collection::vec(prop::array::uniform2(-20_000..20_000i32), 1..4);
     let taps = prop::collection::vec(prop::array::uniform2(-20_000..20_000i32), 1..3);
@@ -510,7 +510,7 @@ fn has_repeats(control: &str) -> bool {
 }
 
 /// A program and its three subprograms in the words of a control.
-fn program(control: &'static str, main: &[Piece], subs: &[Vec<Piece>]) -> String {
+pub(super) fn program(control: &'static str, main: &[Piece], subs: &[Vec<Piece>]) -> String {
     let body = |pieces: &[Piece], in_sub: bool| {
         let mut writer = Writer {
             control,

@@ -170,6 +170,16 @@ impl Interpreter<'_> {
         self.kernel.state.feed = feed;
     }
 
+    /// The spindle turns with the tap: clockwise into a right-hand thread.
+    fn turn_with_tap(&mut self, is_ccw: bool, rpm: Option<f64>) {
+        let state = if is_ccw { SpindleState::Ccw } else { SpindleState::Cw };
+        let rpm = rpm.unwrap_or(self.kernel.state.rpm);
+        if self.kernel.state.spindle != state {
+            self.kernel.state.spindle = state;
+            self.kernel.emit(CommandKind::Spindle { state, rpm });
+        }
+    }
+
     /// A straight cut at a feed of its own, mm/s.
     fn tap_to(&mut self, place: [f64; 3], range: TextRange, feed: f64) {
         self.with_path_speed(feed, |own| own.feed_to(place, range, 1.0));
@@ -228,6 +238,8 @@ impl Interpreter<'_> {
                 HoleStep::TapIn { to, pitch_mm, spindle_rpm }
                 | HoleStep::TapOut { to, pitch_mm, spindle_rpm } => {
                     place[normal] = to * unit;
+                    let is_out = matches!(step, HoleStep::TapOut { .. });
+                    self.turn_with_tap(is_out != (pitch_mm < 0.0), spindle_rpm);
                     let rpm = spindle_rpm.unwrap_or(self.kernel.state.rpm);
                     self.tap_to(place, range, pitch_mm.abs() * rpm / 60.0);
                 }

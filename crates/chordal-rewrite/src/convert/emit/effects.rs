@@ -9,7 +9,7 @@ impl CommandEmitter<'_> {
     /// proof tells where it is missing.
     pub(super) fn effect(&mut self, effect: &Effect) {
         let Effect::Code(words) = effect else { return };
-        if codes::is_only_of(words, self.from, self.to) {
+        if self.from.is_none_or(|from| codes::is_only_of(words, from, self.to)) {
             return;
         }
         self.flush();

@@ -23,6 +23,17 @@ pub(super) struct LatheModes {
 }
 
 impl LatheModes {
+    /// Those of a program that is for no lathe.
+    pub(super) fn of_mill() -> LatheModes {
+        LatheModes {
+            is_one: false,
+            tool: 0,
+            spindle: SpindleState::Off,
+            is_live: false,
+            keeps_surface_speed: false,
+        }
+    }
+
     pub(super) fn of(is_one: bool, before: &ActiveModes) -> LatheModes {
         LatheModes {
             is_one,

@@ -1,0 +1,411 @@
+//! A program for a control of another language, written from its run.
+//!
+//! `recorded` keeps what a run does, `tables` fills the tables of machines so that runs show what positions depend on,
+//! `places` finds that out, `holes` finds the holes of drilling cycles. The [`PostedProgram`] that comes out has no
+//! language: a [`ProgramWriter`] of the new control writes it. `assembly` adds comments and block numbers of the old text,
+//! `certificate` compares both programs. Cycles that do not make the same moves are written out, until nothing differs.
+
+mod assembly;
+mod certificate;
+mod holes;
+mod places;
+mod recorded;
+mod remarks;
+mod tables;
+mod taps;
+mod word_writer;
+
+use std::collections::BTreeSet;
+
+use chordal::control::{
+    ConfiguredControl, Control, PostedKind, PostedProgram, PostedStep, ProgramWriter,
+    StartingModes, Units, WriterOptions, WrittenProgram, control_profile,
+};
+use chordal::diagnostics::FileId;
+use chordal::machine::{AXES, AXIS_LETTERS};
+use chordal::{Command, CommandKind, Diagnostic, Job, Machine, Span};
+use chordal_compare::ComparisonVerdict;
+
+use self::assembly::{AssembledText, StepLines, assemble, main_line};
+use self::certificate::{PostedProof, ProofOutcome};
+use self::places::UnplacedCommand;
+use self::recorded::RecordedRun;
+use self::remarks::SourceRemarks;
+use self::tables::{TableSet, UsedNumbers, with_tables_of};
+use self::word_writer::WordAddressWriter;
+use super::{
+    Conversion, ConversionOptions, ConvertRefusal, MAX_ROUNDS, other_diameters, own_problems,
+};
+use crate::word_address::other_language;
+use crate::{Certificate, Change};
+
+/// Converts a program by its run; the refusals and the text go into `conversion`.
+pub(super) fn convert_by_run(old: &Job, options: &ConversionOptions, conversion: &mut Conversion) {
+    if let Err(refusals) = converted(old, options, conversion) {
+        conversion.refusals = refusals;
+    }
+}
+
+/// Proves another text in place of that of a conversion.
+pub(super) fn prove_posted(
+    old: &Job,
+    machine: &Machine,
+    text: String,
+    options: &ConversionOptions,
+) -> Option<Certificate> {
+    let used = UsedNumbers::of(old, &RecordedRun::of(old).commands);
+    let proof = PostedProof { old, machine, used: &used, options };
+    let ProofOutcome { mut certificate, other_tool_axis } = proof.of(&text)?;
+    if other_tool_axis.is_some() {
+        certificate.comparison.verdict = ComparisonVerdict::Different;
+    }
+    Some(certificate)
+}
+
+fn refusal(reason: impl Into<String>) -> Vec<ConvertRefusal> {
+    vec![ConvertRefusal { line: 0, words: String::new(), reason: reason.into() }]
+}
+
+/// The refusal of a line of the old text.
+fn line_refusal(old: &Job, file: FileId, line: u32, reason: impl Into<String>) -> ConvertRefusal {
+    let source = old.sources().get(file);
+    let words = source.map(|source| String::from_utf8_lossy(source.line_text(line)));
+    let words = words.unwrap_or_default().trim().to_string();
+    ConvertRefusal { line, words, reason: reason.into() }
+}
+
+fn converted(
+    old: &Job,
+    options: &ConversionOptions,
+    conversion: &mut Conversion,
+) -> Result<(), Vec<ConvertRefusal>> {
+    conversion.machine = with_tables_of(old, &conversion.machine);
+    let machine = conversion.machine.clone();
+    let empty = super::job("", String::new(), &machine).ok_or_else(|| {
+        match control_profile(machine.control) {
+            Some(_) => refusal("the machine file has settings that the control does not have"),
+            None => refusal(other_language(machine.control)),
+        }
+    })?;
+    let writer = writer_of(empty.configured_control())
+        .ok_or_else(|| refusal(other_language(machine.control)))?;
+    check_kinds(old, &empty)?;
+    if let Some(differs) = other_diameters(old, &machine) {
+        return Err(vec![differs]);
+    }
+    let problems = own_problems(old, options);
+    if !problems.is_empty() {
+        return Err(problems);
+    }
+    let remarks = single_program(old)?;
+    check_verified(old)?;
+    let first = RecordedRun::of(old);
+    let used = UsedNumbers::of(old, &first.commands);
+    let posted = PostedRun::of(old, &used, options)?;
+    check_axes(old, &machine, &posted)?;
+    check_tools(old, &posted)?;
+    let proof = PostedProof { old, machine: &machine, used: &used, options };
+    let rounds = ConversionRounds {
+        old,
+        writer: &*writer,
+        remarks: &remarks,
+        posted: &posted,
+        proof,
+        options,
+    };
+    rounds.run(conversion)
+}
+
+/// The writer of a control; `None` where programs of other languages are not converted to it.
+fn writer_of(control: &dyn ConfiguredControl) -> Option<Box<dyn ProgramWriter + '_>> {
+    match chordal::control::WordAddressControl::tables(control) {
+        Some(control) if may_be_written(control) => Some(Box::new(WordAddressWriter { control })),
+        Some(_) => None,
+        None => control.program_writer(),
+    }
+}
+
+/// Blocks of several codes are not written as several lines.
+fn may_be_written(control: &Control) -> bool {
+    control.table.command_line.is_none()
+}
+
+fn check_kinds(old: &Job, new: &Job) -> Result<(), Vec<ConvertRefusal>> {
+    let [from, to] = [old, new].map(Job::profile);
+    match from.turns || to.turns {
+        true => Err(refusal(format!(
+            "programs of lathes are not converted between {} and {}",
+            from.title, to.title
+        ))),
+        false => Ok(()),
+    }
+}
+
+/// A tool that has a name in the program, and no number in the machine file, is tool 0 of the run.
+fn check_tools(old: &Job, posted: &PostedRun) -> Result<(), Vec<ConvertRefusal>> {
+    let mut is_without_number = false;
+    for (step, command) in posted.program.steps.iter().zip(&posted.commands) {
+        let cuts = match &step.kind {
+            PostedKind::Command(CommandKind::Tool { number }) => {
+                is_without_number = *number == 0;
+                false
+            }
+            PostedKind::Command(command) => command.feed().is_some(),
+            PostedKind::Hole(_) | PostedKind::Tap(_) => true,
+            PostedKind::MachineMove { .. } => false,
+        };
+        if is_without_number && cuts {
+            let origin = command.origin;
+            let reason = "the tool that cuts here has no number: a tool with a name needs one with this `description` in [tools] of the machine file";
+            return Err(vec![line_refusal(old, origin.span.file, origin.line, reason)]);
+        }
+    }
+    Ok(())
+}
+
+/// Axes that the program moves and the target does not have.
+fn check_axes(old: &Job, target: &Machine, posted: &PostedRun) -> Result<(), Vec<ConvertRefusal>> {
+    let is_missing = |step: &PostedStep| {
+        let PostedKind::Command(command) = &step.kind else { return None };
+        let motion = command.motion()?;
+        (0..AXES)
+            .find(|axis| target.axes[*axis].is_none() && motion.from[*axis] != motion.to[*axis])
+    };
+    let found = posted.program.steps.iter().zip(&posted.commands);
+    let missing = found.filter_map(|(step, command)| Some((is_missing(step)?, command.origin)));
+    match missing.into_iter().next() {
+        Some((axis, origin)) => {
+            let letter = char::from(AXIS_LETTERS.as_bytes()[axis]);
+            let reason = format!("{} has no {letter} axis", target.name);
+            Err(vec![line_refusal(old, origin.span.file, origin.line, reason)])
+        }
+        None => Ok(()),
+    }
+}
+
+/// The comments of the only program of the text.
+fn single_program(old: &Job) -> Result<SourceRemarks, Vec<ConvertRefusal>> {
+    let programs = old.program_set();
+    let mains = old.mains(&*programs);
+    let [main] = mains[..] else {
+        return Err(refusal(
+            "the text has several programs, each of which begins by itself: choose one",
+        ));
+    };
+    let remarks = SourceRemarks::of(old, main);
+    match remarks.deletable {
+        Some(line) => Err(vec![line_refusal(
+            old,
+            FileId(0),
+            line,
+            "block delete (/) decides at the machine what runs, and a program that is written from its run has one way only",
+        )]),
+        None => Ok(remarks),
+    }
+}
+
+/// Nothing is claimed of a run that is not verified.
+fn check_verified(old: &Job) -> Result<(), Vec<ConvertRefusal>> {
+    let report = old.report();
+    if report.verified() {
+        return Ok(());
+    }
+    let is_reason = |one: &&Diagnostic| one.code.loses_path(one.severity) || one.code.loses_time();
+    let Some(reason) = report.diagnostics.iter().find(is_reason) else {
+        return Err(refusal("the run of the program is not verified"));
+    };
+    let span = reason.primary.span;
+    let line = old.sources().get(span.file).map_or(0, |source| source.line_of(span.range.start));
+    let reason = format!("the run of the program is not verified: {}", reason.message);
+    Err(vec![line_refusal(old, span.file, line, reason)])
+}
+
+/// A run as a program in no language.
+struct PostedRun {
+    program: PostedProgram,
+    /// The command that each step begins with.
+    commands: Vec<Command>,
+    carried_out: BTreeSet<u32>,
+    /// The blocks of the main program that call something, in the order of their first run.
+    callers: Vec<Span>,
+}
+
+impl PostedRun {
+    fn of(
+        old: &Job,
+        used: &UsedNumbers,
+        options: &ConversionOptions,
+    ) -> Result<PostedRun, Vec<ConvertRefusal>> {
+        let on = |tables: TableSet| {
+            let machine = tables.fill(old.machine(), old.profile(), used);
+            old.on_machine(machine).map_err(|error| refusal(error.to_string()))
+        };
+        let jobs = [on(TableSet::FIRST)?, on(TableSet::SECOND)?];
+        let [one, other] = [RecordedRun::of(&jobs[0]), RecordedRun::of(&jobs[1])];
+        let placed =
+            places::placed_commands([&jobs[0], &jobs[1]], [&one, &other], options.tolerance_mm);
+        let refuse = |unplaced: UnplacedCommand| {
+            let origin = one.commands.get(unplaced.index).map(|command| command.origin);
+            let origin = origin.unwrap_or_default();
+            vec![line_refusal(old, origin.span.file, origin.line, unplaced.reason)]
+        };
+        let placed = placed.map_err(refuse)?;
+        let (steps, first): (Vec<PostedStep>, Vec<usize>) =
+            holes::steps_with_holes(&placed, &one.commands).map_err(refuse)?.into_iter().unzip();
+        let commands = first.into_iter().map(|index| one.commands[index].clone()).collect();
+        let programs = old.programs();
+        let main = programs.iter().find(|program| program.is_main);
+        let number = main.and_then(|program| program.number());
+        let name = main.and_then(|program| Some(program.name.as_ref()?.to_string()));
+        let program = PostedProgram { number, name, start: starting_modes(old, &steps), steps };
+        let callers = one.callers();
+        Ok(PostedRun { program, commands, carried_out: one.main_lines, callers })
+    }
+}
+
+/// What is active before the first step; the units are those of the first move, which all words before can have.
+fn starting_modes(old: &Job, steps: &[PostedStep]) -> StartingModes {
+    let rules = old.rules();
+    let before_moves = steps.iter().map_while(|step| match &step.kind {
+        PostedKind::Command(command) if command.motion().is_none() => Some(command),
+        PostedKind::Command(_)
+        | PostedKind::MachineMove { .. }
+        | PostedKind::Hole(_)
+        | PostedKind::Tap(_) => None,
+    });
+    let units = before_moves.filter_map(|command| {
+        let CommandKind::Units(units) = command else { return None };
+        Some(*units)
+    });
+    let units: Option<Units> = units.last();
+    StartingModes {
+        units: units.unwrap_or(rules.units),
+        plane: rules.starts_in,
+        feed_mode: rules.starting_feed_mode(),
+        work: old.initial_work_offset().ordinal(),
+    }
+}
+
+/// Writes and compares, until nothing differs or nothing is left to write out.
+struct ConversionRounds<'a> {
+    old: &'a Job<'a>,
+    writer: &'a dyn ProgramWriter,
+    remarks: &'a SourceRemarks,
+    posted: &'a PostedRun,
+    proof: PostedProof<'a>,
+    options: &'a ConversionOptions,
+}
+
+impl ConversionRounds<'_> {
+    fn run(&self, conversion: &mut Conversion) -> Result<(), Vec<ConvertRefusal>> {
+        let mut options = WriterOptions {
+            written_out: BTreeSet::new(),
+            digits: self.options.digits,
+            tolerance_mm: self.options.tolerance_mm,
+        };
+        for round in 0..MAX_ROUNDS {
+            let written = self.writer.write(&self.posted.program, &options);
+            let refusals = self.refusals(&written);
+            if !refusals.is_empty() {
+                return Err(refusals);
+            }
+            let text = self.text(&written);
+            let outcome = self.proof.of(&text.text).ok_or_else(|| {
+                refusal("the machine file has settings that the control does not have")
+            })?;
+            let holds = outcome.certificate.holds() && outcome.other_tool_axis.is_none();
+            let before = options.written_out.len();
+            if !holds {
+                self.follow(&outcome, &text, &mut options.written_out, round);
+            }
+            let goes_on = options.written_out.len() > before && round + 1 < MAX_ROUNDS;
+            if goes_on {
+                continue;
+            }
+            conversion.text = text.text;
+            conversion.changes = self.changes(&written);
+            conversion.certificate = Some(outcome.certificate);
+            if let Some(reason) = outcome
+                .other_tool_axis
+                .filter(|_| conversion.certificate.as_ref().is_some_and(Certificate::holds))
+            {
+                return Err(refusal(reason));
+            }
+            return Ok(());
+        }
+        Ok(())
+    }
+
+    fn text(&self, written: &WrittenProgram) -> AssembledText {
+        let lines = StepLines {
+            remarks: self.remarks,
+            carried_out: &self.posted.carried_out,
+            lines: self.posted.commands.iter().map(main_line).collect(),
+        };
+        assemble(self.writer, written, &lines)
+    }
+
+    /// Writes out the cycles of the lines that differ, and after some rounds all of them.
+    fn follow(
+        &self,
+        outcome: &ProofOutcome,
+        text: &AssembledText,
+        written_out: &mut BTreeSet<usize>,
+        round: usize,
+    ) {
+        let steps = &self.posted.program.steps;
+        let is_hole = |step: &usize| matches!(steps[*step].kind, PostedKind::Hole(_));
+        let before = written_out.len();
+        for difference in &outcome.certificate.comparison.differences {
+            let Some(blocks) = &difference.blocks[1] else { continue };
+            for step in text.steps_of(blocks.lines()) {
+                // The line of a move to a hole, or that of the hole itself.
+                written_out.extend(
+                    [step, step + 1].into_iter().filter(|step| *step < steps.len()).filter(is_hole),
+                );
+            }
+        }
+        if written_out.len() == before || round + 2 >= MAX_ROUNDS {
+            written_out.extend((0..steps.len()).filter(is_hole));
+        }
+    }
+
+    fn refusals(&self, written: &WrittenProgram) -> Vec<ConvertRefusal> {
+        let refusal = |note: &chordal::control::WriterNote| {
+            let origin = self.posted.commands.get(note.step).map(|command| command.origin);
+            let origin = origin.unwrap_or_default();
+            line_refusal(self.old, origin.span.file, origin.line, note.reason.clone())
+        };
+        let mut refusals: Vec<ConvertRefusal> = written.refusals.iter().map(refusal).collect();
+        refusals.dedup();
+        refusals
+    }
+
+    /// What was written in another way than block by block.
+    fn changes(&self, written: &WrittenProgram) -> Vec<Change> {
+        let change = |note: &chordal::control::WriterNote| {
+            let origin = self.posted.commands.get(note.step).map(|command| command.origin);
+            let origin = origin.unwrap_or_default();
+            let source = self.old.sources().get(origin.span.file);
+            let before =
+                source.map(|source| String::from_utf8_lossy(source.line_text(origin.line)));
+            Change {
+                line: origin.line,
+                before: before.unwrap_or_default().trim().to_string(),
+                after: note.words.clone(),
+                reason: note.reason.clone(),
+            }
+        };
+        let called = self.posted.callers.iter().filter_map(|span| {
+            let source = self.old.sources().get(span.file)?;
+            let line = source.line_of(span.range.start);
+            let before = String::from_utf8_lossy(source.line_text(line)).trim().to_string();
+            let reason = "what it calls is written out as it runs".to_string();
+            Some(Change { line, before, after: String::new(), reason })
+        });
+        let mut changes: Vec<Change> = called.chain(written.notes.iter().map(change)).collect();
+        changes.sort_by_key(|change| change.line);
+        changes.dedup();
+        changes
+    }
+}
