@@ -1,6 +1,7 @@
 //! Loads machines by name and from files, and chooses the machine of a program: the one that the caller or the folder
 //! names, or the one recognized from the text.
 
+use std::ffi::OsStr;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -8,7 +9,7 @@ use std::sync::Arc;
 use chordal::Machine;
 use chordal::control::dump::{self, DumpSetting};
 use chordal::control::{
-    COMMON_SETTINGS, CONTROLS, ControlTable, EvidenceStrength, SettingError, Units,
+    COMMON_SETTINGS, CONTROLS, ControlTable, EvidenceStrength, Recognition, SettingError, Units,
     configured_control, control_profile, control_title, recognize, table,
 };
 use chordal::machine::{ControlName, MachineError, ValueLocation, builtin, read_tool_tbl};
@@ -58,6 +59,15 @@ pub(crate) fn choose(
         {
             (typical(ControlName::Linuxcnc), MachineReason::Ending, None)
         }
+        Some(ending) if is_part_program(ending, &recognition) => {
+            let control = match control_profile(recognition.chosen().control)
+                .is_some_and(|profile| profile.turns)
+            {
+                true => ControlName::SinumerikLathe,
+                false => ControlName::Sinumerik,
+            };
+            (typical(control), MachineReason::Ending, None)
+        }
         _ => {
             let (settled, premise) = settle(recognition, text);
             let usual = Machine::from_builtin(machine_name(settled.chosen()));
@@ -70,6 +80,17 @@ pub(crate) fn choose(
         }
     };
     Ok((finish(machine, request)?, chosen, premise))
+}
+
+/// The least weight of the signs of another control that outweigh the file extension of a Sinumerik.
+const AGAINST_ENDING: i32 = 12;
+
+/// Whether a file is one of a Sinumerik by its extension, and its text does not say otherwise.
+fn is_part_program(ending: &OsStr, found: &Recognition) -> bool {
+    let is_ending = ["mpf", "spf"].iter().any(|own| ending.eq_ignore_ascii_case(own));
+    let chosen = found.chosen();
+    let is_own = matches!(chosen.control, ControlName::Sinumerik | ControlName::SinumerikLathe);
+    is_ending && !is_own && chosen.weight < AGAINST_ENDING
 }
 
 /// The `chordal.toml` that applies to a program.

@@ -129,8 +129,7 @@ impl ConfiguredControl for SinumerikControl {
         let mut names: Vec<ProgramName> = Vec::new();
         let mut reader = BlockReader::new(text);
         loop {
-            // Plain lines call nothing.
-            while reader.next_plain().is_some() {}
+            reader.skip_lines_without_calls();
             let Some(block) = reader.next() else { break };
             for statement in block.statements {
                 let name = match statement.kind {

@@ -210,7 +210,7 @@ fn alarms_and_what_is_not_followed() {
     of(&format!("M5\n{}", POCKET.replace(",3,11", ",0,11")), "61102");
     of("POCKET4(50,0,2,-4,4,0,0,4,0,0,300,100,3,11,0)", "61105");
     of("POCKET4(-50,0,2,-4,12,0,0,4,0,0,300,100,3,11,0)", "61101");
-    of(&format!("T2 M6\n{POCKET}"), "CH312");
+    of(&format!("T2 M6\n{POCKET}"), "CH727");
     of("CYCLE72(\"A\",50,0,2,-4,4,0,0,300,100,11,41,1,5)", "14011");
     let corners = first(&POCKET.replace(",20,6,", ",20,4,"));
     assert!(corners.starts_with("CH827") && corners.contains("5 mm"), "{corners}");

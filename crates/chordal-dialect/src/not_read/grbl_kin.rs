@@ -11,6 +11,7 @@ pub(super) const GRBL_KIN: NotRead = NotRead {
     signs: SIGNS,
     needed: 10,
     own: &[],
+    needs_own: false,
     shown_on: ControlName::Grbl,
 };
 

@@ -11,6 +11,7 @@ pub(super) const HEIDENHAIN: NotRead = NotRead {
     signs: SIGNS,
     needed: 8,
     own: &[],
+    needs_own: false,
     shown_on: ControlName::Fanuc,
 };
 

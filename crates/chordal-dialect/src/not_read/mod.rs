@@ -35,6 +35,8 @@ pub struct NotRead {
     pub needed: i32,
     /// Further signs, which count once a text is in the language; of several such languages the highest sum wins.
     pub own: &'static [RecognitionEvidence],
+    /// Without one of its own signs a text is in the other language that has the same signs.
+    pub needs_own: bool,
     /// The control whose lexical rules an editor uses for the text; the control of this name if the language is read.
     pub shown_on: ControlName,
 }

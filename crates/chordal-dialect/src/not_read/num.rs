@@ -11,6 +11,7 @@ pub(super) const NUM: NotRead = NotRead {
     signs: SIGNS,
     needed: 7,
     own: &[],
+    needs_own: false,
     shown_on: ControlName::Fanuc,
 };
 

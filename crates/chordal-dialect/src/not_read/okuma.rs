@@ -11,6 +11,7 @@ pub(super) const OKUMA: NotRead = NotRead {
     signs: SIGNS,
     needed: 6,
     own: &[],
+    needs_own: false,
     shown_on: ControlName::Fanuc,
 };
 

@@ -11,6 +11,7 @@ pub(super) const PLOTTER: NotRead = NotRead {
     signs: SIGNS,
     needed: 8,
     own: &[],
+    needs_own: false,
     shown_on: ControlName::Grbl,
 };
 

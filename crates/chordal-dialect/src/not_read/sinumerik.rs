@@ -11,6 +11,7 @@ pub(super) const SINUMERIK: NotRead = NotRead {
     signs: SIGNS,
     needed: 7,
     own: &[],
+    needs_own: false,
     shown_on: ControlName::Sinumerik,
 };
 
@@ -18,6 +19,7 @@ pub(super) const SINUMERIK_LATHE: NotRead = NotRead {
     name: "sinumerik-lathe",
     what: "a lathe program for a Sinumerik",
     own: TURNING_SIGNS,
+    needs_own: true,
     shown_on: ControlName::SinumerikLathe,
     ..SINUMERIK
 };
@@ -118,6 +120,21 @@ const SIGNS: &[RecognitionEvidence] = &[
     ),
     evidence(RecognitionSign::Form(TextForm::ParameterIsSet), 4, "R1= sets a parameter"),
     evidence(RecognitionSign::Form(TextForm::EqualsAddress), 3, "words have an equals sign"),
+    evidence(RecognitionSign::Code(&["AP=", "RP="]), 6, "AP= and RP= are polar coordinates"),
+    evidence(
+        RecognitionSign::Code(&["RND=", "RNDM=", "CHF=", "CHR="]),
+        6,
+        "RND= and CHR= round and chamfer corners",
+    ),
+    evidence(RecognitionSign::Code(&["ANG=", "AR=", "RPL="]), 5, "ANG= and AR= are angles"),
+    evidence(
+        RecognitionSign::Code(&["CIP X", "CT X", "GOTOC", "SETAL(", "REPEATB"]),
+        6,
+        "words as CIP and SETAL",
+    ),
+    evidence(RecognitionSign::Code(&["SPOS="]), 4, "SPOS= positions the spindle"),
+    evidence(RecognitionSign::Block("G700|G710"), 4, "G700 and G710 choose the units"),
+    evidence(RecognitionSign::Block("G331|G332"), 4, "G331 and G332 tap"),
     evidence(RecognitionSign::Block("G500|G505..599"), 3, "G500 to G599 choose a work offset"),
     evidence(RecognitionSign::Block("G450|G451"), 4, "G450 and G451 are corners of compensation"),
     evidence(RecognitionSign::Block("G641|G642"), 3, "G642 rounds corners"),

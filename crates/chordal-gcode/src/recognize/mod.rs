@@ -67,7 +67,11 @@ fn candidate(
     if not_read.is_some() && !of_kind {
         return None;
     }
-    signs.extend(of(listed.own..listed.end));
+    let own = of(listed.own..listed.end);
+    if own.is_empty() && not_read.is_some_and(|language| language.needs_own) {
+        return None;
+    }
+    signs.extend(own);
     // Signs that distinguish controls of one kind mean nothing in a program for another kind.
     let weight = if of_kind { weight(&signs) } else { ANOTHER_KIND };
     let mut signs: Vec<FoundSign> = signs

@@ -11,7 +11,7 @@ mod word_kinds;
 
 use chordal::Machine;
 use chordal::control::{
-    ANOTHER_KIND, ControlCandidate, Recognition, Units, configured_control, control_profile,
+    ANOTHER_KIND, ControlCandidate, Recognition, Units, configured_control, control_profile, table,
 };
 use chordal::machine::ControlName;
 
@@ -190,5 +190,7 @@ fn units_name(units: Units) -> &'static str {
 
 /// Sets the units at power-on; `false` when the control has no such setting.
 pub(crate) fn set_units(machine: &mut Machine, units: Units) -> bool {
-    machine.set(&format!("settings.units={:?}", units_name(units))).is_ok()
+    // The settings of other languages have the names of machine data.
+    table(machine.control).is_some()
+        && machine.set(&format!("settings.units={:?}", units_name(units))).is_ok()
 }

@@ -15,6 +15,8 @@ mod post_set;
 mod set;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, OnceLock};
 
 use chordal::{Code, Machine, Report, Severity};
 use faults::Part;
@@ -60,6 +62,8 @@ struct RightProgram {
     text: String,
     machine: Machine,
     said: Said,
+    /// What a check says where nobody names the control.
+    said_unnamed: OnceLock<Said>,
 }
 
 /// A diagnostic: line, code, severity.
@@ -119,6 +123,7 @@ fn programs_of_set() -> Set {
             set.right.entry(loaded.control()).or_default().push(RightProgram {
                 part: Part::new(&program.title, &loaded),
                 said: said(&report, &program.text),
+                said_unnamed: OnceLock::new(),
                 machine: loaded.machine().clone(),
                 text: program.text,
             });
@@ -154,9 +159,8 @@ struct Missed {
 fn plant_kind(
     kind: &Kind,
     right: &BTreeMap<&'static str, Vec<RightProgram>>,
-    missed: &mut Vec<Missed>,
-) -> Count {
-    let mut count = Count::default();
+) -> (Count, Vec<Missed>) {
+    let (mut count, mut missed) = (Count::default(), Vec::new());
     for expected in kind.expected {
         for control in expected.controls {
             let mut choice = Choice(SEED);
@@ -201,18 +205,44 @@ fn plant_kind(
             }
         }
     }
-    count
+    (count, missed)
+}
+
+/// Plants all kinds on all processors; the results in the order of the kinds.
+fn plant_kinds(
+    right: &BTreeMap<&'static str, Vec<RightProgram>>,
+) -> Vec<(&'static Kind, Count, Vec<Missed>)> {
+    let next = AtomicUsize::new(0);
+    let found = Mutex::new(Vec::new());
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                while let Some((number, kind)) = Some(next.fetch_add(1, Ordering::Relaxed))
+                    .and_then(|number| Some((number, KINDS.get(number)?)))
+                {
+                    let (count, missed) = plant_kind(kind, right);
+                    found.lock().expect("no panic").push((number, kind, count, missed));
+                }
+            });
+        }
+    });
+    let mut found = found.into_inner().expect("no panic");
+    found.sort_by_key(|(number, ..)| *number);
+    found.into_iter().map(|(_, kind, count, missed)| (kind, count, missed)).collect()
 }
 
 /// Found where nobody names the control: whichever it is taken for, a code of the kind stands in the line.
 fn is_found_unnamed(kind: &Kind, program: &RightProgram, plant: &Plant, text: &str) -> bool {
-    let before = set::load(&program.text, None);
-    let before = said(&before.job().expect("a job").check(), &program.text);
+    let before = program.said_unnamed.get_or_init(|| {
+        let before = set::load(&program.text, None);
+        said(&before.job().expect("a job").check(), &program.text)
+    });
     let after = set::load(text, None);
     let after = said(&after.job().expect("a job").check(), text);
     kind.expected.iter().any(|expected| {
         let expected = Expected { severity: Severity::Warning, ..*expected };
-        is_found(&expected, plant, &before, &after)
+        is_found(&expected, plant, before, &after)
     })
 }
 
@@ -226,8 +256,8 @@ fn every_planted_fault_of_another_kind_is_found_in_its_line() {
     set.wrong_elsewhere.iter().for_each(|line| println!("error elsewhere: {line}"));
     assert_eq!((own, elsewhere), (WRONG_PROGRAMS, WRONG_ELSEWHERE));
     let (mut together, mut missed) = (Count::default(), Vec::new());
-    for kind in KINDS {
-        let of_kind = plant_kind(kind, &set.right, &mut missed);
+    for (kind, of_kind, of_missed) in plant_kinds(&set.right) {
+        missed.extend(of_missed);
         let Count { planted, found, found_unnamed } = of_kind;
         println!("{:<52} {found:>3} of {planted:>3}, unnamed {found_unnamed:>3}", kind.name);
         assert!(planted > 0, "{} is nowhere planted", kind.name);

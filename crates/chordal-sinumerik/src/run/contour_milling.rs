@@ -63,10 +63,8 @@ impl Interpreter<'_> {
         let radius = self.kernel.state.radius_offset.filter(|number| *number > 0);
         let radius = radius.and_then(|number| self.kernel.state.offsets.radius_mm(number));
         let Some(radius) = radius.filter(|radius| *radius > 0.0) else {
-            return self.not_followed(
-                range,
-                "the radius of the tool is not given: what CYCLE72 cuts is missing here",
-            );
+            let message = "the radius of the tool is not given: what CYCLE72 cuts is missing here";
+            return self.lose_path_because(range, message.into());
         };
         let Some(commands) = self.record_contour(&name.clone(), range) else { return };
         let moves: Vec<Command> =

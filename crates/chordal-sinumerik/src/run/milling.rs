@@ -30,7 +30,11 @@ impl Interpreter<'_> {
             }
             Err(fault) if fault.alarm == NO_ALARM => {
                 let message = format!("{}: what {name} cuts is missing here", fault.message);
-                self.not_followed(range, message);
+                let (_, _, normal) = self.kernel.state.plane.axes();
+                let mut axes = AxisMask::NONE;
+                axes.insert(normal);
+                self.kernel.go_astray(axes);
+                self.lose_path_because(range, message);
             }
             Err(fault) => self.report_cycle(fault, range),
         }

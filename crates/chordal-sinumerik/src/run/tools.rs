@@ -149,7 +149,8 @@ impl Interpreter<'_> {
                 format!("tool radius compensation is switched {what} in a block of an arc");
             self.alarm(alarm, Code::CompensationOnArc, code_range, message);
         }
-        let has_no_edge = self.modes.edge == 0 || self.kernel.state.tool == 0;
+        let is_tool_unknown = self.modes.unknown_tool || self.kernel.state.unknown.tool;
+        let has_no_edge = self.modes.edge == 0 || self.kernel.state.tool == 0 && !is_tool_unknown;
         if side != CompensationSide::Off && has_no_edge && !self.modes.is_state_unknown {
             let message = "tool radius compensation is switched on and no tool edge is active";
             self.alarm(10750, Code::CompensationWithoutOffset, code_range, message);

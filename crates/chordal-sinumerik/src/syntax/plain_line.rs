@@ -33,6 +33,19 @@ pub struct PlainLine {
 }
 
 impl BlockReader<'_> {
+    /// Goes on at the next line that may name a program: those of letters with numbers alone name none.
+    pub fn skip_lines_without_calls(&mut self) {
+        loop {
+            let rest = self.rest();
+            let length = memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
+            if rest.is_empty() || may_call(&rest[..length]) {
+                return;
+            }
+            let end = if length < rest.len() { line_end_length(&rest[length..]) } else { 0 };
+            self.advance(length + end, end > 0);
+        }
+    }
+
     /// Reads the next line if it is a plain one; otherwise `None`, and nothing is read.
     pub fn next_plain(&mut self) -> Option<PlainLine> {
         let start = self.offset();
@@ -51,6 +64,19 @@ impl BlockReader<'_> {
         self.advance(length + end, end > 0);
         Some(found)
     }
+}
+
+/// Whether a line may name a program: it has two letters next to each other, or an L.
+fn may_call(line: &[u8]) -> bool {
+    let mut was_letter = false;
+    for byte in line {
+        let is_letter = byte.is_ascii_alphabetic() || *byte == b'_';
+        if is_letter && (was_letter || matches!(byte, b'L' | b'l')) {
+            return true;
+        }
+        was_letter = is_letter;
+    }
+    false
 }
 
 /// Reads the words of a line; the length of the line without its end. `None` for any other line.
