@@ -385,7 +385,7 @@ fn it_is_converted_to_blocks_by_its_run() {
     let found = convert::convert(&job, &haas, &convert::ConversionOptions::default());
     assert!(found.holds(), "{:?}\n{}", found.refusals, found.text);
     assert!(found.text.contains("T1 M6") && found.text.contains("G98 G81"), "{}", found.text);
-    let command = "convert part.lines --machine mill.toml --to haas-vf2 -o new.nc";
+    let command = "convert part.lines --machine mill.toml --to haas-vf2 -o new.txt";
     assert_eq!(shop.run(command), 0);
-    assert_eq!(shop.text("new.nc"), found.text);
+    assert_eq!(shop.text("new.txt"), found.text);
 }

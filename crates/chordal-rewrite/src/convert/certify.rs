@@ -53,18 +53,21 @@ pub(super) fn proof(
         free_pecks: free.pecks,
         free_passes: free.passes,
         kept: 100_000,
+        ignored: match is_other_language {
+            true => vec![Category::LengthOffset, Category::Value],
+            false => Vec::new(),
+        },
         ..chordal_compare::ComparisonOptions::default()
     };
     let surface = [old, new].map(trace::surface_lines);
     let turns = old.profile().turns;
     // Without a tool table each tool is set to the work zero.
     let has_lengths = |job: &Job| job.word_address().is_none_or(codes::has_lengths);
-    let no_lengths = is_other_language || ![old, new].into_iter().all(has_lengths);
+    let no_lengths = ![old, new].into_iter().all(has_lengths);
     let is_expected = |difference: &Difference| {
         is_of_machine(difference, turns)
             || (no_lengths && difference.category == Category::LengthOffset)
             || (printed && difference.category == Category::Output)
-            || (is_other_language && difference.category == Category::Value)
             || follows_the_diameter(difference, &surface)
             || is_left_out(difference, [old, new])
     };

@@ -2,8 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use chordal::Command;
-use chordal::control::{ProgramWriter, WrittenProgram};
+use chordal::control::{Origin, ProgramWriter, WrittenProgram};
 
 use super::recorded::is_main;
 use super::remarks::SourceRemarks;
@@ -39,9 +38,9 @@ pub(super) struct StepLines<'a> {
     pub lines: Vec<Option<u32>>,
 }
 
-/// The line of a command in the main program.
-pub(super) fn main_line(command: &Command) -> Option<u32> {
-    is_main(&command.origin).then_some(command.origin.line)
+/// The line of a block in the main program.
+pub(super) fn main_line(origin: &Origin) -> Option<u32> {
+    is_main(origin).then_some(origin.line)
 }
 
 /// Puts the text together.

@@ -119,7 +119,7 @@ fn drilled_hole(placed: &[PlacedCommand], plane: Plane) -> Option<DrilledHole> {
         initial_mm: moves().next()?.from[normal],
         start_mm,
         bottom_mm,
-        retract_mm: moves().last()?.to[normal],
+        retract_mm: moves().next_back()?.to[normal],
         feed,
         motions,
         written_out,

@@ -18,12 +18,12 @@ mod word_writer;
 use std::collections::BTreeSet;
 
 use chordal::control::{
-    ConfiguredControl, Control, PostedKind, PostedProgram, PostedStep, ProgramWriter,
+    ConfiguredControl, Control, Origin, PostedKind, PostedProgram, PostedStep, ProgramWriter,
     StartingModes, Units, WriterOptions, WrittenProgram, control_profile,
 };
 use chordal::diagnostics::FileId;
 use chordal::machine::{AXES, AXIS_LETTERS};
-use chordal::{Command, CommandKind, Diagnostic, Job, Machine, Span};
+use chordal::{CommandKind, Diagnostic, Job, Machine, Span};
 use chordal_compare::ComparisonVerdict;
 
 use self::assembly::{AssembledText, StepLines, assemble, main_line};
@@ -99,8 +99,7 @@ fn converted(
     }
     let remarks = single_program(old)?;
     check_verified(old)?;
-    let first = RecordedRun::of(old);
-    let used = UsedNumbers::of(old, &first.commands);
+    let used = UsedNumbers::of(old, &RecordedRun::of(old).commands);
     let posted = PostedRun::of(old, &used, options)?;
     check_axes(old, &machine, &posted)?;
     check_tools(old, &posted)?;
@@ -144,7 +143,7 @@ fn check_kinds(old: &Job, new: &Job) -> Result<(), Vec<ConvertRefusal>> {
 /// A tool that has a name in the program, and no number in the machine file, is tool 0 of the run.
 fn check_tools(old: &Job, posted: &PostedRun) -> Result<(), Vec<ConvertRefusal>> {
     let mut is_without_number = false;
-    for (step, command) in posted.program.steps.iter().zip(&posted.commands) {
+    for (step, origin) in posted.program.steps.iter().zip(&posted.origins) {
         let cuts = match &step.kind {
             PostedKind::Command(CommandKind::Tool { number }) => {
                 is_without_number = *number == 0;
@@ -155,7 +154,6 @@ fn check_tools(old: &Job, posted: &PostedRun) -> Result<(), Vec<ConvertRefusal>>
             PostedKind::MachineMove { .. } => false,
         };
         if is_without_number && cuts {
-            let origin = command.origin;
             let reason = "the tool that cuts here has no number: a tool with a name needs one with this `description` in [tools] of the machine file";
             return Err(vec![line_refusal(old, origin.span.file, origin.line, reason)]);
         }
@@ -171,8 +169,8 @@ fn check_axes(old: &Job, target: &Machine, posted: &PostedRun) -> Result<(), Vec
         (0..AXES)
             .find(|axis| target.axes[*axis].is_none() && motion.from[*axis] != motion.to[*axis])
     };
-    let found = posted.program.steps.iter().zip(&posted.commands);
-    let missing = found.filter_map(|(step, command)| Some((is_missing(step)?, command.origin)));
+    let found = posted.program.steps.iter().zip(&posted.origins);
+    let missing = found.filter_map(|(step, origin)| Some((is_missing(step)?, *origin)));
     match missing.into_iter().next() {
         Some((axis, origin)) => {
             let letter = char::from(AXIS_LETTERS.as_bytes()[axis]);
@@ -223,8 +221,8 @@ fn check_verified(old: &Job) -> Result<(), Vec<ConvertRefusal>> {
 /// A run as a program in no language.
 struct PostedRun {
     program: PostedProgram,
-    /// The command that each step begins with.
-    commands: Vec<Command>,
+    /// The block of each step.
+    origins: Vec<Origin>,
     carried_out: BTreeSet<u32>,
     /// The blocks of the main program that call something, in the order of their first run.
     callers: Vec<Span>,
@@ -252,14 +250,14 @@ impl PostedRun {
         let placed = placed.map_err(refuse)?;
         let (steps, first): (Vec<PostedStep>, Vec<usize>) =
             holes::steps_with_holes(&placed, &one.commands).map_err(refuse)?.into_iter().unzip();
-        let commands = first.into_iter().map(|index| one.commands[index].clone()).collect();
+        let origins = first.into_iter().map(|index| one.commands[index].origin).collect();
         let programs = old.programs();
         let main = programs.iter().find(|program| program.is_main);
         let number = main.and_then(|program| program.number());
         let name = main.and_then(|program| Some(program.name.as_ref()?.to_string()));
         let program = PostedProgram { number, name, start: starting_modes(old, &steps), steps };
         let callers = one.callers();
-        Ok(PostedRun { program, commands, carried_out: one.main_lines, callers })
+        Ok(PostedRun { program, origins, carried_out: one.main_lines, callers })
     }
 }
 
@@ -340,7 +338,7 @@ impl ConversionRounds<'_> {
         let lines = StepLines {
             remarks: self.remarks,
             carried_out: &self.posted.carried_out,
-            lines: self.posted.commands.iter().map(main_line).collect(),
+            lines: self.posted.origins.iter().map(main_line).collect(),
         };
         assemble(self.writer, written, &lines)
     }
@@ -372,8 +370,7 @@ impl ConversionRounds<'_> {
 
     fn refusals(&self, written: &WrittenProgram) -> Vec<ConvertRefusal> {
         let refusal = |note: &chordal::control::WriterNote| {
-            let origin = self.posted.commands.get(note.step).map(|command| command.origin);
-            let origin = origin.unwrap_or_default();
+            let origin = self.posted.origins.get(note.step).copied().unwrap_or_default();
             line_refusal(self.old, origin.span.file, origin.line, note.reason.clone())
         };
         let mut refusals: Vec<ConvertRefusal> = written.refusals.iter().map(refusal).collect();
@@ -384,8 +381,7 @@ impl ConversionRounds<'_> {
     /// What was written in another way than block by block.
     fn changes(&self, written: &WrittenProgram) -> Vec<Change> {
         let change = |note: &chordal::control::WriterNote| {
-            let origin = self.posted.commands.get(note.step).map(|command| command.origin);
-            let origin = origin.unwrap_or_default();
+            let origin = self.posted.origins.get(note.step).copied().unwrap_or_default();
             let source = self.old.sources().get(origin.span.file);
             let before =
                 source.map(|source| String::from_utf8_lossy(source.line_text(origin.line)));
