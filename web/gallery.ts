@@ -8,7 +8,7 @@ const TITLES: Record<string, string> = {
   "fadal": "Fadal", "fanuc": "Fanuc", "fanuc-lathe": "Fanuc, lathe", "fluidnc": "FluidNC", "grbl": "GRBL", "grblhal": "grblHAL",
   "haas": "Haas", "haas-lathe": "Haas, lathe", "linuxcnc": "LinuxCNC", "linuxcnc-lathe": "LinuxCNC, lathe", "mach3": "Mach3", "marlin": "Marlin",
   "mitsubishi": "Mitsubishi", "mitsubishi-lathe": "Mitsubishi, lathe", "mitsubishi-type2": "Mitsubishi, arcs of type 2",
-  "stock": "Stock that is cut", "textbook": "Programs of textbooks", "textbook-absolute-center": "Arc centres as positions",
+  "sinumerik": "Sinumerik", "stock": "Stock that is cut", "textbook": "Programs of textbooks", "textbook-absolute-center": "Arc centres as positions",
   "textbook-from-center": "Arc centres to the start",
 };
 

@@ -20,4 +20,5 @@ if TYPE_CHECKING:
         "mach3",
         "marlin",
         "sinumerik",
+        "sinumerik-lathe",
     ]

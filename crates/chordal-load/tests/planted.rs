@@ -133,7 +133,8 @@ fn plant_all(kinds: &[Kind], parts: &[Part]) -> usize {
                 let after = said(&part.check(&text), &text);
                 let is_new = |at: usize, id: &str| !before.iter().any(|b| b.0 == at && b.1 == id);
                 let right = after.iter().any(|&(at, id, _)| {
-                    let is_unreadable = part.control == "sinumerik" && UNREADABLE.contains(&id);
+                    let is_unreadable =
+                        part.control.starts_with("sinumerik") && UNREADABLE.contains(&id);
                     let said = kind.codes.contains(&id) || id == REFUSED || is_unreadable;
                     let in_line = at == place && said;
                     (in_line || id == NOT_RUN && at <= place) && is_new(at, id)

@@ -170,7 +170,7 @@ impl ConfiguredControl for SinumerikControl {
     }
 
     fn take_table(&self, text: &[u8], machine: &mut Machine) {
-        take_table(text, machine);
+        take_table(text, self.profile.work_names, machine);
     }
 
     fn program_writer(&self) -> Option<Box<dyn ProgramWriter + '_>> {

@@ -1,5 +1,6 @@
 //! Tools and work offsets of the control's tables as a machine file has them.
 
+use chordal_command::WorkNaming;
 use chordal_machine::{Machine, Tool, ToolShape};
 
 use crate::run::{ToolDatum, settable_name};
@@ -8,23 +9,23 @@ use crate::syntax::{
 };
 
 /// Takes the tools and the work offsets of a table over into a machine: what the control holds wins, what it does not say
-/// stays.
-pub fn take_table(text: &[u8], machine: &mut Machine) {
+/// stays. `naming` is that of the control's work offsets.
+pub fn take_table(text: &[u8], naming: WorkNaming, machine: &mut Machine) {
     for block in BlockReader::new(text) {
         for statement in &block.statements {
             if let StatementKind::Word(word) = &statement.kind {
-                take_entry(word, machine);
+                take_entry(word, naming, machine);
             }
         }
     }
 }
 
-fn take_entry(word: &AddressWord, machine: &mut Machine) -> Option<()> {
+fn take_entry(word: &AddressWord, naming: WorkNaming, machine: &mut Machine) -> Option<()> {
     let WordValue::Plain(value) = &word.value else { return None };
     let name = &*word.address.name;
     let index = |place: usize| number(word.address.indices.get(place)?);
     if name == "$P_UIFR" {
-        return take_offset(word, value, machine);
+        return take_offset(word, value, naming, machine);
     }
     if !name.starts_with("$TC_") {
         return None;
@@ -68,10 +69,15 @@ fn shape_of(kind: u32) -> Option<ToolShape> {
 }
 
 /// `$P_UIFR[1]=CTRANS(X,10,Y,20):CFINE(…)` or `$P_UIFR[1,X,TR]=10`.
-fn take_offset(word: &AddressWord, value: &Expression, machine: &mut Machine) -> Option<()> {
+fn take_offset(
+    word: &AddressWord,
+    value: &Expression,
+    naming: WorkNaming,
+    machine: &mut Machine,
+) -> Option<()> {
     let indices = &word.address.indices;
     let name = settable_name(number(indices.first()?)? as u32)?;
-    let key = name.table_key(crate::control::PROFILE.work_names);
+    let key = name.table_key(naming);
     let mut values = Vec::new();
     match indices.as_slice() {
         [_] => translations(value, &mut values),
@@ -131,7 +137,7 @@ mod tests {
         let mut machine = Machine::from_builtin("haas-vf2").expect("a machine");
         let text = b"$TC_TP2[3]=\"MILL\"\n$TC_DP1[3,1]=120\n$TC_DP3[3,1]=112.5\n$TC_DP6[3,1]=5\n\
             $TC_DP6[3,2]=4\n$P_UIFR[1]=CTRANS(X,-400,Y,20.5,Z,-1):CFINE(X,0)\n$P_UIFR[5,Z,TR]=-7\nM17\n";
-        take_table(text, &mut machine);
+        take_table(text, crate::control::PROFILE.work_names, &mut machine);
         let tool = &machine.tools[&3];
         assert_eq!(tool.description.as_deref(), Some("MILL"));
         assert_eq!((tool.length_mm(), tool.diameter_mm), (Some(112.5), Some(10.0)));

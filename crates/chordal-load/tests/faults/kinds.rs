@@ -43,7 +43,7 @@ const LATHES: &[&str] = &["fanuc-lathe", "haas-lathe", "linuxcnc-lathe", "mitsub
 const SMALL: &[&str] = &["grbl", "grblhal", "fluidnc", "marlin"];
 
 /// Controls whose programs need no end.
-const NO_END: &[&str] = &["grbl", "grblhal", "fluidnc", "marlin", "sinumerik"];
+const NO_END: &[&str] = &["grbl", "grblhal", "fluidnc", "marlin", "sinumerik", "sinumerik-lathe"];
 
 /// The feed of a hole begins where the tool is.
 const NO_R: &[&str] =
@@ -86,6 +86,7 @@ pub const KINDS: &[Kind] = &[
         "mitsubishi-lathe",
         "mach3",
         "sinumerik",
+        "sinumerik-lathe",
     ]),
     kind("G0 and G1 in one block", two_motions, &["CH302", "CH307"]),
     kind("G54 and G55 in one block", two_offsets, &["CH302"]).not_on(&["fadal"]),

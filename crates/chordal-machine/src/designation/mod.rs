@@ -98,7 +98,10 @@ impl<'t> DesignationReader<'t> {
 
     /// An error for the last `count` bytes that were read.
     fn wrong(&self, count: usize, message: String, help: impl Into<String>) -> DesignationError {
-        DesignationError::new(message, self.at.saturating_sub(count)..self.at, help)
+        // What was read may have other characters than ASCII before it.
+        let start = (0..=self.at.saturating_sub(count)).rev();
+        let start = start.into_iter().find(|at| self.text.is_char_boundary(*at)).unwrap_or(0);
+        DesignationError::new(message, start..self.at, help)
     }
 }
 

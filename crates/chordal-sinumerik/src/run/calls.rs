@@ -334,7 +334,7 @@ impl Interpreter<'_> {
             passes_left: request.passes - 1,
             saved,
             references,
-            given_parameters: request.arguments.iter().map(Option::is_some).collect(),
+            passed_parameters: request.arguments.iter().map(Option::is_some).collect(),
             is_modal_call: request.is_modal,
             ..RunningProgram::new(program, reader, call)
         });

@@ -36,7 +36,7 @@ pub struct Interpreter<'a> {
     /// Tables of the control next to the program list its tools.
     pub(super) has_tool_tables: bool,
     /// The edges of tools that a table of the control or the program gives: tool and edge.
-    pub(super) given_edges: HashSet<(u32, u32)>,
+    pub(super) listed_edges: HashSet<(u32, u32)>,
     /// Numbers of tools by the names that the program gives them (`$TC_TP2`).
     pub(super) tool_names: HashMap<String, u32>,
     /// The texts of macros by their names.
@@ -75,7 +75,7 @@ impl<'a> Interpreter<'a> {
             reported: HashSet::new(),
             assumed: HashMap::new(),
             has_tool_tables: false,
-            given_edges: HashSet::new(),
+            listed_edges: HashSet::new(),
             tool_names: HashMap::new(),
             macros: HashMap::new(),
             macro_use: None,
@@ -203,8 +203,8 @@ impl<'a> Interpreter<'a> {
             return Some(EndReason::Budget);
         }
         self.blocks += 1;
-        let is_asked = self.blocks.is_multiple_of(INTERRUPT_BLOCKS);
-        (is_asked && self.is_interrupted()).then_some(EndReason::Interrupted)
+        let checks_interrupt = self.blocks.is_multiple_of(INTERRUPT_BLOCKS);
+        (checks_interrupt && self.is_interrupted()).then_some(EndReason::Interrupted)
     }
 
     /// After a block, which began at an offset of its text.
@@ -316,8 +316,8 @@ impl<'a> Interpreter<'a> {
             let scale = if axis == 0 && is_diameter { 2.0 } else { 1.0 };
             known.has(axis).then_some(scale * place[axis] / unit)
         });
-        let given_parameters =
-            self.stack.last().map_or(&[][..], |running| &running.given_parameters);
+        let passed_parameters =
+            self.stack.last().map_or(&[][..], |running| &running.passed_parameters);
         ValueScope {
             variables: &mut self.variables,
             system: SystemState {
@@ -327,7 +327,7 @@ impl<'a> Interpreter<'a> {
                 turns,
                 has_modal_call: self.modal_call.is_some(),
                 level: self.stack.len() - 1,
-                given_parameters,
+                passed_parameters,
             },
         }
     }

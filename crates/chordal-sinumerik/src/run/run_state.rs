@@ -40,7 +40,7 @@ pub struct RunningProgram<'a> {
     /// The caller's variables that get the values of `VAR` parameters at the return: name here, name there.
     pub references: Vec<(String, String)>,
     /// Which of its parameters the call gives.
-    pub given_parameters: Vec<bool>,
+    pub passed_parameters: Vec<bool>,
     /// The calls stand in a modal call: it does not act on them.
     pub is_modal_call: bool,
     /// The branches that are open, as far as no jump was made.
@@ -65,7 +65,7 @@ impl<'a> RunningProgram<'a> {
             call,
             saved: None,
             references: Vec::new(),
-            given_parameters: Vec::new(),
+            passed_parameters: Vec::new(),
             is_modal_call: false,
             open_branches: 0,
             has_jumped: false,

@@ -25,7 +25,7 @@ pub struct SystemState<'s> {
     /// The level of the running program: 0 for the main program.
     pub level: usize,
     /// Which parameters the call of the running program gives.
-    pub given_parameters: &'s [bool],
+    pub passed_parameters: &'s [bool],
 }
 
 /// The indices of an address as texts: numbers, and names of axes and parts of frames in upper case.
@@ -73,7 +73,7 @@ pub fn system_value(
         "$P_STACK" | "$P_PROGLEVEL" => SinumerikValue::Integer(system.level as i32),
         "$P_SUBPAR" => {
             let place = (number(0)? as usize).checked_sub(1)?;
-            SinumerikValue::Boolean(system.given_parameters.get(place).copied().unwrap_or(false))
+            SinumerikValue::Boolean(system.passed_parameters.get(place).copied().unwrap_or(false))
         }
         "$P_UIFRNUM" => whole(offset_index(state.offsets.active())?),
         "$P_UIFR" => SinumerikValue::Real(settable_value(system, keys)?),

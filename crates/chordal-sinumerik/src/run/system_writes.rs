@@ -41,7 +41,7 @@ impl Interpreter<'_> {
             && let [tool, edge] = indices
             && let (Ok(tool), Ok(edge)) = (u32::try_from(*tool), u32::try_from(*edge))
         {
-            self.given_edges.insert((tool, edge));
+            self.listed_edges.insert((tool, edge));
         }
         if let Some(datum) = ToolDatum::named(name) {
             return self.write_tool_datum(datum, indices, range, value);

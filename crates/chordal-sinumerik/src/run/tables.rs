@@ -20,7 +20,7 @@ impl Interpreter<'_> {
             }
             self.stack.pop();
         }
-        self.has_tool_tables = !self.given_edges.is_empty();
+        self.has_tool_tables = !self.listed_edges.is_empty();
     }
 
     fn table_block(&mut self, block: &ProgramBlock) {

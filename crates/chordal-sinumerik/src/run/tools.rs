@@ -57,7 +57,7 @@ impl Interpreter<'_> {
     /// T of a tool that the tool data of the control do not have; without such data nobody knows which tools there are.
     fn check_tool_number(&mut self, number: u32, range: TextRange) {
         let has_data = self.has_tool_tables;
-        let is_listed = self.given_edges.contains(&(number, 1))
+        let is_listed = self.listed_edges.contains(&(number, 1))
             || self.kernel.machine.tools.contains_key(&number);
         if number > 0 && has_data && !is_listed {
             let message = format!("the tool data of the control have no tool {number}");
@@ -95,14 +95,15 @@ impl Interpreter<'_> {
             let message = format!("there is no D{edge}: a tool has {MAX_EDGE} edges at most");
             return self.alarm(17180, Code::OffsetNotSet, range, message);
         }
-        let lists_tool = self.given_edges.contains(&(tool, 1));
-        if edge > 0 && tool > 0 && lists_tool && !self.given_edges.contains(&(tool, edge)) {
+        let lists_tool = self.listed_edges.contains(&(tool, 1));
+        if edge > 0 && tool > 0 && lists_tool && !self.listed_edges.contains(&(tool, edge)) {
             let message = format!("the tool data of the control give tool {tool} no D{edge}");
             return self.alarm(17180, Code::OffsetNotSet, range, message);
         }
         let mut number = edge_offset_number(tool, edge);
-        let is_given = number.is_none_or(|number| self.kernel.state.offsets.tool(number).is_some());
-        if edge > 1 && !is_given {
+        let is_listed =
+            number.is_none_or(|number| self.kernel.state.offsets.tool(number).is_some());
+        if edge > 1 && !is_listed {
             // The values of the first edge are drawn, so that there is something to see.
             number = edge_offset_number(tool, 1);
             if self.is_first_report(&format!("D {tool} {edge}")) {
