@@ -51,7 +51,9 @@ impl InsertDesignation {
         let sizes = metric(&mut reader, shape)?.or_else(|| inch(&mut reader, shape));
         let Some((circle_mm, nose_mm)) = sizes else {
             let digits = reader.run(|c| c.is_ascii_digit() || c == '.');
-            let count = digits.len().max(1).min(text.len().saturating_sub(start));
+            // Without digits the next character is what stands there in place of a size.
+            let next = reader.rest().chars().next().map_or(0, char::len_utf8);
+            let count = if digits.is_empty() { next } else { digits.len() };
             let message = match digits {
                 "" => "it has no size".to_string(),
                 digits => format!("`{digits}` is no size of an insert"),
