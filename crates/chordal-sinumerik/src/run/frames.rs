@@ -34,12 +34,11 @@ impl Interpreter<'_> {
             self.modes.set_frames(map, self.modes.swivel);
             self.modes.last_direction = None;
             // TRANS and its like begin anew; ATRANS adds to what G59 replaces.
-            let shift = if bare == "TRANS" { linear(self.lengths(words), 0.0) } else { [0.0; 6] };
-            for axis in 0..3 {
-                let kept = if is_additive { self.modes.additive_shift[axis] } else { 0.0 };
-                self.modes.additive_shift[axis] =
-                    kept + if is_additive { shift[axis] } else { 0.0 };
-            }
+            let added = if bare == "TRANS" { self.lengths(words) } else { [0.0; 3] };
+            self.modes.additive_shift = match is_additive {
+                true => std::array::from_fn(|axis| self.modes.additive_shift[axis] + added[axis]),
+                false => [0.0; 3],
+            };
         }
         for (code, _) in &words.g_codes {
             if matches!(code, 58 | 59) {
@@ -56,15 +55,15 @@ impl Interpreter<'_> {
             return self.not_followed(range, what);
         };
         let unit = self.unit_mm();
-        for axis in 0..3 {
+        for (axis, shift) in shift.iter_mut().enumerate() {
             let Some(word) = words.axes[axis] else { continue };
             let value = word.value * unit;
-            let additive = self.modes.additive_shift[axis];
+            let additive = &mut self.modes.additive_shift[axis];
             if is_additive {
-                shift[axis] += value - additive;
-                self.modes.additive_shift[axis] = value;
+                *shift += value - *additive;
+                *additive = value;
             } else {
-                shift[axis] = value + additive;
+                *shift = value + *additive;
             }
         }
         let map = FrameMap::translation(linear([shift[0], shift[1], shift[2]], 0.0));

@@ -44,8 +44,8 @@ impl Interpreter<'_> {
         let start = self.kernel.state.position;
         let mut end = start;
         let mut named = AxisMask::NONE;
-        for axis in 0..3 {
-            let Some(word) = line.axes[axis] else { continue };
+        for (axis, word) in line.axes.iter().enumerate() {
+            let Some(word) = word else { continue };
             end[axis] = word.value * unit;
             named.insert(axis);
             words.axes[axis] =

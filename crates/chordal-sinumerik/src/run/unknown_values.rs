@@ -200,8 +200,12 @@ impl Interpreter<'_> {
         let own = locals.chain(self.variables.user_data.keys()).map(String::as_str);
         others.extend(own.filter(|other| *other != name));
         others.extend(self.programs.texts.iter().map(|text| text.name.as_str()));
-        others.extend(CYCLES.iter().map(|cycle| &cycle.name[..]));
-        others.extend(known_names().map(|known| &known[..]));
+        for cycle in CYCLES {
+            others.push(cycle.name);
+        }
+        for known in known_names() {
+            others.push(known);
+        }
         nearest_name(name, others).map(str::to_string)
     }
 
