@@ -225,7 +225,7 @@ fn check(expected: &str, line: u32, commands: &[(u32, Command)], machine_z: f64)
         "at" => {
             let up_to =
                 || commands.iter().filter(|(own, _)| *own <= line).map(|(_, command)| command);
-            let is_mark = |kind: &CommandKind| matches!(kind, CommandKind::Dwell { seconds, .. } if *seconds == REPEAT_MARK);
+            let is_mark = |kind: &CommandKind| matches!(kind, CommandKind::Dwell { seconds, .. } if (seconds - REPEAT_MARK).abs() < 0.5);
             let mark = commands.iter().position(|(own, c)| *own == line && is_mark(&c.kind));
             let before_mark = mark.and_then(|mark| {
                 commands[..mark].iter().rev().find_map(|(_, command)| command.kind.motion())
