@@ -323,7 +323,8 @@ pub fn duration_s(feed: &Feed, motion: &Move, curve: &Curve) -> f64 {
     if feed.surface.is_some()
         && let Some(seconds) = crate::surface::surface_time(feed, curve)
     {
-        return seconds;
+        // A limit of 0 leaves the spindle standing, too.
+        return if seconds.is_finite() { seconds } else { 0.0 };
     }
     let length = match (feed.along, curve) {
         (FeedAlong::Path, _) => curve.length(),
