@@ -35,6 +35,27 @@ pub enum CompensationSide {
     Right,
 }
 
+impl CompensationSide {
+    /// 1 left of the path, -1 right of it, 0 without compensation.
+    pub const fn sign(self) -> f64 {
+        match self {
+            CompensationSide::Off => 0.0,
+            CompensationSide::Left => 1.0,
+            CompensationSide::Right => -1.0,
+        }
+    }
+
+    /// The other side if `mirrored` is true, otherwise the same one.
+    #[must_use]
+    pub const fn mirrored_if(self, mirrored: bool) -> CompensationSide {
+        match self {
+            CompensationSide::Left if mirrored => CompensationSide::Right,
+            CompensationSide::Right if mirrored => CompensationSide::Left,
+            same => same,
+        }
+    }
+}
+
 /// How corners are passed.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum PathMode {

@@ -56,6 +56,7 @@ pub use language::{
     ProgramWriter, ProgrammingLanguage, Recognition, RunOptions, SettingError, ShopAnswer,
     ShopCall, ShopCodes, ShopRecord, StartingModes, TappedHole, TextSymbol, Token, TokenClass,
     WordCompletion, WriterNote, WriterOptions, WrittenLine, WrittenProgram, are_same_motions,
+    is_same_level,
 };
 pub use modal::{Modal, MotionMode};
 pub use motion::{ArcWords, MisfitArc, SpiralWords, is_over};

@@ -32,7 +32,7 @@ pub mod control {
         ProgramWriter, ProgrammingLanguage, Recognition, RunOptions, RunSink, SettingError,
         ShopAnswer, ShopCall, ShopCodes, ShopRecord, SplineForm, StartingModes, StateItem,
         StateValue, TappedHole, TextSymbol, Token, TokenClass, ToolValue, TurnPass, WordCompletion,
-        WriterNote, WriterOptions, WrittenLine, WrittenProgram,
+        WriterNote, WriterOptions, WrittenLine, WrittenProgram, is_same_level,
     };
 
     pub use crate::languages::{

@@ -149,11 +149,7 @@ impl Interpreter<'_> {
                 &format!("{name} with L word, but plane is not G18"),
             );
         }
-        let side = match side {
-            CompensationSide::Left if diameter < 0.0 => CompensationSide::Right,
-            CompensationSide::Right if diameter < 0.0 => CompensationSide::Left,
-            side => side,
-        };
+        let side = side.mirrored_if(diameter < 0.0);
         self.check_compensation_move(block, side, span);
         if self.kernel.state.side == CompensationSide::Off {
             self.note_contour_of_call(block);

@@ -336,20 +336,17 @@ impl Interpreter<'_> {
 
     /// The direction of an arc: G2 and G3 are exchanged when the plane has the axes of the surface in the other order.
     pub(super) fn direction_on_surface(&self, direction: TurnDirection) -> TurnDirection {
-        match (self.kernel.state.surface.map(|state| state.plane), direction) {
-            (Some(SurfacePlane::Swapped), TurnDirection::Cw) => TurnDirection::Ccw,
-            (Some(SurfacePlane::Swapped), TurnDirection::Ccw) => TurnDirection::Cw,
-            (_, direction) => direction,
-        }
+        direction.mirrored_if(self.is_surface_swapped())
     }
 
     /// The side of compensation, exchanged likewise.
     pub(super) fn side_on_surface(&self, side: CompensationSide) -> CompensationSide {
-        match (self.kernel.state.surface.map(|state| state.plane), side) {
-            (Some(SurfacePlane::Swapped), CompensationSide::Left) => CompensationSide::Right,
-            (Some(SurfacePlane::Swapped), CompensationSide::Right) => CompensationSide::Left,
-            (_, side) => side,
-        }
+        side.mirrored_if(self.is_surface_swapped())
+    }
+
+    /// Whether the plane has the axes of the surface in the other order.
+    fn is_surface_swapped(&self) -> bool {
+        self.kernel.state.surface.is_some_and(|state| state.plane == SurfacePlane::Swapped)
     }
 
     /// The end point of a block in coordinates of the surface, and the coordinates it names.

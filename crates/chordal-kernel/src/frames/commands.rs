@@ -137,11 +137,7 @@ impl FrameMap {
 
     /// The side of compensation; a mirror exchanges left and right.
     pub(crate) fn side(&self, side: CompensationSide, plane: Plane) -> CompensationSide {
-        match side {
-            CompensationSide::Left if self.in_plane(plane).is_mirrored() => CompensationSide::Right,
-            CompensationSide::Right if self.in_plane(plane).is_mirrored() => CompensationSide::Left,
-            other => other,
-        }
+        side.mirrored_if(self.in_plane(plane).is_mirrored())
     }
 
     fn distance_in_plane(&self, plane: Plane, course: [f64; 2]) -> [f64; 2] {

@@ -29,7 +29,7 @@ pub use custom_codes::{CustomCode, ShopAnswer, ShopCall, ShopCodes, ShopRecord};
 pub use outcome::{CompletedRun, EndReason, Outcome};
 pub use posted_program::{
     DrilledHole, HoleForm, HoleMotion, PostedKind, PostedProgram, PostedStep, StartingModes,
-    TappedHole, are_same_motions,
+    TappedHole, are_same_motions, is_same_level,
 };
 pub use program_set::ProgramSet;
 pub use program_writer::{ProgramWriter, WriterNote, WriterOptions, WrittenLine, WrittenProgram};

@@ -161,19 +161,17 @@ pub enum HoleForm {
 /// Levels and times that differ by less are the same, mm or s.
 const EQUAL: f64 = 1e-6;
 
-fn is_near(a: f64, b: f64) -> bool {
-    (a - b).abs() < EQUAL
+/// Whether two levels, mm, or two times, s, are the same within rounding.
+pub fn is_same_level(one: f64, other: f64) -> bool {
+    (one - other).abs() < EQUAL
 }
 
 impl DrilledHole {
     /// What the hole is; `None` where it is none of the forms that languages share.
     pub fn form(&self) -> Option<HoleForm> {
-        let mut motions = self.motions.as_slice();
-        if let [HoleMotion::Rapid(_), rest @ ..] = motions {
-            motions = rest;
-        }
+        let mut motions = self.motions_from_start();
         if let [rest @ .., HoleMotion::Rapid(level)] = motions
-            && is_near(*level, self.retract_mm)
+            && is_same_level(*level, self.retract_mm)
         {
             motions = rest;
         }
@@ -195,7 +193,7 @@ impl DrilledHole {
     }
 
     fn fed_out(&self, to_mm: f64, feed_out: f64, dwell_s: f64) -> Option<HoleForm> {
-        is_near(to_mm, self.start_mm).then_some(HoleForm::FedOut { dwell_s, feed_out })
+        is_same_level(to_mm, self.start_mm).then_some(HoleForm::FedOut { dwell_s, feed_out })
     }
 
     /// Steps with the same return and the same dwell after each.
@@ -215,7 +213,7 @@ impl DrilledHole {
             HoleMotion::Rapid(level) => level,
             _ => up,
         };
-        if is_full && !is_near(*up, self.start_mm) {
+        if is_full && !is_same_level(*up, self.start_mm) {
             return None;
         }
         Some(HoleForm::Pecked {
@@ -226,30 +224,34 @@ impl DrilledHole {
         })
     }
 
+    /// The steps without the rapid to where the first feed begins.
+    fn motions_from_start(&self) -> &[HoleMotion] {
+        match self.motions.as_slice() {
+            [HoleMotion::Rapid(_), rest @ ..] => rest,
+            all => all,
+        }
+    }
+
     /// Whether another hole is drilled by the same words, wherever its tool came from.
     pub fn is_like(&self, other: &DrilledHole) -> bool {
         let levels = |hole: &DrilledHole| [hole.start_mm, hole.bottom_mm, hole.retract_mm];
-        let is_same_level = levels(self).iter().zip(levels(other)).all(|(a, b)| is_near(*a, b));
-        let tail = |hole: &DrilledHole| match hole.motions.as_slice() {
-            [HoleMotion::Rapid(_), rest @ ..] => rest.to_vec(),
-            all => all.to_vec(),
-        };
-        let motions = [tail(self), tail(other)];
+        let is_same_level =
+            levels(self).iter().zip(levels(other)).all(|(a, b)| is_same_level(*a, b));
         is_same_level
             && self.plane == other.plane
             && self.feed == other.feed
-            && are_same_motions(&motions[0], &motions[1])
+            && are_same_motions(self.motions_from_start(), other.motions_from_start())
     }
 }
 
 /// Whether two holes have the same steps, within rounding.
 pub fn are_same_motions(one: &[HoleMotion], other: &[HoleMotion]) -> bool {
     let is_same = |pair: (&HoleMotion, &HoleMotion)| match pair {
-        (HoleMotion::Rapid(a), HoleMotion::Rapid(b)) => is_near(*a, *b),
+        (HoleMotion::Rapid(a), HoleMotion::Rapid(b)) => is_same_level(*a, *b),
         (HoleMotion::Cut { to_mm: a, feed: f }, HoleMotion::Cut { to_mm: b, feed: g }) => {
-            is_near(*a, *b) && (f - g).abs() <= EQUAL * f.abs().max(g.abs())
+            is_same_level(*a, *b) && (f - g).abs() <= EQUAL * f.abs().max(g.abs())
         }
-        (HoleMotion::Dwell(a), HoleMotion::Dwell(b)) => is_near(*a, *b),
+        (HoleMotion::Dwell(a), HoleMotion::Dwell(b)) => is_same_level(*a, *b),
         (HoleMotion::Rapid(_) | HoleMotion::Cut { .. } | HoleMotion::Dwell(_), _) => false,
     };
     one.len() == other.len() && one.iter().zip(other).all(is_same)

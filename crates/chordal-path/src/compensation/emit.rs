@@ -376,11 +376,7 @@ fn is_rapid(command: &Command) -> bool {
 
 /// True if the tool is on the side opposite to the code, because the radius is negative.
 fn is_negative(side: CompensationSide, sign: f64) -> bool {
-    match side {
-        CompensationSide::Left => sign < 0.0,
-        CompensationSide::Right => sign > 0.0,
-        CompensationSide::Off => false,
-    }
+    side.sign() * sign < 0.0
 }
 
 /// The arc on which compensation starts: from the position of the tool, with the direction of the programmed arc at its

@@ -62,8 +62,7 @@ pub(super) fn proof(
     let surface = [old, new].map(trace::surface_lines);
     let turns = old.profile().turns;
     // Without a tool table each tool is set to the work zero.
-    let has_lengths = |job: &Job| job.word_address().is_none_or(codes::has_lengths);
-    let no_lengths = ![old, new].into_iter().all(has_lengths);
+    let no_lengths = !codes::all_have_lengths([old, new]);
     let is_expected = |difference: &Difference| {
         is_of_machine(difference, turns)
             || (no_lengths && difference.category == Category::LengthOffset)

@@ -1,5 +1,6 @@
 //! G and M codes of one control on another: by what they do.
 
+use chordal::Job;
 use chordal::control::table::{CodeGroup, CodeRow, code_name, code_number};
 use chordal::control::{Action, AfterCode, LengthCode, ModeCode, OnceCode, PathCode};
 use chordal::control::{Control, UnitCodes, WorkName};
@@ -274,6 +275,11 @@ fn without_such_a_code(
 /// It has a table of tool lengths. Where it has none, each tool is set to the work zero by itself.
 pub(crate) fn has_lengths(control: &Control) -> bool {
     row(Action::Length(LengthCode::Plus), control).is_some()
+}
+
+/// Whether programs of all these jobs choose tool lengths; controls of other languages have them.
+pub(crate) fn all_have_lengths(jobs: [&Job; 2]) -> bool {
+    jobs.into_iter().all(|job| job.word_address().is_none_or(has_lengths))
 }
 
 /// Why the length of a tool is left out.

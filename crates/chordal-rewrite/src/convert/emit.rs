@@ -31,6 +31,7 @@ mod lathe;
 mod whole_runs;
 
 pub(super) use self::holes::WrittenCycle;
+pub(super) use self::whole_runs::WRITTEN_STYLE;
 
 use self::lathe::{LatheModes, reads_distances};
 

@@ -103,6 +103,16 @@ pub struct ConvertRefusal {
     pub reason: String,
 }
 
+impl ConvertRefusal {
+    /// The refusal of the program as a whole.
+    fn of_program(reason: impl Into<String>) -> ConvertRefusal {
+        ConvertRefusal { line: 0, words: String::new(), reason: reason.into() }
+    }
+}
+
+/// Why nothing is converted to a machine whose control does not know its settings.
+const UNKNOWN_SETTINGS: &str = "the machine file has settings that the control does not have";
+
 /// A program for another control.
 #[derive(Debug)]
 pub struct Conversion {
@@ -167,11 +177,7 @@ pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conv
     conversion.refusals =
         other_kind([from, to]).map_or_else(|| own_problems(old, options), |refusal| vec![refusal]);
     let Some(empty) = job("", String::new(), &conversion.machine) else {
-        conversion.refusals.push(ConvertRefusal {
-            line: 0,
-            words: String::new(),
-            reason: "the machine file has settings that the control does not have".into(),
-        });
+        conversion.refusals.push(ConvertRefusal::of_program(UNKNOWN_SETTINGS));
         return conversion;
     };
     if conversion.refusals.is_empty() {

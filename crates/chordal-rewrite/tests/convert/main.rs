@@ -79,6 +79,31 @@ fn converted(job: &Job, to: &str) -> Conversion {
     convert(job, &machine(to), &ConversionOptions::default())
 }
 
+/// What became of programs on several machines, for a golden file.
+#[derive(Default)]
+struct VerdictTable {
+    text: String,
+    proved: usize,
+    all: usize,
+}
+
+impl VerdictTable {
+    /// Adds a program, converted to each of these machines.
+    fn add(&mut self, name: &str, old: &Job, machines: &[&str]) {
+        self.text += &format!("{name}\n");
+        for to in machines {
+            let found = converted(old, to);
+            self.all += 1;
+            self.proved += usize::from(found.holds());
+            self.text += &format!("    {to}: {}\n", verdict(&found));
+        }
+    }
+
+    fn finish(self) -> String {
+        format!("{}\n{} of {} proved\n", self.text, self.proved, self.all)
+    }
+}
+
 /// What a conversion came to, in a line.
 fn verdict(found: &Conversion) -> String {
     if let Some(refusal) = found.refusals.first() {

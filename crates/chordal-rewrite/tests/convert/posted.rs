@@ -6,8 +6,8 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
-use super::random::{Piece, piece, program};
-use super::{converted, job, job_of, machine, suite_programs, text_of, verdict};
+use super::random::{RandomBlock, piece, program};
+use super::{VerdictTable, converted, job, job_of, machine, suite_programs, text_of, verdict};
 
 /// What a program came to on the way there and back again.
 struct RoundTrip {
@@ -42,21 +42,38 @@ impl RoundTrip {
     }
 }
 
+/// What became of programs on the way there and back again, for a golden file.
+#[derive(Default)]
+struct TripTable {
+    text: String,
+    proved: [usize; 2],
+    all: usize,
+}
+
+impl TripTable {
+    fn add(&mut self, name: &str, old: &Job) {
+        let trip = RoundTrip::of(old);
+        self.all += 1;
+        for (proved, holds) in self.proved.iter_mut().zip(trip.holds()) {
+            *proved += usize::from(holds);
+        }
+        self.text += &format!("{name}\n    {}\n", trip.verdict());
+    }
+
+    fn finish(self) -> String {
+        let (text, [there, back], all) = (self.text, self.proved, self.all);
+        format!("{text}\n{there} of {all} proved, {back} of them back again\n")
+    }
+}
+
 #[test]
 fn programs_of_the_suite() {
     let folders = ["fanuc", "haas", "mitsubishi", "linuxcnc", "fadal", "textbook"];
-    let mut table = String::new();
-    let (mut there_holds, mut back_holds, mut all) = (0, 0, 0);
+    let mut table = TripTable::default();
     for path in suite_programs(&folders) {
-        let trip = RoundTrip::of(&job_of(&text_of(&path), &[]));
-        let [there, back] = trip.holds();
-        all += 1;
-        there_holds += usize::from(there);
-        back_holds += usize::from(back);
-        table += &format!("{path}\n    {}\n", trip.verdict());
+        table.add(&path, &job_of(&text_of(&path), &[]));
     }
-    table += &format!("\n{there_holds} of {all} proved, {back_holds} of them back again\n");
-    insta::assert_snapshot!(table);
+    insta::assert_snapshot!(table.finish());
 }
 
 /// The examples for mills with three axes.
@@ -69,47 +86,32 @@ fn examples() {
         ("linuxcnc", "linuxcnc-mill"),
         ("mitsubishi", "mitsubishi-m700"),
     ];
-    let mut table = String::new();
-    let (mut there_holds, mut back_holds, mut all) = (0, 0, 0);
+    let mut table = TripTable::default();
     for (folder, name) in machines {
         let folder = format!("examples/{folder}");
         let programs = names_in(&folder);
         for program in programs.iter().filter(|name| name.contains(".n")) {
             let text = text_of(&format!("{folder}/{program}"));
-            let trip = RoundTrip::of(&job(&text, wide(name)));
-            let [there, back] = trip.holds();
-            all += 1;
-            there_holds += usize::from(there);
-            back_holds += usize::from(back);
-            table += &format!("{folder}/{program}\n    {}\n", trip.verdict());
+            table.add(&format!("{folder}/{program}"), &job(&text, wide(name)));
         }
     }
-    table += &format!("\n{there_holds} of {all} proved, {back_holds} of them back again\n");
-    insta::assert_snapshot!(table);
+    insta::assert_snapshot!(table.finish());
 }
 
 /// The part programs of the repository for word-address controls.
 #[test]
 fn part_programs() {
     let folder = "crates/chordal-sinumerik/tests/programs/clean";
-    let mut table = String::new();
-    let (mut proved, mut all) = (0, 0);
+    let mut table = VerdictTable::default();
     for name in names_in(folder) {
         let text = text_of(&format!("{folder}/{name}"));
         if !name.ends_with(".mpf") {
             continue;
         }
-        table += &format!("{name}\n");
         let old = part_job(folder, &name, &text);
-        for to in ["fanuc-30i", "haas-vf2", "linuxcnc-mill"] {
-            let found = converted(&old, to);
-            all += 1;
-            proved += usize::from(found.holds());
-            table += &format!("    {to}: {}\n", verdict(&found));
-        }
+        table.add(&name, &old, &["fanuc-30i", "haas-vf2", "linuxcnc-mill"]);
     }
-    table += &format!("\n{proved} of {all} proved\n");
-    insta::assert_snapshot!(table);
+    insta::assert_snapshot!(table.finish());
 }
 
 /// A part program with the subprograms next to it.
@@ -159,11 +161,11 @@ fn random_programs() {
     let (mut proved, mut back, mut refused) = (0, 0, Vec::new());
     for _ in 0..rounds {
         let (mut main, subs) = strategy.new_tree(&mut runner).expect("a program").current();
-        main.extend((0..3).map(|sub| Piece::Call(sub, 1)));
+        main.extend((0..3).map(|sub| RandomBlock::Call(sub, 1)));
         // The machine has three axes.
-        let has_axis = |piece: &Piece| !matches!(piece, Piece::Turn(..));
+        let has_axis = |piece: &RandomBlock| !matches!(piece, RandomBlock::Turn(..));
         main.retain(has_axis);
-        let subs: Vec<Vec<Piece>> =
+        let subs: Vec<Vec<RandomBlock>> =
             subs.into_iter().map(|sub| sub.into_iter().filter(has_axis).collect()).collect();
         for control in ["fanuc-30i", "haas-vf2"] {
             let text = with_lengths(&program(control, &main, &subs));

@@ -9,7 +9,7 @@ use super::{MACHINES, converted, job, machine, verdict};
 
 /// A block, before it is written for a control.
 #[derive(Clone, Debug)]
-pub(super) enum Piece {
+pub(super) enum RandomBlock {
     Rapid([i32; 3], u8),
     Line([i32; 3], u8, Option<u16>),
     /// Quarter turns from 1 to 4 of an arc of a radius, and a rise.
@@ -81,45 +81,45 @@ fn place() -> impl Strategy<Value = [i32; 3]> {
     prop::array::uniform3(-20_000..20_000i32)
 }
 
-pub(super) fn piece() -> impl Strategy<Value = Piece> {
+pub(super) fn piece() -> impl Strategy<Value = RandomBlock> {
     let arc = (1..=4u8, 500..30_000i32, any::<bool>(), -5_000..5_000i32, any::<bool>(), 0..4u8);
     let holes = prop::collection::vec(prop::array::uniform2(-20_000..20_000i32), 1..4);
     let taps = prop::collection::vec(prop::array::uniform2(-20_000..20_000i32), 1..3);
     prop_oneof![
-        3 => (place(), 1..8u8).prop_map(|(to, axes)| Piece::Rapid(to, axes)),
+        3 => (place(), 1..8u8).prop_map(|(to, axes)| RandomBlock::Rapid(to, axes)),
         6 => (place(), 1..8u8, prop::option::of(1..400u16))
-            .prop_map(|(to, axes, feed)| Piece::Line(to, axes, feed)),
-        6 => arc.prop_map(|(quarters, radius, ccw, rise, by_r, first)| Piece::Arc {
+            .prop_map(|(to, axes, feed)| RandomBlock::Line(to, axes, feed)),
+        6 => arc.prop_map(|(quarters, radius, ccw, rise, by_r, first)| RandomBlock::Arc {
             quarters, radius, ccw, rise, by_r, first
         }),
-        1 => (0..3u8).prop_map(Piece::Plane),
-        2 => any::<bool>().prop_map(Piece::Incremental),
-        1 => (1..400u16).prop_map(Piece::Feed),
-        1 => (1..9u8).prop_map(Piece::Offset),
-        1 => (1..9u8).prop_map(Piece::Tool),
-        1 => (1..3000u16).prop_map(Piece::Dwell),
-        1 => (0..3u8).prop_map(Piece::Coolant),
+        1 => (0..3u8).prop_map(RandomBlock::Plane),
+        2 => any::<bool>().prop_map(RandomBlock::Incremental),
+        1 => (1..400u16).prop_map(RandomBlock::Feed),
+        1 => (1..9u8).prop_map(RandomBlock::Offset),
+        1 => (1..9u8).prop_map(RandomBlock::Tool),
+        1 => (1..3000u16).prop_map(RandomBlock::Dwell),
+        1 => (0..3u8).prop_map(RandomBlock::Coolant),
         1 => (1_000..20_000i32, holes, 0..2u8)
-            .prop_map(|(depth, holes, pick)| Piece::Drill { depth, holes, pick }),
-        2 => (0..3u8, 1..4u8).prop_map(|(sub, times)| Piece::Call(sub, times)),
-        1 => (place(), 2..4u8).prop_map(|(way, times)| Piece::Repeat(way, times)),
-        1 => Just(Piece::Comment),
-        1 => any::<bool>().prop_map(Piece::Exact),
+            .prop_map(|(depth, holes, pick)| RandomBlock::Drill { depth, holes, pick }),
+        2 => (0..3u8, 1..4u8).prop_map(|(sub, times)| RandomBlock::Call(sub, times)),
+        1 => (place(), 2..4u8).prop_map(|(way, times)| RandomBlock::Repeat(way, times)),
+        1 => Just(RandomBlock::Comment),
+        1 => any::<bool>().prop_map(RandomBlock::Exact),
         2 => (10_000..40_000i32, any::<bool>(), any::<bool>())
-            .prop_map(|(size, left, round)| Piece::Contour { size, left, round }),
-        1 => Just(Piece::Home),
-        1 => (-5..5i8).prop_map(Piece::Bare),
+            .prop_map(|(size, left, round)| RandomBlock::Contour { size, left, round }),
+        1 => Just(RandomBlock::Home),
+        1 => (-5..5i8).prop_map(RandomBlock::Bare),
         1 => (1..4u8, 2_000..9_000i32, 12_000..20_000i32, any::<bool>())
-            .prop_map(|(turns, from, to, ccw)| Piece::Spiral { turns, from, to, ccw }),
-        1 => (place(), -1800..1800i16).prop_map(|(to, angle)| Piece::Turn(to, angle)),
-        1 => (place(), 1..60u8).prop_map(|(to, seconds)| Piece::Inverse(to, seconds)),
-        1 => (-9000..9000i32, -9000..9000i32).prop_map(|(a, b)| Piece::Variables(a, b)),
-        1 => (place(), 1..4u8).prop_map(|(way, times)| Piece::Loop(way, times)),
-        1 => (-9000..9000i32, -9000..9000i32).prop_map(|(a, b)| Piece::Jump(a, b)),
+            .prop_map(|(turns, from, to, ccw)| RandomBlock::Spiral { turns, from, to, ccw }),
+        1 => (place(), -1800..1800i16).prop_map(|(to, angle)| RandomBlock::Turn(to, angle)),
+        1 => (place(), 1..60u8).prop_map(|(to, seconds)| RandomBlock::Inverse(to, seconds)),
+        1 => (-9000..9000i32, -9000..9000i32).prop_map(|(a, b)| RandomBlock::Variables(a, b)),
+        1 => (place(), 1..4u8).prop_map(|(way, times)| RandomBlock::Loop(way, times)),
+        1 => (-9000..9000i32, -9000..9000i32).prop_map(|(a, b)| RandomBlock::Jump(a, b)),
         1 => (3_000..20_000i32, 500..9_000i32, any::<bool>(), prop::array::uniform2(-20_000..20_000i32))
-            .prop_map(|(depth, step, broken, hole)| Piece::Peck { depth, step, broken, hole }),
+            .prop_map(|(depth, step, broken, hole)| RandomBlock::Peck { depth, step, broken, hole }),
         1 => (1_000..9_000i32, any::<bool>(), taps)
-            .prop_map(|(depth, back, holes)| Piece::Tap { depth, back, holes }),
+            .prop_map(|(depth, back, holes)| RandomBlock::Tap { depth, back, holes }),
     ]
 }
 
@@ -158,54 +158,54 @@ impl Writer {
         text
     }
 
-    fn piece(&mut self, piece: &Piece, in_sub: bool) {
+    fn piece(&mut self, piece: &RandomBlock, in_sub: bool) {
         let line = match piece {
-            Piece::Rapid(to, mask) => format!("G0{}", self.words(*to, *mask)),
-            Piece::Line(to, mask, feed) => {
+            RandomBlock::Rapid(to, mask) => format!("G0{}", self.words(*to, *mask)),
+            RandomBlock::Line(to, mask, feed) => {
                 let feed = feed.map_or_else(String::new, |feed| format!(" F{feed}."));
                 format!("G1{}{feed}", self.words(*to, *mask))
             }
-            Piece::Arc { quarters, radius, ccw, rise, by_r, first } => {
+            RandomBlock::Arc { quarters, radius, ccw, rise, by_r, first } => {
                 self.arc(*quarters, *radius, *ccw, *rise, *by_r, *first)
             }
-            Piece::Plane(plane) => {
+            RandomBlock::Plane(plane) => {
                 self.plane = *plane;
                 format!("G{}", 17 + plane)
             }
-            Piece::Incremental(on) => {
+            RandomBlock::Incremental(on) => {
                 self.incremental = *on;
                 format!("G{}", 90 + u8::from(*on))
             }
-            Piece::Feed(feed) => format!("F{feed}."),
-            Piece::Offset(number) => match (self.control, *number) {
+            RandomBlock::Feed(feed) => format!("F{feed}."),
+            RandomBlock::Offset(number) => match (self.control, *number) {
                 ("fadal-4020", number) => format!("G0 E{number}"),
                 (_, number @ 1..=6) => format!("G{}", 53 + number),
                 ("haas-vf2", number) => format!("G154 P{}", number - 6),
                 ("linuxcnc-mill", number) => format!("G59.{}", number - 6),
                 (_, number) => format!("G54.1 P{}", number - 6),
             },
-            Piece::Tool(number) if !in_sub => {
+            RandomBlock::Tool(number) if !in_sub => {
                 self.lines.push(format!("T{number} M6"));
                 let length = if self.control == "fadal-4020" { "" } else { "G43 " };
                 self.lines.push(format!("S{}00 M3", number + 4));
                 format!("{length}H{number}")
             }
-            Piece::Tool(_) => return,
-            Piece::Dwell(ms) => match self.control {
+            RandomBlock::Tool(_) => return,
+            RandomBlock::Dwell(ms) => match self.control {
                 "linuxcnc-mill" => format!("G4 P{}", f64::from(*ms) / 1000.0),
                 _ => format!("G4 P{ms}"),
             },
-            Piece::Coolant(kind) => ["M7", "M8", "M9"][*kind as usize].into(),
-            Piece::Drill { .. } if self.incremental || self.plane != 0 => return,
-            Piece::Drill { depth, holes, pick } => return self.drill(*depth, holes, *pick),
-            Piece::Call(..) if in_sub => return,
-            Piece::Call(sub, times) => match self.control {
+            RandomBlock::Coolant(kind) => ["M7", "M8", "M9"][*kind as usize].into(),
+            RandomBlock::Drill { .. } if self.incremental || self.plane != 0 => return,
+            RandomBlock::Drill { depth, holes, pick } => return self.drill(*depth, holes, *pick),
+            RandomBlock::Call(..) if in_sub => return,
+            RandomBlock::Call(sub, times) => match self.control {
                 "fadal-4020" => format!("L{}{:02}", sub + 1, times),
                 "haas-vf2" => format!("M97 P{} L{times}", 1000 + u32::from(*sub)),
                 _ => format!("M98 P{} L{times}", 2000 + u32::from(*sub)),
             },
-            Piece::Repeat(..) if !self.incremental || in_sub => return,
-            Piece::Repeat(way, times) => {
+            RandomBlock::Repeat(..) if !self.incremental || in_sub => return,
+            RandomBlock::Repeat(way, times) => {
                 for (at, way) in self.at.iter_mut().zip(way) {
                     *at += way / 10 * i32::from(*times);
                 }
@@ -222,27 +222,35 @@ impl Writer {
                 }
                 line
             }
-            Piece::Comment => "(A REMARK)".into(),
-            Piece::Contour { .. } | Piece::Home | Piece::Spiral { .. } if in_sub => return,
-            Piece::Contour { .. } | Piece::Spiral { .. } if self.incremental || self.plane != 0 => {
+            RandomBlock::Comment => "(A REMARK)".into(),
+            RandomBlock::Contour { .. } | RandomBlock::Home | RandomBlock::Spiral { .. }
+                if in_sub =>
+            {
                 return;
             }
-            Piece::Contour { size, left, round } => return self.contour(*size, *left, *round),
-            Piece::Home => {
+            RandomBlock::Contour { .. } | RandomBlock::Spiral { .. }
+                if self.incremental || self.plane != 0 =>
+            {
+                return;
+            }
+            RandomBlock::Contour { size, left, round } => {
+                return self.contour(*size, *left, *round);
+            }
+            RandomBlock::Home => {
                 self.lines.push("G91 G28 Z0".into());
                 self.incremental = false;
                 self.lines.push("G90 G0 Z2.".into());
                 self.at[2] = 20_000;
                 return;
             }
-            Piece::Bare(inches) => {
+            RandomBlock::Bare(inches) => {
                 let whole = matches!(self.control, "fadal-4020" | "linuxcnc-mill");
                 let written = i32::from(*inches) * if whole { 1 } else { 10_000 };
                 let inches = i32::from(*inches) * 10_000;
                 self.at[0] = if self.incremental { self.at[0] + inches } else { inches };
                 format!("G1 X{written}")
             }
-            Piece::Spiral { turns, from, to, ccw } => {
+            RandomBlock::Spiral { turns, from, to, ccw } => {
                 let code = if *ccw { 3 } else { 2 };
                 let end = self.at[0] - from + to;
                 let (x, i) = (number(end), number(-from));
@@ -253,29 +261,37 @@ impl Writer {
                     _ => format!("G1 X{x}"),
                 }
             }
-            Piece::Turn(to, angle) => {
+            RandomBlock::Turn(to, angle) => {
                 let words = self.words(*to, 7);
                 format!("G1{words} A{:.1}", f64::from(*angle) / 10.0)
             }
-            Piece::Inverse(to, seconds) => {
+            RandomBlock::Inverse(to, seconds) => {
                 let words = self.words(*to, 7);
                 self.lines.push("G93".into());
                 self.lines.push(format!("G1{words} F{:.4}", 60.0 / f64::from(*seconds)));
                 "G94 F20.".into()
             }
-            Piece::Variables(..) | Piece::Loop(..) | Piece::Jump(..) if in_sub => return,
-            Piece::Variables(..) | Piece::Jump(..) if self.incremental => return,
-            Piece::Variables(one, two) => return self.variables(*one, *two),
-            Piece::Loop(..) if !self.incremental => return,
-            Piece::Loop(way, times) => return self.repeated(*way, *times),
-            Piece::Jump(one, two) => return self.jump(*one, *two),
-            Piece::Peck { .. } | Piece::Tap { .. } if self.incremental || self.plane != 0 => return,
-            Piece::Peck { depth, step, broken, hole } => {
+            RandomBlock::Variables(..) | RandomBlock::Loop(..) | RandomBlock::Jump(..)
+                if in_sub =>
+            {
+                return;
+            }
+            RandomBlock::Variables(..) | RandomBlock::Jump(..) if self.incremental => return,
+            RandomBlock::Variables(one, two) => return self.variables(*one, *two),
+            RandomBlock::Loop(..) if !self.incremental => return,
+            RandomBlock::Loop(way, times) => return self.repeated(*way, *times),
+            RandomBlock::Jump(one, two) => return self.jump(*one, *two),
+            RandomBlock::Peck { .. } | RandomBlock::Tap { .. }
+                if self.incremental || self.plane != 0 =>
+            {
+                return;
+            }
+            RandomBlock::Peck { depth, step, broken, hole } => {
                 return self.peck(*depth, *step, *broken, *hole);
             }
-            Piece::Tap { .. } if in_sub => return,
-            Piece::Tap { depth, back, holes } => return self.tap(*depth, *back, holes),
-            Piece::Exact(on) => match (self.control, on) {
+            RandomBlock::Tap { .. } if in_sub => return,
+            RandomBlock::Tap { depth, back, holes } => return self.tap(*depth, *back, holes),
+            RandomBlock::Exact(on) => match (self.control, on) {
                 ("fadal-4020", true) => "G9".into(),
                 ("fadal-4020", false) => "G8".into(),
                 ("linuxcnc-mill", true) => "G61.1".into(),
@@ -510,8 +526,12 @@ fn has_repeats(control: &str) -> bool {
 }
 
 /// A program and its three subprograms in the words of a control.
-pub(super) fn program(control: &'static str, main: &[Piece], subs: &[Vec<Piece>]) -> String {
-    let body = |pieces: &[Piece], in_sub: bool| {
+pub(super) fn program(
+    control: &'static str,
+    main: &[RandomBlock],
+    subs: &[Vec<RandomBlock>],
+) -> String {
+    let body = |pieces: &[RandomBlock], in_sub: bool| {
         let mut writer = Writer {
             control,
             at: [0; 3],
@@ -526,11 +546,14 @@ pub(super) fn program(control: &'static str, main: &[Piece], subs: &[Vec<Piece>]
         writer.lines
     };
     // Subprograms begin and end in increments of XY, whatever calls them: their motion adds up.
-    let sub = |pieces: &[Piece]| {
-        let keeps = |piece: &&Piece| {
-            !matches!(piece, Piece::Incremental(_) | Piece::Plane(_) | Piece::Offset(_))
+    let sub = |pieces: &[RandomBlock]| {
+        let keeps = |piece: &&RandomBlock| {
+            !matches!(
+                piece,
+                RandomBlock::Incremental(_) | RandomBlock::Plane(_) | RandomBlock::Offset(_)
+            )
         };
-        let pieces: Vec<Piece> = pieces.iter().filter(keeps).cloned().collect();
+        let pieces: Vec<RandomBlock> = pieces.iter().filter(keeps).cloned().collect();
         let mut lines = vec!["G17 G91".to_string()];
         lines.extend(body(&pieces, true));
         lines.push("G90".into());
@@ -547,8 +570,8 @@ pub(super) fn program(control: &'static str, main: &[Piece], subs: &[Vec<Piece>]
         // Each piece begins where everything is known, so that calls may stand between them.
         writer.lines.push("G17 G90".into());
         writer.lines.push("G1 X0 Y0 Z0".into());
-        if matches!(piece, Piece::Repeat(..) | Piece::Loop(..)) {
-            writer.piece(&Piece::Incremental(true), false);
+        if matches!(piece, RandomBlock::Repeat(..) | RandomBlock::Loop(..)) {
+            writer.piece(&RandomBlock::Incremental(true), false);
         }
         writer.piece(piece, false);
         labels = writer.labels;
@@ -608,7 +631,7 @@ fn random_programs_through_every_pair() {
     let result = runner.run(&strategy, |(main, subs)| {
         // Programs that nothing calls would be programs of their own.
         let mut main = main;
-        main.extend((0..3).map(|sub| Piece::Call(sub, 1)));
+        main.extend((0..3).map(|sub| RandomBlock::Call(sub, 1)));
         for from in MACHINES {
             let text = program(from, &main, &subs);
             let mut own = machine(from);

@@ -3,31 +3,23 @@
 use chordal::RunOptions;
 use chordal_rewrite::convert::{ConversionOptions, convert};
 
-use super::{MACHINES, converted, job_of, suite_programs, text_of, verdict};
+use super::{MACHINES, VerdictTable, converted, job_of, suite_programs, text_of, verdict};
 
 #[test]
 fn all_programs() {
-    let mut table = String::new();
-    let (mut proved, mut all) = (0, 0);
+    let mut table = VerdictTable::default();
     let folders = ["fadal", "haas", "fanuc", "mitsubishi", "linuxcnc", "textbook", "five"];
     for path in suite_programs(&folders) {
         let old = job_of(&text_of(&path), &[]);
         let first = converted(&old, MACHINES[0]);
         if first.text.is_empty() {
-            table += &format!("{path}\n    {}\n", verdict(&first));
+            table.text += &format!("{path}\n    {}\n", verdict(&first));
             assert!(!first.holds() && !first.refusals.is_empty(), "{path}");
             continue;
         }
-        table += &format!("{path}\n");
-        for to in MACHINES {
-            let found = converted(&old, to);
-            all += 1;
-            proved += usize::from(found.holds());
-            table += &format!("    {to}: {}\n", verdict(&found));
-        }
+        table.add(&path, &old, &MACHINES);
     }
-    table += &format!("\n{proved} of {all} proved\n");
-    insta::assert_snapshot!(table);
+    insta::assert_snapshot!(table.finish());
 }
 
 /// Programs with a few bytes changed, errors and all: an answer for each, whatever it is.

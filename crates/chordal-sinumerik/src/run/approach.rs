@@ -22,15 +22,10 @@ impl Interpreter<'_> {
         }
         let (a, b, _) = self.kernel.state.plane.axes();
         let place = self.kernel.state.position;
-        let sign = |side: CompensationSide| match side {
-            CompensationSide::Left => 1.0,
-            CompensationSide::Right => -1.0,
-            CompensationSide::Off => 0.0,
-        };
-        let before = sign(self.kernel.state.side);
+        let before = self.kernel.state.side.sign();
         if side != CompensationSide::Off {
             self.modes.open_approach =
-                Some(OpenApproach { from: [place[a], place[b]], side: sign(side), range });
+                Some(OpenApproach { from: [place[a], place[b]], side: side.sign(), range });
             return;
         }
         let Some(along) = self.modes.last_direction else { return };

@@ -65,12 +65,7 @@ impl Interpreter<'_> {
     /// `DEF`: variables of the running program.
     pub(super) fn define(&mut self, definition: &VariableDefinition) -> BlockFlow {
         for defined in &definition.variables {
-            let sizes: Option<Vec<usize>> = defined
-                .sizes
-                .iter()
-                .map(|size| self.count(size).map(|count| count as usize))
-                .collect();
-            let Some(sizes) = sizes else { continue };
+            let Some(sizes) = self.sizes(&defined.sizes) else { continue };
             let mut variable = match ProgramVariable::new(definition.kind, sizes) {
                 Ok(variable) => variable,
                 Err(fault) => {
@@ -86,6 +81,11 @@ impl Interpreter<'_> {
             }
         }
         BlockFlow::Next
+    }
+
+    /// The sizes of an array; `None` if one has no value, which is reported.
+    pub(super) fn sizes(&mut self, sizes: &[Expression]) -> Option<Vec<usize>> {
+        sizes.iter().map(|size| self.count(size).map(|count| count as usize)).collect()
     }
 
     /// The element that an address names; the first one without indices. A problem is reported.

@@ -36,9 +36,9 @@ struct ContourMilling {
     between: i64,
 }
 
-/// A point of the contour with its direction and the side of the tool.
+/// The start or the end of the contour with its direction there.
 #[derive(Clone, Copy)]
-struct ContourPoint {
+struct ContourEnd {
     at: Vec2,
     along: Vec2,
 }
@@ -51,18 +51,15 @@ impl Interpreter<'_> {
         numbers: &CycleArguments,
         range: TextRange,
     ) {
-        if self.modes.edge == 0 && !self.modes.is_state_unknown {
-            let message = "CYCLE72 needs an active tool offset";
-            return self.alarm(61000, Code::OffsetNotSet, range, message);
+        if !self.has_edge_for_cycle("CYCLE72", range) {
+            return;
         }
         let Some(Some(SinumerikValue::Text(name))) = arguments.first() else {
             let message = "CYCLE72 needs the name of its contour";
             return self.alarm(14020, Code::MissingWord, range, message);
         };
         let Some(job) = self.contour_job(numbers, range) else { return };
-        let radius = self.kernel.state.radius_offset.filter(|number| *number > 0);
-        let radius = radius.and_then(|number| self.kernel.state.offsets.radius_mm(number));
-        let Some(radius) = radius.filter(|radius| *radius > 0.0) else {
+        let Some(radius) = self.edge_radius_mm().filter(|radius| *radius > 0.0) else {
             let message = "the radius of the tool is not given: what CYCLE72 cuts is missing here";
             return self.lose_path_because(range, message.into());
         };
@@ -137,7 +134,7 @@ impl Interpreter<'_> {
     }
 
     /// The start and the end of a contour with their directions; `None` without moves in the plane.
-    fn ends_of(&self, moves: &[Command]) -> Option<[ContourPoint; 2]> {
+    fn ends_of(&self, moves: &[Command]) -> Option<[ContourEnd; 2]> {
         let (a, b, _) = self.kernel.state.plane.axes();
         let pick = |place: &Position| Vec2::new(place[a], place[b]);
         let tangents = moves.iter().skip(1).filter_map(|command| {
@@ -153,7 +150,7 @@ impl Interpreter<'_> {
         });
         let tangents: Vec<_> = tangents.collect();
         let (first, last) = (tangents.first()?.0, tangents.last()?.1);
-        Some([first, last].map(|(at, along)| ContourPoint { at, along }))
+        Some([first, last].map(|(at, along)| ContourEnd { at, along }))
     }
 
     #[allow(clippy::too_many_arguments, reason = "the data of one cut")]
@@ -161,25 +158,17 @@ impl Interpreter<'_> {
         &mut self,
         job: &ContourMilling,
         moves: &[Command],
-        [first, last]: [ContourPoint; 2],
+        [first, last]: [ContourEnd; 2],
         tool_radius: f64,
         level: f64,
         is_first: bool,
         range: TextRange,
     ) {
         let is_mirrored = self.modes.frame.in_plane(self.kernel.state.plane).is_mirrored();
-        let side = match (job.side, is_mirrored) {
-            (CompensationSide::Left, true) => CompensationSide::Right,
-            (CompensationSide::Right, true) => CompensationSide::Left,
-            (side, _) => side,
-        };
-        let sign = match side {
-            CompensationSide::Left => 1.0,
-            CompensationSide::Right => -1.0,
-            CompensationSide::Off => 0.0,
-        };
+        let side = job.side.mirrored_if(is_mirrored);
+        let sign = side.sign();
         let radius = if sign == 0.0 { 0.0 } else { tool_radius + job.allowance };
-        let aside = |point: ContourPoint| point.along.turned_left() * sign;
+        let aside = |end: ContourEnd| end.along.turned_left() * sign;
         let (begin, end) = (first.at + aside(first) * radius, last.at + aside(last) * radius);
         let (lead_in, center_in) = lead_of(begin, first.along * -1.0, aside(first), job.approach);
         let (lead_out, center_out) = lead_of(end, last.along, aside(last), job.departure);

@@ -63,14 +63,7 @@ impl Interpreter<'_> {
         if is_milling_cycle(name) {
             return self.run_milling(name, &arguments, range);
         }
-        if self.modes.edge == 0 && !self.modes.is_state_unknown {
-            self.alarm(
-                61000,
-                Code::OffsetNotSet,
-                range,
-                format!("{name} needs an active tool offset"),
-            );
-        }
+        self.has_edge_for_cycle(name, range);
         // The feed of rigid tapping follows from the lead and the speed.
         let taps = matches!(name, "CYCLE84" | "CYCLE840");
         let has_feed = self.kernel.state.feed.is_some_and(|feed| feed > 0.0);
@@ -79,29 +72,48 @@ impl Interpreter<'_> {
         }
         let (_, _, normal) = self.kernel.state.plane.axes();
         let unit_mm = self.unit_mm();
-        let spindle_direction = match self.kernel.state.spindle {
-            SpindleState::Cw => 3,
-            SpindleState::Ccw => 4,
-            SpindleState::Off | SpindleState::Oriented => 5,
+        let context = HoleContext {
+            current_level: self.programmed_position()[normal] / unit_mm,
+            spindle_direction: spindle_code(self.kernel.state.spindle),
+            unit_mm,
+            ..HoleContext::default()
         };
-        let current_level = self.programmed_position()[normal] / unit_mm;
-        let context =
-            HoleContext { current_level, spindle_direction, unit_mm, ..HoleContext::default() };
         match drilling_moves(name, &arguments, &context) {
             Ok(steps) => self.drill(&steps, range),
             Err(fault) => self.report_cycle(fault, range),
         }
     }
 
+    /// Whether a tool offset is active, which every cycle needs; without one the alarm is reported.
+    pub(super) fn has_edge_for_cycle(&mut self, name: &str, range: TextRange) -> bool {
+        let has_edge = self.modes.edge > 0 || self.modes.is_state_unknown;
+        if !has_edge {
+            let message = format!("{name} needs an active tool offset");
+            self.alarm(61000, Code::OffsetNotSet, range, message);
+        }
+        has_edge
+    }
+
+    /// Carries out moves with a feed that a cycle gives, as F; without one, with that in force.
+    pub(super) fn with_cycle_feed(&mut self, feed: Option<f64>, moves: impl FnOnce(&mut Self)) {
+        let kept = self.kernel.state.feed;
+        if let Some(feed) = feed {
+            let unit = if self.modes.feed_in_units { self.unit_mm() } else { 1.0 };
+            let value = match self.kernel.state.feed_mode {
+                FeedMode::PerRevolution => feed * unit,
+                FeedMode::PerTime | FeedMode::InverseTime => feed * unit / 60.0,
+            };
+            self.kernel.state.feed = Some(value);
+        }
+        moves(self);
+        self.kernel.state.feed = kept;
+    }
+
     /// Reports why the control refuses a cycle, or that its form is not carried out.
     pub(super) fn report_cycle(&mut self, fault: CycleFault, range: TextRange) {
         if fault.alarm == NO_ALARM {
             // Not the program is at fault: the cycle has a form that is not carried out.
-            let (_, _, normal) = self.kernel.state.plane.axes();
-            let mut axes = AxisMask::NONE;
-            axes.insert(normal);
-            self.kernel.go_astray(axes);
-            return self.lose_path_because(range, fault.message);
+            return self.lose_cycle(range, fault.message);
         }
         let diagnostic = Diagnostic::new(Code::CycleLevels, self.span(range), fault.message);
         self.report_alarm(fault.alarm, diagnostic);
@@ -246,5 +258,14 @@ impl Interpreter<'_> {
             }
         }
         self.kernel.origin.cycle = false;
+    }
+}
+
+/// The state of the spindle as cycles have it: 3 and 4 as after M3 and M4, 5 where it does not turn.
+pub(super) const fn spindle_code(spindle: SpindleState) -> u8 {
+    match spindle {
+        SpindleState::Cw => 3,
+        SpindleState::Ccw => 4,
+        SpindleState::Off | SpindleState::Oriented => 5,
     }
 }

@@ -163,7 +163,7 @@ impl<'a> Interpreter<'a> {
                     Some(reason) => return reason,
                     None => {
                         self.plain_line(&line);
-                        self.block_ends(line.range.start, wants_blocks)
+                        self.block_ends(line.range.start, BlockFlow::Next, wants_blocks)
                     }
                 },
                 None => self.next_block(wants_blocks),
@@ -188,13 +188,7 @@ impl<'a> Interpreter<'a> {
         }
         let block = if self.macros.is_empty() { block } else { self.expanded(block) };
         let flow = self.block(&block);
-        if flow != BlockFlow::Next {
-            if wants_blocks {
-                self.kernel.block_done(&|state| Modal::of(state, Vec::new()));
-            }
-            return flow;
-        }
-        self.block_ends(block.range.start, wants_blocks)
+        self.block_ends(block.range.start, flow, wants_blocks)
     }
 
     /// Counts a block; the reason if the run ends before it.
@@ -207,12 +201,15 @@ impl<'a> Interpreter<'a> {
         (checks_interrupt && self.is_interrupted()).then_some(EndReason::Interrupted)
     }
 
-    /// After a block, which began at an offset of its text.
-    fn block_ends(&mut self, start: u32, wants_blocks: bool) -> BlockFlow {
+    /// After a block, which began at an offset of its text: goes on as the block says, or as the part that ends with it.
+    fn block_ends(&mut self, start: u32, flow: BlockFlow, wants_blocks: bool) -> BlockFlow {
         if wants_blocks {
             self.kernel.block_done(&|state| Modal::of(state, Vec::new()));
         }
-        self.part_ends(start)
+        match flow {
+            BlockFlow::Next => self.part_ends(start),
+            end @ BlockFlow::End(_) => end,
+        }
     }
 
     /// Blocks count against the budget where calls, loops, repeats or jumps may run without end.

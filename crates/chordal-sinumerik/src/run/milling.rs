@@ -1,10 +1,11 @@
 //! Carries out the milling cycles.
 
-use chordal_command::{AxisMask, CompensationSide, FeedMode, SpindleState};
+use chordal_command::{AxisMask, CompensationSide};
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_geometry::{Plane, TurnDirection};
 
 use super::arcs::PlaneArc;
+use super::drilling::spindle_code;
 use super::interpreter::Interpreter;
 use super::motion::BlockTarget;
 use super::words::{BlockStatementView, BlockWords, ValueWord};
@@ -14,9 +15,8 @@ use crate::cycles::{CycleArguments, MillStep, MillingContext, MillingMoves, mill
 impl Interpreter<'_> {
     /// Carries out a milling cycle.
     pub(super) fn run_milling(&mut self, name: &str, arguments: &CycleArguments, range: TextRange) {
-        if self.modes.edge == 0 && !self.modes.is_state_unknown {
-            let message = format!("{name} needs an active tool offset");
-            return self.alarm(61000, Code::OffsetNotSet, range, message);
+        if !self.has_edge_for_cycle(name, range) {
+            return;
         }
         if self.kernel.state.side != CompensationSide::Off {
             let message =
@@ -30,14 +30,17 @@ impl Interpreter<'_> {
             }
             Err(fault) if fault.alarm == NO_ALARM => {
                 let message = format!("{}: what {name} cuts is missing here", fault.message);
-                let (_, _, normal) = self.kernel.state.plane.axes();
-                let mut axes = AxisMask::NONE;
-                axes.insert(normal);
-                self.kernel.go_astray(axes);
-                self.lose_path_because(range, message);
+                self.lose_cycle(range, message);
             }
             Err(fault) => self.report_cycle(fault, range),
         }
+    }
+
+    /// The radius of the active edge, mm; `None` when it is not known.
+    pub(super) fn edge_radius_mm(&self) -> Option<f64> {
+        let state = &self.kernel.state;
+        let number = state.radius_offset.filter(|number| *number > 0)?;
+        state.offsets.radius_mm(number)
     }
 
     fn milling_context(&self, name: &str) -> MillingContext {
@@ -45,18 +48,12 @@ impl Interpreter<'_> {
         let unit_mm = self.unit_mm();
         let (a, b, normal) = state.plane.axes();
         let place = self.programmed_position();
-        let number = state.radius_offset.filter(|number| *number > 0);
-        let radius_mm = number.and_then(|number| state.offsets.radius_mm(number));
         MillingContext {
             position: [a, b, normal].map(|axis| place[axis] / unit_mm),
             unit_mm,
-            tool_radius: radius_mm.map(|radius| radius / unit_mm),
+            tool_radius: self.edge_radius_mm().map(|radius| radius / unit_mm),
             has_feed: state.unknown.feed || state.feed.is_some_and(|feed| feed > 0.0),
-            spindle_direction: match state.spindle {
-                SpindleState::Cw => 3,
-                SpindleState::Ccw => 4,
-                SpindleState::Off | SpindleState::Oriented => 5,
-            },
+            spindle_direction: spindle_code(state.spindle),
             plane_code: match state.plane {
                 Plane::Xy => 17,
                 Plane::Zx => 18,
@@ -95,16 +92,14 @@ impl Interpreter<'_> {
                 }
                 MillStep::Line { to, feed } => {
                     let place = self.place_of(to);
-                    let kept = self.take_feed(feed);
-                    self.feed_to(place, range, 1.0);
-                    self.kernel.state.feed = kept;
+                    self.with_cycle_feed(feed, |own| own.feed_to(place, range, 1.0));
                 }
                 MillStep::Arc { center, direction, to, turns, feed } => {
                     let [a, b] = center.map(|coordinate| coordinate * self.unit_mm());
                     let place = self.place_of(to);
-                    let kept = self.take_feed(feed);
-                    self.cycle_arc(([a, b], direction), place, turns, range);
-                    self.kernel.state.feed = kept;
+                    self.with_cycle_feed(feed, |own| {
+                        own.cycle_arc(([a, b], direction), place, turns, range);
+                    });
                 }
                 MillStep::SpindleSpeed(speed) => self.kernel.set_speed(speed.unwrap_or(rpm)),
             }
@@ -119,20 +114,6 @@ impl Interpreter<'_> {
         let mut place = [0.0; 3];
         (place[a], place[b], place[normal]) = (to[0] * unit, to[1] * unit, to[2] * unit);
         place
-    }
-
-    /// Makes a feed of a cycle the active one, if it gives one. Returns the feed before.
-    fn take_feed(&mut self, feed: Option<f64>) -> Option<f64> {
-        let kept = self.kernel.state.feed;
-        if let Some(feed) = feed {
-            let unit = if self.modes.feed_in_units { self.unit_mm() } else { 1.0 };
-            let value = match self.kernel.state.feed_mode {
-                FeedMode::PerRevolution => feed * unit,
-                FeedMode::PerTime | FeedMode::InverseTime => feed * unit / 60.0,
-            };
-            self.kernel.state.feed = Some(value);
-        }
-        kept
     }
 
     /// An arc of a cycle about a centre in the plane, programmed coordinates in mm.

@@ -1,8 +1,8 @@
 //! Runs part programs.
 //!
 //! `interpreter` reads blocks and follows jumps, loops and calls; `collect` turns statements into words; `modes`, `frames`,
-//! `tools` set what the following blocks use; `motion`, `arcs`, `corners` move; `drilling` and
-//! `milling` carry out cycles.
+//! `tools` set what the following blocks use; `motion`, `arcs` and `space_arcs` move; `drilling`, `milling`,
+//! `contour_milling` and `turning` carry out cycles; `unknown_values` tells what depends on values that nobody gave.
 
 mod approach;
 mod arcs;
@@ -42,3 +42,4 @@ mod words;
 
 pub use programs::SinumerikPrograms;
 pub use system_variables::{ToolDatum, settable_name};
+pub use words::CENTER_NAMES;

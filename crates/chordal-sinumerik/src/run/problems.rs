@@ -76,6 +76,17 @@ impl Interpreter<'_> {
         }
     }
 
+    /// Says once for each cycle that its path is not that of the control in every move.
+    pub(super) fn report_assumed_path(&mut self, name: &str, range: TextRange) {
+        if !self.is_first_report(&format!("path of {name}")) {
+            return;
+        }
+        let message = format!("the manuals do not give every move of {name}: its path is assumed");
+        let help = "shape, depth and end are those of the control; the order of the cuts and the time may differ";
+        let diagnostic = Diagnostic::new(Code::CyclePathAssumed, self.span(range), message);
+        self.kernel.report(diagnostic.help(help));
+    }
+
     /// Reports something that is read and not carried out: what follows from it is not verified.
     pub(super) fn not_followed(&mut self, range: TextRange, what: impl Into<String>) {
         let span = self.span(range);

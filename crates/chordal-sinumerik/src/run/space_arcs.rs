@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use chordal_command::AxisMask;
 use chordal_diagnostics::{Code, TextRange};
-use chordal_geometry::Vec3;
+use chordal_geometry::{Arc, ParamCurve, Vec3};
 
 use super::arcs::{COINCIDENT_MM, PlaneArc, turned_about};
 use super::interpreter::Interpreter;
@@ -44,15 +44,27 @@ impl Interpreter<'_> {
             sweep = TAU;
         }
         sweep += turns * TAU;
-        let count = chord_count(radius_mm, sweep);
         let rise = target.programmed[normal] - target.start[normal];
+        let point = |part: f64| {
+            let mut place = target.programmed;
+            [place[a], place[b]] = turned_about(start, arc.center, sense * sweep * part);
+            place[normal] = target.start[normal] + rise * part;
+            place
+        };
+        self.cut_chords(view, target, chord_count(radius_mm, sweep), point);
+    }
+
+    /// Cuts a number of chords to the end of a block; `point` gives the programmed coordinates, mm, of a part of the way.
+    fn cut_chords(
+        &mut self,
+        view: &BlockStatementView<'_>,
+        target: &BlockTarget,
+        count: u32,
+        point: impl Fn(f64) -> [f64; 3],
+    ) {
         for number in 1..=count {
             let part = f64::from(number) / f64::from(count);
-            let mut place = target.programmed;
-            if part < 1.0 {
-                [place[a], place[b]] = turned_about(start, arc.center, sense * sweep * part);
-                place[normal] = target.start[normal] + rise * part;
-            }
+            let place = if number < count { point(part) } else { target.programmed };
             let end = self.mapped(place);
             self.kernel.straight(view, end, target.named.or(AxisMask::LINEAR));
         }
@@ -88,36 +100,18 @@ impl Interpreter<'_> {
     ) {
         let vector = |[x, y, z]: [f64; 3]| Vec3::new(x, y, z);
         let (start, end) = (vector(target.start), vector(target.programmed));
-        let (one, two) = (vector(middle) - start, end - start);
-        let normal = one.cross(two);
-        let square = normal.dot(normal);
-        if square <= COINCIDENT_MM * COINCIDENT_MM {
+        let middle = vector(middle);
+        let is_bent = (middle - start).cross(end - start).length() > COINCIDENT_MM;
+        let Some(arc) = Arc::through(start, middle, end).filter(|_| is_bent) else {
             self.alarm(14040, Code::NoCenter, range, "start, point between and end are on a line");
             return self.kernel.straight_instead(view, target.end, target.named);
-        }
+        };
         self.lose_path(range, "the exact path", "the arc outside of the machine's planes");
-        // The centre of the circle through three points.
-        let from_start = (normal.cross(one) * two.dot(two) + two.cross(normal) * one.dot(one))
-            * (1.0 / (2.0 * square));
-        let center = start + from_start;
-        let first = start - center;
-        let radius_mm = first.dot(first).sqrt();
-        let second = normal.cross(first) * (1.0 / square.sqrt());
-        let last = end - center;
-        let sweep = libm::atan2(last.dot(second), last.dot(first)).rem_euclid(TAU);
-        let count = chord_count(radius_mm, sweep);
-        for number in 1..=count {
-            let mut place = target.programmed;
-            if number < count {
-                let angle = sweep * f64::from(number) / f64::from(count);
-                let (sin, cos) = libm::sincos(angle);
-                let point = center + first * cos + second * sin;
-                place = [point.x, point.y, point.z];
-            }
-            let end = self.mapped(place);
-            self.kernel.straight(view, end, target.named.or(AxisMask::LINEAR));
-        }
-        self.modes.last_direction = None;
+        let point = |part: f64| {
+            let point = arc.point_at(arc.length() * part);
+            [point.x, point.y, point.z]
+        };
+        self.cut_chords(view, target, chord_count(arc.radius, arc.sweep), point);
     }
 }
 

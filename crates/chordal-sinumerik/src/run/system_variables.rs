@@ -107,7 +107,7 @@ pub fn settable_name(index: u32) -> Option<WorkName> {
 }
 
 fn offset_index(name: WorkName) -> Option<u32> {
-    (0..=99).find(|index| settable_name(*index) == Some(name))
+    Some(name.ordinal()).filter(|index| settable_name(*index) == Some(name))
 }
 
 /// `$P_UIFR[1,X,TR]`: the translation of a settable frame in mm. The rotation and the fine translation are 0, the scale

@@ -41,12 +41,7 @@ impl Interpreter<'_> {
     /// `DEF NCK REAL NAME`: without a value in the file nobody knows what the control holds.
     fn define_user_data(&mut self, definition: &VariableDefinition) {
         for defined in &definition.variables {
-            let sizes: Option<Vec<usize>> = defined
-                .sizes
-                .iter()
-                .map(|size| self.count(size).map(|count| count as usize))
-                .collect();
-            let made = sizes.and_then(|sizes| {
+            let made = self.sizes(&defined.sizes).and_then(|sizes| {
                 ProgramVariable::unknown(definition.kind, sizes, &defined.name).ok()
             });
             let Some(mut variable) = made else { continue };

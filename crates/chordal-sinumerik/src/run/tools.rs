@@ -131,11 +131,7 @@ impl Interpreter<'_> {
         };
         let is_mirrored = self.modes.frame.in_plane(self.kernel.state.plane).is_mirrored();
         // A mirrored contour has the tool on its other side.
-        let side = match side {
-            CompensationSide::Left if is_mirrored => CompensationSide::Right,
-            CompensationSide::Right if is_mirrored => CompensationSide::Left,
-            side => side,
-        };
+        let side = side.mirrored_if(is_mirrored);
         let before = self.kernel.state.side;
         if side == before {
             return;

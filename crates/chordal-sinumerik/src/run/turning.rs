@@ -1,7 +1,6 @@
 //! Carries out the turning cycles.
 
-use chordal_command::FeedMode;
-use chordal_diagnostics::{Code, Diagnostic, TextRange};
+use chordal_diagnostics::{Code, TextRange};
 use chordal_kernel::{ContourProfile, RoughWords};
 
 use super::interpreter::Interpreter;
@@ -38,9 +37,8 @@ impl Interpreter<'_> {
             let what = format!("{name} is not followed: this machine is no lathe");
             return self.not_followed(range, what);
         }
-        if self.modes.edge == 0 && !self.modes.is_state_unknown {
-            let message = format!("{name} needs an active tool offset");
-            return self.alarm(61000, Code::OffsetNotSet, range, message);
+        if !self.has_edge_for_cycle(name, range) {
+            return;
         }
         match name {
             "CYCLE95" => self.remove_stock(arguments, numbers, range),
@@ -106,6 +104,7 @@ impl Interpreter<'_> {
         self.report_assumed_path("CYCLE95", range);
         let unit = self.unit_mm();
         let number = |place: usize| numbers.get(place).unwrap_or(0.0).abs() * unit;
+        let feed = |place: usize| numbers.get(place).filter(|feed| *feed > 0.0);
         let lift = if number(LIFT) > 0.0 { number(LIFT) } else { LIFT_MM };
         let all = number(ALLOWANCE);
         let allowance = [number(ALLOWANCE_X).max(all), number(ALLOWANCE_Z).max(all)];
@@ -135,38 +134,15 @@ impl Interpreter<'_> {
                 rough_allowance: [0.0; 2],
                 pockets: true,
             };
-            self.with_cycle_feed(numbers.get(ROUGH_FEED), |own| {
+            self.with_cycle_feed(feed(ROUGH_FEED), |own| {
                 own.kernel.rough(&view, &rough, &profile);
             });
         }
         if work != 0 {
-            self.with_cycle_feed(numbers.get(FINISH_FEED), |own| {
+            self.with_cycle_feed(feed(FINISH_FEED), |own| {
                 own.kernel.follow_contour(&view, &profile, start);
             });
         }
-    }
-
-    /// Says once for each cycle that its path is not that of the control in every move.
-    pub(super) fn report_assumed_path(&mut self, name: &str, range: TextRange) {
-        if !self.is_first_report(&format!("path of {name}")) {
-            return;
-        }
-        let message = format!("the manuals do not give every move of {name}: its path is assumed");
-        let help = "shape, depth and end are those of the control; the order of the cuts and the time may differ";
-        let diagnostic = Diagnostic::new(Code::CyclePathAssumed, self.span(range), message);
-        self.kernel.report(diagnostic.help(help));
-    }
-
-    /// Carries out moves with a feed that the cycle gives; without one, with that in force.
-    fn with_cycle_feed(&mut self, feed: Option<f64>, moves: impl FnOnce(&mut Self)) {
-        let kept = self.kernel.state.feed;
-        if let Some(feed) = feed.filter(|feed| *feed > 0.0) {
-            let unit = if self.modes.feed_in_units { self.unit_mm() } else { 1.0 };
-            let per_turn = self.kernel.state.feed_mode == FeedMode::PerRevolution;
-            self.kernel.state.feed = Some(feed * unit / if per_turn { 1.0 } else { 60.0 });
-        }
-        moves(self);
-        self.kernel.state.feed = kept;
     }
 }
 

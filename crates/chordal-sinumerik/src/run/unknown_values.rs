@@ -18,6 +18,9 @@ const MAX_FULFILLED: u32 = 1;
 /// The label of the place from which on the path is not known.
 const UNKNOWN_FROM_HERE: &str = "from here on the path is not known";
 
+/// The label of a value without which a time is not known.
+const TIME_NOT_COUNTED: &str = "the time of what it feeds or waits is not counted";
+
 /// What an unknown value is used for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum UnknownUse {
@@ -67,7 +70,6 @@ impl Interpreter<'_> {
                     "S" => self.kernel.set_unknown_speed(),
                     _ => {}
                 }
-                words.has_unknown_time = true;
                 self.lose_time(range, name, cause);
             }
             UnknownUse::Axis(axis) => {
@@ -93,14 +95,28 @@ impl Interpreter<'_> {
 
     /// Reports once that the path is not known from here on.
     pub(super) fn lose_path(&mut self, range: TextRange, what: &str, cause: &str) {
-        if !self.is_first_report("unknown path") {
+        self.report_unknown_once(Code::UnknownPath, UNKNOWN_FROM_HERE, range, what, cause);
+    }
+
+    fn lose_time(&mut self, range: TextRange, what: &str, cause: &str) {
+        self.report_unknown_once(Code::UnknownTime, TIME_NOT_COUNTED, range, what, cause);
+    }
+
+    /// Reports the first value of a run that is not known, with the code that says what it leaves unknown.
+    fn report_unknown_once(
+        &mut self,
+        code: Code,
+        label: &str,
+        range: TextRange,
+        what: &str,
+        cause: &str,
+    ) {
+        if !self.is_first_report(code.id()) {
             return;
         }
         let message = format!("{what} depends on {cause}, which is not known");
-        let diagnostic = Diagnostic::new(Code::UnknownPath, self.span(range), message)
-            .label(UNKNOWN_FROM_HERE)
-            .help(help_of(cause));
-        self.kernel.report(diagnostic);
+        let diagnostic = Diagnostic::new(code, self.span(range), message);
+        self.kernel.report(diagnostic.label(label).help(help_of(cause)));
     }
 
     /// Reports that the path is not known from here on, once for each cause.
@@ -110,17 +126,6 @@ impl Interpreter<'_> {
         }
         let diagnostic = Diagnostic::new(Code::UnknownPath, self.span(range), cause);
         self.kernel.report(diagnostic.label(UNKNOWN_FROM_HERE));
-    }
-
-    fn lose_time(&mut self, range: TextRange, what: &str, cause: &str) {
-        if !self.is_first_report("unknown time") {
-            return;
-        }
-        let message = format!("{what} depends on {cause}, which is not known");
-        let diagnostic = Diagnostic::new(Code::UnknownTime, self.span(range), message)
-            .label("the time of what it feeds or waits is not counted")
-            .help(help_of(cause));
-        self.kernel.report(diagnostic);
     }
 
     /// Assumes a condition of unknown value: not fulfilled, unless the run options name it as fulfilled.
@@ -142,6 +147,15 @@ impl Interpreter<'_> {
             self.kernel.report(diagnostic);
         }
         is_fulfilled
+    }
+
+    /// A cycle is not carried out: where it leaves the tool along the normal of the plane is not known.
+    pub(super) fn lose_cycle(&mut self, range: TextRange, cause: String) {
+        let (_, _, normal) = self.kernel.state.plane.axes();
+        let mut axes = AxisMask::NONE;
+        axes.insert(normal);
+        self.kernel.go_astray(axes);
+        self.lose_path_because(range, cause);
     }
 
     /// The axes of the plane and those that a block names are at an unknown place.

@@ -76,8 +76,6 @@ pub struct BlockWords {
     pub astray: AxisMask,
     /// A centre, a radius or another word of the path has a value that is not known.
     pub has_unknown_path: bool,
-    /// A feed, a speed or a dwell has a value that is not known.
-    pub has_unknown_time: bool,
 }
 
 impl BlockWords {

@@ -29,7 +29,7 @@ pub(super) struct WrittenEdge {
 pub(super) struct BlockWriter<'a> {
     pub settings: SinumerikSettings,
     pub options: &'a WriterOptions,
-    pub start: &'a PostedProgram,
+    pub program: &'a PostedProgram,
     /// The step that is written.
     pub step: usize,
     pub written: WrittenProgram,
@@ -74,7 +74,7 @@ impl<'a> BlockWriter<'a> {
         BlockWriter {
             settings,
             options,
-            start: program,
+            program,
             step: 0,
             written: WrittenProgram::default(),
             lengths: LengthWords { units: start.units, digits: options.digits },
@@ -96,11 +96,11 @@ impl<'a> BlockWriter<'a> {
 
     /// The first block: everything that the control may have active otherwise.
     pub fn begin(&mut self) {
-        if let Some(name) = &self.start.name {
+        if let Some(name) = &self.program.name {
             let text = format!("; {name}");
             self.written.lines.push(WrittenLine { text, step: None });
         }
-        let start = self.start.start;
+        let start = self.program.start;
         let words = [
             plane_code(start.plane),
             units_code(start.units),

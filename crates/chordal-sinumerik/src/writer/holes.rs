@@ -1,9 +1,7 @@
 //! Drilling cycles: kept where they make the same moves as the hole.
 
 use chordal_command::{CommandKind, SpindleState};
-use chordal_kernel::{
-    DrilledHole, HoleForm, HoleMotion, PostedKind, PostedProgram, TappedHole, are_same_motions,
-};
+use chordal_kernel::{DrilledHole, HoleForm, HoleMotion, PostedKind, TappedHole, are_same_motions};
 
 use super::block_writer::{BlockWriter, WordGroup};
 use super::words::plain;
@@ -41,16 +39,16 @@ impl CycleWords {
 
 impl BlockWriter<'_> {
     /// Before a move after which a hole is drilled: makes its cycle active, or ends the one that is.
-    pub fn prepare_cycle(&mut self, program: &PostedProgram, at: usize) {
-        let PostedKind::Command(command) = &program.steps[at].kind else { return };
+    pub fn prepare_cycle(&mut self, command: &CommandKind) {
         if command.motion().is_none() {
             return;
         }
-        let PostedKind::Hole(hole) = &program.steps.get(at + 1).map_or(NOTHING, |next| &next.kind)
+        let next = self.step + 1;
+        let Some(PostedKind::Hole(hole)) = self.program.steps.get(next).map(|step| &step.kind)
         else {
             return self.end_modal_call();
         };
-        let Some(words) = self.kept_cycle(hole, at + 1) else { return self.end_modal_call() };
+        let Some(words) = self.kept_cycle(hole, next) else { return self.end_modal_call() };
         let text = words.text();
         if self.modal_call.as_ref() != Some(&text) {
             self.end_modal_call();
@@ -62,18 +60,13 @@ impl BlockWriter<'_> {
     }
 
     /// A hole: by the active cycle, by a call, or as moves.
-    pub fn hole(
-        &mut self,
-        program: &PostedProgram,
-        at: usize,
-        hole: &DrilledHole,
-    ) -> Result<(), String> {
-        let after_move = at.checked_sub(1).and_then(|before| program.steps.get(before));
-        let is_after_move = after_move.is_some_and(|step| match &step.kind {
+    pub fn hole(&mut self, hole: &DrilledHole) -> Result<(), String> {
+        let before = self.step.checked_sub(1).and_then(|before| self.program.steps.get(before));
+        let is_after_move = before.is_some_and(|step| match &step.kind {
             PostedKind::Command(command) => command.motion().is_some(),
             PostedKind::MachineMove { .. } | PostedKind::Hole(_) | PostedKind::Tap(_) => false,
         });
-        if let Some(words) = self.kept_cycle(hole, at) {
+        if let Some(words) = self.kept_cycle(hole, self.step) {
             let text = words.text();
             if !(is_after_move && self.modal_call.as_ref() == Some(&text)) {
                 self.end_modal_call();
@@ -246,6 +239,3 @@ impl BlockWriter<'_> {
         made.is_some_and(|made| are_same_motions(&made, &hole.motions))
     }
 }
-
-/// What comes after the last step.
-const NOTHING: &PostedKind = &PostedKind::Command(CommandKind::Idle);

@@ -10,7 +10,7 @@ mod moves;
 mod words;
 
 use chordal_kernel::{
-    PostedKind, PostedProgram, ProgramWriter, WriterNote, WriterOptions, WrittenProgram,
+    PostedKind, PostedProgram, PostedStep, ProgramWriter, WriterNote, WriterOptions, WrittenProgram,
 };
 
 use self::block_writer::BlockWriter;
@@ -33,9 +33,9 @@ impl ProgramWriter for PartProgramWriter {
     fn write(&self, program: &PostedProgram, options: &WriterOptions) -> WrittenProgram {
         let mut writer = BlockWriter::new(self.settings, program, options);
         writer.begin();
-        for at in 0..program.steps.len() {
+        for (at, step) in program.steps.iter().enumerate() {
             writer.step = at;
-            if let Err(reason) = step(&mut writer, program, at) {
+            if let Err(reason) = writer.write_step(step) {
                 let words = String::new();
                 writer.written.refusals.push(WriterNote { step: at, words, reason });
             }
@@ -49,19 +49,21 @@ impl ProgramWriter for PartProgramWriter {
     }
 }
 
-/// Writes one step, or says why it cannot be written.
-fn step(writer: &mut BlockWriter<'_>, program: &PostedProgram, at: usize) -> Result<(), String> {
-    match &program.steps[at].kind {
-        PostedKind::Hole(hole) => writer.hole(program, at, hole),
-        PostedKind::Tap(tap) => writer.tap(tap),
-        PostedKind::MachineMove { place, axes } => {
-            writer.end_modal_call();
-            writer.machine_move(place, *axes);
-            Ok(())
-        }
-        PostedKind::Command(command) => {
-            writer.prepare_cycle(program, at);
-            writer.command(command)
+impl BlockWriter<'_> {
+    /// Writes the step at hand, or says why it cannot be written.
+    fn write_step(&mut self, step: &PostedStep) -> Result<(), String> {
+        match &step.kind {
+            PostedKind::Hole(hole) => self.hole(hole),
+            PostedKind::Tap(tap) => self.tap(tap),
+            PostedKind::MachineMove { place, axes } => {
+                self.end_modal_call();
+                self.machine_move(place, *axes);
+                Ok(())
+            }
+            PostedKind::Command(command) => {
+                self.prepare_cycle(command);
+                self.command(command)
+            }
         }
     }
 }

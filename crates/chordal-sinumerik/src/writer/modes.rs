@@ -122,7 +122,7 @@ impl BlockWriter<'_> {
 
     /// A tool that is brought into position, unless its change comes at once.
     fn prepare_tool(&mut self, number: u32) {
-        let rest = self.start.steps.get(self.step + 1..).unwrap_or_default();
+        let rest = self.program.steps.get(self.step + 1..).unwrap_or_default();
         let next = rest.iter().find_map(|step| match &step.kind {
             chordal_kernel::PostedKind::Command(CommandKind::Tool { number }) => Some(*number),
             chordal_kernel::PostedKind::Command(command) if command.motion().is_none() => None,

@@ -3,16 +3,11 @@
 use core::f64::consts::TAU;
 
 use chordal_command::{ArcShape, AxisMask, Feed, FeedAlong, FeedMode, Move, Position};
-use chordal_machine::AXES;
+use chordal_machine::{AXES, AXIS_NAMES};
 
 use super::block_writer::{BlockWriter, WrittenMotion};
 use super::words::{degrees, significant};
-
-/// The letters of the axes.
-const AXIS_NAMES: [&str; AXES] = ["X", "Y", "Z", "A", "B", "C"];
-
-/// The letters of the centre.
-const CENTER_NAMES: [&str; 3] = ["I", "J", "K"];
+use crate::run::CENTER_NAMES;
 
 /// The axis of the tool length.
 const TOOL_AXIS: usize = 2;

@@ -1,7 +1,9 @@
 //! Holes as canned cycles.
 
 use chordal::control::table::DwellWord;
-use chordal::control::{Action, CycleKind, DrilledHole, FeedMode, HoleForm, ModeCode, Position};
+use chordal::control::{
+    Action, CycleKind, DrilledHole, FeedMode, HoleForm, ModeCode, Position, is_same_level,
+};
 use chordal::geometry::Plane;
 
 use super::{CommandEmitter, EmitRefusal};
@@ -16,25 +18,19 @@ pub(in crate::convert) struct WrittenCycle {
     returns_to_r: bool,
 }
 
-/// Levels that differ by less are the same, mm.
-const EQUAL_MM: f64 = 1e-6;
-
-fn is_near(a: f64, b: f64) -> bool {
-    (a - b).abs() < EQUAL_MM
-}
-
 impl WrittenCycle {
     /// Another hole needs a place only.
     pub(in crate::convert) fn goes_on(&self, hole: &DrilledHole) -> bool {
-        self.hole.is_like(hole) && (self.returns_to_r || is_near(self.initial_mm, hole.retract_mm))
+        self.hole.is_like(hole)
+            && (self.returns_to_r || is_same_level(self.initial_mm, hole.retract_mm))
     }
 }
 
 impl CommandEmitter<'_> {
     /// The cycle of this control that may make a hole; the comparison of both runs decides whether it does.
     pub(in crate::convert) fn cycle_of(&self, hole: &DrilledHole) -> Option<WrittenCycle> {
-        let returns_to_r = is_near(hole.retract_mm, hole.start_mm);
-        let returns = returns_to_r || is_near(hole.retract_mm, hole.initial_mm);
+        let returns_to_r = is_same_level(hole.retract_mm, hole.start_mm);
+        let returns = returns_to_r || is_same_level(hole.retract_mm, hole.initial_mm);
         let is_downward = hole.bottom_mm < hole.start_mm && hole.start_mm <= hole.initial_mm;
         let is_kept = hole.plane == Plane::Xy && self.plane == Plane::Xy && returns && is_downward;
         let kind = self.kind_of(hole)?;
@@ -55,10 +51,10 @@ impl CommandEmitter<'_> {
             HoleForm::FedOut { dwell_s: 0.0, .. } => CycleKind::BoreFeedOut,
             HoleForm::FedOut { .. } => CycleKind::BoreDwell,
             HoleForm::Pecked { is_full: true, back_mm, .. } => {
-                is_near(back_mm, rules.peck_clearance_mm).then_some(CycleKind::Peck)?
+                is_same_level(back_mm, rules.peck_clearance_mm).then_some(CycleKind::Peck)?
             }
             HoleForm::Pecked { is_full: false, back_mm, .. } => {
-                is_near(back_mm, rules.chip_break_mm).then_some(CycleKind::ChipBreak)?
+                is_same_level(back_mm, rules.chip_break_mm).then_some(CycleKind::ChipBreak)?
             }
         })
     }

@@ -12,6 +12,10 @@ use crate::convert::numbers;
 use crate::convert::tap::TappedThread;
 use crate::source::WordStyle;
 
+/// The spelling of words in a program that is written from its run.
+pub(in crate::convert) const WRITTEN_STYLE: WordStyle =
+    WordStyle { spaced: true, leading_zero: true, two_digits: false };
+
 impl<'a> CommandEmitter<'a> {
     /// For a program that is written from its run alone.
     pub(in crate::convert) fn of_run(
@@ -23,7 +27,7 @@ impl<'a> CommandEmitter<'a> {
         CommandEmitter {
             from: None,
             to,
-            style: WordStyle { spaced: true, leading_zero: true, two_digits: false },
+            style: WRITTEN_STYLE,
             tolerance_mm,
             units: start.units,
             digits,

@@ -1,21 +1,28 @@
 //! The proof that a program written from its run does the same.
 
-use chordal::{CommandKind, Job, Machine};
+use chordal::{Command, CommandKind, Job, Machine};
 
-use super::super::ConversionOptions;
 use super::super::certify::{ProofTerms, proof};
+use super::super::{ConversionOptions, codes, job};
 use super::places::turns_of_tool_axis;
 use super::recorded::RecordedRun;
 use super::tables::{TableSet, UsedNumbers};
 use crate::Certificate;
 
-/// What is proved: a text on the machine of the new control, and the old job.
+/// What texts on the machine of the new control are compared with: the old program, run once on each set of tables.
 pub(super) struct PostedProof<'a> {
-    pub old: &'a Job<'a>,
     /// The target with the tables of the old machine.
-    pub machine: &'a Machine,
-    pub used: &'a UsedNumbers,
-    pub options: &'a ConversionOptions,
+    machine: &'a Machine,
+    used: &'a UsedNumbers,
+    options: &'a ConversionOptions,
+    /// The old program with tools of length zero: which length is active does not show in its path.
+    without_lengths: Job<'a>,
+    /// Its commands.
+    commands: Vec<Command>,
+    /// The old program with a length for each tool of its own.
+    with_lengths: Job<'a>,
+    /// The machine positions of its tool axis.
+    turns: Vec<f64>,
 }
 
 /// What the proof found.
@@ -25,7 +32,23 @@ pub(super) struct ProofOutcome {
     pub other_tool_axis: Option<String>,
 }
 
-impl PostedProof<'_> {
+impl<'a> PostedProof<'a> {
+    /// Runs the old program; `None` where its machine has settings that its control does not know.
+    pub fn new(
+        old: &'a Job<'a>,
+        machine: &'a Machine,
+        used: &'a UsedNumbers,
+        options: &'a ConversionOptions,
+    ) -> Option<PostedProof<'a>> {
+        let on =
+            |tables: TableSet| old.on_machine(tables.fill(old.machine(), old.profile(), used)).ok();
+        let [without_lengths, with_lengths] =
+            [on(TableSet::WITHOUT_LENGTHS)?, on(TableSet::FIRST)?];
+        let commands = RecordedRun::of(&without_lengths).commands;
+        let turns = turns_of_tool_axis(&with_lengths, &RecordedRun::of(&with_lengths));
+        Some(PostedProof { machine, used, options, without_lengths, commands, with_lengths, turns })
+    }
+
     /// Compares the path, and the machine positions of the tool's axis; `None` where the machine has settings that its
     /// control does not know.
     pub fn of(&self, text: &str) -> Option<ProofOutcome> {
@@ -34,32 +57,27 @@ impl PostedProof<'_> {
         Some(ProofOutcome { certificate, other_tool_axis })
     }
 
-    /// The paths, on machines whose tools all have the length zero: which length is active does not show in them.
+    /// The paths, on machines whose tools all have the length zero.
     fn paths(&self, text: &str) -> Option<Certificate> {
-        let [old, new] = self.jobs(text, TableSet::WITHOUT_LENGTHS)?;
-        let commands = RecordedRun::of(&old).commands;
+        let new = self.job(text, TableSet::WITHOUT_LENGTHS)?;
         // Text that was printed is a comment now.
         let printed =
-            commands.iter().any(|command| matches!(command.kind, CommandKind::Output { .. }));
+            self.commands.iter().any(|command| matches!(command.kind, CommandKind::Output { .. }));
         let terms = ProofTerms { is_other_language: true, printed, ..ProofTerms::default() };
-        Some(proof(&commands, [&old, &new], self.options, terms))
+        Some(proof(&self.commands, [&self.without_lengths, &new], self.options, terms))
     }
 
     /// The machine positions of the tool's axis, with a length for each tool of its own.
     fn tool_axis(&self, text: &str) -> Option<Option<String>> {
-        let has_lengths =
-            |job: &Job| job.word_address().is_none_or(super::super::codes::has_lengths);
-        let [old, new] = self.jobs(text, TableSet::FIRST)?;
-        if ![&old, &new].into_iter().all(has_lengths) {
+        let new = self.job(text, TableSet::FIRST)?;
+        if !codes::all_have_lengths([&self.with_lengths, &new]) {
             return Some(None);
         }
-        let places = [&old, &new].map(|job| turns_of_tool_axis(job, &RecordedRun::of(job)));
-        let most = self.options.tolerance_mm;
-        let is_same = places[0].len() == places[1].len()
-            && places[0].iter().zip(&places[1]).all(|(a, b)| (a - b).abs() <= most);
-        Some((!is_same).then(|| {
-            let differs = places[0].iter().zip(&places[1]).position(|(a, b)| (a - b).abs() > most);
-            let at = differs.unwrap_or(places[0].len().min(places[1].len()));
+        let (before, after) = (&self.turns, turns_of_tool_axis(&new, &RecordedRun::of(&new)));
+        let is_same = |(one, other): (&f64, &f64)| (one - other).abs() <= self.options.tolerance_mm;
+        let place = before.iter().zip(&after).position(|pair| !is_same(pair));
+        let place = place.or((before.len() != after.len()).then(|| before.len().min(after.len())));
+        Some(place.map(|at| {
             format!(
                 "the lengths of the tools do not act the same way: the axis of the tool turns round at another place the {}. time",
                 at + 1
@@ -67,12 +85,10 @@ impl PostedProof<'_> {
         }))
     }
 
-    fn jobs(&self, text: &str, tables: TableSet) -> Option<[Job<'_>; 2]> {
-        let own = tables.fill(self.old.machine(), self.old.profile(), self.used);
-        let old = self.old.on_machine(own).ok()?;
+    /// A text on the target with a set of tables.
+    fn job(&self, text: &str, tables: TableSet) -> Option<Job<'static>> {
         let profile = chordal::control::control_profile(self.machine.control)?;
         let machine = tables.fill(self.machine, profile, self.used);
-        let new = super::super::job("converted", text.to_string(), &machine)?;
-        Some([old, new])
+        job("converted", text.to_string(), &machine)
     }
 }

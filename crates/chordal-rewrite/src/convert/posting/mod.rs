@@ -19,7 +19,8 @@ use std::collections::BTreeSet;
 
 use chordal::control::{
     ConfiguredControl, Control, Origin, PostedKind, PostedProgram, PostedStep, ProgramWriter,
-    StartingModes, Units, WriterOptions, WrittenProgram, control_profile,
+    StartingModes, Units, WordAddressControl, WriterNote, WriterOptions, WrittenProgram,
+    control_profile,
 };
 use chordal::diagnostics::FileId;
 use chordal::machine::{AXES, AXIS_LETTERS};
@@ -34,7 +35,8 @@ use self::remarks::SourceRemarks;
 use self::tables::{TableSet, UsedNumbers, with_tables_of};
 use self::word_writer::WordAddressWriter;
 use super::{
-    Conversion, ConversionOptions, ConvertRefusal, MAX_ROUNDS, other_diameters, own_problems,
+    Conversion, ConversionOptions, ConvertRefusal, MAX_ROUNDS, UNKNOWN_SETTINGS, other_diameters,
+    own_problems,
 };
 use crate::word_address::other_language;
 use crate::{Certificate, Change};
@@ -54,7 +56,7 @@ pub(super) fn prove_posted(
     options: &ConversionOptions,
 ) -> Option<Certificate> {
     let used = UsedNumbers::of(old, &RecordedRun::of(old).commands);
-    let proof = PostedProof { old, machine, used: &used, options };
+    let proof = PostedProof::new(old, machine, &used, options)?;
     let ProofOutcome { mut certificate, other_tool_axis } = proof.of(&text)?;
     if other_tool_axis.is_some() {
         certificate.comparison.verdict = ComparisonVerdict::Different;
@@ -63,15 +65,19 @@ pub(super) fn prove_posted(
 }
 
 fn refusal(reason: impl Into<String>) -> Vec<ConvertRefusal> {
-    vec![ConvertRefusal { line: 0, words: String::new(), reason: reason.into() }]
+    vec![ConvertRefusal::of_program(reason)]
 }
 
 /// The refusal of a line of the old text.
 fn line_refusal(old: &Job, file: FileId, line: u32, reason: impl Into<String>) -> ConvertRefusal {
+    ConvertRefusal { line, words: words_of_line(old, file, line), reason: reason.into() }
+}
+
+/// The words of a line of the old text.
+fn words_of_line(old: &Job, file: FileId, line: u32) -> String {
     let source = old.sources().get(file);
     let words = source.map(|source| String::from_utf8_lossy(source.line_text(line)));
-    let words = words.unwrap_or_default().trim().to_string();
-    ConvertRefusal { line, words, reason: reason.into() }
+    words.unwrap_or_default().trim().to_string()
 }
 
 fn converted(
@@ -83,7 +89,7 @@ fn converted(
     let machine = conversion.machine.clone();
     let empty = super::job("", String::new(), &machine).ok_or_else(|| {
         match control_profile(machine.control) {
-            Some(_) => refusal("the machine file has settings that the control does not have"),
+            Some(_) => refusal(UNKNOWN_SETTINGS),
             None => refusal(other_language(machine.control)),
         }
     })?;
@@ -103,7 +109,8 @@ fn converted(
     let posted = PostedRun::of(old, &used, options)?;
     check_axes(old, &machine, &posted)?;
     check_tools(old, &posted)?;
-    let proof = PostedProof { old, machine: &machine, used: &used, options };
+    let proof =
+        PostedProof::new(old, &machine, &used, options).ok_or_else(|| refusal(UNKNOWN_SETTINGS))?;
     let rounds = ConversionRounds {
         old,
         writer: &*writer,
@@ -117,7 +124,7 @@ fn converted(
 
 /// The writer of a control; `None` where programs of other languages are not converted to it.
 fn writer_of(control: &dyn ConfiguredControl) -> Option<Box<dyn ProgramWriter + '_>> {
-    match chordal::control::WordAddressControl::tables(control) {
+    match WordAddressControl::tables(control) {
         Some(control) if may_be_written(control) => Some(Box::new(WordAddressWriter { control })),
         Some(_) => None,
         None => control.program_writer(),
@@ -308,9 +315,7 @@ impl ConversionRounds<'_> {
                 return Err(refusals);
             }
             let text = self.text(&written);
-            let outcome = self.proof.of(&text.text).ok_or_else(|| {
-                refusal("the machine file has settings that the control does not have")
-            })?;
+            let outcome = self.proof.of(&text.text).ok_or_else(|| refusal(UNKNOWN_SETTINGS))?;
             let holds = outcome.certificate.holds() && outcome.other_tool_axis.is_none();
             let before = options.written_out.len();
             if !holds {
@@ -369,7 +374,7 @@ impl ConversionRounds<'_> {
     }
 
     fn refusals(&self, written: &WrittenProgram) -> Vec<ConvertRefusal> {
-        let refusal = |note: &chordal::control::WriterNote| {
+        let refusal = |note: &WriterNote| {
             let origin = self.posted.origins.get(note.step).copied().unwrap_or_default();
             line_refusal(self.old, origin.span.file, origin.line, note.reason.clone())
         };
@@ -380,14 +385,11 @@ impl ConversionRounds<'_> {
 
     /// What was written in another way than block by block.
     fn changes(&self, written: &WrittenProgram) -> Vec<Change> {
-        let change = |note: &chordal::control::WriterNote| {
+        let change = |note: &WriterNote| {
             let origin = self.posted.origins.get(note.step).copied().unwrap_or_default();
-            let source = self.old.sources().get(origin.span.file);
-            let before =
-                source.map(|source| String::from_utf8_lossy(source.line_text(origin.line)));
             Change {
                 line: origin.line,
-                before: before.unwrap_or_default().trim().to_string(),
+                before: words_of_line(self.old, origin.span.file, origin.line),
                 after: note.words.clone(),
                 reason: note.reason.clone(),
             }
@@ -395,7 +397,7 @@ impl ConversionRounds<'_> {
         let called = self.posted.callers.iter().filter_map(|span| {
             let source = self.old.sources().get(span.file)?;
             let line = source.line_of(span.range.start);
-            let before = String::from_utf8_lossy(source.line_text(line)).trim().to_string();
+            let before = words_of_line(self.old, span.file, line);
             let reason = "what it calls is written out as it runs".to_string();
             Some(Change { line, before, after: String::new(), reason })
         });

@@ -22,9 +22,7 @@ impl RecordedRun {
         run.outcomes = outcomes;
         run
     }
-}
 
-impl RecordedRun {
     /// The blocks of the main program through which commands were reached, each once, in the order of their first run.
     pub fn callers(&self) -> Vec<Span> {
         let Some(outcome) = self.outcomes.first() else { return Vec::new() };

@@ -5,11 +5,11 @@
 
 use std::collections::BTreeSet;
 
-use chordal::control::{ControlProfile, RapidPath, control_profile};
-use chordal::machine::{AXES, RapidShape, WorkOffset};
+use chordal::control::{ControlProfile, control_profile};
+use chordal::machine::{AXES, WorkOffset};
 use chordal::{Command, CommandKind, Job, Machine};
 
-use super::super::target::renamed;
+use super::super::target::{take_axis_speeds, take_tables};
 
 /// The numbers of tables that a program uses.
 #[derive(Clone, Debug, Default)]
@@ -111,31 +111,12 @@ impl TableSet {
     }
 }
 
-/// The target with what else the tables of the old machine hold.
+/// The target with the tables of the old machine.
 pub(super) fn with_tables_of(old: &Job, target: &Machine) -> Machine {
-    let from = old.machine();
     let mut machine = target.clone();
-    // The shape of rapids is the machine's; compared with each other, both go alike.
-    machine.rapid = Some(match old.rules().rapid {
-        RapidPath::DogLeg => RapidShape::DogLeg,
-        RapidPath::Straight | RapidPath::AtFeed(_) => RapidShape::Straight,
-    });
-    // Where a dog-leg bends follows from the speeds of the axes.
-    for (limits, own) in machine.axes.iter_mut().zip(&from.axes) {
-        if let (Some(limits), Some(own)) = (limits, own) {
-            limits.max_velocity = own.max_velocity;
-        }
-    }
-    machine.tools = from.tools.clone();
+    take_axis_speeds(&mut machine, old.machine());
     if let Some(profile) = control_profile(target.control) {
-        let rename =
-            |(name, offset): (&String, &WorkOffset)| (renamed(name, profile.work_names), *offset);
-        machine.work_offsets = from.work_offsets.iter().map(rename).collect();
+        take_tables(&mut machine, old, profile.work_names);
     }
-    machine.home = from.home;
-    machine.reference_points = from.reference_points;
-    machine.probe = from.probe;
-    machine.switches = from.switches;
-    machine.clearance_mm = from.clearance_mm.or(target.clearance_mm);
     machine
 }

@@ -2,8 +2,8 @@
 
 use chordal::control::{
     Action, AxisMask, Control, Coolant, DrilledHole, FeedMode, PathMode, PostedKind, PostedProgram,
-    PostedStep, ProgramWriter, SpindleState, TappedHole, Units, WriterNote, WriterOptions,
-    WrittenLine, WrittenProgram,
+    PostedStep, ProgramWriter, SpindleState, StartingModes, TappedHole, Units, WriterNote,
+    WriterOptions, WrittenLine, WrittenProgram,
 };
 use chordal::control::{ModeCode, Position, ReadingCode, WorkName};
 use chordal::geometry::Plane;
@@ -11,15 +11,11 @@ use chordal::machine::AXES;
 use chordal::{CommandKind, Effect};
 
 use super::super::codes;
-use super::super::emit::{CommandEmitter, WrittenCycle};
+use super::super::emit::{CommandEmitter, WRITTEN_STYLE, WrittenCycle};
 use super::super::structure::program_name;
-use crate::source::WordStyle;
 
 /// The axis of the tool length.
 const TOOL_AXIS: usize = 2;
-
-/// The spelling of codes in the first block.
-const STYLE: WordStyle = WordStyle { spaced: true, leading_zero: true, two_digits: false };
 
 /// Writes programs for a word-address control.
 pub(super) struct WordAddressWriter<'c> {
@@ -104,14 +100,18 @@ struct MovingModes {
 impl MovingModes {
     fn of(program: &PostedProgram) -> MovingModes {
         let start = program.start;
-        let work = u16::try_from(start.work).ok().and_then(WorkName::of_ordinal);
         MovingModes {
             plane: start.plane,
             feed_mode: start.feed_mode,
-            work: work.unwrap_or(WorkName::Machine),
+            work: starting_work(start).unwrap_or(WorkName::Machine),
             path_mode: None,
         }
     }
+}
+
+/// The work coordinate system at the first step; `None` for machine coordinates.
+fn starting_work(start: StartingModes) -> Option<WorkName> {
+    u16::try_from(start.work).ok().and_then(WorkName::of_ordinal)
 }
 
 struct RunWriter<'a> {
@@ -155,11 +155,11 @@ impl RunWriter<'_> {
     }
 
     fn begin(&mut self) {
-        if let Some(number) = self.number() {
-            self.frame_line("%".into());
-            self.frame_line(program_name(number, self.control));
-        }
         let own = self.number().map(|number| program_name(number, self.control));
+        if let Some(own) = &own {
+            self.frame_line("%".into());
+            self.frame_line(own.clone());
+        }
         if let Some(name) = self.program.name.as_ref().filter(|name| own.as_ref() != Some(name)) {
             self.frame_line(format!("({name})"));
         }
@@ -172,11 +172,14 @@ impl RunWriter<'_> {
             Action::Mode(ModeCode::CancelCycle),
             Action::from(start.feed_mode),
         ];
-        let names =
-            actions.into_iter().filter_map(|action| codes::name(action, self.control, STYLE));
+        let names = actions
+            .into_iter()
+            .filter_map(|action| codes::name(action, self.control, WRITTEN_STYLE));
         let mut words: Vec<String> = names.collect();
-        let work = u16::try_from(start.work).ok().and_then(WorkName::of_ordinal);
-        words.extend(work.and_then(|name| codes::work_offset(name, self.control, STYLE)));
+        words.extend(
+            starting_work(start)
+                .and_then(|name| codes::work_offset(name, self.control, WRITTEN_STYLE)),
+        );
         self.frame_line(words.join(" "));
     }
 
