@@ -3,6 +3,7 @@
 use chordal_command::WorkNaming;
 use chordal_machine::{Machine, Tool, ToolShape};
 
+use crate::frame_chain::{axis_of, shift_of_chain};
 use crate::run::{ToolDatum, settable_name};
 use crate::syntax::{
     AddressWord, BlockReader, Expression, ExpressionKind, StatementKind, UnaryOperator, WordValue,
@@ -78,40 +79,17 @@ fn take_offset(
     let indices = &word.address.indices;
     let name = settable_name(number(indices.first()?)? as u32)?;
     let key = name.table_key(naming);
-    let mut values = Vec::new();
-    match indices.as_slice() {
-        [_] => translations(value, &mut values),
-        [_, axis, part] if is_name(part, "TR") => values.push((axis_of(axis)?, number(value)?)),
+    let values: Vec<(usize, f64)> = match indices.as_slice() {
+        // What the run refuses leaves the offset as it was: the run says so.
+        [_] => shift_of_chain(value, &mut number).ok()?.into_iter().enumerate().collect(),
+        [_, axis, part] if is_name(part, "TR") => vec![(axis_of(axis)?, number(value)?)],
         _ => return None,
-    }
+    };
     let offset = machine.work_offsets.entry(key).or_default();
     for (axis, mm) in values {
         offset.values[axis] = Some(mm);
     }
     Some(())
-}
-
-/// The translations of a chain of frames.
-fn translations(frame: &Expression, values: &mut Vec<(usize, f64)>) {
-    match &frame.kind {
-        ExpressionKind::Binary(_, left, right) => {
-            translations(left, values);
-            translations(right, values);
-        }
-        ExpressionKind::Function(name, arguments) if name == "CTRANS" => {
-            for pair in arguments.chunks(2) {
-                let [Some(axis), Some(length)] = pair else { return };
-                if let (Some(axis), Some(mm)) = (axis_of(axis), number(length)) {
-                    values.push((axis, mm));
-                }
-            }
-        }
-        _ => {}
-    }
-}
-
-fn axis_of(expression: &Expression) -> Option<usize> {
-    (0..3).find(|axis| is_name(expression, chordal_machine::AXIS_NAMES[*axis]))
 }
 
 fn is_name(expression: &Expression, name: &str) -> bool {
@@ -136,13 +114,15 @@ mod tests {
     fn a_dump_gives_tools_and_offsets() {
         let mut machine = Machine::from_builtin("haas-vf2").expect("a machine");
         let text = b"$TC_TP2[3]=\"MILL\"\n$TC_DP1[3,1]=120\n$TC_DP3[3,1]=112.5\n$TC_DP6[3,1]=5\n\
-            $TC_DP6[3,2]=4\n$P_UIFR[1]=CTRANS(X,-400,Y,20.5,Z,-1):CFINE(X,0)\n$P_UIFR[5,Z,TR]=-7\nM17\n";
+            $TC_DP6[3,2]=4\n$P_UIFR[1]=CTRANS(X,-400,Y,20.5,Z,-1):CROT(X,0):CFINE(Y,0.25)\n\
+            $P_UIFR[2]=CTRANS(X,1):CROT(Z,30)\n$P_UIFR[5,Z,TR]=-7\nM17\n";
         take_table(text, crate::control::PROFILE.work_names, &mut machine);
         let tool = &machine.tools[&3];
         assert_eq!(tool.description.as_deref(), Some("MILL"));
         assert_eq!((tool.length_mm(), tool.diameter_mm), (Some(112.5), Some(10.0)));
         assert_eq!(tool.shape, Some(ToolShape::Flat));
-        assert_eq!(machine.work_offsets["G54"].values[..3], [Some(-400.0), Some(20.5), Some(-1.0)]);
+        assert_eq!(machine.work_offsets["G54"].values[..3], [Some(-400.0), Some(20.75), Some(-1.0)]);
+        assert!(!machine.work_offsets.contains_key("G55"), "a rotated frame is no offset");
         assert_eq!(machine.work_offsets["G505"].values[2], Some(-7.0));
     }
 }

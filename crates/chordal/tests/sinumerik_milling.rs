@@ -297,3 +297,20 @@ fn a_contour_is_milled_on_the_tools_side() {
         places(&curved).iter().any(|at| (at[0] + 13.0).abs() < 1e-9 && (at[1] + 8.0).abs() < 1e-9)
     );
 }
+
+/// The feeds of a cycle are written as F is: per revolution while G95 is active.
+#[test]
+fn the_feeds_of_a_contour_follow_g95() {
+    let blocks = "CYCLE72(\"AA:BB\",50,0,2,-3,3,0,0,0.2,0.1,1,41,1,8,0.2,1,8)\nGOTOF CC\n\
+         AA: G1 X0 Y0\nY20\nX40\nY0\nBB: X0\nCC: G0 Z100";
+    let (commands, _) = run(&format!("G95 F0.5\n{blocks}"));
+    let feeds: Vec<f64> = commands
+        .iter()
+        .filter_map(|command| match &command.kind {
+            CommandKind::Line { feed, .. } => Some(feed.value),
+            _ => None,
+        })
+        .collect();
+    assert!(feeds.contains(&0.1) && feeds.contains(&0.2), "{feeds:?}");
+    assert!(feeds.iter().all(|feed| [0.1, 0.2].contains(feed)), "{feeds:?}");
+}

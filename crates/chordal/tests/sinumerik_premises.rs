@@ -1,9 +1,25 @@
 //! What a part program needs and does not say: values of the machine, user data, tables of the control, names that nothing
 //! defines.
 
+use chordal::control::{CommandKind, Origin};
 use chordal::diagnostics::Code;
 use chordal::machine::{SettingEntry, SettingValue};
-use chordal::{Diagnostic, Job, Machine, Severity, Source, SourceMap};
+use chordal::path::PathCommand;
+use chordal::{Diagnostic, Job, Machine, PathSink, Severity, Source, SourceMap};
+
+/// The last work offset of a run: X, Y and Z, mm.
+#[derive(Default)]
+struct LastWorkOffset(Option<[f64; 3]>);
+
+impl PathSink for LastWorkOffset {
+    fn command(&mut self, path: PathCommand<'_>) {
+        if let CommandKind::WorkOffset { offset, .. } = &path.command.kind {
+            self.0 = Some([offset[0], offset[1], offset[2]]);
+        }
+    }
+
+    fn diagnostic(&mut self, _: Diagnostic, _: &Origin) {}
+}
 
 fn machine() -> Machine {
     let mut machine = Machine::from_builtin("sinumerik-mill").expect("a built-in machine");
@@ -130,4 +146,38 @@ fn a_table_of_tools_decides_which_edges_there_are() {
             && found.alarm.as_deref().is_some_and(|alarm| alarm.contains("17180"))),
         "{found:?}"
     );
+}
+
+/// A table that the control saved writes a settable frame as a chain, most of whose frames do nothing.
+#[test]
+fn a_chain_of_frames_in_a_table_is_the_work_offset() {
+    let text = format!("{HEAD}G1 X10\nM30\n");
+    let machine = || {
+        let mut machine = machine();
+        machine.axes.iter_mut().flatten().for_each(|axis| axis.travel = None);
+        machine
+    };
+    let offset_of = |chain: &str| {
+        let table = format!("$P_UIFR[1]={chain}\nM17\n");
+        let job = job(&text, &[("uifr.ini", &table)], machine());
+        let found = job.check().diagnostics;
+        let found: Vec<_> = found.iter().map(|found| (found.code, found.severity)).collect();
+        let mut offset = LastWorkOffset::default();
+        job.compensated(None, &mut offset);
+        (found, offset.0)
+    };
+    let neutral = "CROT(X,0,Y,0,Z,0):CSCALE(X,1,Y,1,Z,1):CMIRROR()";
+    for (chain, expected) in [
+        ("CTRANS(X,10,Y,20,Z,-400)".to_string(), [10.0, 20.0, -400.0]),
+        (format!("CTRANS(X,10,Y,20,Z,-400):{neutral}"), [10.0, 20.0, -400.0]),
+        (format!("CTRANS(X,10,Z,-400):{neutral}:CFINE(X,0.5,Y,-0.25)"), [10.5, -0.25, -400.0]),
+    ] {
+        assert_eq!(offset_of(&chain), (Vec::new(), Some(expected)), "{chain}");
+    }
+    for chain in
+        ["CTRANS(X,10):CROT(Z,30)", "CTRANS(X,10):CSCALE(X,2)", "CTRANS(X,10):CMIRROR(Y)"]
+    {
+        let (found, _) = offset_of(chain);
+        assert_eq!(found, [(Code::NotFollowed, Severity::Error)], "{chain}");
+    }
 }

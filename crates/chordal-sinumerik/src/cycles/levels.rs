@@ -70,7 +70,7 @@ impl HoleLevels {
         let uses_relative = match depth_choice(call)? {
             DepthChoice::Compatible => relative != 0.0,
             // Which of the two is meant is not clear.
-            DepthChoice::Relative if relative == 0.0 && call.argument("DP").is_some() => {
+            DepthChoice::Relative if relative == 0.0 && call.argument(names.depth).is_some() => {
                 return Err(unmodelled(call, "_AMODE"));
             }
             DepthChoice::Relative => true,

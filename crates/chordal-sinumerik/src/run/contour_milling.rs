@@ -114,18 +114,14 @@ impl Interpreter<'_> {
             42 => CompensationSide::Right,
             _ => CompensationSide::Off,
         };
-        let feed = |place: usize| {
-            let value = number(place);
-            let unit = if self.modes.feed_in_units { unit } else { 1.0 };
-            (value > 0.0).then_some(value * unit / 60.0)
-        };
+        let feed = |place: usize| Some(number(place)).filter(|feed| *feed > 0.0);
         Some(ContourMilling {
             retract,
             clearance: reference + direction * safety.abs(),
             levels,
             allowance: if finishes { 0.0 } else { number(6).abs() * unit },
-            feed: feed(8),
-            infeed: feed(9),
+            feed: feed(8).map(|feed| self.cycle_feed(feed)),
+            infeed: feed(9).map(|feed| self.cycle_feed(feed)),
             side,
             approach: (form(12), number(13).abs() * unit),
             departure: (form(15), number(16).abs() * unit),

@@ -98,15 +98,19 @@ impl Interpreter<'_> {
     pub(super) fn with_cycle_feed(&mut self, feed: Option<f64>, moves: impl FnOnce(&mut Self)) {
         let kept = self.kernel.state.feed;
         if let Some(feed) = feed {
-            let unit = if self.modes.feed_in_units { self.unit_mm() } else { 1.0 };
-            let value = match self.kernel.state.feed_mode {
-                FeedMode::PerRevolution => feed * unit,
-                FeedMode::PerTime | FeedMode::InverseTime => feed * unit / 60.0,
-            };
-            self.kernel.state.feed = Some(value);
+            self.kernel.state.feed = Some(self.cycle_feed(feed));
         }
         moves(self);
         self.kernel.state.feed = kept;
+    }
+
+    /// A feed that a cycle is called with, mm/s or mm/rev: it is written as F is.
+    pub(super) fn cycle_feed(&self, feed: f64) -> f64 {
+        let unit = if self.modes.feed_in_units { self.unit_mm() } else { 1.0 };
+        match self.kernel.state.feed_mode {
+            FeedMode::PerRevolution => feed * unit,
+            FeedMode::PerTime | FeedMode::InverseTime => feed * unit / 60.0,
+        }
     }
 
     /// Reports why the control refuses a cycle, or that its form is not carried out.

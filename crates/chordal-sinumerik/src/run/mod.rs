@@ -41,5 +41,5 @@ mod variables;
 mod words;
 
 pub use programs::SinumerikPrograms;
-pub use system_variables::{ToolDatum, settable_name};
+pub use system_variables::{ToolDatum, linear_axis, settable_name};
 pub use words::CENTER_NAMES;

@@ -5,7 +5,8 @@ use chordal_diagnostics::TextRange;
 use super::interpreter::Interpreter;
 use super::system_variables::{ToolDatum, index_keys, linear_axis, settable_name};
 use super::tool_edges::edge_offset_number;
-use crate::syntax::{Address, Expression, ExpressionKind, WordValue};
+use crate::frame_chain::{ChainFault, shift_of_chain};
+use crate::syntax::{Address, WordValue};
 use crate::values::SinumerikValue;
 
 /// Beginnings of system variables that hold frames: what they shift or turn moves the path.
@@ -23,6 +24,10 @@ const FRAME_VARIABLES: [&str; 12] = [
     "$P_TOOLFR",
     "$P_WPFR",
 ];
+
+/// What is said of a settable frame that does more than shift.
+const MORE_THAN_SHIFT: &str =
+    "rotation, scale, mirror and fine shift of a settable frame are not followed";
 
 /// Beginnings of machine data, which may change how the control moves.
 const MACHINE_DATA: [&str; 3] = ["$MN_", "$MC_", "$MA_"];
@@ -118,10 +123,7 @@ impl Interpreter<'_> {
             _ => number == 0.0,
         };
         if !changes_nothing {
-            self.not_followed(
-                range,
-                "rotation, scale, mirror and fine shift of a settable frame are not followed",
-            );
+            self.not_followed(range, MORE_THAN_SHIFT);
         }
     }
 
@@ -134,16 +136,10 @@ impl Interpreter<'_> {
         }
     }
 
-    /// `$P_UIFR[1]=CTRANS(X,10,Y,20)`: a settable frame that only shifts; false for other assignments.
+    /// `$P_UIFR[1]=CTRANS(X,10,Y,20):CFINE(X,0.1)`: a settable frame that only shifts; false for other assignments.
     pub(super) fn write_settable_shift(&mut self, address: &Address, value: &WordValue) -> bool {
-        let WordValue::Plain(Expression {
-            kind: ExpressionKind::Function(function, arguments),
-            ..
-        }) = value
-        else {
-            return false;
-        };
-        if address.name != "$P_UIFR" || address.indices.len() != 1 || function != "CTRANS" {
+        let WordValue::Plain(chain) = value else { return false };
+        if address.name != "$P_UIFR" || address.indices.len() != 1 {
             return false;
         }
         let Some(name) =
@@ -151,16 +147,17 @@ impl Interpreter<'_> {
         else {
             return false;
         };
-        let mut values = [(0, 0.0), (1, 0.0), (2, 0.0)];
-        for pair in arguments.chunks(2) {
-            let [Some(axis), Some(length)] = pair else { return false };
-            let ExpressionKind::Variable(axis) = &axis.kind else { return false };
-            let Some(axis) = linear_axis(&axis.name) else { return false };
-            let Some(mm) = self.number(length) else { return true };
-            values[axis].1 = mm;
+        match shift_of_chain(chain, &mut |expression| self.number(expression)) {
+            Ok(shift) => {
+                let key = self.kernel.state.offsets.key(name);
+                let [x, y, z] = shift;
+                self.write_offset(&key, &[(0, x), (1, y), (2, z)]);
+            }
+            // The value said already why.
+            Err(ChainFault::NoNumber) => {}
+            Err(ChainFault::MoreThanShift) => self.not_followed(address.range, MORE_THAN_SHIFT),
+            Err(ChainFault::OtherForm) => return false,
         }
-        let key = self.kernel.state.offsets.key(name);
-        self.write_offset(&key, &values);
         true
     }
 }
