@@ -78,6 +78,8 @@ export interface Readings {
     machine: string;
     /** Units at power-on; null where the text names its units. */
     units: "inch" | "mm" | null;
+    /** The settings that the text leaves open, as assignments to the machine: `settings.units="inch"`. */
+    settings: string[];
     /** The size of what is cut along X, Y and Z; null where only the beginning was run or nothing is cut. */
     size_mm: (number | null)[] | null;
     /** What the block of the difference does: `Z 127 mm`; empty where there is none. */

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use chordal_command::{AxisMask, WorkName};
 use chordal_diagnostics::{Diagnostic, FileId, SourceMap, TextRange};
-use chordal_dialect::Control;
+use chordal_dialect::{Control, DecimalPoint};
 use chordal_kernel::rules::Rules;
 use chordal_kernel::{
     Checkpoint, CompletedRun, ConfiguredControl, ControlCandidate, ControlProfile, Offsets,
@@ -22,7 +22,7 @@ use crate::initial_offsets::{initial_offsets, initial_work_offset};
 use crate::interpreter::run_from;
 use crate::library::{Library, referenced_programs};
 use crate::macro_alone::missing_call;
-use crate::recognize::candidates;
+use crate::recognize::{candidates, leaves_whole_numbers_open};
 use crate::tokens::block_tokens;
 
 /// The language of word-address blocks.
@@ -144,6 +144,12 @@ impl ConfiguredControl for WordAddressControl {
             }
         }
         false
+    }
+
+    /// True of whole numbers on a control that counts least increments: most have a setting for that.
+    fn leaves_whole_numbers_open(&self, text: &[u8]) -> bool {
+        self.parameters.decimal_point == DecimalPoint::LeastIncrement
+            && leaves_whole_numbers_open(text)
     }
 
     fn subprogram_extensions(&self) -> &'static [&'static str] {

@@ -52,11 +52,11 @@ pub use kernel::{Alarms, Kernel, KernelMemory, KernelReports};
 pub use language::{
     ANOTHER_KIND, CompletedRun, ConfiguredControl, ControlCandidate, ControlProfile, CustomCode,
     DrilledHole, EndReason, EvidenceStrength, FoundSign, HoleForm, HoleMotion, InterruptCheck,
-    Outcome, PostedKind, PostedProgram, PostedStep, ProgramName, ProgramPlace, ProgramSet,
-    ProgramWriter, ProgrammingLanguage, Recognition, RunOptions, SettingError, ShopAnswer,
-    ShopCall, ShopCodes, ShopRecord, StartingModes, TappedHole, TextSymbol, Token, TokenClass,
-    WordCompletion, WriterNote, WriterOptions, WrittenLine, WrittenProgram, are_same_motions,
-    is_same_level,
+    MIN_LIKELY_WEIGHT, Outcome, PostedKind, PostedProgram, PostedStep, ProgramName, ProgramPlace,
+    ProgramSet, ProgramWriter, ProgrammingLanguage, Recognition, RunOptions, SettingError,
+    ShopAnswer, ShopCall, ShopCodes, ShopRecord, StartingModes, TappedHole, TextSymbol, Token,
+    TokenClass, WordCompletion, WriterNote, WriterOptions, WrittenLine, WrittenProgram,
+    are_same_motions, is_same_level,
 };
 pub use modal::{Modal, MotionMode};
 pub use motion::{ArcWords, MisfitArc, SpiralWords, is_over};

@@ -19,7 +19,7 @@ use crate::error::LoadError;
 use crate::files::FileAccess;
 use crate::input::ProgramInput;
 use crate::machine_reason::MachineReason;
-use crate::readings::{ReadingPremise, machine_name, set_units, settle};
+use crate::readings::{ReadingPremise, apply_settings, machine_name, settle};
 use crate::request::{BlockDeleteSwitch, Request, RequestedMachine};
 
 /// The file that names the machine of a folder.
@@ -69,13 +69,12 @@ pub(crate) fn choose(
             (typical(control), MachineReason::Ending, None)
         }
         _ => {
-            let (settled, premise) = settle(recognition, text);
+            let (settled, premise) = settle(recognition, text, &request.set);
             let usual = Machine::from_builtin(machine_name(settled.chosen()));
             let usual = usual.unwrap_or_else(|_| typical(settled.control()));
             let (mut machine, moved) = assume(usual, text);
-            if let Some(units) = premise.as_ref().and_then(ReadingPremise::units) {
-                set_units(&mut machine, units);
-            }
+            let assumed = premise.as_ref().map_or(&[][..], ReadingPremise::settings);
+            apply_settings(&mut machine, assumed);
             (machine, MachineReason::Recognized(settled, moved), premise)
         }
     };

@@ -121,7 +121,10 @@ mod tests {
         assert_eq!(tool.description.as_deref(), Some("MILL"));
         assert_eq!((tool.length_mm(), tool.diameter_mm), (Some(112.5), Some(10.0)));
         assert_eq!(tool.shape, Some(ToolShape::Flat));
-        assert_eq!(machine.work_offsets["G54"].values[..3], [Some(-400.0), Some(20.75), Some(-1.0)]);
+        assert_eq!(
+            machine.work_offsets["G54"].values[..3],
+            [Some(-400.0), Some(20.75), Some(-1.0)]
+        );
         assert!(!machine.work_offsets.contains_key("G55"), "a rotated frame is no offset");
         assert_eq!(machine.work_offsets["G505"].values[2], Some(-7.0));
     }

@@ -1,31 +1,34 @@
 //! The possible readings of a program whose control is not certain, as a page shows them, and the machine that the
 //! user's answer names.
 
-use chordal::{Machine, ReadingChoices, SourceMap};
+use chordal::{AssumedSetting, Machine, ReadingChoices, SourceMap};
 use serde_json::{Value, json};
 
-/// A machine as the page names it: `haas-vf2`, or with units at power-on `haas-vf2 in inch`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// A machine as the page names it: `haas-vf2`, or with settings after it `haas-vf2 in inch`.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ChosenMachine<'n> {
     /// The name as in `chordal machines`, or a file.
     pub name: &'n str,
-    /// Units at power-on; `None` when the choice does not name them.
-    units: Option<&'static str>,
+    /// The settings that the choice names.
+    settings: Vec<&'static AssumedSetting>,
 }
 
 impl<'n> ChosenMachine<'n> {
-    /// Splits the choice of a page into the machine and its units.
+    /// Splits the choice of a page into the machine and its settings.
     pub fn of(choice: &'n str) -> ChosenMachine<'n> {
-        let with_units = ["inch", "mm"].into_iter().find_map(|units| {
-            let name = choice.strip_suffix(units)?.strip_suffix(" in ")?;
-            Some(ChosenMachine { name, units: Some(units) })
-        });
-        with_units.unwrap_or(ChosenMachine { name: choice, units: None })
+        let mut chosen = ChosenMachine { name: choice, settings: Vec::new() };
+        while let Some((name, setting)) = AssumedSetting::ALL.iter().find_map(|setting| {
+            Some((chosen.name.strip_suffix(setting.words)?.strip_suffix(' ')?, *setting))
+        }) {
+            chosen.name = name;
+            chosen.settings.insert(0, setting);
+        }
+        chosen
     }
 
     /// The machine settings that the choice implies.
     pub fn assignments(&self) -> Vec<String> {
-        self.units.iter().map(|units| format!("settings.units={units:?}")).collect()
+        self.settings.iter().map(|setting| setting.assignment.to_string()).collect()
     }
 }
 
@@ -36,18 +39,15 @@ pub fn question(choices: Option<&ReadingChoices>, sources: &SourceMap<'_>) -> Va
         return Value::Null;
     };
     let shown = choices.shown().iter().map(|reading| {
-        let with_units = |name: &str| match reading.units {
-            Some(units) => format!("{name} in {units}"),
-            None => name.to_string(),
-        };
+        let with_settings = |name: &str| AssumedSetting::after(name, &reading.settings);
         let title = Machine::from_builtin(reading.machine).map(|machine| machine.title);
         json!({
             "title": reading.title,
             "size": reading.size,
             "motion": reading.motion,
             "machine": {
-                "name": with_units(reading.machine),
-                "title": with_units(title.as_deref().unwrap_or(reading.machine)),
+                "name": with_settings(reading.machine),
+                "title": with_settings(title.as_deref().unwrap_or(reading.machine)),
             },
         })
     });
@@ -71,13 +71,19 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_choice_may_name_units_after_the_machine() {
+    fn a_choice_may_name_settings_after_the_machine() {
         let plain = ChosenMachine::of("haas-vf2");
         assert_eq!((plain.name, plain.assignments()), ("haas-vf2", vec![]));
         let inch = ChosenMachine::of("haas-vf2 in inch");
         assert_eq!(inch.name, "haas-vf2");
         assert_eq!(inch.assignments(), ["settings.units=\"inch\""]);
         assert_eq!(ChosenMachine::of("op in mm").name, "op");
+        let both = ChosenMachine::of("haas-vf2 in inch with whole numbers in full units");
+        assert_eq!(both.name, "haas-vf2");
+        assert_eq!(
+            both.assignments(),
+            ["settings.units=\"inch\"", "settings.decimal_point=\"calculator\""]
+        );
         assert_eq!(ChosenMachine::of("in mm.toml").name, "in mm.toml");
     }
 }

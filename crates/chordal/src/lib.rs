@@ -27,12 +27,13 @@ pub mod control {
     pub use chordal_kernel::{
         ANOTHER_KIND, AfterBlock, Alarms, Checkpoint, CompletedRun, ConfiguredControl,
         ControlCandidate, ControlProfile, CustomCode, DrilledHole, EndReason, EvidenceStrength,
-        FoundSign, FrameKinds, HoleForm, HoleMotion, InterruptCheck, LiveTool, Modal, MotionMode,
-        Outcome, PostedKind, PostedProgram, PostedStep, ProgramName, ProgramPlace, ProgramSet,
-        ProgramWriter, ProgrammingLanguage, Recognition, RunOptions, RunSink, SettingError,
-        ShopAnswer, ShopCall, ShopCodes, ShopRecord, SplineForm, StartingModes, StateItem,
-        StateValue, TappedHole, TextSymbol, Token, TokenClass, ToolValue, TurnPass, WordCompletion,
-        WriterNote, WriterOptions, WrittenLine, WrittenProgram, is_same_level,
+        FoundSign, FrameKinds, HoleForm, HoleMotion, InterruptCheck, LiveTool, MIN_LIKELY_WEIGHT,
+        Modal, MotionMode, Outcome, PostedKind, PostedProgram, PostedStep, ProgramName,
+        ProgramPlace, ProgramSet, ProgramWriter, ProgrammingLanguage, Recognition, RunOptions,
+        RunSink, SettingError, ShopAnswer, ShopCall, ShopCodes, ShopRecord, SplineForm,
+        StartingModes, StateItem, StateValue, TappedHole, TextSymbol, Token, TokenClass, ToolValue,
+        TurnPass, WordCompletion, WriterNote, WriterOptions, WrittenLine, WrittenProgram,
+        is_same_level,
     };
 
     pub use crate::languages::{
@@ -76,7 +77,9 @@ pub use chordal_path::{
 pub use comp_range::{ContourRange, ContourRanges, ControlLimit, OffsetLimit};
 pub use job::{Job, JobError};
 pub use other_sides::{AlternativeRun, BlockDeleteRuns, MAX_SIDE_RUNS, MAX_STOCK_SIDE_RUNS};
-pub use reading::{ChoiceDifference, ProgramReading, ReadingChoice, ReadingChoices};
+pub use reading::{
+    AssumedSetting, ChoiceDifference, ProgramReading, ReadingChoice, ReadingChoices,
+};
 pub use recheck::CheckMemory;
 pub use report::{EVERY_PLACE, KEPT_PER_CODE, OtherSides, Report, RunWatch};
 pub use summary::{AxisTravel, Summary, ToolUse};

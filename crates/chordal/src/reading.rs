@@ -18,7 +18,47 @@ pub struct ProgramReading<'a> {
     pub choices: Option<ReadingChoices>,
 }
 
-/// The possible readings of a text that leaves its control or its units open, as shells show them.
+/// A setting of a machine that a text leaves open, as a reading assumes it.
+#[derive(Debug, PartialEq, Eq)]
+pub struct AssumedSetting {
+    /// What stands after the name of a control or of a machine: `in inch`.
+    pub words: &'static str,
+    /// The assignment to the machine: `settings.units="inch"`.
+    pub assignment: &'static str,
+}
+
+impl AssumedSetting {
+    /// Units at power-on: inch.
+    pub const INCH: AssumedSetting =
+        AssumedSetting { words: "in inch", assignment: "settings.units=\"inch\"" };
+    /// Units at power-on: millimetres.
+    pub const MILLIMETRES: AssumedSetting =
+        AssumedSetting { words: "in mm", assignment: "settings.units=\"mm\"" };
+    /// `X5` is 5 mm or 5 in.
+    pub const FULL_UNITS: AssumedSetting = AssumedSetting {
+        words: "with whole numbers in full units",
+        assignment: "settings.decimal_point=\"calculator\"",
+    };
+    /// `X5` is 0.005 mm or 0.0005 in.
+    pub const LEAST_INCREMENTS: AssumedSetting = AssumedSetting {
+        words: "with whole numbers in increments",
+        assignment: "settings.decimal_point=\"least-increment\"",
+    };
+    /// All of them.
+    pub const ALL: [&'static AssumedSetting; 4] = [
+        &AssumedSetting::INCH,
+        &AssumedSetting::MILLIMETRES,
+        &AssumedSetting::FULL_UNITS,
+        &AssumedSetting::LEAST_INCREMENTS,
+    ];
+
+    /// The name of a machine or a control with settings after it.
+    pub fn after(name: &str, settings: &[&AssumedSetting]) -> String {
+        settings.iter().fold(name.to_string(), |name, setting| format!("{name} {}", setting.words))
+    }
+}
+
+/// The possible readings of a text that leaves its control or a setting of it open, as shells show them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadingChoices {
     /// The readings that move the text differently; the first one is what runs.
@@ -34,8 +74,8 @@ pub struct ReadingChoice {
     pub controls: Vec<&'static str>,
     /// The built-in machine of the first of them.
     pub machine: &'static str,
-    /// Units at power-on as settings name them, `inch` or `mm`; `None` where the text names its units.
-    pub units: Option<&'static str>,
+    /// The settings of the machine that the text leaves open.
+    pub settings: Vec<&'static AssumedSetting>,
     /// The size of what is cut, mm; `None` on an axis along which nothing is cut.
     pub size_mm: Option<[Option<f64>; 3]>,
     /// What the block of [`ReadingChoices::difference`] does in this reading: `Z 0.006 mm`; empty where there is no
@@ -43,10 +83,21 @@ pub struct ReadingChoice {
     pub motion: String,
     /// The command line option that selects this reading.
     pub option: String,
-    /// The controls, and the units where they are a guess: `GRBL and LinuxCNC in inch`.
+    /// The controls, and the settings that are a guess: `GRBL and LinuxCNC in inch`.
     pub title: String,
     /// The size in words: `36 x 20 x 6 mm`; `None` where nothing is cut.
     pub size: Option<String>,
+}
+
+impl ReadingChoice {
+    /// Units at power-on as settings name them, `inch` or `mm`; `None` where the text names its units.
+    pub fn units(&self) -> Option<&'static str> {
+        self.settings.iter().find_map(|setting| match **setting {
+            AssumedSetting::INCH => Some("inch"),
+            AssumedSetting::MILLIMETRES => Some("mm"),
+            _ => None,
+        })
+    }
 }
 
 /// Where possible readings move a text differently.

@@ -174,8 +174,7 @@ fn a_chain_of_frames_in_a_table_is_the_work_offset() {
     ] {
         assert_eq!(offset_of(&chain), (Vec::new(), Some(expected)), "{chain}");
     }
-    for chain in
-        ["CTRANS(X,10):CROT(Z,30)", "CTRANS(X,10):CSCALE(X,2)", "CTRANS(X,10):CMIRROR(Y)"]
+    for chain in ["CTRANS(X,10):CROT(Z,30)", "CTRANS(X,10):CSCALE(X,2)", "CTRANS(X,10):CMIRROR(Y)"]
     {
         let (found, _) = offset_of(chain);
         assert_eq!(found, [(Code::NotFollowed, Severity::Error)], "{chain}");

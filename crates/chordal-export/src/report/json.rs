@@ -37,12 +37,14 @@ fn insert_reading(
 /// that object.
 fn readings_value(choices: &ReadingChoices, sources: &SourceMap) -> Value {
     let readings = choices.readings.iter().map(|reading| {
+        let settings = reading.settings.iter().map(|setting| setting.assignment);
         json!({
             "title": reading.title,
             "control": reading.controls.first(),
             "controls": reading.controls,
             "machine": reading.machine,
-            "units": reading.units,
+            "units": reading.units(),
+            "settings": settings.collect::<Value>(),
             "size_mm": reading.size_mm,
             "motion": reading.motion,
             "option": reading.option,

@@ -17,6 +17,7 @@ use chordal_kernel::{ANOTHER_KIND, ControlCandidate, FoundSign};
 
 use catalog::{CATALOG, LanguageSigns, SignTarget};
 use line::SampleLine;
+use style::TextStyle;
 use tally::TextTally;
 
 /// Searches for the signs of all controls with word-address blocks, and for those of the languages that are not read.
@@ -26,6 +27,21 @@ pub fn candidates(text: &[u8]) -> Vec<ControlCandidate> {
     let languages = CATALOG.languages.iter();
     languages.filter_map(|listed| candidate(listed, &tally, &mut lines)).collect()
 }
+
+/// Whether the beginning of a text leaves it open what a whole number without a point is.
+pub fn leaves_whole_numbers_open(text: &[u8]) -> bool {
+    let (mut style, mut line) = (TextStyle::default(), SampleLine::default());
+    let beginning = &text[..text.len().min(STYLE_HEAD_BYTES)];
+    for words in beginning.split(|byte| matches!(byte, b'\n' | b'\r')) {
+        let words = &words[..words.len().min(MAX_LINE_BYTES)];
+        line.read(words);
+        style.record_line(words, &line, 0);
+    }
+    style.leaves_whole_numbers_open()
+}
+
+/// How much of a text shows how its numbers are written, bytes.
+const STYLE_HEAD_BYTES: usize = 64 << 10;
 
 fn tally(text: &[u8]) -> TextTally {
     let mut tally = TextTally::new();

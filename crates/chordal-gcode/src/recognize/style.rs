@@ -18,6 +18,8 @@ pub struct TextStyle {
     whole: [Option<usize>; 3],
     /// By axis: a number with decimals.
     decimal: [Option<usize>; 3],
+    /// An axis has a whole number that is probably in thousandths.
+    has_thousandths: bool,
     trailing_points: u32,
     first_trailing_point: Option<usize>,
     /// The text contains what small controls do not read: macros, calls, offsets or canned cycles.
@@ -74,7 +76,7 @@ impl TextStyle {
             None if word.value.abs() < THOUSANDTHS_FROM => {
                 self.whole[axis].get_or_insert(offset);
             }
-            None => {}
+            None => self.has_thousandths = true,
             Some(0) => {
                 self.trailing_points += 1;
                 self.first_trailing_point.get_or_insert(offset);
@@ -92,6 +94,13 @@ impl TextStyle {
         }
         let pairs = self.whole.iter().zip(&self.decimal);
         pairs.filter_map(|(whole, decimal)| whole.filter(|_| decimal.is_some())).min()
+    }
+
+    /// True when axes have whole numbers without a point, and nothing shows that they count least increments: a text
+    /// that writes the point of whole numbers, or has numbers of a thousand and more, is for a control that does.
+    pub fn leaves_whole_numbers_open(&self) -> bool {
+        let has_whole = self.whole.iter().any(Option::is_some);
+        has_whole && !self.has_thousandths && self.trailing_points < MIN_TRAILING_POINTS
     }
 
     /// The offset of the line with the first of several words like `X5.`; `None` when there are too few.

@@ -87,6 +87,11 @@ pub trait ConfiguredControl: fmt::Debug + Send + Sync {
     /// Whether a text says in which units its lengths are; true of every text where the control leaves no choice.
     fn names_units(&self, text: &[u8]) -> bool;
 
+    /// Whether a text leaves it to a setting of the control what its whole numbers without a decimal point are.
+    fn leaves_whole_numbers_open(&self, _text: &[u8]) -> bool {
+        false
+    }
+
     /// The extensions, in lower case, of the files in which a called program with a name is searched.
     fn subprogram_extensions(&self) -> &'static [&'static str];
 

@@ -35,6 +35,8 @@ pub use program_set::ProgramSet;
 pub use program_writer::{ProgramWriter, WriterNote, WriterOptions, WrittenLine, WrittenProgram};
 pub use programming_language::{ProgrammingLanguage, SettingError};
 pub use programs::{ProgramName, ProgramPlace};
-pub use recognition::{ANOTHER_KIND, ControlCandidate, EvidenceStrength, FoundSign, Recognition};
+pub use recognition::{
+    ANOTHER_KIND, ControlCandidate, EvidenceStrength, FoundSign, MIN_LIKELY_WEIGHT, Recognition,
+};
 pub use run_options::{InterruptCheck, RunOptions};
 pub use tokens::{TextSymbol, Token, TokenClass, WordCompletion};

@@ -6,7 +6,7 @@ use chordal_machine::ControlName;
 const ASSUMED_CONTROL: ControlName = ControlName::Fanuc;
 
 /// From this weight on the control with the most is likely.
-const MIN_LIKELY_WEIGHT: i32 = 3;
+pub const MIN_LIKELY_WEIGHT: i32 = 3;
 
 /// The weight by which the first control must lead the second to be chosen for certain.
 const MIN_LEAD: i32 = 2;

@@ -9,11 +9,12 @@ mod trace;
 mod units;
 mod word_kinds;
 
-use chordal::Machine;
 use chordal::control::{
-    ANOTHER_KIND, ControlCandidate, Recognition, Units, configured_control, control_profile, table,
+    ANOTHER_KIND, ControlCandidate, MIN_LIKELY_WEIGHT, Recognition, Units, configured_control,
+    control_profile, table,
 };
 use chordal::machine::ControlName;
+use chordal::{AssumedSetting, Machine};
 
 use excerpt::TrialExcerpt;
 use trace::MotionTrace;
@@ -30,14 +31,32 @@ const FIRST_ERROR_PENALTY: i32 = 6;
 /// The largest penalty of a control for errors.
 const MAX_PENALTY: i32 = 12;
 
-/// A reading that remains possible: a control, the units when the text names none, and the motions.
+/// The keys of the settings that are assumed where the user does not give them.
+const UNITS_SETTING: &str = "settings.units";
+const POINT_SETTING: &str = "settings.decimal_point";
+
+/// A reading that remains possible: a control, the settings that the text leaves open, and the motions.
 pub(crate) struct PossibleReading {
     pub control: ControlName,
     /// The name of the built-in machine that runs it.
     pub machine: &'static str,
-    /// Units at power-on; `None` when the text names its units.
-    pub units: Option<Units>,
+    /// The settings that the text leaves open.
+    pub settings: Vec<&'static AssumedSetting>,
     pub trace: MotionTrace,
+}
+
+impl PossibleReading {
+    /// The units at power-on, where they are assumed.
+    fn units(&self) -> Option<&'static AssumedSetting> {
+        let units = [&AssumedSetting::INCH, &AssumedSetting::MILLIMETRES];
+        self.settings.iter().copied().find(|setting| units.contains(setting))
+    }
+
+    /// The reading with one setting more.
+    fn with(&self, setting: &'static AssumedSetting, trace: MotionTrace) -> PossibleReading {
+        let settings = self.settings.iter().copied().chain([setting]).collect();
+        PossibleReading { control: self.control, machine: self.machine, settings, trace }
+    }
 }
 
 /// The built-in machine of a candidate: the one that its signs indicate, or the default one of its control.
@@ -51,9 +70,7 @@ pub(crate) fn machine_name(candidate: &ControlCandidate) -> &'static str {
 /// The machine of a reading.
 fn machine_of(reading: &PossibleReading) -> Machine {
     let mut machine = built_in(reading.machine, reading.control);
-    if let Some(units) = reading.units {
-        set_units(&mut machine, units);
-    }
+    apply_settings(&mut machine, &reading.settings);
     machine
 }
 
@@ -62,28 +79,51 @@ fn built_in(name: &'static str, control: ControlName) -> Machine {
     Machine::from_builtin(name).unwrap_or_else(|_| Machine::new(name, control))
 }
 
+/// Applies assumed settings to a machine; `false` when it does not have all of them.
+pub(crate) fn apply_settings(machine: &mut Machine, settings: &[&AssumedSetting]) -> bool {
+    // The settings of other languages have the names of machine data.
+    settings.is_empty()
+        || (table(machine.control).is_some()
+            && settings.iter().all(|setting| machine.set(setting.assignment).is_ok()))
+}
+
 /// Chooses the control that reads a text, and compares the remaining readings. The premise is `None` when the control
-/// and the units are certain, so that nothing is compared.
-pub fn settle(mut found: Recognition, text: &[u8]) -> (Recognition, Option<ReadingPremise>) {
+/// and its settings are certain, so that nothing is compared. `given` are the user's assignments to the machine.
+pub fn settle(
+    mut found: Recognition,
+    text: &[u8],
+    given: &[String],
+) -> (Recognition, Option<ReadingPremise>) {
     if found.chosen().not_read {
         return (found, None);
     }
     let is_certain = found.is_certain();
     let chosen = configured_control(&built_in(machine_name(found.chosen()), found.control()));
-    let has_units = chosen.is_none_or(|(control, _)| control.names_units(text));
-    if is_certain && has_units {
+    let says = |key: &str| given.iter().any(|assignment| assignment.trim_start().starts_with(key));
+    let has_units =
+        says(UNITS_SETTING) || chosen.as_ref().is_none_or(|(control, _)| control.names_units(text));
+    let has_points = says(POINT_SETTING)
+        || chosen.is_none_or(|(control, _)| !control.leaves_whole_numbers_open(text));
+    if is_certain && has_units && has_points {
         return (found, None);
     }
     let excerpt = TrialExcerpt::of(text);
     let mut readings = if is_certain {
         let (control, machine) = (found.control(), machine_name(found.chosen()));
         let trace = MotionTrace::of(built_in(machine, control), &excerpt);
-        vec![PossibleReading { control, machine, units: None, trace }]
+        vec![PossibleReading { control, machine, settings: Vec::new(), trace }]
     } else {
-        possible(&mut found, &excerpt)
+        possible(&mut found, text, &excerpt)
     };
+    if !says(POINT_SETTING) {
+        readings = with_both_points(readings, text, &excerpt);
+    }
     if !has_units {
         readings = in_both_units(readings, text, &excerpt);
+    }
+    if is_certain && readings.len() == 1 && has_units {
+        // No move depends on a number without a point.
+        return (found, None);
     }
     if readings.is_empty() {
         return (found, None);
@@ -92,47 +132,72 @@ pub fn settle(mut found: Recognition, text: &[u8]) -> (Recognition, Option<Readi
     (found, Some(premise))
 }
 
+/// A run of the excerpt on a control that the signs leave possible.
+struct TrialRun {
+    /// The place of the control in the ranking of the recognition.
+    place: usize,
+    settings: Vec<&'static AssumedSetting>,
+    trace: MotionTrace,
+}
+
 /// Runs the excerpt on the controls that the signs leave possible, and makes the best of them the choice of the
 /// recognition. Returns the readings that remain, the best first.
-fn possible(found: &mut Recognition, excerpt: &TrialExcerpt) -> Vec<PossibleReading> {
+fn possible(found: &mut Recognition, text: &[u8], excerpt: &TrialExcerpt) -> Vec<PossibleReading> {
+    let mut runs = trial_runs(found, text, excerpt);
+    let fewest = runs.iter().map(|run| faults(&run.trace)).min().unwrap_or(0);
+    let score = |found: &Recognition, run: &TrialRun| {
+        found.ranking[run.place].weight - penalty(faults(&run.trace) - fewest)
+    };
+    // The sort is stable: controls of equal score keep the order of the recognition.
+    runs.sort_by_key(|run| -score(found, run));
+    let Some(first) = runs.first() else { return Vec::new() };
+    let best = score(found, first);
+    let clean = faults(&first.trace) == fewest;
+    let (place, name) = (first.place, found.ranking[first.place].name);
+    let readings: Vec<PossibleReading> = runs
+        .into_iter()
+        .filter(|run| {
+            let near = score(found, run) > best - POSSIBLE_SCORE_GAP;
+            // A setting of the chosen control stays open, whatever speaks for one of its values.
+            (near && (!clean || faults(&run.trace) == fewest)) || run.place == place
+        })
+        .map(|TrialRun { place, settings, trace }| {
+            let candidate = &found.ranking[place];
+            let (control, machine) = (candidate.control, machine_name(candidate));
+            PossibleReading { control, machine, settings, trace }
+        })
+        .collect();
+    found.choose(name);
+    readings
+}
+
+/// The runs on all controls that the signs leave possible. A control that signs speak for may have been set up to take
+/// numbers without a point in full units: it is run in both ways.
+fn trial_runs(found: &mut Recognition, text: &[u8], excerpt: &TrialExcerpt) -> Vec<TrialRun> {
     let weakest = (found.chosen().weight - POSSIBLE_SCORE_GAP).max(ANOTHER_KIND + 1);
     let turns = |control| control_profile(control).is_some_and(|profile| profile.turns);
     let is_lathe = turns(found.control());
-    let mut runs: Vec<(usize, MotionTrace)> = Vec::new();
+    let mut runs = Vec::new();
     for (place, candidate) in found.ranking.iter_mut().enumerate() {
         let same_kind = turns(candidate.control) == is_lathe;
         if candidate.not_read || candidate.weight < weakest || !same_kind {
             continue;
         }
-        let machine = built_in(machine_name(candidate), candidate.control);
-        let trace = MotionTrace::of(machine, excerpt);
+        let (control, machine) = (candidate.control, machine_name(candidate));
+        let trace = MotionTrace::of(built_in(machine, control), excerpt);
         candidate.errors = Some(trace.errors);
-        runs.push((place, trace));
+        let reading = PossibleReading { control, machine, settings: Vec::new(), trace };
+        let readings = match candidate.weight >= MIN_LIKELY_WEIGHT {
+            true => with_both_points(vec![reading], text, excerpt),
+            false => vec![reading],
+        };
+        runs.extend(readings.into_iter().map(|PossibleReading { settings, trace, .. }| TrialRun {
+            place,
+            settings,
+            trace,
+        }));
     }
-    let fewest = runs.iter().map(|(_, trace)| faults(trace)).min().unwrap_or(0);
-    let score = |found: &Recognition, place: usize, trace: &MotionTrace| {
-        found.ranking[place].weight - penalty(faults(trace) - fewest)
-    };
-    // The sort is stable: controls of equal score keep the order of the recognition.
-    runs.sort_by_key(|(place, trace)| -score(found, *place, trace));
-    let Some((first, trace)) = runs.first() else { return Vec::new() };
-    let best = score(found, *first, trace);
-    let clean = faults(trace) == fewest;
-    let name = found.ranking[*first].name;
-    let readings: Vec<PossibleReading> = runs
-        .into_iter()
-        .filter(|(place, trace)| {
-            let near = score(found, *place, trace) > best - POSSIBLE_SCORE_GAP;
-            near && (!clean || faults(trace) == fewest)
-        })
-        .map(|(place, trace)| {
-            let candidate = &found.ranking[place];
-            let (control, machine) = (candidate.control, machine_name(candidate));
-            PossibleReading { control, machine, units: None, trace }
-        })
-        .collect();
-    found.choose(name);
-    readings
+    runs
 }
 
 /// The number of errors, plus the numbers read in least increments, which are rarely meant like that.
@@ -157,23 +222,60 @@ fn in_both_units(
 ) -> Vec<PossibleReading> {
     let named = units::units_of_comments(text);
     let mut both = Vec::new();
-    for PossibleReading { control, machine, trace, .. } in readings {
-        let mut other_machine = built_in(machine, control);
-        let Some((configured, _)) = configured_control(&other_machine) else { continue };
+    for reading in readings {
+        let machine = machine_of(&reading);
+        let Some((configured, _)) = configured_control(&machine) else { continue };
         let own = configured.rules().units;
         let other = other_units(own);
-        let other_trace = (named != Some(own) && set_units(&mut other_machine, other))
-            .then(|| MotionTrace::of(other_machine, excerpt))
+        let other_trace = (named != Some(own))
+            .then(|| trace_with(&reading, units_setting(other), excerpt))
+            .flatten()
             .filter(units::is_plausible);
-        let own_is_possible = named != Some(other) && units::is_plausible(&trace);
-        if own_is_possible || other_trace.is_none() {
-            both.push(PossibleReading { control, machine, units: Some(own), trace });
+        let other_reading = other_trace.map(|trace| reading.with(units_setting(other), trace));
+        let own_is_possible = named != Some(other) && units::is_plausible(&reading.trace);
+        if own_is_possible || other_reading.is_none() {
+            let trace = reading.trace.clone();
+            both.push(reading.with(units_setting(own), trace));
         }
-        if let Some(trace) = other_trace {
-            both.push(PossibleReading { control, machine, units: Some(other), trace });
+        both.extend(other_reading);
+    }
+    both
+}
+
+/// Adds readings in which a number without a point is in full units, next to those in which it counts least
+/// increments, where the text leaves that open. The control's own default comes first.
+fn with_both_points(
+    readings: Vec<PossibleReading>,
+    text: &[u8],
+    excerpt: &TrialExcerpt,
+) -> Vec<PossibleReading> {
+    let (full, least) = (&AssumedSetting::FULL_UNITS, &AssumedSetting::LEAST_INCREMENTS);
+    let mut both = Vec::new();
+    for reading in readings {
+        let is_open = reading.settings.is_empty()
+            && reading.trace.least_increment_numbers > 0
+            && configured_control(&machine_of(&reading))
+                .is_some_and(|(control, _)| control.leaves_whole_numbers_open(text));
+        match is_open.then(|| trace_with(&reading, full, excerpt)).flatten() {
+            Some(trace) => {
+                let in_full_units = reading.with(full, trace);
+                both.push(PossibleReading { settings: vec![least], ..reading });
+                both.push(in_full_units);
+            }
+            None => both.push(reading),
         }
     }
     both
+}
+
+/// The motions of a reading with one setting more; `None` when the control has no such setting.
+fn trace_with(
+    reading: &PossibleReading,
+    setting: &'static AssumedSetting,
+    excerpt: &TrialExcerpt,
+) -> Option<MotionTrace> {
+    let mut machine = machine_of(reading);
+    apply_settings(&mut machine, &[setting]).then(|| MotionTrace::of(machine, excerpt))
 }
 
 fn other_units(units: Units) -> Units {
@@ -183,14 +285,9 @@ fn other_units(units: Units) -> Units {
     }
 }
 
-/// The name of the units in machine settings.
-fn units_name(units: Units) -> &'static str {
-    if units == Units::Inch { "inch" } else { "mm" }
-}
-
-/// Sets the units at power-on; `false` when the control has no such setting.
-pub(crate) fn set_units(machine: &mut Machine, units: Units) -> bool {
-    // The settings of other languages have the names of machine data.
-    table(machine.control).is_some()
-        && machine.set(&format!("settings.units={:?}", units_name(units))).is_ok()
+fn units_setting(units: Units) -> &'static AssumedSetting {
+    match units {
+        Units::Inch => &AssumedSetting::INCH,
+        Units::Millimetre => &AssumedSetting::MILLIMETRES,
+    }
 }

@@ -1,14 +1,14 @@
 //! What was assumed about a text, and where another reading would move differently.
 
-use chordal::control::{Units, control_title};
+use chordal::control::control_title;
 use chordal::diagnostics::{FileId, Span};
 use chordal::machine::{AXIS_LETTERS, ControlName};
-use chordal::{ChoiceDifference, Code, Diagnostic, ReadingChoice, ReadingChoices};
+use chordal::{AssumedSetting, ChoiceDifference, Code, Diagnostic, ReadingChoice, ReadingChoices};
 
 use super::difference::{MotionAspect, first_difference};
 use super::excerpt::TrialExcerpt;
 use super::trace::{BlockMotion, MotionTrace};
-use super::{PossibleReading, machine_of, units_name};
+use super::{PossibleReading, machine_of};
 
 /// The most controls of a reading that are named; the others are counted.
 const NAMED_CONTROLS: usize = 4;
@@ -20,8 +20,8 @@ pub struct ReadingGroup {
     pub controls: Vec<ControlName>,
     /// The name of the built-in machine of the first control.
     pub machine: &'static str,
-    /// Units at power-on; `None` when the text names its units.
-    pub units: Option<Units>,
+    /// The settings of the machine that the text leaves open.
+    pub settings: Vec<&'static AssumedSetting>,
     /// The bounding box of all cuts, mm; `None` when only an excerpt was run or nothing is cut.
     pub cut_box: Option<([f64; 3], [f64; 3])>,
     /// What the differing block does in this reading, such as `Z 0.006 mm`; empty when there is no difference.
@@ -31,16 +31,14 @@ pub struct ReadingGroup {
 impl ReadingGroup {
     /// The command-line options that select this reading.
     pub fn option(&self) -> String {
-        let machine = self.machine;
-        match self.units {
-            Some(units) => {
-                format!("--machine {machine} --set settings.units={}", units_name(units))
-            }
-            None => format!("--machine {machine}"),
-        }
+        let machine = format!("--machine {}", self.machine);
+        self.settings.iter().fold(machine, |option, setting| {
+            // No value of these settings has a blank, so that a shell needs no quotes.
+            format!("{option} --set {}", setting.assignment.replace('"', ""))
+        })
     }
 
-    /// The titles of the controls in a phrase, such as `GRBL, LinuxCNC and Mach3`, with the units when they are a
+    /// The titles of the controls in a phrase, such as `GRBL, LinuxCNC and Mach3`, with the settings that are a
     /// guess.
     pub fn title(&self) -> String {
         let titles: Vec<&str> =
@@ -56,10 +54,7 @@ impl ReadingGroup {
                 format!("{} and {more} more", titles[..NAMED_CONTROLS].join(", "))
             }
         };
-        match self.units {
-            Some(units) => format!("{named} in {}", units_name(units)),
-            None => named,
-        }
+        AssumedSetting::after(&named, &self.settings)
     }
 
     /// The titles of all controls but the first.
@@ -84,7 +79,7 @@ impl ReadingGroup {
         ReadingChoice {
             controls: self.controls.iter().map(|control| control.as_str()).collect(),
             machine: self.machine,
-            units: self.units.map(units_name),
+            settings: self.settings.clone(),
             size_mm: self.size_mm(),
             motion: self.motion.clone(),
             option: self.option(),
@@ -103,7 +98,7 @@ pub struct ReadingDifference {
     pub only_feed: bool,
 }
 
-/// What was assumed about a text that does not name its control or its units.
+/// What was assumed about a text that does not name its control or a setting of it.
 #[derive(Clone, Debug)]
 pub struct ReadingPremise {
     /// The readings that remain possible; the first one is run.
@@ -127,7 +122,7 @@ impl ReadingPremise {
             for group in &mut alike {
                 let first = &readings[group[0]];
                 match first_difference(&first.trace, &reading.trace) {
-                    None if first.units == reading.units => {
+                    None if first.units() == reading.units() => {
                         group.push(index);
                         found = true;
                         break;
@@ -146,7 +141,7 @@ impl ReadingPremise {
                 alike.push(vec![index]);
             }
         }
-        // Without a difference in motion, the units do not matter.
+        // Without a difference in motion, the settings do not matter.
         if difference.is_none() {
             alike = vec![(0..readings.len()).collect()];
         }
@@ -159,7 +154,7 @@ impl ReadingPremise {
             ReadingGroup {
                 controls,
                 machine: first.machine,
-                units: first.units,
+                settings: first.settings.clone(),
                 cut_box: cut_box(first, difference.is_some(), text, excerpt),
                 motion: difference
                     .as_ref()
@@ -171,9 +166,9 @@ impl ReadingPremise {
         ReadingPremise { groups, difference }
     }
 
-    /// The assumed units at power-on; `None` when the text names its units.
-    pub(crate) fn units(&self) -> Option<Units> {
-        self.groups.first()?.units
+    /// The settings that are assumed.
+    pub(crate) fn settings(&self) -> &[&'static AssumedSetting] {
+        self.groups.first().map_or(&[], |group| &group.settings)
     }
 
     /// The readings as front ends show them.
@@ -190,14 +185,24 @@ impl ReadingPremise {
     /// The sentence that states what is not known.
     fn message(&self, at: &ReadingDifference) -> String {
         let what = match at.only_feed {
-            true => "how fast this program cuts depends on its control",
-            false => "what this program moves depends on its control",
+            true => "how fast this program cuts",
+            false => "what this program moves",
         };
-        let unnamed = match self.groups.iter().any(|group| group.units.is_some()) {
-            true => "nothing in the text names it and its units for certain",
-            false => "nothing in the text names it for certain",
+        let is_open = |settings: [&AssumedSetting; 2]| {
+            let mut all = self.groups.iter().flat_map(|group| &group.settings);
+            all.any(|setting| settings.contains(setting))
         };
-        format!("{what}, and {unnamed}")
+        let has_units = is_open([&AssumedSetting::INCH, &AssumedSetting::MILLIMETRES]);
+        if is_open([&AssumedSetting::FULL_UNITS, &AssumedSetting::LEAST_INCREMENTS]) {
+            let units = if has_units { " and its units" } else { "" };
+            return format!(
+                "{what} depends on what its control takes a number without a decimal point for{units}, and nothing in the text says it"
+            );
+        }
+        let units = if has_units { " and its units" } else { "" };
+        format!(
+            "{what} depends on its control, and nothing in the text names it{units} for certain"
+        )
     }
 
     /// The message that the path or the time depends on a guess; `None` when no reading differs.

@@ -405,7 +405,8 @@ pub const KINDS: &[Kind] = &[
         loop_four,
         &[on(&["fanuc", "fanuc-lathe", "haas", "haas-lathe"], Error, &["CH711"])],
     ),
-    kind("END without its DO", end_without_do, &[on(ISO_ALL, Error, &["CH712"])]),
+    // In a loop, before its count: the loop never ends.
+    kind("END without its DO", end_without_do, &[on(ISO_ALL, Error, &["CH712", "CH211"])]),
     kind("condition without an action", idle_condition, &[on(ISO_ALL, Error, EXPRESSION)]),
     kind(
         "value for #0",

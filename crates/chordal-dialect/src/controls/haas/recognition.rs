@@ -38,6 +38,7 @@ pub(super) const EVIDENCE: &[RecognitionEvidence] = &[
     evidence(RecognitionSign::Block("O:5"), 3, "a program number of five digits"),
     evidence(RecognitionSign::Code(&["#10000", "#8550", "#3032"]), 2, "variables of Haas"),
     evidence(RecognitionSign::Block("G43 H:3"), 3, "H has three digits, as SolidCAM writes it for a Haas"),
+    evidence(RecognitionSign::Comment(&["* TOOL LIST *"]), 4, "the tool list as SolidCAM writes it for a Haas"),
     evidence(RecognitionSign::Form(TextForm::MacroStatement), 1, "macro B statements"),
     evidence(RecognitionSign::Block("G43"), 1, "G43 applies the tool length"),
     // Codes that a Haas refuses.

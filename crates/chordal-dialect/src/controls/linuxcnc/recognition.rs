@@ -43,5 +43,6 @@ pub(super) const EVIDENCE: &[RecognitionEvidence] = &[
     evidence(RecognitionSign::Block("G17 G40 G49 G50 G54 G64 G80 G90 G91.1 G94"), 9, "the modes as PathPilot's post writes them")
         .on("tormach-pathpilot"),
     evidence(RecognitionSign::Codes(&["G17G54G40G49G80G90"]), 5, "the modes as FreeCAD's post for LinuxCNC writes them"),
+    evidence(RecognitionSign::Comment(&["PYCAM-META-DATA"]), 5, "PyCAM writes for LinuxCNC"),
     evidence(RecognitionSign::Form(TextForm::LengthWithoutTape), 2, "G43 in a text without % and O number"),
 ];
