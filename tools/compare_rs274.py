@@ -196,7 +196,7 @@ def ours(chordal, program, what="commands", machine=None, given=()):
     for assignment in given:
         command += ["--set", assignment]
     done = subprocess.run(command, capture_output=True, text=True)
-    motions, printed = [], []
+    motions, printed, moved = [], [], False
     for row in done.stdout.splitlines():
         command = json.loads(row)
         kind = command.get("kind")
@@ -207,7 +207,9 @@ def ours(chordal, program, what="commands", machine=None, given=()):
         if kind == "spindle":
             motions.append((f"spindle {command['state']}", [0.0] * 6, None, command["line"]))
         if kind == "probed":
-            motions.pop()
+            # The move of the probe; one that stands at its end is not a step.
+            if moved:
+                motions.pop()
             break
         if kind not in ("rapid", "line", "arc", "spiral", "spline"):
             continue
@@ -229,7 +231,8 @@ def ours(chordal, program, what="commands", machine=None, given=()):
             kind = "arc"
         if kind == "spline":
             kind, arc = f"spline of {len(command['weights'])}", command
-        if arc or far(end, start, 1e-9):
+        moved = arc or far(end, start, 1e-9)
+        if moved:
             motions.append((kind, end, arc, command["line"]))
     if done.returncode not in (0, 1):
         raise Failed(done.stderr.strip())

@@ -64,7 +64,7 @@ impl Kernel<'_> {
         words: &DescentWords,
         contour: &[ContourEdge],
     ) -> Result<(), DescentFault> {
-        let (view, mut pieces) = seen(words.along_x, words.start, contour)?;
+        let (view, mut pieces) = seen(words.along_x, words.start, contour, 0)?;
         // From the other side, the start of the contour is reached across its first point.
         pieces[0].from[0] = pieces[0].from[0].max(pieces[0].to[0]);
         let unit = self.state.units.mm();
@@ -104,17 +104,17 @@ impl Kernel<'_> {
         contour: &[ContourEdge],
     ) -> Result<(), DescentFault> {
         let unit = self.state.units.mm();
-        let adjacent = start_across(start, contour);
-        let along_z = contour.iter().enumerate().all(|(index, edge)| {
-            let from = if index == 0 { adjacent } else { edge.from };
-            let flat =
-                ContourEdge { from: [from[1], from[0]], to: [edge.to[1], edge.to[0]], ..*edge };
-            let arc = edge.arc.map(|(center, sweep)| ([center[1], center[0]], -sweep));
-            OffsetPiece::of(&ContourEdge { arc, ..flat }).goes_on(unit)
-        });
-        let start = if along_z { adjacent } else { start };
-        let (view, pieces) = seen(!along_z, start, contour)?;
+        // Along Z if the contour goes one way along it, from either side; otherwise along X. The side is that of the
+        // moves after the first cut (rs274 of LinuxCNC 2.9).
+        let second = contour.len().saturating_sub(1).min(1);
+        let (mut view, mut pieces) = seen(false, start, contour, second)?;
+        if !pieces.iter().skip(1).all(|piece| piece.goes_on(unit)) {
+            (view, pieces) = seen(true, start, contour, 0)?;
+        }
+        // From the other side, the start of the contour is reached across its first point.
+        pieces[0].from[0] = pieces[0].from[0].max(pieces[0].to[0]);
         self.origin.cycle = true;
+        self.turn_rapid(start);
         for distance in distances {
             let mut moved = pieces.clone();
             offset(&mut moved, *distance, unit);
@@ -339,11 +339,6 @@ impl Kernel<'_> {
     }
 }
 
-/// The start moved in +Z at least to the first point, which is then reached across.
-fn start_across(start: [f64; 2], contour: &[ContourEdge]) -> [f64; 2] {
-    [start[0], contour.first().map_or(start[1], |edge| start[1].max(edge.to[1]))]
-}
-
 /// Result of a cut along a level.
 enum LevelCut {
     Done,
@@ -353,18 +348,19 @@ enum LevelCut {
     NotMet,
 }
 
-/// The contour in coordinates of the cycle, with the move from the start: along the passes the numbers decrease, and
-/// the contour rises.
+/// The contour in coordinates of the cycle, with the move from the start: along the passes the numbers decrease from
+/// the end of edge `from` to that of the last one, and the contour rises.
 fn seen(
     along_x: bool,
     start: [f64; 2],
     contour: &[ContourEdge],
+    from: usize,
 ) -> Result<(CycleView, Vec<OffsetPiece>), DescentFault> {
     let (Some(first), Some(last)) = (contour.first(), contour.last()) else {
         return Err(DescentFault::Empty);
     };
     let (axis, cross) = if along_x { (0, 1) } else { (1, 0) };
-    let along = if first.to[axis] < last.to[axis] { -1.0 } else { 1.0 };
+    let along = if contour[from].to[axis] < last.to[axis] { -1.0 } else { 1.0 };
     // If a contour ends at the height of its start, −Z is up for passes along X.
     let across = match first.to[cross] - last.to[cross] {
         fall if fall > 0.0 => -1.0,
