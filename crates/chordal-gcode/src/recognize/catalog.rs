@@ -41,6 +41,16 @@ pub enum SignMatcher {
     Form(TextForm),
 }
 
+impl SignMatcher {
+    /// False for a sign that looks only at the codes and the letters of a line, and is not counted.
+    pub fn depends_on_numbers(&self) -> bool {
+        match self {
+            SignMatcher::Block(pattern) => pattern.depends_on_numbers(),
+            _ => true,
+        }
+    }
+}
+
 /// The signs of one language: a range of the entries; `own` is the index of the first that is not shared.
 #[derive(Debug)]
 pub struct LanguageSigns {
@@ -57,6 +67,13 @@ pub struct Catalog {
     pub entries: Vec<SignEntry>,
     /// Signs at the start of a line, by its first byte in upper case: index of the sign, and the text.
     pub beginnings: BTreeMap<u8, Vec<(usize, &'static str)>>,
+    /// The indices of the signs that only some lines can show, by what they look for.
+    pub codes: Vec<usize>,
+    pub pieces: Vec<usize>,
+    pub forms: Vec<usize>,
+    pub comments: Vec<usize>,
+    /// The letters of the lines that `codes` look for.
+    pub code_letters: u32,
 }
 
 /// The catalog, built once for all texts.
@@ -64,8 +81,16 @@ pub static CATALOG: LazyLock<Catalog> = LazyLock::new(Catalog::new);
 
 impl Catalog {
     fn new() -> Catalog {
-        let mut catalog =
-            Catalog { languages: Vec::new(), entries: Vec::new(), beginnings: BTreeMap::new() };
+        let mut catalog = Catalog {
+            languages: Vec::new(),
+            entries: Vec::new(),
+            beginnings: BTreeMap::new(),
+            codes: Vec::new(),
+            pieces: Vec::new(),
+            forms: Vec::new(),
+            comments: Vec::new(),
+            code_letters: 0,
+        };
         for name in ControlName::ALL.iter().copied() {
             let Some(table) = chordal_dialect::table(name) else { continue };
             let kind: &[RecognitionEvidence] = table.kind.map_or(&[], |kind| kind.signs);
@@ -75,6 +100,7 @@ impl Catalog {
             catalog.add(SignTarget::NotRead(language), language.signs, language.own);
         }
         catalog.list_beginnings();
+        catalog.list_kinds();
         catalog
     }
 
@@ -84,6 +110,25 @@ impl Catalog {
             for piece in pieces {
                 let first = piece.as_bytes().first().copied().unwrap_or(0);
                 self.beginnings.entry(first).or_default().push((index, *piece));
+            }
+        }
+    }
+
+    fn list_kinds(&mut self) {
+        for (index, entry) in self.entries.iter().enumerate() {
+            match entry.kind {
+                SignMatcher::Codes(lines) => {
+                    self.codes.push(index);
+                    let letters = lines.iter().flat_map(|line| line.bytes());
+                    self.code_letters |= letters.fold(0, |all, letter| all | bit(letter));
+                }
+                SignMatcher::Code(_) => self.pieces.push(index),
+                SignMatcher::Form(_) => self.forms.push(index),
+                SignMatcher::Comment(_) | SignMatcher::Header(_) => self.comments.push(index),
+                SignMatcher::Block(_)
+                | SignMatcher::Share { .. }
+                | SignMatcher::Letters { .. }
+                | SignMatcher::Begins { .. } => {}
             }
         }
     }

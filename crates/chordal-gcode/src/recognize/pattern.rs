@@ -42,6 +42,11 @@ enum NumberTest {
 /// The letters of axes, for [`NumberTest::Bare`].
 const AXES: &[u8] = b"XYZUVWABC";
 
+/// True for the letters whose numbers are codes.
+pub fn is_code(letter: u8) -> bool {
+    matches!(letter, b'G' | b'M')
+}
+
 impl Pattern {
     /// Parses a pattern.
     pub fn new(text: &str) -> Pattern {
@@ -56,6 +61,18 @@ impl Pattern {
         let possible =
             |term: &PatternTerm| term.negated || term.is_comma() || letters & term.letters != 0;
         letters & self.all == self.all && self.terms.iter().all(possible)
+    }
+
+    /// False when only the values of codes and the presence of letters count.
+    pub fn depends_on_numbers(&self) -> bool {
+        self.terms.iter().flat_map(|term| &term.alternatives).any(|each| match each.test {
+            NumberTest::Any => false,
+            NumberTest::WithoutPoint | NumberTest::WithDecimals | NumberTest::Digits(..) => true,
+            NumberTest::Between(..)
+            | NumberTest::Below(_)
+            | NumberTest::Above(_)
+            | NumberTest::Bare(_) => !is_code(each.letter),
+        })
     }
 
     /// True when the line matches.

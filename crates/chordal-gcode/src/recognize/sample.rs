@@ -3,15 +3,15 @@
 use std::ops::Range;
 
 /// Size of the part at the start, with most signs, bytes.
-const HEAD: usize = 192 << 10;
+const HEAD: usize = 96 << 10;
 
 /// Size of the part at the end, bytes.
-const TAIL: usize = 64 << 10;
+const TAIL: usize = 32 << 10;
 
 /// Number of parts between.
 const BETWEEN: usize = 8;
 /// Size of each part between, bytes.
-const PART: usize = 16 << 10;
+const PART: usize = 8 << 10;
 
 /// The parts in order. Each starts and ends at a line; a line longer than a part is cut.
 pub fn parts(text: &[u8]) -> Vec<Range<usize>> {

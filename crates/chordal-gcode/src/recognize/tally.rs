@@ -1,12 +1,14 @@
 //! Counts the signs in the lines of a text.
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 use chordal_dialect::recognition::{MACHINE_WORDS, OTHER_MACHINE_WORDS, TextForm};
 
 use super::catalog::{CATALOG, SignMatcher};
 use super::forms;
 use super::line::{SampleLine, bit};
+use super::pattern::is_code;
 use super::style::TextStyle;
 
 /// Smallest number of lines for a share; a share of fewer is not significant.
@@ -32,12 +34,60 @@ pub struct TextTally {
     /// Number of lines with each letter, and the offset of the first.
     letters: [(u32, usize); 26],
     open: (u32, u32),
-    /// Indices of the word signs that lines with a set of letters may match.
-    possible: BTreeMap<u32, Vec<usize>>,
+    /// The word signs that lines of a kind may still match after the first of them.
+    possible: HashMap<LineKind, Vec<usize>>,
     /// No line so far has `%`, a program number, a tool change or a length offset.
     bare: bool,
     style: TextStyle,
     upper: Vec<u8>,
+}
+
+/// What signs that look at codes and letters only see of a line.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+struct LineKind {
+    letters: u32,
+    /// The letters after a comma.
+    comma_letters: u32,
+    /// A hash of the G and M codes in their order.
+    codes: u64,
+}
+
+impl LineKind {
+    fn of(line: &SampleLine) -> LineKind {
+        let mut kind = LineKind { letters: line.letters, comma_letters: 0, codes: 0 };
+        for word in &line.words {
+            if word.comma {
+                kind.comma_letters |= bit(word.letter);
+            } else if is_code(word.letter) {
+                let code = word.value.to_bits() ^ u64::from(word.letter);
+                kind.codes = (kind.codes.rotate_left(7) ^ code).wrapping_mul(CODE_HASH_FACTOR);
+            }
+        }
+        kind
+    }
+}
+
+/// An odd number with well-mixed bits.
+const CODE_HASH_FACTOR: u64 = 0x9E37_79B9_7F4A_7C15;
+
+/// Compares a line with some word signs.
+fn compare(signs: &[usize], seen: &mut [SignTally], line: &SampleLine, at: usize) {
+    for index in signs.iter().copied() {
+        let seen = &mut seen[index];
+        match &CATALOG.entries[index].kind {
+            SignMatcher::Block(pattern) if seen.at.is_none() && pattern.fits(line) => {
+                seen.at = Some(at);
+            }
+            SignMatcher::Share { of, among, .. } if among.fits(line) => {
+                seen.among += 1;
+                if of.fits(line) {
+                    seen.of += 1;
+                    seen.at.get_or_insert(at);
+                }
+            }
+            _ => {}
+        }
+    }
 }
 
 /// True when a comment contains one of the names.
@@ -51,7 +101,7 @@ impl TextTally {
             seen: vec![SignTally::default(); CATALOG.entries.len()],
             letters: [(0, 0); 26],
             open: (0, 0),
-            possible: BTreeMap::new(),
+            possible: HashMap::new(),
             bare: true,
             style: TextStyle::default(),
             upper: Vec::new(),
@@ -92,21 +142,14 @@ impl TextTally {
             entry.0 += 1;
             left &= left - 1;
         }
-        let possible = self.possible.entry(line.letters).or_insert_with(|| possible(line.letters));
-        for index in possible.iter().copied() {
-            let seen = &mut self.seen[index];
-            match &CATALOG.entries[index].kind {
-                SignMatcher::Block(pattern) if seen.at.is_none() && pattern.fits(line) => {
-                    seen.at = Some(at);
-                }
-                SignMatcher::Share { of, among, .. } if among.fits(line) => {
-                    seen.among += 1;
-                    if of.fits(line) {
-                        seen.of += 1;
-                        seen.at.get_or_insert(at);
-                    }
-                }
-                _ => {}
+        // The first line of a kind decides for the others about all signs that look at codes and letters only.
+        match self.possible.entry(LineKind::of(line)) {
+            Entry::Occupied(known) => compare(known.get(), &mut self.seen, line, at),
+            Entry::Vacant(new) => {
+                let mut possible = possible(line.letters);
+                compare(&possible, &mut self.seen, line, at);
+                possible.retain(|index| CATALOG.entries[*index].kind.depends_on_numbers());
+                new.insert(possible);
             }
         }
     }
@@ -117,14 +160,18 @@ impl TextTally {
         if line.words.is_empty() || line.words.len() > WHOLE_LINE_WORDS || line.odd {
             return;
         }
+        if line.letters & !(CATALOG.code_letters | bit(b'N')) != 0 {
+            return;
+        }
         let words = line.words.iter().filter(|word| word.letter != b'N');
         let mut code = String::new();
         for word in words {
             code.push(char::from(word.letter));
             code.push_str(&word.value.to_string());
         }
-        for (entry, seen) in CATALOG.entries.iter().zip(&mut self.seen) {
-            if let SignMatcher::Codes(lines) = entry.kind
+        for index in CATALOG.codes.iter().copied() {
+            let seen = &mut self.seen[index];
+            if let SignMatcher::Codes(lines) = CATALOG.entries[index].kind
                 && seen.at.is_none()
                 && lines.contains(&code.as_str())
             {
@@ -137,8 +184,9 @@ impl TextTally {
     fn odd(&mut self, text: &[u8], line: &SampleLine, at: usize) {
         self.upper.clear();
         self.upper.extend(text[..line.code_end].iter().map(u8::to_ascii_uppercase));
-        for (entry, seen) in CATALOG.entries.iter().zip(&mut self.seen) {
-            if let SignMatcher::Code(pieces) = entry.kind
+        for index in CATALOG.pieces.iter().copied() {
+            let seen = &mut self.seen[index];
+            if let SignMatcher::Code(pieces) = CATALOG.entries[index].kind
                 && seen.at.is_none()
                 && pieces
                     .iter()
@@ -166,8 +214,9 @@ impl TextTally {
     }
 
     fn forms(&mut self, text: &[u8], line: &SampleLine, at: usize) {
-        for (entry, seen) in CATALOG.entries.iter().zip(&mut self.seen) {
-            if let SignMatcher::Form(form) = entry.kind
+        for index in CATALOG.forms.iter().copied() {
+            let seen = &mut self.seen[index];
+            if let SignMatcher::Form(form) = CATALOG.entries[index].kind
                 && seen.at.is_none()
                 && forms::shows(form, text, line)
             {
@@ -182,8 +231,9 @@ impl TextTally {
         let comment = std::mem::take(&mut self.upper);
         let other = is_about(&comment, OTHER_MACHINE_WORDS);
         let machine = !other && is_about(&comment, MACHINE_WORDS);
-        for (entry, seen) in CATALOG.entries.iter().zip(&mut self.seen) {
-            let target = match entry.kind {
+        for index in CATALOG.comments.iter().copied() {
+            let seen = &mut self.seen[index];
+            let target = match CATALOG.entries[index].kind {
                 _ if seen.at.is_some() => continue,
                 SignMatcher::Comment(words) if !other => words,
                 SignMatcher::Header(words) if machine => words,

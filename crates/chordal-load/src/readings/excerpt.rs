@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use super::word_kinds::WordKinds;
 
 /// The length of the beginning of a long text that is run, bytes: some thousand blocks.
-const BEGINNING_BYTES: usize = 128 << 10;
+const BEGINNING_BYTES: usize = 64 << 10;
 
 /// The length of the end of a long text that is run, bytes.
 const END_BYTES: usize = 4 << 10;

@@ -95,31 +95,13 @@ impl WordKinds {
 
     fn word(&mut self, text: &[u8], at: usize, is_new: &mut bool) -> usize {
         let letter = text[at].to_ascii_uppercase();
-        let mut end = at + 1;
-        let (mut value, mut tenths, mut digits_after) = (0_u32, 0_u32, None::<u32>);
-        let mut is_zero = true;
-        while let Some(byte) = text.get(end).copied() {
-            match byte {
-                b'0'..=b'9' => {
-                    is_zero &= byte == b'0';
-                    let digit = u32::from(byte - b'0');
-                    match digits_after {
-                        None => value = value.saturating_mul(10).saturating_add(digit),
-                        Some(0) => tenths = digit,
-                        Some(_) => {}
-                    }
-                    digits_after = digits_after.map(|count| count + 1);
-                }
-                b'.' if digits_after.is_none() => digits_after = Some(0),
-                b'-' | b'+' | b' ' => {}
-                _ => break,
-            }
-            end += 1;
-        }
-        let bit = letter_bit(letter);
-        let letters = match letter {
+        let start = at + 1;
+        let length = text[start..].iter().position(|byte| !IS_OF_NUMBER[usize::from(*byte)]);
+        let end = length.map_or(text.len(), |length| start + length);
+        let number = &text[start..end];
+        match letter {
             b'G' | b'M' => {
-                *is_new |= self.add_code(letter, value.saturating_mul(10).saturating_add(tenths));
+                *is_new |= self.add_code(letter, tenths_of(number));
                 return end;
             }
             b'N' => return end,
@@ -127,14 +109,42 @@ impl WordKinds {
                 self.programs += 1;
                 return end;
             }
-            // A zero is the same in all units.
-            _ if digits_after.is_some() || is_zero => &mut self.decimal,
-            _ => &mut self.whole,
-        };
+            _ => {}
+        }
+        let bit = letter_bit(letter);
+        if self.whole & self.decimal & bit != 0 {
+            return end;
+        }
+        // A zero is the same in all units.
+        let is_decimal =
+            number.contains(&b'.') || !number.iter().any(|byte| matches!(byte, b'1'..=b'9'));
+        let letters = if is_decimal { &mut self.decimal } else { &mut self.whole };
         *is_new |= *letters & bit == 0;
         *letters |= bit;
         end
     }
+}
+
+/// By byte, whether it may be in the number of a word. A table, because the whole of a long text is read with it.
+const IS_OF_NUMBER: [bool; 256] = {
+    let (mut table, bytes) = ([false; 256], b"0123456789.-+ ");
+    let mut index = 0;
+    while index < bytes.len() {
+        table[bytes[index] as usize] = true;
+        index += 1;
+    }
+    table
+};
+
+/// The number of a code in tenths: 541 for `54.1`.
+fn tenths_of(number: &[u8]) -> u32 {
+    let mut digits = number.iter().filter(|byte| byte.is_ascii_digit() || **byte == b'.');
+    let value = digits
+        .by_ref()
+        .take_while(|byte| **byte != b'.')
+        .fold(0_u32, |value, byte| value.saturating_mul(10).saturating_add(u32::from(byte - b'0')));
+    let tenth = digits.next().filter(|byte| byte.is_ascii_digit());
+    value.saturating_mul(10).saturating_add(tenth.map_or(0, |byte| u32::from(byte - b'0')))
 }
 
 fn letter_bit(letter: u8) -> u32 {
