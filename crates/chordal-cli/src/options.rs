@@ -42,7 +42,7 @@ pub struct CommonArgs {
     ///
     /// Also `"settings.Setting 58=fanuc"`, `work_offsets.G54.X="10 in"`, `control=haas`, `#500=1.5`.
     /// `chordal machines --schema` lists the keys.
-    #[arg(long = "set", value_name = "KEY=VALUE")]
+    #[arg(long = "set", visible_alias = "assume", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
 
     /// Takes a GRBL machine's settings from what it printed for `$$`

@@ -86,6 +86,7 @@ fn a_plunge_of_a_hundred_metres_costs_what_the_stock_is_high() {
         )
     };
     folder.write("deep.nc", text("-100000.")).write("due.nc", text("-90."));
+    folder.write("ramp.nc", text("-100000. X55."));
     let of = |name: &str| {
         let done = folder.run(&["stock", name, "--setup", "setup.toml", "--resolution", "1mm"]);
         assert!(done.out.contains("the holder touches"), "{}{}", done.out, done.err);
@@ -95,4 +96,5 @@ fn a_plunge_of_a_hundred_metres_costs_what_the_stock_is_high() {
     };
     // All of the holder has gone through at the end of both.
     assert_eq!(of("deep.nc"), of("due.nc"));
+    assert!(!of("ramp.nc").is_empty());
 }

@@ -97,11 +97,11 @@ impl MoveSplitter {
         self.pieces
     }
 
-    /// Adds the pieces of a move. On a move that only rises or falls, each changes its height by at most `drop` mm;
-    /// by any amount if `drop` is not above zero.
+    /// Adds the pieces of a move. On a move that rises or falls, each changes its height by at most `drop` mm; by any
+    /// amount if `drop` is not above zero.
     ///
-    /// `heights`: the range of heights of the tip in which a plunge may change the stock. Above and below, a plunge
-    /// is one piece each.
+    /// `heights`: the range of heights of the tip in which a move may change the stock. Above and below, a line is one
+    /// piece each.
     pub fn add(&mut self, number: u32, path: &TipMove, drop: f64, heights: [f64; 2]) {
         let curve = &path.curve;
         let length = curve.length();
@@ -109,14 +109,8 @@ impl MoveSplitter {
             self.end_run();
             return;
         }
-        if let Curve::Line(line) = curve
-            && libm::hypot(line.end.x - line.start.x, line.end.y - line.start.y) <= VERTICAL
-        {
-            self.plunge(line, number, path.tag, drop, heights);
-            return;
-        }
         let curvature = match curve {
-            Curve::Line(_) => 0.0,
+            Curve::Line(line) => return self.line(line, number, path.tag, drop, heights),
             Curve::Spline(_) => curve.max_curvature() * BETWEEN_PLACES,
             Curve::Arc(_) | Curve::Spiral(_) => curve.max_curvature(),
         };
@@ -135,16 +129,22 @@ impl MoveSplitter {
         }
     }
 
-    /// Adds a move along Z.
-    fn plunge(&mut self, line: &Line, number: u32, tag: u32, drop: f64, [low, high]: [f64; 2]) {
+    /// Adds a straight move.
+    fn line(&mut self, line: &Line, number: u32, tag: u32, drop: f64, [low, high]: [f64; 2]) {
+        let fall = line.end.z - line.start.z;
         let [from, to] = [line.start.z, line.end.z].map(|z| z.max(low).min(high));
         let falls = if drop > 0.0 { (to - from).abs() / drop } else { 0.0 };
+        if falls == 0.0 {
+            return self.straight(line.start, line.end, 0.0, number, tag);
+        }
         let count = falls.ceil().clamp(1.0, MAX_PIECES) as u64;
         let stops = (0..=count).map(|k| from + (to - from) * (k as f64 / count as f64));
         let mut at = line.start;
         for z in stops {
             if (z - at.z) * (line.end.z - z) > 0.0 {
-                let next = Vec3::new(line.start.x, line.start.y, z);
+                let share = (z - line.start.z) / fall;
+                let next = line.start + (line.end - line.start) * share;
+                let next = Vec3::new(next.x, next.y, z);
                 self.straight(at, next, 0.0, number, tag);
                 at = next;
             }
@@ -206,13 +206,18 @@ impl MoveSplitter {
 mod tests {
     use super::*;
 
-    /// The lower ends of the pieces of a plunge between two heights, in steps of a millimetre, with stock from -10 to 0.
+    /// The pieces of a line between two heights, in steps of a millimetre, with stock from -10 to 0.
+    fn pieces(start: Vec3, end: Vec3) -> Vec<SweepPiece> {
+        let mut splitter = MoveSplitter::new(0.1);
+        let curve = Curve::Line(Line { start, end });
+        splitter.add(0, &TipMove { curve, tag: 0 }, 1.0, [-10.0, 0.0]);
+        splitter.finish()
+    }
+
+    /// The lower ends of the pieces of a plunge.
     fn lower_ends(from: f64, to: f64) -> Vec<f64> {
         let at = |z: f64| Vec3::new(3.0, 4.0, z);
-        let line = Line { start: at(from), end: at(to) };
-        let mut splitter = MoveSplitter::new(0.1);
-        splitter.add(0, &TipMove { curve: Curve::Line(line), tag: 0 }, 1.0, [-10.0, 0.0]);
-        splitter.finish().iter().map(|piece| piece.start.z).collect()
+        pieces(at(from), at(to)).iter().map(|piece| piece.start.z).collect()
     }
 
     #[test]
@@ -227,5 +232,18 @@ mod tests {
         assert_eq!(lower_ends(90.0, 5.0), [5.0]);
         assert_eq!(lower_ends(-20.0, -30.0), [-30.0]);
         assert_eq!(lower_ends(7.0, 7.0), [7.0]);
+    }
+
+    #[test]
+    fn a_ramp_is_divided_where_it_meets_stock() {
+        let ramp = pieces(Vec3::new(0.0, 0.0, 10.0), Vec3::new(30.0, 0.0, -1490.0));
+        assert_eq!(ramp.len(), 12);
+        let starts: Vec<f64> = ramp.iter().map(|piece| piece.start.z).collect();
+        let inside = (0..=10).map(|mm| -f64::from(mm));
+        assert_eq!(starts, [10.0].into_iter().chain(inside).collect::<Vec<_>>());
+        let length: f64 = ramp.iter().map(|piece| piece.length).sum();
+        assert!((length - 30.0).abs() < 1e-12, "{length}");
+        assert!(ramp.iter().all(|piece| (piece.slope + 50.0).abs() < 1e-9));
+        assert_eq!(pieces(Vec3::new(0.0, 0.0, -2.0), Vec3::new(9.0, 0.0, -2.0)).len(), 1);
     }
 }
