@@ -477,6 +477,24 @@ fn problems_of_a_long_text_are_those_of_a_whole_check() {
     editor.end();
 }
 
+/// The editor waits a minute for an answer at most.
+#[test]
+fn very_long_texts_and_lines_have_their_answers() {
+    let head = "G21 G90 G17\nT1 M6\nS900 M3\nG0 X0 Y0 Z1.\nG1 Z0 F10.\n";
+    let lines = "X1. Y2.\n".repeat(500_000);
+    let line = format!("{}\n", "X1. ".repeat(500_000));
+    for text in [format!("{head}{lines}M30\n"), format!("{head}{line}M30\n")] {
+        let mut editor = Editor::start(json!({}));
+        editor.open(&text);
+        editor.problems(1);
+        assert_eq!(editor.of("hover", place(4, 0)).err(), None);
+        assert_eq!(editor.of("documentSymbol", json!({})).err(), None);
+        editor.change(2, range((4, 0), (4, 0)), "(A COMMENT)");
+        editor.problems(2);
+        editor.end();
+    }
+}
+
 #[test]
 fn a_failure_of_ours_ends_one_run_and_not_the_server() {
     let mut editor = Editor::start(json!({}));
