@@ -2,7 +2,7 @@
 
 #![no_main]
 
-use chordal::tool_comments::{StockPlace, known_tools, read_tool_comment, said_stock};
+use chordal::tool_comments::{StockPlace, known_tools, read_tool_comment, commented_stock};
 use chordal::{Job, Machine, Source, SourceMap};
 use libfuzzer_sys::fuzz_target;
 
@@ -37,7 +37,7 @@ fuzz_target!(|text: &str| {
         for known in known_tools(&job).values() {
             assert!(known.tool.diameter_mm.is_none_or(f64::is_finite));
         }
-        if let Some(stock) = said_stock(&job)
+        if let Some(stock) = commented_stock(&job)
             && let StockPlace::Size(size) = stock.place
         {
             assert!(size.iter().all(|side| side.is_finite() && *side > 0.0));

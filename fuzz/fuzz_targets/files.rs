@@ -61,7 +61,7 @@ fuzz_target!(|input: (u8, &[u8])| {
         }
         _ => files.extend([named("chordal.toml"), named("O2.nc")]),
     }
-    let given = FileAccess::given(files.clone());
+    let given = FileAccess::in_memory(files.clone());
     request.files = given.clone();
     if let Ok(text) = std::str::from_utf8(bytes) {
         let mut machine = Machine::from_builtin(base).expect("a built-in machine");

@@ -9,6 +9,7 @@ use chordal_geometry::AXES;
 
 /// Every built-in machine with tools and offsets, so that nothing is left out for want of a
 /// number.
+#[allow(dead_code, reason = "not every target chooses among all machines")]
 fn machines() -> &'static [Machine] {
     static MACHINES: OnceLock<Vec<Machine>> = OnceLock::new();
     MACHINES.get_or_init(|| {
@@ -32,6 +33,7 @@ fn machines() -> &'static [Machine] {
 }
 
 /// Writes a program: each byte is a word of the list, after one that chooses the machine.
+#[allow(dead_code, reason = "not every target draws its programs from words")]
 pub fn program(bytes: &[u8], head: &str, words: &[&str]) -> Option<(Machine, String)> {
     let (choice, rest) = bytes.split_first()?;
     let machine = machines()[*choice as usize % machines().len()].clone();
