@@ -9,7 +9,6 @@
 mod alarms;
 mod control;
 pub mod cycles;
-mod frame_chain;
 mod machine_tables;
 mod run;
 mod settings;

@@ -3,8 +3,7 @@
 use chordal_command::WorkNaming;
 use chordal_machine::{Machine, Tool, ToolShape};
 
-use crate::frame_chain::{axis_of, shift_of_chain};
-use crate::run::{ToolDatum, settable_name};
+use crate::run::{ToolDatum, axis_of, settable_name, shift_of_chain};
 use crate::syntax::{
     AddressWord, BlockReader, Expression, ExpressionKind, StatementKind, UnaryOperator, WordValue,
 };

@@ -110,6 +110,10 @@ the machine, an arc or a cycle may differ. Chordal runs the controls that remain
 move. Here they do not move alike: the message gives the first block that differs, what each control makes of
 it, and the size of the part. The path is shown as the first of them would go it, and nothing of it is verified.
 
+What `X5` is can also be a setting of one control (Setting 162 of a Haas, DPI of a Fanuc). Where a program never writes
+the point of a whole number, both values are compared: `--set settings.decimal_point=calculator` for 5 mm,
+`least-increment` for 0.005 mm.
+
 Name the machine: `--machine haas-vf2`, or a `chordal.toml` next to the programs. Where all controls move alike, one
 is assumed and the program is verified."#;
 

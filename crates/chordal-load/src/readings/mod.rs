@@ -88,18 +88,19 @@ pub(crate) fn apply_settings(machine: &mut Machine, settings: &[&AssumedSetting]
 }
 
 /// Chooses the control that reads a text, and compares the remaining readings. The premise is `None` when the control
-/// and its settings are certain, so that nothing is compared. `given` are the user's assignments to the machine.
+/// and its settings are certain, so that nothing is compared. `assignments` are those of the user to the machine.
 pub fn settle(
     mut found: Recognition,
     text: &[u8],
-    given: &[String],
+    assignments: &[String],
 ) -> (Recognition, Option<ReadingPremise>) {
     if found.chosen().not_read {
         return (found, None);
     }
     let is_certain = found.is_certain();
     let chosen = configured_control(&built_in(machine_name(found.chosen()), found.control()));
-    let says = |key: &str| given.iter().any(|assignment| assignment.trim_start().starts_with(key));
+    let says =
+        |key: &str| assignments.iter().any(|assignment| assignment.trim_start().starts_with(key));
     let has_units =
         says(UNITS_SETTING) || chosen.as_ref().is_none_or(|(control, _)| control.names_units(text));
     let has_points = says(POINT_SETTING)

@@ -13,6 +13,7 @@ mod contour_milling;
 mod contours;
 mod drilling;
 mod flow;
+mod frame_chain;
 mod frames;
 mod interpreter;
 mod macros;
@@ -40,6 +41,7 @@ mod unknown_values;
 mod variables;
 mod words;
 
+pub use frame_chain::{axis_of, shift_of_chain};
 pub use programs::SinumerikPrograms;
-pub use system_variables::{ToolDatum, linear_axis, settable_name};
+pub use system_variables::{ToolDatum, settable_name};
 pub use words::CENTER_NAMES;

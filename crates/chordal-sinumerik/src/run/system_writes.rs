@@ -2,10 +2,10 @@
 
 use chordal_diagnostics::TextRange;
 
+use super::frame_chain::{ChainFault, shift_of_chain};
 use super::interpreter::Interpreter;
 use super::system_variables::{ToolDatum, index_keys, linear_axis, settable_name};
 use super::tool_edges::edge_offset_number;
-use crate::frame_chain::{ChainFault, shift_of_chain};
 use crate::syntax::{Address, WordValue};
 use crate::values::SinumerikValue;
 

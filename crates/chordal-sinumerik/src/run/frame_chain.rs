@@ -1,6 +1,6 @@
 //! The shift of a settable frame that is written as a chain: `CTRANS(X,10,Y,20):CROT(Z,0):CFINE(X,0.1)`.
 
-use crate::run::linear_axis;
+use super::system_variables::linear_axis;
 use crate::syntax::{BinaryOperator, Expression, ExpressionKind};
 
 /// Why a chain gives no shift.
