@@ -112,7 +112,7 @@ fn open_text(
 ) -> Result<EditorProgram, ProgramRefusal> {
     let loader_on = |machine: Option<&str>| {
         let chosen = machine.map(ChosenMachine::of);
-        let set = chosen.map_or_else(Vec::new, |chosen| chosen.assignments());
+        let set = chosen.as_ref().map_or_else(Vec::new, ChosenMachine::assignments);
         let machine = chosen.map(|chosen| RequestedMachine::Name(chosen.name.to_string()));
         Loader::new(Request { machine, set, files: files.clone(), ..Request::default() })
     };
