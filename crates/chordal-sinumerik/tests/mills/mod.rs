@@ -124,7 +124,12 @@ fn arc(
     turns: u32,
 ) -> CutPiece {
     let radii = [at, to].map(|point| (point[0] - center[0]).hypot(point[1] - center[1]));
-    assert!((radii[0] - radii[1]).abs() <= 1e-9 * (1.0 + radii[0]), "radii of an arc: {radii:?}");
+    // Coordinates of 1e10 have steps of 2e-6.
+    let coordinates = [at[0], at[1], to[0], to[1], center[0], center[1]];
+    let largest = coordinates.into_iter().map(f64::abs).fold(0.0, f64::max);
+    let rounding = 4.0 * f64::EPSILON * largest;
+    let limit = 1e-9 * (1.0 + radii[0]) + rounding;
+    assert!((radii[0] - radii[1]).abs() <= limit, "radii of an arc: {radii:?}");
     let [from, end] = [at, to].map(|point| (point[1] - center[1]).atan2(point[0] - center[0]));
     let tau = std::f64::consts::TAU;
     let turn = match [at[0], at[1]] == [to[0], to[1]] {
