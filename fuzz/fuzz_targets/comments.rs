@@ -2,7 +2,7 @@
 
 #![no_main]
 
-use chordal::tool_comments::{StockPlace, known_tools, read_tool_comment, commented_stock};
+use chordal::tool_comments::{StockPlace, commented_stock, known_tools, read_tool_comment};
 use chordal::{Job, Machine, Source, SourceMap};
 use libfuzzer_sys::fuzz_target;
 

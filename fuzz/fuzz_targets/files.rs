@@ -5,21 +5,23 @@
 
 use std::path::PathBuf;
 
-use chordal::machine::{QuantityDimension, Machine, parse_quantity};
+use chordal::machine::{Machine, QuantityDimension, parse_quantity};
 use chordal::stock::StockOptions;
-use chordal_load::{FileAccess, RequestedMachine, ProgramInput, Loader, Request, ProgramText};
+use chordal_load::{FileAccess, Loader, ProgramInput, ProgramText, Request, RequestedMachine};
 use libfuzzer_sys::fuzz_target;
 
 const PROGRAM: &[u8] = b"%\nO1\nG21 G90 G54\nT1 M6\nG43 H1 G0 X0 Y0 Z5.\nS900 M3\nG1 Z-1. F100.\n\
     G41 D1 X10. Y#500\nG2 X12. Y2. I2. J0\nG40 X0\nG83 Z-2. R1. Q.5\nG80\nM98 P2\nG28 Z0\nM30\nO2\nG4 P1\nM99\n%\n";
 
-const LATHE: &[u8] = b"%\nO1\nG21 G90 G54\nT0101\nG50 S2000\nG96 S100 M3\nG0 X20. Z2.\nG42 G1 Z-5. F.1\nX30.\n\
+const LATHE: &[u8] =
+    b"%\nO1\nG21 G90 G54\nT0101\nG50 S2000\nG96 S100 M3\nG0 X20. Z2.\nG42 G1 Z-5. F.1\nX30.\n\
     G40 G0 X50.\nG76 P010060 Q50 R20\nM30\n%\n";
 
 fuzz_target!(|input: (u8, &[u8])| {
     let (choice, bytes) = input;
     let named = |name: &str| (PathBuf::from(name), bytes.to_vec());
-    let base = ["haas-vf2", "fanuc-lathe", "linuxcnc-mill", "grbl", "fadal-4020"][usize::from(choice >> 3) % 5];
+    let base = ["haas-vf2", "fanuc-lathe", "linuxcnc-mill", "grbl", "fadal-4020"]
+        [usize::from(choice >> 3) % 5];
     let program = if base == "fanuc-lathe" { LATHE } else { PROGRAM };
     let mut request = Request { max_blocks: Some(2_000), ..Request::default() };
     let on = |name: &str| Some(RequestedMachine::Name(name.to_string()));

@@ -6,7 +6,7 @@
 use chordal_geometry::Vec3;
 use chordal_stock::mesh::write::write_stl;
 use chordal_stock::mesh::{LengthUnit, StlOptions, read_stl};
-use chordal_stock::shape::{RoundBody, Frustum, CellGrid, SolidShape};
+use chordal_stock::shape::{CellGrid, Frustum, RoundBody, SolidShape};
 use libfuzzer_sys::fuzz_target;
 
 /// Small bodies, so that all of it is quick.

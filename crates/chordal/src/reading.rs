@@ -52,6 +52,15 @@ impl AssumedSetting {
         &AssumedSetting::LEAST_INCREMENTS,
     ];
 
+    /// The units at power-on that it assumes, `inch` or `mm`; `None` for another setting.
+    pub fn units(&self) -> Option<&'static str> {
+        match *self {
+            AssumedSetting::INCH => Some("inch"),
+            AssumedSetting::MILLIMETRES => Some("mm"),
+            _ => None,
+        }
+    }
+
     /// The name of a machine or a control with settings after it.
     pub fn after(name: &str, settings: &[&AssumedSetting]) -> String {
         settings.iter().fold(name.to_string(), |name, setting| format!("{name} {}", setting.words))
@@ -92,11 +101,7 @@ pub struct ReadingChoice {
 impl ReadingChoice {
     /// Units at power-on as settings name them, `inch` or `mm`; `None` where the text names its units.
     pub fn units(&self) -> Option<&'static str> {
-        self.settings.iter().find_map(|setting| match **setting {
-            AssumedSetting::INCH => Some("inch"),
-            AssumedSetting::MILLIMETRES => Some("mm"),
-            _ => None,
-        })
+        self.settings.iter().find_map(|setting| setting.units())
     }
 }
 

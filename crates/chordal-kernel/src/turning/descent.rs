@@ -65,8 +65,6 @@ impl Kernel<'_> {
         contour: &[ContourEdge],
     ) -> Result<(), DescentFault> {
         let (view, mut pieces) = seen(words.along_x, words.start, contour, 0)?;
-        // From the other side, the start of the contour is reached across its first point.
-        pieces[0].from[0] = pieces[0].from[0].max(pieces[0].to[0]);
         let unit = self.state.units.mm();
         if let Some(back) = pieces.iter().skip(1).find(|piece| !piece.goes_on(unit)) {
             return Err(DescentFault::TurnsBack(back.origin));
@@ -111,8 +109,6 @@ impl Kernel<'_> {
         if !pieces.iter().skip(1).all(|piece| piece.goes_on(unit)) {
             (view, pieces) = seen(true, start, contour, 0)?;
         }
-        // From the other side, the start of the contour is reached across its first point.
-        pieces[0].from[0] = pieces[0].from[0].max(pieces[0].to[0]);
         self.origin.cycle = true;
         self.turn_rapid(start);
         for distance in distances {
@@ -370,7 +366,9 @@ fn seen(
     let view = CycleView::by_signs(along_x, along, across);
     let mut pieces: Vec<OffsetPiece> =
         contour.iter().map(|edge| OffsetPiece::of(&view.of(edge))).collect();
-    pieces[0].from = view.seen(start);
+    let [along, across] = view.seen(start);
+    // From the other side, the start of the contour is reached across its first point.
+    pieces[0].from = [along.max(pieces[0].to[0]), across];
     Ok((view, pieces))
 }
 

@@ -47,15 +47,23 @@ pub(crate) struct PossibleReading {
 
 impl PossibleReading {
     /// The units at power-on, where they are assumed.
-    fn units(&self) -> Option<&'static AssumedSetting> {
-        let units = [&AssumedSetting::INCH, &AssumedSetting::MILLIMETRES];
-        self.settings.iter().copied().find(|setting| units.contains(setting))
+    fn units(&self) -> Option<&'static str> {
+        self.settings.iter().find_map(|setting| setting.units())
     }
 
-    /// The reading with one setting more.
-    fn with(&self, setting: &'static AssumedSetting, trace: MotionTrace) -> PossibleReading {
-        let settings = self.settings.iter().copied().chain([setting]).collect();
-        PossibleReading { control: self.control, machine: self.machine, settings, trace }
+    /// The reading with one setting more; `None` when the control has no such setting.
+    fn with(
+        &self,
+        setting: &'static AssumedSetting,
+        excerpt: &TrialExcerpt,
+    ) -> Option<PossibleReading> {
+        let &PossibleReading { control, machine, .. } = self;
+        let mut built = machine_of(self);
+        apply_settings(&mut built, &[setting]).then(|| {
+            let settings = self.settings.iter().copied().chain([setting]).collect();
+            let trace = MotionTrace::of(built, excerpt);
+            PossibleReading { control, machine, settings, trace }
+        })
     }
 }
 
@@ -133,48 +141,36 @@ pub fn settle(
     (found, Some(premise))
 }
 
-/// A run of the excerpt on a control that the signs leave possible.
-struct TrialRun {
-    /// The place of the control in the ranking of the recognition.
-    place: usize,
-    settings: Vec<&'static AssumedSetting>,
-    trace: MotionTrace,
-}
-
 /// Runs the excerpt on the controls that the signs leave possible, and makes the best of them the choice of the
 /// recognition. Returns the readings that remain, the best first.
 fn possible(found: &mut Recognition, text: &[u8], excerpt: &TrialExcerpt) -> Vec<PossibleReading> {
     let mut runs = trial_runs(found, text, excerpt);
-    let fewest = runs.iter().map(|run| faults(&run.trace)).min().unwrap_or(0);
-    let score = |found: &Recognition, run: &TrialRun| {
-        found.ranking[run.place].weight - penalty(faults(&run.trace) - fewest)
+    let fewest = runs.iter().map(|(_, run)| faults(&run.trace)).min().unwrap_or(0);
+    let score = |found: &Recognition, place: usize, run: &PossibleReading| {
+        found.ranking[place].weight - penalty(faults(&run.trace) - fewest)
     };
     // The sort is stable: controls of equal score keep the order of the recognition.
-    runs.sort_by_key(|run| -score(found, run));
-    let Some(first) = runs.first() else { return Vec::new() };
-    let best = score(found, first);
+    runs.sort_by_key(|(place, run)| -score(found, *place, run));
+    let Some((best_place, first)) = runs.first() else { return Vec::new() };
+    let (best_place, best) = (*best_place, score(found, *best_place, first));
     let clean = faults(&first.trace) == fewest;
-    let (place, name) = (first.place, found.ranking[first.place].name);
-    let readings: Vec<PossibleReading> = runs
-        .into_iter()
-        .filter(|run| {
-            let near = score(found, run) > best - POSSIBLE_SCORE_GAP;
-            // A setting of the chosen control stays open, whatever speaks for one of its values.
-            (near && (!clean || faults(&run.trace) == fewest)) || run.place == place
-        })
-        .map(|TrialRun { place, settings, trace }| {
-            let candidate = &found.ranking[place];
-            let (control, machine) = (candidate.control, machine_name(candidate));
-            PossibleReading { control, machine, settings, trace }
-        })
-        .collect();
-    found.choose(name);
+    let readings = runs.into_iter().filter(|(place, run)| {
+        let near = score(found, *place, run) > best - POSSIBLE_SCORE_GAP;
+        // A setting of the chosen control stays open, whatever speaks for one of its values.
+        (near && (!clean || faults(&run.trace) == fewest)) || *place == best_place
+    });
+    let readings = readings.map(|(_, run)| run).collect();
+    found.choose(found.ranking[best_place].name);
     readings
 }
 
-/// The runs on all controls that the signs leave possible. A control that signs speak for may have been set up to take
-/// numbers without a point in full units: it is run in both ways.
-fn trial_runs(found: &mut Recognition, text: &[u8], excerpt: &TrialExcerpt) -> Vec<TrialRun> {
+/// The runs on all controls that the signs leave possible, each with the place of its control in the ranking. A control
+/// that signs speak for may have been set up to take numbers without a point in full units: it is run in both ways.
+fn trial_runs(
+    found: &mut Recognition,
+    text: &[u8],
+    excerpt: &TrialExcerpt,
+) -> Vec<(usize, PossibleReading)> {
     let weakest = (found.chosen().weight - POSSIBLE_SCORE_GAP).max(ANOTHER_KIND + 1);
     let turns = |control| control_profile(control).is_some_and(|profile| profile.turns);
     let is_lathe = turns(found.control());
@@ -192,11 +188,7 @@ fn trial_runs(found: &mut Recognition, text: &[u8], excerpt: &TrialExcerpt) -> V
             true => with_both_points(vec![reading], text, excerpt),
             false => vec![reading],
         };
-        runs.extend(readings.into_iter().map(|PossibleReading { settings, trace, .. }| TrialRun {
-            place,
-            settings,
-            trace,
-        }));
+        runs.extend(readings.into_iter().map(|reading| (place, reading)));
     }
     runs
 }
@@ -223,20 +215,19 @@ fn in_both_units(
 ) -> Vec<PossibleReading> {
     let named = units::units_of_comments(text);
     let mut both = Vec::new();
-    for reading in readings {
+    for mut reading in readings {
         let machine = machine_of(&reading);
         let Some((configured, _)) = configured_control(&machine) else { continue };
         let own = configured.rules().units;
         let other = other_units(own);
-        let other_trace = (named != Some(own))
-            .then(|| trace_with(&reading, units_setting(other), excerpt))
+        let other_reading = (named != Some(own))
+            .then(|| reading.with(units_setting(other), excerpt))
             .flatten()
-            .filter(units::is_plausible);
-        let other_reading = other_trace.map(|trace| reading.with(units_setting(other), trace));
+            .filter(|reading| units::is_plausible(&reading.trace));
         let own_is_possible = named != Some(other) && units::is_plausible(&reading.trace);
         if own_is_possible || other_reading.is_none() {
-            let trace = reading.trace.clone();
-            both.push(reading.with(units_setting(own), trace));
+            reading.settings.push(units_setting(own));
+            both.push(reading);
         }
         both.extend(other_reading);
     }
@@ -252,31 +243,19 @@ fn with_both_points(
 ) -> Vec<PossibleReading> {
     let (full, least) = (&AssumedSetting::FULL_UNITS, &AssumedSetting::LEAST_INCREMENTS);
     let mut both = Vec::new();
-    for reading in readings {
+    for mut reading in readings {
         let is_open = reading.settings.is_empty()
             && reading.trace.least_increment_numbers > 0
             && configured_control(&machine_of(&reading))
                 .is_some_and(|(control, _)| control.leaves_whole_numbers_open(text));
-        match is_open.then(|| trace_with(&reading, full, excerpt)).flatten() {
-            Some(trace) => {
-                let in_full_units = reading.with(full, trace);
-                both.push(PossibleReading { settings: vec![least], ..reading });
-                both.push(in_full_units);
-            }
-            None => both.push(reading),
+        let in_full_units = is_open.then(|| reading.with(full, excerpt)).flatten();
+        if in_full_units.is_some() {
+            reading.settings.push(least);
         }
+        both.push(reading);
+        both.extend(in_full_units);
     }
     both
-}
-
-/// The motions of a reading with one setting more; `None` when the control has no such setting.
-fn trace_with(
-    reading: &PossibleReading,
-    setting: &'static AssumedSetting,
-    excerpt: &TrialExcerpt,
-) -> Option<MotionTrace> {
-    let mut machine = machine_of(reading);
-    apply_settings(&mut machine, &[setting]).then(|| MotionTrace::of(machine, excerpt))
 }
 
 fn other_units(units: Units) -> Units {

@@ -188,18 +188,14 @@ impl ReadingPremise {
             true => "how fast this program cuts",
             false => "what this program moves",
         };
-        let is_open = |settings: [&AssumedSetting; 2]| {
-            let mut all = self.groups.iter().flat_map(|group| &group.settings);
-            all.any(|setting| settings.contains(setting))
-        };
-        let has_units = is_open([&AssumedSetting::INCH, &AssumedSetting::MILLIMETRES]);
-        if is_open([&AssumedSetting::FULL_UNITS, &AssumedSetting::LEAST_INCREMENTS]) {
-            let units = if has_units { " and its units" } else { "" };
+        let mut settings = self.groups.iter().flat_map(|group| &group.settings);
+        let has_units = settings.clone().any(|setting| setting.units().is_some());
+        let units = if has_units { " and its units" } else { "" };
+        if settings.any(|setting| setting.units().is_none()) {
             return format!(
                 "{what} depends on what its control takes a number without a decimal point for{units}, and nothing in the text says it"
             );
         }
-        let units = if has_units { " and its units" } else { "" };
         format!(
             "{what} depends on its control, and nothing in the text names it{units} for certain"
         )
