@@ -10,6 +10,7 @@ mod program;
 
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use chordal::{Job, Machine, Source, SourceMap};
 use chordal_archive::diff::{DiffOptions, FileStatus, compare_files};
@@ -70,6 +71,8 @@ struct Count([u32; 3]);
 /// The table of what was seen.
 #[derive(Default)]
 struct Tally {
+    /// The round that is tried.
+    round: u64,
     counts: BTreeMap<(ComparingCommand, usize), Count>,
     missed: Vec<String>,
     false_alarms: Vec<String>,
@@ -89,6 +92,18 @@ fn is_ignored(category: Category, command: ComparingCommand) -> bool {
 }
 
 impl Tally {
+    fn add(&mut self, other: Tally) {
+        for (key, count) in other.counts {
+            let own = self.counts.entry(key).or_default();
+            own.0.iter_mut().zip(count.0).for_each(|(own, more)| *own += more);
+        }
+        for (command, count) in other.proved {
+            *self.proved.entry(command).or_default() += count;
+        }
+        self.missed.extend(other.missed);
+        self.false_alarms.extend(other.false_alarms);
+    }
+
     fn note(&mut self, command: ComparingCommand, kind: usize, seen: bool, texts: [&str; 2]) {
         let count = self.counts.entry((command, kind)).or_default();
         let kind = &KINDS[kind];
@@ -100,7 +115,8 @@ impl Tally {
             count.0[2] += 1;
             let [old, new] = texts;
             self.missed.push(format!(
-                "{}: {}\n{}",
+                "round {}, {}: {}\n{}",
+                self.round,
                 command.word(),
                 kind.name,
                 first_other(old, new)
@@ -116,7 +132,7 @@ impl Tally {
     ) {
         *self.proved.entry(command).or_default() += 1;
         if !is_same {
-            self.false_alarms.push(format!("{}: {}", command.word(), told()));
+            self.false_alarms.push(format!("round {}, {}: {}", self.round, command.word(), told()));
         }
     }
 }
@@ -232,25 +248,46 @@ fn by_restart(text: &str, machine: &Machine, dice: &mut Dice, tally: &mut Tally)
     }
 }
 
+/// Tries every command on the program of a round.
+fn try_round(round: u64, tally: &mut Tally) {
+    tally.round = round;
+    let mut dice = Dice::new(round);
+    let name = MACHINES[round as usize % MACHINES.len()];
+    let machine = machine(name);
+    let text = program(name, &mut dice);
+    by_compare(&text, &machine, &mut dice, tally);
+    by_diff(&text, &machine, &mut dice, tally);
+    // What is not followed is not proved, and a proof has nothing to see there.
+    let known = program::without_unknown(&text);
+    let to = self::machine(MACHINES[dice.below(MACHINES.len())]);
+    by_convert(&known, &machine, &to, &mut dice, tally);
+    by_transform(&known, &machine, &mut dice, tally);
+    by_restart(&known, &machine, &mut dice, tally);
+}
+
 #[test]
 fn planted_differences_are_seen_or_ignored_by_intent() {
     #[allow(clippy::disallowed_methods, reason = "a test reads how many rounds it is to run")]
     let rounds = std::env::var("CHORDAL_ROUNDS").ok().and_then(|text| text.parse().ok());
-    let mut tally = Tally::default();
-    for round in 0..rounds.unwrap_or(24u64) {
-        let mut dice = Dice::new(round);
-        let name = MACHINES[round as usize % MACHINES.len()];
-        let machine = machine(name);
-        let text = program(name, &mut dice);
-        by_compare(&text, &machine, &mut dice, &mut tally);
-        by_diff(&text, &machine, &mut dice, &mut tally);
-        // What is not followed is not proved, and a proof has nothing to see there.
-        let known = program::without_unknown(&text);
-        let to = self::machine(MACHINES[dice.below(MACHINES.len())]);
-        by_convert(&known, &machine, &to, &mut dice, &mut tally);
-        by_transform(&known, &machine, &mut dice, &mut tally);
-        by_restart(&known, &machine, &mut dice, &mut tally);
-    }
+    let rounds = rounds.unwrap_or(24u64);
+    let next = AtomicU64::new(0);
+    let threads = std::thread::available_parallelism().map_or(1, |count| count.get());
+    let tally = std::thread::scope(|scope| {
+        let work = || {
+            let mut tally = Tally::default();
+            loop {
+                let round = next.fetch_add(1, Ordering::Relaxed);
+                if round >= rounds {
+                    return tally;
+                }
+                try_round(round, &mut tally);
+            }
+        };
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        let mut all = Tally::default();
+        workers.into_iter().for_each(|worker| all.add(worker.join().expect("a tally")));
+        all
+    });
     for command in ComparingCommand::ALL {
         let of = |at: usize| -> u32 {
             let own = tally.counts.iter().filter(|((by, _), _)| *by == command);

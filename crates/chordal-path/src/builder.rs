@@ -5,7 +5,7 @@ use chordal_command::{
     WorkName, WorkZero,
 };
 use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
-use chordal_kernel::rules::ToolLengths;
+use chordal_kernel::rules::LengthRules;
 use chordal_machine::{AXES, Machine, PerAxis};
 
 use crate::frame::ProgramFrame;
@@ -142,7 +142,7 @@ impl<'a> PathBuilder<'a> {
     /// A builder for one run. `offset` and `known` come from [`initial_offset`](chordal_gcode::initial_offset).
     pub fn new(machine: &'a Machine, offset: Position, known: AxisMask) -> PathBuilder<'a> {
         PathBuilder {
-            tip: TipTracker::new(machine, ToolLengths::Absent, known),
+            tip: TipTracker::new(machine, LengthRules::ABSENT, known),
             machine,
             frame: ProgramFrame::new(offset, known),
             run_frame: None,
@@ -154,7 +154,7 @@ impl<'a> PathBuilder<'a> {
     }
 
     /// Draws the tip of a tool where the machine puts it, not where the program assumes it to be.
-    pub fn with_tool_lengths(self, lengths: ToolLengths) -> PathBuilder<'a> {
+    pub fn with_tool_lengths(self, lengths: LengthRules) -> PathBuilder<'a> {
         let tip = TipTracker::new(self.machine, lengths, self.frame.known);
         PathBuilder { tip, ..self }
     }

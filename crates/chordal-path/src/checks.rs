@@ -13,7 +13,7 @@ use chordal_command::{
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span, TextShift};
 use chordal_geometry::{Aabb, Curve, ParamCurve, Plane, Vec3};
 use chordal_kernel::Alarms;
-use chordal_kernel::rules::ToolLengths;
+use chordal_kernel::rules::LengthRules;
 use chordal_machine::{AXES, Axis, Machine, PerAxis};
 
 use crate::builder::duration_s;
@@ -154,7 +154,7 @@ impl<'a> RunChecks<'a> {
             at_depth: false,
             legs: Vec::new(),
             contour: ContourRapid::default(),
-            tip: TipTracker::new(machine, ToolLengths::Absent, known),
+            tip: TipTracker::new(machine, LengthRules::ABSENT, known),
             cutting_speed: CuttingSpeedMemory::default(),
             turret: TurretMemory::default(),
             reported_axes: AxisMask::NONE,
@@ -174,7 +174,7 @@ impl<'a> RunChecks<'a> {
     }
 
     /// Checks the tip of a tool where the machine puts it, not where the program assumes it to be.
-    pub fn with_tool_lengths(mut self, lengths: ToolLengths) -> RunChecks<'a> {
+    pub fn with_tool_lengths(mut self, lengths: LengthRules) -> RunChecks<'a> {
         self.now.tip = TipTracker::new(self.machine, lengths, self.now.frame.known);
         self.start = self.now.clone();
         self

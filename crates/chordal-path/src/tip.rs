@@ -3,7 +3,7 @@
 
 use chordal_command::{AxisMask, Command, CommandKind, Position, WorkName};
 use chordal_geometry::Vec3;
-use chordal_kernel::rules::ToolLengths;
+use chordal_kernel::rules::{LengthRules, ToolLengths};
 use chordal_machine::{AXES, Axis, Machine, PerAxis};
 
 /// Offsets that differ by less are equal, mm: below the least increment of every control.
@@ -27,6 +27,8 @@ pub enum TipPlace {
 pub enum TipDoubt {
     /// No length offset is active, and it is not known that the work offset was set with this tool.
     NoLength,
+    /// The length that the program before this one left in force is active, and nobody knows which that is.
+    LeftInForce,
     /// The active length offset is that of another tool.
     OtherTool,
     /// G43 after G44, or G44 after G43: the lengths in the table have one sign.
@@ -37,6 +39,8 @@ pub enum TipDoubt {
 #[derive(Clone, Debug)]
 pub struct TipTracker {
     lengths: ToolLengths,
+    /// The program has not changed the length that the one before it left in force.
+    is_left_in_force: bool,
     /// The axes along which the offsets of tools differ.
     axes: &'static [usize],
     tool: u32,
@@ -70,10 +74,11 @@ const MILL_AXES: &[usize] = &[Axis::Z as usize];
 const LATHE_AXES: &[usize] = &[Axis::X as usize, Axis::Z as usize];
 
 impl TipTracker {
-    /// The state before the first command; `known` are the axes whose work offset is known.
-    pub fn new(machine: &Machine, lengths: ToolLengths, known: AxisMask) -> TipTracker {
+    /// The state before the first command by the rules of the control; `known` are the axes whose work offset is known.
+    pub fn new(machine: &Machine, lengths: LengthRules, known: AxisMask) -> TipTracker {
         TipTracker {
-            lengths,
+            lengths: lengths.source,
+            is_left_in_force: !lengths.ended_by.program_end && lengths.source == ToolLengths::Table,
             axes: if machine.turns() { LATHE_AXES } else { MILL_AXES },
             tool: 0,
             number: None,
@@ -116,6 +121,7 @@ impl TipTracker {
                 }
             }
             CommandKind::ToolLength { number, length_mm, is_subtracted, offset, known } => {
+                self.is_left_in_force = false;
                 self.number = *number;
                 self.offset = *offset;
                 self.has_values = length_mm.is_some();
@@ -181,6 +187,9 @@ impl TipTracker {
     fn placed(&self, machine: &Machine) -> TipPlace {
         if self.lengths == ToolLengths::Absent || self.tool == 0 || self.is_in_machine {
             return TipPlace::AsProgrammed;
+        }
+        if self.is_left_in_force {
+            return TipPlace::Unknown(TipDoubt::LeftInForce);
         }
         let own = self.offsets_of(machine, self.tool);
         match self.number {

@@ -373,7 +373,7 @@ impl<'a> Job<'a> {
         let rules = self.rules();
         RunChecks::new(self.machine(), offset, known, rules.units)
             .assumed(self.has_assumed_machine())
-            .with_tool_lengths(rules.length.source)
+            .with_tool_lengths(rules.length)
             .with_speed_limit_example(rules.turning.speed_limit_example)
             .with_alarms(self.profile().alarms())
     }
@@ -385,7 +385,7 @@ impl<'a> Job<'a> {
             .in_system(frame.name)
             .in_run_frame(self.run_frame())
             .without_names(self.ahead().not_named)
-            .with_tool_lengths(self.rules().length.source)
+            .with_tool_lengths(self.rules().length)
     }
 
     /// What lies between program and machine coordinates before the first block.

@@ -72,6 +72,32 @@ fn the_stock_of_a_comment_is_cut() {
 }
 
 #[test]
+fn the_tube_of_a_comment_has_its_bore() {
+    // A slot of 6 mm along the whole of a tube of 40 mm with a bore of 20 mm, 1 mm deep from its end.
+    let slot = SLOT.replace("X-10 Y30", "X-30 Y0").replace("X110", "X30");
+    let tube = "(WORKPIECE,TUBE,ZMIN=-10,ZMAX=0,DIAMETER=40,INNER_DIAMETER=20)\n";
+    let found = mill("", &format!("{tube}{slot}")).expect("stock");
+    let whole = std::f64::consts::PI * (20.0_f64.powi(2) - 10.0_f64.powi(2)) * 10.0;
+    // The area of a strip of 6 mm about the middle of a circle.
+    let strip = |r: f64| 2.0 * (3.0 * (r * r - 9.0_f64).sqrt() + r * r * (3.0 / r).asin());
+    let removed = strip(20.0) - strip(10.0);
+    let holds = |least: f64, most: f64, value: f64| least <= value && value <= most;
+    assert!(holds(found.removed_mm3.least, found.removed_mm3.most, removed), "{removed}");
+    let left = whole - removed;
+    assert!(holds(found.left_mm3.least, found.left_mm3.most, left), "{left}");
+    assert_eq!(found.verdict, StockVerdict::Clean, "{:?}", found.report.diagnostics);
+    // A bar along X, 20 mm thick, whose middle is 10 mm below Z0.
+    let bar = "(WORKPIECE,CYLINDER,AXIS=X,XMIN=0,XMAX=100,Y=30,Z=-10,DIAMETER=20)\n";
+    let found = mill("", &format!("{bar}{SLOT}")).expect("stock");
+    let whole = std::f64::consts::PI * 100.0 * 100.0;
+    let cut = found.removed_mm3.least + found.left_mm3.least;
+    assert!((cut - whole).abs() < 0.02 * whole, "{cut} instead of {whole}");
+    // A bore that is wider than the tube.
+    let wide = tube.replace("INNER_DIAMETER=20", "INNER_DIAMETER=50");
+    assert_eq!(mill("", &format!("{wide}{slot}")).expect_err("no stock"), StockRunError::NoStock);
+}
+
+#[test]
 fn what_is_no_stock_is_not_cut() {
     assert_eq!(mill("", SLOT).expect_err("no stock"), StockRunError::NoStock);
     let allowance = format!("(XY STOCK TO LEAVE - .25)\n{SLOT}");
@@ -150,7 +176,7 @@ fn designations_of_a_setup_are_those_of_its_keys() {
 }
 
 /// Pieces that comments on stock are made of.
-const PIECES: [&str; 36] = [
+const PIECES: [&str; 39] = [
     "STOCK/BLOCK",
     "STOCK ",
     "DX",
@@ -178,6 +204,9 @@ const PIECES: [&str; 36] = [
     "-2.5",
     "1e9",
     "WORKPIECE,BOX",
+    "WORKPIECE,TUBE,AXIS=X",
+    "DIAMETER=40",
+    ",INNER_DIAMETER=",
     "XMIN=0",
     "ZMAX=",
     "SBOX X0 Y0 Z-20 L1 W2 H3",

@@ -395,3 +395,70 @@ fn a_wall_has_no_ledge() {
     }
     assert!(faults_of_all.is_empty(), "{}", faults_of_all.join("\n"));
 }
+
+/// A bar of 100 × 40 × 30 mm about the axis of a rotary table.
+const TURNED_BAR: &str = "machine = 'haas-vf2'\n[axes.A]\n[rotary.A]\nturns = 'table'\n[stock]\nshape = 'box'\n\
+                          from = { X = '0 mm', Y = '-20 mm', Z = '-15 mm' }\n\
+                          to = { X = '100 mm', Y = '20 mm', Z = '15 mm' }\n";
+
+/// A slot of 10 mm along X, to a height at an angle of A.
+fn turned_slot(angle: u32, z: i32, [from, to]: [i32; 2]) -> String {
+    format!("G0 Z60.\nA{angle}.\nX{from}. Y0.\nG1 Z{z}. F600.\nX{to}.\n")
+}
+
+#[test]
+fn a_part_that_is_cut_from_several_sides_has_no_ledge() {
+    // Slots through the whole length: 5 mm deep from above and below, 8 mm deep from the sides along Y.
+    let through = [-20, 120];
+    let sides = [(0, 10), (90, 12), (180, 10), (270, 12)];
+    let blocks: String = sides.iter().map(|(angle, z)| turned_slot(*angle, *z, through)).collect();
+    // Heights and areas of the faces that look up and down, mm and mm²: the stock beside the slots, their floors, and the
+    // walls of those from the sides, which lie half their width from the axis.
+    let faces = [
+        (15.0, [3_000.0, 0.0]),
+        (10.0, [1_000.0, 0.0]),
+        (5.0, [0.0, 1_600.0]),
+        (-5.0, [1_600.0, 0.0]),
+        (-10.0, [0.0, 1_000.0]),
+        (-15.0, [0.0, 3_000.0]),
+    ];
+    for resolution in RESOLUTIONS {
+        let none = |name: &str| Err(format!("no file {name}"));
+        let setup = format!("{TURNED_BAR}{TOOLS}");
+        let machine = Machine::from_toml("setup.toml", &setup, &none).expect("a good setup");
+        let program = format!(
+            "O1\nG21 G90 G17 G54\nT1 M6\nS3000 M3\nG0 X-20. Y0. A0.\nG43 H1 Z60.\n{blocks}G0 Z60.\nM30\n"
+        );
+        let mut sources = SourceMap::new();
+        sources.add(Source::new("part.nc", program.into_bytes()));
+        let job = Job::new(sources, machine).expect("settings of the control");
+        let options = StockOptions { resolution_mm: Some(resolution), ..StockOptions::default() };
+        let found = job.stock(&options, &|name| Err(format!("no file {name}"))).expect("stock");
+        assert_eq!(found.sides, 4);
+        let made = found.surface(JOINED * resolution).expect("a surface");
+        assert!(made.mesh.edges().are_paired(), "{:?}", made.mesh.edges());
+        let (volume, left) = (made.mesh.volume(), found.left_mm3);
+        assert!(left.least <= volume && volume <= left.most, "{volume} mm³ is not in {left:?}");
+        let areas = level_areas(&made.mesh);
+        // A wall from the side is known to a column.
+        let near = resolution * (1.0 + 1.0 / 64.0);
+        let mut rest = areas.clone();
+        for (z, by_hand) in faces {
+            let mut area = [0.0; 2];
+            for (height, own) in &areas {
+                if (*height as f64 * 1e-6 - z).abs() <= near {
+                    rest.remove(height);
+                    (0..2).for_each(|side| area[side] += own[side]);
+                }
+            }
+            for side in 0..2 {
+                // Each face is bounded by two walls along X, each half a column off at most.
+                let most = 100.0 * resolution + LEAST_AREA;
+                let off = (area[side] - by_hand[side]).abs();
+                assert!(off <= most, "{area:?} mm² at {z} and {resolution}, not {by_hand:?}");
+            }
+        }
+        let ledges: f64 = rest.values().flatten().sum();
+        assert!(ledges < LEAST_AREA, "ledges of {ledges} mm²: {rest:?}");
+    }
+}

@@ -54,6 +54,15 @@ pub(super) const COMMON: &[Setting] = &[
         Certainty::Practice,
         "Haas: manual, G43 (ended by G49, H0, M30 and reset); the others: how programs are written, no manual was found",
     ),
+    setting(
+        "length_at_program_end",
+        SettingField::LENGTH_AT_PROGRAM_END,
+        &[],
+        "M2, M30 and reset: the length in force is `ended`, or `kept` for the program that follows",
+        Certainty::Practice,
+        "Haas: manual, G43 (ended by G49, H0, M30 and reset); LinuxCNC: documentation of M2 and M30, whose list has no \
+         tool length (kept); the others: how programs are written, no manual was found",
+    ),
 ];
 
 const TOOL_LENGTHS: &[(&str, ToolLengths)] = &[
@@ -79,4 +88,5 @@ setting_fields! {
     LENGTH_AT_TOOL_CHANGE = choice(rules.length.ended_by.tool_change, LENGTH_ENDS);
     LENGTH_AT_REFERENCE_RETURN = choice(rules.length.ended_by.reference_return, LENGTH_ENDS);
     LENGTH_AT_MACHINE_MOVE = choice(rules.length.ended_by.machine_move, LENGTH_ENDS);
+    LENGTH_AT_PROGRAM_END = choice(rules.length.ended_by.program_end, LENGTH_ENDS);
 }

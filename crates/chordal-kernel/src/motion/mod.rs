@@ -59,8 +59,6 @@ impl Kernel<'_> {
 
     /// Reports a rapid of Z alone in G91 by the height at which G91 became active: that height, in G90, was
     /// probably meant.
-    /// Reports a rapid of Z alone in G91 by the height at which G91 became active: that height, in G90, was
-    /// probably meant.
     #[cold]
     fn check_clearance_in_incremental(&mut self, at: &dyn Statement, motion: &Move) {
         let begun = self.state.incremental_from[2];

@@ -22,8 +22,17 @@ impl LengthRules {
         without_number: LengthWithoutNumber::InForce,
         zero_is_of_tool: false,
         adds_to_increment: false,
-        ended_by: LengthEnds { tool_change: false, reference_return: false, machine_move: false },
+        ended_by: LengthEnds {
+            tool_change: false,
+            reference_return: false,
+            machine_move: false,
+            program_end: true,
+        },
     };
+
+    /// The rules of a control without tool lengths.
+    pub const ABSENT: LengthRules =
+        LengthRules { source: ToolLengths::Absent, ..LengthRules::COMMON };
 }
 
 /// What ends the active length.
@@ -35,6 +44,9 @@ pub struct LengthEnds {
     pub reference_return: bool,
     /// A move of Z in machine coordinates (G53).
     pub machine_move: bool,
+    /// The end of the program (M2, M30) and reset: a program begins without a length. Otherwise it begins with the one
+    /// that the program before it left.
+    pub program_end: bool,
 }
 
 /// Where the length of a tool comes from.

@@ -40,6 +40,10 @@ impl RunChecks<'_> {
             TipPlace::Unknown(doubt) => {
                 let why = match doubt {
                     TipDoubt::NoLength => active,
+                    TipDoubt::LeftInForce => {
+                        "the length that the program before this one left in force is active"
+                            .to_string()
+                    }
                     TipDoubt::OtherTool => format!("{active}, which is that of another tool"),
                     TipDoubt::OtherSign => {
                         format!("{active} with the other sign than lengths before (G43, G44)")

@@ -456,14 +456,14 @@ fn compared(item: StateItem) -> (ItemCheck, bool) {
         | StateItem::Shift
         | StateItem::Tables
         | StateItem::Frames
+        | StateItem::ReadyTool
         | StateItem::PathMode
         | StateItem::Overrides => (ItemCheck::Always, true),
         StateItem::Motion
         | StateItem::Distance
         | StateItem::ArcCenter
         | StateItem::Cycle
-        | StateItem::Feed
-        | StateItem::ReadyTool => (ItemCheck::Always, false),
+        | StateItem::Feed => (ItemCheck::Always, false),
         StateItem::LengthOffset => (ItemCheck::Settled, true),
         StateItem::SpindleSpeed => (ItemCheck::Spinning, true),
         // The position is compared as far as both know it.

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use chordal_diagnostics::{Code, Diagnostic, Span};
-use chordal_machine::{Body, BodyShape};
+use chordal_machine::{Axis, Body, BodyShape};
 
 use super::run::StockRunError;
 use crate::job::Job;
@@ -62,8 +62,10 @@ fn sides(body: &Body) -> String {
         format!("{} {} to {}", ["X", "Y", "Z"][axis], rounded(from), rounded(to))
     };
     match (body.shape, body.diameter_mm) {
-        (Some(BodyShape::Cylinder), Some(diameter)) => {
-            format!("diameter {}, {} mm", rounded(diameter), along(2))
+        (Some(BodyShape::Cylinder | BodyShape::Tube), Some(diameter)) => {
+            let bore = body.bore_mm.map(|bore| format!(", bore {}", rounded(bore)));
+            let ends = along(body.axis.unwrap_or(Axis::Z) as usize);
+            format!("diameter {}{}, {ends} mm", rounded(diameter), bore.unwrap_or_default())
         }
         _ => format!("{}, {}, {} mm", along(0), along(1), along(2)),
     }

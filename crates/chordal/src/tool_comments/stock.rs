@@ -19,6 +19,9 @@ const MAX_STOCK_MM: f64 = 20_000.0;
 /// Positions that differ by less than this are equal, mm: post processors write two decimals.
 const TOLERANCE_MM: f64 = 0.02;
 
+/// The words of LinuxCNC's comments for each axis: the centre of a round stock, and its ends.
+const SIDES: [[&str; 3]; 3] = [["X", "XMIN", "XMAX"], ["Y", "YMIN", "YMAX"], ["Z", "ZMIN", "ZMAX"]];
+
 /// The stock that comments describe.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CommentedStock {
@@ -76,8 +79,24 @@ struct SizedStock {
     size: [f64; 3],
     /// The corner with the least coordinates, mm; `None` where the comment itself does not give it.
     low: Option<[f64; 3]>,
-    /// The diameter of a bar, mm; `None` for a box.
-    diameter: Option<f64>,
+    /// Its round shape; `None` for a box.
+    round: Option<RoundStock>,
+}
+
+/// A bar or a tube.
+#[derive(Clone, Copy)]
+struct RoundStock {
+    axis: Axis,
+    /// Its outer diameter, mm.
+    diameter: f64,
+    /// The diameter of the bore of a tube, mm.
+    bore: Option<f64>,
+}
+
+impl RoundStock {
+    fn bar(diameter: f64) -> RoundStock {
+        RoundStock { axis: Axis::Z, diameter, bore: None }
+    }
 }
 
 struct HeadComments {
@@ -105,7 +124,7 @@ impl HeadComments {
         let (sized, comment) = found?;
         let low = sized.low.or_else(|| self.low_corner(&sized.size));
         let place = match low {
-            Some(low) if sized.diameter.is_some() || !self.turns => {
+            Some(low) if sized.round.is_some() || !self.turns => {
                 StockPlace::Body(Box::new(body(&sized, low)))
             }
             _ => StockPlace::Size(sized.size),
@@ -124,7 +143,7 @@ impl HeadComments {
             .or_else(|| self.predator(text))
             .or_else(|| self.bar(text))
             .or_else(|| {
-                self.size_only(at, text).map(|size| SizedStock { size, low: None, diameter: None })
+                self.size_only(at, text).map(|size| SizedStock { size, low: None, round: None })
             })
     }
 
@@ -145,16 +164,16 @@ impl HeadComments {
         let (id, x, y) = (field(&own, "ID")?, length("WIDTH"), length("DEPTH"));
         let (x, y) = if makera { (length("LENGTH"), length("WIDTH")) } else { (x, y) };
         let z = length("HEIGHT")?;
-        let (size, diameter) = match id {
+        let (size, round) = match id {
             "BOX" | "CUBOID" => ([x?, y?, z], None),
             "CYLINDER" => {
                 let diameter = length("DIAMETER")?;
-                ([diameter, diameter, z], Some(diameter))
+                ([diameter, diameter, z], Some(RoundStock::bar(diameter)))
             }
             // The bore of a tube is not given.
             _ => return None,
         };
-        Some(SizedStock { size, low: self.record_low(size, mm), diameter })
+        Some(SizedStock { size, low: self.record_low(size, mm), round })
     }
 
     /// The low corner from the origin, which is given relative to the centre of the stock.
@@ -192,17 +211,34 @@ impl HeadComments {
                 let low = [of("XMIN")?, of("YMIN")?, of("ZMIN")?];
                 let high = [of("XMAX")?, of("YMAX")?, of("ZMAX")?];
                 let size = [0, 1, 2].map(|axis| high[axis] - low[axis]);
-                Some(SizedStock { size, low: Some(low), diameter: None })
+                Some(SizedStock { size, low: Some(low), round: None })
             }
-            "CYLINDER" if field(&fields, "AXIS").is_none_or(|axis| axis == "Z") => {
-                let (low, high, diameter) = (of("ZMIN")?, of("ZMAX")?, of("DIAMETER")?);
-                let centre = [of("X").unwrap_or(0.0), of("Y").unwrap_or(0.0)];
-                let corner = centre.map(|at| at - 0.5 * diameter);
-                Some(SizedStock {
-                    size: [diameter, diameter, high - low],
-                    low: Some([corner[0], corner[1], low]),
-                    diameter: Some(diameter),
-                })
+            kind @ ("CYLINDER" | "TUBE") => {
+                let axis = match field(&fields, "AXIS") {
+                    Some("X") => Axis::X,
+                    Some("Y") => Axis::Y,
+                    None | Some("Z") => Axis::Z,
+                    Some(_) => return None,
+                };
+                let bore = match kind {
+                    "TUBE" => Some(of("INNER_DIAMETER")?),
+                    _ => None,
+                };
+                let diameter = of("DIAMETER")?;
+                if bore.is_some_and(|bore| bore <= 0.0 || bore >= diameter) {
+                    return None;
+                }
+                let (mut low, mut size) = ([0.0; 3], [diameter; 3]);
+                for (at, [centre, least, most]) in SIDES.into_iter().enumerate() {
+                    if at == axis as usize {
+                        low[at] = of(least)?;
+                        size[at] = of(most)? - low[at];
+                    } else {
+                        low[at] = of(centre).unwrap_or(0.0) - 0.5 * diameter;
+                    }
+                }
+                let round = Some(RoundStock { axis, diameter, bore });
+                Some(SizedStock { size, low: Some(low), round })
             }
             _ => None,
         }
@@ -219,7 +255,7 @@ impl HeadComments {
             (at >= -TOLERANCE_MM && at <= size[axis] + TOLERANCE_MM).then_some(-at)
         };
         let low = zero(0).zip(zero(1)).zip(zero(2)).map(|((x, y), z)| [x, y, z]);
-        Some(SizedStock { size, low, diameter: None })
+        Some(SizedStock { size, low, round: None })
     }
 
     /// `SBOX X0 Y0 Z-20 L100 W50 H20`: Predator, BobCAD.
@@ -230,7 +266,7 @@ impl HeadComments {
             Some(number(word?)? * self.mm())
         };
         let low = Some([of('X')?, of('Y')?, of('Z')?]);
-        Some(SizedStock { size: [of('L')?, of('W')?, of('H')?], low, diameter: None })
+        Some(SizedStock { size: [of('L')?, of('W')?, of('H')?], low, round: None })
     }
 
     /// `Zmin:-60 Zmax:0 Diametro:40` for a lathe.
@@ -245,7 +281,7 @@ impl HeadComments {
         let diameter = of("DIAMETRO").or_else(|| of("DIAMETER"))?;
         let low = [-0.5 * diameter, -0.5 * diameter, low];
         let size = [diameter, diameter, high - low[2]];
-        Some(SizedStock { size, low: Some(low), diameter: Some(diameter) })
+        Some(SizedStock { size, low: Some(low), round: Some(RoundStock::bar(diameter)) })
     }
 
     /// Formats that give a size along each axis, without the zero, mm.
@@ -406,23 +442,25 @@ fn same(one: &[f64; 3], other: &[f64; 3]) -> bool {
 
 fn body(sized: &SizedStock, low: [f64; 3]) -> Body {
     let high = [0, 1, 2].map(|axis| low[axis] + sized.size[axis]);
-    match sized.diameter {
-        Some(diameter) => {
-            let centre = |axis: usize| Some(low[axis] + 0.5 * diameter);
-            Body {
-                shape: Some(BodyShape::Cylinder),
-                axis: Some(Axis::Z),
-                diameter_mm: Some(diameter),
-                from: [centre(0), centre(1), Some(low[2])],
-                to: [None, None, Some(high[2])],
-                ..Body::default()
-            }
-        }
-        None => Body {
+    let Some(RoundStock { axis, diameter, bore }) = sized.round else {
+        return Body {
             shape: Some(BodyShape::Box),
             from: low.map(Some),
             to: high.map(Some),
             ..Body::default()
-        },
+        };
+    };
+    let along = axis as usize;
+    let mut from = low.map(|low| Some(low + 0.5 * diameter));
+    let mut to = [None; 3];
+    (from[along], to[along]) = (Some(low[along]), Some(high[along]));
+    Body {
+        shape: Some(if bore.is_some() { BodyShape::Tube } else { BodyShape::Cylinder }),
+        axis: Some(axis),
+        diameter_mm: Some(diameter),
+        bore_mm: bore,
+        from,
+        to,
+        ..Body::default()
     }
 }

@@ -14,7 +14,7 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
     end_optional: true,
     tool_change: ToolChanger::Sender,
     rules: Rules {
-        length: LengthRules { source: ToolLengths::Absent, ..LengthRules::COMMON },
+        length: LengthRules::ABSENT,
         units: Units::Millimetre,
         rapid: RapidPath::Straight,
         bare_home_moves_all: true,

@@ -27,6 +27,8 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
             source: ToolLengths::TouchedOff,
             without_number: LengthWithoutNumber::OfTool,
             zero_is_of_tool: true,
+            // The list of what M2 and M30 change has no tool length (its documentation, M2).
+            ended_by: LengthEnds { program_end: false, ..LengthRules::COMMON.ended_by },
             ..LengthRules::COMMON
         },
         spindle_stops_at_tool_change: true,

@@ -26,7 +26,7 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         ..FirmwareBuild::COMMON
     },
     rules: Rules {
-        length: LengthRules { source: ToolLengths::Absent, ..LengthRules::COMMON },
+        length: LengthRules::ABSENT,
         units: Units::Millimetre,
         starts_without_motion: true,
         rapid: RapidPath::Straight,
