@@ -39,7 +39,7 @@ pub enum StateItem {
     Coolant,
     /// The tool in the spindle.
     Tool,
-    /// The tool made ready.
+    /// The tool made ready, where it is not the one in the spindle.
     ReadyTool,
     /// Cutter compensation.
     Side,
@@ -205,7 +205,7 @@ impl State {
             (StateItem::SpeedLimit, (*speed_limit).into()),
             (StateItem::Coolant, word(coolant)),
             (StateItem::Tool, Some(*tool).into()),
-            (StateItem::ReadyTool, (*selected_tool).into()),
+            (StateItem::ReadyTool, selected_tool.filter(|ready| ready != tool).into()),
             (StateItem::Side, word(side)),
             (StateItem::RadiusOffset, (*radius_offset).into()),
             (StateItem::WorkOffset, word(offsets.active())),

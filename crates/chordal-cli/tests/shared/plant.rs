@@ -71,7 +71,8 @@ pub const KINDS: &[Kind] = &[
     kind("word of a code", &[Code], How::Number('P', &["M62"])),
     kind("value of an output", &[Code], How::Number('Q', &["M68"])),
     kind("a code later", &[Code], How::Later("M10")),
-    kind("a code put in", &[Code], How::Insert("G1 X", "M83")),
+    // No program has it, so a conversion that leaves out codes cannot have left out this one.
+    kind("a code put in", &[Code], How::Insert("G1 X", "M22")),
     kind("a message", &[Message], How::Replace("TURN IT", "MEASURE IT")),
     kind("no alarm", &[NotRun, Value, Alarm], How::Replace("#3000=1(NO CLAMP)", "")),
     kind("an alarm", &[NotRun, Alarm], How::Replace("#3000=1(NO CLAMP)", "#3000=2(NO CLAMP)")),

@@ -457,7 +457,7 @@ impl RestartRequest<'_, '_> {
         }
         let old = EventTrace::of(self.job, draft.ran);
         let trace = EventTrace::of(&new, ran);
-        if let Some(what) = old.begins_otherwise(&trace).filter(|_| !draft.approaches) {
+        if let Some(what) = old.begins_otherwise(&trace, draft.approaches) {
             return Err(unproved(format!("{what} is another one where the program begins")));
         }
         let care = MatchLevel { exact: !draft.approaches, ..MatchLevel::default() };

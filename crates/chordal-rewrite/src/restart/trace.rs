@@ -150,10 +150,18 @@ impl EventTrace {
         recorder.trace
     }
 
-    /// What the head has not brought back as it was, although it may not show in what follows.
-    pub(super) fn begins_otherwise(&self, new: &EventTrace) -> Option<&'static str> {
+    /// What the head has not brought back as it was, although it may not show in what follows. A head that leaves a
+    /// change of tools and the approach to the program brings back the tool made ready alone.
+    pub(super) fn begins_otherwise(
+        &self,
+        new: &EventTrace,
+        approaches: bool,
+    ) -> Option<&'static str> {
         let both = [self.begin.as_deref()?, new.begin.as_deref()?];
-        different_item(both, |item| compared(item).1 && is_compared(item, both, true))
+        different_item(both, |item| match approaches {
+            true => item == StateItem::ReadyTool,
+            false => compared(item).1 && is_compared(item, both, true),
+        })
     }
 
     /// Variables that hold something after this run, and not the same after another one.
