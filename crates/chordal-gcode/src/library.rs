@@ -141,6 +141,9 @@ impl<'a> Library<'a> {
 /// Marks a call with a computed number in the list of called programs.
 const COMPUTED: u32 = u32::MAX;
 
+/// Longer lines are not searched for calls.
+const LONGEST_CALL_BYTES: usize = 4096;
+
 /// The program numbers that a text calls with literals: `M98 P1000`, `G65 P9000`; with packed repeats (`P51000`)
 /// both 51000 and 1000.
 pub fn referenced_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
@@ -151,14 +154,16 @@ pub fn referenced_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
 
 fn called_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
     let mut numbers = Vec::new();
-    for at in memchr::memmem::find_iter(text, b"98") {
-        call_at(text, at, b'M', lexicon, &mut numbers);
-    }
-    // The outline of G150 may be a program.
-    for code in [b"65".as_slice(), b"66", b"150"] {
-        for at in memchr::memmem::find_iter(text, code) {
-            call_at(text, at, b'G', lexicon, &mut numbers);
+    // The lines with a P are few.
+    let mut line_end = 0;
+    for at in memchr::memchr2_iter(b'P', b'p', text) {
+        if at < line_end {
+            continue;
         }
+        let start = memchr::memrchr2(b'\n', b'\r', &text[line_end..at]);
+        let start = start.map_or(line_end, |back| line_end + back + 1);
+        line_end = memchr::memchr2(b'\n', b'\r', &text[at..]).map_or(text.len(), |i| at + i);
+        calls_of_line(&text[start..line_end], lexicon, &mut numbers);
     }
     if lexicon.macro_lines {
         for at in memchr::memmem::find_iter(text, b"START") {
@@ -196,26 +201,26 @@ fn called_in_statement(words: &[u8], numbers: &mut Vec<u32>) {
     }
 }
 
-/// Reads the block around a call code at `at` and adds its P words.
-fn call_at(text: &[u8], at: usize, letter: u8, lexicon: &Lexicon, numbers: &mut Vec<u32>) {
-    let mut back = at;
-    while back > 0 && matches!(text[back - 1], b' ' | b'0') {
-        back -= 1;
-    }
-    if back == 0 || text[back - 1].to_ascii_uppercase() != letter {
+/// The codes that call a program by its P word. The outline of G150 may be a program.
+const CALLS: [(u8, &[u8]); 4] = [(b'M', b"98"), (b'G', b"65"), (b'G', b"66"), (b'G', b"150")];
+
+/// Adds the P words of a line that has a code of a call.
+fn calls_of_line(line: &[u8], lexicon: &Lexicon, numbers: &mut Vec<u32>) {
+    let has_call = CALLS.iter().any(|(letter, code)| {
+        memchr::memmem::find_iter(line, code).any(|at| {
+            let before = line[..at].iter().rev().find(|byte| !matches!(byte, b' ' | b'0'));
+            before.is_some_and(|byte| byte.to_ascii_uppercase() == *letter)
+        })
+    });
+    if !has_call || line.len() > LONGEST_CALL_BYTES {
         return;
     }
-    let start = memchr::memrchr2(b'\n', b'\r', &text[..at]).map_or(0, |i| i + 1);
-    let end = memchr::memchr2(b'\n', b'\r', &text[at..]).map_or(text.len(), |i| at + i);
-    if end - start > 4096 {
-        return;
-    }
-    let mut reader = BlockReader::new(&text[start..end], FileId(0), *lexicon);
+    let mut reader = BlockReader::new(line, FileId(0), *lexicon);
     let mut block = Block::new();
     while reader.read(&mut block) {
         // `IF[#1EQ2]THEN M98 P1000`: the call stands inside a macro statement.
         if let chordal_syntax::BlockKind::Macro(range) = block.kind {
-            called_in_statement(range.slice(&text[start..end]), numbers);
+            called_in_statement(range.slice(line), numbers);
         }
         for word in block.all(b'P') {
             if matches!(word.value, chordal_syntax::WordValue::Expression(_)) {

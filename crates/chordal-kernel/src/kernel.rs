@@ -165,6 +165,11 @@ impl<'a> Kernel<'a> {
     /// Emits a command of the current block, mapped into the work coordinate system.
     #[inline(always)]
     pub fn emit(&mut self, kind: CommandKind) {
+        // Most commands are moves, which own nothing that must be dropped.
+        let owns_nothing = matches!(
+            kind,
+            CommandKind::Line { .. } | CommandKind::Rapid { .. } | CommandKind::Arc { .. }
+        );
         let command = Command { kind, origin: self.origin };
         if self.corners.wait()
             || !self.state.frames.is_plain()
@@ -174,6 +179,9 @@ impl<'a> Kernel<'a> {
             return self.emit_rare(command);
         }
         self.sink.command(&command);
+        if owns_nothing {
+            std::mem::forget(command);
+        }
     }
 
     /// The rare cases of [`Kernel::emit`]: an active frame or surface, a waiting corner, a contour that is read.

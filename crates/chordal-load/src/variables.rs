@@ -50,7 +50,7 @@ impl FolderVariables {
         text: &[u8],
     ) -> Vec<Diagnostic> {
         let mut warnings = Vec::new();
-        if table.macros.form == MacroForm::None || !text.contains(&b'#') {
+        if table.macros.form == MacroForm::None || memchr::memchr(b'#', text).is_none() {
             return warnings;
         }
         for (path, dump) in &self.0 {

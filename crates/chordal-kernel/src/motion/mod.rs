@@ -37,11 +37,45 @@ impl Kernel<'_> {
             if self.state.surface_speed.is_some() && motion.from[0] != motion.to[0] {
                 self.follow_diameter();
             }
-        } else {
-            self.check_rotary(at, &motion);
-            let feed = self.feed_for(at, &motion, None);
+        } else if self.has_plain_feed(&motion) {
+            // Most of the blocks of a program. Their feed is written where the command is made, which is faster than
+            // a feed that a call returns.
+            let state = &self.state;
+            let feed = Feed {
+                value: state.feed.unwrap_or(f64::NAN),
+                mode: FeedMode::PerTime,
+                along: FeedAlong::Path,
+                spindle_rev_per_s: state.rpm / 60.0,
+                lead_change: 0.0,
+                surface: None,
+            };
             self.emit(CommandKind::Line { motion, feed });
+        } else {
+            self.straight_cut(at, motion);
         }
+    }
+
+    /// Whether the feed of a straight cut is F per time along X, Y and Z with a spindle that turns, and there is nothing
+    /// to check: what [`Kernel::feed_for`] returns then.
+    #[inline]
+    fn has_plain_feed(&self, motion: &Move) -> bool {
+        let state = &self.state;
+        state.feed_mode == FeedMode::PerTime
+            && state.feed.is_some_and(|feed| feed > 0.0)
+            && state.feed_over.is_none()
+            && state.spindle != SpindleState::Off
+            && state.rpm != 0.0
+            && state.live.is_none()
+            && state.surface_speed.is_none()
+            && motion.from[3..] == motion.to[3..]
+    }
+
+    /// A straight cut with any feed.
+    #[inline(never)]
+    fn straight_cut(&mut self, at: &dyn Statement, motion: Move) {
+        self.check_rotary(at, &motion);
+        let feed = self.feed_for(at, &motion, None);
+        self.emit(CommandKind::Line { motion, feed });
     }
 
     /// The path of a G0, with its speed on controls where G0 has one.
