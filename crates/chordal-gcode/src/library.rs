@@ -154,9 +154,9 @@ pub fn referenced_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
 
 fn called_programs(text: &[u8], lexicon: &Lexicon) -> Vec<u32> {
     let mut numbers = Vec::new();
-    // The lines with a P are few.
+    // The lines with a P or a name in brackets are few.
     let mut line_end = 0;
-    for at in memchr::memchr2_iter(b'P', b'p', text) {
+    for at in memchr::memchr3_iter(b'P', b'p', b'<', text) {
         if at < line_end {
             continue;
         }

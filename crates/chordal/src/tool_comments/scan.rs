@@ -32,7 +32,7 @@ pub(super) fn scan(job: &Job) -> Vec<(CommentedTool, Span)> {
     let mut block = Block::new();
     for (offset, line) in lines(text) {
         // Parsing a block costs more than scanning its bytes, and few lines have a comment or call a tool.
-        if scan.loose.is_none() && !may_say(line) && !(writes_tools && has_g10(line)) {
+        if scan.loose.is_none() && !may_say(line, writes_tools) {
             continue;
         }
         reader.seek(BlockPosition { offset, line: 1 });
@@ -186,22 +186,25 @@ impl ToolCommentScan<'_> {
     }
 }
 
+/// The lines of a text with their offsets; a line ends at `\n` or `\r`.
 fn lines(text: &[u8]) -> impl Iterator<Item = (u32, &[u8])> {
-    let mut offset = 0;
-    text.split_inclusive(|byte| matches!(byte, b'\n' | b'\r')).map(move |line| {
-        let at = offset;
+    let mut at = 0;
+    std::iter::from_fn(move || {
+        let rest = text.get(at..).filter(|rest| !rest.is_empty())?;
+        let length = memchr::memchr2(b'\n', b'\r', rest).map_or(rest.len(), |end| end + 1);
         // A text of 4 GB is refused long before.
-        offset += line.len() as u32;
-        (at, line)
+        let line = (at as u32, &rest[..length]);
+        at += length;
+        Some(line)
     })
 }
 
-/// Whether a line may have a comment or call a tool.
-fn may_say(line: &[u8]) -> bool {
-    line.iter().any(|byte| matches!(byte, b'(' | b';' | b'*' | b'\'' | b't' | b'T'))
-}
-
-/// Whether a line may write a tool into the control's table.
-fn has_g10(line: &[u8]) -> bool {
-    line.windows(3).any(|three| matches!(three, [b'G' | b'g', b'1', b'0']))
+/// Whether a line may have a comment or call a tool; with `writes_tools` also whether it may write one into the
+/// control's table (G10).
+fn may_say(line: &[u8], writes_tools: bool) -> bool {
+    line.iter().enumerate().any(|(at, byte)| match byte {
+        b'(' | b';' | b'*' | b'\'' | b't' | b'T' => true,
+        b'g' | b'G' => writes_tools && line[at + 1..].starts_with(b"10"),
+        _ => false,
+    })
 }
