@@ -147,6 +147,8 @@ struct Interpreter<'a> {
     units_programmed: bool,
     /// The units of F in this block, if the block changes units after F is read; `None` otherwise.
     units_of_feed: Option<Units>,
+    /// The feed that the last F set, in the unit of the state, and the number of that F.
+    feed_number: Option<(f64, f64)>,
     carried_out: bool,
     /// The previous block was a comment without its parentheses, or with an open one.
     in_remark: bool,
@@ -283,6 +285,7 @@ impl<'a> Interpreter<'a> {
             lost_jump: false,
             units_programmed: false,
             units_of_feed: None,
+            feed_number: None,
             carried_out: false,
             in_remark: false,
             macros: macros::MacroState::new(control.table, machine),

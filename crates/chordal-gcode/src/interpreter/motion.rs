@@ -328,6 +328,7 @@ impl Interpreter<'_> {
             FeedMode::InverseTime => (plain / 60.0, plain / 60.0),
             FeedMode::PerRevolution => (per_minute, per_minute),
         };
+        self.feed_number = Some((feed, plain));
         self.kernel.set_feed(self.span(word.range), feed, angular);
         if feed < 0.0 {
             self.kernel.report(

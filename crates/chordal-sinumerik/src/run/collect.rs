@@ -169,47 +169,40 @@ impl Interpreter<'_> {
         if name == "T" {
             return self.take_tool(words, word, range);
         }
-        let is_between = matches!(name, "I" | "J" | "K") && address.extension == Some(1);
-        let is_axis = AXIS_NAMES.contains(&name) && matches!(address.extension, None | Some(1));
-        let is_address =
-            matches!(name, "G" | "M" | "I" | "J" | "K") || OTHER_ADDRESSES.contains(&name);
-        if matches!(name, "A" | "B" | "C") && matches!(address.extension, Some(2..=7)) {
-            if self.is_first_report("tool direction") {
-                self.not_followed(
-                    range,
-                    "the direction of the tool is not followed: this machine has three axes",
-                );
+        let Some(kind) = AddressKind::of(name, address.extension) else {
+            if matches!(name, "A" | "B" | "C") && matches!(address.extension, Some(2..=7)) {
+                if self.is_first_report("tool direction") {
+                    self.not_followed(
+                        range,
+                        "the direction of the tool is not followed: this machine has three axes",
+                    );
+                }
+                return;
             }
-            return;
-        }
-        if !is_axis && !is_address {
             return self.assign(address, &word.value);
-        }
+        };
         if matches!(name, "S" | "M") && address.extension.is_some_and(|number| number != 1) {
             // Another spindle, which is not simulated.
             return;
         }
-        let used_for = match AXIS_NAMES.iter().position(|axis| is_axis && *axis == name) {
-            Some(axis) => UnknownUse::Axis(axis),
-            None => UnknownUse::of_address(name),
+        let used_for = match kind {
+            AddressKind::Axis(axis) => UnknownUse::Axis(axis),
+            _ => UnknownUse::of_address(name),
         };
         let Some(value) = self.word_value(words, name, used_for, &word.value, range) else {
             return;
         };
-        let place = |letters: &[&str]| letters.iter().position(|letter| *letter == name);
-        let slot = match name {
-            "G" => return words.g_codes.push((value.value.round().max(0.0) as u32, range)),
-            "M" => return words.m_codes.push((value.value.round().max(0.0) as u32, range)),
-            _ if is_axis => place(&AXIS_NAMES).map(|axis| &mut words.axes[axis]),
-            "I" | "J" | "K" if is_between => {
-                place(&CENTER_NAMES).map(|axis| &mut words.between[axis])
+        let slot = match kind {
+            AddressKind::GCode => {
+                return words.g_codes.push((value.value.round().max(0.0) as u32, range));
             }
-            "I" | "J" | "K" => place(&CENTER_NAMES).map(|axis| &mut words.centers[axis]),
-            _ => {
-                let Some(known) = OTHER_ADDRESSES.iter().copied().find(|known| *known == name)
-                else {
-                    return;
-                };
+            AddressKind::MCode => {
+                return words.m_codes.push((value.value.round().max(0.0) as u32, range));
+            }
+            AddressKind::Axis(axis) => &mut words.axes[axis],
+            AddressKind::Center(axis) => &mut words.centers[axis],
+            AddressKind::Between(axis) => &mut words.between[axis],
+            AddressKind::Other(known) => {
                 if words.other(known).is_some() {
                     let message = format!("{known} is programmed twice in this block");
                     return self.alarm(12010, Code::RepeatedWord, range, message);
@@ -217,7 +210,6 @@ impl Interpreter<'_> {
                 return words.others.push((known, value));
             }
         };
-        let Some(slot) = slot else { return };
         if slot.is_some() {
             let message = format!("{name} is programmed twice in this block");
             return self.alarm(12010, Code::RepeatedWord, range, message);
@@ -302,5 +294,46 @@ impl Interpreter<'_> {
         }
         let value = self.number_of(&value, expression.range)?;
         Some(ValueWord { value, function, range })
+    }
+}
+
+/// What an address with a number is.
+#[derive(Clone, Copy)]
+enum AddressKind {
+    GCode,
+    MCode,
+    /// X, Y, Z, A, B, C by their index.
+    Axis(usize),
+    /// I, J, K by the index of their axis.
+    Center(usize),
+    /// I1, J1, K1 by the index of their axis.
+    Between(usize),
+    /// One of [`OTHER_ADDRESSES`].
+    Other(&'static str),
+}
+
+impl AddressKind {
+    /// The kind of an address; `None` for a name that is none.
+    fn of(name: &str, extension: Option<u32>) -> Option<AddressKind> {
+        let is_first = matches!(extension, None | Some(1));
+        let axis = |names: &[&str]| names.iter().position(|own| *own == name);
+        match name {
+            "G" => Some(AddressKind::GCode),
+            "M" => Some(AddressKind::MCode),
+            "I" | "J" | "K" if extension == Some(1) => {
+                Some(AddressKind::Between(axis(&CENTER_NAMES)?))
+            }
+            "I" | "J" | "K" => Some(AddressKind::Center(axis(&CENTER_NAMES)?)),
+            _ if is_first
+                && name.len() == 1
+                && let Some(axis) = axis(&AXIS_NAMES) =>
+            {
+                Some(AddressKind::Axis(axis))
+            }
+            _ => {
+                let known = OTHER_ADDRESSES.iter().copied().find(|known| *known == name);
+                known.map(AddressKind::Other)
+            }
+        }
     }
 }

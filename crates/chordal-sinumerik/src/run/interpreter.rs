@@ -156,8 +156,13 @@ impl<'a> Interpreter<'a> {
 
     fn run_blocks(&mut self, wants_blocks: bool) -> EndReason {
         loop {
-            let plain = self.takes_plain_lines();
-            let plain = if plain { self.running().reader.next_plain() } else { None };
+            let plain = match self.takes_plain_lines() {
+                true => {
+                    let needs_motion = !self.moves_straight();
+                    self.running().reader.next_plain(needs_motion)
+                }
+                false => None,
+            };
             let flow = match plain {
                 Some(line) => match self.count_block() {
                     Some(reason) => return reason,
@@ -251,30 +256,30 @@ impl<'a> Interpreter<'a> {
             return flow;
         }
         let words = self.collect(block);
-        self.carry_out(block, words)
+        self.carry_out(block, &words)
     }
 
     /// Carries out the words of a block in the order of the control: modes, tool, speed and feed, motion, and what comes
     /// at the end of the block.
-    fn carry_out(&mut self, block: &ProgramBlock, words: BlockWords) -> BlockFlow {
+    fn carry_out(&mut self, block: &ProgramBlock, words: &BlockWords) -> BlockFlow {
         let range = block.range;
-        self.set_modes(&words);
-        self.set_frames(range, &words);
-        self.set_tool(&words);
-        self.set_feed_and_speed(&words);
-        self.functions_before(&words);
-        self.set_compensation(range, &words);
-        let has_moved = self.moves(range, &words);
+        self.set_modes(words);
+        self.set_frames(range, words);
+        self.set_tool(words);
+        self.set_feed_and_speed(words);
+        self.functions_before(words);
+        self.set_compensation(range, words);
+        let has_moved = self.moves(range, words);
         if words.positioned != AxisMask::NONE {
             // They move at their own pace, and not to the end before the next block begins (POSA).
             self.kernel.go_astray(words.positioned);
             self.lose_path(range, "where the axis is", "the motion of POS");
         }
-        self.end_block_modes(&words);
+        self.end_block_modes(words);
         if has_moved && let flow @ BlockFlow::End(_) = self.fire_modal_call(range) {
             return flow;
         }
-        self.functions_after(&words)
+        self.functions_after(words)
     }
 
     /// The value of an expression; a problem is reported, and `None` returned.

@@ -1,11 +1,13 @@
 //! Carries out plain lines: straight moves between points that stand in the text.
 
 use chordal_command::{AxisMask, Origin};
-use chordal_kernel::ModalMotion;
+use chordal_diagnostics::Span;
+use chordal_geometry::Plane;
+use chordal_kernel::{ModalMotion, Statement, WordMeaning};
 
 use super::interpreter::Interpreter;
 use super::run_state::{PathMotion, TransverseReading};
-use super::words::{BlockStatementView, BlockWords, ValueWord};
+use super::words::{center_words, name_of_word, span_of_words};
 use crate::syntax::PlainLine;
 
 impl Interpreter<'_> {
@@ -14,12 +16,16 @@ impl Interpreter<'_> {
     pub(super) fn takes_plain_lines(&self) -> bool {
         let modes = &self.modes;
         self.modal_call.is_none()
-            && matches!(modes.motion, PathMotion::Rapid | PathMotion::Linear)
             && !self.kernel.state.incremental
             && modes.is_plain_frame
             && modes.modal_rounding_mm == 0.0
             && modes.transverse == TransverseReading::Radius
             && modes.open_approach.is_none()
+    }
+
+    /// Whether G0 or G1 is active.
+    pub(super) fn moves_straight(&self) -> bool {
+        matches!(self.modes.motion, PathMotion::Rapid | PathMotion::Linear)
     }
 
     /// Carries out a plain line, as `block` would do it.
@@ -34,11 +40,8 @@ impl Interpreter<'_> {
         if let Some(is_rapid) = line.is_rapid {
             self.modes.motion = if is_rapid { PathMotion::Rapid } else { PathMotion::Linear };
         }
-        let mut words = BlockWords::default();
         if let Some(feed) = line.feed {
             self.set_feed_word(feed.value, feed.range);
-            let word = ValueWord { value: feed.value, function: None, range: feed.range };
-            words.others.push(("F", word));
         }
         let unit = self.unit_mm();
         let start = self.kernel.state.position;
@@ -48,8 +51,6 @@ impl Interpreter<'_> {
             let Some(word) = word else { continue };
             end[axis] = word.value * unit;
             named.insert(axis);
-            words.axes[axis] =
-                Some(ValueWord { value: word.value, function: None, range: word.range });
         }
         if named == AxisMask::NONE {
             return;
@@ -60,13 +61,51 @@ impl Interpreter<'_> {
             PathMotion::Rapid => ModalMotion::Rapid,
             _ => ModalMotion::Linear,
         };
-        let view = BlockStatementView { span, words: &words };
-        self.kernel.straight(&view, end, named);
+        self.kernel.straight(&PlainLineView { span, line }, end, named);
         let end = self.kernel.state.position;
         let along: [f64; 3] = std::array::from_fn(|axis| end[axis] - start[axis]);
         if along != [0.0; 3] {
             self.modes.last_direction = Some(along);
         }
         self.kernel.corner_move_done();
+    }
+}
+
+/// A plain line as the kernel sees it.
+struct PlainLineView<'l> {
+    span: Span,
+    line: &'l PlainLine,
+}
+
+impl Statement for PlainLineView<'_> {
+    fn span(&self) -> Span {
+        self.span
+    }
+
+    fn words(&self, what: WordMeaning) -> Span {
+        let WordMeaning::Axes(axes) = what else { return self.span };
+        let words = self.line.axes.iter().enumerate().filter(|(axis, _)| axes.has(*axis));
+        span_of_words(self.span, words.filter_map(|(_, word)| Some(word.as_ref()?.range)))
+    }
+
+    fn name(&self, what: WordMeaning) -> &'static str {
+        name_of_word(what)
+    }
+
+    fn center_names(&self, plane: Plane) -> [&'static str; 2] {
+        center_words(plane)
+    }
+
+    fn number(&self, _: WordMeaning) -> Option<String> {
+        None
+    }
+
+    fn has(&self, what: WordMeaning) -> bool {
+        let WordMeaning::Axes(axes) = what else { return false };
+        self.line.axes.iter().enumerate().any(|(axis, word)| axes.has(axis) && word.is_some())
+    }
+
+    fn has_feed(&self) -> bool {
+        self.line.feed.is_some()
     }
 }

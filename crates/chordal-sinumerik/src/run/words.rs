@@ -122,11 +122,32 @@ pub struct BlockStatementView<'b> {
 
 impl BlockStatementView<'_> {
     fn span_of(&self, ranges: impl Iterator<Item = TextRange>) -> Span {
-        let joined = ranges.reduce(|all, range| {
-            TextRange::new(all.start.min(range.start), all.end.max(range.end))
-        });
-        joined.map_or(self.span, |range| Span { file: self.span.file, range })
+        span_of_words(self.span, ranges)
     }
+}
+
+/// The span of words of a block; that of the whole block where there are none.
+pub fn span_of_words(block: Span, words: impl Iterator<Item = TextRange>) -> Span {
+    let joined = words
+        .reduce(|all, range| TextRange::new(all.start.min(range.start), all.end.max(range.end)));
+    joined.map_or(block, |range| Span { file: block.file, range })
+}
+
+/// The spelling of the words with a meaning, for messages.
+pub fn name_of_word(what: WordMeaning) -> &'static str {
+    match what {
+        WordMeaning::Center => "I, J or K",
+        WordMeaning::CenterOrRadius => "CR=",
+        WordMeaning::Count => "TURN=",
+        WordMeaning::LengthOffset => "D",
+        _ => "this word",
+    }
+}
+
+/// The spelling of the centre words of the two axes of a plane.
+pub fn center_words(plane: Plane) -> [&'static str; 2] {
+    let (a, b, _) = plane.axes();
+    [a, b].map(|axis| CENTER_NAMES[axis])
 }
 
 impl Statement for BlockStatementView<'_> {
@@ -160,18 +181,11 @@ impl Statement for BlockStatementView<'_> {
     }
 
     fn name(&self, what: WordMeaning) -> &'static str {
-        match what {
-            WordMeaning::Center => "I, J or K",
-            WordMeaning::CenterOrRadius => "CR=",
-            WordMeaning::Count => "TURN=",
-            WordMeaning::LengthOffset => "D",
-            _ => "this word",
-        }
+        name_of_word(what)
     }
 
     fn center_names(&self, plane: Plane) -> [&'static str; 2] {
-        let (a, b, _) = plane.axes();
-        [a, b].map(|axis| CENTER_NAMES[axis])
+        center_words(plane)
     }
 
     fn number(&self, what: WordMeaning) -> Option<String> {

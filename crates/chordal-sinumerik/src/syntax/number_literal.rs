@@ -27,6 +27,9 @@ const POWERS: [f64; MAX_EXACT_POWER as usize + 1] = [
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
 
+/// A mantissa up to this holds one more digit.
+const MAX_MANTISSA_BEFORE_DIGIT: u64 = (u64::MAX - 9) / 10;
+
 /// The parts of a number before they are joined.
 #[derive(Default)]
 struct NumberParts {
@@ -72,10 +75,9 @@ pub(super) fn read_number(text: &[u8]) -> Option<(usize, NumberLiteral)> {
 fn add_digits(text: &[u8], parts: &mut NumberParts) -> usize {
     let mut count = 0;
     while let Some(digit) = text.get(count).filter(|byte| byte.is_ascii_digit()) {
-        let next = parts.mantissa.checked_mul(10);
-        match next.and_then(|value| value.checked_add(u64::from(digit - b'0'))) {
-            Some(value) => parts.mantissa = value,
-            None => parts.is_long = true,
+        match parts.mantissa <= MAX_MANTISSA_BEFORE_DIGIT {
+            true => parts.mantissa = parts.mantissa * 10 + u64::from(digit - b'0'),
+            false => parts.is_long = true,
         }
         count += 1;
     }

@@ -35,19 +35,33 @@ pub struct PlainLine {
 impl BlockReader<'_> {
     /// Goes on at the next line that may name a program: those of letters with numbers alone name none.
     pub fn skip_lines_without_calls(&mut self) {
-        loop {
-            let rest = self.rest();
-            let length = memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
-            if rest.is_empty() || may_call(&rest[..length]) {
-                return;
+        let rest = self.rest();
+        let (mut start, mut lines) = (0, 0);
+        let mut was_letter = false;
+        let mut at = 0;
+        while let Some(byte) = rest.get(at) {
+            at += 1;
+            let class = CLASS_OF_BYTE[usize::from(*byte)];
+            if class == ByteClass::Other {
+                was_letter = false;
+                continue;
             }
-            let end = if length < rest.len() { line_end_length(&rest[length..]) } else { 0 };
-            self.advance(length + end, end > 0);
+            if class == ByteClass::LineEnd {
+                at += line_end_length(&rest[at - 1..]) - 1;
+                (start, lines, was_letter) = (at, lines + 1, false);
+                continue;
+            }
+            if was_letter || class == ByteClass::LetterOfCall {
+                return self.advance_lines(start, lines);
+            }
+            was_letter = true;
         }
+        self.advance_lines(rest.len(), lines);
     }
 
-    /// Reads the next line if it is a plain one; otherwise `None`, and nothing is read.
-    pub fn next_plain(&mut self) -> Option<PlainLine> {
+    /// Reads the next line if it is a plain one, with G0 or G1 where it `needs_motion`; otherwise `None`, and nothing is
+    /// read.
+    pub fn next_plain(&mut self, needs_motion: bool) -> Option<PlainLine> {
         let start = self.offset();
         let rest = self.rest();
         let mut found = PlainLine {
@@ -59,25 +73,39 @@ impl BlockReader<'_> {
             feed: None,
         };
         let length = read_plain(rest, start, &mut found)?;
+        if needs_motion && found.is_rapid.is_none() {
+            return None;
+        }
         found.range.end = start + length as u32;
         let end = if length < rest.len() { line_end_length(&rest[length..]) } else { 0 };
-        self.advance(length + end, end > 0);
+        self.advance_lines(length + end, u32::from(end > 0));
         Some(found)
     }
 }
 
-/// Whether a line may name a program: it has two letters next to each other, or an L.
-fn may_call(line: &[u8]) -> bool {
-    let mut was_letter = false;
-    for byte in line {
-        let is_letter = byte.is_ascii_alphabetic() || *byte == b'_';
-        if is_letter && (was_letter || matches!(byte, b'L' | b'l')) {
-            return true;
-        }
-        was_letter = is_letter;
-    }
-    false
+/// What a byte says about whether its line may name a program: such a line has two letters next to each other, or an L.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum ByteClass {
+    Other,
+    Letter,
+    LetterOfCall,
+    LineEnd,
 }
+
+const CLASS_OF_BYTE: [ByteClass; 256] = {
+    let mut classes = [ByteClass::Other; 256];
+    let mut byte = 0;
+    while byte < classes.len() {
+        classes[byte] = match byte as u8 {
+            b'L' | b'l' => ByteClass::LetterOfCall,
+            b'A'..=b'Z' | b'a'..=b'z' | b'_' => ByteClass::Letter,
+            b'\n' | b'\r' => ByteClass::LineEnd,
+            _ => ByteClass::Other,
+        };
+        byte += 1;
+    }
+    classes
+};
 
 /// Reads the words of a line; the length of the line without its end. `None` for any other line.
 fn read_plain(text: &[u8], start: u32, found: &mut PlainLine) -> Option<usize> {

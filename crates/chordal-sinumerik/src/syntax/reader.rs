@@ -57,10 +57,10 @@ impl<'t> BlockReader<'t> {
         self.text.get(self.at..self.end).unwrap_or(&[])
     }
 
-    /// Goes on after some bytes, which end a line or not.
-    pub(super) fn advance(&mut self, bytes: usize, ends_line: bool) {
+    /// Goes on after some bytes, in which so many lines end.
+    pub(super) fn advance_lines(&mut self, bytes: usize, lines: u32) {
         self.at += bytes;
-        self.line += u32::from(ends_line);
+        self.line += lines;
     }
 
     /// The next line with its number, whatever is in it; `None` at the end.

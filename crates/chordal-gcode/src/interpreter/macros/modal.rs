@@ -31,10 +31,14 @@ impl Interpreter<'_> {
         }
     }
 
-    /// F in the unit of the program; `None` before an F.
+    /// The number of F: as it was written, also where the units have changed since, or of a feed that came about in
+    /// another way in the unit of the program; `None` before an F.
     pub(super) fn feed_word(&self) -> Option<f64> {
         let state = &self.kernel.state;
         let feed = state.feed?;
+        if let Some((_, number)) = self.feed_number.filter(|(value, _)| *value == feed) {
+            return Some(number);
+        }
         Some(match state.feed_mode {
             FeedMode::PerTime => feed * 60.0 / self.unit(),
             FeedMode::InverseTime => feed * 60.0,
