@@ -199,6 +199,19 @@ fn spaces_are_put_between_words() {
 }
 
 #[test]
+fn a_part_program_of_another_language_is_spaced_as_a_whole() {
+    let written =
+        "%_N_PART_MPF\nG17G90  G0 X0Y0 Z5\n/2 N20   G1X=R1+2 F100 ;to the  corner\nEND: M30  \n";
+    let program = on("sinumerik-mill", written);
+    let edits = program.spaced(1, u32::MAX).expect("nothing moves otherwise");
+    let text = String::from_utf8(program.edited(&edits)).expect("a text");
+    let wanted =
+        "%_N_PART_MPF\nG17 G90 G0 X0 Y0 Z5\n/2N20 G1 X=R1+2 F100 ;to the  corner\nEND: M30\n";
+    assert_eq!(text, wanted);
+    assert_eq!(program.with_text(text.into()).spaced(1, u32::MAX), Ok(vec![]));
+}
+
+#[test]
 fn numbers_change_with_their_jumps() {
     let numbering = NumberingOptions { first: 10, step: 10, all: true };
     let program = haas("O1\nG90\nN7 G0 X1.\n#1=1\nIF[#1EQ1]GOTO 7\nM97 P9\nM30\nN9 X2.\nM99\n");

@@ -6,6 +6,7 @@ use chordal_diagnostics::TextRange;
 use chordal_kernel::TokenClass;
 use chordal_sinumerik::syntax::{
     BlockReader, ComparisonPrecedence, ProgramUnitKind, StatementKind, tokens, units,
+    with_uniform_spacing,
 };
 use compact::{block_text, blocks, line};
 
@@ -316,4 +317,41 @@ fn tokens_of_lines() {
     );
     let part = tokens(text.as_bytes(), TextRange::new(20, 25));
     assert_eq!(part.len(), 2);
+}
+
+#[test]
+fn uniform_spacing_changes_no_block_of_any_program() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs");
+    let mut folders = vec![folder];
+    let (mut programs, mut changed) = (0, 0);
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let text = std::fs::read_to_string(&path).expect("a text");
+            let read = |text: &str| -> Vec<String> {
+                let blocks = BlockReader::new(text.as_bytes());
+                blocks.map(|block| block_text(text, &block)).collect()
+            };
+            let space = |text: &str| {
+                String::from_utf8(with_uniform_spacing(text.as_bytes())).expect("a text")
+            };
+            // As it is written, and with more blanks where they are not part of a text.
+            let wide = |line: &str| match line.contains(['"', ';']) {
+                true => format!("{line}\n"),
+                false => format!("  {}\n", line.replace(' ', "  ")),
+            };
+            for text in [text.clone(), text.lines().map(wide).collect()] {
+                let spaced = space(&text);
+                assert_eq!(read(&spaced), read(&text), "{}", path.display());
+                assert_eq!(space(&spaced), spaced, "{}", path.display());
+                changed += usize::from(spaced != text);
+            }
+            programs += 1;
+        }
+    }
+    assert!(programs > 500 && changed > 500, "{programs} programs, {changed} changed");
 }

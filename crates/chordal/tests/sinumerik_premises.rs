@@ -180,3 +180,50 @@ fn a_chain_of_frames_in_a_table_is_the_work_offset() {
         assert_eq!(found, [(Code::NotFollowed, Severity::Error)], "{chain}");
     }
 }
+
+/// The leads of the cuts of a lathe program, mm: mean along the path, and change in each revolution.
+fn leads(text: &str) -> Vec<[f64; 2]> {
+    #[derive(Default)]
+    struct Leads(Vec<[f64; 2]>);
+    impl PathSink for Leads {
+        fn command(&mut self, path: PathCommand<'_>) {
+            if let CommandKind::Line { feed, .. } = &path.command.kind {
+                self.0.push([feed.value, feed.lead_change]);
+            }
+        }
+        fn diagnostic(&mut self, _: Diagnostic, _: &Origin) {}
+    }
+    let machine = Machine::from_builtin("sinumerik-lathe").expect("a built-in machine");
+    let mut found = Leads::default();
+    job(text, &[], machine).compensated(None, &mut found);
+    found.0
+}
+
+#[test]
+fn the_lead_of_a_thread_changes_with_each_revolution() {
+    let head = "G18 G90 G95 DIAMOF\nT1 D1\nS600 M3\nG0 X20 Z5\n";
+    let near = |found: &[[f64; 2]], expected: &[[f64; 2]]| {
+        let pairs = found.iter().flatten().zip(expected.iter().flatten());
+        found.len() == expected.len() && pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-9)
+    };
+    // Over 20 mm the square of the lead grows by 2 · 0.1 · 20 to 5; with G35 it falls from 4 by 2 · 0.02 · 20.
+    let cylinder = format!("{head}G34 Z-15 K1 F0.1\nG35 Z-35 K=2 F0.02\nM30\n");
+    let (grown, fallen) = (0.5 * (1.0 + 5_f64.sqrt()), 0.5 * (2.0 + 3.2_f64.sqrt()));
+    let found = leads(&cylinder);
+    assert!(near(&found, &[[grown, 0.1], [fallen, -0.02]]), "{found:?}");
+    // On a taper the path is longer than the way of Z.
+    let taper = format!("{head}G34 X35 Z-15 K1 F0.1\nM30\n");
+    let longer = 15_f64.hypot(20.0) / 20.0;
+    let found = leads(&taper);
+    assert!(near(&found, &[[grown * longer, 0.1 * longer]]), "{found:?}");
+    // Without F the lead stays.
+    let constant = format!("{head}G34 Z-15 K1\nM30\n");
+    assert!(near(&leads(&constant), &[[1.0, 0.0]]));
+    // A lead that becomes zero on the way: 1 mm squared is used up after 5 mm.
+    let vanishing = format!("{head}G35 Z-15 K1 F0.1\nM30\n");
+    let machine = Machine::from_builtin("sinumerik-lathe").expect("a built-in machine");
+    let report = job(&vanishing, &[], machine).check();
+    let error = report.diagnostics.iter().find(|found| found.severity == Severity::Error);
+    let message = &error.expect("an error").message;
+    assert!(message.contains("becomes zero after 5 mm of 20 mm"), "{message}");
+}

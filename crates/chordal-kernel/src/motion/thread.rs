@@ -12,7 +12,7 @@ impl Kernel<'_> {
     }
 
     /// The same with a changing lead: its mean along the path, mm, and its change per revolution, mm.
-    pub(crate) fn changing_thread(
+    pub fn changing_thread(
         &mut self,
         target: Position,
         named: AxisMask,

@@ -150,7 +150,8 @@ impl Interpreter<'_> {
             }
             33 | 331 | 332 => self.modes.motion = PathMotion::Thread,
             63 => {}
-            34 | 35 | 335 | 336 | 5 | 7 => {
+            34 | 35 => self.modes.motion = PathMotion::ChangingThread { grows: code == 34 },
+            335 | 336 | 5 | 7 => {
                 self.modes.motion = PathMotion::NotFollowed;
                 self.not_followed(
                     range,
@@ -248,7 +249,8 @@ impl Interpreter<'_> {
             let message = "G96 needs S, the cutting speed";
             self.alarm(10900, Code::SpindleStopped, self.here(), message);
         }
-        if let Some(feed) = words.other("F") {
+        let is_of_thread = matches!(self.modes.motion, PathMotion::ChangingThread { .. });
+        if let Some(feed) = words.other("F").filter(|_| !is_of_thread) {
             self.set_feed_word(feed.value, feed.range);
         }
     }

@@ -75,6 +75,9 @@ impl Interpreter<'_> {
                 }
             }
             PathMotion::Thread => self.thread_move(&view, range, words, &target),
+            PathMotion::ChangingThread { grows } => {
+                self.changing_thread_move(&view, range, words, &target, grows);
+            }
             PathMotion::Arc(_) | PathMotion::ThroughPoint | PathMotion::Tangent => {
                 self.arc(&view, range, words, &target);
             }
@@ -97,7 +100,13 @@ impl Interpreter<'_> {
 
     /// Whether the motion in force is a straight one.
     fn goes_straight(&self) -> bool {
-        matches!(self.modes.motion, PathMotion::Rapid | PathMotion::Linear | PathMotion::Thread)
+        matches!(
+            self.modes.motion,
+            PathMotion::Rapid
+                | PathMotion::Linear
+                | PathMotion::Thread
+                | PathMotion::ChangingThread { .. }
+        )
     }
 
     /// G74: the reference point of the named axes. G75: a fixed point, whose place no reference of a machine file gives.

@@ -11,7 +11,7 @@ use super::interpreter::Interpreter;
 use super::program_texts::{ProgramText, ProgramTexts};
 use crate::cycles::CYCLES;
 use crate::settings::SinumerikSettings;
-use crate::syntax::{BlockReader, ProgramUnitKind, tokens};
+use crate::syntax::{BlockReader, ProgramUnitKind, tokens, with_uniform_spacing};
 use crate::vocabulary::{meaning_of, words};
 
 /// The programs of some texts with the machine and its control.
@@ -105,5 +105,9 @@ impl ProgramSet for SinumerikPrograms<'_> {
         let completion =
             |(word, meaning): (&str, String)| WordCompletion { word: word.into(), meaning };
         words.chain(cycles).map(completion).collect()
+    }
+
+    fn formatted(&self) -> Option<String> {
+        String::from_utf8(with_uniform_spacing(self.texts.text(FileId(0)))).ok()
     }
 }

@@ -134,6 +134,11 @@ pub enum PathMotion {
     Tangent,
     /// G33, G331 and G332.
     Thread,
+    /// G34 and G35.
+    ChangingThread {
+        /// The lead becomes greater.
+        grows: bool,
+    },
     /// A motion that is not carried out; its ends are taken as straight cuts.
     NotFollowed,
 }
