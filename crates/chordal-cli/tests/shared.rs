@@ -266,8 +266,11 @@ fn try_round(round: u64, tally: &mut Tally) {
 }
 
 #[test]
+#[allow(
+    clippy::disallowed_methods,
+    reason = "a test reads how many rounds it is to run, and runs them on all processors"
+)]
 fn planted_differences_are_seen_or_ignored_by_intent() {
-    #[allow(clippy::disallowed_methods, reason = "a test reads how many rounds it is to run")]
     let rounds = std::env::var("CHORDAL_ROUNDS").ok().and_then(|text| text.parse().ok());
     let rounds = rounds.unwrap_or(24u64);
     let next = AtomicU64::new(0);

@@ -124,7 +124,8 @@ impl HeadComments {
         let (sized, comment) = found?;
         let low = sized.low.or_else(|| self.low_corner(&sized.size));
         let place = match low {
-            Some(low) if sized.round.is_some() || !self.turns => {
+            // The stock of a lathe turns about Z.
+            Some(low) if !self.turns || sized.round.is_some_and(|round| round.axis == Axis::Z) => {
                 StockPlace::Body(Box::new(body(&sized, low)))
             }
             _ => StockPlace::Size(sized.size),
