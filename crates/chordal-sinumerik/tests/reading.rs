@@ -320,6 +320,7 @@ fn tokens_of_lines() {
 }
 
 #[test]
+#[allow(clippy::disallowed_methods, reason = "the programs are files")]
 fn uniform_spacing_changes_no_block_of_any_program() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs");
     let mut folders = vec![folder];
