@@ -34,6 +34,7 @@ struct BlockMemory {
     reported: ReportedOnce,
     lost_jump: bool,
     units_programmed: bool,
+    begun_by_percent: bool,
     feed_number: Option<(f64, f64)>,
     carried_out: bool,
     kept_modes: Vec<KeptModes>,
@@ -103,6 +104,7 @@ impl Interpreter<'_> {
             reported: ReportedOnce { excess_decimals: false, ..self.reported.clone() },
             lost_jump: self.lost_jump,
             units_programmed: self.units_programmed,
+            begun_by_percent: self.begun_by_percent,
             feed_number: self.feed_number,
             carried_out: self.carried_out,
             kept_modes: self.kept_modes.clone(),
@@ -132,6 +134,7 @@ impl Interpreter<'_> {
         self.reported = memory.reported;
         self.lost_jump = memory.lost_jump;
         self.units_programmed = memory.units_programmed;
+        self.begun_by_percent = memory.begun_by_percent;
         self.feed_number = memory.feed_number;
         self.carried_out = memory.carried_out;
         self.kept_modes = memory.kept_modes;
