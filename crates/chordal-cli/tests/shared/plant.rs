@@ -102,9 +102,9 @@ pub fn plant(kind: &Kind, text: &str, dice: &mut Dice) -> Option<String> {
             let at = pick(&has)?;
             let (from, to) = number_of(lines[at], letter)?;
             let number: f64 = lines[at][from..to].parse().ok()?;
-            // The radius of a flat arc moves it by little, and rates are rounded.
+            // The radius of a flat arc moves it by little, less than what a conversion may round; rates are rounded.
             let by = match letter {
-                'R' => 40.0,
+                'R' => -0.9 * number,
                 'F' | 'S' => 0.2 * number,
                 _ if lines[at][from..to].contains('.') => 1.5,
                 _ => 1.0,

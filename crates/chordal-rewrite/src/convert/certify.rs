@@ -94,6 +94,10 @@ fn is_left_out(difference: &Difference, [old, new]: [&Job; 2]) -> bool {
             let [Some(from), Some(to)] = controls else { return true };
             codes::is_only_of(words, from, to)
         }
+        // On the same control a variable means the same, so it must have the same value.
+        (Category::Variable, Some([DifferenceValue::Text(_), DifferenceValue::Text(_)])) => {
+            old.profile().name != new.profile().name
+        }
         (Category::Message | Category::Alarm | Category::Variable, _) => true,
         _ => false,
     }
