@@ -25,7 +25,11 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         pocket_is_one_circle: true,
         cycles: CYCLES,
         frames: FRAMES,
-        length: LengthRules { zero_is_of_tool: false, ..FAMILY.rules.length },
+        length: LengthRules {
+            zero_is_of_tool: false,
+            ended_by: LengthRules::COMMON.ended_by,
+            ..FAMILY.rules.length
+        },
         ..FAMILY.rules
     },
     ..FAMILY
