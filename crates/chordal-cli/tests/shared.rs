@@ -128,11 +128,16 @@ impl Tally {
         &mut self,
         command: ComparingCommand,
         is_same: bool,
-        told: impl FnOnce() -> String,
+        detail: impl FnOnce() -> String,
     ) {
         *self.proved.entry(command).or_default() += 1;
         if !is_same {
-            self.false_alarms.push(format!("round {}, {}: {}", self.round, command.word(), told()));
+            self.false_alarms.push(format!(
+                "round {}, {}: {}",
+                self.round,
+                command.word(),
+                detail()
+            ));
         }
     }
 }

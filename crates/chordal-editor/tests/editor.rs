@@ -205,9 +205,9 @@ fn a_part_program_of_another_language_is_spaced_as_a_whole() {
     let program = on("sinumerik-mill", written);
     let edits = program.spaced(1, u32::MAX).expect("nothing moves otherwise");
     let text = String::from_utf8(program.edited(&edits)).expect("a text");
-    let wanted =
+    let expected =
         "%_N_PART_MPF\nG17 G90 G0 X0 Y0 Z5\n/2N20 G1 X=R1+2 F100 ;to the  corner\nEND: M30\n";
-    assert_eq!(text, wanted);
+    assert_eq!(text, expected);
     assert_eq!(program.with_text(text.into()).spaced(1, u32::MAX), Ok(vec![]));
 }
 

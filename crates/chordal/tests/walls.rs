@@ -84,12 +84,17 @@ pitch = '1.75 mm'
 flute_length = '30 mm'
 ";
 
-fn job_of(part: &Part, resolution: f64) -> StockReport {
+fn stock_of(part: &Part, resolution: f64) -> StockReport {
     let setup = format!("machine = 'haas-vf2'\n[stock]\n{}{TOOLS}", part.stock);
-    let none = |name: &str| Err(format!("no file {name}"));
-    let machine = Machine::from_toml("setup.toml", &setup, &none).expect("a good setup");
     let units = if part.stock == INCH { "G20" } else { "G21" };
     let program = format!("O1\n{units} G90 G17 G54\n{}M30\n", part.blocks);
+    cut(&setup, program, resolution)
+}
+
+/// What a program leaves of the stock of a setup.
+fn cut(setup: &str, program: String, resolution: f64) -> StockReport {
+    let none = |name: &str| Err(format!("no file {name}"));
+    let machine = Machine::from_toml("setup.toml", setup, &none).expect("a good setup");
     let mut sources = SourceMap::new();
     sources.add(Source::new("part.nc", program.into_bytes()));
     let job = Job::new(sources, machine).expect("settings of the control");
@@ -344,7 +349,7 @@ fn level_areas(mesh: &Mesh) -> BTreeMap<i64, [f64; 2]> {
 
 /// What is wrong with the surface of a part.
 fn faults(part: &Part, resolution: f64) -> Vec<String> {
-    let found = job_of(part, resolution);
+    let found = stock_of(part, resolution);
     let mut faults = Vec::new();
     let mut say = |is_right: bool, fault: String| {
         if !is_right {
@@ -401,18 +406,17 @@ const TURNED_BAR: &str = "machine = 'haas-vf2'\n[axes.A]\n[rotary.A]\nturns = 't
                           from = { X = '0 mm', Y = '-20 mm', Z = '-15 mm' }\n\
                           to = { X = '100 mm', Y = '20 mm', Z = '15 mm' }\n";
 
-/// A slot of 10 mm along X, to a height at an angle of A.
-fn turned_slot(angle: u32, z: i32, [from, to]: [i32; 2]) -> String {
-    format!("G0 Z60.\nA{angle}.\nX{from}. Y0.\nG1 Z{z}. F600.\nX{to}.\n")
+/// A slot of 10 mm through the whole bar along X, to a height at an angle of A.
+fn turned_slot(angle: u32, z: i32) -> String {
+    format!("G0 Z60.\nA{angle}.\nX-20. Y0.\nG1 Z{z}. F600.\nX120.\n")
 }
 
 #[test]
 fn a_part_that_is_cut_from_several_sides_has_no_ledge() {
-    // Slots through the whole length: 5 mm deep from above and below, 8 mm deep from the sides along Y.
-    let through = [-20, 120];
+    // Slots of 5 mm depth from above and below, and of 8 mm depth from the sides along Y.
     let sides = [(0, 10), (90, 12), (180, 10), (270, 12)];
-    let blocks: String = sides.iter().map(|(angle, z)| turned_slot(*angle, *z, through)).collect();
-    // Heights and areas of the faces that look up and down, mm and mm²: the stock beside the slots, their floors, and the
+    let blocks: String = sides.iter().map(|(angle, z)| turned_slot(*angle, *z)).collect();
+    // Heights and areas of the faces that look up and down, mm and mm²: the stock next to the slots, their floors, and the
     // walls of those from the sides, which lie half their width from the axis.
     let faces = [
         (15.0, [3_000.0, 0.0]),
@@ -422,18 +426,12 @@ fn a_part_that_is_cut_from_several_sides_has_no_ledge() {
         (-10.0, [0.0, 1_000.0]),
         (-15.0, [0.0, 3_000.0]),
     ];
+    let setup = format!("{TURNED_BAR}{TOOLS}");
+    let program = format!(
+        "O1\nG21 G90 G17 G54\nT1 M6\nS3000 M3\nG0 X-20. Y0. A0.\nG43 H1 Z60.\n{blocks}G0 Z60.\nM30\n"
+    );
     for resolution in RESOLUTIONS {
-        let none = |name: &str| Err(format!("no file {name}"));
-        let setup = format!("{TURNED_BAR}{TOOLS}");
-        let machine = Machine::from_toml("setup.toml", &setup, &none).expect("a good setup");
-        let program = format!(
-            "O1\nG21 G90 G17 G54\nT1 M6\nS3000 M3\nG0 X-20. Y0. A0.\nG43 H1 Z60.\n{blocks}G0 Z60.\nM30\n"
-        );
-        let mut sources = SourceMap::new();
-        sources.add(Source::new("part.nc", program.into_bytes()));
-        let job = Job::new(sources, machine).expect("settings of the control");
-        let options = StockOptions { resolution_mm: Some(resolution), ..StockOptions::default() };
-        let found = job.stock(&options, &|name| Err(format!("no file {name}"))).expect("stock");
+        let found = cut(&setup, program.clone(), resolution);
         assert_eq!(found.sides, 4);
         let made = found.surface(JOINED * resolution).expect("a surface");
         assert!(made.mesh.edges().are_paired(), "{:?}", made.mesh.edges());

@@ -156,14 +156,7 @@ impl<'a> Interpreter<'a> {
 
     fn run_blocks(&mut self, wants_blocks: bool) -> EndReason {
         loop {
-            let plain = match self.takes_plain_lines() {
-                true => {
-                    let needs_motion = !self.moves_straight();
-                    self.running().reader.next_plain(needs_motion)
-                }
-                false => None,
-            };
-            let flow = match plain {
+            let flow = match self.next_plain_line() {
                 Some(line) => match self.count_block() {
                     Some(reason) => return reason,
                     None => {

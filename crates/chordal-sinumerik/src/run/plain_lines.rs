@@ -11,9 +11,18 @@ use super::words::{center_words, name_of_word, span_of_words};
 use crate::syntax::PlainLine;
 
 impl Interpreter<'_> {
-    /// Whether a plain line does nothing but move to its coordinates: no frame, no modal cycle, no rounding and no other
-    /// motion acts on it.
-    pub(super) fn takes_plain_lines(&self) -> bool {
+    /// The next line, if it is a plain one and does nothing but move to its coordinates; otherwise `None`, and nothing is
+    /// read.
+    pub(super) fn next_plain_line(&mut self) -> Option<PlainLine> {
+        if !self.takes_plain_lines() {
+            return None;
+        }
+        let needs_motion = !matches!(self.modes.motion, PathMotion::Rapid | PathMotion::Linear);
+        self.running().reader.next_plain(needs_motion)
+    }
+
+    /// Whether no frame, no modal cycle and no rounding acts on a plain line.
+    fn takes_plain_lines(&self) -> bool {
         let modes = &self.modes;
         self.modal_call.is_none()
             && !self.kernel.state.incremental
@@ -21,11 +30,6 @@ impl Interpreter<'_> {
             && modes.modal_rounding_mm == 0.0
             && modes.transverse == TransverseReading::Radius
             && modes.open_approach.is_none()
-    }
-
-    /// Whether G0 or G1 is active.
-    pub(super) fn moves_straight(&self) -> bool {
-        matches!(self.modes.motion, PathMotion::Rapid | PathMotion::Linear)
     }
 
     /// Carries out a plain line, as `block` would do it.

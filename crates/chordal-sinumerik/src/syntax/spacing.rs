@@ -62,10 +62,10 @@ mod tests {
     fn words_stand_one_blank_apart() {
         let written = "%_N_PART_MPF\n;$PATH=/_N_MPF_DIR\n  N10  G1X10   Y=R1 + 2 F100 ; to the  corner\n\n\
                        / N20\tG0 Z5\r\n/2N30 Z=IC( 5 )\nEND: G4 F2   \nIF  R1 == 1  GOTOF END\n";
-        let wanted = "%_N_PART_MPF\n;$PATH=/_N_MPF_DIR\nN10 G1 X10 Y=R1 + 2 F100 ; to the  corner\n\n\
+        let expected = "%_N_PART_MPF\n;$PATH=/_N_MPF_DIR\nN10 G1 X10 Y=R1 + 2 F100 ; to the  corner\n\n\
                       /N20 G0 Z5\r\n/2N30 Z=IC( 5 )\nEND: G4 F2\nIF  R1 == 1  GOTOF END\n";
-        assert_eq!(spaced(written), wanted);
-        assert_eq!(spaced(wanted), wanted, "a second time nothing changes");
+        assert_eq!(spaced(written), expected);
+        assert_eq!(spaced(expected), expected, "a second time nothing changes");
     }
 
     #[test]

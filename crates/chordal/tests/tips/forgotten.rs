@@ -311,6 +311,7 @@ fn a_length_that_the_end_of_a_program_keeps_is_unknown_to_the_next_one() {
     let way = way("no length", "Z25.", -5.0, WRONG);
     for machine in ["fanuc-0i", "haas-vf2", "mitsubishi-m700", "fadal-4020", "linuxcnc-mill"] {
         let (text, [_, cut]) = program(machine, &way);
+        let open = text.replace(" G49", "");
         let settings = |at_end: &str| {
             format!("[settings]\ntool_lengths = \"table\"\nlength_at_program_end = \"{at_end}\"\n")
         };
@@ -320,21 +321,21 @@ fn a_length_that_the_end_of_a_program_keeps_is_unknown_to_the_next_one() {
         };
         assert_eq!(run_with(&text, "ended", true).verdict, Problems, "{machine}");
         for is_known in [true, false] {
-            let found = run_with(&text.replace(" G49", ""), "kept", is_known);
+            let found = run_with(&open, "kept", is_known);
             assert_eq!(found.verdict, NotProved, "{machine}: {:?}", found.report.diagnostics);
             let says = found.report.diagnostics.iter().find(|each| each.code == Code::TipNotKnown);
             let says = says.unwrap_or_else(|| panic!("{machine}: no CH611"));
             assert!(says.message.contains("the program before"), "{machine}: {}", says.message);
-            assert_eq!(line_of(&text.replace(" G49", ""), says), cut, "{machine}");
+            assert_eq!(line_of(&open, says), cut, "{machine}");
         }
         // A program that ends it, or brings its own into force, does not depend on the one before.
-        let ends = text.replace(" G49", "").replacen("\nG0 X20.", "\nG49\nG0 X20.", 1);
+        let ends = open.replacen("\nG0 X20.", "\nG49\nG0 X20.", 1);
         assert_eq!(run_with(&ends, "kept", true).verdict, Problems, "{machine}");
         let brings = match machine {
             "fadal-4020" => "\nH2 Z25.\n",
             _ => "\nG43 H2 Z25.\n",
         };
-        let brings = text.replace(" G49", "").replacen("\nZ25.\n", brings, 1);
+        let brings = open.replacen("\nZ25.\n", brings, 1);
         let found = run_with(&brings, "kept", true);
         assert_eq!(found.verdict, Clean, "{machine}: {:?}", found.report.diagnostics);
     }
