@@ -35,8 +35,10 @@ pub enum SurfaceShape {
     Face {
         /// Index of the linear axis that moves; its coordinate is the first one on the face.
         along: usize,
-        /// Angle of the rotary axis when the face became active, rad: the tool is on the first coordinate axis then.
+        /// Angle of the rotary axis at which the tool is on the first coordinate axis, rad.
         zero: f64,
+        /// How far the rotary axis is turned from that angle when the face becomes active, rad.
+        turned: f64,
         /// Whether the linear axis is on its negative side.
         negative: bool,
     },
@@ -86,13 +88,13 @@ impl RotarySurface {
         }
     }
 
-    /// A position on the surface as positions of the axes; `angle` is how far the rotary axis has turned since a face
-    /// became active, rad.
+    /// A position on the surface as positions of the axes; `angle` is how far the rotary axis is turned from the zero
+    /// of a face, rad.
     pub fn on_axes(&self, place: &Position, angle: f64) -> Position {
         let mut axes = *place;
         axes[self.across] = self.across_position;
         match self.shape {
-            SurfaceShape::Face { along, zero, negative } => {
+            SurfaceShape::Face { along, zero, negative, .. } => {
                 let [x, y] = self.flat(place, along);
                 let radius = libm::hypot(x, y);
                 axes[along] = if negative { -radius } else { radius };
@@ -108,10 +110,16 @@ impl RotarySurface {
     /// Positions of the axes as a position on the surface at the moment it becomes active.
     pub fn on_surface(&self, axes: &Position) -> Position {
         let mut place = *axes;
-        place[self.across] = match self.shape {
-            SurfaceShape::Face { .. } => 0.0,
-            SurfaceShape::Cylinder { radius_mm } => axes[self.rotary] * radius_mm,
-        };
+        match self.shape {
+            SurfaceShape::Face { turned: 0.0, .. } => place[self.across] = 0.0,
+            SurfaceShape::Face { along, turned, .. } => {
+                let (sin, cos) = libm::sincos(turned);
+                (place[along], place[self.across]) = (axes[along] * cos, axes[along] * sin);
+            }
+            SurfaceShape::Cylinder { radius_mm } => {
+                place[self.across] = axes[self.rotary] * radius_mm;
+            }
+        }
         place
     }
 
@@ -129,14 +137,18 @@ impl RotarySurface {
 pub struct SurfaceRun {
     /// The surface.
     pub surface: RotarySurface,
-    /// How far the rotary axis has turned since a face became active, rad.
+    /// How far the rotary axis is turned from the zero of a face, rad.
     pub angle: f64,
 }
 
 impl SurfaceRun {
     /// A surface that has just become active.
     pub fn new(surface: RotarySurface) -> SurfaceRun {
-        SurfaceRun { surface, angle: 0.0 }
+        let angle = match surface.shape {
+            SurfaceShape::Face { turned, .. } => turned,
+            SurfaceShape::Cylinder { .. } => 0.0,
+        };
+        SurfaceRun { surface, angle }
     }
 
     /// Turns the rotary axis by a move.
@@ -210,7 +222,7 @@ mod tests {
     use chordal_geometry::Plane;
 
     const FACE: RotarySurface = RotarySurface {
-        shape: SurfaceShape::Face { along: 0, zero: 0.0, negative: false },
+        shape: SurfaceShape::Face { along: 0, zero: 0.0, turned: 0.0, negative: false },
         rotary: 5,
         across: 1,
         across_position: 0.0,
@@ -273,7 +285,7 @@ mod tests {
 
     #[test]
     fn a_lathe_that_cuts_at_negative_x_starts_without_a_turn() {
-        let shape = SurfaceShape::Face { along: 0, zero: 0.5, negative: true };
+        let shape = SurfaceShape::Face { along: 0, zero: 0.5, turned: 0.0, negative: true };
         let mut run = SurfaceRun::new(RotarySurface { shape, ..FACE });
         assert_eq!(run.on_axes(&at(-20.0, 0.0))[..1], [-20.0]);
         run.follow(&line(at(-20.0, 0.0), at(-20.0, -10.0)), None);

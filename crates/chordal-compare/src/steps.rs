@@ -362,8 +362,8 @@ fn is_same_surface(a: Option<RotarySurface>, b: Option<RotarySurface>) -> bool {
     };
     match (a.shape, b.shape) {
         (
-            SurfaceShape::Face { along, zero, negative },
-            SurfaceShape::Face { along: other, zero: other_zero, negative: other_side },
+            SurfaceShape::Face { along, zero, negative, .. },
+            SurfaceShape::Face { along: other, zero: other_zero, negative: other_side, .. },
         ) => along == other && near(zero, other_zero) && negative == other_side,
         (SurfaceShape::Cylinder { radius_mm }, SurfaceShape::Cylinder { radius_mm: other }) => {
             near(radius_mm, other)

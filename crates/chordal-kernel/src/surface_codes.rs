@@ -22,11 +22,17 @@ pub struct NewSurface {
 }
 
 impl Kernel<'_> {
-    /// The face of the rotating part at the present position of the tool.
+    /// The face of the rotating part, with the tool at its present position on the first coordinate axis.
     pub fn face(&self, rotary: usize, along: usize, across: usize) -> RotarySurface {
+        self.face_from(self.state.position[rotary], [rotary, along, across])
+    }
+
+    /// The face of the rotating part whose first coordinate axis is under the tool where the rotary axis is at `zero`, rad;
+    /// `axes` are the rotary axis, the linear axis that moves and the one across.
+    pub fn face_from(&self, zero: f64, [rotary, along, across]: [usize; 3]) -> RotarySurface {
         let position = &self.state.position;
-        let (zero, negative) = (position[rotary], position[along] < 0.0);
-        let shape = SurfaceShape::Face { along, zero, negative };
+        let negative = position[along] < 0.0;
+        let shape = SurfaceShape::Face { along, zero, turned: position[rotary] - zero, negative };
         RotarySurface { shape, rotary, across, across_position: position[across] }
     }
 

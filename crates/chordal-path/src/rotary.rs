@@ -229,7 +229,7 @@ mod tests {
     use chordal_geometry::Line;
 
     fn face() -> RotarySurface {
-        let shape = SurfaceShape::Face { along: 0, zero: 0.0, negative: false };
+        let shape = SurfaceShape::Face { along: 0, zero: 0.0, turned: 0.0, negative: false };
         RotarySurface { shape, rotary: 5, across: 1, across_position: 0.0 }
     }
 

@@ -164,7 +164,7 @@ mod tests {
     use chordal_geometry::Plane;
 
     const FACE: RotarySurface = RotarySurface {
-        shape: SurfaceShape::Face { along: 0, zero: 0.0, negative: false },
+        shape: SurfaceShape::Face { along: 0, zero: 0.0, turned: 0.0, negative: false },
         rotary: 5,
         across: 1,
         across_position: 0.0,

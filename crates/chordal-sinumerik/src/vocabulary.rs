@@ -103,6 +103,11 @@ const WORDS: &[(&str, &str)] = &[
     ("RET", "return"),
     ("DIAMON", "X is a diameter"),
     ("DIAMOF", "X is a radius"),
+    ("TRANSMIT", "X and Y on the face of a turned part"),
+    ("TRACYL", "lengths around a cylinder: diameter"),
+    ("TRAORI", "the tip follows the program while the tool turns"),
+    ("TRAFOOF", "ends TRANSMIT, TRACYL and TRAORI"),
+    ("SETMS", "the master spindle, to which S and M3, M4, M5 belong"),
 ];
 
 /// Names without a value that change neither the path nor the position.
@@ -124,7 +129,6 @@ const WITHOUT_PATH: &[&str] = &[
     "CDON",
     "CDOF",
     "CDOF2",
-    "TRAFOOF",
     "STOPRE",
     "DIAMOF",
     "ORIWKS",
@@ -221,7 +225,7 @@ const WITHOUT_PATH: &[&str] = &[
 const WITH_EFFECT: &[&str] = &[
     "TRANS", "ATRANS", "ROT", "AROT", "SCALE", "ASCALE", "MIRROR", "AMIRROR", "SUPA", "CIP", "CT",
     "KONT", "KONTC", "KONTT", "RET", "DIAMON", "DIAM90", "ASPLINE", "BSPLINE", "CSPLINE", "POLY",
-    "INVCW", "INVCCW", "TRAORI", "G58", "G59",
+    "INVCW", "INVCCW", "G58", "G59", "TRANSMIT", "TRACYL", "TRAANG", "TRAORI", "TRAFOOF",
 ];
 
 /// Names of calls that change neither the path nor the position.

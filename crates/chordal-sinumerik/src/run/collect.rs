@@ -6,7 +6,8 @@ use chordal_kernel::EndReason;
 use chordal_machine::AXIS_NAMES;
 
 use super::interpreter::Interpreter;
-use super::run_state::BlockFlow;
+use super::run_state::{BlockFlow, MAIN_SPINDLE};
+use super::transformations::TRANSFORMATIONS;
 use super::unknown_values::UnknownUse;
 use super::words::{BlockWords, CENTER_NAMES, OTHER_ADDRESSES, ToolWord, ValueWord};
 use crate::syntax::{
@@ -36,6 +37,10 @@ impl Interpreter<'_> {
     pub(super) fn call_statement(&mut self, block: &ProgramBlock) -> Option<BlockFlow> {
         for statement in &block.statements {
             match &statement.kind {
+                StatementKind::Call(call) if TRANSFORMATIONS.contains(&call.name.as_str()) => {
+                    self.transformation_call(call);
+                    return (block.statements.len() == 1).then_some(BlockFlow::Next);
+                }
                 StatementKind::Call(call) => {
                     let is_known =
                         IGNORED_CALLS.contains(&call.name.as_str()) || call.name == "SETAL";
@@ -76,6 +81,19 @@ impl Interpreter<'_> {
         None
     }
 
+    /// `TRACYL(40)`: the arguments are numbers.
+    fn transformation_call(&mut self, call: &CallStatement) {
+        let arguments = call.arguments.as_deref().unwrap_or_default();
+        let numbers: Vec<Option<f64>> = arguments
+            .iter()
+            .map(|argument| argument.as_ref().and_then(|number| self.number(number)))
+            .collect();
+        if call.name == "TRAFOOF" && !numbers.is_empty() {
+            self.alarm(12090, Code::BadStatement, call.range, "TRAFOOF has no parameters");
+        }
+        self.choose_transformation(&call.name, &numbers, call.range);
+    }
+
     /// `P3` of a call; `None` without.
     fn passes(&mut self, block: &ProgramBlock) -> Option<u32> {
         block.statements.iter().find_map(|statement| match &statement.kind {
@@ -107,6 +125,11 @@ impl Interpreter<'_> {
                     self.value(text);
                 }
                 // A message may stand with other words in a block.
+                (block.statements.len() == 1).then_some(BlockFlow::Next)
+            }
+            "SETMS" => {
+                let number = first.and_then(|number| self.number(number));
+                self.choose_master_spindle(number);
                 (block.statements.len() == 1).then_some(BlockFlow::Next)
             }
             "SETAL" => {
@@ -181,9 +204,10 @@ impl Interpreter<'_> {
             }
             return self.assign(address, &word.value);
         };
-        if matches!(name, "S" | "M") && address.extension.is_some_and(|number| number != 1) {
-            // Another spindle, which is not simulated.
-            return;
+        if matches!(name, "S" | "M")
+            && let Some(spindle) = address.extension.filter(|number| *number != MAIN_SPINDLE)
+        {
+            return self.take_spindle_word(words, spindle, word, range);
         }
         let used_for = match kind {
             AddressKind::Axis(axis) => UnknownUse::Axis(axis),
@@ -274,7 +298,7 @@ impl Interpreter<'_> {
     }
 
     /// The value of a word; `None` if it has none, or none that is known, which is reported.
-    fn word_value(
+    pub(super) fn word_value(
         &mut self,
         words: &mut BlockWords,
         name: &str,

@@ -1,8 +1,9 @@
 //! Runs part programs.
 //!
 //! `interpreter` reads blocks and follows jumps, loops and calls; `collect` turns statements into words; `modes`, `frames`,
-//! `tools` set what the following blocks use; `motion`, `arcs` and `space_arcs` move; `drilling`, `milling`,
-//! `contour_milling` and `turning` carry out cycles; `unknown_values` tells what depends on values that nobody gave.
+//! `tools` set what the following blocks use; `motion`, `arcs` and `space_arcs` move; `spindles` and `transformations` are for
+//! live tools; `drilling`, `milling`, `contour_milling` and `turning` carry out cycles; `unknown_values` tells what depends on
+//! values that nobody gave.
 
 mod approach;
 mod arcs;
@@ -16,6 +17,7 @@ mod flow;
 mod frame_chain;
 mod frames;
 mod interpreter;
+mod iso_mode;
 mod macros;
 mod milling;
 mod modes;
@@ -29,6 +31,7 @@ mod run_state;
 mod scope;
 mod similar_names;
 mod space_arcs;
+mod spindles;
 mod swivel;
 mod system_variables;
 mod system_writes;
@@ -36,6 +39,7 @@ mod tables;
 mod threads;
 mod tool_edges;
 mod tools;
+mod transformations;
 mod turning;
 mod unknown_values;
 mod variables;

@@ -9,6 +9,7 @@ use chordal_kernel::EndReason;
 
 use super::interpreter::Interpreter;
 use super::run_state::{BlockFlow, LanguageModes, PathMotion, SavedModes, TransverseReading};
+use super::transformations::TRANSFORMATIONS;
 use super::words::{BlockWords, ValueWord};
 use crate::syntax::ValueFunction;
 
@@ -161,7 +162,7 @@ impl Interpreter<'_> {
             147 | 148 | 247 | 248 | 347 | 348 => {
                 self.not_followed(range, format!("G{code} is not followed"));
             }
-            291 => self.not_followed(range, "the ISO mode of the control (G291) is not read"),
+            291 => self.skip_iso_mode(range),
             // What they set acts in blocks of their own, or on nothing that is simulated.
             _ => {}
         }
@@ -192,15 +193,12 @@ impl Interpreter<'_> {
                     format!("{name} is not followed: its points are joined by straight cuts"),
                 );
             }
-            "TRAORI" => {
-                // The tip goes where the program says; where the axes are depends on the machine.
-                self.lose_path(range, "where the axes are", "the rotary axes of TRAORI");
-            }
             "DIAMON" | "DIAM90" if !self.kernel.machine.turns() => self
                 .not_followed(range, format!("{name} is not followed: this machine is no lathe")),
             "DIAMON" => self.modes.transverse = TransverseReading::Diameter,
             "DIAM90" => self.modes.transverse = TransverseReading::DiameterOfCoordinates,
             "DIAMOF" => self.modes.transverse = TransverseReading::Radius,
+            _ if TRANSFORMATIONS.contains(&name) => self.choose_transformation(name, &[], range),
             _ => {}
         }
     }
@@ -235,10 +233,11 @@ impl Interpreter<'_> {
             self.kernel.limit_speed(limit.value);
         }
         if let Some(speed) = words.other("S") {
-            if self.kernel.state.surface_speed.is_some() {
+            let master = self.modes.master_spindle;
+            if self.kernel.state.surface_speed.is_some() && !self.is_live(master) {
                 self.kernel.set_surface_speed(speed.value * 1000.0 / 60.0);
             } else {
-                self.kernel.set_speed(speed.value);
+                self.set_spindle_speed(master, speed.value);
             }
         }
         let keeps_surface = words.g_codes.iter().any(|(code, _)| *code == 96);
@@ -269,10 +268,12 @@ impl Interpreter<'_> {
 
     /// The M functions that act before the motion.
     pub(super) fn functions_before(&mut self, words: &BlockWords) {
+        self.spindles_before(words);
+        let master = self.modes.master_spindle;
         for (code, range) in &words.m_codes {
             match code {
-                3 => self.kernel.set_spindle(SpindleState::Cw),
-                4 => self.kernel.set_spindle(SpindleState::Ccw),
+                3 => self.turn_spindle(master, SpindleState::Cw),
+                4 => self.turn_spindle(master, SpindleState::Ccw),
                 6 => self.change_tool(*range),
                 7 => self.kernel.set_coolant(|coolant| coolant.mist = true),
                 8 => self.kernel.set_coolant(|coolant| coolant.flood = true),
@@ -284,11 +285,12 @@ impl Interpreter<'_> {
 
     /// The M functions that act after the motion, and `RET`.
     pub(super) fn functions_after(&mut self, words: &BlockWords) -> BlockFlow {
+        self.spindles_after(words);
         let mut flow = BlockFlow::Next;
         for (code, _) in &words.m_codes {
             match code {
                 0 | 1 => self.kernel.emit(CommandKind::Stop { optional: *code == 1 }),
-                5 => self.kernel.set_spindle(SpindleState::Off),
+                5 => self.turn_spindle(self.modes.master_spindle, SpindleState::Off),
                 9 => self.kernel.set_coolant(|coolant| *coolant = Default::default()),
                 2 | 17 | 30 => flow = self.end_of_program(),
                 _ => {}
@@ -336,8 +338,9 @@ impl Interpreter<'_> {
     /// Restores the modes that `SAVE` keeps. The tool stays.
     pub(super) fn restore_modes(&mut self, saved: SavedModes) {
         let span = self.span(self.here());
-        let LanguageModes { has_jumped_back, edge, unknown_tool, .. } = self.modes;
-        self.modes = LanguageModes { has_jumped_back, edge, unknown_tool, ..saved.modes };
+        let LanguageModes { has_jumped_back, edge, unknown_tool, master_spindle, .. } = self.modes;
+        self.modes =
+            LanguageModes { has_jumped_back, edge, unknown_tool, master_spindle, ..saved.modes };
         let feed = self.kernel.state.feed;
         self.kernel.set_plane(span, saved.plane);
         self.kernel.set_units(saved.units);

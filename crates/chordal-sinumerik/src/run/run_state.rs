@@ -12,6 +12,9 @@ use super::programmable_frame::ProgrammableFrame;
 use crate::syntax::{Address, BlockReader, Expression};
 use crate::values::SinumerikValue;
 
+/// The number of the spindle that turns the part of a lathe.
+pub const MAIN_SPINDLE: u32 = 1;
+
 /// What comes after a block.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum BlockFlow {
@@ -220,6 +223,8 @@ pub struct LanguageModes {
     pub edge: u32,
     /// The tool in the spindle has a name that no tool of the machine file has.
     pub unknown_tool: bool,
+    /// The spindle to which S and M3, M4, M5 belong (SETMS).
+    pub master_spindle: u32,
 }
 
 /// A move on which compensation begins with KONT.
@@ -267,6 +272,7 @@ impl Default for LanguageModes {
             is_state_unknown: false,
             edge: 0,
             unknown_tool: false,
+            master_spindle: MAIN_SPINDLE,
         }
     }
 }

@@ -51,6 +51,17 @@ pub enum ToolWord {
     Name(String),
 }
 
+/// A word of a spindle that is not the main one: `S2=900`, `M2=3`.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct SpindleWord {
+    /// Its number.
+    pub spindle: u32,
+    /// Its speed, rev/min; otherwise an M function.
+    pub is_speed: bool,
+    /// The number.
+    pub value: f64,
+}
+
 /// The words of a block that are no flow statements.
 #[derive(Clone, Default, Debug)]
 pub struct BlockWords {
@@ -70,6 +81,8 @@ pub struct BlockWords {
     pub others: Vec<(&'static str, ValueWord)>,
     /// T.
     pub tool: Option<(ToolWord, TextRange)>,
+    /// Words of other spindles, in order.
+    pub spindles: Vec<SpindleWord>,
     /// Axes that POS moves by themselves.
     pub positioned: AxisMask,
     /// Axes that are programmed with a value that is not known.

@@ -63,6 +63,18 @@ impl<'t> BlockReader<'t> {
         self.line += lines;
     }
 
+    /// Leaves out lines up to one that `ends`; without one the rest of the text.
+    pub fn skip_lines_until(&mut self, ends: impl Fn(&[u8]) -> bool) {
+        loop {
+            let (at, line) = (self.at, self.line);
+            let Some((range, _)) = self.next_line() else { return };
+            if ends(range.slice(self.text)) {
+                (self.at, self.line) = (at, line);
+                return;
+            }
+        }
+    }
+
     /// The next line with its number, whatever is in it; `None` at the end.
     pub(super) fn next_line(&mut self) -> Option<(TextRange, u32)> {
         let rest = self.text.get(self.at..self.end).filter(|rest| !rest.is_empty())?;
