@@ -22,8 +22,10 @@ pub struct Document {
     pub head: ReportHead,
     /// Errors: the control would stop, or do something else than the text says.
     pub errors: u64,
-    /// File and line from which on the path is not known, because something is not followed.
+    /// File and line from which on the path, or its time alone, is not known.
     pub not_verified_from: Option<(String, u32)>,
+    /// The path is known everywhere; its time may not be.
+    pub is_path_verified: bool,
     /// Warnings.
     pub warnings: u64,
     /// Notes.

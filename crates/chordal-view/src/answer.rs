@@ -46,6 +46,7 @@ pub fn report(report: &Report, job: &Job) -> Value {
             "file": file,
             "line": line,
             "own": report.not_verified_from.is_some_and(|span| span.file == FileId(0)),
+            "path_known": report.is_path_verified(),
         })),
         "never_named": letters(job.not_named_axes().never),
         "named_in_no_cut": letters(job.not_named_axes().in_no_cut),

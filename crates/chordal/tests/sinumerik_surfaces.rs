@@ -152,3 +152,15 @@ fn text_of_the_iso_mode_is_not_read_as_sinumerik() {
         found.iter().filter(|found| found.2 == Severity::Error).map(|found| found.0).collect();
     assert_eq!(errors, [5]);
 }
+
+#[test]
+fn setms_alone_gives_s_and_m3_back_to_the_main_spindle() {
+    let text = format!(
+        "{HEAD}SETMS(2)\nS3000 M3\nG0 X40 Z5 C0\nG1 Z-5 F300\nM5\nSETMS\nG95 S600 M3\nG1 Z-35 F0.1\nM30\n"
+    );
+    assert_eq!(problems(&text, "sinumerik-lathe-c"), []);
+    // 10 mm at 300 mm/min take 2 s, 30 mm at 0.1 mm of 600 rev/min 30 s.
+    let report = job(&text, "sinumerik-lathe-c").report_of_commands(|_| {});
+    let time = report.summary.feed_time_s;
+    assert!((time - 32.0).abs() < 1e-9, "{time}");
+}

@@ -6,12 +6,12 @@ import { codeSpans } from "./code-spans";
 import { element } from "./dom";
 import { type Units, angles, count, countText, duration, length, positionText, speed } from "./units";
 
-/** From where on the path is not verified; empty where all of it is. */
+/** From where on the path or its time is not verified; empty where all of it is. */
 export function notVerified(report: Pick<RunReport, "not_verified_from">): string {
   const from = report.not_verified_from;
   if (!from) return "";
   const line = from.own ? `line ${from.line}` : `line ${from.line} of ${from.file}`;
-  return `Not verified from ${line} on: the path after it is not known.`;
+  return `Not verified from ${line} on: the ${from.path_known ? "time" : "path"} after it is not known.`;
 }
 
 /** Which axes the program does not name, so that they are drawn at zero; empty where there are none. */

@@ -100,8 +100,8 @@ export interface RunReport {
   errors: number;
   warnings: number;
   notes: number;
-  /** From where on the path is not verified; null where all of it is. */
-  not_verified_from: { file: string; line: number; own: boolean } | null;
+  /** From where on the path, or its time alone where the path is known, is not verified; null where all of it is. */
+  not_verified_from: { file: string; line: number; own: boolean; path_known: boolean } | null;
   /** Axes that the program never names: they are drawn at zero. */
   never_named: string[];
   /** Axes that are not known in any cut. */

@@ -90,6 +90,7 @@ pub fn gather(job: &Job, about: &ReportContext) -> GatheredReport {
         not_verified_from: report
             .not_verified_line(job.sources())
             .map(|(file, line)| (file.to_string(), line)),
+        is_path_verified: report.is_path_verified(),
         warnings: report.counts.warnings,
         notes: report.counts.notes,
         ends: ends(job, &report),

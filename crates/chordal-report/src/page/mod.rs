@@ -161,7 +161,10 @@ fn banner(document: &Document) -> Markup {
                     p { @if let Some((_, line)) = &first.place { "Line " (line) ": " } (first.message) }
                 }
                 @if let Some((file, line)) = &document.not_verified_from {
-                    p { "Not verified from line " (line) " of " (file) " on: the path after it is not known." }
+                    p {
+                        "Not verified from line " (line) " of " (file) " on: the "
+                        (if document.is_path_verified { "time" } else { "path" }) " after it is not known."
+                    }
                 }
                 (ends(document))
             }

@@ -8,6 +8,7 @@ use chordal_kernel::{
     CompletedRun, EndReason, Kernel, Modal, Outcome, ProgramName, RunSink, State,
 };
 
+use super::active_codes::active_codes;
 use super::program_texts::{ProgramTexts, procedure_of};
 use super::run_state::{BlockFlow, LanguageModes, ModalCycle, RunningProgram, TransverseReading};
 use super::scope::ValueScope;
@@ -202,7 +203,8 @@ impl<'a> Interpreter<'a> {
     /// After a block, which began at an offset of its text: goes on as the block says, or as the part that ends with it.
     fn block_ends(&mut self, start: u32, flow: BlockFlow, wants_blocks: bool) -> BlockFlow {
         if wants_blocks {
-            self.kernel.block_done(&|state| Modal::of(state, Vec::new()));
+            let modes = &self.modes;
+            self.kernel.block_done(&|state| Modal::of(state, active_codes(modes, state)));
         }
         match flow {
             BlockFlow::Next => self.part_ends(start),

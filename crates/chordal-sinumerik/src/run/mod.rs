@@ -5,6 +5,7 @@
 //! live tools; `drilling`, `milling`, `contour_milling` and `turning` carry out cycles; `unknown_values` tells what depends on
 //! values that nobody gave.
 
+mod active_codes;
 mod approach;
 mod arcs;
 mod block_checks;
