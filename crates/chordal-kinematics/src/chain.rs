@@ -67,10 +67,16 @@ impl fmt::Display for ChainError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             ChainError::TooManyJoints { count } => {
-                write!(f, "{count} rotary axes carry part and tool; at most {MAX_JOINTS} are supported")
+                write!(
+                    f,
+                    "{count} rotary axes carry part and tool; at most {MAX_JOINTS} are supported"
+                )
             }
             ChainError::HeadBeforeTable { head, table } => {
-                write!(f, "the head {head} stands before the table {table}; from the part to the tool, tables come first")
+                write!(
+                    f,
+                    "the head {head} stands before the table {table}; from the part to the tool, tables come first"
+                )
             }
             ChainError::SameLetter { letter } => write!(f, "two rotary axes are named {letter}"),
             ChainError::NoDirection { letter } => {
@@ -199,18 +205,18 @@ impl KinematicChain {
     /// The machine coordinates of the gauge point that bring the tip of the tool to a point in part coordinates, mm.
     #[must_use]
     pub fn gauge_point(&self, tip: Vec3, angles: &JointAngles, tool: Vec3) -> Vec3 {
-        let on_machine = self.tables().fold(tip, |point, joint| {
-            joint.turned_point(point, -joint.right_hand_angle(angles))
-        });
+        let on_machine = self
+            .tables()
+            .fold(tip, |point, joint| joint.turned_point(point, -joint.right_hand_angle(angles)));
         on_machine - self.tool_on_heads(angles, tool)
     }
 
     /// The vector from the gauge point to the tip with the heads at these angles, machine coordinates, mm.
     #[must_use]
     pub fn tool_on_heads(&self, angles: &JointAngles, tool: Vec3) -> Vec3 {
-        self.heads().rev().fold(tool, |point, joint| {
-            joint.turned_point(point, joint.right_hand_angle(angles))
-        })
+        self.heads()
+            .rev()
+            .fold(tool, |point, joint| joint.turned_point(point, joint.right_hand_angle(angles)))
     }
 
     /// The transform from machine coordinates to part coordinates, which the tables make; its inverse brings a point of

@@ -268,8 +268,8 @@ fn least<const N: usize>(
     best.map(|(angles, _)| angles)
 }
 
-/// The angle with the whole turns that bring it next to another one from above and from below within travel, the nearer
-/// first; if it is equal, that alone. An endless axis has at most two.
+/// The angle with the whole turns that bring it next to another one within travel: from above, then from below, so that
+/// of half a turn the positive direction is first; if it is equal, that alone.
 fn turns_within_travel(joint: &RotaryJoint, angle: f64, present: f64) -> Vec<f64> {
     let (low, high) = joint.travel.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
     let (low, high) = (low - TRAVEL_ROUNDING_RAD, high + TRAVEL_ROUNDING_RAD);
@@ -281,8 +281,6 @@ fn turns_within_travel(joint: &RotaryJoint, angle: f64, present: f64) -> Vec<f64
         found.push(above - TAU);
     }
     found.retain(|angle| (low..=high).contains(angle));
-    // The positive direction first, so that it is taken of half a turn.
-    found.sort_by(|a, b| ((a - present).abs() - TIE_RAD).total_cmp(&(b - present).abs()));
     found
 }
 

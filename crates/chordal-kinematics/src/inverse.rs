@@ -187,7 +187,8 @@ fn with_two_joints(
     let [one, other] = [TriangleSide::Left, TriangleSide::Right]
         .map(|side| JointSolution { angles: solution(side), free: None });
     // At the limit of the reach both are the same, perhaps as +180 and -180 degrees.
-    let differences = one.angles.iter().zip(other.angles).map(|(a, b)| math::within_half_turn(a - b));
+    let differences =
+        one.angles.iter().zip(other.angles).map(|(a, b)| math::within_half_turn(a - b));
     let are_same = differences.map(f64::abs).fold(0.0, f64::max) <= REACH_ROUNDING_RAD;
     Ok(JointSolutions { solutions: [one, other], count: if are_same { 1 } else { 2 } })
 }

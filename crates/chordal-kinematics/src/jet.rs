@@ -108,8 +108,6 @@ impl KinematicChain {
     /// The vector from the gauge point to the tip with its derivatives, machine coordinates.
     fn tool_jet(&self, angles: &AngleJet, tool: Vec3) -> TipJet {
         let tool = TipJet { point: tool, ..TipJet::default() };
-        self.heads()
-            .rev()
-            .fold(tool, |jet, joint| turned(&jet, joint, Turning::of(joint, angles)))
+        self.heads().rev().fold(tool, |jet, joint| turned(&jet, joint, Turning::of(joint, angles)))
     }
 }

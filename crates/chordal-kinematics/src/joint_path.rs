@@ -110,8 +110,7 @@ impl<P: TipPath> JointPath<P> {
     #[must_use]
     pub fn positions(&self, sigma: f64) -> AxisPositions {
         let angles = self.angles(sigma).angles;
-        let gauge_point =
-            self.chain.gauge_point(self.tip.tip(sigma).point, &angles, self.tool);
+        let gauge_point = self.chain.gauge_point(self.tip.tip(sigma).point, &angles, self.tool);
         AxisPositions { gauge_point, angles }
     }
 
@@ -156,9 +155,8 @@ impl<P: TipPath> JointPath<P> {
     pub fn bounds(&self, from: f64, to: f64, tolerance_mm: f64) -> PerAxis<(f64, f64)> {
         let rounding = BOUND_ROUNDING * self.motion_bound(from, to).size;
         let tolerance = (tolerance_mm - rounding).max(SMALLEST_TOLERANCE);
-        let excess = |from: f64, to: f64| {
-            chord_excess(self.second_derivative_bound(from, to), to - from)
-        };
+        let excess =
+            |from: f64, to: f64| chord_excess(self.second_derivative_bound(from, to), to - from);
         let highest = |axis: usize, sign: f64| {
             let value = |sigma: f64| sign * self.positions(sigma).gauge_point.component(axis);
             upper_bound((from, to), tolerance, value, excess) + rounding
@@ -168,7 +166,8 @@ impl<P: TipPath> JointPath<P> {
             0..3 => (-highest(axis, -1.0), highest(axis, 1.0)),
             _ => {
                 let [start, end] = ends.map(|angles| angles[axis - 3]);
-                (start.min(end), start.max(end))
+                let rounding = BOUND_ROUNDING * start.abs().max(end.abs());
+                (start.min(end) - rounding, start.max(end) + rounding)
             }
         })
     }

@@ -20,10 +20,8 @@ pub struct TrunnionParameters {
 
 impl TrunnionParameters {
     fn chain(&self, tilt: RotaryLetter) -> Result<KinematicChain, ChainError> {
-        let signed = |joint: RotaryJoint| RotaryJoint {
-            reversed: !self.conventional_directions,
-            ..joint
-        };
+        let signed =
+            |joint: RotaryJoint| RotaryJoint { reversed: !self.conventional_directions, ..joint };
         KinematicChain::new(&[
             signed(RotaryJoint::table(RotaryLetter::C, self.rot_point)),
             signed(RotaryJoint::table(tilt, self.rot_point + self.offset)),

@@ -39,7 +39,10 @@ impl fmt::Display for OrientationError {
                 write!(f, "the tool follows a great circle only with two rotary axes")
             }
             OrientationError::Opposite => {
-                write!(f, "the directions at start and end are opposite, so that no plane is determined")
+                write!(
+                    f,
+                    "the directions at start and end are opposite, so that no plane is determined"
+                )
             }
             OrientationError::NotAtStart { off_rad } => write!(
                 f,
@@ -127,21 +130,33 @@ impl OrientationArc {
 
     /// Sets what is left from the start angles of the two axes.
     fn begin(&mut self, start: [f64; 2]) {
-        if AxisTriangle::is_pole(self.triangle.polar_angle(self.from)) && self.sweep > 0.0 {
-            self.azimuth = self.triangle.azimuth(self.normal.cross(self.from));
+        if self.starts_on_pole() {
             // An arc that leaves a pole does not pass through it.
             self.pole = None;
-            let turn = |side: TriangleSide| {
-                let arc = Self { side, ..*self };
-                math::within_half_turn(arc.right_hand_angles(0.0)[0] - start[0]).abs()
-            };
-            let turns = [turn(TriangleSide::Left), turn(TriangleSide::Right)];
-            self.side =
-                if turns[0] <= turns[1] { TriangleSide::Left } else { TriangleSide::Right };
+            if self.sweep > 0.0 {
+                self.leave_pole(start[0]);
+            } else {
+                self.azimuth += start[0] - self.right_hand_angles(0.0)[0];
+            }
         }
         let own = self.right_hand_angles(0.0);
         self.turns =
             core::array::from_fn(|index| math::nearest_turn(own[index], start[index]) - own[index]);
+    }
+
+    fn starts_on_pole(&self) -> bool {
+        AxisTriangle::is_pole(self.triangle.polar_angle(self.from))
+    }
+
+    /// Takes the azimuth in which the arc leaves a pole, and the side on which the first axis is nearer to its angle.
+    fn leave_pole(&mut self, first_angle: f64) {
+        self.azimuth = self.triangle.azimuth(self.normal.cross(self.from));
+        let turn = |side: TriangleSide| {
+            let arc = Self { side, ..*self };
+            math::within_half_turn(arc.right_hand_angles(0.0)[0] - first_angle).abs()
+        };
+        let (left, right) = (turn(TriangleSide::Left), turn(TriangleSide::Right));
+        self.side = if left <= right { TriangleSide::Left } else { TriangleSide::Right };
     }
 
     /// Where the arc passes through a pole between its ends.
@@ -162,7 +177,8 @@ impl OrientationArc {
         let first = self.triangle.first();
         let nearest = math::atan2(first.dot(self.normal.cross(self.from)), first.dot(self.from));
         let farthest = if nearest > 0.0 { nearest - PI } else { nearest + PI };
-        let inside = [nearest, farthest].into_iter().filter(|turn| (0.0..=self.sweep).contains(turn));
+        let inside =
+            [nearest, farthest].into_iter().filter(|turn| (0.0..=self.sweep).contains(turn));
         let beyond_rad = [0.0, self.sweep]
             .into_iter()
             .chain(inside)
@@ -226,8 +242,7 @@ impl OrientationArc {
 
     /// The azimuth about the first axis, which runs in one direction along a great circle, by less than half a turn.
     fn azimuth_at(&self, direction: Vec3) -> f64 {
-        let starts_on_pole = AxisTriangle::is_pole(self.triangle.polar_angle(self.from));
-        if self.pole.is_some() || (starts_on_pole && self.sweep > 0.0) {
+        if self.pole.is_some() || self.starts_on_pole() {
             return self.azimuth;
         }
         let change = math::within_half_turn(self.triangle.azimuth(direction) - self.azimuth);

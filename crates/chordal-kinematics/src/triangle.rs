@@ -138,6 +138,10 @@ impl AxisTriangle {
 
     /// The corners of the triangle at the first and the second axis, rad, `0..=π`.
     fn corners(&self, polar: f64) -> (f64, f64) {
+        if Self::is_pole(polar) {
+            // The limits: the triangle is a lune.
+            return (FRAC_PI_2, if polar < FRAC_PI_2 { 0.0 } else { PI });
+        }
         let (axes, tool) = (self.between_axes, self.to_tool);
         let sine = |twice: f64| math::sin(0.5 * twice).max(0.0);
         // Differences of sides first: those of equal sides are exactly zero.
@@ -145,8 +149,10 @@ impl AxisTriangle {
         let less_axes = sine(polar - (axes - tool));
         let less_tool = sine(polar + (axes - tool));
         let less_polar = sine(axes + tool - polar);
-        let at_first = 2.0 * math::atan2((less_axes * less_polar).sqrt(), (whole * less_tool).sqrt());
-        let at_second = 2.0 * math::atan2((less_axes * less_tool).sqrt(), (whole * less_polar).sqrt());
+        let at_first =
+            2.0 * math::atan2((less_axes * less_polar).sqrt(), (whole * less_tool).sqrt());
+        let at_second =
+            2.0 * math::atan2((less_axes * less_tool).sqrt(), (whole * less_polar).sqrt());
         (at_first, at_second)
     }
 

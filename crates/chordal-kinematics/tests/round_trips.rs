@@ -327,7 +327,8 @@ fn a_tool_along_the_second_axis_leaves_it_free() {
 
 #[test]
 fn one_axis_and_none() {
-    let tilt = chain(&[RotaryJoint::table(RotaryLetter::A, point(0.0, -50.0, -70.0)).turned_around()]);
+    let tilt =
+        chain(&[RotaryJoint::table(RotaryLetter::A, point(0.0, -50.0, -70.0)).turned_around()]);
     let pose = tilt.pose(point(1.0, 2.0, 3.0), &common::degrees(-40.0, 0.0, 0.0), Vec3::ZERO);
     let found: Vec<_> = tilt.axis_positions(&pose, Vec3::ZERO).expect("a solution").collect();
     assert_eq!(found.len(), 1);

@@ -1,5 +1,7 @@
 //! Worked examples of kinematic chains: G54 at X-300 Y-200 Z-380, a tool 100 long.
 
+#![allow(clippy::approx_constant, reason = "the numbers of the examples have four digits")]
+
 mod common;
 
 use chordal_geometry::{Transform, Vec3};
@@ -248,9 +250,8 @@ fn example_42_only_the_origin_rides_the_table() {
     let chain = table_table_bc();
     let origin = Vec3::new(-290.0, -210.0, -380.0);
     let point = Vec3::new(1.0, 0.0, 2.0);
-    let with_origin = |angles: [f64; 3]| {
-        chain.gauge_point(origin, &angles, Vec3::ZERO) + point - tool(&chain)
-    };
+    let with_origin =
+        |angles: [f64; 3]| chain.gauge_point(origin, &angles, Vec3::ZERO) + point - tool(&chain);
     four_digits(with_origin(degrees(0.0, 90.0, 0.0)), -319.0, -210.0, -288.0);
     four_digits(with_origin(degrees(0.0, 90.0, 90.0)), -319.0, -210.0, -308.0);
     let tip = origin + point;
@@ -276,8 +277,7 @@ fn example_44_kinematics_of_linuxcnc() {
         chain.gauge_point(POINT, &angles, Vec3::ZERO)
     };
     four_digits(joints(&parameters), 7.0711, 6.1237, 23.5355);
-    let conventional =
-        linuxcnc::TrunnionParameters { conventional_directions: true, ..parameters };
+    let conventional = linuxcnc::TrunnionParameters { conventional_directions: true, ..parameters };
     four_digits(joints(&conventional), 7.0711, -6.1237, 23.5355);
 
     let head = linuxcnc::five_axis_head(250.0).expect("a chain");
@@ -291,9 +291,7 @@ fn example_45_the_turn_is_fast_beside_a_pole() {
     // A great circle whose nearest point to the pole is 1 degree from it, at its middle; 20 degrees long.
     let chain = table_table_ac();
     let beside = rotation(Vec3::Y, 1.0);
-    let at = |deg: f64| {
-        beside.apply_direction(rotation(Vec3::X, deg).apply_direction(Vec3::Z))
-    };
+    let at = |deg: f64| beside.apply_direction(rotation(Vec3::X, deg).apply_direction(Vec3::Z));
     let start = chain.joint_solutions(at(-10.0)).expect("solutions").as_slice()[0].angles;
     let arc = OrientationArc::new(&chain, at(-10.0), at(10.0), &start).expect("an arc");
     let jet = arc.angle_jet(0.5).expect("no pole");
@@ -302,7 +300,9 @@ fn example_45_the_turn_is_fast_beside_a_pole() {
     // On the sphere the speed is v / sin e; the small angle of the example gives v / e.
     let expected = 10.0 / 1_f64.to_radians().sin();
     assert!((speed_deg_per_s - expected).abs() < 1e-9, "{speed_deg_per_s} is not {expected}");
-    assert!((speed_deg_per_s * 1_f64.to_radians().sin() / 1_f64.to_radians() - 572.96).abs() < 5e-3);
+    assert!(
+        (speed_deg_per_s * 1_f64.to_radians().sin() / 1_f64.to_radians() - 572.96).abs() < 5e-3
+    );
 }
 
 #[test]

@@ -99,7 +99,8 @@ pub struct RandomNumbers(pub u64);
 
 impl RandomNumbers {
     pub fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         f64::from((self.0 >> 33) as u32) / f64::from(1_u32 << 31)
     }
 
