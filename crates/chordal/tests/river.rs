@@ -10,7 +10,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("chordal-diagnostics", &[]),
     ("chordal-syntax", &["chordal-diagnostics"]),
     ("chordal-geometry", &[]),
-    ("chordal-machine", &["chordal-geometry"]),
+    ("chordal-kinematics", &["chordal-geometry"]),
+    ("chordal-machine", &["chordal-geometry", "chordal-kinematics"]),
     ("chordal-command", &["chordal-diagnostics", "chordal-geometry", "chordal-machine"]),
     (
         "chordal-kernel",

@@ -1,0 +1,57 @@
+//! The only module of this crate with transcendental functions, and rotations of vectors.
+//!
+//! They come from `libm`, so that the same chain gives the same bits on every machine.
+
+use core::f64::consts::TAU;
+
+use chordal_geometry::Vec3;
+
+/// Sine and cosine of an angle in radians, in that order.
+pub(crate) fn sin_cos(angle: f64) -> (f64, f64) {
+    libm::sincos(angle)
+}
+
+/// Sine of an angle in radians.
+pub(crate) fn sin(angle: f64) -> f64 {
+    libm::sin(angle)
+}
+
+/// Angle of the vector `(x, y)` in radians, in `-π..=π`.
+pub(crate) fn atan2(y: f64, x: f64) -> f64 {
+    libm::atan2(y, x)
+}
+
+/// The angle between two vectors, rad, in `0..=π`: accurate near 0 and π, where an arc cosine is not.
+pub(crate) fn angle_between(a: Vec3, b: Vec3) -> f64 {
+    atan2(a.cross(b).length(), a.dot(b))
+}
+
+/// The vector turned by `angle` (rad) about a unit vector, by the right-hand rule.
+pub(crate) fn rotated(v: Vec3, about: Vec3, angle: f64) -> Vec3 {
+    if angle == 0.0 {
+        return v;
+    }
+    let (sin, cos) = sin_cos(angle);
+    let along = about * v.dot(about);
+    along + (v - along) * cos + about.cross(v) * sin
+}
+
+/// The angle less whole turns, rad, in `-π..=π`.
+pub(crate) fn within_half_turn(angle: f64) -> f64 {
+    angle - TAU * libm::round(angle / TAU)
+}
+
+/// The angle plus the whole turns that bring it nearest to another one, rad.
+pub(crate) fn nearest_turn(angle: f64, other: f64) -> f64 {
+    angle + TAU * libm::round((other - angle) / TAU)
+}
+
+/// Rounds down.
+pub(crate) fn floor(x: f64) -> f64 {
+    libm::floor(x)
+}
+
+/// Rounds up.
+pub(crate) fn ceil(x: f64) -> f64 {
+    libm::ceil(x)
+}
