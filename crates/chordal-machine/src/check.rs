@@ -275,6 +275,7 @@ impl CheckedValue<'_> {
             SchemaSlot::Within { dimension, from, to, usual, place } => {
                 *place(machine, keys) = Some(self.within(*dimension, [*from, *to], usual)?);
             }
+            SchemaSlot::Direction(place) => *place(machine, keys) = Some(self.direction()?),
             SchemaSlot::NumberList(place) => {
                 let DeValue::Array(items) = value else {
                     let help = Some("write it as `[1.5, 2]`".to_string());
@@ -371,6 +372,28 @@ impl CheckedValue<'_> {
         let message =
             format!("`{}` is {number}{unit}: it must be from {from} to {to}{unit}", self.at.shown);
         Err(self.error(message, Some(format!("give a published value, {usual}"))))
+    }
+
+    /// The three components of a direction.
+    fn direction(&self) -> Result<[f64; 3], MachineError> {
+        let help = || Some("write it as `[0, 1, 1]`: its parts along X, Y and Z".to_string());
+        let DeValue::Array(items) = self.value.get_ref() else {
+            return Err(self.takes("three numbers", help()));
+        };
+        if items.len() != 3 {
+            let message = format!("`{}` takes three numbers, not {}", self.name(), items.len());
+            return Err(self.error(message, help()));
+        }
+        let mut direction = [0.0; 3];
+        for (number, item) in direction.iter_mut().zip(items) {
+            *number = CheckedValue { value: item, ..*self }.plain_number()?;
+        }
+        if direction == [0.0; 3] {
+            return Err(
+                self.error(format!("`{}` has no direction: it is zero", self.name()), help())
+            );
+        }
+        Ok(direction)
     }
 
     fn plain_number(&self) -> Result<f64, MachineError> {

@@ -39,6 +39,7 @@ mod designated_tool;
 mod designation;
 mod error;
 mod files;
+mod kinematics;
 mod machine;
 mod motion;
 mod offset;
@@ -58,16 +59,18 @@ mod write;
 
 pub use axis::{AXES, AXIS_LETTERS, AXIS_NAMES, Axis, PerAxis};
 pub use builtin::{builtin, builtin_names};
+pub use chordal_kinematics::RolloverRule;
 pub use control::{ControlName, RegisteredControl, UnknownControl};
 pub use designation::{
     DesignationError, HolderDesignation, HolderKind, InsertDesignation, InsertLetter, ToolHand,
     WrittenDesignation, clearance_degrees,
 };
 pub use error::{MachineError, ValueLocation};
+pub use kinematics::KinematicsError;
 pub use machine::{
     AxisLimits, CustomCodeSpec, DiameterProgramming, FeedLimits, Machine, MachineNotices, Macros,
-    NonMotionTimes, Probe, ProbeHit, RapidShape, RotaryAxis, RotaryTarget, Switches, Turret,
-    WorkOffset,
+    NonMotionTimes, Probe, ProbeHit, RapidShape, RotaryAxis, RotaryTarget, Switches, TcpFrame,
+    Turret, WorkOffset,
 };
 pub use motion::MotionSettings;
 pub use offset::work_offset_name;

@@ -2,6 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use chordal_kinematics::RolloverRule;
+
 use crate::axis::{AXES, Axis, PerAxis};
 use crate::control::ControlName;
 use crate::error::{MachineError, ValueLocation};
@@ -30,6 +32,8 @@ pub struct Machine {
     pub axes: PerAxis<Option<AxisLimits>>,
     /// What A, B and C turn, in this order.
     pub rotary: [RotaryAxis; 3],
+    /// The frame of the tip with tool centre point control.
+    pub tcp_frame: TcpFrame,
     /// The largest feeds that may be programmed.
     pub feed: FeedLimits,
     /// The path of a rapid move; `None`: the control's default.
@@ -130,7 +134,7 @@ impl DiameterProgramming {
     }
 }
 
-/// The kinematics of a rotary axis, as far as drawings need them.
+/// The kinematics of a rotary axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RotaryAxis {
     /// What it turns; `None`: not known.
@@ -139,7 +143,40 @@ pub struct RotaryAxis {
     /// right-hand rule about the linear axis.
     pub reversed: bool,
     /// A point on its axis of rotation, program coordinates X, Y, Z, mm; a coordinate that is `None` is the program zero.
+    /// Pictures use it.
     pub center_mm: [Option<f64>; 3],
+    /// A point on its axis of rotation with every rotary axis at zero, X, Y, Z, mm: machine coordinates for a table, from
+    /// the gauge point for a head; `None`: not given.
+    pub point_mm: [Option<f64>; 3],
+    /// The direction of its axis of rotation, of any length above zero; `None`: that of its linear axis.
+    pub direction: Option<[f64; 3]>,
+    /// The rotary axis that carries it; `None`: by the order of the letters.
+    pub on: Option<Axis>,
+    /// How it reaches a programmed absolute angle; `None`: not given.
+    pub rollover: Option<RolloverRule>,
+}
+
+/// The frame in which the tip follows its path with tool centre point control, if tables turn the part.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum TcpFrame {
+    /// It lies on the part as with the tables at zero.
+    #[default]
+    Zero,
+    /// It lies on the part as the tables are where the control is activated.
+    Activation,
+}
+
+impl TcpFrame {
+    /// Both values.
+    pub const ALL: [TcpFrame; 2] = [TcpFrame::Zero, TcpFrame::Activation];
+
+    /// The word for it in machine files.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            TcpFrame::Zero => "zero",
+            TcpFrame::Activation => "activation",
+        }
+    }
 }
 
 /// What a rotary axis turns.
@@ -343,6 +380,7 @@ impl Machine {
             control,
             axes: [None; AXES],
             rotary: [RotaryAxis::default(); 3],
+            tcp_frame: TcpFrame::Zero,
             feed: FeedLimits::default(),
             turret: Turret::Rear,
             turret_clearance_mm: None,

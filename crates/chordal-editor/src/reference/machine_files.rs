@@ -159,13 +159,29 @@ max_velocity = \"100 deg/s\"",
     },
     TableSection {
         table: "rotary",
-        about: "Only pictures need this table.",
+        about: "What the rotary axes turn and where they are. Pictures need `turns`, `reversed` and `center`; the kinematics of \
+                a machine need a `point` on each axis. A machine has at most two such axes in its kinematics.",
         example: "
 [rotary.A]
 turns = \"table\"
 reversed = false
 center.Y = \"0 mm\"
-center.Z = \"-50 mm\"",
+center.Z = \"-50 mm\"
+point.Y = \"-200 mm\"
+point.Z = \"-400 mm\"
+direction = [1, 0, 0]
+
+[rotary.C]
+turns = \"table\"
+on = \"A\"
+point.X = \"-300 mm\"
+point.Y = \"-200 mm\"
+rollover = \"shortest\"",
+    },
+    TableSection {
+        table: "kinematics",
+        about: "",
+        example: "[kinematics]\ntcp_frame = \"activation\"",
     },
     TableSection {
         table: "feed",

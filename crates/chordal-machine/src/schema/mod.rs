@@ -93,6 +93,8 @@ pub(crate) enum SchemaSlot {
         usual: &'static str,
         place: MachineField<Option<f64>>,
     },
+    /// The three components of a direction, which is not zero.
+    Direction(MachineField<Option<[f64; 3]>>),
     /// Numbers without a unit.
     NumberList(MachineField<Vec<f64>>),
     /// A date or a time, stored as its digits.
@@ -390,6 +392,7 @@ impl SchemaRow {
                 format!("{}; from {from} to {to} {}", kind(*dimension), dimension.inside())
             }
             SchemaSlot::Within { dimension: None, from, to, .. } => format!("a number from {from} to {to}"),
+            SchemaSlot::Direction(_) => "three numbers, not all zero: `[0, 1, 1]`".into(),
             SchemaSlot::NumberList(_) => "a list of numbers".into(),
             SchemaSlot::Stamp { stamp, .. } => {
                 let (what, form) = stamp.words();

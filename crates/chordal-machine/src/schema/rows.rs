@@ -1,11 +1,14 @@
 //! The rows of the table of keys.
 
+use chordal_kinematics::RolloverRule;
+
 use super::words::WordField;
 use super::{DateOrTime, MachineField, PlaceholderKeys, SchemaRow, SchemaSlot, SignRule};
 use crate::axis::{Axis, PerAxis};
 use crate::control::ControlName;
 use crate::machine::{
-    AxisLimits, Machine, ProbeHit, RapidShape, RotaryAxis, RotaryTarget, Turret, WorkOffset,
+    AxisLimits, Machine, ProbeHit, RapidShape, RotaryAxis, RotaryTarget, TcpFrame, Turret,
+    WorkOffset,
 };
 use crate::quantity::QuantityDimension;
 use crate::tool::{Tool, ToolShape};
@@ -184,7 +187,38 @@ pub(crate) const ROWS: &[SchemaRow] = &[
     position(
         "rotary.<rotary>.center.<axis>",
         |m, k| &mut rotary(m, k).center_mm[k.axis.map_or(0, |axis| axis as usize % 3)],
-        "a point on its axis: X, Y and Z, program coordinates; otherwise the program's zero",
+        "a point on its axis for pictures: X, Y and Z, program coordinates; otherwise the program's zero",
+    ),
+    position(
+        "rotary.<rotary>.point.<axis>",
+        |m, k| &mut rotary(m, k).point_mm[k.axis.map_or(0, |axis| axis as usize % 3)],
+        "a point on its axis with A, B and C at zero, for the kinematics of the machine: of a table in machine coordinates, of a head from the gauge point, at which the spindle holds tools. A coordinate along which the axis is directed is not needed; otherwise the kinematics are not known",
+    ),
+    SchemaRow {
+        path: "rotary.<rotary>.direction",
+        slot: SchemaSlot::Direction(|m, k| &mut rotary(m, k).direction),
+        doc: "the direction of its axis with A, B and C at zero, of any length: parts along X, Y and Z, such as `[0, 1, 1]` for a nutating axis; otherwise along X for A, Y for B, Z for C",
+    },
+    word(
+        "rotary.<rotary>.on",
+        "rotary axis",
+        &["A", "B", "C"],
+        |m, k| &mut rotary(m, k).on,
+        "the table that carries this table, or the head that carries this head; otherwise as `turns` says",
+    ),
+    word(
+        "rotary.<rotary>.rollover",
+        "rule of rollover",
+        words!(RolloverRule),
+        |m, k| &mut rotary(m, k).rollover,
+        "how a programmed absolute angle is reached: in the short direction (`shortest`), in the direction of its sign (`sign`), or through every turn (`linear`); otherwise `linear`",
+    ),
+    word(
+        "kinematics.tcp_frame",
+        "frame of tool centre point control",
+        words!(TcpFrame),
+        |m, _| &mut m.tcp_frame,
+        "the frame of tool centre point control on tables: as it lies on the part with the tables at zero (`zero`), or as they are where it is switched on (`activation`); otherwise `zero`",
     ),
     quantity(
         "feed.max",

@@ -6,7 +6,7 @@ use crate::machine::Machine;
 use crate::toml_text::key_text;
 
 /// The tables in the order of a written file, after the keys that are in no table.
-const TABLE_ORDER: &str = "axes.<axis> rotary.<rotary> feed rapid spindle home reference_points.<point> \
+const TABLE_ORDER: &str = "axes.<axis> rotary.<rotary> kinematics feed rapid spindle home reference_points.<point> \
      switches program motion times shop_codes.<code> macros macros.variables probe probe.hit \
      tools.<tool> stock fixtures.<name> target materials.<name> work_offsets.<offset> settings";
 
@@ -114,7 +114,9 @@ fn names(machine: &Machine, table: &str, path: &str) -> Vec<String> {
         ("settings", _) => texts(machine.settings.keys()),
         // `hit` is set instead of the planes; writing keys of planes would remove it.
         ("probe.hit", _) if machine.probe.hit.is_some() => Vec::new(),
-        (_, "from.<axis>" | "to.<axis>" | "center.<axis>") => texts(Axis::ALL[..3].iter()),
+        (_, "from.<axis>" | "to.<axis>" | "center.<axis>" | "point.<axis>") => {
+            texts(Axis::ALL[..3].iter())
+        }
         _ => texts(Axis::ALL.iter()),
     }
 }

@@ -36,6 +36,8 @@ impl SchemaSlot {
             // `1.0`, not `1`, so that it remains a number with a fraction.
             SchemaSlot::Override(place) => place(machine, keys).map(|number| format!("{number:?}")),
             SchemaSlot::Number(place) => Some(format!("{:?}", place(machine, keys))),
+            SchemaSlot::Direction(place) => place(machine, keys)
+                .map(|direction| list(direction.map(|number| format!("{number:?}")))),
             SchemaSlot::NumberList(place) => {
                 some_list(place(machine, keys).iter().map(|number| format!("{number:?}")))
             }

@@ -1,8 +1,10 @@
 //! Fields whose values are words: how a word is set, and how it is written.
 
+use chordal_kinematics::RolloverRule;
+
 use crate::axis::{AXIS_NAMES, Axis};
 use crate::control::ControlName;
-use crate::machine::{Probe, ProbeHit, RapidShape, RotaryTarget, Turret};
+use crate::machine::{Probe, ProbeHit, RapidShape, RotaryTarget, TcpFrame, Turret};
 use crate::setup::{BodyShape, MeshUnit};
 use crate::tool::ToolShape;
 use crate::turning::ToolFacing;
@@ -36,7 +38,7 @@ macro_rules! optional_words {
     )*};
 }
 
-optional_words!(BodyShape, MeshUnit, RapidShape, RotaryTarget, ToolFacing, ToolShape);
+optional_words!(BodyShape, MeshUnit, RapidShape, RolloverRule, RotaryTarget, ToolFacing, ToolShape);
 
 impl WordField for Option<Axis> {
     fn word(&self) -> Option<&'static str> {
@@ -70,6 +72,16 @@ impl WordField for Turret {
 
     fn set_word(&mut self, word: &str) {
         *self = Turret::ALL.into_iter().find(|side| side.as_str() == word).unwrap_or(*self);
+    }
+}
+
+impl WordField for TcpFrame {
+    fn word(&self) -> Option<&'static str> {
+        (*self != TcpFrame::default()).then(|| self.as_str())
+    }
+
+    fn set_word(&mut self, word: &str) {
+        *self = TcpFrame::ALL.into_iter().find(|frame| frame.as_str() == word).unwrap_or(*self);
     }
 }
 

@@ -29,6 +29,7 @@ fn assignments(row: &SchemaRow) -> Vec<String> {
             format!("\"{from} {}\"", dimension.inside())
         }
         SchemaSlot::Within { dimension: None, to, .. } => to.to_string(),
+        SchemaSlot::Direction(_) => "[0, 0.5, -2]".to_string(),
         SchemaSlot::NumberList(_) => "[1.5, -2]".to_string(),
         SchemaSlot::Stamp { stamp, .. } => format!("\"{}\"", stamp.words().1),
         SchemaSlot::TextList(_) => "[\"one\", \"\"]".to_string(),
