@@ -11,6 +11,7 @@ use crate::mode::{CompensationSide, Coolant, Overrides, PathMode, SpindleState};
 use crate::motion::{ArcShape, Feed, FeedMode, Move, RapidPath};
 use crate::origin::Origin;
 use crate::surface::RotarySurface;
+use crate::tool_center::ToolCenterControl;
 use crate::units::Units;
 use crate::work_name::WorkName;
 use crate::work_zero::WorkZero;
@@ -177,6 +178,14 @@ pub enum CommandKind {
     Surface {
         /// The surface; `None` where it ends.
         surface: Option<RotarySurface>,
+        /// The tool tip in the new coordinates.
+        position: Position,
+    },
+    /// From here on coordinates are those of the tip in a frame that is fixed to the part (G43.4, G234, TRAORI), or those
+    /// of the axes again.
+    ToolCenter {
+        /// The control of the tip; `None` where it ends.
+        control: Option<Arc<ToolCenterControl>>,
         /// The tool tip in the new coordinates.
         position: Position,
     },

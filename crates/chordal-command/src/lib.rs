@@ -27,6 +27,7 @@ mod motion;
 mod origin;
 mod sink;
 mod surface;
+mod tool_center;
 mod units;
 mod work_name;
 mod work_zero;
@@ -41,6 +42,7 @@ pub use motion::{
 pub use origin::{CallPath, CallPaths, Origin};
 pub use sink::Sink;
 pub use surface::{RotarySurface, SurfaceRun, SurfaceShape};
+pub use tool_center::{ProgramOffsets, TipCurve, ToolCenterControl};
 pub use units::{Units, number_text, telling_number};
 pub use work_name::{WorkName, WorkNaming};
 pub use work_zero::{UnknownPresets, WorkZero};

@@ -97,6 +97,8 @@ pub(crate) struct MoveState {
     pub(crate) overrides: Overrides,
     /// The rotating surface of polar or cylindrical interpolation.
     pub(crate) surface: Option<RotarySurface>,
+    /// Coordinates are those of the tip on the part (tool centre point control).
+    pub(crate) follows_tip: bool,
     /// The block delete switch that can skip the block.
     pub(crate) deletable: Option<BlockDeleteUse>,
 }
@@ -290,6 +292,7 @@ impl<'j> RunRecorder<'j> {
             path_mode: PathMode::Continuous { tolerance_mm: None, joined: false },
             overrides: Overrides::ON,
             surface: None,
+            follows_tip: false,
             deletable: None,
         };
         RunRecorder {
@@ -446,7 +449,8 @@ impl<'j> RunRecorder<'j> {
             Kind::PathMode(mode) => self.now.path_mode = *mode,
             Kind::Overrides(overrides) => self.now.overrides = *overrides,
             Kind::Surface { surface, .. } => self.now.surface = *surface,
-            Kind::End => self.now.surface = None,
+            Kind::ToolCenter { control, .. } => self.now.follows_tip = control.is_some(),
+            Kind::End => (self.now.surface, self.now.follows_tip) = (None, false),
             // The effects of these are in the moves.
             Kind::Rapid { .. }
             | Kind::Line { .. }

@@ -393,6 +393,13 @@ fn surface_value(surface: Option<RotarySurface>) -> DifferenceValue {
     })
 }
 
+fn coordinates_text(follows_tip: bool) -> String {
+    match follows_tip {
+        true => "coordinates of the tip on the part".into(),
+        false => "coordinates of the axes".into(),
+    }
+}
+
 /// Whether two tool offsets set directly by programs (G43.1) are equal.
 fn is_same_length(a: Option<Position>, b: Option<Position>) -> bool {
     match (a, b) {
@@ -414,7 +421,7 @@ fn differences(
     a: &MoveState,
     b: &MoveState,
     tolerance: f64,
-) -> [(Category, Option<[DifferenceValue; 2]>); 9] {
+) -> [(Category, Option<[DifferenceValue; 2]>); 10] {
     let number =
         |number: Option<u32>| number.map_or(DifferenceValue::Nothing, DifferenceValue::Number);
     let length = |state: &MoveState| match state.own_length {
@@ -476,6 +483,13 @@ fn differences(
             Category::Rotary,
             (!is_same_surface(a.surface, b.surface))
                 .then(|| [surface_value(a.surface), surface_value(b.surface)]),
+        ),
+        (
+            Category::Rotary,
+            of(
+                a.follows_tip != b.follows_tip,
+                [a, b].map(|state| DifferenceValue::Text(coordinates_text(state.follows_tip))),
+            ),
         ),
         (
             Category::BlockDelete,

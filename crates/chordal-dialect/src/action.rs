@@ -189,6 +189,8 @@ pub enum LengthCode {
     FromAxes,
     /// The offsets of another tool are added (LinuxCNC G43.2).
     Add,
+    /// The length acts along the tool, and coordinates are those of its tip on the part (G43.4, Haas G234).
+    ToolCenter,
 }
 
 /// Moves.

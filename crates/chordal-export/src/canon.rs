@@ -364,6 +364,10 @@ fn simple(kind: &CommandKind) -> Option<String> {
                 format!("COMMENT(\"coordinates on a cylinder, radius {radius_mm:.6}\")")
             }
         },
+        CommandKind::ToolCenter { control, .. } => match control {
+            None => "COMMENT(\"coordinates of the axes\")".into(),
+            Some(_) => "COMMENT(\"coordinates of the tip on the part\")".into(),
+        },
         CommandKind::Stop { optional: true } => "OPTIONAL_PROGRAM_STOP()".into(),
         CommandKind::Stop { optional: false } => "PROGRAM_STOP()".into(),
         CommandKind::End => "PROGRAM_END()".into(),

@@ -346,6 +346,10 @@ fn state(object: &mut JsonObject, kind: &CommandKind) {
             object.word("kind", "probed");
             object.boolean("hit", *hit);
         }
+        CommandKind::ToolCenter { control, .. } => {
+            object.word("kind", "tool_center");
+            object.boolean("on", control.is_some());
+        }
         CommandKind::Surface { surface, .. } => surface_of(object, surface.as_ref()),
         CommandKind::End => object.word("kind", "end"),
         other => mode(object, other),

@@ -41,6 +41,7 @@ pub mod state_items;
 mod statement;
 mod surface;
 mod surface_codes;
+mod tool_center;
 mod turning;
 
 pub use checkpoint::{Checkpoint, CheckpointMemory};

@@ -1,7 +1,10 @@
 //! What a control remembers from block to block.
 
+use std::sync::Arc;
+
 use chordal_command::{
-    AxisMask, CompensationSide, Coolant, FeedMode, Overrides, Position, SpindleState, Units,
+    AxisMask, CompensationSide, Coolant, FeedMode, Overrides, Position, SpindleState,
+    ToolCenterControl, Units,
 };
 use chordal_diagnostics::Span;
 use chordal_geometry::{Plane, TurnDirection};
@@ -275,6 +278,8 @@ pub struct State {
     pub polar: Option<PolarReading>,
     /// The surface of polar or cylindrical interpolation; `None` when inactive.
     pub surface: Option<SurfaceState>,
+    /// Tool centre point control; `None` when coordinates are those of the axes.
+    pub tool_center: Option<Arc<ToolCenterControl>>,
     /// Units of the program.
     pub units: Units,
     /// The plane of arcs and compensation.
@@ -362,6 +367,7 @@ impl State {
             last_rotation_deg: None,
             polar: None,
             surface: None,
+            tool_center: None,
             units: rules.units,
             plane: rules.starts_in,
             incremental: rules.starts_incremental,
@@ -402,10 +408,11 @@ impl State {
 
     /// The machine coordinate of an axis, mm or rad.
     pub fn machine_position(&self, axis: usize) -> f64 {
-        let place = match (&self.surface, self.frames.is_plain()) {
-            (Some(surface), _) => surface.run.on_axes(&self.position)[axis],
-            (None, true) => self.position[axis],
-            (None, false) => self.work_position()[axis],
+        let place = match (&self.surface, &self.tool_center, self.frames.is_plain()) {
+            (Some(surface), ..) => surface.run.on_axes(&self.position)[axis],
+            (None, Some(_), _) => self.axis_position()[axis],
+            (None, None, true) => self.position[axis],
+            (None, None, false) => self.work_position()[axis],
         };
         place + self.offsets.total()[axis]
     }
@@ -447,6 +454,14 @@ impl State {
 
     /// Changes the offsets: the machine does not move, the program coordinates change.
     pub fn shift_coordinates(&mut self, change: impl FnOnce(&mut Offsets)) {
+        let tool_center = self.stop_tool_center();
+        self.shift_axes(change);
+        if let Some(control) = tool_center {
+            self.start_tool_center(control);
+        }
+    }
+
+    fn shift_axes(&mut self, change: impl FnOnce(&mut Offsets)) {
         let mut work = self.work_position();
         let mut known = self.frames.map().known(self.known);
         let old_total = self.offsets.total();

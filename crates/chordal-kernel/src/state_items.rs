@@ -55,7 +55,7 @@ pub enum StateItem {
     NamedLength,
     /// What the program has written into the tables of offsets.
     Tables,
-    /// Mirror, scaling, rotation, polar coordinates, a surface.
+    /// Mirror, scaling, rotation, polar coordinates, a surface, tool centre point control.
     Frames,
     /// How corners are passed.
     PathMode,
@@ -153,6 +153,7 @@ impl State {
             last_rotation_deg: _,
             polar: _,
             surface: _,
+            tool_center: _,
             units,
             plane,
             incremental,

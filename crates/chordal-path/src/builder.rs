@@ -180,6 +180,11 @@ impl<'a> PathBuilder<'a> {
         self
     }
 
+    /// The relation between program and machine coordinates after the last command.
+    pub fn frame(&self) -> &ProgramFrame {
+        &self.frame
+    }
+
     /// Follows a command and passes its segments to `push`.
     pub fn command(&mut self, command: &Command, mut push: impl FnMut(&Segment)) {
         if let CommandKind::Tool { number } | CommandKind::ToolNumber { number } = command.kind {
@@ -294,6 +299,7 @@ impl<'a> PathBuilder<'a> {
             tip_known: !matches!(self.tip.place(), TipPlace::Unknown(_)),
             unrelated_zero: self.shift.1,
             not_named: NotNamed::NONE,
+            on_part: self.frame.tool_center.is_some(),
             origin: command.origin,
         }
     }

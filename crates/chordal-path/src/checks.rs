@@ -4,6 +4,7 @@ mod cutting_speed;
 mod joint;
 mod surface;
 mod tip;
+mod tool_center;
 mod turret;
 
 use chordal_command::{
@@ -271,6 +272,10 @@ impl<'a> RunChecks<'a> {
         }
         if self.now.frame.surface.is_some() {
             return self.on_surface(path, &mut report);
+        }
+        if self.now.frame.tool_center.is_some() {
+            self.now.tip.follow(command, self.machine);
+            return self.on_tip(path, &mut report);
         }
         self.now.tip.follow(command, self.machine);
         if self.now.tip.is_open() {

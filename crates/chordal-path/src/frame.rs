@@ -1,10 +1,15 @@
 //! The offsets between program and machine coordinates.
 
-use chordal_command::{AxisMask, Command, CommandKind, Position, SurfaceRun, WorkName, WorkZero};
+use std::sync::Arc;
+
+use chordal_command::{
+    AxisMask, Command, CommandKind, Position, ProgramOffsets, SurfaceRun, ToolCenterControl,
+    WorkName, WorkZero,
+};
 use chordal_machine::AXES;
 
 /// The relation between program and machine coordinates, which follows the commands of a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ProgramFrame {
     /// The active work coordinate system.
     pub name: WorkName,
@@ -18,6 +23,8 @@ pub struct ProgramFrame {
     pub known: AxisMask,
     /// The surface on which two coordinates lie, and the position of its axis; `None` without one.
     pub surface: Option<SurfaceRun>,
+    /// Tool centre point control; `None` when coordinates are those of the axes.
+    pub tool_center: Option<Arc<ToolCenterControl>>,
 }
 
 impl ProgramFrame {
@@ -30,6 +37,7 @@ impl ProgramFrame {
             tool: [0.0; AXES],
             known,
             surface: None,
+            tool_center: None,
         }
     }
 
@@ -51,8 +59,9 @@ impl ProgramFrame {
                 self.known = *known;
             }
             CommandKind::Surface { surface, .. } => self.surface = surface.map(SurfaceRun::new),
+            CommandKind::ToolCenter { control, .. } => self.tool_center.clone_from(control),
             CommandKind::End => {
-                self.surface = None;
+                (self.surface, self.tool_center) = (None, None);
                 return false;
             }
             kind => {
@@ -68,10 +77,16 @@ impl ProgramFrame {
     /// Converts a program position at the end of the last move to positions of the real axes, mm and rad.
     #[inline]
     pub fn on_axes(&self, position: &Position) -> Position {
-        match &self.surface {
-            None => *position,
-            Some(surface) => surface.on_axes(position),
+        match (&self.surface, &self.tool_center) {
+            (None, None) => *position,
+            (Some(surface), _) => surface.on_axes(position),
+            (None, Some(control)) => control.axes_of_tip(position, &self.offsets()),
         }
+    }
+
+    /// What lies between program coordinates and the gauge point.
+    pub fn offsets(&self) -> ProgramOffsets {
+        ProgramOffsets { work: self.work, tool: self.tool }
     }
 
     /// The machine coordinate of an axis at a position of the real axes, mm or rad.

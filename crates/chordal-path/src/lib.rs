@@ -31,6 +31,7 @@
 
 #![forbid(unsafe_code)]
 
+mod axis_path;
 mod builder;
 mod checks;
 pub mod compensation;
@@ -50,6 +51,7 @@ mod surface;
 mod tip;
 mod turret_log;
 
+pub use axis_path::{AxisPiece, axis_pieces, tip_pieces};
 pub use builder::{PathBuilder, RunFrame, duration_s};
 pub use checks::{CheckedRange, ChecksMemory, RunChecks, depth_mm};
 pub use compensation::{

@@ -92,6 +92,8 @@ pub struct Segment {
     pub unrelated_zero: Option<UnrelatedZero>,
     /// Those of X, Y and Z that are drawn at zero because the program does not name them.
     pub not_named: NotNamed,
+    /// The curve is that of the tip on the part (tool centre point control); otherwise that of the tip on the machine.
+    pub on_part: bool,
     /// The position of its block in the program.
     pub origin: Origin,
 }

@@ -107,7 +107,7 @@ impl ModalTrack {
     fn motion(&mut self, command: &Command, segments: &[Segment]) -> bool {
         let cuts = command.kind.feed().is_some();
         if cuts && self.base.is_none() {
-            self.base = Some(self.now.frame);
+            self.base = Some(self.now.frame.clone());
             self.moved = true;
         }
         let (true, Some(last), Some(motion)) = (self.moved, segments.last(), command.kind.motion())

@@ -47,10 +47,10 @@ impl Sink for AheadSink {
         if self.first_known_cut.is_none() && !self.frame.follow(command) {
             let is_known = command.kind.motion().is_some_and(is_known);
             if command.kind.feed().is_some() {
-                self.first_cut.get_or_insert(self.frame);
-                self.first_known_cut = is_known.then_some(self.frame);
+                self.first_cut.get_or_insert_with(|| self.frame.clone());
+                self.first_known_cut = is_known.then(|| self.frame.clone());
             } else if is_known {
-                self.first_move.get_or_insert(self.frame);
+                self.first_move.get_or_insert_with(|| self.frame.clone());
             }
         }
         if let Some(motion) = command.kind.motion() {
@@ -129,8 +129,9 @@ impl Job<'_> {
                 break;
             }
         }
-        let first = sink.first_known_cut.or(sink.first_cut).or(sink.first_move);
-        let run_frame = first.map(|frame| self.run_frame_of(&frame));
+        let first = [&sink.first_known_cut, &sink.first_cut, &sink.first_move];
+        let first = first.into_iter().find_map(Option::as_ref);
+        let run_frame = first.map(|frame| self.run_frame_of(frame));
         RunPremises { run_frame, not_named: Some(sink.not_named()) }
     }
 

@@ -12,7 +12,10 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("chordal-geometry", &[]),
     ("chordal-kinematics", &["chordal-geometry"]),
     ("chordal-machine", &["chordal-geometry", "chordal-kinematics"]),
-    ("chordal-command", &["chordal-diagnostics", "chordal-geometry", "chordal-machine"]),
+    (
+        "chordal-command",
+        &["chordal-diagnostics", "chordal-geometry", "chordal-kinematics", "chordal-machine"],
+    ),
     (
         "chordal-kernel",
         &["chordal-diagnostics", "chordal-geometry", "chordal-machine", "chordal-command"],

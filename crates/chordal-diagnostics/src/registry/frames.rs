@@ -120,4 +120,20 @@ On a cylinder an arc lies in the plane of the length along the axis and the rota
 
 Controls stop with an alarm, or slow down. Use a lower F, or keep the tool farther from the centre. The time of the program
 counts the cut as slow as the axis needs."#;
+
+    KinematicsNotKnown = 448, "kinematics-not-known", Note;
+    "where the axes are under tool centre point control is not known";
+    r#"With tool centre point control (G43.4, Haas G234, Sinumerik TRAORI) the program gives the tip of the tool on the part, and
+the control moves X, Y and Z so that it stays there while the rotary axes turn. Where these axes are follows from the points
+about which the rotary axes turn, and the machine file does not give all of them.
+
+The tip is followed all the same. Travel and the limits of the axes are not checked, and the time is not verified. Give the
+points, for example of a round table C on a tilting table A, in machine coordinates:
+
+    [rotary.A]
+    turns = "table"
+    point = { Y = "-200 mm", Z = "-400 mm" }
+    [rotary.C]
+    turns = "table"
+    point = { X = "-300 mm", Y = "-200 mm" }"#;
 }

@@ -121,7 +121,7 @@ impl Code {
     /// Whether the time is unknown from there on, because a feed, a speed or a wait depends on an unknown value, or the order
     /// of the cuts of a cycle is assumed.
     pub const fn loses_time(self) -> bool {
-        matches!(self, Code::UnknownTime | Code::CyclePathAssumed)
+        matches!(self, Code::UnknownTime | Code::CyclePathAssumed | Code::KinematicsNotKnown)
     }
 
     /// The registry entry.

@@ -241,6 +241,15 @@ fn length(code: LengthCode) -> CodeFacts {
             .settings(&[SettingField::LENGTH_MUST_MATCH_TOOL, SettingField::LENGTH_BY_H_ALONE])
             .rows(&[("H", "number of the length offset")])
             .example("{} H1 Z30."),
+        LengthCode::ToolCenter => PLAIN
+            .problems(&[
+                Code::OffsetNotSet,
+                Code::LengthOffsetOfOtherTool,
+                Code::KinematicsNotKnown,
+            ])
+            .settings(&[SettingField::LENGTH_MUST_MATCH_TOOL])
+            .rows(&[("H", "number of the length offset")])
+            .example("{} H1 Z30."),
         LengthCode::Add => PLAIN
             .problems(&[Code::OffsetNotSet, Code::LengthOffsetOfOtherTool, Code::TipDisplaced])
             .rows(&[("H", "number of the tool whose offsets are added")]),

@@ -373,6 +373,10 @@ impl<'a> CommandColumns<'a> {
                 self.state.put(row, if *hit { "hit" } else { "nothing" });
                 "probed"
             }
+            CommandKind::ToolCenter { control, .. } => {
+                self.state.put(row, if control.is_some() { "on" } else { "off" });
+                "tool_center"
+            }
             CommandKind::Surface { surface, .. } => {
                 let shape = surface.map(|surface| surface.shape);
                 self.state.put(

@@ -344,7 +344,10 @@ impl BlockCheck<'_> {
                 }
             }
             // The tool table says it.
-            Some(LengthCode::Plus | LengthCode::Minus | LengthCode::Add) | None => {}
+            Some(
+                LengthCode::Plus | LengthCode::Minus | LengthCode::Add | LengthCode::ToolCenter,
+            )
+            | None => {}
         }
         Ok(())
     }

@@ -337,6 +337,10 @@ impl Interpreter<'_> {
         if called {
             return;
         }
+        if by_code.is_some() {
+            // Any code of the group ends tool centre point control.
+            self.kernel.end_tool_center();
+        }
         if by_code == Some(Action::Length(LengthCode::Cancel)) {
             let none = LengthOffset { number: None, minus: false };
             self.kernel.set_length(&self.at(block), none);
@@ -391,6 +395,9 @@ impl Interpreter<'_> {
             }
             None => {}
         }
+        if by_code == Some(Action::Length(LengthCode::ToolCenter)) {
+            self.begin_tool_center(block, length_code);
+        }
         let adds = self.control.parameters.rules.length.adds_to_increment;
         let is_once = codes.iter().any(|(row, _)| matches!(row.action, Action::Once(_)));
         if adds && self.kernel.state.incremental && block.letters().has(b'Z') && !is_once {
@@ -399,6 +406,23 @@ impl Interpreter<'_> {
             let mut assumed = self.kernel.state.position;
             assumed[Z] = commanded;
             self.kernel.state.control_position = Some(assumed);
+        }
+    }
+
+    /// G43.4, G234: from here on coordinates are those of the tip.
+    fn begin_tool_center(&mut self, block: &Block, code: Option<&(&'static CodeRow, usize)>) {
+        let error = self.machine.kinematic_chain().err();
+        self.kernel.begin_tool_center();
+        if let (Some(error), Some((_, at))) = (error, code) {
+            let name = self.code_text(block, *at);
+            let message = format!(
+                "{name}: where X, Y and Z are while rotary axes turn is not known: {error}"
+            );
+            let span = self.span(block.words[*at].range);
+            let diagnostic = Diagnostic::new(Code::KinematicsNotKnown, span, message)
+                .label("the tip is followed; travel and time are not")
+                .help("give the rotary axes in the machine file; see `chordal explain CH448`");
+            self.kernel.report(diagnostic);
         }
     }
 

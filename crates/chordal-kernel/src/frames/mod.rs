@@ -62,6 +62,8 @@ pub struct FrameKinds {
     pub polar: bool,
     /// Two coordinates lie on a surface that turns with a rotary axis.
     pub surface: bool,
+    /// Coordinates are those of the tip in a frame that is fixed to the part.
+    pub tool_center: bool,
 }
 
 impl FrameKinds {
@@ -139,7 +141,7 @@ impl Frames {
         self.scaling.as_ref()
     }
 
-    /// Which kinds are active; `polar` and `surface` are filled in by the state.
+    /// Which kinds are active; the state fills in those that it keeps itself.
     pub fn kinds(&self) -> FrameKinds {
         FrameKinds {
             mirror: self.mirrored() != AxisMask::NONE,
@@ -148,6 +150,7 @@ impl Frames {
             work: self.work.is_some(),
             polar: false,
             surface: false,
+            tool_center: false,
         }
     }
 

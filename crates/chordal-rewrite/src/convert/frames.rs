@@ -45,6 +45,9 @@ impl ConvertContext<'_> {
             return Ok(());
         }
         let title = self.to.table.title;
+        if before.tool_center || after.tool_center {
+            return Err(NeedsExpansion(format!("{title} may follow the tip in another way")));
+        }
         let others =
             |frames: FrameKinds| frames.mirror || frames.scaling || frames.polar || frames.work;
         if others(before) || others(after) {

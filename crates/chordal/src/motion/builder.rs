@@ -10,8 +10,8 @@ use chordal_kernel::rules::{PathRules, RapidFeed};
 use chordal_machine::{AXES, FeedLimits, Machine, NonMotionTimes};
 use chordal_motion::{AxisValues, CornerMode, MoveKind, MoveRequest};
 use chordal_path::{
-    PathBuilder, PathCommand, PathSink, RotaryLimits, Segment, SegmentKind, SurfacePart, curve_of,
-    rotary_parts, surface_parts,
+    PathBuilder, PathCommand, PathSink, RotaryLimits, Segment, SegmentKind, SurfacePart,
+    axis_pieces, curve_of, rotary_parts, surface_parts, tip_pieces,
 };
 
 use super::corner::{CornerRequest, corner_of};
@@ -55,6 +55,7 @@ pub(crate) struct MotionBuilder<'a, S> {
     overrides: Overrides,
     dog_leg_shape: bool,
     spline_tolerance_mm: f64,
+    axis_chord_tolerance_mm: f64,
     mode: PathMode,
     spindle_rpm: f64,
     /// The state of a laser, which the spindle codes switch.
@@ -113,6 +114,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             overrides: Overrides::ON,
             dog_leg_shape: options.dog_leg_shape,
             spline_tolerance_mm: options.spline_tolerance_mm,
+            axis_chord_tolerance_mm: options.axis_chord_tolerance_mm,
             spindle_rpm: 0.0,
             laser_state: SpindleState::Off,
             laser_change: None,
@@ -275,12 +277,12 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         parts.retain(|(_, part)| part.length_mm > 0.0);
         for (index, (piece, part)) in parts.iter().enumerate() {
             self.piece = *piece;
-            self.segment(part, cycle, index + 1 < parts.len());
+            self.segment(part, PieceEnd::new(cycle, index + 1 < parts.len()));
         }
     }
 
-    /// Makes a move of one path segment. `bends`: the same command goes on with another segment.
-    fn segment(&mut self, segment: &Segment, cycle: bool, bends: bool) {
+    /// Makes a move of one path segment.
+    fn segment(&mut self, segment: &Segment, end: PieceEnd) {
         let kind = match segment.kind {
             SegmentKind::Rapid => MoveKind::Rapid,
             _ => MoveKind::Cut,
@@ -300,7 +302,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         }
         let speed = match kind {
             MoveKind::Rapid => self.rapid_speed(&motion, length, segment.duration_s),
-            MoveKind::Cut => self.cut_speed(segment, length),
+            MoveKind::Cut => self.cut_speed(segment, length, end.tip_length_mm),
         };
         let Some(speed) = speed else {
             self.report.cuts_without_feed += 1;
@@ -332,7 +334,12 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         };
         self.at = Some(motion.to());
         self.unknown_places = self.axes.without(known_at(segment)[1]);
-        let ending = CornerRequest { mode: self.mode, cycle, bends };
+        let ending = CornerRequest {
+            mode: self.mode,
+            cycle: end.cycle,
+            bends: end.bends,
+            chord_tolerance_mm: end.chord_tolerance_mm,
+        };
         self.pending = Some(PendingMove { step: MotionStep::Move(motion), ending, source });
     }
 
@@ -358,8 +365,9 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         if self.overrides.rapid { self.active.rapid_override } else { 1.0 }
     }
 
-    /// Speed along a cut with the override, mm/s or rad/s, at most the machine's largest feed. `None` without a feed.
-    fn cut_speed(&self, segment: &Segment, length: f64) -> Option<f64> {
+    /// Speed along a cut with the override, mm/s or rad/s, at most the machine's largest feed, which is that of the tip where
+    /// its length is another one. `None` without a feed.
+    fn cut_speed(&self, segment: &Segment, length: f64, tip_length_mm: Option<f64>) -> Option<f64> {
         // A cut without a feed has no duration. The largest feed of the machine must not replace one that the program
         // has not set.
         if segment.duration_s.is_nan() || segment.duration_s <= 0.0 {
@@ -368,7 +376,12 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         let speed = length / segment.duration_s * self.feed_override();
         let turns_only = segment.length_mm <= 0.0;
         let largest = if turns_only { self.feed.max_rad_per_s } else { self.feed.max_mm_per_s };
-        let speed = speed.min(largest.unwrap_or(f64::INFINITY));
+        let largest = largest.unwrap_or(f64::INFINITY);
+        let speed = speed.min(match tip_length_mm {
+            Some(tip) if tip > 0.0 => largest * length / tip,
+            Some(_) => f64::INFINITY,
+            None => largest,
+        });
         (speed > 0.0 && speed.is_finite()).then_some(speed)
     }
 
@@ -457,7 +470,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
                 duration_s: part.seconds,
                 ..*whole
             };
-            self.segment(&segment, command.origin.cycle, index + 1 < count);
+            self.segment(&segment, PieceEnd::new(command.origin.cycle, index + 1 < count));
         }
     }
 
@@ -480,6 +493,44 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         };
         self.in_parts(command, whole, parts);
         true
+    }
+
+    /// Makes steps of the axes while the tip follows the path segments. Returns false where the kinematics are not known.
+    fn follows_tip(&mut self, command: &Command, segments: &[Segment]) -> bool {
+        let frame = self.path.frame();
+        let (Some(control), Some(motion)) = (frame.tool_center.clone(), command.kind.motion())
+        else {
+            return false;
+        };
+        let (offsets, tolerance_mm) = (frame.offsets(), self.axis_chord_tolerance_mm);
+        let mut parts = Vec::new();
+        let mut index = 0;
+        tip_pieces(&command.kind, motion, |curve, ends| {
+            let pieces = axis_pieces(&control, curve, ends, &offsets, tolerance_mm);
+            parts.extend(pieces.into_iter().flatten().map(|piece| (index, piece)));
+            index += 1;
+        });
+        let count = parts.len();
+        for (at, (index, piece)) in parts.iter().enumerate() {
+            let Some(whole) = segments.get(*index) else { return false };
+            let part = Segment {
+                curve: piece.curve,
+                length_mm: piece.curve.length(),
+                duration_s: whole.duration_s * piece.share,
+                rotary_from: piece.rotary_from,
+                rotary_to: piece.rotary_to,
+                ..*whole
+            };
+            self.piece = self.pieces + *index as u64;
+            let goes_on = parts.get(at + 1).is_some_and(|(next, _)| next == index);
+            let end = PieceEnd {
+                chord_tolerance_mm: goes_on.then_some(tolerance_mm),
+                tip_length_mm: Some(whole.length_mm * piece.share),
+                ..PieceEnd::new(command.origin.cycle, at + 1 < count)
+            };
+            self.segment(&part, end);
+        }
+        count > 0
     }
 
     /// Takes a command and its path segments.
@@ -505,22 +556,43 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             }
         }
         let cycle = command.origin.cycle;
+        if last.on_part && self.follows_tip(command, segments) {
+            return;
+        }
         match bends.first() {
             _ if last.kind == SegmentKind::Spline => self.spline(segments, cycle),
             Some(first) if !self.dog_leg_shape => {
                 self.piece = last_piece;
-                self.segment(&chord(first, bends, last), cycle, false);
+                self.segment(&chord(first, bends, last), PieceEnd::new(cycle, false));
             }
             _ => {
                 self.report.bent_rapids += u64::from(!bends.is_empty());
                 for (piece, segment) in (self.pieces..).zip(bends) {
                     self.piece = piece;
-                    self.segment(segment, cycle, true);
+                    self.segment(segment, PieceEnd::new(cycle, true));
                 }
                 self.piece = last_piece;
-                self.segment(last, cycle, false);
+                self.segment(last, PieceEnd::new(cycle, false));
             }
         }
+    }
+}
+
+/// How a path segment ends, and what it is part of.
+#[derive(Clone, Copy)]
+struct PieceEnd {
+    cycle: bool,
+    /// The same command goes on with another segment.
+    bends: bool,
+    /// See [`CornerRequest::chord_tolerance_mm`].
+    chord_tolerance_mm: Option<f64>,
+    /// The length of the tip's path, mm, where the segment is a path of the axes.
+    tip_length_mm: Option<f64>,
+}
+
+impl PieceEnd {
+    fn new(cycle: bool, bends: bool) -> PieceEnd {
+        PieceEnd { cycle, bends, chord_tolerance_mm: None, tip_length_mm: None }
     }
 }
 

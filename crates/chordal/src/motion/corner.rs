@@ -7,6 +7,7 @@
 //! | cut → cut | by the path mode of the block that ends: many short ones as one curve where the control joins them, otherwise each corner by itself |
 //! | within one spline | by the path mode, and without a stop in exact stop mode |
 //! | a cycle's cut that turns round (the bottom of a hole) | at rest: a hole has its depth |
+//! | between chords of one curve of the axes (tool centre point control) | within the tolerance of the chords |
 //! | before a wait | at rest |
 
 use chordal_command::PathMode;
@@ -24,6 +25,8 @@ pub(super) struct CornerRequest {
     pub cycle: bool,
     /// The next segment belongs to the same command.
     pub bends: bool,
+    /// The next segment goes on with the same curve, of which both are chords within this distance, mm; `None` otherwise.
+    pub chord_tolerance_mm: Option<f64>,
 }
 
 /// Directions that differ by less than 0.1 degrees (this is its cosine) count as tangent: far more than the angle
@@ -40,6 +43,9 @@ pub(super) fn corner_of(
 ) -> CornerMode {
     use MoveKind::{Cut, Rapid};
     let rotary_rad = active.rotary_tolerance_rad;
+    if let Some(linear_mm) = ending.chord_tolerance_mm {
+        return CornerMode::Blended { linear_mm, rotary_rad };
+    }
     let stops = match (last.kind, next.kind) {
         (Rapid, Rapid) if ending.bends => return rapid_bend(active),
         (Rapid, Rapid) if rules.stop_between_rapids => true,

@@ -26,6 +26,9 @@ pub struct MotionOptions {
     /// Splines are planned exactly, in parts along which the parameter speed is even. Where it is not (at a cusp, at
     /// a start without speed), lines within this distance of the curve take their place, mm.
     pub spline_tolerance_mm: f64,
+    /// Under tool centre point control the axes go on curves while the rotary axes turn: they are planned in straight
+    /// motions that keep the tip within this distance of its path, mm.
+    pub axis_chord_tolerance_mm: f64,
     /// Where operations begin.
     pub operations: OperationStart,
 }
@@ -40,6 +43,7 @@ impl Default for MotionOptions {
             corner_tolerance_mm: None,
             dog_leg_shape: false,
             spline_tolerance_mm: 1e-6,
+            axis_chord_tolerance_mm: 1e-3,
             operations: OperationStart::ToolChange,
         }
     }

@@ -114,6 +114,8 @@ pub(super) struct StockMoves<'a> {
     rpm: f64,
     /// Polar or cylindrical interpolation is active.
     on_surface: bool,
+    /// Coordinates are those of the tip on the part.
+    follows_tip: bool,
     /// The current move has a feed per time.
     by_time: bool,
     /// The clearance plane: a rapid below it is at depth, mm.
@@ -158,6 +160,7 @@ impl<'a> StockMoves<'a> {
             is_oriented: false,
             rpm: 0.0,
             on_surface: false,
+            follows_tip: false,
             by_time: false,
             depth_mm: depth_mm(job.machine()),
             has_moved_in_z: false,
@@ -228,6 +231,11 @@ impl<'a> StockMoves<'a> {
         }
         if self.on_surface {
             let why = "polar or cylindrical interpolation is active";
+            return self.report_once(Code::StockNotFollowed, segment, why);
+        }
+        let is_tilted = [segment.rotary_from, segment.rotary_to] != [[0.0; 3]; 2];
+        if self.follows_tip && is_tilted {
+            let why = "the tool is tilted under tool centre point control";
             return self.report_once(Code::StockNotFollowed, segment, why);
         }
         if segment.unrelated_zero.is_some() {
@@ -425,6 +433,7 @@ impl RunWatch for StockMoves<'_> {
             CommandKind::Tool { .. } => self.has_moved_in_z = false,
             CommandKind::Units(units) => self.units = *units,
             CommandKind::Surface { surface, .. } => self.on_surface = surface.is_some(),
+            CommandKind::ToolCenter { control, .. } => self.follows_tip = control.is_some(),
             CommandKind::WorkOffset { name, .. } => {
                 self.work_now = Some(name.table_key(self.naming));
             }

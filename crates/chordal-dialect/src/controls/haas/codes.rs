@@ -129,7 +129,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(1840, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "rigid tapping, clockwise"),
     row(1870, CodeGroup::OneShot, Mode(Path(PathCode::Smoothness)), "PE", "smoothness and rounding"),
     row(1880, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "program from the pattern library"),
-    row(2340, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "tool centre point control"),
+    row(2340, CodeGroup::ToolLength, Length(ToolCenter), "H", "tool centre point control"),
     row(2530, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "feature plane orientation"),
     row(2540, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "dynamic work offset"),
     row(2550, CodeGroup::Auxiliary, NoEffect, "", "dynamic work offset off"),

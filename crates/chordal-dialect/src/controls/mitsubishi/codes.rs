@@ -63,7 +63,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(420, CodeGroup::Compensation, Mode(CompensationRight), "DIJK", "cutter right of the contour"),
     row(430, CodeGroup::ToolLength, Length(Plus), "H", "tool length added"),
     row(431, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "tool length along the tool axis"),
-    row(434, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "tool centre point control"),
+    row(434, CodeGroup::ToolLength, Length(ToolCenter), "H", "tool centre point control"),
     row(435, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "tool centre point control by direction"),
     row(440, CodeGroup::ToolLength, Length(Minus), "H", "tool length subtracted"),
     row(450, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "offset increase"),

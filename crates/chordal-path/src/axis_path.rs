@@ -1,0 +1,100 @@
+//! The paths of the axes of moves under tool centre point control.
+
+use chordal_command::{CommandKind, Move, Position, ProgramOffsets, ToolCenterControl};
+use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
+
+use crate::segment::curves_of;
+
+/// A part of a move as the axes make it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxisPiece {
+    /// The curve of X, Y and Z: machine coordinates without the offsets of the program, mm.
+    pub curve: Curve,
+    /// A, B and C at its start, rad.
+    pub rotary_from: [f64; 3],
+    /// A, B and C at its end, rad.
+    pub rotary_to: [f64; 3],
+    /// Its share of the duration of the whole piece of the tip's path.
+    pub share: f64,
+}
+
+/// Passes the curves of a move in program coordinates to `push`, each with the positions at its start and its end. The
+/// rotary axes turn evenly along all of them.
+pub fn tip_pieces(kind: &CommandKind, motion: &Move, mut push: impl FnMut(&Curve, [&Position; 2])) {
+    let mut curves: Vec<Curve> = Vec::new();
+    match kind {
+        CommandKind::Rapid { motion, .. } => {
+            let [start, end] = [&motion.from, &motion.to].map(linear);
+            curves.push(Curve::Line(Line { start, end }));
+        }
+        kind => curves_of(kind, |curve| curves.push(curve)),
+    }
+    let whole: f64 = curves.iter().map(ParamCurve::length).sum();
+    let (mut done, mut from) = (0.0, motion.from);
+    let last = curves.len().saturating_sub(1);
+    for (index, curve) in curves.iter().enumerate() {
+        done += curve.length();
+        let share = if index == last || whole <= 0.0 { 1.0 } else { done / whole };
+        let mut to = motion.to;
+        to[..3].copy_from_slice(&curve.end().to_array());
+        for axis in 3..to.len() {
+            to[axis] = motion.from[axis] * (1.0 - share) + motion.to[axis] * share;
+        }
+        push(curve, [&from, &to]);
+        from = to;
+    }
+}
+
+/// The path of the axes while the tip follows a curve: exact where the rotary axes rest, otherwise in straight motions that
+/// keep the tip within `tolerance_mm` of its curve. `None` where the kinematics are not known.
+pub fn axis_pieces(
+    control: &ToolCenterControl,
+    curve: &Curve,
+    ends: [&Position; 2],
+    offsets: &ProgramOffsets,
+    tolerance_mm: f64,
+) -> Option<Vec<AxisPiece>> {
+    let path = control.joint_path(curve, ends, offsets)?;
+    let [rotary_from, rotary_to] = ends.map(rotary);
+    let all = linear(&offsets.work) + linear(&offsets.tool);
+    if path.from == path.to {
+        let on_part = path.tip.curve;
+        let to_axes = path.chain.part_transform(&path.from).inverse();
+        let away = -path.chain.tool_on_heads(&path.from, path.tool) - all;
+        let curve = on_part.transformed(&to_axes).transformed(&Transform::translation(away));
+        return Some(vec![AxisPiece { curve, rotary_from, rotary_to, share: 1.0 }]);
+    }
+    let count = path.chord_count(0.0, 1.0, tolerance_mm).min(MAX_CHORDS);
+    let at = |index: u32| {
+        let sigma = f64::from(index) / f64::from(count);
+        let gauge_point = path.positions(sigma).gauge_point;
+        let rotary: [f64; 3] =
+            std::array::from_fn(|axis| rotary_from[axis] * (1.0 - sigma) + rotary_to[axis] * sigma);
+        (gauge_point - all, rotary)
+    };
+    let mut from = at(0);
+    let pieces = (1..=count).map(|index| {
+        let to = at(index);
+        let curve = Curve::Line(Line { start: from.0, end: to.0 });
+        let piece = AxisPiece {
+            curve,
+            rotary_from: from.1,
+            rotary_to: to.1,
+            share: 1.0 / f64::from(count),
+        };
+        from = to;
+        piece
+    });
+    Some(pieces.collect())
+}
+
+/// Straight motions of one move at most: more are no use to a planner.
+const MAX_CHORDS: u32 = 100_000;
+
+fn linear(place: &Position) -> Vec3 {
+    Vec3::new(place[0], place[1], place[2])
+}
+
+fn rotary(place: &Position) -> [f64; 3] {
+    [place[3], place[4], place[5]]
+}

@@ -1,0 +1,82 @@
+//! Checks of moves under tool centre point control: the travel of the axes along the whole move.
+
+use chordal_command::{AxisMask, CommandKind, Move, Origin, RapidPath};
+use chordal_diagnostics::Diagnostic;
+
+use super::RunChecks;
+use crate::axis_path::tip_pieces;
+use crate::compensation::PathCommand;
+
+/// How far the computed extremes of the axes may be outside of the true ones, mm.
+const EXTREME_TOLERANCE_MM: f64 = 1e-4;
+
+impl RunChecks<'_> {
+    /// Follows a command under tool centre point control. Heights of the program say nothing about the part where the tool
+    /// is tilted: rapids into the part are looked for with the tool upright only.
+    #[cold]
+    pub(super) fn on_tip(&mut self, path: PathCommand<'_>, report: &mut impl FnMut(Diagnostic)) {
+        let command = path.command;
+        if self.now.frame.follow(command) {
+            return;
+        }
+        if let CommandKind::Units(units) = &command.kind {
+            self.now.units = *units;
+        }
+        let Some(motion) = command.kind.motion() else { return };
+        self.now.last = None;
+        let places = [&motion.from, &motion.to];
+        let is_tilted = places.iter().any(|place| place[3..] != [0.0; 3]);
+        self.axes_of_tip(&command.kind, motion, command.origin, report);
+        match &command.kind {
+            CommandKind::Rapid { path: RapidPath::Straight | RapidPath::AtFeed(_), .. }
+                if !is_tilted =>
+            {
+                self.rapid(motion, command.origin);
+            }
+            CommandKind::Rapid { .. } => {
+                self.seen.rapids.end_cut();
+                (self.now.at_depth, self.now.legs) = (false, Vec::new());
+            }
+            _ => {
+                self.end_legs();
+                self.now.at_depth = false;
+            }
+        }
+    }
+
+    /// Checks the travel of all axes along a move.
+    fn axes_of_tip(
+        &mut self,
+        kind: &CommandKind,
+        motion: &Move,
+        origin: Origin,
+        report: &mut impl FnMut(Diagnostic),
+    ) {
+        let frame = &self.now.frame;
+        let known = motion.from_known.and(motion.to_known).and(AxisMask::LINEAR);
+        let Some(control) = frame.tool_center.clone() else { return };
+        let offsets = frame.offsets();
+        let is_known = known.covers(AxisMask::LINEAR) && frame.known.covers(AxisMask::LINEAR);
+        let rotary = motion.to_known.and(AxisMask::ROTARY);
+        self.extend(&motion.to, rotary);
+        self.travel(&motion.to, rotary, origin, report);
+        if !is_known {
+            return;
+        }
+        let mut extremes: Vec<[f64; 6]> = Vec::new();
+        tip_pieces(kind, motion, |curve, ends| {
+            let Some(path) = control.joint_path(curve, ends, &offsets) else { return };
+            let bounds = path.bounds(0.0, 1.0, EXTREME_TOLERANCE_MM);
+            let total = |axis: usize| offsets.work[axis] + offsets.tool[axis];
+            let at = |side: fn(&(f64, f64)) -> f64, inward: f64| {
+                std::array::from_fn(|axis| side(&bounds[axis]) + inward - total(axis))
+            };
+            // What the bounds may be outside of the truth is no alarm.
+            extremes.push(at(|bound| bound.0, EXTREME_TOLERANCE_MM));
+            extremes.push(at(|bound| bound.1, -EXTREME_TOLERANCE_MM));
+        });
+        for place in extremes {
+            self.travel(&place, AxisMask::LINEAR, origin, report);
+        }
+    }
+}
