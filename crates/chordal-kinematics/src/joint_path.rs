@@ -75,13 +75,16 @@ impl MotionBound {
     /// The bounds after an axis has turned the point by `angle` in the middle, at `rate` per σ.
     pub(crate) fn turned(self, joint: &RotaryJoint, angle: f64, rate: f64) -> MotionBound {
         let rate = rate.abs();
-        let distance = (self.middle - joint.point).length() + self.half * self.first;
+        // Only the distance from the line of the axis counts; its point may lie far along it.
+        let arm = self.middle - joint.point;
+        let across = arm - joint.direction * arm.dot(joint.direction);
+        let distance = across.length() + self.half * self.first;
         MotionBound {
             middle: joint.turned_point(self.middle, angle),
             first: self.first + rate * distance,
             second: self.second + 2.0 * rate * self.first + rate * rate * distance,
             half: self.half,
-            size: self.size + distance + joint.point.length(),
+            size: self.size + arm.length() + distance + joint.point.length(),
         }
     }
 }

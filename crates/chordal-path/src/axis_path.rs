@@ -1,7 +1,8 @@
 //! The paths of the axes of moves under tool centre point control.
 
-use chordal_command::{CommandKind, Move, Position, ProgramOffsets, ToolCenterControl};
+use chordal_command::{CommandKind, Move, Position, ProgramOffsets, TipCurve, ToolCenterControl};
 use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
+use chordal_kinematics::JointPath;
 
 use crate::segment::curves_of;
 
@@ -64,32 +65,45 @@ pub fn axis_pieces(
         let curve = on_part.transformed(&to_axes).transformed(&Transform::translation(away));
         return Some(vec![AxisPiece { curve, rotary_from, rotary_to, share: 1.0 }]);
     }
-    let count = path.chord_count(0.0, 1.0, tolerance_mm).min(MAX_CHORDS);
-    let at = |index: u32| {
-        let sigma = f64::from(index) / f64::from(count);
-        let gauge_point = path.positions(sigma).gauge_point;
+    let at = |sigma: f64| {
         let rotary: [f64; 3] =
             std::array::from_fn(|axis| rotary_from[axis] * (1.0 - sigma) + rotary_to[axis] * sigma);
-        (gauge_point - all, rotary)
+        (path.positions(sigma).gauge_point - all, rotary)
     };
-    let mut from = at(0);
-    let pieces = (1..=count).map(|index| {
-        let to = at(index);
+    let mut pieces = Vec::new();
+    let (mut from, mut sigma) = (at(0.0), 0.0);
+    for end in chord_ends(&path, tolerance_mm) {
+        let to = at(end);
         let curve = Curve::Line(Line { start: from.0, end: to.0 });
-        let piece = AxisPiece {
-            curve,
-            rotary_from: from.1,
-            rotary_to: to.1,
-            share: 1.0 / f64::from(count),
-        };
-        from = to;
-        piece
-    });
-    Some(pieces.collect())
+        let share = end - sigma;
+        pieces.push(AxisPiece { curve, rotary_from: from.1, rotary_to: to.1, share });
+        (from, sigma) = (to, end);
+    }
+    Some(pieces)
 }
 
-/// Straight motions of one move at most: more are no use to a planner.
-const MAX_CHORDS: u32 = 100_000;
+/// The ends of the chords of a path of the axes, from 0 to 1. How many are needed is decided for each part by itself: the
+/// bound of the curvature of a long part is far above the truth.
+fn chord_ends(path: &JointPath<TipCurve>, tolerance_mm: f64) -> Vec<f64> {
+    let whole = path.chord_count(0.0, 1.0, tolerance_mm);
+    let parts = (whole / CHORDS_OF_PART).clamp(1, MAX_PARTS);
+    let mut ends = Vec::new();
+    for part in 0..parts {
+        let place = |share: f64| (f64::from(part) + share) / f64::from(parts);
+        let count = path.chord_count(place(0.0), place(1.0), tolerance_mm).min(MAX_CHORDS);
+        ends.extend((1..=count).map(|chord| place(f64::from(chord) / f64::from(count))));
+    }
+    ends
+}
+
+/// Chords of one part of a path, by the bound of the whole.
+const CHORDS_OF_PART: u32 = 4;
+
+/// Parts of one path at most.
+const MAX_PARTS: u32 = 64;
+
+/// Chords of one part at most: more are no use to a planner.
+const MAX_CHORDS: u32 = 10_000;
 
 fn linear(place: &Position) -> Vec3 {
     Vec3::new(place[0], place[1], place[2])

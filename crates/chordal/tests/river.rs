@@ -58,6 +58,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
         &[
             "chordal-command",
             "chordal-kernel",
+            "chordal-kinematics",
             "chordal-machine",
             "chordal-geometry",
             "chordal-diagnostics",

@@ -1,0 +1,251 @@
+//! Tool centre point control, from the program to the axes. The positions of the machine are those of the kinematic
+//! formulas, worked out apart from this code.
+
+use chordal::diagnostics::{Code, Severity};
+use chordal::motion::{MotionOptions, MotionStep, PlannerLevel, SamplingRequest};
+use chordal::{Job, Machine, Source, SourceMap};
+
+/// Where G54 is, and above it a tool of 100 mm.
+const GAUGE_POINT: [f64; 3] = [-300.0, -200.0, -280.0];
+
+const COMMON: &str = "
+[work_offsets.G54]
+X = '-300 mm'
+Y = '-200 mm'
+Z = '-380 mm'
+[tools.1]
+length = '100 mm'
+diameter = '10 mm'
+";
+
+/// C through X-300 Y-200 on A through Y-200 Z-400.
+const TRUNNION: &str = "inherits = 'fanuc-ac-trunnion'
+[rotary.A]
+point = { Y = '-200 mm', Z = '-400 mm' }
+[rotary.C]
+point = { X = '-300 mm', Y = '-200 mm' }
+";
+
+/// A head B 150 mm above the gauge point, and a table C.
+const HEAD: &str = "inherits = 'fanuc-head-table'
+[rotary.B]
+point = { X = '0 mm', Z = '150 mm' }
+[rotary.C]
+point = { X = '-300 mm', Y = '-200 mm' }
+";
+
+fn machine(own: &str) -> Machine {
+    let text = format!("{own}{COMMON}");
+    Machine::from_toml("five.toml", &text, &|name| Err(format!("no {name}"))).expect("a machine")
+}
+
+fn job(machine: Machine, text: &str) -> Job<'static> {
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("part.nc", text.as_bytes().to_vec()));
+    Job::new(sources, machine).expect("good settings")
+}
+
+/// The ends of the moves of the axes, machine coordinates: X, Y, Z in mm, A, B, C in degrees.
+fn ends(job: &Job, tolerance_mm: f64) -> Vec<[f64; 6]> {
+    let mut ends = Vec::new();
+    let options =
+        MotionOptions { axis_chord_tolerance_mm: tolerance_mm, ..MotionOptions::default() };
+    let taken = job.motion(&options, |step: &MotionStep, _: &_| {
+        if let MotionStep::Move(motion) = step {
+            let to = motion.to();
+            ends.push(std::array::from_fn(|axis| match axis {
+                0..3 => to[axis] + GAUGE_POINT[axis],
+                _ => to[axis].to_degrees(),
+            }));
+        }
+        Ok(())
+    });
+    assert!(taken.is_ok(), "limits");
+    drop(taken);
+    ends
+}
+
+fn assert_near(found: &[f64; 6], expected: [f64; 3]) {
+    let near = found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-4);
+    assert!(near, "{found:?}, not {expected:?}");
+}
+
+fn clean(job: &Job) {
+    let found = job.check().diagnostics;
+    let told: Vec<_> = found
+        .iter()
+        .filter(|found| found.severity != Severity::Note)
+        .map(|found| (found.code, found.message.clone()))
+        .collect();
+    assert_eq!(told, []);
+}
+
+const START: &str = "G21 G90 G17 G94\nT1 M6\nS5000 M3\nG54 G0 X10. Y0 A0 C0\n";
+
+#[test]
+fn the_axes_go_where_the_tip_stays_on_the_turned_part() {
+    let text = format!("{START}G43.4 H1 Z20.\nG1 X10. Y0 Z20. A30. C45. F500.\nG49\nM30\n");
+    let job = job(machine(TRUNNION), &text);
+    clean(&job);
+    assert_near(ends(&job, 1e-3).last().expect("moves"), [-292.9289, -186.1237, -261.8234]);
+}
+
+#[test]
+fn only_the_rotary_axis_is_programmed_and_the_linear_ones_follow() {
+    let text = format!("{START}G43.4 H1 Z20.\nG1 A30. F500.\nM30\n");
+    let job = job(machine(TRUNNION), &text);
+    clean(&job);
+    assert_near(ends(&job, 1e-3).last().expect("moves"), [-290.0, -180.0, -265.3590]);
+}
+
+#[test]
+fn without_it_the_linear_axes_go_to_their_words() {
+    let text = format!("{START}G43 H1 Z20.\nG1 X10. Y0 Z20. A30. C45. F500.\nM30\n");
+    let job = job(machine(TRUNNION), &text);
+    assert_near(ends(&job, 1e-3).last().expect("moves"), [-290.0, -200.0, -260.0]);
+}
+
+#[test]
+fn a_head_and_a_table() {
+    let start = START.replace("A0 C0", "B0 C0");
+    let text = format!("{start}G43.4 H1 Z20.\nG1 X10. Y0 Z20. B30. C45. F500.\nM30\n");
+    let job = job(machine(HEAD), &text);
+    clean(&job);
+    assert_near(ends(&job, 1e-3).last().expect("moves"), [-167.9289, -207.0711, -293.4936]);
+}
+
+#[test]
+fn a_haas_with_tables_b_and_c() {
+    let own = "inherits = 'haas-umc750'
+[rotary.B]
+point = { X = '-300 mm', Z = '-400 mm' }
+[rotary.C]
+point = { X = '-300 mm', Y = '-200 mm' }
+";
+    let start = "G21 G90 G17 G94\nT1 M6\nS5000 M3\nG54 G0 X10. Y0 B0 C0\n";
+    let text = format!("{start}G234 H1 Z20.\nG1 X10. Y0 Z20. B30. C45. F500.\nG49\nM30\n");
+    let job = job(machine(own), &text);
+    assert_near(ends(&job, 1e-3).last().expect("moves"), [-313.8763, -207.0711, -261.8234]);
+    // Its origin turned by hand: G54 at (-290, -210, -380), the tip at (1, 0, 2) with the table at B90.
+    let text = format!(
+        "{start}G10 L2 P1 X-290. Y-210. Z-380.\nG0 X1. Y0 B0\nG234 H1 Z50.\nG1 X1. Y0 Z2. B90. F500.\nM30\n"
+    );
+    let job = self::job(machine(own), &text);
+    assert_near(ends(&job, 1e-3).last().expect("moves"), [-322.0, -210.0, -289.0]);
+}
+
+#[test]
+fn the_axes_keep_the_tip_on_its_line_within_the_tolerance() {
+    let text = format!("{START}G0 X0 Y0\nG43.4 H1 Z0\nG1 X50. Y0 Z0 A30. C90. F500.\nM30\n");
+    for tolerance in [1e-1, 1e-2, 1e-3] {
+        let job = job(machine(TRUNNION), &text);
+        clean(&job);
+        let ends = ends(&job, tolerance);
+        assert_near(ends.last().expect("moves"), [-300.0, -233.3013, -257.6795]);
+        // The tip at the middle of each chord of the axes: back through A, then C.
+        let mut farthest: f64 = 0.0;
+        let start = ends.iter().rposition(|end| end[3] == 0.0 && end[5] == 0.0).expect("a start");
+        for pair in ends[start..].windows(2) {
+            let middle: [f64; 6] =
+                std::array::from_fn(|axis| (pair[0][axis] + pair[1][axis]) / 2.0);
+            let (sa, ca) = middle[3].to_radians().sin_cos();
+            let (sc, cc) = middle[5].to_radians().sin_cos();
+            let [x, y, z] = [middle[0] + 300.0, middle[1] + 200.0, middle[2] - 100.0 + 400.0];
+            let (y, z) = (y * ca - z * sa, y * sa + z * ca);
+            let (x, y) = (x * cc - y * sc, x * sc + y * cc);
+            let share = middle[3] / 30.0;
+            let away = [x - 50.0 * share, y, z - 20.0];
+            farthest = farthest.max(away.iter().map(|mm| mm * mm).sum::<f64>().sqrt());
+        }
+        assert!(farthest <= tolerance + 1e-9, "{farthest} with {tolerance}");
+        // Where many chords are needed, they are not far more than that.
+        let is_coarse = tolerance > 1e-3;
+        assert!(is_coarse || farthest > tolerance / 4.0, "{farthest}: too many chords");
+    }
+}
+
+#[test]
+fn the_feed_is_the_speed_of_the_tip() {
+    // 50 mm on the part at 500 mm/min: 6 s, whatever the axes do.
+    let text = format!("{START}G0 X0 Y0\nG43.4 H1 Z0\nG1 X50. A10. C20. F500.\nM30\n");
+    let job = job(machine(TRUNNION), &text);
+    let report = job.report_of_commands(|_| {});
+    assert!((report.summary.feed_time_s - 6.0).abs() < 1e-9, "{}", report.summary.feed_time_s);
+    assert!((report.summary.feed_length_mm - 50.0).abs() < 1e-9);
+}
+
+#[test]
+fn the_limits_of_all_axes_hold_near_the_pole() {
+    // The tip goes 1 mm while C turns by 170 degrees at A1: X and Y swing.
+    let text = format!(
+        "{START}G0 X100. Y0\nG43.4 H1 Z20.\nG1 X100. Y0 Z20. A1. C0 F5000.\nG1 X101. C170. F5000.\n\
+         G1 X0 A30. C0\nM30\n"
+    );
+    let job = job(machine(TRUNNION), &text);
+    clean(&job);
+    let mut last: Option<[f64; 6]> = None;
+    let request =
+        SamplingRequest { period_s: 1e-3, level: PlannerLevel::Fast, max_samples: 1_000_000 };
+    let velocity = [0.8, 0.8, 0.8].map(|mm: f64| mm * 1000.0);
+    let mut count = 0;
+    job.setpoints(&request, |sample, _| {
+        if let Some(last) = last.filter(|last| last.iter().all(|value| value.is_finite())) {
+            for axis in 0..3 {
+                let speed = (sample.position[axis] - last[axis]).abs() / 1e-3;
+                assert!(speed <= velocity[axis] * 1.001, "axis {axis}: {speed}");
+            }
+            for axis in [3, 5] {
+                let speed = (sample.position[axis] - last[axis]).abs().to_degrees() / 1e-3;
+                assert!(speed <= 180.0 * 1.001, "axis {axis}: {speed}");
+            }
+        }
+        last = Some(sample.position);
+        count += 1;
+    })
+    .expect("setpoints");
+    assert!(count > 1000, "{count}");
+}
+
+#[test]
+fn a_reference_return_in_between_moves_the_axes_alone() {
+    // At A30 C45 the machine goes up to its reference in Z, and comes back to the same place on the part.
+    let text = format!(
+        "{START}G43.4 H1 Z20.\nG1 X10. Y0 Z20. A30. C45. F500.\nG91 G28 Z0\nG90 G0 X10. Y0 Z20.\nM30\n"
+    );
+    let job = job(machine(TRUNNION), &text);
+    clean(&job);
+    let ends = ends(&job, 1e-3);
+    let up = ends.iter().rev().nth(1).expect("moves");
+    assert_near(up, [-292.9289, -186.1237, 0.0]);
+    assert_near(ends.last().expect("moves"), [-292.9289, -186.1237, -261.8234]);
+}
+
+#[test]
+fn the_travel_of_the_axes_is_checked_along_the_whole_move() {
+    // The tip stays at X200 of the part while C turns by 360 degrees: both ends are at X-100, the middle at X-500.
+    let narrow =
+        TRUNNION.replace("[rotary.A]", "[axes.X]\ntravel = ['-450 mm', '0 mm']\n[rotary.A]");
+    let text = format!("{START}G43.4 H1 Z20.\nG1 X200. Y0 Z20. F500.\nG1 C360. F500.\nM30\n");
+    let job = job(machine(&narrow), &text);
+    let found = job.check().diagnostics;
+    let over: Vec<&str> = found
+        .iter()
+        .filter(|found| found.code == Code::TravelExceeded)
+        .map(|found| found.message.as_str())
+        .collect();
+    assert_eq!(over.len(), 1, "{found:?}");
+    assert!(over[0].contains("X goes to -500 mm"), "{over:?}");
+}
+
+#[test]
+fn without_the_points_of_the_machine_the_tip_is_followed_and_the_time_is_not_verified() {
+    let text = format!("{START}G43.4 H1 Z20.\nG1 X30. Y0 Z20. A30. C45. F500.\nG49\nM30\n");
+    let job = job(machine("inherits = 'fanuc-30i'\n[axes]\nB = false\n"), &text);
+    let report = job.check();
+    let codes: Vec<Code> = report.diagnostics.iter().map(|found| found.code).collect();
+    assert!(codes.contains(&Code::KinematicsNotKnown), "{codes:?}");
+    assert!(report.is_path_verified() && !report.verified());
+    let mut ends = Vec::new();
+    job.path(|segment| ends.push(chordal::geometry::ParamCurve::end(&segment.curve).to_array()));
+    assert_eq!(ends.last(), Some(&[30.0, 0.0, 20.0]));
+}
