@@ -10,8 +10,8 @@ use crate::effect::Effect;
 use crate::mode::{CompensationSide, Coolant, Overrides, PathMode, SpindleState};
 use crate::motion::{ArcShape, Feed, FeedMode, Move, RapidPath};
 use crate::origin::Origin;
+use crate::part_frame::PartFrame;
 use crate::surface::RotarySurface;
-use crate::tool_center::ToolCenterControl;
 use crate::units::Units;
 use crate::work_name::WorkName;
 use crate::work_zero::WorkZero;
@@ -181,11 +181,11 @@ pub enum CommandKind {
         /// The tool tip in the new coordinates.
         position: Position,
     },
-    /// From here on coordinates are those of the tip in a frame that is fixed to the part (G43.4, G234, TRAORI), or those
-    /// of the axes again.
-    ToolCenter {
-        /// The control of the tip; `None` where it ends.
-        control: Option<Arc<ToolCenterControl>>,
+    /// From here on coordinates are those of the tip in a frame that is fixed to the part (G43.4, G234, TRAORI; G68.2), or
+    /// those of the axes again.
+    PartFrame {
+        /// The frame; `None` where it ends.
+        frame: Option<Arc<PartFrame>>,
         /// The tool tip in the new coordinates.
         position: Position,
     },

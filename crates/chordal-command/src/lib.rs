@@ -25,9 +25,9 @@ mod effect;
 mod mode;
 mod motion;
 mod origin;
+mod part_frame;
 mod sink;
 mod surface;
-mod tool_center;
 mod units;
 mod work_name;
 mod work_zero;
@@ -40,9 +40,9 @@ pub use motion::{
     ArcShape, Feed, FeedAlong, FeedMode, Move, RapidPath, RotaryLength, SurfaceSpeed,
 };
 pub use origin::{CallPath, CallPaths, Origin};
+pub use part_frame::{PartFrame, ProgramOffsets, TipCurve};
 pub use sink::Sink;
 pub use surface::{RotarySurface, SurfaceRun, SurfaceShape};
-pub use tool_center::{ProgramOffsets, TipCurve, ToolCenterControl};
 pub use units::{Units, number_text, telling_number};
 pub use work_name::{WorkName, WorkNaming};
 pub use work_zero::{UnknownPresets, WorkZero};

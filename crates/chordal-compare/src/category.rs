@@ -247,7 +247,7 @@ impl Category {
             CommandKind::PathMode(_) => Some(Category::PathMode),
             CommandKind::Overrides(_) => Some(Category::Overrides),
             CommandKind::WorkOffset { .. } => Some(Category::WorkOffset),
-            CommandKind::Surface { .. } | CommandKind::ToolCenter { .. } => Some(Category::Rotary),
+            CommandKind::Surface { .. } | CommandKind::PartFrame { .. } => Some(Category::Rotary),
             CommandKind::Probed { .. } => Some(Category::Probe),
             CommandKind::Message(_) => Some(Category::Message),
             CommandKind::Output { .. } => Some(Category::Output),

@@ -449,7 +449,7 @@ impl<'j> RunRecorder<'j> {
             Kind::PathMode(mode) => self.now.path_mode = *mode,
             Kind::Overrides(overrides) => self.now.overrides = *overrides,
             Kind::Surface { surface, .. } => self.now.surface = *surface,
-            Kind::ToolCenter { control, .. } => self.now.follows_tip = control.is_some(),
+            Kind::PartFrame { frame, .. } => self.now.follows_tip = frame.is_some(),
             Kind::End => (self.now.surface, self.now.follows_tip) = (None, false),
             // The effects of these are in the moves.
             Kind::Rapid { .. }

@@ -264,6 +264,24 @@ pub enum OnceCode {
     Turning(TurnCycle),
     /// The coordinates lie on a surface that turns with a rotary axis, or no longer.
     Surface(SurfaceCode),
+    /// The coordinates lie in a tilted plane, or no longer; or the tool turns to it.
+    TiltedPlane(TiltedPlaneCode),
+}
+
+/// Tilted planes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum TiltedPlaneCode {
+    /// By an origin and angles: Euler angles where P does not choose another way (G68.2).
+    Define,
+    /// By an origin and angles about the axes in the order of Q (Haas G268).
+    DefineByAxes,
+    /// No longer (Haas G269).
+    Off,
+    /// The rotary axes turn so that the tool stands upright on it: they alone (G53.1, Haas G253), or with the tip held (G53.6).
+    Turn {
+        /// The tip stays where it is.
+        holds_tip: bool,
+    },
 }
 
 /// Polar and cylindrical interpolation.

@@ -37,12 +37,13 @@ mod settings;
 mod spatial;
 mod surface;
 pub mod table;
+mod tilted_plane;
 mod vocabulary;
 mod word_rules;
 
 pub use action::{
     Action, AfterCode, BeforeCode, CallCode, CallTarget, LengthCode, ModeCode, MotionCode,
-    OnceCode, PathCode, ReadingCode, SurfaceCode,
+    OnceCode, PathCode, ReadingCode, SurfaceCode, TiltedPlaneCode,
 };
 pub use block_order::{BlockOrder, BlockStep};
 pub use command_line::CommandLine;
@@ -59,4 +60,5 @@ pub use settings::{COMMON as COMMON_SETTINGS, Certainty, Setting, SettingField};
 pub use spatial::SpatialRules;
 pub use surface::{SurfaceRules, SurfaceWord};
 pub use table::{CodeGroup, CodeRow, ControlTable, DataTarget, code_name, code_number};
+pub use tilted_plane::TiltedPlaneRules;
 pub use word_rules::{WordRule, WordTest};

@@ -11,6 +11,7 @@ use crate::recognition::{MachineKind, RecognitionEvidence};
 use crate::settings::Setting;
 use crate::spatial::SpatialRules;
 use crate::surface::SurfaceRules;
+use crate::tilted_plane::TiltedPlaneRules;
 use crate::word_rules::WordRule;
 use chordal_command::WorkNaming;
 use chordal_diagnostics::Code;
@@ -300,6 +301,8 @@ pub struct ControlTable {
     pub word_rules: &'static [WordRule],
     /// What it refuses of a rotation about an axis in space; `None` where it has no such rotation.
     pub spatial: Option<&'static SpatialRules>,
+    /// The alarms about tilted planes.
+    pub tilted_plane: TiltedPlaneRules,
     /// Polar interpolation; `None` where it has none.
     pub face: Option<&'static SurfaceRules>,
     /// Cylindrical interpolation; `None` where it has none.
@@ -435,6 +438,12 @@ impl ControlTable {
         command_line: None,
         word_rules: &[],
         spatial: None,
+        tilted_plane: TiltedPlaneRules {
+            twice: None,
+            format: None,
+            without_plane: None,
+            unreachable: None,
+        },
         face: None,
         cylinder: None,
         work_names: WorkNaming { extended: "G54.1", first: 1, by_e: false },

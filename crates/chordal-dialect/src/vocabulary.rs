@@ -25,6 +25,7 @@ pub(crate) use crate::settings::{
 pub(crate) use crate::spatial::SpatialRules;
 pub(crate) use crate::surface::{SurfaceRules, SurfaceWord};
 pub(crate) use crate::table::*;
+pub(crate) use crate::tilted_plane::TiltedPlaneRules;
 pub(crate) use crate::word_rules::{WordRule, WordTest};
 
 /// The words that tables of codes are written in.
@@ -42,6 +43,6 @@ pub(crate) mod codes {
     pub(crate) use crate::action::OnceCode::*;
     pub(crate) use crate::action::PathCode;
     pub(crate) use crate::action::ReadingCode::*;
-    pub(crate) use crate::action::SurfaceCode;
+    pub(crate) use crate::action::{SurfaceCode, TiltedPlaneCode};
     pub(crate) use crate::table::{ANY_WORDS, CodeGroup, CodeRow, row};
 }

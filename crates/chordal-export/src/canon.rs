@@ -364,7 +364,7 @@ fn simple(kind: &CommandKind) -> Option<String> {
                 format!("COMMENT(\"coordinates on a cylinder, radius {radius_mm:.6}\")")
             }
         },
-        CommandKind::ToolCenter { control, .. } => match control {
+        CommandKind::PartFrame { frame, .. } => match frame {
             None => "COMMENT(\"coordinates of the axes\")".into(),
             Some(_) => "COMMENT(\"coordinates of the tip on the part\")".into(),
         },

@@ -346,9 +346,9 @@ fn state(object: &mut JsonObject, kind: &CommandKind) {
             object.word("kind", "probed");
             object.boolean("hit", *hit);
         }
-        CommandKind::ToolCenter { control, .. } => {
-            object.word("kind", "tool_center");
-            object.boolean("on", control.is_some());
+        CommandKind::PartFrame { frame, .. } => {
+            object.word("kind", "part_frame");
+            object.boolean("on", frame.is_some());
         }
         CommandKind::Surface { surface, .. } => surface_of(object, surface.as_ref()),
         CommandKind::End => object.word("kind", "end"),

@@ -31,6 +31,7 @@ mod modes;
 mod motion;
 pub mod offsets;
 mod overrides;
+mod part_frame;
 mod path_mode;
 mod pockets;
 pub mod rules;
@@ -41,7 +42,6 @@ pub mod state_items;
 mod statement;
 mod surface;
 mod surface_codes;
-mod tool_center;
 mod turning;
 
 pub use checkpoint::{Checkpoint, CheckpointMemory};
@@ -62,6 +62,7 @@ pub use language::{
 pub use modal::{Modal, MotionMode};
 pub use motion::{ArcWords, MisfitArc, SpiralWords, is_over};
 pub use offsets::{CoordinatePresets, LengthOffset, Offsets, WrittenOffset};
+pub use part_frame::TurnError;
 pub use path_mode::PathState;
 pub use pockets::{CirclesWords, MAX_RINGS, RegionWords, rings_to_depth, shapes};
 pub use sink::{AfterBlock, RunSink};

@@ -154,7 +154,7 @@ impl State {
         FrameKinds {
             polar: self.polar.is_some(),
             surface: self.surface.is_some(),
-            tool_center: self.tool_center.is_some(),
+            part: self.part_frame.is_some(),
             ..self.frames.kinds()
         }
     }

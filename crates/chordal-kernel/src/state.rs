@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use chordal_command::{
-    AxisMask, CompensationSide, Coolant, FeedMode, Overrides, Position, SpindleState,
-    ToolCenterControl, Units,
+    AxisMask, CompensationSide, Coolant, FeedMode, Overrides, PartFrame, Position, SpindleState,
+    Units,
 };
 use chordal_diagnostics::Span;
 use chordal_geometry::{Plane, TurnDirection};
@@ -279,7 +279,7 @@ pub struct State {
     /// The surface of polar or cylindrical interpolation; `None` when inactive.
     pub surface: Option<SurfaceState>,
     /// Tool centre point control; `None` when coordinates are those of the axes.
-    pub tool_center: Option<Arc<ToolCenterControl>>,
+    pub part_frame: Option<Arc<PartFrame>>,
     /// Units of the program.
     pub units: Units,
     /// The plane of arcs and compensation.
@@ -367,7 +367,7 @@ impl State {
             last_rotation_deg: None,
             polar: None,
             surface: None,
-            tool_center: None,
+            part_frame: None,
             units: rules.units,
             plane: rules.starts_in,
             incremental: rules.starts_incremental,
@@ -408,7 +408,7 @@ impl State {
 
     /// The machine coordinate of an axis, mm or rad.
     pub fn machine_position(&self, axis: usize) -> f64 {
-        let place = match (&self.surface, &self.tool_center, self.frames.is_plain()) {
+        let place = match (&self.surface, &self.part_frame, self.frames.is_plain()) {
             (Some(surface), ..) => surface.run.on_axes(&self.position)[axis],
             (None, Some(_), _) => self.axis_position()[axis],
             (None, None, true) => self.position[axis],
@@ -454,10 +454,10 @@ impl State {
 
     /// Changes the offsets: the machine does not move, the program coordinates change.
     pub fn shift_coordinates(&mut self, change: impl FnOnce(&mut Offsets)) {
-        let tool_center = self.stop_tool_center();
+        let part_frame = self.leave_part_frame();
         self.shift_axes(change);
-        if let Some(control) = tool_center {
-            self.start_tool_center(control);
+        if let Some(control) = part_frame {
+            self.enter_part_frame(control);
         }
     }
 

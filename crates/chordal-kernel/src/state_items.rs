@@ -153,7 +153,7 @@ impl State {
             last_rotation_deg: _,
             polar: _,
             surface: _,
-            tool_center: _,
+            part_frame: _,
             units,
             plane,
             incremental,

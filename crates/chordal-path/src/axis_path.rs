@@ -1,6 +1,6 @@
 //! The paths of the axes of moves under tool centre point control.
 
-use chordal_command::{CommandKind, Move, Position, ProgramOffsets, TipCurve, ToolCenterControl};
+use chordal_command::{CommandKind, Move, PartFrame, Position, ProgramOffsets, TipCurve};
 use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
 use chordal_kinematics::JointPath;
 
@@ -49,7 +49,7 @@ pub fn tip_pieces(kind: &CommandKind, motion: &Move, mut push: impl FnMut(&Curve
 /// The path of the axes while the tip follows a curve: exact where the rotary axes rest, otherwise in straight motions that
 /// keep the tip within `tolerance_mm` of its curve. `None` where the kinematics are not known.
 pub fn axis_pieces(
-    control: &ToolCenterControl,
+    control: &PartFrame,
     curve: &Curve,
     ends: [&Position; 2],
     offsets: &ProgramOffsets,

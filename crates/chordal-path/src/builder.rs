@@ -73,6 +73,8 @@ pub struct PathBuilder<'a> {
     /// The shift from the active program coordinates to the frame of the run, mm, and why it is not known along some
     /// axes.
     shift: (Vec3, Option<UnrelatedZero>),
+    /// From program coordinates to the work coordinate system in a tilted plane; `None` without one.
+    plane: Option<Transform>,
     tool: u32,
     tip: TipTracker,
     /// The speed of the spindle, 1/min; 0 while it does not turn.
@@ -147,6 +149,7 @@ impl<'a> PathBuilder<'a> {
             frame: ProgramFrame::new(offset, known),
             run_frame: None,
             shift: (Vec3::ZERO, None),
+            plane: None,
             tool: 0,
             rpm: 0.0,
             not_named: NotNamedTracker::SoFar(PlanarStart::Open),
@@ -196,6 +199,8 @@ impl<'a> PathBuilder<'a> {
         }
         self.tip.follow(command, self.machine);
         if self.frame.follow(command) {
+            let frame = self.frame.part_frame.as_ref();
+            self.plane = frame.filter(|frame| !frame.is_level()).map(|frame| frame.plane);
             return self.place();
         }
         let Some(motion) = command.kind.motion() else { return };
@@ -283,6 +288,10 @@ impl<'a> PathBuilder<'a> {
         duration_s: f64,
     ) -> Segment {
         let moved = shift != Vec3::ZERO;
+        let curve = match &self.plane {
+            Some(plane) => curve.transformed(plane),
+            None => curve,
+        };
         let curve = if moved { curve.transformed(&Transform::translation(shift)) } else { curve };
         Segment {
             kind,
@@ -299,7 +308,7 @@ impl<'a> PathBuilder<'a> {
             tip_known: !matches!(self.tip.place(), TipPlace::Unknown(_)),
             unrelated_zero: self.shift.1,
             not_named: NotNamed::NONE,
-            on_part: self.frame.tool_center.is_some(),
+            on_part: self.frame.part_frame.is_some(),
             origin: command.origin,
         }
     }

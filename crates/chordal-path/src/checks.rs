@@ -2,9 +2,9 @@
 
 mod cutting_speed;
 mod joint;
+mod part_frame;
 mod surface;
 mod tip;
-mod tool_center;
 mod turret;
 
 use chordal_command::{
@@ -273,7 +273,7 @@ impl<'a> RunChecks<'a> {
         if self.now.frame.surface.is_some() {
             return self.on_surface(path, &mut report);
         }
-        if self.now.frame.tool_center.is_some() {
+        if self.now.frame.part_frame.is_some() {
             self.now.tip.follow(command, self.machine);
             return self.on_tip(path, &mut report);
         }

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use chordal_command::{
-    AxisMask, Command, CommandKind, Position, ProgramOffsets, SurfaceRun, ToolCenterControl,
-    WorkName, WorkZero,
+    AxisMask, Command, CommandKind, PartFrame, Position, ProgramOffsets, SurfaceRun, WorkName,
+    WorkZero,
 };
 use chordal_machine::AXES;
 
@@ -24,7 +24,7 @@ pub struct ProgramFrame {
     /// The surface on which two coordinates lie, and the position of its axis; `None` without one.
     pub surface: Option<SurfaceRun>,
     /// Tool centre point control; `None` when coordinates are those of the axes.
-    pub tool_center: Option<Arc<ToolCenterControl>>,
+    pub part_frame: Option<Arc<PartFrame>>,
 }
 
 impl ProgramFrame {
@@ -37,7 +37,7 @@ impl ProgramFrame {
             tool: [0.0; AXES],
             known,
             surface: None,
-            tool_center: None,
+            part_frame: None,
         }
     }
 
@@ -59,9 +59,9 @@ impl ProgramFrame {
                 self.known = *known;
             }
             CommandKind::Surface { surface, .. } => self.surface = surface.map(SurfaceRun::new),
-            CommandKind::ToolCenter { control, .. } => self.tool_center.clone_from(control),
+            CommandKind::PartFrame { frame, .. } => self.part_frame.clone_from(frame),
             CommandKind::End => {
-                (self.surface, self.tool_center) = (None, None);
+                (self.surface, self.part_frame) = (None, None);
                 return false;
             }
             kind => {
@@ -77,7 +77,7 @@ impl ProgramFrame {
     /// Converts a program position at the end of the last move to positions of the real axes, mm and rad.
     #[inline]
     pub fn on_axes(&self, position: &Position) -> Position {
-        match (&self.surface, &self.tool_center) {
+        match (&self.surface, &self.part_frame) {
             (None, None) => *position,
             (Some(surface), _) => surface.on_axes(position),
             (None, Some(control)) => control.axes_of_tip(position, &self.offsets()),

@@ -249,3 +249,144 @@ fn without_the_points_of_the_machine_the_tip_is_followed_and_the_time_is_not_ver
     job.path(|segment| ends.push(chordal::geometry::ParamCurve::end(&segment.curve).to_array()));
     assert_eq!(ends.last(), Some(&[30.0, 0.0, 20.0]));
 }
+
+/// Two heads: C on the spindle line, then B 150 mm above the gauge point.
+const TWO_HEADS: &str = "inherits = 'fanuc-30i'
+[axes]
+A = false
+[rotary.C]
+turns = 'head'
+point = { X = '0 mm', Y = '0 mm' }
+[rotary.B]
+turns = 'head'
+on = 'C'
+point = { X = '0 mm', Z = '150 mm' }
+";
+
+/// The point on the part where the last move ends, mm.
+fn last_tip(job: &Job) -> [f64; 3] {
+    let mut last = [f64::NAN; 3];
+    job.path(|segment| last = chordal::geometry::ParamCurve::end(&segment.curve).to_array());
+    last
+}
+
+fn assert_point(found: [f64; 3], expected: [f64; 3]) {
+    let near = found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-4);
+    assert!(near, "{found:?}, not {expected:?}");
+}
+
+const UP: &str = "G21 G90 G17 G94\nT1 M6\nS5000 M3\nG54 G0 X0 Y0 A0 C0\nG43 H1 Z100.\n";
+
+#[test]
+fn a_tilted_plane_on_a_trunnion() {
+    // The plane through X50, tilted by 30 degrees about X: A30.
+    let text = format!("{UP}G68.2 X50. Y0 Z0 I0 J30. K0\nG53.1\nG1 X10. Y5. Z2. F500.\nG69\nM30\n");
+    let job = job(machine(TRUNNION), &text);
+    clean(&job);
+    assert_point(last_tip(&job), [60.0, 3.3301, 4.2321]);
+    let ends = ends(&job, 1e-3);
+    let last = ends.last().expect("moves");
+    assert_near(last, [-240.0, -185.0, -280.6795]);
+    assert!((last[3] - 30.0).abs() < 1e-9 && last[5].abs() < 1e-9, "{last:?}");
+    // With I90: A30 C90, or A-30 C-90 where A may be negative.
+    let text = text.replace("I0 J30.", "I90. J30.");
+    let positive =
+        TRUNNION.replace("[rotary.A]", "[axes.A]\ntravel = ['0 deg', '120 deg']\n[rotary.A]");
+    let job = self::job(machine(&positive), &text);
+    let last = *self::ends(&job, 1e-3).last().expect("moves");
+    assert_near(&last, [-290.0, -228.3013, -255.6795]);
+    assert!((last[3] - 30.0).abs() < 1e-9 && (last[5] - 90.0).abs() < 1e-9, "{last:?}");
+}
+
+#[test]
+fn the_tip_is_held_or_not_while_the_heads_turn() {
+    let up = UP.replace("A0 C0", "B0 C0").replace("Z100.", "Z50.");
+    let plane = format!("{up}G68.2 P1 X50. Y0 Z0 I0 J30. K0\n");
+    let text = format!("{plane}G53.1\nG1 X10. Y5. Z2. F500.\nM30\n");
+    let job = job(machine(TWO_HEADS), &text);
+    clean(&job);
+    let turned = ends(&job, 1e-3);
+    // G53.1 moves no linear axis.
+    assert_near(&turned[turned.len() - 2], [-300.0, -200.0, -230.0]);
+    let last = turned.last().expect("moves");
+    assert_near(last, [-115.3397, -195.0, -316.7616]);
+    assert!((last[4] - 30.0).abs() < 1e-9 && last[5].abs() < 1e-9, "{last:?}");
+    // G53.6 holds the tip, and the axes go round it.
+    let held = self::job(machine(TWO_HEADS), &format!("{plane}G53.6\nM30\n"));
+    clean(&held);
+    assert_near(ends(&held, 1e-3).last().expect("moves"), [-175.0, -200.0, -263.4936]);
+    assert_point(last_tip(&held), [0.0, 0.0, 50.0]);
+}
+
+#[test]
+fn the_planes_by_their_angles() {
+    // A point one unit along X, and one along the normal, of each plane.
+    let cases = [
+        ("I30. J20. K10.", [0.7713, 0.6337, 0.0594], [0.1710, -0.2962, 0.9397]),
+        ("P1 I10. J20. K30.", [0.8138, 0.4698, -0.3420], [0.3785, 0.0180, 0.9254]),
+        ("P1 Q321 I10. J20. K30.", [0.8138, 0.5438, -0.2049], [0.3420, -0.1632, 0.9254]),
+        ("P4 I20. J10. K0", [0.9397, 0.0, -0.3420], [0.3374, -0.1635, 0.9271]),
+    ];
+    for (words, along, normal) in cases {
+        for (target, expected) in [("X1000. Y0 Z0", along), ("X0 Y0 Z1000.", normal)] {
+            let text = format!("{UP}G68.2 X0 Y0 Z0 {words}\nG1 {target} F500.\nG69\nM30\n");
+            let found = last_tip(&job(machine(TRUNNION), &text)).map(|mm| mm / 1000.0);
+            assert_point(found.map(|v| (v * 1e4).round() / 1e4), expected);
+        }
+    }
+    // A Haas names the order of the axes.
+    let own = TRUNNION.replace("fanuc-ac-trunnion", "haas-umc750").replace("rotary.A", "rotary.B");
+    let own = own.replace("Y = '-200 mm', Z", "X = '-300 mm', Z");
+    let up = UP.replace("A0 C0", "B0 C0");
+    let text = format!("{up}G268 X0 Y0 Z0 I10. J20. K30. Q123\nG1 X1000. Y0 Z0 F500.\nG269\nM30\n");
+    let found = last_tip(&job(machine(&own), &text)).map(|mm| (mm * 10.0).round() / 1e4);
+    assert_point(found, [0.8138, 0.4698, -0.3420]);
+}
+
+#[test]
+fn arcs_and_cycles_lie_in_the_plane() {
+    // A full circle of 10 mm in a plane at 30 degrees about X, and a hole along its normal.
+    let text = format!(
+        "{UP}G68.2 X50. Y0 Z0 I0 J30. K0\nG53.1\nG0 X10. Y0 Z5.\nG1 Z0 F500.\nG3 X10. Y0 I-10. J0\n\
+         G0 Z5.\nG98 G81 X0 Y20. Z-10. R2. F100.\nG80\nG69\nM30\n"
+    );
+    let job = job(machine(TRUNNION), &text);
+    clean(&job);
+    let (sin, cos) = 30_f64.to_radians().sin_cos();
+    let mut arcs = Vec::new();
+    let mut ends = Vec::new();
+    job.path(|segment| {
+        if let chordal::geometry::Curve::Arc(arc) = &segment.curve {
+            arcs.push((arc.center.to_array(), arc.radius, arc.w.to_array()));
+        }
+        ends.push(chordal::geometry::ParamCurve::end(&segment.curve).to_array());
+    });
+    let [(center, radius, normal)] = arcs[..] else { panic!("{arcs:?}") };
+    assert_point(center, [50.0, 0.0, 0.0]);
+    assert!((radius - 10.0).abs() < 1e-9);
+    assert_point(normal, [0.0, -sin, cos]);
+    // The bottom of the hole: 20 along Y of the plane, 10 below it.
+    let bottom = [50.0, 20.0 * cos + 10.0 * sin, 20.0 * sin - 10.0 * cos];
+    let is_bottom = |end: &&[f64; 3]| end.iter().zip(bottom).all(|(a, b)| (a - b).abs() < 1e-9);
+    assert_eq!(ends.iter().filter(is_bottom).count(), 1, "{ends:?}");
+}
+
+#[test]
+fn wrong_uses_of_tilted_planes() {
+    let alarm_of = |lines: &str| {
+        let text = format!("{UP}{lines}\nM30\n");
+        let found = job(machine(TRUNNION), &text).check().diagnostics;
+        found.into_iter().find(|found| found.severity == Severity::Error).and_then(|f| f.alarm)
+    };
+    let has = |lines: &str, alarm: &str| {
+        let found = alarm_of(lines);
+        assert!(found.as_ref().is_some_and(|text| text.contains(alarm)), "{lines}: {found:?}");
+    };
+    has("G53.1", "PS5458");
+    has("G68.2 X0 Y0 Z0 I0 J30. K0\nG68.2 X0 Y0 Z0 I0 J20. K0", "PS5456");
+    has("G68.2 P1 Q122 X0 Y0 Z0 I0 J30. K0", "PS5457");
+    // A turns from -30 to 120 degrees only: a plane whose normal points down is out of reach.
+    has("G68.2 X0 Y0 Z0 I0 J170. K0\nG53.1", "PS5459");
+    // After G69 there is none.
+    has("G68.2 X0 Y0 Z0 I0 J30. K0\nG53.1\nG69\nG53.1", "PS5458");
+}

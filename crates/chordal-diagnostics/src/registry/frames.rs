@@ -136,4 +136,17 @@ points, for example of a round table C on a tilting table A, in machine coordina
     [rotary.C]
     turns = "table"
     point = { X = "-300 mm", Y = "-200 mm" }"#;
+
+    TiltedPlane = 449, "tilted-plane", Error;
+    "a tilted plane that cannot be defined, or to which the tool cannot turn";
+    r#"G68.2 (Haas G268) makes a plane in space the plane of X and Y, by its origin and its angles; G53.1 (Haas G253) turns the
+rotary axes so that the tool stands upright on it; G69 (Haas G269) ends it.
+
+    G68.2 X50. Y0 Z0 I0 J30. K0
+    G53.1
+    G1 X10. Y5. Z2.
+    G69
+
+A plane is defined while none is in force, with cutter compensation off. G53.1 needs a plane, and a machine whose rotary
+axes can bring the tool to that direction within their travel."#;
 }

@@ -4,7 +4,7 @@ use chordal_diagnostics::Code;
 use chordal_kernel::rules::HolePattern;
 
 use super::{BlockSort, CodeFacts, PLAIN, WordMeanings, turn_facts};
-use crate::action::{OnceCode, SurfaceCode};
+use crate::action::{OnceCode, SurfaceCode, TiltedPlaneCode};
 use crate::parameters::Parameters;
 
 /// The words of a corner arc, in a block of its own or with a move.
@@ -130,6 +130,9 @@ pub(super) fn facts(code: OnceCode, parameters: &Parameters) -> CodeFacts {
         OnceCode::Surface(code) => PLAIN
             .problems(&[Code::SurfaceCode, Code::SurfaceMode, Code::RotarySpeed])
             .rows(surface(code)),
+        OnceCode::TiltedPlane(code) => {
+            PLAIN.problems(&[Code::TiltedPlane, Code::KinematicsNotKnown]).rows(tilted_plane(code))
+        }
     }
 }
 
@@ -196,6 +199,26 @@ fn holes(pattern: HolePattern) -> &'static [(&'static str, &'static str)] {
             ("J", "angle of the line, from X+ counter-clockwise"),
             ("L", "number of holes"),
         ],
+    }
+}
+
+fn tilted_plane(code: TiltedPlaneCode) -> &'static [(&'static str, &'static str)] {
+    match code {
+        TiltedPlaneCode::Define => &[
+            ("X, Y, Z", "origin of the plane in the work coordinate system"),
+            (
+                "I, J, K",
+                "angles, degrees: about Z, the new X, and the new Z; with P1 about X, Y and Z",
+            ),
+            ("P", "0 or none: Euler angles; 1: roll, pitch and yaw; 4: angles of two projections"),
+            ("Q", "with P1 the order of the axes: 123, 321, …"),
+        ],
+        TiltedPlaneCode::DefineByAxes => &[
+            ("X, Y, Z", "origin of the plane in the work coordinate system"),
+            ("I, J, K", "angles about X, Y and Z, degrees"),
+            ("Q", "the order of the axes: 123, 321, …"),
+        ],
+        TiltedPlaneCode::Off | TiltedPlaneCode::Turn { .. } => &[],
     }
 }
 

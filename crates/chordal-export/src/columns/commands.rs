@@ -373,9 +373,9 @@ impl<'a> CommandColumns<'a> {
                 self.state.put(row, if *hit { "hit" } else { "nothing" });
                 "probed"
             }
-            CommandKind::ToolCenter { control, .. } => {
-                self.state.put(row, if control.is_some() { "on" } else { "off" });
-                "tool_center"
+            CommandKind::PartFrame { frame, .. } => {
+                self.state.put(row, if frame.is_some() { "on" } else { "off" });
+                "part_frame"
             }
             CommandKind::Surface { surface, .. } => {
                 let shape = surface.map(|surface| surface.shape);

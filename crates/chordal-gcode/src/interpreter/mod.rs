@@ -42,6 +42,7 @@ mod statement;
 mod surface;
 mod thread;
 mod thread_height;
+mod tilted_plane;
 mod turning;
 mod turning_contour;
 mod turning_subroutine;

@@ -7,7 +7,7 @@ use chordal_dialect::{
     Action, AfterCode, BeforeCode, BlockStep, CallCode, LengthCode, ModeCode, OnceCode, ReadingCode,
 };
 use chordal_dialect::{CodeGroup, CodeRow, LiteralScale, PlaneCodes, code_number};
-use chordal_geometry::Plane;
+use chordal_geometry::{Plane, Transform};
 use chordal_kernel::LengthOffset;
 use chordal_kernel::rules::{ArcCenter, LengthWithoutNumber};
 use chordal_machine::Axis;
@@ -259,7 +259,10 @@ impl Interpreter<'_> {
             ModeCode::OverridesByP => self.take_overrides_by_p(block),
             ModeCode::ReturnInitial => self.kernel.state.return_to_r = false,
             ModeCode::ReturnToR => self.kernel.state.return_to_r = true,
-            ModeCode::RotationOff => self.kernel.end_rotation(&self.at(block)),
+            ModeCode::RotationOff => {
+                self.kernel.end_rotation(&self.at(block));
+                self.kernel.set_tilted_plane(Transform::identity());
+            }
             ModeCode::ScalingOff => self.kernel.end_scaling(),
             ModeCode::Polar { on } => self.kernel.set_polar(on),
             ModeCode::CancelCycle => self.kernel.cancel_cycle(),
@@ -414,15 +417,7 @@ impl Interpreter<'_> {
         let error = self.machine.kinematic_chain().err();
         self.kernel.begin_tool_center();
         if let (Some(error), Some((_, at))) = (error, code) {
-            let name = self.code_text(block, *at);
-            let message = format!(
-                "{name}: where X, Y and Z are while rotary axes turn is not known: {error}"
-            );
-            let span = self.span(block.words[*at].range);
-            let diagnostic = Diagnostic::new(Code::KinematicsNotKnown, span, message)
-                .label("the tip is followed; travel and time are not")
-                .help("give the rotary axes in the machine file; see `chordal explain CH448`");
-            self.kernel.report(diagnostic);
+            self.report_no_kinematics(block, *at, &error.to_string());
         }
     }
 

@@ -122,6 +122,7 @@ impl Interpreter<'_> {
                 self.turning_cycle(block, at, cycle);
             }
             OnceCode::Surface(code) => self.surface_code(block, at, code),
+            OnceCode::TiltedPlane(code) => self.tilted_plane(block, at, code),
             OnceCode::Engraving => self.engrave(block, at),
         }
     }

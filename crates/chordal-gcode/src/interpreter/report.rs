@@ -219,6 +219,7 @@ impl Interpreter<'_> {
                             | OnceCode::Mirror { .. }
                             | OnceCode::MirrorOff
                             | OnceCode::Surface(_)
+                            | OnceCode::TiltedPlane(_)
                     )
             )
         })

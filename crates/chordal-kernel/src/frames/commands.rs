@@ -77,7 +77,7 @@ impl FrameMap {
             | CommandKind::PathMode(_)
             | CommandKind::Overrides(_)
             | CommandKind::Surface { .. }
-            | CommandKind::ToolCenter { .. }
+            | CommandKind::PartFrame { .. }
             | CommandKind::Probed { .. }
             | CommandKind::Message(_)
             | CommandKind::Output { .. }

@@ -63,7 +63,7 @@ pub struct FrameKinds {
     /// Two coordinates lie on a surface that turns with a rotary axis.
     pub surface: bool,
     /// Coordinates are those of the tip in a frame that is fixed to the part.
-    pub tool_center: bool,
+    pub part: bool,
 }
 
 impl FrameKinds {
@@ -150,7 +150,7 @@ impl Frames {
             work: self.work.is_some(),
             polar: false,
             surface: false,
-            tool_center: false,
+            part: false,
         }
     }
 

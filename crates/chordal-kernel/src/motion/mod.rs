@@ -88,7 +88,7 @@ impl Kernel<'_> {
         match speed.filter(|speed| *speed > 0.0) {
             Some(speed) => RapidPath::AtFeed(speed),
             // The axes go together, so that the tip goes straight.
-            None if self.state.tool_center.is_some() => RapidPath::Straight,
+            None if self.state.part_frame.is_some() => RapidPath::Straight,
             None => self.rules.rapid,
         }
     }
@@ -142,7 +142,7 @@ impl Kernel<'_> {
         self.state.machine_known = machine.without(moved).or(placed.and(offset_known));
         self.state.control_position = None;
         let from = std::mem::replace(&mut self.state.position, target);
-        if self.state.tool_center.is_some() {
+        if self.state.part_frame.is_some() {
             self.state.place_axes_of_tip();
         }
         Move { from, to: target, from_known, to_known: self.state.known }
@@ -162,7 +162,7 @@ impl Kernel<'_> {
         // A missing F becomes NaN, which fails `> 0` like zero.
         let value = value.unwrap_or(f64::NAN);
         let (spindle_rev_per_s, surface) = self.spindle_of_feed(motion.from[0]);
-        let follows_tip = self.state.tool_center.is_some();
+        let follows_tip = self.state.part_frame.is_some();
         let (value, along) =
             match follows_tip || motion.from[3..] == motion.to[3..] || shape.is_some() {
                 true => (value, FeedAlong::Path),

@@ -27,14 +27,14 @@ impl Kernel<'_> {
     /// Moves the named axes directly to a reference point.
     pub fn go_to_reference(&mut self, named: AxisMask, reference: &PerAxis<Option<f64>>) {
         let home = reference.map(|place| place.unwrap_or(0.0));
-        let tool_center = self.suspend_tool_center();
+        let part_frame = self.suspend_part_frame();
         if self.rules.frames.work_rotation && !self.state.frames.is_plain() {
             self.rapid_to_turned_reference(named, &home);
         } else {
             self.rapid_to_machine_point(home, named);
         }
-        if let Some(control) = tool_center {
-            self.resume_tool_center(control);
+        if let Some(control) = part_frame {
+            self.resume_part_frame(control);
         }
         self.end_length_if(named.has(Z) && self.rules.length.ended_by.reference_return);
     }
@@ -61,10 +61,10 @@ impl Kernel<'_> {
     /// G53: moves to a point of machine coordinates, by a rapid or at the active feed.
     pub fn to_machine_point(&mut self, at: &dyn Statement, place: Position, named: AxisMask) {
         self.end_length_if(named.has(Z) && self.rules.length.ended_by.machine_move);
-        let tool_center = self.suspend_tool_center();
+        let part_frame = self.suspend_part_frame();
         self.move_to_machine_point(at, place, named);
-        if let Some(control) = tool_center {
-            self.resume_tool_center(control);
+        if let Some(control) = part_frame {
+            self.resume_part_frame(control);
         }
     }
 

@@ -3,6 +3,8 @@
 /// The rules of frames.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct FrameRules {
+    /// Which of several positions of the rotary axes is taken where a plane gives their direction alone.
+    pub rotary_choice: RotaryChoice,
     /// In G91 the angle of a rotation is added to the active one.
     pub angle_adds: bool,
     /// The angle of a rotation without an angle word, degrees.
@@ -68,9 +70,24 @@ pub enum UnequalArcs {
     Refused,
 }
 
+/// Which of several positions of the rotary axes a control takes.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum RotaryChoice {
+    /// The smallest movement of the master, then of the other axis; then the one nearest to 0 (Fanuc A-79348E p.28).
+    Master,
+    /// Near the pole the side on which the second axis is (Mitsubishi M700 programming manual p.485).
+    PoleSide {
+        /// How near to the pole, rad (#7907).
+        near_rad: f64,
+    },
+    /// The smallest sum of movements.
+    LeastMovement,
+}
+
 impl FrameRules {
     /// The rules most controls share; a table names only its differences.
     pub const COMMON: FrameRules = FrameRules {
+        rotary_choice: RotaryChoice::LeastMovement,
         angle_adds: false,
         omitted_angle_deg: 0.0,
         angle_is_kept: false,

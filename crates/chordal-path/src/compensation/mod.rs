@@ -294,7 +294,9 @@ impl Compensator {
                 self.plane = *plane;
                 self.pass_on(command, out);
             }
-            CommandKind::WorkOffset { position, .. } | CommandKind::Surface { position, .. } => {
+            CommandKind::WorkOffset { position, .. }
+            | CommandKind::Surface { position, .. }
+            | CommandKind::PartFrame { position, .. } => {
                 self.shift(command, position, out);
             }
             CommandKind::Stop { .. } if self.rules.compensation.stops_end_look_ahead => {

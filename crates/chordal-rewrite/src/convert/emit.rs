@@ -300,7 +300,7 @@ impl<'a> CommandEmitter<'a> {
             CommandKind::Surface { .. } => {
                 return Err("polar or cylindrical interpolation".into());
             }
-            CommandKind::ToolCenter { .. } => return Err("tool centre point control".into()),
+            CommandKind::PartFrame { .. } => return Err("tool centre point control".into()),
             CommandKind::Output { text } => {
                 self.flush();
                 let text = text.replace('(', "[").replace(')', "]");

@@ -45,7 +45,7 @@ impl ConvertContext<'_> {
             return Ok(());
         }
         let title = self.to.table.title;
-        if before.tool_center || after.tool_center {
+        if before.part || after.part {
             return Err(NeedsExpansion(format!("{title} may follow the tip in another way")));
         }
         let others =

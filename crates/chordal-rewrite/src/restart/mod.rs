@@ -342,7 +342,7 @@ impl RestartRequest<'_, '_> {
             return Err(self.begun(RefusalReason::Cycle, what, before.turned.pass));
         }
         if modal.frames.any() {
-            let what = match (modal.frames.surface, modal.frames.tool_center) {
+            let what = match (modal.frames.surface, modal.frames.part) {
                 (true, _) => "polar or cylindrical interpolation is active",
                 (false, true) => "tool centre point control is active",
                 (false, false) => "the coordinates are rotated, scaled, mirrored or polar",

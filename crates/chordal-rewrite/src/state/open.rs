@@ -1,7 +1,9 @@
 //! What is open at a place of a run, by the codes that opened it.
 
 use chordal::Control;
-use chordal::control::{Action, CallCode, FrameKinds, ModeCode, OnceCode, SurfaceCode};
+use chordal::control::{
+    Action, CallCode, FrameKinds, LengthCode, ModeCode, OnceCode, SurfaceCode, TiltedPlaneCode,
+};
 use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::Block;
 
@@ -61,7 +63,9 @@ impl OpenConstructs {
                 | ModeCode::CompensationRightByDiameter,
             ) => self.compensation = line,
             Action::Once(OnceCode::Rotation) => (self.frame, self.frames.rotation) = (line, true),
-            Action::Mode(ModeCode::RotationOff) => self.frames.rotation = false,
+            Action::Mode(ModeCode::RotationOff) => {
+                (self.frames.rotation, self.frames.part) = (false, false);
+            }
             Action::Once(OnceCode::Scaling) => (self.frame, self.frames.scaling) = (line, true),
             Action::Mode(ModeCode::ScalingOff) => self.frames.scaling = false,
             Action::Once(OnceCode::Mirror { .. }) => {
@@ -75,6 +79,14 @@ impl OpenConstructs {
             Action::Once(OnceCode::Surface(code)) => {
                 (self.frame, self.frames.surface) = (line, begins_surface(block, code));
             }
+            Action::Length(LengthCode::ToolCenter)
+            | Action::Once(OnceCode::TiltedPlane(
+                TiltedPlaneCode::Define | TiltedPlaneCode::DefineByAxes,
+            )) => {
+                (self.frame, self.frames.part) = (line, true);
+            }
+            Action::Length(LengthCode::Cancel)
+            | Action::Once(OnceCode::TiltedPlane(TiltedPlaneCode::Off)) => self.frames.part = false,
             Action::Reading(_)
             | Action::Before(_)
             | Action::Mode(_)

@@ -52,6 +52,7 @@ impl ActiveShift {
             | OnceCode::Mirror { .. }
             | OnceCode::MirrorOff
             | OnceCode::Surface(_)
+            | OnceCode::TiltedPlane(_)
             | OnceCode::Dwell
             | OnceCode::SetData
             | OnceCode::ReturnToReference { .. }

@@ -23,7 +23,7 @@ mod units;
 mod writer;
 
 use chordal::Job;
-use chordal::control::{Action, MotionCode, OnceCode, SurfaceCode, Units};
+use chordal::control::{Action, LengthCode, MotionCode, OnceCode, SurfaceCode, Units};
 use chordal::geometry::{Transform, Vec3};
 use chordal_compare::{Category, ComparisonOptions, ComparisonVerdict, RunMapping};
 
@@ -230,6 +230,14 @@ fn without_roles(action: Action) -> Option<(&'static str, &'static str)> {
         let help = "move the work offset, or the angle of the rotary axis, in place of the program";
         let what = "coordinates on a face or a cylinder are not transformed";
         return (code != SurfaceCode::FaceOff).then_some((what, help));
+    }
+    let is_on_part = matches!(
+        action,
+        Action::Length(LengthCode::ToolCenter) | Action::Once(OnceCode::TiltedPlane(_))
+    );
+    if is_on_part {
+        let help = "move the work offset in place of the program";
+        return Some(("coordinates of a tilted tool or plane are not transformed", help));
     }
     None
 }

@@ -96,7 +96,7 @@ impl BlockWriter<'_> {
             }
             CommandKind::Probed { .. } => Err("a probing move".into()),
             CommandKind::Surface { .. } => Err("polar or cylindrical interpolation".into()),
-            CommandKind::ToolCenter { .. } => Err("tool centre point control".into()),
+            CommandKind::PartFrame { .. } => Err("tool centre point control".into()),
             CommandKind::Output { text } => {
                 self.alone(format!("; PRINTED: {}", text.trim()));
                 self.note(

@@ -498,7 +498,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
     /// Makes steps of the axes while the tip follows the path segments. Returns false where the kinematics are not known.
     fn follows_tip(&mut self, command: &Command, segments: &[Segment]) -> bool {
         let frame = self.path.frame();
-        let (Some(control), Some(motion)) = (frame.tool_center.clone(), command.kind.motion())
+        let (Some(control), Some(motion)) = (frame.part_frame.clone(), command.kind.motion())
         else {
             return false;
         };

@@ -114,8 +114,10 @@ pub(super) struct StockMoves<'a> {
     rpm: f64,
     /// Polar or cylindrical interpolation is active.
     on_surface: bool,
-    /// Coordinates are those of the tip on the part.
-    follows_tip: bool,
+    /// Coordinates are those of a frame of the part (tool centre point control, a tilted plane).
+    on_part: bool,
+    /// A tilted plane is in force.
+    in_tilted_plane: bool,
     /// The current move has a feed per time.
     by_time: bool,
     /// The clearance plane: a rapid below it is at depth, mm.
@@ -160,7 +162,8 @@ impl<'a> StockMoves<'a> {
             is_oriented: false,
             rpm: 0.0,
             on_surface: false,
-            follows_tip: false,
+            on_part: false,
+            in_tilted_plane: false,
             by_time: false,
             depth_mm: depth_mm(job.machine()),
             has_moved_in_z: false,
@@ -233,9 +236,9 @@ impl<'a> StockMoves<'a> {
             let why = "polar or cylindrical interpolation is active";
             return self.report_once(Code::StockNotFollowed, segment, why);
         }
-        let is_tilted = [segment.rotary_from, segment.rotary_to] != [[0.0; 3]; 2];
-        if self.follows_tip && is_tilted {
-            let why = "the tool is tilted under tool centre point control";
+        let is_turned = [segment.rotary_from, segment.rotary_to] != [[0.0; 3]; 2];
+        if self.on_part && (is_turned || self.in_tilted_plane) {
+            let why = "the tool is tilted on the part (tool centre point control, a tilted plane)";
             return self.report_once(Code::StockNotFollowed, segment, why);
         }
         if segment.unrelated_zero.is_some() {
@@ -433,7 +436,10 @@ impl RunWatch for StockMoves<'_> {
             CommandKind::Tool { .. } => self.has_moved_in_z = false,
             CommandKind::Units(units) => self.units = *units,
             CommandKind::Surface { surface, .. } => self.on_surface = surface.is_some(),
-            CommandKind::ToolCenter { control, .. } => self.follows_tip = control.is_some(),
+            CommandKind::PartFrame { frame, .. } => {
+                self.on_part = frame.is_some();
+                self.in_tilted_plane = frame.as_ref().is_some_and(|frame| !frame.is_level());
+            }
             CommandKind::WorkOffset { name, .. } => {
                 self.work_now = Some(name.table_key(self.naming));
             }

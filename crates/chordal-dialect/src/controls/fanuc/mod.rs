@@ -32,6 +32,7 @@ pub static TABLE: ControlTable = ControlTable {
     open_m_codes: true,
     last_of_group_counts: true,
     spatial: Some(&rules::SPATIAL),
+    tilted_plane: rules::TILTED_PLANE,
     face: Some(&surface::FACE),
     cylinder: Some(&surface::CYLINDER),
     call_start_label: Some(b'Q'),

@@ -73,9 +73,18 @@ const CORNER: RoundingRules =
 
 /// Coordinates have eight digits; from practice: no cycle along a mirrored or scaled axis.
 const FRAMES: FrameRules = FrameRules {
+    rotary_choice: RotaryChoice::Master,
     largest_scaled_increments: 99_999_999.0,
     cycles_along_scaled: false,
     ..FrameRules::COMMON
+};
+
+/// Alarm list of the 30i: tilted working planes.
+pub(super) const TILTED_PLANE: TiltedPlaneRules = TiltedPlaneRules {
+    twice: Some("PS5456 TOO MANY G68.2 NESTING"),
+    format: Some("PS5457 G68.2 FORMAT ERROR"),
+    without_plane: Some("PS5458 ILLEGAL USE OF G53.1"),
+    unreachable: Some("PS5459 MACHINE PARAMETER INCORRECT"),
 };
 
 /// Alarm list of the 30i: three-dimensional coordinate conversion.

@@ -76,6 +76,7 @@ const COMPENSATION: CompensationRules = CompensationRules {
 
 /// Haas NGC manual, G51 and G68: one factor for all axes, rotary ones included.
 const FRAMES: FrameRules = FrameRules {
+    rotary_choice: RotaryChoice::Master,
     scales_rotary: true,
     factors_by_vector: false,
     factor_range: [0.000_999, 999.001],

@@ -63,6 +63,8 @@ const COMPENSATION: CompensationRules = CompensationRules {
 /// Mitsubishi M700V manual, G51 and G68: angle and centre are absolute or incremental by G90 and G91; an axis without a
 /// centre is not scaled.
 const FRAMES: FrameRules = FrameRules {
+    // #7907, whose default is not known.
+    rotary_choice: RotaryChoice::PoleSide { near_rad: 1.0_f64.to_radians() },
     // M700V manual 6.13.
     refuses_spirals: true,
     angle_adds: true,

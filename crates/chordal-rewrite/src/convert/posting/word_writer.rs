@@ -327,7 +327,7 @@ impl RunWriter<'_> {
             | CommandKind::CornerArc { .. }
             | CommandKind::CornerMode { .. }
             | CommandKind::Surface { .. }
-            | CommandKind::ToolCenter { .. }
+            | CommandKind::PartFrame { .. }
             | CommandKind::Probed { .. } => true,
             // Moves and units are written before, and the rest does nothing.
             CommandKind::Rapid { .. }

@@ -67,6 +67,7 @@ fn of_code(word: &str, action: Action) -> Option<HeightsRefusal> {
                     | OnceCode::Scaling
                     | OnceCode::Mirror { .. }
                     | OnceCode::Surface(_)
+                    | OnceCode::TiltedPlane(_)
             )
         });
     let shifts = is(|code| {

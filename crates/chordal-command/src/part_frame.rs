@@ -1,19 +1,25 @@
-//! Tool centre point control: coordinates of the tip in a frame that is fixed to the part.
+//! Coordinates in a frame that is fixed to the part: tool centre point control, tilted planes.
 
 use chordal_geometry::{Curve, ParamCurve, Transform, Vec3};
-use chordal_kinematics::{JointPath, KinematicChain, TipJet, TipPath};
+use chordal_kinematics::{JointPath, JointSide, KinematicChain, TipJet, TipPath};
 
 use crate::axes::Position;
 
-/// Tool centre point control (G43.4, G234, TRAORI): the program gives the tip of the tool in a frame that is fixed to the
-/// part, and the control moves the linear axes so that the tip stays there while the rotary axes turn.
+/// A frame that is fixed to the part, in which the program gives the tip of the tool: under tool centre point control (G43.4,
+/// G234, TRAORI), and in a tilted plane (G68.2, G268). The control moves the linear axes so that the tip is there, however
+/// the rotary axes stand.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ToolCenterControl {
+pub struct PartFrame {
     /// The rotary axes of the machine; `None` where the machine file does not give them: then the tip is known and the
     /// positions of the linear axes are not.
     pub chain: Option<KinematicChain>,
-    /// The machine angles of A, B and C at which the frame of the part is that of the machine, rad.
+    /// The machine angles of A, B and C at which the work coordinate system is parallel to the machine, rad.
     pub frame_angles: [f64; 3],
+    /// From program coordinates to those of the work coordinate system, a rotation and a translation: the identity
+    /// without a tilted plane.
+    pub plane: Transform,
+    /// The control holds the tip while rotary axes turn (tool centre point control); otherwise they turn alone.
+    pub follows_tip: bool,
 }
 
 /// What lies between program coordinates and the gauge point, mm and rad.
@@ -41,28 +47,33 @@ impl ProgramOffsets {
     }
 }
 
-impl ToolCenterControl {
+impl PartFrame {
     /// The positions of the axes, without the offsets, that bring the tip to a position in program coordinates: where the
-    /// program would have to move without tool centre point control. The position itself where the chain is not known.
+    /// program would have to move without this frame.
     pub fn axes_of_tip(&self, tip: &Position, offsets: &ProgramOffsets) -> Position {
-        let Some(chain) = &self.chain else { return *tip };
-        let on_part = self.part_zero(chain).apply_point(place_of(tip, offsets));
+        let on_work = self.plane.apply_point(ProgramOffsets::linear(tip));
+        let Some(chain) = &self.chain else { return with_linear(tip, on_work) };
+        let on_part =
+            self.part_zero(chain).apply_point(on_work + ProgramOffsets::linear(&offsets.work));
         let gauge_point = chain.gauge_point(on_part, &offsets.angles(tip), offsets.tool_vector());
         with_linear(tip, gauge_point - all_offsets(offsets))
     }
 
     /// The position of the tip in program coordinates from those of the axes without the offsets: the inverse of
-    /// [`ToolCenterControl::axes_of_tip`].
+    /// [`PartFrame::axes_of_tip`].
     pub fn tip_of_axes(&self, axes: &Position, offsets: &ProgramOffsets) -> Position {
-        let Some(chain) = &self.chain else { return *axes };
+        let to_plane = self.plane.inverse();
+        let Some(chain) = &self.chain else {
+            return with_linear(axes, to_plane.apply_point(ProgramOffsets::linear(axes)));
+        };
         let gauge_point = ProgramOffsets::linear(axes) + all_offsets(offsets);
         let pose = chain.pose(gauge_point, &offsets.angles(axes), offsets.tool_vector());
         let on_part = self.part_zero(chain).inverse().apply_point(pose.tip);
-        with_linear(axes, on_part - ProgramOffsets::linear(&offsets.work))
+        with_linear(axes, to_plane.apply_point(on_part - ProgramOffsets::linear(&offsets.work)))
     }
 
-    /// Whether the program coordinates of the tip are the same with and without tool centre point control while the
-    /// rotary axes stand at a position: the tables as in the frame of the part, the heads at zero.
+    /// Whether the work coordinates of the tip follow from the linear axes alone while the rotary axes stand at a position:
+    /// the tables as in the frame of the part, the heads at zero.
     pub fn is_aligned(&self, place: &Position, offsets: &ProgramOffsets) -> bool {
         let angles = offsets.angles(place);
         match &self.chain {
@@ -70,12 +81,23 @@ impl ToolCenterControl {
             Some(chain) => chain.joints().iter().all(|joint| {
                 let index = joint.letter.index();
                 let aligned = match joint.side {
-                    chordal_kinematics::JointSide::Table => self.frame_angles[index],
-                    chordal_kinematics::JointSide::Head => 0.0,
+                    JointSide::Table => self.frame_angles[index],
+                    JointSide::Head => 0.0,
                 };
                 angles[index] == aligned
             }),
         }
+    }
+
+    /// Whether the plane is that of the work coordinate system.
+    pub fn is_level(&self) -> bool {
+        self.plane == Transform::identity()
+    }
+
+    /// The direction of a vector of program coordinates in part coordinates of the chain; `None` without a chain.
+    pub fn direction_on_part(&self, direction: Vec3) -> Option<Vec3> {
+        let chain = self.chain.as_ref()?;
+        Some(self.part_zero(chain).apply_direction(self.plane.apply_direction(direction)))
     }
 
     /// The path of the axes, machine coordinates, while the tip follows a curve in program coordinates and the rotary axes
@@ -88,7 +110,8 @@ impl ToolCenterControl {
     ) -> Option<JointPath<TipCurve>> {
         let chain = self.chain?;
         let shift = Transform::translation(ProgramOffsets::linear(&offsets.work));
-        let on_part = curve.transformed(&shift).transformed(&self.part_zero(&chain));
+        let to_part = self.plane.then(&shift).then(&self.part_zero(&chain));
+        let on_part = curve.transformed(&to_part);
         Some(JointPath {
             chain,
             tip: TipCurve { curve: on_part, length_mm: on_part.length() },
@@ -137,11 +160,6 @@ impl TipPath for TipCurve {
     }
 }
 
-/// X, Y and Z of a program position in the coordinates of the machine, without the tool, mm.
-fn place_of(tip: &Position, offsets: &ProgramOffsets) -> Vec3 {
-    ProgramOffsets::linear(tip) + ProgramOffsets::linear(&offsets.work)
-}
-
 fn all_offsets(offsets: &ProgramOffsets) -> Vec3 {
     ProgramOffsets::linear(&offsets.work) + ProgramOffsets::linear(&offsets.tool)
 }
@@ -160,18 +178,22 @@ mod tests {
     use super::*;
 
     /// C through X-300 Y-200 on A through Y-200 Z-400, G54 at (-300, -200, -380), a tool of 100 mm.
-    fn trunnion() -> (ToolCenterControl, ProgramOffsets) {
+    fn trunnion() -> (PartFrame, ProgramOffsets) {
         let chain = KinematicChain::new(&[
             RotaryJoint::table(RotaryLetter::C, Vec3::new(-300.0, -200.0, 0.0)),
             RotaryJoint::table(RotaryLetter::A, Vec3::new(0.0, -200.0, -400.0)),
         ]);
-        let control =
-            ToolCenterControl { chain: Some(chain.expect("a chain")), frame_angles: [0.0; 3] };
+        let frame = PartFrame {
+            chain: Some(chain.expect("a chain")),
+            frame_angles: [0.0; 3],
+            plane: Transform::identity(),
+            follows_tip: true,
+        };
         let offsets = ProgramOffsets {
             work: [-300.0, -200.0, -380.0, 0.0, 0.0, 0.0],
             tool: [0.0, 0.0, 100.0, 0.0, 0.0, 0.0],
         };
-        (control, offsets)
+        (frame, offsets)
     }
 
     fn machine(axes: &Position, offsets: &ProgramOffsets) -> [f64; 3] {
@@ -185,27 +207,24 @@ mod tests {
 
     #[test]
     fn the_axes_follow_a_turned_table() {
-        let (control, offsets) = trunnion();
+        let (frame, offsets) = trunnion();
         let tip = [10.0, 0.0, 20.0, 30_f64.to_radians(), 0.0, 45_f64.to_radians()];
-        let axes = control.axes_of_tip(&tip, &offsets);
+        let axes = frame.axes_of_tip(&tip, &offsets);
         assert_near(machine(&axes, &offsets), [-292.9289, -186.1237, -261.8234]);
-        let back = control.tip_of_axes(&axes, &offsets);
+        let back = frame.tip_of_axes(&axes, &offsets);
         assert_near([back[0], back[1], back[2]], [10.0, 0.0, 20.0]);
         let upright = [10.0, 0.0, 20.0, 0.0, 0.0, 0.0];
-        assert_eq!(
-            control.axes_of_tip(&upright, &offsets).map(|v| (v * 1e9).round() / 1e9),
-            upright
-        );
-        assert!(control.is_aligned(&upright, &offsets) && !control.is_aligned(&tip, &offsets));
+        assert_eq!(frame.axes_of_tip(&upright, &offsets).map(|v| (v * 1e9).round() / 1e9), upright);
+        assert!(frame.is_aligned(&upright, &offsets) && !frame.is_aligned(&tip, &offsets));
     }
 
     #[test]
     fn the_axes_bend_while_the_tip_goes_straight() {
-        let (control, offsets) = trunnion();
+        let (frame, offsets) = trunnion();
         let line = Curve::Line(Line { start: Vec3::ZERO, end: Vec3::new(50.0, 0.0, 0.0) });
         let from = [0.0; 6];
         let to = [50.0, 0.0, 0.0, 30_f64.to_radians(), 0.0, 90_f64.to_radians()];
-        let path = control.joint_path(&line, [&from, &to], &offsets).expect("a chain");
+        let path = frame.joint_path(&line, [&from, &to], &offsets).expect("a chain");
         let at = |sigma: f64| path.positions(sigma).gauge_point.to_array();
         assert_near(at(0.5), [-282.3223, -211.8989, -276.1062]);
         assert_near(at(1.0), [-300.0, -233.3013, -257.6795]);
@@ -214,9 +233,9 @@ mod tests {
     #[test]
     fn a_frame_at_other_angles_is_that_of_the_turned_part() {
         // With the frame at C90, X of the program is -Y of the part that the table carries at zero.
-        let (control, offsets) = trunnion();
+        let (frame, offsets) = trunnion();
         let quarter = 90_f64.to_radians();
-        let turned = ToolCenterControl { frame_angles: [0.0, 0.0, quarter], ..control };
+        let turned = PartFrame { frame_angles: [0.0, 0.0, quarter], ..frame };
         let tip = [10.0, 0.0, 20.0, 0.0, 0.0, quarter];
         assert!(turned.is_aligned(&tip, &offsets));
         let axes = turned.axes_of_tip(&tip, &offsets);

@@ -1,4 +1,5 @@
-//! Checks of moves under tool centre point control: the travel of the axes along the whole move.
+//! Checks of moves in a frame of the part (tool centre point control, tilted planes): the travel of the axes along the
+//! whole move.
 
 use chordal_command::{AxisMask, CommandKind, Move, Origin, RapidPath};
 use chordal_diagnostics::Diagnostic;
@@ -11,7 +12,7 @@ use crate::compensation::PathCommand;
 const EXTREME_TOLERANCE_MM: f64 = 1e-4;
 
 impl RunChecks<'_> {
-    /// Follows a command under tool centre point control. Heights of the program say nothing about the part where the tool
+    /// Follows a command in a frame of the part. Heights of the program say nothing about the part where the tool
     /// is tilted: rapids into the part are looked for with the tool upright only.
     #[cold]
     pub(super) fn on_tip(&mut self, path: PathCommand<'_>, report: &mut impl FnMut(Diagnostic)) {
@@ -25,7 +26,9 @@ impl RunChecks<'_> {
         let Some(motion) = command.kind.motion() else { return };
         self.now.last = None;
         let places = [&motion.from, &motion.to];
-        let is_tilted = places.iter().any(|place| place[3..] != [0.0; 3]);
+        let frame = self.now.frame.part_frame.as_ref();
+        let is_tilted = frame.is_some_and(|frame| !frame.is_level())
+            || places.iter().any(|place| place[3..] != [0.0; 3]);
         self.axes_of_tip(&command.kind, motion, command.origin, report);
         match &command.kind {
             CommandKind::Rapid { path: RapidPath::Straight | RapidPath::AtFeed(_), .. }
@@ -54,7 +57,7 @@ impl RunChecks<'_> {
     ) {
         let frame = &self.now.frame;
         let known = motion.from_known.and(motion.to_known).and(AxisMask::LINEAR);
-        let Some(control) = frame.tool_center.clone() else { return };
+        let Some(control) = frame.part_frame.clone() else { return };
         let offsets = frame.offsets();
         let is_known = known.covers(AxisMask::LINEAR) && frame.known.covers(AxisMask::LINEAR);
         let rotary = motion.to_known.and(AxisMask::ROTARY);

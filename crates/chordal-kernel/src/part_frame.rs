@@ -1,0 +1,240 @@
+//! Frames that are fixed to the part: what tool centre point control and tilted planes make of the coordinates, and where they
+//! start, pause and end.
+
+use std::sync::Arc;
+
+use chordal_command::{AxisMask, CommandKind, PartFrame, Position, ProgramOffsets};
+use chordal_geometry::{Transform, Vec3};
+use chordal_kinematics::{JointSide, KinematicChain, SolutionRule};
+use chordal_machine::{Axis, TcpFrame};
+
+use crate::kernel::Kernel;
+use crate::rules::RotaryChoice;
+use crate::state::State;
+
+/// Why the rotary axes cannot turn to a plane.
+#[derive(Clone, PartialEq, Debug)]
+pub enum TurnError {
+    /// No tilted plane is in force.
+    NoPlane,
+    /// The machine file does not give the rotary axes, or not all that is needed.
+    NoKinematics(String),
+    /// The axes of this machine cannot bring the tool to this direction.
+    Unreachable(String),
+}
+
+impl State {
+    /// What lies between program coordinates and the gauge point.
+    pub(crate) fn program_offsets(&self) -> ProgramOffsets {
+        let (work, total) = (self.offsets.work(), self.offsets.total());
+        ProgramOffsets { work, tool: std::array::from_fn(|axis| total[axis] - work[axis]) }
+    }
+
+    /// The positions of the axes in the work coordinate system: where the tip would be without a frame of the part.
+    pub fn axis_position(&self) -> Position {
+        let work = self.work_position();
+        match &self.part_frame {
+            None => work,
+            Some(frame) => frame.axes_of_tip(&work, &self.program_offsets()),
+        }
+    }
+
+    /// The axes on which the positions of X, Y and Z depend.
+    fn axes_of_chain(frame: &PartFrame) -> AxisMask {
+        let mut axes = AxisMask::LINEAR;
+        let joints = frame.chain.iter().flat_map(|chain| chain.joints());
+        joints.for_each(|joint| axes.insert(joint.letter.index() + 3));
+        axes
+    }
+
+    /// Whether the places of the tip and of the axes follow from each other, with the axes at a position.
+    fn is_related(&self, frame: &PartFrame, place: &Position, known: AxisMask) -> bool {
+        known.covers(State::axes_of_chain(frame))
+            && (frame.is_aligned(place, &self.program_offsets())
+                || frame.chain.is_some() && self.offsets.known().covers(AxisMask::LINEAR))
+    }
+
+    /// Makes the coordinates those of the frame; the machine does not move. They stay known only where all axes are, and
+    /// the place of the zero on the machine: it is turned.
+    pub(crate) fn enter_part_frame(&mut self, frame: Arc<PartFrame>) {
+        let axes = self.work_position();
+        let known = self.frames.map().known(self.known);
+        let is_related = self.is_related(&frame, &axes, known);
+        let tip = frame.tip_of_axes(&axes, &self.program_offsets());
+        self.part_frame = Some(frame);
+        self.stand_at(tip, if is_related { known } else { known.without(AxisMask::LINEAR) });
+    }
+
+    /// Makes the coordinates those of the axes again; the machine does not move.
+    pub(crate) fn leave_part_frame(&mut self) -> Option<Arc<PartFrame>> {
+        let frame = self.part_frame.take()?;
+        let tip = self.work_position();
+        let known = self.frames.map().known(self.known);
+        let is_related = self.is_related(&frame, &tip, known);
+        let axes = frame.axes_of_tip(&tip, &self.program_offsets());
+        self.stand_at(axes, if is_related { known } else { known.without(AxisMask::LINEAR) });
+        Some(frame)
+    }
+
+    /// After a move in a frame of the part: every linear axis may have moved, and is known where all are.
+    #[cold]
+    pub(crate) fn place_axes_of_tip(&mut self) {
+        let Some(frame) = &self.part_frame else { return };
+        let known = self.frames.map().known(self.known);
+        let is_known = frame.chain.is_some()
+            && known.covers(State::axes_of_chain(frame))
+            && self.offsets.known().covers(AxisMask::LINEAR);
+        self.machine_known = match is_known {
+            true => self.machine_known.or(AxisMask::LINEAR),
+            false => self.machine_known.without(AxisMask::LINEAR),
+        };
+        if is_known {
+            self.start.machine = self.start.machine.without(AxisMask::LINEAR);
+        }
+    }
+}
+
+impl Kernel<'_> {
+    /// Tool centre point control: from here on the control holds the tip while rotary axes turn; the machine does not move.
+    pub fn begin_tool_center(&mut self) {
+        self.set_part_frame(true, self.plane_in_force());
+    }
+
+    /// Ends tool centre point control; a tilted plane stays.
+    pub fn end_tool_center(&mut self) {
+        if self.state.part_frame.as_ref().is_some_and(|frame| frame.follows_tip) {
+            self.set_part_frame(false, self.plane_in_force());
+        }
+    }
+
+    /// Whether a tilted plane is in force.
+    pub fn has_tilted_plane(&self) -> bool {
+        self.state.part_frame.as_ref().is_some_and(|frame| !frame.is_level())
+    }
+
+    /// From here on coordinates are those of a plane, which is given in the work coordinate system; the machine does not
+    /// move. The identity ends it.
+    pub fn set_tilted_plane(&mut self, plane: Transform) {
+        let follows_tip = self.state.part_frame.as_ref().is_some_and(|frame| frame.follows_tip);
+        if follows_tip || plane != Transform::identity() || self.state.part_frame.is_some() {
+            self.set_part_frame(follows_tip, plane);
+        }
+    }
+
+    fn plane_in_force(&self) -> Transform {
+        self.state.part_frame.as_ref().map_or(Transform::identity(), |frame| frame.plane)
+    }
+
+    fn set_part_frame(&mut self, follows_tip: bool, plane: Transform) {
+        self.suspend_part_frame();
+        if !follows_tip && plane == Transform::identity() {
+            return;
+        }
+        let offsets = self.state.program_offsets();
+        let place = self.state.work_position();
+        let frame_angles = std::array::from_fn(|axis| match self.machine.tcp_frame {
+            TcpFrame::Activation if follows_tip => offsets.work[axis + 3] + place[axis + 3],
+            TcpFrame::Zero | TcpFrame::Activation => offsets.work[axis + 3],
+        });
+        let chain = self.machine.kinematic_chain().ok();
+        self.resume_part_frame(Arc::new(PartFrame { chain, frame_angles, plane, follows_tip }));
+    }
+
+    /// Leaves the frame for a move of the axes themselves, such as to a reference point; what was in force.
+    pub(crate) fn suspend_part_frame(&mut self) -> Option<Arc<PartFrame>> {
+        self.state.part_frame.as_ref()?;
+        self.end_corner_before("the coordinates change before the next move");
+        let frame = self.state.leave_part_frame();
+        self.emit(CommandKind::PartFrame { frame: None, position: self.state.position });
+        frame
+    }
+
+    /// Enters a frame, or goes on in it after such a move.
+    pub(crate) fn resume_part_frame(&mut self, frame: Arc<PartFrame>) {
+        self.state.enter_part_frame(Arc::clone(&frame));
+        let position = self.state.position;
+        self.emit(CommandKind::PartFrame { frame: Some(frame), position });
+    }
+
+    /// Turns the rotary axes so that the tool stands upright on the tilted plane (G53.1), by a rapid of these axes alone, or
+    /// with the tip held where it is (G53.6).
+    ///
+    /// # Errors
+    /// See [`TurnError`].
+    pub fn turn_to_plane(&mut self, holds_tip: bool) -> Result<(), TurnError> {
+        let Some(frame) = self.state.part_frame.clone().filter(|frame| !frame.is_level()) else {
+            return Err(TurnError::NoPlane);
+        };
+        let angles = match self.angles_of_direction(&frame, Vec3::Z) {
+            Ok(angles) => angles,
+            Err(error) => {
+                // The tip is known again where the program names it; where the rotary axes are is not.
+                self.go_astray(AxisMask::ROTARY);
+                return Err(error);
+            }
+        };
+        let paused = if holds_tip { None } else { self.suspend_part_frame() };
+        let mut target = self.state.position;
+        let mut named = AxisMask::NONE;
+        let chain = frame.chain.iter().flat_map(|chain| chain.joints());
+        for axis in chain.map(|joint| joint.letter.index()) {
+            target[axis + 3] = angles[axis];
+            named.insert(axis + 3);
+        }
+        self.rapid_to(target, named);
+        if let Some(frame) = paused {
+            self.resume_part_frame(frame);
+        }
+        Ok(())
+    }
+
+    /// The program positions of A, B and C, rad, with which the tool points along a vector of program coordinates.
+    fn angles_of_direction(
+        &self,
+        frame: &PartFrame,
+        direction: Vec3,
+    ) -> Result<[f64; 3], TurnError> {
+        let (Some(chain), Some(direction)) = (&frame.chain, frame.direction_on_part(direction))
+        else {
+            let error = self.machine.kinematic_chain().err();
+            let what =
+                error.map_or("the rotary axes are not known".into(), |error| error.to_string());
+            return Err(TurnError::NoKinematics(what));
+        };
+        let offsets = self.state.program_offsets();
+        let away: [f64; 3] =
+            std::array::from_fn(|axis| offsets.work[axis + 3] + offsets.tool[axis + 3]);
+        let present = std::array::from_fn(|axis| self.state.position[axis + 3] + away[axis]);
+        let rule = self.solution_rule(chain);
+        let unreachable = |error: &dyn std::fmt::Display| TurnError::Unreachable(error.to_string());
+        let solutions = chain.joint_solutions(direction).map_err(|error| unreachable(&error))?;
+        let angles =
+            chain.choose(&solutions, &present, rule).map_err(|error| unreachable(&error))?;
+        Ok(std::array::from_fn(|axis| angles[axis] - away[axis]))
+    }
+
+    /// The rule by which this control chooses between two positions of the rotary axes.
+    fn solution_rule(&self, chain: &KinematicChain) -> SolutionRule {
+        let joints = chain.joints();
+        match (self.rules.frames.rotary_choice, joints) {
+            (RotaryChoice::Master, [first, second]) => {
+                // Of a head and a table the table, of two tables or heads the one that carries the other.
+                let is_carried = second.side == JointSide::Table;
+                let master = if is_carried { second.letter } else { first.letter };
+                SolutionRule::MasterMovement { master }
+            }
+            (RotaryChoice::PoleSide { near_rad }, _) => SolutionRule::PoleSide { near_rad },
+            (RotaryChoice::Master | RotaryChoice::LeastMovement, _) => SolutionRule::LEAST_MOVEMENT,
+        }
+    }
+
+    /// The rotary axes that a machine has, for messages: `A and C`.
+    pub fn rotary_names(&self) -> String {
+        let own = [Axis::A, Axis::B, Axis::C].into_iter();
+        let names: Vec<String> = own
+            .filter(|axis| self.machine.axis(*axis).is_some())
+            .map(|axis| axis.letter().to_string())
+            .collect();
+        names.join(" and ")
+    }
+}
