@@ -160,6 +160,14 @@ impl KinematicChain {
         self.joints().iter().find(|joint| joint.letter == letter)
     }
 
+    /// The letter of the axis whose movement Fanuc compares first, its master: the first from the part, which is the table
+    /// of a machine with head and table, and of two heads the one that carries the other (A-79348E p.28 and 32, where the
+    /// direction of the tool does not depend on the master while the slave is at zero); `None` without rotary axes.
+    #[must_use]
+    pub fn master(&self) -> Option<RotaryLetter> {
+        self.joints().first().map(|joint| joint.letter)
+    }
+
     /// The tables, in order from the part to the linear axes.
     pub(crate) fn tables(&self) -> impl DoubleEndedIterator<Item = &RotaryJoint> {
         self.joints().iter().filter(|joint| joint.side == JointSide::Table)

@@ -30,8 +30,8 @@ pub enum AngleSign {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SolutionRule {
     /// The smallest movement of the master; then of the slave; then the master nearest to 0 or a multiple of 360 degrees;
-    /// then the slave (Fanuc A-79348E p.28, 16i-MB G53.1). Of a head and a table the table is the master, of two heads
-    /// the one that carries the other.
+    /// then the slave (Fanuc A-79348E p.28, 16i-MB G53.1). Which axis is the master is a parameter of the machine;
+    /// [`KinematicChain::master`] is the usual one.
     MasterMovement {
         /// The master.
         master: RotaryLetter,

@@ -1,6 +1,6 @@
 //! The tool turns from one direction to another along a great circle, and the rotary axes follow without a jump.
 
-use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use core::f64::consts::{PI, TAU};
 use core::fmt;
 
 use chordal_geometry::Vec3;
@@ -240,21 +240,12 @@ impl OrientationArc {
         }
     }
 
-    /// The azimuth about the first axis, which runs in one direction along a great circle, by less than half a turn.
+    /// The azimuth about the first axis, which changes by less than half a turn along a great circle of less than that.
     fn azimuth_at(&self, direction: Vec3) -> f64 {
         if self.pole.is_some() || self.starts_on_pole() {
             return self.azimuth;
         }
-        let change = math::within_half_turn(self.triangle.azimuth(direction) - self.azimuth);
-        let onward = self.triangle.first().dot(self.normal);
-        let whole = if onward > 0.0 && change < -FRAC_PI_2 {
-            TAU
-        } else if onward < 0.0 && change > FRAC_PI_2 {
-            -TAU
-        } else {
-            0.0
-        };
-        self.azimuth + change + whole
+        math::nearest_turn(self.triangle.azimuth(direction), self.azimuth)
     }
 
     /// The angles at σ with their derivatives; `None` on a pole, where the first axis has no speed.

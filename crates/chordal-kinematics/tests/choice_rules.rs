@@ -43,8 +43,24 @@ fn fanuc_goes_down_its_list_of_ties() {
     close(to(190.0, 90.0), [0.0, 270.0, 180.0]);
     // And both are 90 from B: the master nearest to 0.
     close(to(180.0, 90.0), [0.0, 90.0, 0.0]);
+    // The master comes before the slave: 80 and 150 against 100 and 30.
+    close(to(-60.0, 80.0), [0.0, 90.0, 0.0]);
     // C 0 and C 360 are as near to 0: the slave nearest to 0.
     close(chosen(&chain, Vec3::X, degrees(0.0, 0.0, 180.0), MASTER_C), [0.0, -90.0, 180.0]);
+}
+
+#[test]
+fn fanuc_compares_the_distance_of_the_master_from_zero_before_that_of_the_slave() {
+    // B170 A10 or B-10 A170, each 90 of B and 80 of A away: B is nearer to 0 in one, A in the other.
+    let chain = chain(
+        &[RotaryLetter::B, RotaryLetter::A].map(|letter| RotaryJoint::head(letter, Vec3::ZERO)),
+    );
+    let direction = chain.direction(&degrees(10.0, 170.0, 0.0));
+    let present = degrees(90.0, 80.0, 0.0);
+    let by = |master| chosen(&chain, direction, present, SolutionRule::MasterMovement { master });
+    assert_eq!(chain.master(), Some(RotaryLetter::B));
+    close(by(RotaryLetter::B), [170.0, -10.0, 0.0]);
+    close(by(RotaryLetter::A), [10.0, 170.0, 0.0]);
 }
 
 /// The manual's "slave at 0": the master stays (A-79348E p.32).
@@ -107,6 +123,21 @@ fn mitsubishi_keeps_the_side_near_the_pole() {
     close(chosen(&chain, at(2.0), present, rule), [-2.0, 0.0, 180.0]);
     // A side without travel is not kept.
     close(chosen(&chain_of(-1.0, 120.0), at(2.0), degrees(-1.0, 0.0, 0.0), rule), [2.0, 0.0, 0.0]);
+}
+
+#[test]
+fn the_side_counts_from_the_angle_of_the_pole() {
+    // The tool is along B, the first axis, at A90 of a reversed A.
+    let rule = SolutionRule::PoleSide { near_rad: 5_f64.to_radians() };
+    for (low, high, expected) in [(-10.0, 170.0, 88.0), (10.0, 190.0, 92.0)] {
+        let [b, a] =
+            [RotaryLetter::B, RotaryLetter::A].map(|letter| RotaryJoint::head(letter, Vec3::ZERO));
+        let a = a.turned_around().within(f64::to_radians(low), f64::to_radians(high));
+        let chain = chain(&[b, a]);
+        let direction = chain.direction(&degrees(88.0, 0.0, 0.0));
+        let found = chosen(&chain, direction, degrees(90.0, 0.0, 0.0), rule).expect("a solution");
+        assert!((found[0] - expected).abs() < 1e-9, "A{} is not A{expected}", found[0]);
+    }
 }
 
 #[test]

@@ -4,8 +4,8 @@ mod common;
 
 use chordal_geometry::Vec3;
 use chordal_kinematics::{
-    AxisJet, AxisPositions, JointAngles, JointPath, KinematicChain, RotaryJoint, RotaryLetter,
-    TipJet, TipLine, TipPath,
+    AngleJet, AxisJet, AxisPositions, JointAngles, JointPath, KinematicChain, RotaryJoint,
+    RotaryLetter, TipJet, TipLine, TipPath,
 };
 use common::{RandomNumbers, chain, degrees};
 
@@ -107,6 +107,45 @@ fn derivatives_are_those_of_the_positions() {
         all_close(&first, &numerical(|sigma| path.at(sigma).position, sigma), 3e-11);
         all_close(&second, &numerical(|sigma| path.at(sigma).first, sigma), 3e-11);
     }
+}
+
+#[test]
+fn derivatives_hold_for_angles_that_accelerate() {
+    let mut random = RandomNumbers(8);
+    for kind in 0..500 {
+        let path = random_path(&mut random, kind);
+        let bend = random_angles(&mut random);
+        let angles = |sigma: f64| {
+            let AngleJet { mut angles, mut first, .. } = path.angles(sigma);
+            for index in 0..3 {
+                angles[index] += bend[index] * sigma * sigma;
+                first[index] += 2.0 * bend[index] * sigma;
+            }
+            AngleJet { angles, first, second: bend.map(|bend| 2.0 * bend) }
+        };
+        let at = |sigma: f64| path.chain.axis_jet(&path.tip.tip(sigma), &angles(sigma), path.tool);
+        let sigma = random.between(0.05, 0.95);
+        let AxisJet { first, second, .. } = at(sigma);
+        all_close(&first, &numerical(|sigma| at(sigma).position, sigma), 1e-9);
+        all_close(&second, &numerical(|sigma| at(sigma).first, sigma), 1e-9);
+    }
+}
+
+#[test]
+fn a_tip_that_crosses_the_axis_is_bounded_at_its_ends_too() {
+    // In the middle the tip is on the axis, and at the ends 500 from it.
+    let path = JointPath {
+        chain: chain(&[RotaryJoint::table(RotaryLetter::C, Vec3::ZERO)]),
+        tip: TipLine { from: Vec3::X * -500.0, to: Vec3::X * 500.0 },
+        from: [0.0; 3],
+        to: [0.0, 0.0, 9.0],
+        tool: Vec3::ZERO,
+    };
+    let [x, y, z, ..] = path.at(1.0).second;
+    let length = Vec3::new(x, y, z).length();
+    let expected = 500.0 * 81_f64.hypot(2.0 * 2.0 * 9.0);
+    assert!((length - expected).abs() < 1e-9 * expected, "{length} is not {expected}");
+    assert!(path.second_derivative_bound(0.0, 1.0) >= length);
 }
 
 #[test]

@@ -220,6 +220,32 @@ fn a_direction_that_stays_keeps_the_angles() {
 }
 
 #[test]
+fn an_arc_that_leaves_the_reach_between_its_ends_is_refused() {
+    use chordal_geometry::Transform;
+    use chordal_kinematics::{RotaryJoint, RotaryLetter};
+    // The tool is 90 degrees from B, and B 40 degrees from A, which carries it: it reaches 50 to 130 degrees from A.
+    let axis = Vec3::new(0.0, 40_f64.to_radians().cos(), 40_f64.to_radians().sin());
+    let chain = common::chain(&[
+        RotaryJoint::head(RotaryLetter::A, Vec3::ZERO).along(axis),
+        RotaryJoint::head(RotaryLetter::B, Vec3::ZERO),
+    ]);
+    let around_x = |deg: f64| {
+        Transform::rotation_about(Vec3::ZERO, Vec3::X, deg.to_radians()).apply_direction(axis)
+    };
+    // 70 degrees on both sides of A, and of its opposite.
+    for (from, to) in [(around_x(-70.0), around_x(70.0)), (around_x(110.0), around_x(-110.0))] {
+        let start = chain.joint_solutions(from).expect("solutions").as_slice()[0].angles;
+        assert!(chain.joint_solutions(to).is_ok());
+        let Err(OrientationError::Direction(DirectionError::Unreachable { beyond_rad })) =
+            OrientationArc::new(&chain, from, to, &start)
+        else {
+            panic!("the middle of the arc is along A");
+        };
+        assert!((beyond_rad.to_degrees() - 50.0).abs() < 1e-6, "{beyond_rad}");
+    }
+}
+
+#[test]
 fn what_is_no_arc() {
     let chain = table_table_bc();
     let start = degrees(0.0, 20.0, 0.0);

@@ -310,6 +310,18 @@ fn a_pole_leaves_the_first_axis_free() {
 }
 
 #[test]
+fn both_solutions_are_one_at_the_limit_of_the_reach() {
+    let chain = common::nutating_head();
+    let direction = chain.direction(&common::degrees(0.0, 180.0, 25.0));
+    let solutions = chain.joint_solutions(direction).expect("a solution");
+    let [solution] = solutions.as_slice() else { panic!("{solutions:?}") };
+    assert!((solution.angles[1].abs() - PI).abs() < 1e-7, "{solution:?}");
+    // A ten-millionth of a degree beyond it is beyond it.
+    let beyond = direction + Vec3::Z * -1e-7_f64.to_radians();
+    assert!(chain.joint_solutions(beyond).is_err());
+}
+
+#[test]
 fn a_tool_along_the_second_axis_leaves_it_free() {
     let chain = chain(&[
         RotaryJoint::table(RotaryLetter::A, Vec3::ZERO),
@@ -338,10 +350,13 @@ fn one_axis_and_none() {
     let DirectionError::Unreachable { beyond_rad } = error else { panic!("{error}") };
     assert!((beyond_rad - PI / 2.0).abs() < 1e-12);
 
+    let just_off = point(1e-10, 1.0, 1.0);
+    assert!(tilt.joint_solutions(just_off).is_err());
     let round = chain(&[RotaryJoint::table(RotaryLetter::C, Vec3::ZERO)]);
     let solutions = round.joint_solutions(Vec3::Z * 7.0).expect("a solution");
     assert_eq!(solutions.as_slice()[0].free, Some(RotaryLetter::C));
-    assert!(round.joint_solutions(point(0.01, 0.0, 1.0)).is_err());
+    assert!(round.joint_solutions(point(0.9e-9, 0.0, 1.0)).is_ok());
+    assert!(round.joint_solutions(point(1.1e-9, 0.0, 1.0)).is_err());
 
     let none = KinematicChain::CARTESIAN;
     assert_eq!(none.joint_solutions(Vec3::Z).expect("a solution").as_slice()[0].free, None);

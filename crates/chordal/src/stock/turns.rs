@@ -107,22 +107,23 @@ pub(super) fn swept(
         return None;
     }
     let middle = rotary[axis].center();
-    let others_stand_at_zero =
-        (0..3).all(|other| other == axis || within_half_a_turn(from[other]) == 0.0);
+    // An axis with a direction of its own need not be along a linear axis.
+    let is_along_letter = rotary[axis].direction.is_none()
+        && (0..3).all(|other| other == axis || within_half_a_turn(from[other]) == 0.0);
     let corners = (0..8u32).map(|bits| {
         let pick = |bit: u32, low: f64, high: f64| if bits & bit == 0 { low } else { high };
         let Aabb { min, max } = body;
         Vec3::new(pick(1, min.x, max.x), pick(2, min.y, max.y), pick(4, min.z, max.z)) - middle
     });
     let along = AXES[axis];
-    // Where another axis turns the axis itself, only the distance from its centre is known.
+    // Where another axis turns the axis itself, or it is inclined, only the distance from its centre is known.
     let distance = |arm: Vec3| {
-        if others_stand_at_zero { (arm - along * along.dot(arm)).length() } else { arm.length() }
+        if is_along_letter { (arm - along * along.dot(arm)).length() } else { arm.length() }
     };
     let reach = corners.map(distance).fold(0.0, f64::max);
     let around = Vec3::new(reach, reach, reach);
     let mut swept = Aabb { min: middle - around, max: middle + around };
-    if others_stand_at_zero {
+    if is_along_letter {
         let keep = |own: Vec3, of: Vec3| own - along * along.dot(own) + along * along.dot(of);
         swept = Aabb { min: keep(swept.min, body.min), max: keep(swept.max, body.max) };
     }
@@ -178,5 +179,15 @@ mod tests {
         let swept = swept(&table(), [0.0; 3], [1.0, 0.0, 0.0], &body).expect("a table");
         assert_eq!(swept.min.to_array(), [0.0, -5.0, -5.0]);
         assert_eq!(swept.max.to_array(), [50.0, 5.0, 5.0]);
+    }
+
+    #[test]
+    fn an_inclined_axis_keeps_the_part_in_a_ball() {
+        let body = Aabb { min: Vec3::new(0.0, -3.0, -4.0), max: Vec3::new(12.0, 3.0, 4.0) };
+        let mut rotary = table();
+        rotary[0].direction = Some([0.0, 1.0, 1.0]);
+        let swept = swept(&rotary, [0.0; 3], [1.0, 0.0, 0.0], &body).expect("a table");
+        assert_eq!(swept.min.to_array(), [-13.0; 3]);
+        assert_eq!(swept.max.to_array(), [13.0; 3]);
     }
 }
