@@ -144,7 +144,6 @@ fn the_built_in_five_axis_machines() {
     use JointSide::{Head, Table};
     use RotaryLetter::{A, B, C};
     let expected = [
-        ("haas-umc750", [(C, Table), (B, Table)]),
         ("fanuc-head-table", [(C, Table), (B, Head)]),
         ("fanuc-ac-trunnion", [(C, Table), (A, Table)]),
         ("fanuc-nutating-head", [(C, Head), (B, Head)]),
@@ -165,6 +164,13 @@ fn the_built_in_five_axis_machines() {
     let nutating = built_in("fanuc-nutating-head").kinematic_chain().expect("a chain");
     let lying = nutating.direction(&[0.0, std::f64::consts::PI, 0.0]);
     assert!(lying.distance(Vec3::Y) < 1e-15, "{lying:?}");
+}
+
+#[test]
+fn a_built_in_machine_whose_points_differ_from_one_to_the_next_has_none() {
+    let along = Axis::X;
+    let error = built_in("haas-umc750").kinematic_chain().expect_err("no points");
+    assert_eq!(error, KinematicsError::NoPoint { axis: Axis::C, along });
 }
 
 #[test]

@@ -22,6 +22,8 @@ pub struct RunFrame {
     zero: WorkZero,
     /// What is added to coordinates in this frame to get machine coordinates, mm.
     offset: Position,
+    /// The axes for which that is known.
+    known: AxisMask,
 }
 
 impl RunFrame {
@@ -36,7 +38,14 @@ impl RunFrame {
             Some(value) => value,
             None => zero.system[axis],
         });
-        RunFrame { name: frame.name, zero: *zero, offset }
+        let known =
+            AxisMask::with_values(&set_up).or(zero.system_known).without(zero.unknown_presets.axes);
+        RunFrame { name: frame.name, zero: *zero, offset, known }
+    }
+
+    /// What is added to a coordinate in this frame to get that of the machine, mm; `None` where it is not known.
+    pub fn offset(&self, axis: usize) -> Option<f64> {
+        self.known.has(axis).then_some(self.offset[axis])
     }
 
     /// The shift from the program coordinates of another frame to this one, mm: zero along the axes for which it is not

@@ -75,7 +75,7 @@ impl PathRows {
 
     /// Empty columns for a job, without S.
     pub fn without_power(job: &Job) -> PathRows {
-        let kinematics = PartKinematics::of(&job.machine().rotary);
+        let kinematics = PartKinematics::of(&job.rotary_axes());
         PathRows { kinematics, ..PathRows::default() }
     }
 
@@ -96,7 +96,8 @@ impl PathRows {
             [d.x as f32, d.y as f32, d.z as f32]
         };
         let angles = AngleRange::of(segment);
-        let kinematics = self.kinematics.filter(|_| !angles.is_zero());
+        // A move in a frame of the part is given relative to it already.
+        let kinematics = self.kinematics.filter(|_| !angles.is_zero() && !segment.on_part);
         let [at_start, at_end] =
             [0.0, 1.0].map(|share| kinematics.map(|own| own.along(angles, share)));
         self.points.extend(near(placed(at_start.as_ref(), start)));

@@ -60,7 +60,7 @@ pub fn times(
     message["assumed"] = json!(timed.motion.limits.assumed.len());
     let mut frame = ColumnFrame::default();
     let does_turn = thinned.turns.iter().any(|angle| *angle != 0.0);
-    let kinematics = PartKinematics::of(&job.machine().rotary).filter(|_| does_turn);
+    let kinematics = PartKinematics::of(&job.rotary_axes()).filter(|_| does_turn);
     match kinematics {
         Some(kinematics) => {
             frame.column("places", &thinned.on_part(&kinematics));

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use chordal_command::{AxisMask, Command, Move, Sink};
 use chordal_diagnostics::Diagnostic;
 use chordal_kernel::{RunOptions, RunSink};
-use chordal_machine::AXES;
+use chordal_machine::{AXES, RotaryAxis, RotaryTarget};
 use chordal_path::{NotNamed, ProgramFrame, RunFrame};
 
 use crate::job::Job;
@@ -133,6 +133,22 @@ impl Job<'_> {
         let first = first.into_iter().find_map(Option::as_ref);
         let run_frame = first.map(|frame| self.run_frame_of(frame));
         RunPremises { run_frame, not_named: Some(sink.not_named()) }
+    }
+
+    /// The rotary axes with their centres in the frame of the run: where the machine file gives none, from the point on the
+    /// machine and the work offset, as far as both are known.
+    pub fn rotary_axes(&self) -> [RotaryAxis; 3] {
+        let mut rotary = self.machine().rotary;
+        let Some(run_frame) = self.ahead().run_frame else { return rotary };
+        let tables = rotary.iter_mut().filter(|own| own.turns == Some(RotaryTarget::Table));
+        for own in tables {
+            for axis in 0..3 {
+                let offset = run_frame.offset(axis);
+                let derived = own.point_mm[axis].zip(offset).map(|(point, offset)| point - offset);
+                own.center_mm[axis] = own.center_mm[axis].or(derived);
+            }
+        }
+        rotary
     }
 
     fn run_frame_of(&self, frame: &ProgramFrame) -> RunFrame {

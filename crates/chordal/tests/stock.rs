@@ -618,3 +618,70 @@ fn a_part_that_turns_must_be_clear_of_the_tool() {
     assert_eq!(found.removed_mm3.most, found.left_mm3.most);
     assert_eq!(run(&unknown, &indexed(&[("0.", SLOT)])).verdict, StockVerdict::Clean);
 }
+
+/// The same bar on the tables of a trunnion: A goes through it 20 mm below its zero, C through its zero.
+const TRUNNION_BAR: &str = r#"
+machine = "fanuc-ac-trunnion"
+[rotary.A]
+point = { Y = "-200 mm", Z = "-400 mm" }
+[rotary.C]
+point = { X = "-300 mm", Y = "-200 mm" }
+[work_offsets.G54]
+X = "-300 mm"
+Y = "-200 mm"
+Z = "-380 mm"
+[stock]
+shape = "box"
+from = { X = "0 mm", Y = "-20 mm", Z = "-15 mm" }
+to = { X = "100 mm", Y = "20 mm", Z = "15 mm" }
+[tools.1]
+shape = "flat"
+diameter = "10 mm"
+length = "100 mm"
+flute_length = "30 mm"
+"#;
+
+/// Blocks in the plane of the side at Y-20, with the tool upright on it: Y of the plane is Z of the part.
+fn on_the_side(blocks: &str) -> String {
+    format!(
+        "O1\nG21 G90 G54\nT1 M6\nS3000 M3\nG0 X-20. Y0. A0. C0.\nG43 H1 Z100.\n\
+         G68.2 X0 Y-20. Z0 I0 J90. K0\nG53.1\nG0 X-20. Y0. Z50.\n{blocks}G0 Z50.\nG69\nM30\n"
+    )
+}
+
+#[test]
+fn a_tilted_plane_is_cut_like_a_side_that_faces_the_spindle() {
+    let found = run(TRUNNION_BAR, &on_the_side("Z-5.\nG1 X120. F600.\n"));
+    assert_eq!(found.verdict, StockVerdict::Clean, "{:?}", found.report.diagnostics);
+    // A slot of 5 × 10 × 100, whose walls are known to a column.
+    let removed = found.removed_mm3;
+    assert!(removed.least <= 5_000.0 && 5_000.0 <= removed.most, "{removed:?}");
+    assert!(removed.least > 4_000.0 && removed.most < 6_000.0, "{removed:?}");
+    // The same slot without a plane: Y of the machine is Y of the plane seen from A90, 20 mm farther out.
+    let plain = "O1\nG21 G90 G54\nT1 M6\nS3000 M3\nG0 X-20. Y0. A0. C0.\nG43 H1 Z100.\nA90.\n\
+                 G0 X-20. Y20. Z50.\nZ-5.\nG1 X120. F600.\nG0 Z50.\nM30\n";
+    let same = run(TRUNNION_BAR, plain);
+    assert_eq!(same.verdict, StockVerdict::Clean, "{:?}", same.report.diagnostics);
+    let near = |a: f64, b: f64| (a - b).abs() < 200.0;
+    assert!(near(same.removed_mm3.least, removed.least), "{:?} {removed:?}", same.removed_mm3);
+    // Under tool centre point control the same place, by the coordinates of the part.
+    let by_tip = "O1\nG21 G90 G54\nT1 M6\nS3000 M3\nG0 X-20. Y0. A0. C0.\nG43 H1 Z100.\nA90.\n\
+                  G43.4 H1\nG0 X-20. Y-70. Z0\nY-15.\nG1 X120. F600.\nG0 Y-70.\nG49\nM30\n";
+    let tip = run(TRUNNION_BAR, by_tip);
+    assert_eq!(tip.verdict, StockVerdict::Clean, "{:?}", tip.report.diagnostics);
+    assert!(near(tip.removed_mm3.least, removed.least), "{:?} {removed:?}", tip.removed_mm3);
+}
+
+#[test]
+fn a_touch_in_a_tilted_plane_is_found_and_a_turning_tool_is_never_clean() {
+    let found = run(TRUNNION_BAR, &on_the_side("G0 X50. Z-10.\n"));
+    assert_eq!(found.verdict, StockVerdict::Problems);
+    let hit = &found.problems[0];
+    assert_eq!(hit.code.info().name, "rapid-through-stock");
+    assert!(hit.depth_mm.least > 9.9 && hit.depth_mm.most < 10.1, "{hit:?}");
+    let turning = "O1\nG21 G90 G54\nT1 M6\nS3000 M3\nG0 X-20. Y0. A0. C0.\nG43.4 H1 Z100.\n\
+                   G1 X120. Z40. A60. F600.\nG49\nM30\n";
+    let found = run(TRUNNION_BAR, turning);
+    assert_eq!(found.verdict, StockVerdict::NotProved);
+    assert!(codes(&found).contains(&"CH630"));
+}

@@ -91,7 +91,7 @@ enum PartlyKnown {
 /// Collects the moves of a run.
 pub(super) struct StockMoves<'a> {
     tools: &'a BTreeMap<u32, Result<ToolBody, NoBody>>,
-    rotary: &'a [RotaryAxis; 3],
+    rotary: [RotaryAxis; 3],
     /// True where a part is simulated in any orientation, not only in the given one.
     follows_turns: bool,
     pub batches: Vec<MoveBatch>,
@@ -114,10 +114,6 @@ pub(super) struct StockMoves<'a> {
     rpm: f64,
     /// Polar or cylindrical interpolation is active.
     on_surface: bool,
-    /// Coordinates are those of a frame of the part (tool centre point control, a tilted plane).
-    on_part: bool,
-    /// A tilted plane is in force.
-    in_tilted_plane: bool,
     /// The current move has a feed per time.
     by_time: bool,
     /// The clearance plane: a rapid below it is at depth, mm.
@@ -145,7 +141,7 @@ impl<'a> StockMoves<'a> {
         let (naming, units) = (job.profile().work_names, job.rules().units);
         StockMoves {
             tools,
-            rotary: &job.machine().rotary,
+            rotary: job.rotary_axes(),
             follows_turns,
             batches: Vec::new(),
             turns: vec![PartOrientation::NONE],
@@ -162,8 +158,6 @@ impl<'a> StockMoves<'a> {
             is_oriented: false,
             rpm: 0.0,
             on_surface: false,
-            on_part: false,
-            in_tilted_plane: false,
             by_time: false,
             depth_mm: depth_mm(job.machine()),
             has_moved_in_z: false,
@@ -208,7 +202,7 @@ impl<'a> StockMoves<'a> {
         if let Some(known) = self.turns.iter().position(|turn| turn.is_at(angles)) {
             return Ok(known);
         }
-        let turn = PartOrientation::of(self.rotary, angles)?;
+        let turn = PartOrientation::of(&self.rotary, angles)?;
         if !self.follows_turns {
             self.leaves_out_turned = true;
             return Err(format!("the part is turned to {}", turn.name()));
@@ -236,11 +230,29 @@ impl<'a> StockMoves<'a> {
             let why = "polar or cylindrical interpolation is active";
             return self.report_once(Code::StockNotFollowed, segment, why);
         }
-        let is_turned = [segment.rotary_from, segment.rotary_to] != [[0.0; 3]; 2];
-        if self.on_part && (is_turned || self.in_tilted_plane) {
-            let why = "the tool is tilted on the part (tool centre point control, a tilted plane)";
+        if segment.on_part {
+            return self.segment_on_part(segment, kind);
+        }
+        self.segment_on_machine(segment, kind);
+    }
+
+    /// Takes a move in a frame of the part. While the rotary axes stand, it is turned with the part to where the tool is
+    /// upright.
+    fn segment_on_part(&mut self, segment: &Segment, kind: BatchKind) {
+        if !turns::are_same(segment.rotary_from, segment.rotary_to) {
+            let why = "the direction of the tool changes on it";
             return self.report_once(Code::StockNotFollowed, segment, why);
         }
+        match self.turn(segment.rotary_from) {
+            Ok(index) => {
+                let curve = segment.curve.transformed(&self.turns[index].to_program);
+                self.segment_on_machine(&Segment { curve, ..*segment }, kind);
+            }
+            Err(why) => self.report_once(Code::StockNotFollowed, segment, &why),
+        }
+    }
+
+    fn segment_on_machine(&mut self, segment: &Segment, kind: BatchKind) {
         if segment.unrelated_zero.is_some() {
             return self.frame_not_known(segment, kind);
         }
@@ -436,10 +448,6 @@ impl RunWatch for StockMoves<'_> {
             CommandKind::Tool { .. } => self.has_moved_in_z = false,
             CommandKind::Units(units) => self.units = *units,
             CommandKind::Surface { surface, .. } => self.on_surface = surface.is_some(),
-            CommandKind::PartFrame { frame, .. } => {
-                self.on_part = frame.is_some();
-                self.in_tilted_plane = frame.as_ref().is_some_and(|frame| !frame.is_level());
-            }
             CommandKind::WorkOffset { name, .. } => {
                 self.work_now = Some(name.table_key(self.naming));
             }

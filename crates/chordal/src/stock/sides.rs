@@ -98,7 +98,7 @@ impl SetupBodies<'_> {
 
     fn is_clear(&self, job: &Job<'_>, gathered: &StockMoves<'_>, segment: &Segment) -> bool {
         let Some(radius) = gathered.radius(segment.tool) else { return false };
-        let rotary = &job.machine().rotary;
+        let rotary = &job.rotary_axes();
         // The orientation before the axis turns: the swept volume is the same for any angle.
         let (from, to) = (segment.rotary_from, segment.rotary_to);
         let before = [0, 1, 2].map(|axis| if from[axis] == to[axis] { from[axis] } else { 0.0 });
