@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use chordal_command::{AxisMask, CommandKind, PartFrame, Position, ProgramOffsets};
 use chordal_geometry::{Transform, Vec3};
-use chordal_kinematics::{JointSide, KinematicChain, SolutionRule};
-use chordal_machine::{Axis, TcpFrame};
+use chordal_kinematics::{KinematicChain, SolutionRule};
+use chordal_machine::TcpFrame;
 
 use crate::kernel::Kernel;
 use crate::rules::RotaryChoice;
@@ -97,13 +97,25 @@ impl State {
 impl Kernel<'_> {
     /// Tool centre point control: from here on the control holds the tip while rotary axes turn; the machine does not move.
     pub fn begin_tool_center(&mut self) {
-        self.set_part_frame(true, self.plane_in_force());
+        self.set_part_frame(true, self.tilted_plane());
     }
 
     /// Ends tool centre point control; a tilted plane stays.
     pub fn end_tool_center(&mut self) {
         if self.state.part_frame.as_ref().is_some_and(|frame| frame.follows_tip) {
-            self.set_part_frame(false, self.plane_in_force());
+            self.set_part_frame(false, self.tilted_plane());
+        }
+    }
+
+    /// The rotary axes of the machine.
+    ///
+    /// # Errors
+    /// What is missing, in words.
+    pub fn rotary_chain(&self) -> Result<KinematicChain, String> {
+        let chain = self.machine.kinematic_chain().map_err(|error| error.to_string())?;
+        match chain.joints() {
+            [] => Err("the machine has no rotary axis".into()),
+            _ => Ok(chain),
         }
     }
 
@@ -121,7 +133,8 @@ impl Kernel<'_> {
         }
     }
 
-    fn plane_in_force(&self) -> Transform {
+    /// The tilted plane in force, in the work coordinate system; the identity without one.
+    pub fn tilted_plane(&self) -> Transform {
         self.state.part_frame.as_ref().map_or(Transform::identity(), |frame| frame.plane)
     }
 
@@ -136,7 +149,7 @@ impl Kernel<'_> {
             TcpFrame::Activation if follows_tip => offsets.work[axis + 3] + place[axis + 3],
             TcpFrame::Zero | TcpFrame::Activation => offsets.work[axis + 3],
         });
-        let chain = self.machine.kinematic_chain().ok();
+        let chain = self.rotary_chain().ok();
         self.resume_part_frame(Arc::new(PartFrame { chain, frame_angles, plane, follows_tip }));
     }
 
@@ -196,9 +209,7 @@ impl Kernel<'_> {
     ) -> Result<[f64; 3], TurnError> {
         let (Some(chain), Some(direction)) = (&frame.chain, frame.direction_on_part(direction))
         else {
-            let error = self.machine.kinematic_chain().err();
-            let what =
-                error.map_or("the rotary axes are not known".into(), |error| error.to_string());
+            let what = self.rotary_chain().err().unwrap_or_default();
             return Err(TurnError::NoKinematics(what));
         };
         let offsets = self.state.program_offsets();
@@ -215,26 +226,20 @@ impl Kernel<'_> {
 
     /// The rule by which this control chooses between two positions of the rotary axes.
     fn solution_rule(&self, chain: &KinematicChain) -> SolutionRule {
-        let joints = chain.joints();
-        match (self.rules.frames.rotary_choice, joints) {
-            (RotaryChoice::Master, [first, second]) => {
-                // Of a head and a table the table, of two tables or heads the one that carries the other.
-                let is_carried = second.side == JointSide::Table;
-                let master = if is_carried { second.letter } else { first.letter };
-                SolutionRule::MasterMovement { master }
-            }
+        match (self.rules.frames.rotary_choice, chain.master()) {
+            (RotaryChoice::Master, Some(master)) => SolutionRule::MasterMovement { master },
             (RotaryChoice::PoleSide { near_rad }, _) => SolutionRule::PoleSide { near_rad },
             (RotaryChoice::Master | RotaryChoice::LeastMovement, _) => SolutionRule::LEAST_MOVEMENT,
         }
     }
 
-    /// The rotary axes that a machine has, for messages: `A and C`.
-    pub fn rotary_names(&self) -> String {
-        let own = [Axis::A, Axis::B, Axis::C].into_iter();
-        let names: Vec<String> = own
-            .filter(|axis| self.machine.axis(*axis).is_some())
-            .map(|axis| axis.letter().to_string())
-            .collect();
-        names.join(" and ")
+    /// The program positions of A, B and C, rad, with which the tool points along a vector of program coordinates, from its
+    /// tip to its holder.
+    ///
+    /// # Errors
+    /// [`TurnError::NoPlane`] where coordinates are not those of the part, and the others.
+    pub fn rotary_of_direction(&self, direction: Vec3) -> Result<[f64; 3], TurnError> {
+        let frame = self.state.part_frame.as_ref().ok_or(TurnError::NoPlane)?;
+        self.angles_of_direction(frame, direction)
     }
 }

@@ -74,6 +74,7 @@ const TEXTS: &[(u32, &str)] = alarm_texts! {
     61002 "kind of machining programmed wrongly",
     61003 "no feedrate programmed in the cycle",
     61101 "reference plane defined wrongly",
+    61184 "no solution possible with the angles that are given",
     61102 "no direction of the spindle programmed",
     61103 "number of holes is zero",
     61104 "slots or elongated holes cut into each other",

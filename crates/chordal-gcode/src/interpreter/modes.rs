@@ -414,10 +414,10 @@ impl Interpreter<'_> {
 
     /// G43.4, G234: from here on coordinates are those of the tip.
     fn begin_tool_center(&mut self, block: &Block, code: Option<&(&'static CodeRow, usize)>) {
-        let error = self.machine.kinematic_chain().err();
         self.kernel.begin_tool_center();
+        let error = self.kernel.rotary_chain().err();
         if let (Some(error), Some((_, at))) = (error, code) {
-            self.report_no_kinematics(block, *at, &error.to_string());
+            self.report_no_kinematics(block, *at, &error);
         }
     }
 

@@ -201,11 +201,11 @@ impl Interpreter<'_> {
             return self.take_tool(words, word, range);
         }
         let Some(kind) = AddressKind::of(name, address.extension) else {
-            if matches!(name, "A" | "B" | "C") && matches!(address.extension, Some(2..=7)) {
+            if matches!(name, "A" | "B" | "C") && matches!(address.extension, Some(2 | 4..=7)) {
                 if self.is_first_report("tool direction") {
                     self.not_followed(
                         range,
-                        "the direction of the tool is not followed: this machine has three axes",
+                        "this way to give the direction of the tool is not followed",
                     );
                 }
                 return;
@@ -234,6 +234,7 @@ impl Interpreter<'_> {
             AddressKind::Axis(axis) => &mut words.axes[axis],
             AddressKind::Center(axis) => &mut words.centers[axis],
             AddressKind::Between(axis) => &mut words.between[axis],
+            AddressKind::Direction(axis) => &mut words.directions[axis],
             AddressKind::Other(known) => {
                 if words.other(known).is_some() {
                     let message = format!("{known} is programmed twice in this block");
@@ -340,6 +341,8 @@ enum AddressKind {
     Center(usize),
     /// I1, J1, K1 by the index of their axis.
     Between(usize),
+    /// A3, B3, C3 by the index of their axis.
+    Direction(usize),
     /// One of [`OTHER_ADDRESSES`].
     Other(&'static str),
 }
@@ -354,6 +357,9 @@ impl AddressKind {
             "M" => Some(AddressKind::MCode),
             "I" | "J" | "K" if extension == Some(1) => {
                 Some(AddressKind::Between(axis(&CENTER_NAMES)?))
+            }
+            "A" | "B" | "C" if extension == Some(3) => {
+                Some(AddressKind::Direction(axis(&["A", "B", "C"])?))
             }
             "I" | "J" | "K" => Some(AddressKind::Center(axis(&CENTER_NAMES)?)),
             _ if is_first

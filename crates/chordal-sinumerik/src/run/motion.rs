@@ -169,6 +169,13 @@ impl Interpreter<'_> {
             let Some(word) = word else { continue };
             *value = word.coordinate(*value, 1_f64.to_radians(), incremental);
         }
+        if let Some(first) = words.directions.iter().flatten().next() {
+            let direction = words.directions.map(|word| word.map_or(0.0, |word| word.value));
+            if let Some(angles) = self.rotary_of_direction(direction, first.range) {
+                end[3..].copy_from_slice(&angles);
+                named = named.or(AxisMask::ROTARY.and(self.programs.control.axes()));
+            }
+        }
         self.kernel.state.place(named);
         Some(BlockTarget { programmed, start, end, named })
     }

@@ -1,8 +1,9 @@
 //! CYCLE800: the plane is swivelled.
 
 use chordal_command::AxisMask;
-use chordal_diagnostics::TextRange;
-use chordal_geometry::Plane;
+use chordal_diagnostics::{Code, TextRange};
+use chordal_geometry::{Plane, Transform, Vec3};
+use chordal_kernel::TurnError;
 use chordal_kernel::frames::FrameMap;
 
 use super::interpreter::Interpreter;
@@ -15,6 +16,7 @@ const MODE: usize = 3;
 const SHIFT_BEFORE: usize = 4;
 const ANGLES: usize = 7;
 const SHIFT_AFTER: usize = 10;
+const DIRECTION: usize = 13;
 
 impl Interpreter<'_> {
     /// Swivels the plane. The frame is carried out; the rotary axes are those of a machine that is not known here, so
@@ -22,6 +24,7 @@ impl Interpreter<'_> {
     pub(super) fn swivel_plane(&mut self, numbers: &[Option<f64>], range: TextRange) {
         if numbers.iter().all(Option::is_none) {
             // CYCLE800() ends the swivelled plane.
+            self.kernel.set_tilted_plane(Transform::identity());
             let was_swivelled = self.modes.swivel != FrameMap::IDENTITY;
             self.modes.set_frames(self.modes.programmable, FrameMap::IDENTITY);
             if was_swivelled {
@@ -38,6 +41,9 @@ impl Interpreter<'_> {
             return self.not_followed(range, what);
         }
         let unit = self.unit_mm();
+        if self.programs.control.axes().and(AxisMask::ROTARY) != AxisMask::NONE {
+            return self.swivel_on_machine(mode, degrees, &number, range);
+        }
         let shift = |from: usize| {
             FrameMap::translation(linear(
                 std::array::from_fn(|axis| number(from + axis) * unit),
@@ -56,6 +62,57 @@ impl Interpreter<'_> {
             let mut axes = AxisMask::NONE;
             axes.insert(2);
             self.kernel.go_astray(axes);
+        }
+    }
+}
+
+impl Interpreter<'_> {
+    /// On a machine with rotary axes: the plane is one of the machine, to which its rotary axes turn, except with _DIR 0.
+    fn swivel_on_machine(
+        &mut self,
+        mode: i64,
+        degrees: [f64; 3],
+        number: &dyn Fn(usize) -> f64,
+        range: TextRange,
+    ) {
+        let unit = self.unit_mm();
+        let shift = |from: usize| {
+            Transform::translation(Vec3::new(
+                number(from) * unit,
+                number(from + 1) * unit,
+                number(from + 2) * unit,
+            ))
+        };
+        let turn = |place: usize| {
+            let about = match (mode >> (2 * place)) & 0b11 {
+                1 => Vec3::X,
+                2 => Vec3::Y,
+                3 => Vec3::Z,
+                _ => return Transform::identity(),
+            };
+            Transform::rotation_about(Vec3::ZERO, about, degrees[place].to_radians())
+        };
+        let rotation = turn(2).then(&turn(1)).then(&turn(0));
+        let plane = shift(SHIFT_AFTER).then(&rotation).then(&shift(SHIFT_BEFORE));
+        let is_additive = number(STATUS).round() as i64 % 10 == 1;
+        let before = self.kernel.tilted_plane();
+        let plane = if is_additive { plane.then(&before) } else { plane };
+        if number(RETRACT) != 0.0 {
+            self.kernel.go_astray(AxisMask(1 << 2));
+        }
+        self.modes.last_direction = None;
+        self.kernel.set_tilted_plane(plane);
+        if number(DIRECTION) == 0.0 {
+            return;
+        }
+        match self.kernel.turn_to_plane(false) {
+            // Without a rotation there is nothing to turn to.
+            Ok(()) | Err(TurnError::NoPlane) => {}
+            Err(TurnError::NoKinematics(why)) => self.report_no_kinematics("CYCLE800", &why, range),
+            Err(TurnError::Unreachable(why)) => {
+                let message = format!("CYCLE800: {why}");
+                self.alarm(61184, Code::TiltedPlane, range, message);
+            }
         }
     }
 }

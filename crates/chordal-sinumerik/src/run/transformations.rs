@@ -2,10 +2,12 @@
 
 use chordal_command::{AxisMask, RotarySurface, SurfaceShape};
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
-use chordal_kernel::{NewSurface, SurfacePlane};
+use chordal_geometry::Vec3;
+use chordal_kernel::{NewSurface, SurfacePlane, TurnError};
 use chordal_machine::Axis;
 
 use super::interpreter::Interpreter;
+use crate::alarms::NO_ALARM;
 
 const X: usize = Axis::X as usize;
 const Y: usize = Axis::Y as usize;
@@ -34,17 +36,64 @@ impl Interpreter<'_> {
             "TRANSMIT" => self.begin_face(range),
             "TRACYL" => self.begin_cylinder(numbers.first().copied().flatten(), range),
             "TRAORI" => {
-                // The tip goes where the program says; where the axes are depends on the machine.
-                self.needs_rotary_axis(name, &[Axis::A, Axis::B, Axis::C], range);
-                self.lose_path(range, "where the axes are", "the rotary axes of TRAORI");
+                if self.needs_rotary_axis(name, &[Axis::A, Axis::B, Axis::C], range) {
+                    self.begin_tool_center(name, range);
+                }
             }
             "TRAANG" => self.not_followed(range, "TRAANG, the inclined axis, is not followed"),
             _ => {}
         }
     }
 
-    /// Ends the surface; the plane stays that of the program.
+    /// TRAORI: the tip goes where the program says, and the axes where the machine file puts them.
+    fn begin_tool_center(&mut self, name: &str, range: TextRange) {
+        self.kernel.begin_tool_center();
+        self.modes.last_direction = None;
+        if let Err(error) = self.kernel.rotary_chain() {
+            self.report_no_kinematics(name, &error, range);
+        }
+    }
+
+    /// Says once that the tip is followed and the axes are not, and why.
+    pub(super) fn report_no_kinematics(&mut self, name: &str, why: &str, range: TextRange) {
+        if !self.is_first_report("kinematics") {
+            return;
+        }
+        let message =
+            format!("{name}: where X, Y and Z are while rotary axes turn is not known: {why}");
+        let diagnostic = Diagnostic::new(Code::KinematicsNotKnown, self.span(range), message)
+            .label("the tip is followed; travel and time are not")
+            .help("give the rotary axes in the machine file; see `chordal explain CH448`");
+        self.kernel.report(diagnostic);
+    }
+
+    /// The direction of the tool by A3, B3 and C3, as positions of the rotary axes; `None` where it is not known.
+    pub(super) fn rotary_of_direction(
+        &mut self,
+        direction: [f64; 3],
+        range: TextRange,
+    ) -> Option<[f64; 3]> {
+        match self.kernel.rotary_of_direction(Vec3::from_array(direction)) {
+            Ok(angles) => return Some(angles),
+            Err(TurnError::NoPlane) => {
+                self.not_followed(range, "a direction of the tool without TRAORI is not followed");
+            }
+            Err(TurnError::NoKinematics(why)) => {
+                self.report_no_kinematics("the direction of the tool", &why, range);
+            }
+            Err(TurnError::Unreachable(why)) => {
+                let message = format!("the direction of the tool: {why}");
+                let diagnostic = Diagnostic::new(Code::TiltedPlane, self.span(range), message);
+                self.report_alarm(NO_ALARM, diagnostic);
+            }
+        }
+        self.kernel.go_astray(AxisMask::ROTARY);
+        None
+    }
+
+    /// Ends the surface; the plane stays that of the program. Ends the control of the tip.
     fn end_transformation(&mut self) {
+        self.kernel.end_tool_center();
         let plane = self.kernel.state.plane;
         if let Some(surface) = &mut self.kernel.state.surface {
             surface.plane_after = plane;

@@ -79,6 +79,8 @@ pub struct BlockWords {
     pub between: [Option<ValueWord>; 3],
     /// The other addresses with a number, by their name: `CR`, `F`, `RND`, `AP`.
     pub others: Vec<(&'static str, ValueWord)>,
+    /// A3, B3, C3: the direction of the tool, from its tip to its holder.
+    pub directions: [Option<ValueWord>; 3],
     /// T.
     pub tool: Option<(ToolWord, TextRange)>,
     /// Words of other spindles, in order.
@@ -104,7 +106,7 @@ impl BlockWords {
 
     /// Whether one of the axes of the plane or its normal, or a polar coordinate, is programmed.
     pub fn has_path_motion(&self) -> bool {
-        self.axes.iter().any(Option::is_some)
+        self.axes.iter().chain(&self.directions).any(Option::is_some)
             || self.astray != AxisMask::NONE
             || self.other("AP").is_some()
             || self.other("RP").is_some()
