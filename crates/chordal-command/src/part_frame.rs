@@ -101,14 +101,16 @@ impl PartFrame {
     }
 
     /// The path of the axes, machine coordinates, while the tip follows a curve in program coordinates and the rotary axes
-    /// turn evenly from one position to another; `None` where the chain is not known.
+    /// turn evenly from one position to another; `None` where the chain is not known, and needed.
     pub fn joint_path(
         &self,
         curve: &Curve,
         [from, to]: [&Position; 2],
         offsets: &ProgramOffsets,
     ) -> Option<JointPath<TipCurve>> {
-        let chain = self.chain?;
+        // While the tables lie as in the frame, the linear axes need no chain.
+        let is_aligned = || self.is_aligned(from, offsets) && self.is_aligned(to, offsets);
+        let chain = self.chain.or_else(|| is_aligned().then_some(KinematicChain::CARTESIAN))?;
         let shift = Transform::translation(ProgramOffsets::linear(&offsets.work));
         let to_part = self.plane.then(&shift).then(&self.part_zero(&chain));
         let on_part = curve.transformed(&to_part);

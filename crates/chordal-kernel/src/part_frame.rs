@@ -81,9 +81,9 @@ impl State {
     pub(crate) fn place_axes_of_tip(&mut self) {
         let Some(frame) = &self.part_frame else { return };
         let known = self.frames.map().known(self.known);
-        let is_known = frame.chain.is_some()
-            && known.covers(State::axes_of_chain(frame))
-            && self.offsets.known().covers(AxisMask::LINEAR);
+        let place = self.work_position();
+        let is_known =
+            self.offsets.known().covers(AxisMask::LINEAR) && self.is_related(frame, &place, known);
         self.machine_known = match is_known {
             true => self.machine_known.or(AxisMask::LINEAR),
             false => self.machine_known.without(AxisMask::LINEAR),

@@ -6,6 +6,9 @@ pub(crate) const SMALLEST_TOLERANCE: f64 = 1e-9;
 /// A limit of halvings, after which a piece is narrower than the rounding of its ends.
 const MAX_HALVINGS: u32 = 48;
 
+/// Parts that are looked at, at most: some thousand turns in one move. What is left then is bounded as it is, more loosely.
+const MAX_PIECES: usize = 50_000;
+
 /// A part of an interval with the values at its ends.
 struct IntervalPiece {
     from: (f64, f64),
@@ -13,7 +16,8 @@ struct IntervalPiece {
     depth: u32,
 }
 
-/// An upper bound of a function on an interval, at most `tolerance` above its largest value.
+/// An upper bound of a function on an interval, at most `tolerance` above its largest value, unless it rises and falls some
+/// thousand times.
 ///
 /// `excess` bounds how far the function is above the larger of its values at the ends of a part of the interval, and is
 /// zero in the limit of narrow parts. Only parts that may hold the largest value are halved.
@@ -28,11 +32,14 @@ pub(crate) fn upper_bound(
     let (from, to) = (at(interval.0), at(interval.1));
     let mut largest = from.1.max(to.1);
     let mut bound = largest;
+    let mut looked_at = 0;
     let mut pieces = vec![IntervalPiece { from, to, depth: 0 }];
     while let Some(piece) = pieces.pop() {
         let ends = piece.from.1.max(piece.to.1);
         let own = ends + excess(piece.from.0, piece.to.0);
-        if own <= largest + tolerance || piece.depth >= MAX_HALVINGS {
+        looked_at += 1;
+        let is_last = piece.depth >= MAX_HALVINGS || looked_at >= MAX_PIECES;
+        if own <= largest + tolerance || is_last {
             bound = bound.max(own);
             continue;
         }

@@ -102,8 +102,8 @@ const CHORDS_OF_PART: u32 = 4;
 /// Parts of one path at most.
 const MAX_PARTS: u32 = 64;
 
-/// Chords of one part at most: more are no use to a planner.
-const MAX_CHORDS: u32 = 10_000;
+/// Chords of one part at most: beyond some thousand turns in one move the tolerance is not kept.
+const MAX_CHORDS: u32 = 1_000;
 
 fn linear(place: &Position) -> Vec3 {
     Vec3::new(place[0], place[1], place[2])

@@ -18,7 +18,13 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ),
     (
         "chordal-kernel",
-        &["chordal-diagnostics", "chordal-geometry", "chordal-machine", "chordal-command"],
+        &[
+            "chordal-diagnostics",
+            "chordal-geometry",
+            "chordal-kinematics",
+            "chordal-machine",
+            "chordal-command",
+        ],
     ),
     (
         "chordal-dialect",

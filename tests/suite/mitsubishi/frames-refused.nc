@@ -21,7 +21,7 @@ G41 D1 G1 X20. Y0
 G68 X0 Y0 Z0 I1. J0 K0 R30. (= none | ! CH438 "cutter compensation is on" "P922" | ! CH312)
 G69
 G40 G1 X40.
-G43.4 H1 (= none | ! CH312)
+G43.4 H1 (= none | ! CH448)
 G68.1 X0 Y0 Z0 I1. J0 K0 R30. (= none | ! CH438 "G43.4 is active" "P922" | ! CH312)
 G49
 G69
@@ -36,7 +36,7 @@ G54 (= none | ! CH438 "P921")
 G51 X0 Y0 P2. (= none | ! CH438 "P921")
 G50
 G43.1 H1 (= none | ! CH438 "P927" | ! CH312)
-G43.4 H1 (= none | ! CH438 "P941" | ! CH312)
+G43.4 H1 (= none | ! CH438 "P941" | ! CH448)
 G49
 G69
 G52 X0

@@ -21,5 +21,7 @@ G55
 G0 X0 Y0 (= rapid to X-100 Y100)
 G69
 G54
-G68.2 X0 Y0 Z0 I0 J30. K0 (= none | ! CH312 "tilted plane")
+G68.2 X0 Y0 Z0 I0 J30. K0 (= none)
+G69
+G68.2 P2 Q1 X0 Y0 Z0 (= none | ! CH312 "another way to define the plane")
 M30

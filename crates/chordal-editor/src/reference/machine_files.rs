@@ -160,7 +160,7 @@ max_velocity = \"100 deg/s\"",
     TableSection {
         table: "rotary",
         about: "What the rotary axes turn and where they are. Pictures need `turns`, `reversed` and `center`; the kinematics of \
-                a machine need a `point` on each axis, and at most two axes. Runs do not use `point`, `rollover` and `[kinematics]` yet.",
+                a machine need a `point` on each axis, and at most two axes. Runs do not use `rollover` yet.",
         example: "
 [rotary.A]
 turns = \"table\"

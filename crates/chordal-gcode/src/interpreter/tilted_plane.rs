@@ -9,6 +9,9 @@ use chordal_syntax::Block;
 
 use super::Interpreter;
 
+/// The number of X, Y and Z, which are the origin of a plane.
+const LINEAR_AXES: usize = 3;
+
 /// The axes that I, J and K turn about.
 const AXES_OF_ANGLES: [Vec3; 3] = [Vec3::X, Vec3::Y, Vec3::Z];
 
@@ -19,12 +22,19 @@ impl Interpreter<'_> {
             TiltedPlaneCode::Define | TiltedPlaneCode::DefineByAxes => {
                 self.define_plane(block, at, code == TiltedPlaneCode::DefineByAxes);
             }
-            TiltedPlaneCode::Off => self.kernel.set_tilted_plane(Transform::identity()),
-            TiltedPlaneCode::Turn { holds_tip } => self.turn_to_plane(block, at, holds_tip),
+            TiltedPlaneCode::Off => {
+                self.unused_axes(block, |_, _| false);
+                self.kernel.set_tilted_plane(Transform::identity());
+            }
+            TiltedPlaneCode::Turn { holds_tip } => {
+                self.unused_axes(block, |_, _| false);
+                self.turn_to_plane(block, at, holds_tip);
+            }
         }
     }
 
     fn define_plane(&mut self, block: &Block, at: usize, by_axes: bool) {
+        self.unused_axes(block, |axis, _| axis < LINEAR_AXES);
         let rules = self.control.table.tilted_plane;
         let name = self.code_text(block, at);
         if self.kernel.has_tilted_plane() {
@@ -37,13 +47,13 @@ impl Interpreter<'_> {
             let help = "cancel compensation with G40 on a move before";
             self.report_plane(block, at, message, help, rules.format);
         }
-        let way = match (by_axes, block.letters().has(b'P')) {
+        let form = match (by_axes, block.letters().has(b'P')) {
             (true, _) => Some(1),
             (false, true) => self.count_of(block, b'P'),
             (false, false) => Some(0),
         };
         let angles = b"IJK".map(|letter| self.angle_of(block, letter).unwrap_or(0.0).to_radians());
-        let rotation = match way {
+        let rotation = match form {
             Some(0) => Some(euler(angles)),
             Some(1) => match self.order_of_axes(block) {
                 Some(order) => Some(about_fixed_axes(angles, order)),

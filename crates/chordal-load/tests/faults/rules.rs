@@ -75,7 +75,9 @@ pub fn lost_letter(_: &Part, line: &Line) -> Planted {
 
 pub fn open_comment(_: &Part, line: &Line) -> Planted {
     let code = line.text.trim_end();
-    (code.ends_with(')') && code.matches('(').count() == 1 && !line.words.is_empty())
+    // What a semicolon begins is a comment to the end of the line, with or without a parenthesis.
+    let opens = code.split(';').next().is_some_and(|own| own.contains('('));
+    (code.ends_with(')') && opens && code.matches('(').count() == 1 && !line.words.is_empty())
         .then(|| code[..code.len() - 1].into())
 }
 

@@ -1,12 +1,14 @@
 //! Checks of moves in a frame of the part (tool centre point control, tilted planes): the travel of the axes along the
 //! whole move.
 
-use chordal_command::{AxisMask, CommandKind, Move, Origin, RapidPath};
+use chordal_command::{AxisMask, CommandKind, Move, Origin};
 use chordal_diagnostics::Diagnostic;
+use chordal_geometry::ParamCurve;
 
 use super::RunChecks;
 use crate::axis_path::tip_pieces;
 use crate::compensation::PathCommand;
+use crate::segment::{curve_of, is_known};
 
 /// How far the computed extremes of the axes may be outside of the true ones, mm.
 const EXTREME_TOLERANCE_MM: f64 = 1e-4;
@@ -30,20 +32,19 @@ impl RunChecks<'_> {
         let is_tilted = frame.is_some_and(|frame| !frame.is_level())
             || places.iter().any(|place| place[3..] != [0.0; 3]);
         self.axes_of_tip(&command.kind, motion, command.origin, report);
-        match &command.kind {
-            CommandKind::Rapid { path: RapidPath::Straight | RapidPath::AtFeed(_), .. }
-                if !is_tilted =>
-            {
-                self.rapid(motion, command.origin);
+        let is_rapid = matches!(command.kind, CommandKind::Rapid { .. });
+        if is_tilted {
+            self.seen.rapids.end_cut();
+            (self.now.at_depth, self.now.legs) = (false, Vec::new());
+        } else if is_rapid {
+            self.rapid(motion, command.origin);
+        } else {
+            self.end_legs();
+            if is_known(motion) {
+                let bounds = curve_of(motion, command.kind.shape()).bounds();
+                self.seen.rapids.cut(|cut| cut.union(bounds));
             }
-            CommandKind::Rapid { .. } => {
-                self.seen.rapids.end_cut();
-                (self.now.at_depth, self.now.legs) = (false, Vec::new());
-            }
-            _ => {
-                self.end_legs();
-                self.now.at_depth = false;
-            }
+            self.cut_at_depth(motion);
         }
     }
 
