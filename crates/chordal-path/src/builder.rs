@@ -197,6 +197,11 @@ impl<'a> PathBuilder<'a> {
         &self.frame
     }
 
+    /// From work coordinates to the frame of the run, mm.
+    pub fn shift_to_run(&self) -> Vec3 {
+        self.shift.0
+    }
+
     /// Follows a command and passes its segments to `push`.
     pub fn command(&mut self, command: &Command, mut push: impl FnMut(&Segment)) {
         if let CommandKind::Tool { number } | CommandKind::ToolNumber { number } = command.kind {

@@ -6,8 +6,8 @@ use chordal::Job;
 use chordal::geometry::Vec3;
 use chordal::machine::{AXES, PerAxis};
 use chordal::motion::{
-    LimitError, MotionOptions, MotionSample, PlanSink, PlannerStep, SetpointSampler, StepSource,
-    StepSources,
+    LimitError, MotionOptions, MotionSample, PlacedPartFrame, PlanSink, PlannerStep,
+    SetpointSampler, StepSource, StepSources,
 };
 use chordal_export::short_blocks_text;
 use serde_json::{Value, json};
@@ -63,7 +63,10 @@ pub fn times(
     let kinematics = PartKinematics::of(&job.rotary_axes()).filter(|_| does_turn);
     match kinematics {
         Some(kinematics) => {
-            frame.column("places", &thinned.on_part(&kinematics));
+            let mut placed = thinned.on_part(&kinematics);
+            let period_s = period_s * thinned.stride as f64;
+            thinned.follow_tip(&timed.motion.part_frames, &mut placed, period_s);
+            frame.column("places", &placed);
             frame.column("programmed", &thinned.places);
         }
         None => frame.column("places", &thinned.places),
@@ -89,6 +92,7 @@ struct PlannedStep {
     number: u32,
     row: u32,
     shift: PerAxis<f64>,
+    part_frame: Option<u32>,
 }
 
 /// The setpoints to send, thinned out.
@@ -101,6 +105,8 @@ struct ThinnedSetpoints {
     turns: Vec<f32>,
     speed: Vec<f32>,
     row: Vec<u32>,
+    /// The frames of the part, by their index in the report.
+    part_frames: Vec<Option<u32>>,
 }
 
 impl ThinnedSetpoints {
@@ -115,6 +121,7 @@ impl ThinnedSetpoints {
         let at = steps.partition_point(|step| step.number <= number);
         let planned = steps.get(at.saturating_sub(1));
         let (row, shift) = planned.map_or((0, [0.0; AXES]), |planned| (planned.row, planned.shift));
+        self.part_frames.push(planned.and_then(|planned| planned.part_frame));
         self.places.extend((0..3).map(|axis| (sample.position[axis] - shift[axis]) as f32));
         let turn = |axis: usize| (sample.position[axis] - shift[axis]) as f32;
         self.turns.extend((3..AXES).map(turn));
@@ -136,16 +143,47 @@ impl ThinnedSetpoints {
         placed.collect()
     }
 
+    /// Makes the setpoints in frames of the part those of the tip: the programmed positions, which replace those of the
+    /// axes, and in `placed` those on the part; the speed becomes that of the tip.
+    fn follow_tip(&mut self, frames: &[PlacedPartFrame], placed: &mut [f32], period_s: f64) {
+        let frame_of = |index: Option<u32>| frames.get(index? as usize);
+        let rows = self.part_frames.iter().enumerate();
+        let of_tip: Vec<usize> =
+            rows.filter(|(_, index)| frame_of(**index).is_some()).map(|(at, _)| at).collect();
+        for at in &of_tip {
+            let Some(frame) = frame_of(self.part_frames[*at]) else { continue };
+            let value = |from: &[f32], axis: usize| f64::from(from[3 * at + axis]);
+            let axes: PerAxis<f64> = std::array::from_fn(|axis| match axis {
+                0..3 => value(&self.places, axis),
+                _ => value(&self.turns, axis - 3),
+            });
+            let program = frame.program_position(&axes);
+            let on_part = frame.in_run_frame(&program).to_array();
+            for axis in 0..3 {
+                self.places[3 * at + axis] = program[axis] as f32;
+                placed[3 * at + axis] = on_part[axis] as f32;
+            }
+        }
+        let point =
+            |at: usize| Vec3::from_array([0, 1, 2].map(|axis| f64::from(placed[3 * at + axis])));
+        for pair in of_tip.windows(2).filter(|pair| pair[1] == pair[0] + 1) {
+            let mm_per_s = point(pair[0]).distance(point(pair[1])) / period_s;
+            self.speed[pair[0]] = (mm_per_s * 60.0) as f32;
+        }
+    }
+
     /// Drops every second setpoint.
     fn thin_out(&mut self) {
         let halves = self.row.len().div_ceil(2);
         for at in 0..halves {
             self.row[at] = self.row[2 * at];
+            self.part_frames[at] = self.part_frames[2 * at];
             self.speed[at] = self.speed[2 * at];
             self.places.copy_within(6 * at..6 * at + 3, 3 * at);
             self.turns.copy_within(6 * at..6 * at + 3, 3 * at);
         }
         self.row.truncate(halves);
+        self.part_frames.truncate(halves);
         self.speed.truncate(halves);
         self.places.truncate(3 * halves);
         self.turns.truncate(3 * halves);
@@ -164,7 +202,8 @@ impl PlanSink for TimedSetpointSink {
         // The index of a path segment is the row in the sent columns.
         let row = u32::try_from(source.piece).unwrap_or(u32::MAX);
         let number = StepSource::number_of(source.tag);
-        self.steps.push_back(PlannedStep { number, row, shift: source.shift });
+        let (shift, part_frame) = (source.shift, source.part_frame);
+        self.steps.push_back(PlannedStep { number, row, shift, part_frame });
     }
 
     fn step(&mut self, step: PlannerStep<'_>, sources: &StepSources) {

@@ -1,5 +1,7 @@
 //! Makes moves that join on to each other, and waits, from the commands of the tool centre.
 
+mod tip_moves;
+
 use chordal_command::{
     AxisMask, Command, CommandKind, Origin, Overrides, PathMode, RotarySurface, SpindleState,
 };
@@ -10,11 +12,11 @@ use chordal_kernel::rules::{PathRules, RapidFeed};
 use chordal_machine::{AXES, FeedLimits, Machine, NonMotionTimes};
 use chordal_motion::{AxisValues, CornerMode, MoveKind, MoveRequest};
 use chordal_path::{
-    PathBuilder, PathCommand, PathSink, RotaryLimits, Segment, SegmentKind, SurfacePart,
-    axis_pieces, curve_of, rotary_parts, surface_parts, tip_pieces,
+    PathBuilder, PathCommand, PathSink, RotaryLimits, Segment, SegmentKind, SurfacePart, curve_of,
+    rotary_parts, surface_parts,
 };
 
-use super::corner::{CornerRequest, corner_of};
+use super::corner::{CornerRequest, PieceEnd, corner_of};
 use super::operations::OperationFinder;
 use super::options::ActiveMotionModes;
 use super::{
@@ -75,6 +77,8 @@ pub(crate) struct MotionBuilder<'a, S> {
     piece: u64,
     /// X, Y and Z, and the rotary axes that the control has.
     axes: AxisMask,
+    /// The number of the frame of the part in which the tip is; `None` where the path is that of the axes.
+    part_frame: Option<u32>,
     /// The axes whose position is not known after the last move.
     unknown_places: AxisMask,
     pending: Option<PendingMove>,
@@ -97,6 +101,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             bent_rapids: 0,
             refused_moves: 0,
             refused: Vec::new(),
+            part_frames: Vec::new(),
             outcomes: Vec::new(),
         };
         MotionBuilder {
@@ -126,6 +131,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             pieces: 0,
             piece: 0,
             unknown_places: axes.without(job.initial_offset().1.or(job.not_named_axes().all())),
+            part_frame: None,
             axes,
             pending: None,
             report,
@@ -241,6 +247,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             length: 0.0,
             nominal_s: seconds,
             shift: self.shift,
+            part_frame: self.part_frame,
             operation: self.operations.step(&origin, kind == WaitKind::ToolChange, false),
         };
         self.report.waits += 1;
@@ -330,6 +337,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             length,
             nominal_s,
             shift: self.shift,
+            part_frame: self.part_frame,
             operation: self.operations.step(&segment.origin, false, true),
         };
         self.at = Some(motion.to());
@@ -495,44 +503,6 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         true
     }
 
-    /// Makes steps of the axes while the tip follows the path segments. Returns false where the kinematics are not known.
-    fn follows_tip(&mut self, command: &Command, segments: &[Segment]) -> bool {
-        let frame = self.path.frame();
-        let (Some(control), Some(motion)) = (frame.part_frame.clone(), command.kind.motion())
-        else {
-            return false;
-        };
-        let (offsets, tolerance_mm) = (frame.offsets(), self.axis_chord_tolerance_mm);
-        let mut parts = Vec::new();
-        let mut index = 0;
-        tip_pieces(&command.kind, motion, |curve, ends| {
-            let pieces = axis_pieces(&control, curve, ends, &offsets, tolerance_mm);
-            parts.extend(pieces.into_iter().flatten().map(|piece| (index, piece)));
-            index += 1;
-        });
-        let count = parts.len();
-        for (at, (index, piece)) in parts.iter().enumerate() {
-            let Some(whole) = segments.get(*index) else { return false };
-            let part = Segment {
-                curve: piece.curve,
-                length_mm: piece.curve.length(),
-                duration_s: whole.duration_s * piece.share,
-                rotary_from: piece.rotary_from,
-                rotary_to: piece.rotary_to,
-                ..*whole
-            };
-            self.piece = self.pieces + *index as u64;
-            let goes_on = parts.get(at + 1).is_some_and(|(next, _)| next == index);
-            let end = PieceEnd {
-                chord_tolerance_mm: goes_on.then_some(tolerance_mm),
-                tip_length_mm: Some(whole.length_mm * piece.share),
-                ..PieceEnd::new(command.origin.cycle, at + 1 < count)
-            };
-            self.segment(&part, end);
-        }
-        count > 0
-    }
-
     /// Takes a command and its path segments.
     pub fn follow(&mut self, command: &Command, segments: &[Segment]) {
         self.power_of_laser(command, !segments.is_empty());
@@ -575,24 +545,6 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
                 self.segment(last, PieceEnd::new(cycle, false));
             }
         }
-    }
-}
-
-/// How a path segment ends, and what it is part of.
-#[derive(Clone, Copy)]
-struct PieceEnd {
-    cycle: bool,
-    /// The same command goes on with another segment.
-    bends: bool,
-    /// See [`CornerRequest::chord_tolerance_mm`].
-    chord_tolerance_mm: Option<f64>,
-    /// The length of the tip's path, mm, where the segment is a path of the axes.
-    tip_length_mm: Option<f64>,
-}
-
-impl PieceEnd {
-    fn new(cycle: bool, bends: bool) -> PieceEnd {
-        PieceEnd { cycle, bends, chord_tolerance_mm: None, tip_length_mm: None }
     }
 }
 

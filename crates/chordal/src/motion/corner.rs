@@ -29,6 +29,24 @@ pub(super) struct CornerRequest {
     pub chord_tolerance_mm: Option<f64>,
 }
 
+/// How a path segment ends, and what it is part of.
+#[derive(Clone, Copy)]
+pub(super) struct PieceEnd {
+    pub cycle: bool,
+    /// The same command goes on with another segment.
+    pub bends: bool,
+    /// See [`CornerRequest::chord_tolerance_mm`].
+    pub chord_tolerance_mm: Option<f64>,
+    /// The length of the tip's path, mm, where the segment is a path of the axes.
+    pub tip_length_mm: Option<f64>,
+}
+
+impl PieceEnd {
+    pub fn new(cycle: bool, bends: bool) -> PieceEnd {
+        PieceEnd { cycle, bends, chord_tolerance_mm: None, tip_length_mm: None }
+    }
+}
+
 /// Directions that differ by less than 0.1 degrees (this is its cosine) count as tangent: far more than the angle
 /// that rounding to three decimals leaves between a line and its tangent arc.
 const SMOOTH_COSINE: f64 = 0.999_998_476_913;

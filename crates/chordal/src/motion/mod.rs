@@ -44,8 +44,8 @@ pub use options::MotionOptions;
 pub use plan::{PlanSink, StepSources};
 pub use setpoints::{SamplingError, SamplingReport, SamplingRequest};
 pub use steps::{
-    MotionReport, MotionSink, MotionStep, MotionWait, RefusedMove, StepKind, StepSource,
-    UnknownAxes, WaitKind,
+    MotionReport, MotionSink, MotionStep, MotionWait, PlacedPartFrame, RefusedMove, StepKind,
+    StepSource, UnknownAxes, WaitKind,
 };
 
 pub(crate) use builder::MotionBuilder;

@@ -1,7 +1,10 @@
 //! The steps of motion: moves, waits and their reasons.
 
-use chordal_command::{AxisMask, Command, Origin};
+use std::sync::Arc;
+
+use chordal_command::{AxisMask, Command, Origin, PartFrame, Position, ProgramOffsets};
 use chordal_diagnostics::Diagnostic;
+use chordal_geometry::Vec3;
 use chordal_kernel::Outcome;
 use chordal_motion::{AxisValues, MoveError, MoveRequest};
 use chordal_path::SegmentKind;
@@ -111,8 +114,10 @@ pub struct StepSource {
     /// How long it takes at its feed with the overrides, without acceleration, s.
     pub nominal_s: f64,
     /// Position − shift is where the step is in the coordinates of [`Job::path`](crate::Job::path)
-    /// (mm, rad).
+    /// (mm, rad), or, in a frame of the part, where the axes are without the offsets of the program.
     pub shift: AxisValues,
+    /// The index of its frame of the part in [`MotionReport::part_frames`]; `None` where the path is that of the axes.
+    pub part_frame: Option<u32>,
     /// Set where an operation begins with the step or is named before it.
     pub operation: Option<OperationMark>,
 }
@@ -184,6 +189,32 @@ pub struct MotionReport {
     pub refused_moves: u64,
     /// The first refused moves, at most 20.
     pub refused: Vec<RefusedMove>,
+    /// The frames of the part in which the tip was, in order.
+    pub part_frames: Vec<PlacedPartFrame>,
     /// How each program ended.
     pub outcomes: Vec<Outcome>,
+}
+
+/// A frame of the part with the offsets that were in force, and its place in the frame of the run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlacedPartFrame {
+    /// The frame.
+    pub frame: Arc<PartFrame>,
+    /// The offsets.
+    pub offsets: ProgramOffsets,
+    /// From work coordinates to the frame of the run, mm.
+    pub shift: Vec3,
+}
+
+impl PlacedPartFrame {
+    /// The position of the tip in program coordinates, from the positions of the axes without the offsets, mm and rad.
+    pub fn program_position(&self, axes: &Position) -> Position {
+        self.frame.tip_of_axes(axes, &self.offsets)
+    }
+
+    /// A position in program coordinates in the frame of the run, mm.
+    pub fn in_run_frame(&self, program: &Position) -> Vec3 {
+        let [x, y, z, ..] = *program;
+        self.frame.plane.apply_point(Vec3::new(x, y, z)) + self.shift
+    }
 }
