@@ -32,13 +32,13 @@ pub(crate) fn upper_bound(
     let (from, to) = (at(interval.0), at(interval.1));
     let mut largest = from.1.max(to.1);
     let mut bound = largest;
-    let mut looked_at = 0;
+    let mut count = 0;
     let mut pieces = vec![IntervalPiece { from, to, depth: 0 }];
     while let Some(piece) = pieces.pop() {
         let ends = piece.from.1.max(piece.to.1);
         let own = ends + excess(piece.from.0, piece.to.0);
-        looked_at += 1;
-        let is_last = piece.depth >= MAX_HALVINGS || looked_at >= MAX_PIECES;
+        count += 1;
+        let is_last = piece.depth >= MAX_HALVINGS || count >= MAX_PIECES;
         if own <= largest + tolerance || is_last {
             bound = bound.max(own);
             continue;

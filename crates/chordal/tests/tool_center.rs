@@ -2,7 +2,7 @@
 //! formulas, worked out apart from this code.
 
 use chordal::diagnostics::{Code, Severity};
-use chordal::motion::{MotionOptions, MotionStep, PlannerLevel, SamplingRequest};
+use chordal::motion::{MotionOptions, MotionStep, PlannerLevel, SamplingRequest, StepSource};
 use chordal::{Job, Machine, Source, SourceMap};
 
 /// Where G54 is, and above it a tool of 100 mm.
@@ -389,4 +389,37 @@ fn wrong_uses_of_tilted_planes() {
     has("G68.2 X0 Y0 Z0 I0 J170. K0\nG53.1", "PS5459");
     // After G69 there is none.
     has("G68.2 X0 Y0 Z0 I0 J30. K0\nG53.1\nG69\nG53.1", "PS5458");
+}
+
+#[test]
+fn the_tip_is_found_again_from_the_axes() {
+    // What the playback of a program shows: program coordinates, and the place on the part.
+    let ac = format!("{START}G43.4 H1 Z20.\nG1 X40. Y5. Z3. A30. C45. F500.\nM30\n");
+    let heads = ac.replace("A0 C0", "B0 C0").replace("A30.", "B30.");
+    let plane = format!("{UP}G68.2 X50. Y0 Z0 I0 J30. K0\nG53.1\nG1 X40. Y5. Z3. F500.\nM30\n");
+    let (sin, cos) = 30_f64.to_radians().sin_cos();
+    let in_plane = [90.0, 5.0 * cos - 3.0 * sin, 5.0 * sin + 3.0 * cos];
+    for (own, text, on_part) in [
+        (TRUNNION, &ac, [40.0, 5.0, 3.0]),
+        (TWO_HEADS, &heads, [40.0, 5.0, 3.0]),
+        (TRUNNION, &plane, in_plane),
+    ] {
+        let job = job(machine(own), text);
+        let mut last = None;
+        let taken =
+            job.motion(&MotionOptions::default(), |step: &MotionStep, source: &StepSource| {
+                if let MotionStep::Move(motion) = step {
+                    let to = motion.to();
+                    let axes: [f64; 6] = std::array::from_fn(|axis| to[axis] - source.shift[axis]);
+                    last = Some((axes, source.part_frame));
+                }
+                Ok(())
+            });
+        let frames = taken.map(|(report, _)| report.part_frames).unwrap_or_default();
+        let Some((axes, Some(index))) = last else { panic!("{last:?}") };
+        let placed = &frames[index as usize];
+        let program = placed.program_position(&axes);
+        assert_point([program[0], program[1], program[2]], [40.0, 5.0, 3.0]);
+        assert_point(placed.in_run_frame(&program).to_array(), on_part);
+    }
 }

@@ -4,7 +4,7 @@ use chordal::control::WorkNaming;
 use chordal::control::{AxisMask, Command, CommandKind, Move, Position, WorkName};
 use chordal::geometry::{Aabb, ParamCurve};
 use chordal::machine::{AXES, Axis, PerAxis};
-use chordal::path::{ProgramFrame, curve_of, places_on_axes};
+use chordal::path::{ProgramFrame, curve_of, places_on_axes, tip_pieces};
 use chordal::{Job, Machine};
 
 use crate::data::{AxisRange, AxisValue, CappedRows, MachineTravel, ReportedWorkOffset, Travel};
@@ -13,6 +13,8 @@ use crate::data::{AxisRange, AxisValue, CappedRows, MachineTravel, ReportedWorkO
 const MAX_SYSTEMS: usize = 60;
 /// Lines named where the program moves a work offset.
 const MAX_LINES: usize = 6;
+/// How far the extremes of the axes may be outside of the true ones where they follow a tip, mm: what the sheet shows.
+const SHOWN_TOLERANCE_MM: f64 = 1e-4;
 /// Offsets that differ by less are the same, mm and rad.
 const EQUAL_OFFSET: f64 = 1e-9;
 
@@ -92,7 +94,10 @@ impl TravelWatcher {
                 let (places, known) = places_on_axes(&run, motion, command.kind.shape());
                 self.on_surface(&places, known, cuts);
             }
-            None => self.motion(motion, bounds, cuts),
+            None => {
+                self.motion(motion, bounds, cuts);
+                self.axes_of_tip(command, motion);
+            }
         }
         let z_is_known = motion.from_known.has(2) && motion.to_known.has(2);
         let lowest = bounds.map_or(motion.from[2].min(motion.to[2]), |bounds| bounds.min.z);
@@ -168,9 +173,33 @@ impl TravelWatcher {
                 system.cuts[axis].take(place[axis]);
             }
         }
-        if self.frame.known.has(axis) {
+        // In a frame of the part the linear axes go elsewhere.
+        let is_of_axis = axis >= 3 || self.frame.part_frame.is_none();
+        if self.frame.known.has(axis) && is_of_axis {
             self.machine[axis].take(self.frame.machine(place, axis));
         }
+    }
+
+    /// Where X, Y and Z go on the machine in a move in a frame of the part.
+    fn axes_of_tip(&mut self, command: &Command, motion: &Move) {
+        let Some(frame) = self.frame.part_frame.clone() else { return };
+        let known = motion.from_known.and(motion.to_known).and(self.frame.known);
+        if !known.covers(AxisMask::LINEAR) {
+            self.unknown = self.unknown.or(AxisMask::LINEAR);
+            return;
+        }
+        let offsets = self.frame.offsets();
+        tip_pieces(&command.kind, motion, |curve, ends| {
+            let Some(path) = frame.joint_path(curve, ends, &offsets) else {
+                self.unknown = self.unknown.or(AxisMask::LINEAR);
+                return;
+            };
+            let bounds = path.bounds(0.0, 1.0, SHOWN_TOLERANCE_MM);
+            for axis in 0..3 {
+                self.machine[axis].take(bounds[axis].0);
+                self.machine[axis].take(bounds[axis].1);
+            }
+        });
     }
 
     /// Where the tool goes in each system.

@@ -350,6 +350,7 @@ mod tests {
                     length: 0.0,
                     nominal_s,
                     shift: [0.0; AXES],
+                    part_frame: None,
                     operation: begins.then_some(OperationMark::Begins(None)),
                 },
             );
